@@ -1,0 +1,14 @@
+//! The auditable metrology of the calibrator: no_std, no allocation, f32.
+//!
+//! Everything a metrologist would want to check is in this crate and runs on a
+//! laptop: sine correlation of sampled blocks, sensitivity and phase, the
+//! uncertainty budget of ISO 16063-21 Annex A, the amplitude loop, the point
+//! lists and the checks that end in a verdict. The firmware only carries
+//! samples in and results out.
+#![cfg_attr(not(test), no_std)]
+#![forbid(unsafe_code)]
+
+pub mod point;
+pub mod settings;
+pub mod tone;
+pub mod verdict;

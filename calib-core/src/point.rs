@@ -1,0 +1,68 @@
+//! What is asked of a point and what comes back.
+
+use crate::tone::Tone;
+use crate::verdict::Verdict;
+use serde::{Deserialize, Serialize};
+
+/// One calibration point to be measured.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PointSpec {
+    /// Nominal frequency, Hz; one-third-octave series preferred (5.1).
+    pub frequency_hz: f32,
+    /// Set acceleration, m/s2 r.m.s.
+    pub acceleration_rms_ms2: f32,
+}
+
+/// One measured calibration point.
+///
+/// Amplitudes are r.m.s.; uncertainties are standard uncertainties unless the
+/// name says expanded; `_rel` is relative to the quantity's own value.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct PointResult {
+    /// What was asked.
+    pub spec: PointSpec,
+    /// The tone that was played; its frequency follows from the sample rate.
+    pub tone: Tone,
+    /// Outcome. Unless it is `Pass`, the numbers below are only diagnostic.
+    pub verdict: Verdict,
+    /// Acceleration reached, m/s2 r.m.s.
+    pub acceleration_rms_ms2: f32,
+    /// Magnitude of the sensitivity of the device under test, V/(m/s2).
+    pub sensitivity_v_per_ms2: f32,
+    /// Phase of the sensitivity, rad, in (-pi, pi]; polarity is apart.
+    pub phase_rad: f32,
+    /// True when the device under test is inverted in the sense of Annex B.
+    pub inverted: bool,
+    /// Relative experimental standard deviation of the mean over the blocks.
+    pub repeatability_rel: f32,
+    /// Experimental standard deviation of the mean phase over the blocks, rad.
+    pub repeatability_phase_rad: f32,
+    /// Blocks averaged.
+    pub blocks: u16,
+    /// Relative expanded uncertainty of the magnitude.
+    pub expanded_uncertainty_rel: f32,
+    /// Coverage factor of the magnitude.
+    pub coverage_factor: f32,
+    /// Effective degrees of freedom of the magnitude; infinite is `f32::INFINITY`.
+    pub effective_degrees_of_freedom: f32,
+    /// Expanded uncertainty of the phase, rad.
+    pub expanded_uncertainty_phase_rad: f32,
+    /// Total harmonic distortion of the reference channel, 1.
+    pub distortion_reference_rel: f32,
+    /// Total harmonic distortion of the device under test, 1.
+    pub distortion_dut_rel: f32,
+    /// Signal to residual noise of the reference channel, dB.
+    pub signal_to_noise_reference_db: f32,
+    /// Signal to residual noise of the device under test, dB.
+    pub signal_to_noise_dut_db: f32,
+    /// Largest relative change of the acceleration amplitude while measuring.
+    pub amplitude_stability_rel: f32,
+    /// Drive voltage at the exciter output, V peak.
+    pub drive_peak_v: f32,
+    /// Time from the start of the drive until the level was settled, s.
+    pub settling_s: f32,
+    /// Largest excess of the amplitude over the set level while settling, 1.
+    pub overshoot_rel: f32,
+}

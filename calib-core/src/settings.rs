@@ -1,0 +1,138 @@
+//! What the instrument knows before it measures: reference, inputs, limits,
+//! influence quantities. Plain SI values, stored and exchanged as one message.
+
+use heapless::{String, Vec};
+use serde::{Deserialize, Serialize};
+
+/// Most frequencies a reference calibration table holds (0.4 Hz to 20 kHz in
+/// one-third octaves are 48).
+pub const MAX_REFERENCE_POINTS: usize = 48;
+/// Most influence quantities of a budget (Table A.1 has 18 rows).
+pub const MAX_INFLUENCES: usize = 20;
+
+/// How the sensitivity is formed (ISO 16063-21, clause 6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Method {
+    /// S = X / A, the reference being part of the calibrator.
+    Calibrator,
+    /// S2 = S1 X2 / X1 against a reference transducer.
+    Comparison,
+}
+
+/// Requirement class of ISO 16063-21, clause 3.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Example {
+    /// Laboratory conditions.
+    Example1,
+    /// Field conditions.
+    Example2,
+}
+
+/// One frequency of the reference's own calibration.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReferencePoint {
+    /// Frequency, Hz.
+    pub frequency_hz: f32,
+    /// Sensitivity of reference and conditioner, V/(m/s2).
+    pub sensitivity_v_per_ms2: f32,
+    /// Phase of that sensitivity, rad.
+    pub phase_rad: f32,
+    /// Relative expanded uncertainty (k = 2) of the magnitude.
+    pub expanded_uncertainty_rel: f32,
+    /// Expanded uncertainty (k = 2) of the phase, rad.
+    pub expanded_uncertainty_phase_rad: f32,
+}
+
+/// Calibration of the reference transducer with its conditioner.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReferenceCalibration {
+    /// Serial number of the reference.
+    pub serial: String<32>,
+    /// Certificate the table was taken from.
+    pub certificate: String<48>,
+    /// Day of the calibration, days since 1970-01-01; 0 = not stated.
+    pub calibrated_day: u32,
+    /// Day the next calibration is due, days since 1970-01-01; 0 = not stated.
+    pub due_day: u32,
+    /// Table in rising frequency.
+    pub points: Vec<ReferencePoint, MAX_REFERENCE_POINTS>,
+}
+
+/// One input: converter code to volts at the conditioner's output.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct InputScale {
+    /// Volts at the input connector per code of the 16-bit converter.
+    pub volt_per_code: f32,
+}
+
+/// What the exciter must never be asked to exceed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Limits {
+    /// Drive voltage at the exciter output, V peak.
+    pub drive_peak_v: f32,
+    /// Acceleration, m/s2 peak.
+    pub acceleration_peak_ms2: f32,
+    /// Velocity, m/s peak.
+    pub velocity_peak_ms: f32,
+    /// Displacement, m peak (5 mm is typical of the class, clause 3.2).
+    pub displacement_peak_m: f32,
+}
+
+/// Assumed probability distribution of an influence quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Distribution {
+    /// The value is an expanded uncertainty with this coverage factor.
+    Normal {
+        /// Coverage factor the value was stated with.
+        coverage_factor: f32,
+    },
+    /// The value is a half-width; divisor sqrt(3).
+    Rectangular,
+    /// The value is a half-width; divisor sqrt(6).
+    Triangular,
+    /// The value is an amplitude of an arcsine law; divisor sqrt(2).
+    UShaped,
+    /// The value times an explicit factor, such as 1/sqrt(18) of Table D.1.
+    Special {
+        /// Factor `x_i` of Table D.1.
+        factor: f32,
+    },
+}
+
+/// An influence quantity of the budget, valid for every point.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Influence {
+    /// Row number of Table A.1 (1..=18).
+    pub row: u8,
+    /// Half-width, or expanded uncertainty for `Normal`: relative.
+    pub value_rel: f32,
+    /// The same for the phase (Table A.2), rad.
+    pub value_phase_rad: f32,
+    /// Probability distribution of both.
+    pub distribution: Distribution,
+}
+
+/// Everything that is set before a measurement.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Settings {
+    /// How the sensitivity is formed.
+    pub method: Method,
+    /// Which requirements the checks apply.
+    pub example: Example,
+    /// The reference's own calibration.
+    pub reference: ReferenceCalibration,
+    /// Reference input.
+    pub reference_input: InputScale,
+    /// Input of the device under test.
+    pub dut_input: InputScale,
+    /// Volts peak at the exciter output per full-scale half-range of the DAC.
+    pub drive_full_scale_peak_v: f32,
+    /// Limits of the exciter.
+    pub limits: Limits,
+    /// Blocks averaged at each point, at least 2.
+    pub blocks: u16,
+    /// Influence quantities beside the reference's own calibration (row 1) and
+    /// the repeatability of the measurement (row 18), which are per point.
+    pub influences: Vec<Influence, MAX_INFLUENCES>,
+}

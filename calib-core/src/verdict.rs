@@ -1,0 +1,54 @@
+//! What a point ends in: a verdict, never a silent number.
+
+use serde::{Deserialize, Serialize};
+
+/// Outcome of one calibration point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Verdict {
+    /// Every check of the point passed: sensitivity and uncertainty hold.
+    Pass,
+    /// The point was measured or attempted, and its numbers must not be used.
+    Refused(Reason),
+}
+
+/// Why a point was refused. New reasons are added at the end: the number is
+/// what is stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Reason {
+    /// A channel reached the end of the converter's range.
+    Clipped,
+    /// Total harmonic distortion above Table 2 of ISO 16063-21.
+    Distortion,
+    /// Too little signal over hum and noise (Table 2).
+    SignalToNoise,
+    /// Acceleration amplitude moved more than Table 2 allows while measuring.
+    AmplitudeUnstable,
+    /// Tone further from its nominal frequency than Table 2 allows.
+    FrequencyDeviation,
+    /// The loop did not settle on the set acceleration in the time allowed.
+    NotSettled,
+    /// The set acceleration needs more drive voltage than is allowed.
+    DriveLimit,
+    /// The set acceleration exceeds the exciter's acceleration limit.
+    AccelerationLimit,
+    /// The set acceleration exceeds the exciter's velocity limit.
+    VelocityLimit,
+    /// The set acceleration exceeds the exciter's displacement limit.
+    DisplacementLimit,
+    /// The reference channel shows no signal although the exciter is driven.
+    ReferenceDead,
+    /// The device under test shows no signal although the table moves.
+    DutOpen,
+    /// Acceleration exceeded the set level far enough to be dangerous.
+    Overload,
+    /// Samples were lost: converter or DMA overrun.
+    Overrun,
+    /// No tone of the sample clock lies within 0.01 % of this frequency, or
+    /// the reference has no calibration there.
+    FrequencyUnavailable,
+    /// Stopped by the operator, a host or the supervisor.
+    Stopped,
+}

@@ -1,0 +1,16 @@
+//! Wire messages and stored records: one definition for firmware and host.
+//!
+//! | layer | form |
+//! |---|---|
+//! | message | [`message::Request`], [`message::Response`], postcard |
+//! | frame | `COBS(sequence u16 LE, message, CRC-32 LE)`, ended by 0x00 |
+//! | link | USART3 of the ST-LINK at 115 200 baud, or USB CDC-ACM |
+//!
+//! A host asks, the device answers with the same sequence number; the device
+//! never speaks unasked, so a host that does not read blocks nobody.
+#![cfg_attr(not(test), no_std)]
+#![forbid(unsafe_code)]
+
+pub mod frame;
+pub mod message;
+pub mod record;

@@ -1,0 +1,226 @@
+//! Messages: what a host asks and what the calibrator answers.
+//!
+//! | request | response | path |
+//! |---|---|---|
+//! | `Info` | `Info` | info/get |
+//! | `Status` | `Status` | status/get |
+//! | `Point` | `Point` | run/point |
+//! | `Start` | `Started` or `Refused` | run/start |
+//! | `Stop` | `Done` | run/stop |
+//! | `Records` | `Records` | record/list |
+//! | `ReadRecord` | `RecordData` | record/read |
+//! | `SettingsRead` | `Settings` | settings/get |
+//! | `SettingsWrite` | `Done` or `Refused` | settings/set |
+//! | `Reset` | `Done`, then the board resets | device/reset |
+
+use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::settings::Settings;
+use heapless::{String, Vec};
+use serde::{Deserialize, Serialize};
+
+/// Bytes of a record in one answer.
+pub const RECORD_CHUNK: usize = 1024;
+
+/// What a host asks.
+// A request is built once and encoded: its size never matters.
+#[allow(clippy::large_enum_variant)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Request {
+    /// Who are you?
+    Info,
+    /// What are you doing?
+    Status,
+    /// Result of one point of the running or last run, from 0.
+    Point {
+        /// Index of the point in the list.
+        index: u16,
+    },
+    /// Measure these points.
+    Start(RunSpec),
+    /// Silence the exciter and end the run.
+    Stop,
+    /// Summaries of stored records, from this running number on.
+    Records {
+        /// First running number wanted.
+        from: u32,
+    },
+    /// Bytes of a stored record.
+    ReadRecord {
+        /// Running number of the record.
+        id: u32,
+        /// First byte wanted.
+        offset: u32,
+    },
+    /// The settings in force.
+    SettingsRead,
+    /// New settings, stored in flash.
+    SettingsWrite(Settings),
+    /// Reset the board.
+    Reset,
+}
+
+/// What the calibrator answers.
+// An answer is encoded at once and never stored in numbers.
+#[allow(clippy::large_enum_variant)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Response {
+    /// Answer to `Info`.
+    Info(Info),
+    /// Answer to `Status`.
+    Status(Status),
+    /// Answer to `Point`.
+    Point {
+        /// Index asked for.
+        index: u16,
+        /// Result, or `None` while it is not there yet.
+        result: Option<PointResult>,
+    },
+    /// The run has begun.
+    Started {
+        /// Running number the record will have.
+        record_id: u32,
+    },
+    /// The request was carried out.
+    Done,
+    /// Answer to `Records`: at most 16, and whether there are more.
+    Records {
+        /// Summaries in rising running number.
+        records: Vec<RecordSummary, 16>,
+        /// True when a further request from the last number + 1 finds more.
+        more: bool,
+    },
+    /// Answer to `ReadRecord`.
+    RecordData {
+        /// Running number.
+        id: u32,
+        /// Position of the first byte.
+        offset: u32,
+        /// Length of the whole record, in bytes.
+        total: u32,
+        /// Bytes from `offset` on.
+        data: Vec<u8, RECORD_CHUNK>,
+    },
+    /// Answer to `SettingsRead`.
+    Settings(Settings),
+    /// The device understood and declines.
+    Refused(Refusal),
+}
+
+/// Why a request is declined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// A run is going on.
+    Busy,
+    /// No record with this running number.
+    RecordNotFound,
+    /// The offset lies behind the end of the record.
+    OffsetOutOfRange,
+    /// The record area is full.
+    StorageFull,
+    /// The flash reported an error.
+    StorageFailed,
+    /// The list is empty, or a value in it is not finite and positive.
+    PointList,
+    /// A setting is outside its range; nothing was changed.
+    Settings,
+    /// The frame was whole but is no message of this protocol version.
+    Unknown,
+}
+
+/// A run to be measured.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RunSpec {
+    /// Points in the order they are measured.
+    pub points: Vec<PointSpec, MAX_POINTS>,
+    /// What the record should say about the run.
+    pub labels: RunLabels,
+}
+
+/// Identity and health of the calibrator.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Info {
+    /// [`crate::frame::PROTOCOL_VERSION`] of the firmware.
+    pub protocol_version: u16,
+    /// Firmware version.
+    pub firmware_version: String<16>,
+    /// Git hash the firmware was built from; `-dirty` when it was changed.
+    pub git_hash: String<24>,
+    /// Serial number of the instrument, from the chip's unique id.
+    pub serial: String<32>,
+    /// Samples per second and channel, Hz.
+    pub sample_rate_hz: f32,
+    /// Why the board last started.
+    pub reset_cause: ResetCause,
+    /// Message of the panic before the last start, if there was one.
+    pub last_panic: Option<String<160>>,
+    /// Stored records.
+    pub records: u32,
+    /// Milliseconds since the start.
+    pub uptime_ms: u64,
+}
+
+/// Why the board started.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ResetCause {
+    /// Power was switched on, or came back.
+    PowerOn,
+    /// Reset pin.
+    Pin,
+    /// Asked for by software.
+    Software,
+    /// The watchdog expired.
+    Watchdog,
+    /// Supply voltage too low.
+    BrownOut,
+    /// None of these.
+    Other,
+}
+
+/// What the instrument is doing now.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Status {
+    /// Phase of the run.
+    pub state: RunState,
+    /// Point in work, from 0.
+    pub point: u16,
+    /// Points of the run.
+    pub points: u16,
+    /// Frequency in work, Hz; 0 when idle.
+    pub frequency_hz: f32,
+    /// Set acceleration, m/s2 r.m.s.
+    pub target_rms_ms2: f32,
+    /// Acceleration of the last block, m/s2 r.m.s.
+    pub acceleration_rms_ms2: f32,
+    /// Drive voltage, V peak.
+    pub drive_peak_v: f32,
+    /// Block in work at this point.
+    pub block: u16,
+    /// Blocks wanted at this point.
+    pub blocks: u16,
+    /// Sample pairs lost since the start.
+    pub overruns: u32,
+    /// Sample pairs taken since the start.
+    pub samples: u64,
+}
+
+/// Phase of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum RunState {
+    /// Silent, waiting.
+    Idle,
+    /// The level is being approached.
+    Settling,
+    /// Blocks are being measured.
+    Measuring,
+    /// The record is being written.
+    Storing,
+    /// Ended; the record is stored.
+    Finished,
+    /// Ended early; the record of what was measured is stored.
+    Stopped,
+    /// The record could not be stored.
+    Failed,
+}
