@@ -1,2 +1,46 @@
-//! placeholder
-fn main() {}
+//! The project's chores: build the image, run the demo, the tests, the benches.
+//!
+//! `./run` does the set-up of a fresh machine and then calls this program, so
+//! both a person and CI go the same way.
+
+mod bench;
+mod demo;
+mod elf;
+mod python;
+mod shell;
+mod test;
+
+use anyhow::{Result, bail};
+
+const HELP: &str = "\
+usage: ./run <command>
+
+  demo [OPTIONS]    calibrate a simulated accelerometer with the shipping firmware
+                    (options go to `calib demo`: --out DIR, --seed N, --json)
+  test [FILTER]     format, lints and every test there is
+  bench [NAME]      benchmark tables, also written to target/bench/NAME.json
+  elf               build the firmware image for the STM32H743ZI
+  size              flash and RAM used by the image
+  setup             build everything and run nothing
+";
+
+fn main() -> Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let (command, rest) = match arguments.split_first() {
+        Some((command, rest)) => (command.as_str(), rest),
+        None => ("help", &[][..]),
+    };
+    match command {
+        "demo" => demo::run(rest),
+        "test" | "ci" => test::run(rest),
+        "bench" => bench::run(rest),
+        "elf" => elf::build().map(|path| println!("{}", path.display())),
+        "size" => elf::print_size(),
+        "setup" => elf::build().and_then(|_| demo::build_tool()),
+        "help" | "--help" | "-h" => {
+            print!("{HELP}");
+            Ok(())
+        }
+        other => bail!("unknown command `{other}`\n\n{HELP}"),
+    }
+}

@@ -1,0 +1,55 @@
+//! Benchmarks: programs that print a table and write `target/bench/NAME.json`.
+
+use crate::shell::{self, cargo, target_dir};
+use crate::{demo, elf, python};
+use anyhow::{Result, bail};
+
+/// One benchmark: an example program of a crate.
+struct Bench {
+    name: &'static str,
+    package: &'static str,
+    example: &'static str,
+    what: &'static str,
+}
+
+const BENCHES: &[Bench] = &[];
+
+/// Runs one benchmark, or all of them.
+pub(crate) fn run(arguments: &[String]) -> Result<()> {
+    let chosen: Vec<&Bench> = match arguments.first() {
+        None => BENCHES.iter().collect(),
+        Some(name) => BENCHES.iter().filter(|bench| bench.name == name).collect(),
+    };
+    if chosen.is_empty() {
+        let known: Vec<_> = BENCHES
+            .iter()
+            .map(|bench| format!("  {:<12} {}", bench.name, bench.what))
+            .collect();
+        bail!("no such benchmark; there are\n{}", known.join("\n"));
+    }
+    let image = elf::build()?;
+    demo::build_tool()?;
+    let interpreter = python::interpreter()?;
+    let folder = target_dir().join("bench");
+    std::fs::create_dir_all(&folder)?;
+    for bench in chosen {
+        println!("\n== {}: {}\n", bench.name, bench.what);
+        let mut command = cargo("run");
+        command.args(["--release", "--quiet", "--package", bench.package]);
+        command
+            .args(["--example", bench.example, "--"])
+            .args(arguments.iter().skip(1));
+        command
+            .env("CALIB_FIRMWARE_ELF", &image)
+            .env("CALIB_TOOL", demo::tool());
+        command.env(
+            "CALIB_BENCH_JSON",
+            folder.join(format!("{}.json", bench.name)),
+        );
+        if let Some(interpreter) = &interpreter {
+            command.env("CALIB_PYTHON", interpreter);
+        }
+        shell::run(&mut command)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,30 @@
+//! The demo: one command from a clean clone to a certificate.
+
+use crate::shell::{cargo, target_dir};
+use crate::{elf, shell};
+use anyhow::Result;
+use std::path::PathBuf;
+use std::process::Command;
+
+/// Builds the host tool.
+pub(crate) fn build_tool() -> Result<()> {
+    eprintln!("building the host tool ...");
+    shell::run(cargo("build").args(["--release", "--package", "calib-host", "--bin", "calib"]))
+}
+
+/// Where the host tool lies once it is built.
+pub(crate) fn tool() -> PathBuf {
+    target_dir().join("release").join("calib")
+}
+
+/// Builds what is needed and runs `calib demo`.
+pub(crate) fn run(arguments: &[String]) -> Result<()> {
+    let image = elf::build()?;
+    build_tool()?;
+    let mut command = Command::new(tool());
+    command
+        .current_dir(shell::root())
+        .env("CALIB_FIRMWARE_ELF", image);
+    command.arg("demo").args(arguments);
+    shell::run(&mut command)
+}

@@ -1,0 +1,41 @@
+//! Python packages that tests read our files back with.
+//!
+//! Independent readers (`pyuff`, `dcclib`, `pyvisa`, ...) live in a virtual
+//! environment below `target`. Without Python those tests say so and pass,
+//! except in CI, where a missing reader is a failure.
+
+use crate::shell::{root, run, target_dir};
+use anyhow::Result;
+use std::path::PathBuf;
+use std::process::Command;
+
+/// The interpreter tests are given, when one could be set up.
+pub(crate) fn interpreter() -> Result<Option<PathBuf>> {
+    let folder = target_dir().join("python");
+    let python = folder.join("bin").join("python3");
+    let list = root().join("tests").join("requirements.txt");
+    let stamp = folder.join("requirements.txt");
+    let wanted = std::fs::read(&list)?;
+    if std::fs::read(&stamp).is_ok_and(|have| have == wanted) {
+        return Ok(Some(python));
+    }
+    match install(&folder, &python, &list) {
+        Ok(()) => {
+            std::fs::write(&stamp, wanted)?;
+            Ok(Some(python))
+        }
+        Err(error) if std::env::var_os("CI").is_some() => Err(error),
+        Err(error) => {
+            eprintln!("no Python readers ({error:#}): tests that need them say so and pass");
+            Ok(None)
+        }
+    }
+}
+
+fn install(folder: &PathBuf, python: &PathBuf, list: &PathBuf) -> Result<()> {
+    eprintln!("setting up the Python readers of the tests ...");
+    run(Command::new("python3").args(["-m", "venv"]).arg(folder))?;
+    run(Command::new(python)
+        .args(["-m", "pip", "install", "--quiet", "--requirement"])
+        .arg(list))
+}

@@ -1,0 +1,74 @@
+//! Every test there is, in the order that fails soonest.
+
+use crate::shell::{self, cargo, target_dir};
+use crate::{demo, elf, python};
+use anyhow::{Result, bail};
+
+/// Format, lints, image, tool, tests. With a filter: only tests of that name.
+pub(crate) fn run(filter: &[String]) -> Result<()> {
+    if filter.is_empty() {
+        shell::run(cargo_plain("fmt").args(["--all", "--check"]))?;
+        no_test_is_skipped()?;
+    }
+    let image = elf::build()?;
+    demo::build_tool()?;
+    let mut tests = cargo("test");
+    tests.args(["--release", "--workspace", "--no-fail-fast"]);
+    tests
+        .env("CALIB_FIRMWARE_ELF", image)
+        .env("CALIB_TOOL", demo::tool());
+    if let Some(interpreter) = python::interpreter()? {
+        tests.env("CALIB_PYTHON", interpreter);
+    }
+    shell::run(tests.arg("--").args(filter))?;
+    if filter.is_empty() {
+        lint()?;
+    }
+    eprintln!(
+        "all tests passed; the host tool is {}",
+        demo::tool().display()
+    );
+    Ok(())
+}
+
+/// Lints with warnings denied. After the tests: clippy shares no build with
+/// them, and a failing test is the more urgent news.
+fn lint() -> Result<()> {
+    let mut clippy = cargo("clippy");
+    clippy.args([
+        "--release",
+        "--workspace",
+        "--all-targets",
+        "--",
+        "-D",
+        "warnings",
+    ]);
+    shell::run(&mut clippy)
+}
+
+/// `cargo fmt` knows no `--ignore-rust-version`.
+fn cargo_plain(subcommand: &str) -> std::process::Command {
+    let mut command = std::process::Command::new("cargo");
+    command.current_dir(shell::root()).arg(subcommand);
+    command
+}
+
+/// A skipped test is a behaviour nobody watches.
+fn no_test_is_skipped() -> Result<()> {
+    let needle = concat!("#[", "ignore");
+    let mut folders = vec![shell::root()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder)?.flatten() {
+            let path = entry.path();
+            let name = entry.file_name();
+            if path.is_dir() && name != "target" && name != ".git" && path != target_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs")
+                && std::fs::read_to_string(&path)?.contains(needle)
+            {
+                bail!("{} skips a test: fix it or take it out", path.display());
+            }
+        }
+    }
+    Ok(())
+}
