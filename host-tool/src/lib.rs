@@ -1,1 +1,9 @@
-//! placeholder
+//! The host side of the calibrator: link, sessions, records, certificates.
+//!
+//! The command line tool `calib` is a thin layer over this library; every verb
+//! is one file of `src/cli/`. Errors name the way out ([`error::Error`]).
+#![forbid(unsafe_code)]
+
+pub mod error;
+
+pub use error::{Error, Result};

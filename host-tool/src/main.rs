@@ -1,2 +1,17 @@
-//! placeholder
-fn main() {}
+//! `calib`: the command line tool of the calibrator. One file per verb in `cli/`.
+mod cli;
+
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = cli::Arguments::parse();
+    let context = cli::Context::new(&arguments.global);
+    match arguments.command.run(&context) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            context.report(&error);
+            ExitCode::from(error.exit_code())
+        }
+    }
+}

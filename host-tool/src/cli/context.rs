@@ -1,0 +1,76 @@
+//! What every verb gets: output switches and the address of the device.
+
+use super::GlobalOptions;
+use calib_host::{Error, Result};
+use serde::Serialize;
+use std::io::{IsTerminal, Write};
+
+/// Output switches and the address of the device.
+pub(crate) struct Context {
+    /// `--json`.
+    pub(crate) json: bool,
+    /// `--quiet`.
+    pub(crate) quiet: bool,
+    /// `--device`, or `CALIB_DEVICE`.
+    pub(crate) device: Option<String>,
+    /// Colour and moving progress are welcome on standard error.
+    pub(crate) color: bool,
+}
+
+impl Context {
+    /// From the command line and the environment (`NO_COLOR`, <https://no-color.org>).
+    pub(crate) fn new(options: &GlobalOptions) -> Self {
+        let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+        Self {
+            json: options.json,
+            quiet: options.quiet,
+            device: options.device.clone(),
+            color: !no_color && std::io::stderr().is_terminal(),
+        }
+    }
+
+    /// Prints the result of a verb: `value` as JSON with `--json`, else `text`.
+    pub(crate) fn print<T: Serialize>(
+        &self,
+        value: &T,
+        text: impl FnOnce() -> String,
+    ) -> Result<()> {
+        let mut output = if self.json {
+            serde_json::to_string_pretty(value).map_err(|error| {
+                Error::input("result", error.to_string(), "report this as a defect")
+            })?
+        } else {
+            text()
+        };
+        if !output.ends_with('\n') {
+            output.push('\n');
+        }
+        match std::io::stdout().write_all(output.as_bytes()) {
+            // `calib ... | head` is not a failure.
+            Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+                Err(Error::file("write", "standard output".as_ref(), error))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Prints a remark to standard error, unless `--quiet`.
+    pub(crate) fn remark(&self, text: &str) {
+        if !self.quiet {
+            let _ = writeln!(std::io::stderr(), "{text}");
+        }
+    }
+
+    /// Prints a failure and its way out to standard error.
+    pub(crate) fn report(&self, error: &Error) {
+        let (red, cyan, plain) = match self.color {
+            true => ("\x1b[1;31m", "\x1b[1;36m", "\x1b[0m"),
+            false => ("", "", ""),
+        };
+        let mut stderr = std::io::stderr();
+        let _ = writeln!(stderr, "{red}error{plain}: {error}");
+        if let Some(hint) = error.hint() {
+            let _ = writeln!(stderr, " {cyan}hint{plain}: {hint}");
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Arguments of `calib`: one struct per verb, each in its own file.
+//!
+//! A verb is a struct that derives `clap::Args` with
+//! `run(self, context) -> Result<()>`. Data goes to standard output (tables,
+//! or JSON with `--json`), everything else to standard error.
+
+mod context;
+mod version;
+
+pub(crate) use context::Context;
+
+use calib_host::Result;
+use clap::{Args, Parser, Subcommand};
+
+/// Exit codes, printed at the end of `calib --help`.
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  done
+  1  a file could not be read or written, or the tool itself failed
+  2  wrong use of the command line
+  3  link: no such device, no answer, damaged answers
+  4  the device speaks another protocol version
+  5  the device understood and refused
+  6  an input file (points, record, settings) is not usable
+  7  done, but at least one verdict is not \"pass\"";
+
+/// Calibrates vibration transducers with the open field calibrator.
+#[derive(Debug, Parser)]
+#[command(name = "calib", version, about, after_help = EXIT_CODES, max_term_width = 100)]
+pub(crate) struct Arguments {
+    /// Options every verb knows.
+    #[command(flatten)]
+    pub(crate) global: GlobalOptions,
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// Options every verb knows.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct GlobalOptions {
+    /// Machine-readable output: one JSON document on standard output.
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+    /// The calibrator: a serial port, `tcp:HOST:PORT`, or `emulated`.
+    #[arg(
+        long,
+        short,
+        global = true,
+        env = "CALIB_DEVICE",
+        value_name = "ADDRESS"
+    )]
+    pub(crate) device: Option<String>,
+    /// No progress and no remarks; errors are still printed.
+    #[arg(long, short, global = true)]
+    pub(crate) quiet: bool,
+}
+
+/// The verbs.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Versions of the tool, the protocol and the stored records.
+    Version(version::Version),
+}
+
+impl Command {
+    /// Carries the verb out.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        match self {
+            Self::Version(verb) => verb.run(context),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Arguments::command().debug_assert();
+    }
+}

@@ -1,0 +1,96 @@
+//! What can go wrong on the host, with the way out and the exit code.
+//!
+//! | exit code | meaning |
+//! |---|---|
+//! | 0 | done |
+//! | 1 | a file could not be read or written, or the tool itself failed |
+//! | 2 | wrong use of the command line |
+//! | 3 | link: no such device, no answer, damaged answers |
+//! | 4 | the device speaks another protocol version, or answers nonsense |
+//! | 5 | the device understood and refused |
+//! | 6 | an input file (points, record, settings, ...) is not usable |
+//! | 7 | done, but the verdict is not "pass": at least one point was refused |
+
+use std::path::{Path, PathBuf};
+
+/// Result of a host operation.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// A failure of the host tool; [`Error::hint`] says what to do about it.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A file or directory could not be read or written.
+    #[error("cannot {action} {}: {source}", path.display())]
+    File {
+        /// What was tried: "read", "write", "create".
+        action: &'static str,
+        /// The file.
+        path: PathBuf,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// An input is not usable: which one, where in it, why, and the way out.
+    #[error("{place}: {problem}")]
+    Input {
+        /// File with line or field, such as `points.toml:7`.
+        place: String,
+        /// What is wrong there.
+        problem: String,
+        /// What to do about it; empty when the problem says it.
+        hint: String,
+    },
+    /// The command line asks for something that cannot be.
+    #[error("{problem}")]
+    Usage {
+        /// What is wrong.
+        problem: String,
+        /// What to type instead.
+        hint: String,
+    },
+    /// The work was done and its result is not a pass.
+    #[error("{0}")]
+    NotPassed(String),
+}
+
+impl Error {
+    /// A failed file operation.
+    pub fn file(action: &'static str, path: &Path, source: std::io::Error) -> Self {
+        Self::File {
+            action,
+            path: path.to_owned(),
+            source,
+        }
+    }
+
+    /// An input that is not usable.
+    pub fn input(
+        place: impl Into<String>,
+        problem: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Self {
+        Self::Input {
+            place: place.into(),
+            problem: problem.into(),
+            hint: hint.into(),
+        }
+    }
+
+    /// What the user can do about it, if the message does not say it already.
+    pub fn hint(&self) -> Option<&str> {
+        match self {
+            Self::Input { hint, .. } | Self::Usage { hint, .. } if !hint.is_empty() => Some(hint),
+            _ => None,
+        }
+    }
+
+    /// Exit code of the process, per the table above.
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::File { .. } => 1,
+            Self::Usage { .. } => 2,
+            Self::Input { .. } => 6,
+            Self::NotPassed(_) => 7,
+        }
+    }
+}
