@@ -1,0 +1,61 @@
+//! The seam between the emulated board and the physics around it.
+//!
+//! The board knows codes and time, the plant knows volts and metres per second squared: all
+//! analogue matters (output stage, exciter, transducers, conditioning, range, resolution and noise
+//! of the digitiser) are on the plant's side. Both sides are exact in time, because a converter's
+//! trigger is: durations are whole virtual nanoseconds.
+//!
+//! ```text
+//!            hold(drive_code, duration_ns)                sample()
+//!   DAC1 ------------------------------------> plant ------------------> ADC1, ADC2
+//! ```
+
+/// Code of the drive output (DAC1, 12 bit right aligned) at which the exciter gets 0 V.
+///
+/// The output stage's bias network holds this level as well while the converter is off and its pin
+/// floats, so a board without firmware is silent.
+pub const DRIVE_MID_CODE: u16 = 2048;
+
+/// Number of input channels sampled at one trigger: reference, then device under test.
+pub const INPUT_CHANNELS: usize = 2;
+
+/// What is connected to the board's analogue pins.
+///
+/// The board calls [`hold`](Self::hold) for every stretch of time in which the drive output was
+/// constant, and [`sample`](Self::sample) at each conversion, in the order of virtual time. In
+/// normal operation that is one `hold` of 20 000 ns and one `sample` per trigger.
+///
+/// An implementation must be deterministic: the same calls give the same codes.
+pub trait RigPort: Send {
+    /// Advances the physics by `duration_ns` with the drive output constant at `drive_code`
+    /// (0 ..= 4095, [`DRIVE_MID_CODE`] is 0 V).
+    fn hold(&mut self, drive_code: u16, duration_ns: u64);
+
+    /// The codes both digitisers give for the present instant: reference, then device under test,
+    /// 16 bit offset binary (32 768 is 0 V).
+    fn sample(&mut self) -> [u16; INPUT_CHANNELS];
+}
+
+/// A rig whose input connectors are shorted: every code is mid-scale.
+///
+/// For tests that are about the board alone.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct ShortedInputs;
+
+impl RigPort for ShortedInputs {
+    fn hold(&mut self, _drive_code: u16, _duration_ns: u64) {}
+
+    fn sample(&mut self) -> [u16; INPUT_CHANNELS] {
+        [32_768; INPUT_CHANNELS]
+    }
+}
+
+impl<R: RigPort + ?Sized> RigPort for Box<R> {
+    fn hold(&mut self, drive_code: u16, duration_ns: u64) {
+        (**self).hold(drive_code, duration_ns);
+    }
+
+    fn sample(&mut self) -> [u16; INPUT_CHANNELS] {
+        (**self).sample()
+    }
+}
