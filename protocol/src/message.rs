@@ -107,6 +107,18 @@ pub enum Response {
     Refused(Refusal),
 }
 
+/// Protocol version in an `Info` answer of any version, from its message bytes.
+///
+/// `Request::Info` and `Response::Info` are number 0 and the version is the
+/// first field, in every version there will be: that is how two peers find out
+/// that they cannot talk.
+pub fn version_of_info(message: &[u8]) -> Option<u16> {
+    match postcard::take_from_bytes::<(u8, u16)>(message) {
+        Ok(((0, version), _)) => Some(version),
+        _ => None,
+    }
+}
+
 /// Why a request is declined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -223,4 +235,42 @@ pub enum RunState {
     Stopped,
     /// The record could not be stored.
     Failed,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn info(protocol_version: u16) -> Info {
+        Info {
+            protocol_version,
+            firmware_version: String::new(),
+            git_hash: String::new(),
+            serial: String::new(),
+            sample_rate_hz: 50_000.0,
+            reset_cause: ResetCause::Pin,
+            last_panic: None,
+            records: 0,
+            uptime_ms: 0,
+        }
+    }
+
+    #[test]
+    fn the_version_is_found_whatever_follows_it() {
+        for version in [0, 1, 127, 128, 40_000] {
+            let mut bytes = [0; 128];
+            let message = postcard::to_slice(&Response::Info(info(version)), &mut bytes);
+            let message = message.expect("fits");
+            assert_eq!(version_of_info(message), Some(version));
+            assert_eq!(version_of_info(&message[..4]), Some(version));
+        }
+    }
+
+    #[test]
+    fn other_answers_have_no_version() {
+        let mut bytes = [0; 16];
+        let message = postcard::to_slice(&Response::Done, &mut bytes).expect("fits");
+        assert_eq!(version_of_info(message), None);
+        assert_eq!(version_of_info(&[]), None);
+    }
 }

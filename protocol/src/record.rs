@@ -6,6 +6,7 @@
 //! | n | [`Record`], postcard |
 //! | 4 | CRC-32 of everything before, LE |
 
+use crate::frame::CRC;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use heapless::{String, Vec};
@@ -69,4 +70,178 @@ pub struct RecordSummary {
     pub points: u16,
     /// Points refused.
     pub refused: u16,
+}
+
+/// Why stored bytes are not a record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum RecordError {
+    /// Too short to be a record, or the buffer is too small to write one.
+    Length,
+    /// Written by another version of the firmware.
+    Version {
+        /// Record version found; this code reads [`RECORD_VERSION`].
+        found: u16,
+    },
+    /// The checksum differs: bytes were damaged or are missing.
+    Checksum,
+    /// The checksum holds, and yet the content is no record of this version.
+    Content,
+}
+
+impl core::fmt::Display for RecordError {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Length => formatter.write_str("wrong length for a record"),
+            Self::Version { found } => write!(
+                formatter,
+                "record version {found}, only {RECORD_VERSION} is known here"
+            ),
+            Self::Checksum => formatter.write_str("checksum of the record failed"),
+            Self::Content => formatter.write_str("content is no record"),
+        }
+    }
+}
+
+impl core::error::Error for RecordError {}
+
+/// Writes the stored form and returns its length in bytes.
+///
+/// # Errors
+/// [`RecordError::Length`] when the buffer is too small.
+pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> {
+    let (version, rest) = buffer
+        .split_first_chunk_mut::<2>()
+        .ok_or(RecordError::Length)?;
+    *version = RECORD_VERSION.to_le_bytes();
+    let body = postcard::to_slice(record, rest).map_err(|_| RecordError::Length)?;
+    let end = 2 + body.len();
+    let checksum = CRC.checksum(buffer.get(..end).ok_or(RecordError::Length)?);
+    buffer
+        .get_mut(end..end + 4)
+        .ok_or(RecordError::Length)?
+        .copy_from_slice(&checksum.to_le_bytes());
+    Ok(end + 4)
+}
+
+/// Checks length, checksum and version, in this order, and returns the content.
+///
+/// # Errors
+/// See [`RecordError`]; `Checksum` before `Version`, because a damaged version
+/// number is damage and no version.
+pub fn check(bytes: &[u8]) -> Result<&[u8], RecordError> {
+    let (content, checksum) = bytes.split_last_chunk::<4>().ok_or(RecordError::Length)?;
+    let (version, body) = content
+        .split_first_chunk::<2>()
+        .ok_or(RecordError::Length)?;
+    if CRC.checksum(content) != u32::from_le_bytes(*checksum) {
+        return Err(RecordError::Checksum);
+    }
+    match u16::from_le_bytes(*version) {
+        RECORD_VERSION => Ok(body),
+        found => Err(RecordError::Version { found }),
+    }
+}
+
+/// Reads the stored form.
+///
+/// # Errors
+/// Those of [`check`], and [`RecordError::Content`].
+pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
+    match postcard::take_from_bytes(check(bytes)?) {
+        Ok((record, [])) => Ok(record),
+        _ => Err(RecordError::Content),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calib_core::settings::{Example, InputScale, Limits, Method, ReferenceCalibration};
+
+    fn record() -> Record {
+        Record {
+            id: 7,
+            instrument_serial: "A1".try_into().expect("short"),
+            firmware: "0.1.0".try_into().expect("short"),
+            sample_rate_hz: 50_000.0,
+            labels: RunLabels::default(),
+            settings: Settings {
+                method: Method::Calibrator,
+                example: Example::Example2,
+                reference: ReferenceCalibration {
+                    serial: String::new(),
+                    certificate: String::new(),
+                    calibrated_day: 0,
+                    due_day: 0,
+                    points: Vec::new(),
+                },
+                reference_input: InputScale { volt_per_code: 1.0 },
+                dut_input: InputScale { volt_per_code: 1.0 },
+                drive_full_scale_peak_v: 10.0,
+                limits: Limits {
+                    drive_peak_v: 10.0,
+                    acceleration_peak_ms2: 50.0,
+                    velocity_peak_ms: 0.5,
+                    displacement_peak_m: 0.005,
+                },
+                blocks: 5,
+                influences: Vec::new(),
+            },
+            complete: true,
+            points: Vec::new(),
+        }
+    }
+
+    fn stored() -> std::vec::Vec<u8> {
+        let mut bytes = vec![0; 1024];
+        let length = encode(&record(), &mut bytes).expect("fits");
+        bytes.truncate(length);
+        bytes
+    }
+
+    #[test]
+    fn decoding_inverts_encoding() {
+        assert_eq!(decode(&stored()), Ok(record()));
+    }
+
+    #[test]
+    fn every_flipped_bit_is_noticed() {
+        let whole = stored();
+        for bit in 0..whole.len() * 8 {
+            let mut bytes = whole.clone();
+            bytes[bit / 8] ^= 1 << (bit % 8);
+            assert_eq!(decode(&bytes), Err(RecordError::Checksum), "bit {bit}");
+        }
+    }
+
+    #[test]
+    fn every_shortened_record_is_refused() {
+        let whole = stored();
+        for length in 0..whole.len() {
+            assert!(decode(&whole[..length]).is_err(), "{length}");
+        }
+    }
+
+    #[test]
+    fn a_newer_version_is_named() {
+        let mut bytes = stored();
+        bytes[0] = 9;
+        let end = bytes.len() - 4;
+        let checksum = CRC.checksum(&bytes[..end]).to_le_bytes();
+        bytes[end..].copy_from_slice(&checksum);
+        assert_eq!(decode(&bytes), Err(RecordError::Version { found: 9 }));
+    }
+
+    #[test]
+    fn a_buffer_of_any_short_length_is_refused() {
+        for room in 0..stored().len() {
+            let mut buffer = vec![0; room];
+            assert_eq!(
+                encode(&record(), &mut buffer),
+                Err(RecordError::Length),
+                "{room}"
+            );
+        }
+    }
 }
