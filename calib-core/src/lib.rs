@@ -8,6 +8,8 @@
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
+pub mod correlation;
+pub mod phase;
 pub mod point;
 pub mod settings;
 pub mod tone;

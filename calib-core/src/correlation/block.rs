@@ -1,0 +1,88 @@
+//! How many samples a block holds and how they are folded.
+
+use crate::tone::{MAX_PERIOD_SAMPLES, Tone};
+
+/// Shortest fold, in samples: short periods are repeated up to this length, so
+/// that the inner loop runs long and the sums stay small.
+pub const MIN_FOLD_SAMPLES: u32 = 500;
+
+/// Most passes over a fold: each adds at most 32 768 to a 32-bit sum.
+pub const MAX_PASSES: u32 = 65_535;
+
+/// Most fractional cycles, per cycle, of an approximate block.
+const MAX_CYCLE_ERROR_REL: f32 = 2.0e-4;
+
+/// Shape of a block: a fold of `fold_samples`, passed `passes` times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Block {
+    tone: Tone,
+    fold_samples: u16,
+    passes: u32,
+}
+
+impl Block {
+    /// Whole periods of `tone`, at least `min_samples` samples long.
+    ///
+    /// # Overflow
+    /// A sum takes one sample of at most 32 768 per pass and `passes` is at
+    /// most 65 535: `65 535 * 32 768 < 2^31`. With folds of 500 samples or
+    /// more the limit is 32.7 million samples, 655 s at 50 kS/s; longer
+    /// requests give that longest block.
+    pub fn measuring(tone: Tone, min_samples: u32) -> Self {
+        let period = u32::from(tone.period_samples).max(1);
+        let fold = period * MIN_FOLD_SAMPLES.div_ceil(period);
+        Self {
+            tone,
+            // A period is at most MAX_PERIOD_SAMPLES, a repeated one at most 999.
+            fold_samples: fold.min(u32::from(MAX_PERIOD_SAMPLES)) as u16,
+            passes: min_samples.div_ceil(fold).clamp(1, MAX_PASSES),
+        }
+    }
+
+    /// The shortest block good enough for the amplitude loop.
+    ///
+    /// Tones of several cycles in a long period (31.5 Hz: 3 cycles in 4762
+    /// samples) would make the loop wait; here one pass over the samples
+    /// nearest to fewer whole cycles is taken when it is at most 0.02 % of a
+    /// cycle off. The error of the amplitude is as small (`docs/metrology.md`);
+    /// measuring blocks are always exact.
+    pub fn control(tone: Tone) -> Self {
+        let exact = Self::measuring(tone, MIN_FOLD_SAMPLES);
+        let cycles = u32::from(tone.cycles);
+        let period = u32::from(tone.period_samples).max(1);
+        for whole in 1..cycles {
+            let samples = (whole * period + cycles / 2) / cycles;
+            let error = (samples * cycles).abs_diff(whole * period);
+            let allowed = MAX_CYCLE_ERROR_REL * (whole * period) as f32;
+            if samples >= MIN_FOLD_SAMPLES && error as f32 <= allowed {
+                let approximate = Self {
+                    tone,
+                    fold_samples: samples as u16,
+                    passes: 1,
+                };
+                return approximate;
+            }
+        }
+        exact
+    }
+
+    /// Tone the block is correlated with.
+    pub fn tone(self) -> Tone {
+        self.tone
+    }
+
+    /// Samples of one pass.
+    pub fn fold_samples(self) -> u16 {
+        self.fold_samples
+    }
+
+    /// Passes over the fold.
+    pub fn passes(self) -> u32 {
+        self.passes
+    }
+
+    /// Samples of the block.
+    pub fn samples(self) -> u32 {
+        u32::from(self.fold_samples) * self.passes
+    }
+}
