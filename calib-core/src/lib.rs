@@ -8,7 +8,9 @@
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
+pub mod control;
 pub mod correlation;
+pub mod generator;
 pub mod phase;
 pub mod point;
 pub mod settings;

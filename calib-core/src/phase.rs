@@ -33,11 +33,17 @@ impl PhaseWalk {
     #[inline]
     pub fn next_cos_sin(&mut self) -> (f32, f32) {
         let here = cos_sin_fraction(self.position, self.period, self.quarter_rad);
+        self.skip();
+        here
+    }
+
+    /// Moves on by one sample.
+    #[inline]
+    pub fn skip(&mut self) {
         self.position += self.step;
         if self.position >= self.period {
             self.position -= self.period;
         }
-        here
     }
 }
 

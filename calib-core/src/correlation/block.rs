@@ -10,7 +10,7 @@ pub const MIN_FOLD_SAMPLES: u32 = 500;
 pub const MAX_PASSES: u32 = 65_535;
 
 /// Most fractional cycles, per cycle, of an approximate block.
-const MAX_CYCLE_ERROR_REL: f32 = 2.0e-4;
+const MAX_CYCLE_ERROR_REL: f32 = 2.2e-4;
 
 /// Shape of a block: a fold of `fold_samples`, passed `passes` times.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +43,7 @@ impl Block {
     ///
     /// Tones of several cycles in a long period (31.5 Hz: 3 cycles in 4762
     /// samples) would make the loop wait; here one pass over the samples
-    /// nearest to fewer whole cycles is taken when it is at most 0.02 % of a
+    /// nearest to fewer whole cycles is taken when it is at most 0.022 % of a
     /// cycle off. The error of the amplitude is as small (`docs/metrology.md`);
     /// measuring blocks are always exact.
     pub fn control(tone: Tone) -> Self {

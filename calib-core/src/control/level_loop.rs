@@ -1,0 +1,225 @@
+//! The amplitude loop: one step per block of constant drive.
+
+use super::limits::check_level;
+use crate::settings::Limits;
+use crate::verdict::Reason;
+
+/// First drive, relative to the drive limit.
+const PROBE_REL: f32 = 0.005;
+/// Drive up to which an exciter that shows nothing is driven, relative to the
+/// limit: one that is only weak would show a twentieth of its level there.
+const SEARCH_REL: f32 = 0.05;
+/// Level relative to the set one below which nothing is seen.
+const NOTHING_REL: f32 = 0.002;
+/// Growth of the drive while nothing, or not enough, is seen.
+const SEARCH_FACTOR: f32 = 4.0;
+/// Part of the set level that is aimed at first: an exciter whose gain is 40 %
+/// higher there than at the probe still stays below the set level.
+const APPROACH_REL: f32 = 0.7;
+/// Noise of a block above which its gain is not trusted for the approach.
+const PROBE_NOISE_REL: f32 = 0.05;
+/// Blocks agree within this before the drive is raised on them.
+const AGREEMENT_REL: f32 = 0.02;
+/// Settled within this of the set level.
+const TOLERANCE_REL: f32 = 5.0e-4;
+/// And, for noisy blocks, never wider than this (issue of 0.1 % at most).
+const MAX_TOLERANCE_REL: f32 = 1.0e-3;
+/// Relative change of drive so small that its transient needs no wait.
+const SMALL_CHANGE_REL: f32 = 0.01;
+/// Blocks waited for agreement before the last one is believed.
+const MAX_WAITS: u8 = 8;
+/// Blocks after which the loop gives up.
+const MAX_BLOCKS: u16 = 60;
+/// Protective abort, relative to the set level.
+pub const OVERLOAD_REL: f32 = 1.5;
+
+/// Set level and limits of one point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LevelLoop {
+    set_peak_ms2: f32,
+    drive_limit_peak_v: f32,
+}
+
+/// Level of one block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level {
+    /// Acceleration by the reference, m/s2 peak.
+    pub peak_ms2: f32,
+    /// Its standard uncertainty by the residual noise, m/s2 peak.
+    pub noise_ms2: f32,
+}
+
+/// How far the loop is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    Probe,
+    Approach,
+    Trim,
+}
+
+/// State of the loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LevelState {
+    stage: Stage,
+    drive_peak_v: f32,
+    /// Relative size of the last change of drive.
+    change_rel: f32,
+    /// Level of the block before, when the drive was the same.
+    previous: Option<f32>,
+    waits: u8,
+    blocks: u16,
+    highest_peak_ms2: f32,
+}
+
+impl LevelState {
+    /// Drive now, V peak.
+    pub fn drive_peak_v(&self) -> f32 {
+        self.drive_peak_v
+    }
+
+    /// Highest level seen so far, m/s2 peak.
+    pub fn highest_peak_ms2(&self) -> f32 {
+        self.highest_peak_ms2
+    }
+}
+
+/// What is to be done after a block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Next {
+    /// Measure another block with the same drive.
+    Hold,
+    /// Change the drive to this, V peak, wait until it is in force, and
+    /// measure another block.
+    Drive(f32),
+    /// The level is reached and steady.
+    Settled,
+    /// The level cannot be reached: silence the exciter.
+    Failed(Reason),
+}
+
+impl LevelLoop {
+    /// A loop for `set_peak_ms2` at `frequency_hz` within `limits`.
+    ///
+    /// # Errors
+    /// The limit the set level exceeds; nothing may be driven then.
+    pub fn new(limits: &Limits, frequency_hz: f32, set_peak_ms2: f32) -> Result<Self, Reason> {
+        check_level(limits, frequency_hz, set_peak_ms2)?;
+        Ok(Self {
+            set_peak_ms2,
+            drive_limit_peak_v: limits.drive_peak_v,
+        })
+    }
+
+    /// Set level, m/s2 peak.
+    pub fn set_peak_ms2(&self) -> f32 {
+        self.set_peak_ms2
+    }
+
+    /// The state before the first block, with the drive to begin with.
+    pub fn start(&self) -> LevelState {
+        LevelState {
+            stage: Stage::Probe,
+            drive_peak_v: PROBE_REL * self.drive_limit_peak_v,
+            change_rel: f32::INFINITY,
+            previous: None,
+            waits: 0,
+            blocks: 0,
+            highest_peak_ms2: 0.0,
+        }
+    }
+
+    /// Takes the level of one block of constant drive and says what to do.
+    pub fn step(&self, state: &mut LevelState, level: Level) -> Next {
+        state.blocks += 1;
+        state.highest_peak_ms2 = state.highest_peak_ms2.max(level.peak_ms2);
+        if !(level.peak_ms2 <= OVERLOAD_REL * self.set_peak_ms2) {
+            return Next::Failed(Reason::Overload);
+        }
+        if state.blocks > MAX_BLOCKS {
+            return Next::Failed(Reason::NotSettled);
+        }
+        if let Some(previous) = self.unsteady(state, level) {
+            state.previous = Some(previous);
+            state.waits += 1;
+            return Next::Hold;
+        }
+        let next = match state.stage {
+            Stage::Probe => self.probe(state, level),
+            Stage::Approach => self.drive_for(state, level, self.set_peak_ms2, Stage::Trim),
+            Stage::Trim => self.trim(state, level),
+        };
+        state.previous = match next {
+            Next::Hold => Some(level.peak_ms2),
+            _ => None,
+        };
+        next
+    }
+
+    /// The level to compare the next block with, unless this one agrees with
+    /// the block before or follows so small a change that it need not.
+    fn unsteady(&self, state: &LevelState, level: Level) -> Option<f32> {
+        let allowed = AGREEMENT_REL * level.peak_ms2 + 3.0 * level.noise_ms2;
+        let agrees = |previous: f32| (level.peak_ms2 - previous).abs() <= allowed;
+        let steady = state.change_rel < SMALL_CHANGE_REL
+            || state.previous.is_some_and(agrees)
+            || state.waits >= MAX_WAITS;
+        (!steady).then_some(level.peak_ms2)
+    }
+
+    fn probe(&self, state: &mut LevelState, level: Level) -> Next {
+        let search_limit_peak_v = SEARCH_REL * self.drive_limit_peak_v;
+        let nothing = level.peak_ms2 < 5.0 * level.noise_ms2
+            || level.peak_ms2 < NOTHING_REL * self.set_peak_ms2;
+        if nothing && state.drive_peak_v >= search_limit_peak_v {
+            return Next::Failed(Reason::ReferenceDead);
+        }
+        if nothing {
+            let searched = (SEARCH_FACTOR * state.drive_peak_v).min(search_limit_peak_v);
+            return self.change(state, searched, Stage::Probe);
+        }
+        let far = level.peak_ms2 < APPROACH_REL / SEARCH_FACTOR * self.set_peak_ms2;
+        if far && level.noise_ms2 > PROBE_NOISE_REL * level.peak_ms2 {
+            let wanted = SEARCH_FACTOR * level.peak_ms2;
+            return self.drive_for(state, level, wanted, Stage::Probe);
+        }
+        let wanted = APPROACH_REL * self.set_peak_ms2;
+        self.drive_for(state, level, wanted, Stage::Approach)
+    }
+
+    fn trim(&self, state: &mut LevelState, level: Level) -> Next {
+        let tolerance =
+            (3.0 * level.noise_ms2 / self.set_peak_ms2).clamp(TOLERANCE_REL, MAX_TOLERANCE_REL);
+        let within = |peak_ms2: f32| (peak_ms2 / self.set_peak_ms2 - 1.0).abs() <= tolerance;
+        match (within(level.peak_ms2), state.previous) {
+            (true, Some(previous)) if within(previous) => Next::Settled,
+            (true, _) => Next::Hold,
+            (false, _) => self.drive_for(state, level, self.set_peak_ms2, Stage::Trim),
+        }
+    }
+
+    /// The drive that gives `wanted_peak_ms2` by the gain of this block.
+    fn drive_for(
+        &self,
+        state: &mut LevelState,
+        level: Level,
+        wanted_peak_ms2: f32,
+        stage: Stage,
+    ) -> Next {
+        let wanted_peak_v = state.drive_peak_v * wanted_peak_ms2 / level.peak_ms2;
+        let at_limit = state.drive_peak_v >= self.drive_limit_peak_v;
+        // A level of zero makes this infinite, and the limit catches it.
+        if at_limit && !(wanted_peak_v < self.drive_limit_peak_v) {
+            return Next::Failed(Reason::DriveLimit);
+        }
+        self.change(state, wanted_peak_v, stage)
+    }
+
+    fn change(&self, state: &mut LevelState, wanted_peak_v: f32, stage: Stage) -> Next {
+        let drive_peak_v = wanted_peak_v.min(self.drive_limit_peak_v);
+        state.change_rel = (drive_peak_v / state.drive_peak_v - 1.0).abs();
+        state.drive_peak_v = drive_peak_v;
+        state.stage = stage;
+        state.waits = 0;
+        Next::Drive(drive_peak_v)
+    }
+}

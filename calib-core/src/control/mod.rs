@@ -1,0 +1,17 @@
+//! Reaching and holding the set acceleration on an exciter nobody described.
+//!
+//! ```text
+//!  probe ---------> approach ---------> trim ----------> settled
+//!  0.5 % of the     70 % of the set     100 %, then      two blocks in
+//!  drive limit,     level by the        corrected block  a row within
+//!  more if nothing  gain just seen      by block         tolerance
+//!  is seen
+//! ```
+//!
+//! Every state may end in a [`Reason`](crate::verdict::Reason) instead.
+
+pub mod level_loop;
+pub mod limits;
+
+pub use level_loop::{Level, LevelLoop, LevelState, Next};
+pub use limits::{check_level, full_output_peak_ms2};

@@ -1,0 +1,223 @@
+//! The tone for the exciter, as codes for a 12-bit converter.
+//!
+//! | property | how |
+//! |---|---|
+//! | exact frequency and phase for ever | phase in whole samples of the tone's period |
+//! | no steps | amplitude changes follow a smooth ramp, a tone changes only in silence |
+//! | amplitude finer than a code | rounding errors are fed back past a zero at the tone |
+//! | silence is silence | constant mid-scale code, no dither |
+
+use crate::phase::PhaseWalk;
+use crate::tone::Tone;
+use serde::{Deserialize, Serialize};
+
+/// Codes of the converter are 0..=4095, this is 0 V.
+pub const MID_CODE: u16 = 2048;
+
+/// Highest code.
+const MAX_CODE: f32 = 4095.0;
+
+/// Shortest ramp from one amplitude to the next, in samples (10 ms).
+pub const MIN_RAMP_SAMPLES: u16 = 500;
+
+/// What the exciter is to play.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Drive {
+    /// Frequency.
+    pub tone: Tone,
+    /// Amplitude at the exciter, V peak; 0 is silence.
+    pub peak_v: f32,
+}
+
+/// Length of the ramp between two amplitudes, in samples: one cycle of the
+/// tone, and at least [`MIN_RAMP_SAMPLES`].
+pub fn ramp_samples(tone: Tone) -> u16 {
+    (tone.period_samples / tone.cycles.max(1)).max(MIN_RAMP_SAMPLES)
+}
+
+/// Fills buffers of converter codes.
+///
+/// # Accuracy
+/// The fundamental of the code sequence is that of the ideal sine within 0.1 %
+/// from one code peak upwards: test `amplitude_is_finer_than_a_code`.
+#[derive(Clone, Debug)]
+pub struct Generator {
+    code_per_volt: f32,
+    tone: Tone,
+    walk: PhaseWalk,
+    /// Amplitude at the end of the ramp, codes.
+    to: f32,
+    /// Amplitude at its beginning, codes.
+    from: f32,
+    /// Samples of the ramp still to come.
+    ramp_left: u16,
+    pending: Option<Drive>,
+    shaper: Shaper,
+}
+
+impl Generator {
+    /// A silent generator.
+    ///
+    /// `full_scale_peak_v` is the voltage at the exciter for 2048 codes; `seed`
+    /// starts the dither and may be any number.
+    pub fn new(full_scale_peak_v: f32, seed: u32) -> Self {
+        let tone = Tone {
+            cycles: 1,
+            period_samples: MIN_RAMP_SAMPLES,
+        };
+        Self {
+            code_per_volt: f32::from(MID_CODE) / full_scale_peak_v,
+            tone,
+            walk: PhaseWalk::new(tone, 0),
+            to: 0.0,
+            from: 0.0,
+            ramp_left: 0,
+            pending: None,
+            shaper: Shaper::new(tone, seed),
+        }
+    }
+
+    /// Asks for another drive. Amplitudes ramp from where they are; another
+    /// tone waits until this one has ramped down, and begins at phase 0.
+    pub fn set(&mut self, drive: Drive) {
+        if drive.tone == self.tone {
+            self.pending = None;
+            self.ramp_to(drive.peak_v * self.code_per_volt);
+        } else if self.is_silent() {
+            self.pending = None;
+            self.change_tone(drive);
+        } else {
+            self.pending = Some(drive);
+            self.ramp_to(0.0);
+        }
+    }
+
+    /// Silence at once, without a ramp: for faults and overloads.
+    pub fn mute(&mut self) {
+        self.pending = None;
+        self.to = 0.0;
+        self.from = 0.0;
+        self.ramp_left = 0;
+    }
+
+    /// True when the output is constant mid-scale.
+    pub fn is_silent(&self) -> bool {
+        self.ramp_left == 0 && self.to == 0.0
+    }
+
+    /// Fills `codes` with the next samples.
+    ///
+    /// # Timing
+    /// About 60 instructions per sample.
+    pub fn fill(&mut self, codes: &mut [u16]) {
+        for code in codes {
+            *code = self.next_code();
+        }
+    }
+
+    fn next_code(&mut self) -> u16 {
+        if self.is_silent() {
+            if let Some(drive) = self.pending.take() {
+                self.change_tone(drive);
+            } else {
+                // The walk goes on: the phase stays that of the sample clock.
+                self.walk.skip();
+                return MID_CODE;
+            }
+        }
+        let (_, sine) = self.walk.next_cos_sin();
+        let ideal = self.amplitude() * sine;
+        self.shaper.code(ideal)
+    }
+
+    /// Amplitude of this sample; moves the ramp on.
+    fn amplitude(&mut self) -> f32 {
+        if self.ramp_left == 0 {
+            return self.to;
+        }
+        let left = f32::from(self.ramp_left) / f32::from(ramp_samples(self.tone));
+        self.ramp_left -= 1;
+        // Smoothstep: no corner at either end, monotone in between.
+        self.to + (self.from - self.to) * left * left * (3.0 - 2.0 * left)
+    }
+
+    fn ramp_to(&mut self, codes: f32) {
+        // What is not a number is silence.
+        let wanted = if codes.is_finite() { codes.abs() } else { 0.0 };
+        let codes = wanted.min(f32::from(MID_CODE) - 2.0);
+        if codes != self.to {
+            self.from = self.amplitude();
+            self.to = codes;
+            self.ramp_left = ramp_samples(self.tone);
+        }
+    }
+
+    fn change_tone(&mut self, drive: Drive) {
+        self.tone = drive.tone;
+        self.walk = PhaseWalk::new(drive.tone, 0);
+        self.shaper.tune(drive.tone);
+        self.ramp_to(drive.peak_v * self.code_per_volt);
+    }
+}
+
+/// Rounds to codes and feeds the rounding error back.
+///
+/// With `e` the error of each code, the output is `ideal + e - c1 e' - c2 e''`.
+/// From 1/50 of the sample rate on, `1 - c1 z^-1 - c2 z^-2` has its zero at the
+/// tone, so the error has no fundamental there at all; below, the plain
+/// difference `1 - z^-1` is as good and adds less noise. Dither keeps the
+/// error from repeating with the tone.
+#[derive(Clone, Debug)]
+struct Shaper {
+    feedback: [f32; 2],
+    errors: [f32; 2],
+    random: u32,
+}
+
+impl Shaper {
+    fn new(tone: Tone, seed: u32) -> Self {
+        let mut shaper = Self {
+            feedback: [1.0, 0.0],
+            errors: [0.0; 2],
+            // The generator of random numbers must not start at zero.
+            random: seed | 1,
+        };
+        shaper.tune(tone);
+        shaper
+    }
+
+    fn tune(&mut self, tone: Tone) {
+        let (cycles, period) = (
+            u32::from(tone.cycles),
+            u32::from(tone.period_samples).max(1),
+        );
+        self.feedback = if 50 * cycles < period {
+            [1.0, 0.0]
+        } else {
+            let (cosine, _) = crate::phase::cos_sin(cycles % period, period);
+            [2.0 * cosine, -1.0]
+        };
+        self.errors = [0.0; 2];
+    }
+
+    fn code(&mut self, ideal: f32) -> u16 {
+        let [last, before] = self.errors;
+        let wanted = ideal + self.feedback[0] * last + self.feedback[1] * before;
+        let position = f32::from(MID_CODE) + wanted + self.dither();
+        let code = libm::roundf(position).clamp(0.0, MAX_CODE);
+        // Limited, so that a clamped code does not wind the feedback up.
+        let error = (wanted - (code - f32::from(MID_CODE))).clamp(-1.0, 1.0);
+        self.errors = [error, last];
+        code as u16
+    }
+
+    /// Uniform in -0.5..0.5 codes (Marsaglia's xorshift, 32 bits).
+    fn dither(&mut self) -> f32 {
+        self.random ^= self.random << 13;
+        self.random ^= self.random >> 17;
+        self.random ^= self.random << 5;
+        // 24 bits are what an f32 holds exactly.
+        (self.random >> 8) as f32 / 16_777_216.0 - 0.5
+    }
+}
