@@ -1,7 +1,13 @@
 //! The digital twin: simulated physics and the emulated board that runs the shipping firmware.
 //!
-//! - [`rig_port`]: the seam between the two.
+//! - [`rig`]: the parameters of a simulated calibrator, read from a file or drawn by seed.
+//! - [`plant`]: its physics in the time domain, with the converters.
+//! - [`oracle`]: the truth about it, by formulas in the frequency domain.
+//! - [`rig_port`]: the seam between plant and board.
 //!
 //! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
 
+pub mod oracle;
+pub mod plant;
+pub mod rig;
 pub mod rig_port;

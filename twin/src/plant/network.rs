@@ -1,0 +1,319 @@
+//! A linear network, composed section by section into one state space.
+//!
+//! ```text
+//! d/dt state = rows . (state, inputs)        signal = coefficients . (state, inputs)
+//! ```
+//!
+//! Sections are added in the order the signal flows, so every row only refers to earlier states or
+//! its own section: the system matrix is block lower triangular, which the stepper exploits.
+//! States are scaled by the section's corner frequency, so that all entries of a row are of the
+//! order of that frequency and the matrix exponential stays well conditioned.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{Complex, DMatrix};
+
+/// What a coefficient of a [`Signal`] multiplies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Source {
+    State(usize),
+    Input(usize),
+}
+
+/// A signal of the network: a linear combination of its states and inputs.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Signal {
+    terms: Vec<(Source, f64)>,
+}
+
+impl Signal {
+    /// `self + factor * other`.
+    #[must_use]
+    pub fn plus(mut self, factor: f64, other: &Self) -> Self {
+        for &(source, value) in &other.terms {
+            match self.terms.iter_mut().find(|term| term.0 == source) {
+                Some(term) => term.1 += factor * value,
+                None => self.terms.push((source, factor * value)),
+            }
+        }
+        self
+    }
+
+    /// `factor * self`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self::default().plus(factor, self)
+    }
+}
+
+/// A second-order section `(n0 + n1 p + n2 p^2) / (1 + p/Q + p^2)` with `p = s / w0`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SecondOrder {
+    /// Corner frequency `w0 / 2 pi`, Hz, positive.
+    pub corner_hz: f64,
+    /// Quality factor Q, positive.
+    pub quality_factor: f64,
+    /// Numerator `n0, n1, n2`, dimensionless.
+    pub numerator: [f64; 3],
+}
+
+/// A voltage-driven moving coil with a rigid table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MovingCoil {
+    /// Armature and payload, kg.
+    pub mass_kg: f64,
+    /// Suspension stiffness, N/m.
+    pub stiffness_n_per_m: f64,
+    /// Viscous damping, N s/m.
+    pub damping_ns_per_m: f64,
+    /// Force factor Bl, N/A (= V s/m).
+    pub force_factor_n_per_a: f64,
+    /// Coil resistance, ohm.
+    pub resistance_ohm: f64,
+    /// Coil inductance, H.
+    pub inductance_h: f64,
+}
+
+/// Signals a moving coil offers.
+#[derive(Clone, Debug)]
+pub struct CoilSignals {
+    /// Coil current, A.
+    pub current: Signal,
+    /// Travel from rest, m.
+    pub travel: Signal,
+    /// Velocity, m/s.
+    pub velocity: Signal,
+    /// Acceleration, m/s2.
+    pub acceleration: Signal,
+}
+
+/// A linear network under construction.
+#[derive(Clone, Debug, Default)]
+pub struct Network {
+    rows: Vec<Signal>,
+    inputs: usize,
+}
+
+impl Network {
+    /// Adds an independent input.
+    pub fn input(&mut self) -> Signal {
+        self.inputs += 1;
+        Signal {
+            terms: vec![(Source::Input(self.inputs - 1), 1.0)],
+        }
+    }
+
+    /// Adds a state whose derivative is set later by [`Self::drive_state`].
+    fn state(&mut self) -> (usize, Signal) {
+        let index = self.rows.len();
+        self.rows.push(Signal::default());
+        let signal = Signal {
+            terms: vec![(Source::State(index), 1.0)],
+        };
+        (index, signal)
+    }
+
+    /// The integral of `rate` over time.
+    pub fn integral(&mut self, rate: &Signal) -> Signal {
+        let (index, signal) = self.state();
+        self.rows[index] = rate.clone();
+        signal
+    }
+
+    /// A first-order low-pass with its corner at `corner_hz`.
+    pub fn low_pass(&mut self, input: &Signal, corner_hz: f64) -> Signal {
+        let (index, output) = self.state();
+        self.rows[index] = input.clone().plus(-1.0, &output).scaled(TAU * corner_hz);
+        output
+    }
+
+    /// A first-order high-pass with its corner at `corner_hz`.
+    pub fn high_pass(&mut self, input: &Signal, corner_hz: f64) -> Signal {
+        let low = self.low_pass(input, corner_hz);
+        input.clone().plus(-1.0, &low)
+    }
+
+    /// A second-order section.
+    ///
+    /// States are `y` and `y'/w0` of the section's low-pass response `y`.
+    pub fn second_order(&mut self, input: &Signal, section: SecondOrder) -> Signal {
+        let omega = TAU * section.corner_hz;
+        let (low_index, low) = self.state();
+        let (band_index, band) = self.state();
+        // (s/w0)^2 y = u - y - (s/w0) y / Q
+        let high = input
+            .clone()
+            .plus(-1.0, &low)
+            .plus(-1.0 / section.quality_factor, &band);
+        self.rows[low_index] = band.scaled(omega);
+        self.rows[band_index] = high.scaled(omega);
+        let [n0, n1, n2] = section.numerator;
+        let mut output = Signal::default();
+        for (factor, part) in [(n0, &low), (n1, &band), (n2, &high)] {
+            if factor != 0.0 {
+                output = output.plus(factor, part);
+            }
+        }
+        output
+    }
+
+    /// A Butterworth low-pass of even `order` with its -3 dB corner at `corner_hz`.
+    pub fn butterworth(&mut self, input: &Signal, order: u32, corner_hz: f64) -> Signal {
+        (0..order / 2).fold(input.clone(), |signal, index| {
+            // Poles on the unit circle at pi (2 k + 1) / (2 n) from the imaginary axis.
+            let angle = PI * f64::from(2 * index + 1) / f64::from(2 * order);
+            let section = SecondOrder {
+                corner_hz,
+                quality_factor: 0.5 / angle.sin(),
+                numerator: [1.0, 0.0, 0.0],
+            };
+            self.second_order(&signal, section)
+        })
+    }
+
+    /// A moving coil driven by `voltage`, with `force_n` acting on the table beside the coil's.
+    ///
+    /// # Equation
+    /// `L i' = u - R i - Bl v`, `M v' = Bl i - c v - k x + F`, `x' = v`.
+    pub fn moving_coil(
+        &mut self,
+        voltage: &Signal,
+        force_n: &Signal,
+        coil: MovingCoil,
+    ) -> CoilSignals {
+        let (current_index, current) = self.state();
+        let (velocity_index, velocity) = self.state();
+        // The travel is scaled by 1 krad/s, near w0, to be of the order of the velocity.
+        const TRAVEL_SCALE_PER_S: f64 = 1000.0;
+        let (travel_index, scaled_travel) = self.state();
+        let travel = scaled_travel.scaled(1.0 / TRAVEL_SCALE_PER_S);
+        let acceleration = current
+            .scaled(coil.force_factor_n_per_a)
+            .plus(-coil.damping_ns_per_m, &velocity)
+            .plus(-coil.stiffness_n_per_m, &travel)
+            .plus(1.0, force_n)
+            .scaled(1.0 / coil.mass_kg);
+        self.rows[current_index] = voltage
+            .clone()
+            .plus(-coil.resistance_ohm, &current)
+            .plus(-coil.force_factor_n_per_a, &velocity)
+            .scaled(1.0 / coil.inductance_h);
+        self.rows[velocity_index] = acceleration.clone();
+        self.rows[travel_index] = velocity.scaled(TRAVEL_SCALE_PER_S);
+        CoilSignals {
+            current,
+            travel,
+            velocity,
+            acceleration,
+        }
+    }
+
+    /// Number of states.
+    pub fn states(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Number of inputs.
+    pub fn inputs(&self) -> usize {
+        self.inputs
+    }
+
+    /// System and input matrix side by side: `states` rows, `states + inputs` columns.
+    pub fn matrix(&self) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.states(), self.states() + self.inputs);
+        for (row, signal) in self.rows.iter().enumerate() {
+            for (column, value) in self.columns(signal) {
+                matrix[(row, column)] += value;
+            }
+        }
+        matrix
+    }
+
+    /// The non-zero coefficients of `signal`, by column of (states, inputs).
+    pub fn columns(&self, signal: &Signal) -> Vec<(usize, f64)> {
+        let column = |source| match source {
+            Source::State(index) => index,
+            Source::Input(index) => self.states() + index,
+        };
+        let nonzero = signal.terms.iter().filter(|term| term.1 != 0.0);
+        nonzero
+            .map(|&(source, value)| (column(source), value))
+            .collect()
+    }
+
+    /// Response of `signal` to input number `input` at `frequency_hz`, by solving the network's
+    /// equations in the frequency domain.
+    ///
+    /// Returns `None` where the network has a pole on the imaginary axis.
+    pub fn response(
+        &self,
+        signal: &Signal,
+        input: usize,
+        frequency_hz: f64,
+    ) -> Option<Complex<f64>> {
+        let count = self.states();
+        let matrix = self.matrix().map(|value| Complex::new(value, 0.0));
+        let mut system = -matrix.columns(0, count).into_owned();
+        for index in 0..count {
+            system[(index, index)] += Complex::new(0.0, TAU * frequency_hz);
+        }
+        let state = system
+            .lu()
+            .solve(&matrix.column(count + input).into_owned())?;
+        let terms = self.columns(signal).into_iter().map(|(column, value)| {
+            if column < count {
+                state[column] * value
+            } else {
+                Complex::new(if column == count + input { value } else { 0.0 }, 0.0)
+            }
+        });
+        Some(terms.sum())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn response(network: &Network, signal: &Signal, frequency_hz: f64) -> Complex<f64> {
+        network.response(signal, 0, frequency_hz).expect("stable")
+    }
+
+    #[test]
+    fn sections_have_the_response_of_their_formula() {
+        let mut network = Network::default();
+        let input = network.input();
+        let section = SecondOrder {
+            corner_hz: 300.0,
+            quality_factor: 7.0,
+            numerator: [0.5, -2.0, 0.25],
+        };
+        let output = network.second_order(&input, section);
+        let high = network.high_pass(&output, 20.0);
+        for frequency_hz in [1.0, 20.0, 300.0, 4e3] {
+            let p = Complex::new(0.0, frequency_hz / 300.0);
+            let q = Complex::new(0.0, frequency_hz / 20.0);
+            let expected = (p * p * 0.25 - p * 2.0 + 0.5) / (p * p + p / 7.0 + 1.0) * q / (q + 1.0);
+            let error = response(&network, &high, frequency_hz) - expected;
+            // Only f64 rounding of a 3 x 3 solve.
+            assert!(
+                error.norm() < 1e-12 * expected.norm().max(1.0),
+                "{frequency_hz}"
+            );
+        }
+    }
+
+    #[test]
+    fn butterworth_is_maximally_flat() {
+        for order in [2, 4, 6, 8] {
+            let mut network = Network::default();
+            let input = network.input();
+            let output = network.butterworth(&input, order, 1000.0);
+            for ratio in [0.1_f64, 0.7, 1.0, 3.0] {
+                let expected = 1.0 / (1.0 + ratio.powi(2 * order.cast_signed())).sqrt();
+                let got = response(&network, &output, 1000.0 * ratio).norm();
+                assert!((got / expected - 1.0).abs() < 1e-10, "{order} {ratio}");
+            }
+        }
+    }
+}

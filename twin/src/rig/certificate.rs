@@ -1,0 +1,28 @@
+//! What is stated about the reference's own calibration.
+
+use serde::{Deserialize, Serialize};
+
+use super::validate::Range;
+
+/// What the certificate of the reference states about its own uncertainty (k = 2, normal).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Certificate {
+    /// Relative expanded uncertainty of the magnitude, k = 2.
+    pub expanded_uncertainty_rel: f64,
+    /// Expanded uncertainty of the phase, rad, k = 2.
+    pub expanded_uncertainty_phase_rad: f64,
+}
+
+impl Certificate {
+    pub(super) fn ranges(&self) -> Vec<Range> {
+        let range = |name: &str, value| Range::new(format!("certificate.{name}"), value, 0.0, 0.5);
+        vec![
+            range("expanded_uncertainty_rel", self.expanded_uncertainty_rel),
+            range(
+                "expanded_uncertainty_phase_rad",
+                self.expanded_uncertainty_phase_rad,
+            ),
+        ]
+    }
+}

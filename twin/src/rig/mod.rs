@@ -1,0 +1,156 @@
+//! The rig file: every parameter of the simulated calibrator, in SI units.
+//!
+//! A rig is plain data, read from TOML. [`Rig::standard`] is the one of the demo, [`Rig::draw`] gives
+//! another device under test and another plant of the same kind.
+
+mod certificate;
+mod converter;
+mod draw;
+mod exciter;
+mod sensing;
+mod validate;
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+pub use certificate::Certificate;
+pub use converter::{Amplifier, Converter};
+pub use exciter::Exciter;
+pub use sensing::Sensing;
+pub use validate::RigError;
+
+/// The rig of the demo, as text.
+pub const STANDARD_RIG_TOML: &str = include_str!("../../rigs/default.toml");
+
+/// A calibrator with its device under test: the truth of a simulation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Rig {
+    /// A name for people.
+    pub name: String,
+    /// Seed of the noise; two runs with the same seed give the same codes. At most 2^63 - 1, the
+    /// largest integer of TOML.
+    pub noise_seed: u64,
+    /// Converters and the filters beside them.
+    pub converter: Converter,
+    /// Power amplifier.
+    pub amplifier: Amplifier,
+    /// Electrodynamic exciter.
+    pub exciter: Exciter,
+    /// Reference transducer with its conditioner.
+    pub reference: Sensing,
+    /// Device under test with its conditioner.
+    pub dut: Sensing,
+    /// What is stated about the reference's own calibration.
+    pub certificate: Certificate,
+}
+
+impl Rig {
+    /// The rig of the demo.
+    pub fn standard() -> Self {
+        // Note(unwrap): a text of this crate, held by `the_standard_rig_is_valid`.
+        #[expect(clippy::unwrap_used, reason = "a constant of this crate, tested")]
+        Self::parse(STANDARD_RIG_TOML, "twin/rigs/default.toml").unwrap()
+    }
+
+    /// Reads a rig file.
+    ///
+    /// # Errors
+    /// The file cannot be read, is no TOML of this shape (an unknown, missing or repeated key, with
+    /// its line), or a value lies outside of its range.
+    pub fn load(path: &Path) -> Result<Self, RigError> {
+        let file = path.display().to_string();
+        let text = std::fs::read_to_string(path).map_err(|source| RigError::Unreadable {
+            file: file.clone(),
+            source,
+        })?;
+        Self::parse(&text, &file)
+    }
+
+    /// Reads a rig from `text`; `file` is for messages.
+    ///
+    /// # Errors
+    /// As [`Rig::load`].
+    pub fn parse(text: &str, file: &str) -> Result<Self, RigError> {
+        let rig: Self = toml::from_str(text).map_err(|source| RigError::Malformed {
+            file: file.to_owned(),
+            source: Box::new(source),
+        })?;
+        rig.validate(file)?;
+        Ok(rig)
+    }
+
+    /// The rig as the text of a rig file.
+    ///
+    /// # Errors
+    /// A value TOML cannot hold, which a validated rig does not have.
+    pub fn to_toml(&self) -> Result<String, toml::ser::Error> {
+        toml::to_string(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_standard_rig_is_valid() {
+        assert!(Rig::parse(STANDARD_RIG_TOML, "default.toml").is_ok());
+    }
+
+    #[test]
+    fn a_rig_survives_its_own_file() {
+        let rig = Rig::standard();
+        let text = rig.to_toml().expect("plain numbers");
+        assert_eq!(Rig::parse(&text, "copy").expect("own text"), rig);
+    }
+
+    #[test]
+    fn an_unknown_key_is_named_with_its_line() {
+        let text = STANDARD_RIG_TOML.replace("payload_kg", "payload_g");
+        let message = Rig::parse(&text, "my.toml")
+            .expect_err("refused")
+            .to_string();
+        assert!(
+            message.contains("my.toml") && message.contains("payload_g"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn an_impossible_value_is_named_with_its_range() {
+        for (from, to, name) in [
+            (
+                "moving_mass_kg = 0.050",
+                "moving_mass_kg = -0.05",
+                "exciter.moving_mass_kg",
+            ),
+            (
+                "moving_mass_kg = 0.050",
+                "moving_mass_kg = nan",
+                "exciter.moving_mass_kg",
+            ),
+            ("order = 6", "order = 7", "converter.anti_alias_order"),
+            (
+                "high_pass_hz = 0.16",
+                "high_pass_hz = 2e5",
+                "dut.high_pass_hz",
+            ),
+        ] {
+            let text = STANDARD_RIG_TOML.replace(from, to);
+            let message = Rig::parse(&text, "my.toml").expect_err(name).to_string();
+            assert!(
+                message.contains(name) && message.contains("my.toml"),
+                "{message}"
+            );
+        }
+    }
+
+    #[test]
+    fn no_text_makes_the_reader_panic() {
+        for end in 0..STANDARD_RIG_TOML.len() {
+            let _ = Rig::parse(&STANDARD_RIG_TOML[..end], "cut");
+        }
+    }
+}
