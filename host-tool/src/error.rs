@@ -11,6 +11,7 @@
 //! | 6 | an input file (points, record, settings, ...) is not usable |
 //! | 7 | done, but the verdict is not "pass": at least one point was refused |
 
+use crate::link::{LinkError, ProtocolError, Refused};
 use std::path::{Path, PathBuf};
 
 /// Result of a host operation.
@@ -20,6 +21,15 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
+    /// Bytes do not get through to the calibrator.
+    #[error(transparent)]
+    Link(#[from] LinkError),
+    /// The calibrator and this tool do not understand each other.
+    #[error(transparent)]
+    Protocol(#[from] ProtocolError),
+    /// The calibrator understood and declined.
+    #[error(transparent)]
+    Refused(#[from] Refused),
     /// A file or directory could not be read or written.
     #[error("cannot {action} {}: {source}", path.display())]
     File {
@@ -79,6 +89,9 @@ impl Error {
     /// What the user can do about it, if the message does not say it already.
     pub fn hint(&self) -> Option<&str> {
         match self {
+            Self::Link(error) => Some(error.hint()),
+            Self::Protocol(error) => Some(error.hint()),
+            Self::Refused(error) => Some(error.hint()),
             Self::Input { hint, .. } | Self::Usage { hint, .. } if !hint.is_empty() => Some(hint),
             _ => None,
         }
@@ -89,6 +102,9 @@ impl Error {
         match self {
             Self::File { .. } => 1,
             Self::Usage { .. } => 2,
+            Self::Link(_) => 3,
+            Self::Protocol(_) => 4,
+            Self::Refused(_) => 5,
             Self::Input { .. } => 6,
             Self::NotPassed(_) => 7,
         }

@@ -5,5 +5,8 @@
 #![forbid(unsafe_code)]
 
 pub mod error;
+pub mod file;
+pub mod link;
+pub mod session;
 
 pub use error::{Error, Result};

@@ -17,6 +17,10 @@ use serde::{Deserialize, Serialize};
 /// number refuse each other instead of misreading bytes.
 pub const PROTOCOL_VERSION: u16 = 1;
 
+/// Bit rate of the serial link on USART3, 8 data bits, no parity, 1 stop bit.
+/// USB CDC-ACM ignores it.
+pub const SERIAL_BAUD: u32 = 115_200;
+
 /// Longest message, in bytes, before sequence number, checksum and COBS.
 pub const MAX_MESSAGE: usize = 4096;
 
@@ -113,6 +117,9 @@ pub struct Frame<'a> {
     pub sequence: u16,
     /// Message, postcard.
     pub message: &'a [u8],
+    /// CRC-32 of both: with the sequence number it tells a repeated request
+    /// from a new one.
+    pub checksum: u32,
 }
 
 impl<'a> Frame<'a> {
@@ -131,12 +138,14 @@ impl<'a> Frame<'a> {
         let (sequence, message) = content
             .split_first_chunk::<2>()
             .ok_or(FrameError::Malformed)?;
-        if CRC.checksum(content) != u32::from_le_bytes(*checksum) {
+        let checksum = u32::from_le_bytes(*checksum);
+        if CRC.checksum(content) != checksum {
             return Err(FrameError::Checksum);
         }
         Ok(Self {
             sequence: u16::from_le_bytes(*sequence),
             message,
+            checksum,
         })
     }
 

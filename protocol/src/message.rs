@@ -37,6 +37,11 @@ pub enum Request {
         index: u16,
     },
     /// Measure these points.
+    ///
+    /// A host whose answer got lost sends the same frame again, with the same
+    /// sequence number. The device recognises the frame of the start it last
+    /// accepted by sequence number and checksum, and answers `Started` again
+    /// instead of `Refused(Busy)`. All other requests may simply be repeated.
     Start(RunSpec),
     /// Silence the exciter and end the run.
     Stop,

@@ -1,6 +1,7 @@
 //! What every verb gets: output switches and the address of the device.
 
 use super::GlobalOptions;
+use calib_host::link::{Address, Client, port};
 use calib_host::{Error, Result};
 use serde::Serialize;
 use std::io::{IsTerminal, Write};
@@ -27,6 +28,16 @@ impl Context {
             device: options.device.clone(),
             color: !no_color && std::io::stderr().is_terminal(),
         }
+    }
+
+    /// Opens the link to the calibrator: the given one, or the only likely port.
+    pub(crate) fn connect(&self) -> Result<Client> {
+        let address = match &self.device {
+            Some(device) => device.clone(),
+            None => only_likely_port()?,
+        };
+        let Ok(address) = address.parse::<Address>();
+        Ok(Client::new(address.open()?))
     }
 
     /// Prints the result of a verb: `value` as JSON with `--json`, else `text`.
@@ -72,5 +83,25 @@ impl Context {
         if let Some(hint) = error.hint() {
             let _ = writeln!(stderr, " {cyan}hint{plain}: {hint}");
         }
+    }
+}
+
+fn only_likely_port() -> Result<String> {
+    let mut likely = port::list().into_iter().filter(|port| port.likely);
+    let usage = |problem: &str, hint: &str| Error::Usage {
+        problem: problem.to_owned(),
+        hint: hint.to_owned(),
+    };
+    match (likely.next(), likely.next()) {
+        (Some(port), None) => Ok(port.name),
+        (None, _) => Err(usage(
+            "no calibrator found",
+            "name its port with --device; `calib devices` lists the ports, and \
+             `--device emulated` needs no hardware",
+        )),
+        _ => Err(usage(
+            "more than one port may be the calibrator",
+            "choose one with --device; `calib devices` lists them",
+        )),
     }
 }

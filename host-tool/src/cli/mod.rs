@@ -5,6 +5,16 @@
 //! or JSON with `--json`), everything else to standard error.
 
 mod context;
+mod devices;
+mod download;
+mod info;
+mod progress;
+mod records;
+mod run;
+mod stop;
+mod table;
+mod text;
+mod time;
 mod version;
 
 pub(crate) use context::Context;
@@ -59,6 +69,18 @@ pub(crate) struct GlobalOptions {
 /// The verbs.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Serial ports, the likely calibrators first.
+    Devices(devices::Devices),
+    /// Identity and health of the calibrator.
+    Info(info::Info),
+    /// Measures a point list.
+    Run(run::Run),
+    /// Stops a run and silences the exciter.
+    Stop(stop::Stop),
+    /// Records stored in the calibrator.
+    Records(records::Records),
+    /// Downloads a stored record into a file.
+    Download(download::Download),
     /// Versions of the tool, the protocol and the stored records.
     Version(version::Version),
 }
@@ -67,6 +89,12 @@ impl Command {
     /// Carries the verb out.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         match self {
+            Self::Devices(verb) => verb.run(context),
+            Self::Info(verb) => verb.run(context),
+            Self::Run(verb) => verb.run(context),
+            Self::Stop(verb) => verb.run(context),
+            Self::Records(verb) => verb.run(context),
+            Self::Download(verb) => verb.run(context),
             Self::Version(verb) => verb.run(context),
         }
     }

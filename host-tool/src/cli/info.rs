@@ -1,0 +1,40 @@
+//! `calib info`: who is at the other end.
+
+use super::Context;
+use calib_host::Result;
+use calib_protocol::message::Info as DeviceInfo;
+use clap::Args;
+
+/// `calib info`.
+#[derive(Debug, Args)]
+pub(crate) struct Info {}
+
+impl Info {
+    /// Prints identity and health of the calibrator.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let info = context.connect()?.info()?;
+        context.print(&info, || text(&info))
+    }
+}
+
+fn text(info: &DeviceInfo) -> String {
+    let mut lines = vec![
+        format!("serial number  {}", info.serial),
+        format!(
+            "firmware       {} ({})",
+            info.firmware_version, info.git_hash
+        ),
+        format!("protocol       {}", info.protocol_version),
+        format!("sample rate    {} Hz per channel", info.sample_rate_hz),
+        format!("records        {}", info.records),
+        format!(
+            "last start     {:?}, {} s ago",
+            info.reset_cause,
+            info.uptime_ms / 1000
+        ),
+    ];
+    if let Some(panic) = &info.last_panic {
+        lines.push(format!("last panic     {panic}"));
+    }
+    lines.join("\n")
+}

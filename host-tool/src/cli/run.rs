@@ -1,0 +1,165 @@
+//! `calib run`: measures a point list.
+
+use super::{Context, progress::RunProgress, text, time};
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::verdict::Verdict;
+use calib_host::link::Client;
+use calib_host::session::{self, Outcome};
+use calib_host::{Error, Result};
+use calib_protocol::message::RunState;
+use calib_protocol::record::RunLabels;
+use clap::Args;
+use serde::Serialize;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// `calib run`.
+#[derive(Debug, Args)]
+pub(crate) struct Run {
+    /// Point list, .toml or .csv; default: one-third octaves, 20 Hz to 10 kHz.
+    #[arg(long, short, value_name = "FILE")]
+    points: Option<PathBuf>,
+    /// Set acceleration of points that state none, m/s2 r.m.s.
+    #[arg(long, short, default_value_t = 10.0, value_name = "MS2")]
+    level: f32,
+    /// Device under test: manufacturer and model.
+    #[arg(long, value_name = "TEXT", default_value = "")]
+    model: String,
+    /// Device under test: serial number.
+    #[arg(long, value_name = "TEXT", default_value = "")]
+    serial: String,
+    /// Who calibrates.
+    #[arg(long, value_name = "NAME", default_value = "")]
+    operator: String,
+    /// Temperature of the transducer, degrees Celsius.
+    #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true)]
+    temperature: Option<f64>,
+    /// How the device under test is mounted.
+    #[arg(long, value_name = "TEXT", default_value = "")]
+    mounting: String,
+}
+
+#[derive(Serialize)]
+struct RunResult<'a> {
+    record_id: u32,
+    state: RunState,
+    points: &'a [PointResult],
+}
+
+impl Run {
+    /// Measures, follows, and says how it ended.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let points = self.points()?;
+        let labels = self.labels()?;
+        let mut client = context.connect()?;
+        client.info()?;
+        let outcome = measure(context, &mut client, &points, labels)?;
+        let result = RunResult {
+            record_id: outcome.record_id,
+            state: outcome.state,
+            points: &outcome.points,
+        };
+        context.print(&result, || {
+            let lines: Vec<_> = outcome.points.iter().map(text::point_line).collect();
+            format!(
+                "{}\nrecord {}: calib download {}",
+                lines.join("\n"),
+                outcome.record_id,
+                outcome.record_id
+            )
+        })?;
+        judge(&outcome, points.len())
+    }
+
+    fn points(&self) -> Result<Vec<PointSpec>> {
+        if !(self.level.is_finite() && self.level > 0.0) {
+            return Err(usage(
+                "--level",
+                "is an acceleration above zero in m/s2 r.m.s.",
+            ));
+        }
+        match &self.points {
+            Some(path) => session::read_points(path, self.level),
+            None => Ok(session::default_points(self.level)),
+        }
+    }
+
+    fn labels(&self) -> Result<RunLabels> {
+        let temperature_centi_c = match self.temperature {
+            None => None,
+            Some(celsius) if celsius.abs() <= 300.0 => Some((100.0 * celsius).round() as i16),
+            Some(_) => return Err(usage("--temperature", "is between -300 and 300 degrees")),
+        };
+        Ok(RunLabels {
+            unix_time_s: time::unix_time_s(),
+            dut_model: label("--model", &self.model)?,
+            dut_serial: label("--serial", &self.serial)?,
+            operator: label("--operator", &self.operator)?,
+            temperature_centi_c,
+            mounting: label("--mounting", &self.mounting)?,
+        })
+    }
+}
+
+fn usage(option: &str, problem: &str) -> Error {
+    Error::Usage {
+        problem: format!("{option} {problem}"),
+        hint: "see `calib run --help`".to_owned(),
+    }
+}
+
+fn label<const N: usize>(option: &str, text: &str) -> Result<heapless::String<N>> {
+    text.try_into().map_err(|_| {
+        usage(
+            option,
+            &format!("has room for {N} bytes, this is {}", text.len()),
+        )
+    })
+}
+
+/// Runs a list with progress. Ctrl-C stops it and silences the exciter.
+pub(super) fn measure(
+    context: &Context,
+    client: &mut Client,
+    points: &[PointSpec],
+    labels: RunLabels,
+) -> Result<Outcome> {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    // Without the handler Ctrl-C still ends this tool; the calibrator goes on.
+    let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
+    let mut progress = RunProgress::new(context);
+    let outcome = session::run(client, points, labels, |state| {
+        progress.show(state, points);
+        match interrupted.load(Ordering::Relaxed) {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        }
+    });
+    progress.finish();
+    outcome
+}
+
+/// Turns anything but a full pass into exit code 7.
+fn judge(outcome: &Outcome, wanted: usize) -> Result<()> {
+    let refused = outcome
+        .points
+        .iter()
+        .filter(|point| point.verdict != Verdict::Pass)
+        .count();
+    match outcome.state {
+        RunState::Failed => Err(Error::NotPassed(
+            "the record could not be stored; the results above are all there is".to_owned(),
+        )),
+        RunState::Stopped => Err(Error::NotPassed(format!(
+            "stopped after {} of {wanted} points; the exciter is silent",
+            outcome.points.len()
+        ))),
+        _ if refused > 0 => Err(Error::NotPassed(format!(
+            "{refused} of {wanted} points were refused"
+        ))),
+        _ => Ok(()),
+    }
+}

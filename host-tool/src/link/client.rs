@@ -1,0 +1,226 @@
+//! Requests and answers over any transport.
+
+use super::exchange::{Exchange, Failure};
+use super::{ProtocolError, Refused, Transport};
+use crate::{Error, Result};
+use calib_core::point::PointResult;
+use calib_core::settings::Settings;
+use calib_protocol::frame::PROTOCOL_VERSION;
+use calib_protocol::message::{Info, Request, Response, RunSpec, Status};
+use calib_protocol::record::RecordSummary;
+use std::time::Duration;
+
+/// How patient a client is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RetryPolicy {
+    /// Times a request is sent before giving up.
+    pub attempts: u32,
+    /// Longest wait for an answer. A record chunk takes 0.1 s at 115 200 baud.
+    pub answer_timeout: Duration,
+    /// The same for requests that may erase a flash sector (4 s at most,
+    /// STM32H743 data sheet DS12110, table "Flash memory programming").
+    pub flash_timeout: Duration,
+}
+
+impl Default for RetryPolicy {
+    fn default() -> Self {
+        Self {
+            attempts: 4,
+            answer_timeout: Duration::from_secs(1),
+            flash_timeout: Duration::from_secs(6),
+        }
+    }
+}
+
+/// A conversation with one calibrator.
+///
+/// Every call sends a request, repeats it when the answer is damaged or missing,
+/// and returns the answer's content.
+///
+/// # Errors
+/// All calls: [`Error::Link`] when bytes do not get through, [`Error::Protocol`]
+/// when the peers do not understand each other, [`Error::Refused`] when the
+/// calibrator declines.
+pub struct Client {
+    exchange: Exchange,
+    policy: RetryPolicy,
+}
+
+/// Part of a stored record.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chunk {
+    /// Length of the whole record, bytes.
+    pub total: u32,
+    /// Bytes from the offset asked for.
+    pub data: Vec<u8>,
+}
+
+impl Client {
+    /// A client over an open transport, with the default patience.
+    pub fn new(transport: Box<dyn Transport>) -> Self {
+        Self::with_policy(transport, RetryPolicy::default())
+    }
+
+    /// A client with its own patience.
+    pub fn with_policy(transport: Box<dyn Transport>, policy: RetryPolicy) -> Self {
+        Self {
+            exchange: Exchange::new(transport),
+            policy,
+        }
+    }
+
+    /// Address of the calibrator, for messages.
+    pub fn name(&self) -> String {
+        self.exchange.name()
+    }
+
+    /// Lets time pass (virtual time, if the calibrator lives in it).
+    pub fn wait(&mut self, duration: Duration) -> Result<()> {
+        Ok(self.exchange.wait(duration)?)
+    }
+
+    /// Repetitions of requests so far: 0 on a good link.
+    pub fn repetitions(&self) -> u64 {
+        self.exchange.repetitions()
+    }
+
+    /// Identity and health, and the check that both speak the same version.
+    pub fn info(&mut self) -> Result<Info> {
+        match self.ask("its identity", &Request::Info)? {
+            Response::Info(info) if info.protocol_version == PROTOCOL_VERSION => Ok(info),
+            Response::Info(info) => Err(Error::Protocol(ProtocolError::Version {
+                device: info.protocol_version,
+            })),
+            _ => Err(unexpected("its identity")),
+        }
+    }
+
+    /// What the calibrator is doing now.
+    pub fn status(&mut self) -> Result<Status> {
+        match self.ask("its status", &Request::Status)? {
+            Response::Status(status) => Ok(status),
+            _ => Err(unexpected("its status")),
+        }
+    }
+
+    /// Result of one point of the running or last run, when it is there.
+    pub fn point(&mut self, index: u16) -> Result<Option<PointResult>> {
+        match self.ask("a point", &Request::Point { index })? {
+            Response::Point { index: of, result } if of == index => Ok(result),
+            _ => Err(unexpected("a point")),
+        }
+    }
+
+    /// Starts a run; returns the running number its record will have.
+    pub fn start(&mut self, spec: RunSpec) -> Result<u32> {
+        match self.ask("to start a run", &Request::Start(spec))? {
+            Response::Started { record_id } => Ok(record_id),
+            _ => Err(unexpected("to start a run")),
+        }
+    }
+
+    /// Silences the exciter and ends the run, if there is one.
+    pub fn stop(&mut self) -> Result<()> {
+        self.done("to stop", &Request::Stop, self.policy.answer_timeout)
+    }
+
+    /// Summaries of all stored records, in rising running number.
+    pub fn records(&mut self) -> Result<Vec<RecordSummary>> {
+        let mut all: Vec<RecordSummary> = Vec::new();
+        let mut from = 0;
+        loop {
+            let Response::Records { records, more } =
+                self.ask("its records", &Request::Records { from })?
+            else {
+                return Err(unexpected("its records"));
+            };
+            // Numbers must rise, or a broken device would keep us here for ever.
+            for record in records {
+                if record.id < from {
+                    return Err(unexpected("its records"));
+                }
+                from = record.id.saturating_add(1);
+                all.push(record);
+            }
+            let stuck = all.last().is_none_or(|last| last.id == u32::MAX);
+            if !more || stuck {
+                return Ok(all);
+            }
+        }
+    }
+
+    /// Bytes of a stored record from `offset` on; none at its end.
+    pub fn read_record(&mut self, id: u32, offset: u32) -> Result<Chunk> {
+        match self.ask("a record", &Request::ReadRecord { id, offset })? {
+            Response::RecordData {
+                id: of,
+                offset: at,
+                total,
+                data,
+            } if of == id && at == offset => Ok(Chunk {
+                total,
+                data: data.to_vec(),
+            }),
+            _ => Err(unexpected("a record")),
+        }
+    }
+
+    /// The settings in force.
+    pub fn settings(&mut self) -> Result<Settings> {
+        match self.ask("its settings", &Request::SettingsRead)? {
+            Response::Settings(settings) => Ok(settings),
+            _ => Err(unexpected("its settings")),
+        }
+    }
+
+    /// Replaces the settings; they are stored in flash.
+    pub fn write_settings(&mut self, settings: Settings) -> Result<()> {
+        let request = Request::SettingsWrite(settings);
+        self.done("new settings", &request, self.policy.flash_timeout)
+    }
+
+    /// Resets the board. It answers before it does.
+    pub fn reset(&mut self) -> Result<()> {
+        self.done("to reset", &Request::Reset, self.policy.answer_timeout)
+    }
+
+    fn done(&mut self, what: &'static str, request: &Request, timeout: Duration) -> Result<()> {
+        match self.ask_within(what, request, timeout)? {
+            Response::Done => Ok(()),
+            _ => Err(unexpected(what)),
+        }
+    }
+
+    fn ask(&mut self, what: &'static str, request: &Request) -> Result<Response> {
+        self.ask_within(what, request, self.policy.answer_timeout)
+    }
+
+    fn ask_within(
+        &mut self,
+        what: &'static str,
+        request: &Request,
+        timeout: Duration,
+    ) -> Result<Response> {
+        match self
+            .exchange
+            .request(request, timeout, self.policy.attempts)
+        {
+            Ok(Response::Refused(refusal)) => Err(Error::Refused(Refused {
+                request: what,
+                refusal,
+            })),
+            Ok(response) => Ok(response),
+            Err(Failure::Link(error)) => Err(Error::Link(error)),
+            Err(Failure::Unreadable { version }) => Err(match version {
+                Some(device) if device != PROTOCOL_VERSION => {
+                    Error::Protocol(ProtocolError::Version { device })
+                }
+                _ => unexpected(what),
+            }),
+        }
+    }
+}
+
+fn unexpected(request: &'static str) -> Error {
+    Error::Protocol(ProtocolError::UnexpectedAnswer { request })
+}

@@ -1,0 +1,160 @@
+//! Failures of a link, of the protocol, and refusals by the device: three kinds
+//! that ask for three different actions.
+
+use calib_protocol::frame::PROTOCOL_VERSION;
+use calib_protocol::message::Refusal;
+
+/// Bytes do not get through.
+#[derive(Debug, thiserror::Error)]
+pub enum LinkError {
+    /// The port or connection cannot be opened.
+    #[error("cannot open {address}: {source}")]
+    Open {
+        /// Address as given.
+        address: String,
+        /// What the operating system said.
+        source: std::io::Error,
+        /// What to do about it.
+        hint: String,
+    },
+    /// The connection broke.
+    #[error("the connection to {address} is gone: {source}")]
+    Closed {
+        /// Address as given.
+        address: String,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// Not a single byte came back.
+    #[error("no answer from {address} after {attempts} attempts")]
+    NoAnswer {
+        /// Address as given.
+        address: String,
+        /// Requests sent.
+        attempts: u32,
+    },
+    /// Bytes came back, but never a frame.
+    #[error("{address} sends something else than a calibrator's answers ({bytes} bytes)")]
+    NotACalibrator {
+        /// Address as given.
+        address: String,
+        /// Bytes received.
+        bytes: usize,
+    },
+    /// Frames came back, but the checksum failed each time.
+    #[error("every answer from {address} came damaged ({damaged} frames in {attempts} attempts)")]
+    Damaged {
+        /// Address as given.
+        address: String,
+        /// Frames with a wrong checksum.
+        damaged: u32,
+        /// Requests sent.
+        attempts: u32,
+    },
+}
+
+impl LinkError {
+    /// What the user can do about it.
+    pub fn hint(&self) -> &str {
+        match self {
+            Self::Open { hint, .. } => hint,
+            Self::Closed { .. } => {
+                "plug the calibrator in again and repeat; a run in progress goes on without the host"
+            }
+            Self::NoAnswer { .. } => {
+                "is it powered, and is this its port? `calib devices` lists the ports"
+            }
+            Self::NotACalibrator { .. } => {
+                "this is the port of another device: `calib devices` lists the ports"
+            }
+            Self::Damaged { .. } => {
+                "check the cable, or move it away from the power amplifier, and repeat"
+            }
+        }
+    }
+}
+
+/// The peers do not understand each other.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ProtocolError {
+    /// The firmware speaks another version.
+    #[error(
+        "the calibrator speaks protocol version {device}, this tool speaks version {PROTOCOL_VERSION}"
+    )]
+    Version {
+        /// Version of the firmware.
+        device: u16,
+    },
+    /// An answer that does not belong to the request.
+    #[error("the calibrator answered {request} with something else")]
+    UnexpectedAnswer {
+        /// What was asked, in words.
+        request: &'static str,
+    },
+}
+
+impl ProtocolError {
+    /// What the user can do about it.
+    pub fn hint(&self) -> &str {
+        match self {
+            Self::Version { device } if *device > PROTOCOL_VERSION => {
+                "install the release of this tool that came with the firmware"
+            }
+            Self::Version { .. } => {
+                "update the firmware: `cargo flash` in the source tree of this tool"
+            }
+            Self::UnexpectedAnswer { .. } => {
+                "is another program using the same port? close it; if not, compare `calib info` with `calib version`"
+            }
+        }
+    }
+}
+
+/// The calibrator understood and declined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the calibrator refused {request}: {}", reason(*.refusal))]
+pub struct Refused {
+    /// What was asked, in words.
+    pub request: &'static str,
+    /// Its reason.
+    pub refusal: Refusal,
+}
+
+fn reason(refusal: Refusal) -> &'static str {
+    match refusal {
+        Refusal::Busy => "a run is going on",
+        Refusal::RecordNotFound => "it has no record of this number",
+        Refusal::OffsetOutOfRange => "the record is shorter than that",
+        Refusal::StorageFull => "its record area is full",
+        Refusal::StorageFailed => "its flash reported an error",
+        Refusal::PointList => "the point list is empty or holds a value that is no positive number",
+        Refusal::Settings => "a setting is outside its range; nothing was changed",
+        Refusal::Unknown => "it does not know this request",
+        _ => "for a reason this tool does not know",
+    }
+}
+
+impl Refused {
+    /// True when a record is shorter than the offset asked for.
+    pub fn is_offset(&self) -> bool {
+        self.refusal == Refusal::OffsetOutOfRange
+    }
+
+    /// What the user can do about it.
+    pub fn hint(&self) -> &str {
+        match self.refusal {
+            Refusal::Busy => "wait for its end, or press the button on the instrument to stop it",
+            Refusal::RecordNotFound => "`calib records` lists the stored records",
+            Refusal::OffsetOutOfRange => "remove the .part file and download again",
+            Refusal::StorageFull => {
+                "download the records, then erase them as docs/host-tool.md says"
+            }
+            Refusal::StorageFailed => {
+                "reset the instrument and repeat; if it happens again, the flash is worn out"
+            }
+            Refusal::PointList => "correct the point list",
+            Refusal::Settings => "correct the settings",
+            _ => "compare `calib info` with `calib version`, and update the older one",
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! The link to a calibrator: address, transport, requests and answers.
+//!
+//! ```text
+//! Address --open--> Transport (serial | tcp | emulated | any other)
+//!                       |
+//!                    Client: request -> answer with the same sequence number
+//!                       |            retries, resynchronisation, typed errors
+//!                    session, download, command line
+//! ```
+//!
+//! The client never looks at a clock: a transport says when a timeout is over.
+//! So the same code runs against hardware and in the virtual time of a twin.
+
+mod address;
+mod client;
+mod error;
+mod exchange;
+pub mod port;
+mod serial;
+mod tcp;
+mod transport;
+
+pub use address::Address;
+pub use client::{Chunk, Client, RetryPolicy};
+pub use error::{LinkError, ProtocolError, Refused};
+pub use serial::SerialTransport;
+pub use tcp::TcpTransport;
+pub use transport::Transport;

@@ -1,0 +1,80 @@
+//! A serial port: the ST-LINK's virtual COM port, or USB CDC.
+
+use super::{LinkError, Transport};
+use calib_protocol::frame::SERIAL_BAUD;
+use serialport::{ErrorKind, SerialPort};
+use std::io::{self, Read, Write};
+use std::time::Duration;
+
+/// An open serial port.
+pub struct SerialTransport {
+    name: String,
+    port: Box<dyn SerialPort>,
+}
+
+impl SerialTransport {
+    /// Opens a port with the settings of the calibrator.
+    ///
+    /// # Errors
+    /// [`LinkError::Open`] with a hint for a missing port, missing rights and a
+    /// port in use.
+    pub fn open(name: &str) -> Result<Self, LinkError> {
+        let mut port = serialport::new(name, SERIAL_BAUD)
+            .timeout(Duration::from_secs(1))
+            .open()
+            .map_err(|error| open_error(name, error))?;
+        // Some USB serial devices send nothing before DTR is raised. A
+        // pseudo-terminal has no such line, so a refusal means nothing.
+        let _ = port.write_data_terminal_ready(true);
+        Ok(Self {
+            name: name.to_owned(),
+            port,
+        })
+    }
+}
+
+fn open_error(name: &str, error: serialport::Error) -> LinkError {
+    let source = io::Error::from(error.clone());
+    let hint = match (error.kind, source.kind()) {
+        (ErrorKind::Io(io::ErrorKind::PermissionDenied), _) => {
+            "no right to use the port: `calib doctor` shows the rule to add".to_owned()
+        }
+        (ErrorKind::NoDevice | ErrorKind::Io(io::ErrorKind::NotFound), _) => {
+            "no such port, or it is in use: `calib devices` lists the ports".to_owned()
+        }
+        _ => "is another program using it? `calib devices` lists the ports".to_owned(),
+    };
+    LinkError::Open {
+        address: name.to_owned(),
+        source,
+        hint,
+    }
+}
+
+impl Transport for SerialTransport {
+    fn name(&self) -> String {
+        self.name.clone()
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.port.write_all(bytes)?;
+        self.port.flush()
+    }
+
+    fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
+        self.port.set_timeout(timeout)?;
+        match self.port.read(buffer) {
+            Ok(0) => Err(io::ErrorKind::UnexpectedEof.into()),
+            Err(error) if is_pause(&error) => Ok(0),
+            other => other,
+        }
+    }
+}
+
+/// True when an error only says that no byte came in time.
+pub(super) fn is_pause(error: &io::Error) -> bool {
+    matches!(
+        error.kind(),
+        io::ErrorKind::TimedOut | io::ErrorKind::WouldBlock | io::ErrorKind::Interrupted
+    )
+}

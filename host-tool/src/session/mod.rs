@@ -1,0 +1,9 @@
+//! What is done with a calibrator over its link: run, follow, download.
+
+mod download;
+mod points;
+mod run;
+
+pub use download::{Download, Progress as DownloadProgress, download};
+pub use points::{default_points, read_points};
+pub use run::{Outcome, Progress, follow, run};
