@@ -3,10 +3,12 @@
 //! - [`rig`]: the parameters of a simulated calibrator, read from a file or drawn by seed.
 //! - [`plant`]: its physics in the time domain, with the converters.
 //! - [`oracle`]: the truth about it, by formulas in the frequency domain.
+//! - [`influence`]: rigs that are wrong in every way an uncertainty budget admits.
 //! - [`rig_port`]: the seam between plant and board.
 //!
 //! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
 
+pub mod influence;
 pub mod oracle;
 pub mod plant;
 pub mod rig;

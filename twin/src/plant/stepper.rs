@@ -7,18 +7,22 @@
 
 use nalgebra::DMatrix;
 
-/// The propagation over one fixed duration, stored by columns from the first to the last non-zero
-/// row: a cascade is lower triangular and its two channels do not see each other, so about half of
-/// the full matrix is zero.
+/// Rows computed together: enough independent sums to hide the latency of an addition.
+const TILE_ROWS: usize = 8;
+
+/// The propagation over one fixed duration.
+///
+/// Rows are taken in tiles, each with only its non-zero columns: a cascade is lower triangular and
+/// its two channels do not see each other, so about half of the full matrix is zero.
 #[derive(Clone, Debug)]
 pub(super) struct Propagator {
-    columns: Vec<Column>,
+    tiles: Vec<Vec<TileColumn>>,
 }
 
 #[derive(Clone, Debug)]
-struct Column {
-    first_row: usize,
-    values: Vec<f64>,
+struct TileColumn {
+    column: usize,
+    factors: [f64; TILE_ROWS],
 }
 
 impl Propagator {
@@ -30,38 +34,40 @@ impl Propagator {
             .rows_mut(0, states)
             .copy_from(&(matrix * duration_s));
         let exponential = augmented.exp();
-        let columns = (0..width)
-            .map(|index| Column::new(exponential.column(index).rows(0, states).iter()))
-            .collect();
-        Self { columns }
-    }
-
-    /// Writes the state at the end of the step to `next`; `source` is (state, inputs).
-    pub(super) fn apply(&self, source: &[f64], next: &mut [f64]) {
-        next.fill(0.0);
-        for (column, &value) in self.columns.iter().zip(source) {
-            let rows = &mut next[column.first_row..column.first_row + column.values.len()];
-            for (row, factor) in rows.iter_mut().zip(&column.values) {
-                *row += factor * value;
-            }
+        let tile = |first_row: usize| {
+            let column = |column| TileColumn {
+                column,
+                factors: std::array::from_fn(|index| {
+                    let row = first_row + index;
+                    if row < states {
+                        exponential[(row, column)]
+                    } else {
+                        0.0
+                    }
+                }),
+            };
+            let nonzero = |part: &TileColumn| part.factors.iter().any(|&factor| factor != 0.0);
+            (0..width).map(column).filter(nonzero).collect()
+        };
+        Self {
+            tiles: (0..states).step_by(TILE_ROWS).map(tile).collect(),
         }
     }
-}
 
-impl Column {
-    fn new<'a>(values: impl Iterator<Item = &'a f64>) -> Self {
-        let values: Vec<f64> = values.copied().collect();
-        let first_row = values.iter().position(|&value| value != 0.0);
-        let last_row = values.iter().rposition(|&value| value != 0.0);
-        match (first_row, last_row) {
-            (Some(first_row), Some(last_row)) => Self {
-                first_row,
-                values: values[first_row..=last_row].to_vec(),
-            },
-            _ => Self {
-                first_row: 0,
-                values: Vec::new(),
-            },
+    /// Writes the state at the end of the step to `next`, which is padded to whole tiles;
+    /// `source` is (state, inputs).
+    pub(super) fn apply(&self, source: &[f64], next: &mut [f64]) {
+        let (rows, _) = next.as_chunks_mut::<TILE_ROWS>();
+        for (rows, tile) in rows.iter_mut().zip(&self.tiles) {
+            let mut sums = [0.0; TILE_ROWS];
+            for part in tile {
+                let value = source[part.column];
+                #[expect(clippy::needless_range_loop, reason = "keeps all sums in registers")]
+                for row in 0..TILE_ROWS {
+                    sums[row] += part.factors[row] * value;
+                }
+            }
+            *rows = sums;
         }
     }
 }
@@ -76,7 +82,9 @@ pub(super) struct Stepper {
     binary: Vec<Option<Propagator>>,
     /// (state, inputs)
     source: Vec<f64>,
+    /// The state after a step, padded to whole tiles.
     next: Vec<f64>,
+    states: usize,
 }
 
 /// 2^41 ns is 36 minutes; longer holds repeat it.
@@ -96,14 +104,14 @@ impl Stepper {
             tick_ns,
             binary: vec![None; LONGEST_BINARY_STEP + 1],
             source: vec![0.0; width],
-            next: vec![0.0; states],
+            next: vec![0.0; states.next_multiple_of(TILE_ROWS)],
+            states,
         }
     }
 
     /// Sets input number `index` from now on.
     pub(super) fn set_input(&mut self, index: usize, value: f64) {
-        let states = self.next.len();
-        self.source[states + index] = value;
+        self.source[self.states + index] = value;
     }
 
     /// (state, inputs) at present.
@@ -139,7 +147,8 @@ impl Stepper {
     }
 
     fn accept(&mut self) {
-        for (state, &value) in self.source.iter_mut().zip(&self.next) {
+        let states = &mut self.source[..self.states];
+        for (state, &value) in states.iter_mut().zip(&self.next) {
             *state = if value.abs() < NEGLIGIBLE { 0.0 } else { value };
         }
     }
