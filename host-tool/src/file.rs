@@ -40,7 +40,8 @@ pub fn create(path: &Path, content: &[u8]) -> Result<()> {
     }
 }
 
-fn temporary(path: &Path, content: &[u8]) -> Result<tempfile::NamedTempFile> {
+/// The content, on disk, under a temporary name beside `path`.
+pub(crate) fn temporary(path: &Path, content: &[u8]) -> Result<tempfile::NamedTempFile> {
     let failed = |error| Error::file("write", path, error);
     let directory = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,

@@ -4,6 +4,7 @@
 //! is one file of `src/cli/`. Errors name the way out ([`error::Error`]).
 #![forbid(unsafe_code)]
 
+pub mod certificate;
 pub mod error;
 pub mod file;
 pub mod link;

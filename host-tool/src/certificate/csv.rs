@@ -1,0 +1,147 @@
+//! CSV: one row per point, one heading row, opens in Excel.
+//!
+//! UTF-8 with byte order mark. English: comma and decimal point; German:
+//! semicolon and decimal comma, as Excel expects in that language. Refused
+//! points have empty results. Text that Excel would take for a formula is led
+//! by an apostrophe.
+
+use super::model::{Certificate, Point, PointValues};
+use super::words::Language;
+use crate::{Error, Result};
+
+/// Headings of the columns; fixed, so that scripts can rely on them.
+const COLUMNS: [&str; 24] = [
+    "certificate",
+    "dut_model",
+    "dut_serial",
+    "date",
+    "frequency_hz",
+    "actual_frequency_hz",
+    "acceleration_rms_ms2",
+    "sensitivity_mv_per_ms2",
+    "sensitivity_mv_per_g",
+    "expanded_uncertainty_percent",
+    "coverage_factor",
+    "deviation_percent",
+    "deviation_db",
+    "phase_deg",
+    "expanded_uncertainty_phase_deg",
+    "distortion_dut_percent",
+    "distortion_reference_percent",
+    "signal_to_noise_dut_db",
+    "signal_to_noise_reference_db",
+    "repeatability_percent",
+    "blocks",
+    "settling_s",
+    "verdict",
+    "reason",
+];
+
+/// The table as CSV.
+///
+/// # Errors
+/// [`Error::Input`] if the writer fails, which memory does not.
+pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Vec<u8>> {
+    let delimiter = match language {
+        Language::En => b',',
+        Language::De => b';',
+    };
+    let mut writer = ::csv::WriterBuilder::new()
+        .delimiter(delimiter)
+        .terminator(::csv::Terminator::CRLF)
+        .from_writer(vec![0xef, 0xbb, 0xbf]);
+    let broken = |error: String| Error::input("CSV", error, "report this as a defect");
+    writer
+        .write_record(COLUMNS)
+        .map_err(|e| broken(e.to_string()))?;
+    for point in &certificate.points {
+        let row = row(certificate, point, language);
+        writer
+            .write_record(row)
+            .map_err(|e| broken(e.to_string()))?;
+    }
+    writer.into_inner().map_err(|e| broken(e.to_string()))
+}
+
+fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<String> {
+    let said = |section, key| {
+        let value = certificate.statement(section, key);
+        value
+            .map(|v| harmless(super::present::value(v, language)))
+            .unwrap_or_default()
+    };
+    let number = |value: f64| match value.is_finite() {
+        true => decimal_sign(format!("{value}"), language),
+        false => String::new(),
+    };
+    let mut row = vec![
+        harmless(certificate.number.clone()),
+        said("item", "model"),
+        said("item", "serial"),
+        said("calibration", "date"),
+        number(point.nominal_frequency_hz),
+        number(point.frequency_hz),
+        number(point.acceleration_ms2),
+    ];
+    match &point.outcome {
+        Ok(values) => row.extend(results(values, language)),
+        Err(_) => row.extend(std::iter::repeat_n(String::new(), 8)),
+    }
+    row.extend([
+        number(point.distortion_percent),
+        number(point.distortion_reference_percent),
+        number(point.signal_to_noise_db),
+        number(point.signal_to_noise_reference_db),
+        number(point.repeatability_percent),
+        point.blocks.to_string(),
+        number(point.settling_s),
+    ]);
+    let (verdict, reason) = super::json::verdict(point);
+    row.extend([verdict.to_owned(), reason.unwrap_or_default().to_owned()]);
+    row
+}
+
+/// Results as printed: what is on paper and what is in the file is one number.
+fn results(values: &PointValues, language: Language) -> [String; 8] {
+    let fixed = |value: f64, decimals: usize| decimal_sign(format!("{value:.decimals$}"), language);
+    let (uncertainty, decimals) = values.printed_uncertainty_percent;
+    let per_ms2 = values.printed_mv_per_ms2;
+    let per_g = values.printed_mv_per_g;
+    let phase = values.printed_phase_deg;
+    [
+        fixed(per_ms2.value, per_ms2.decimals),
+        fixed(per_g.value, per_g.decimals),
+        fixed(uncertainty, decimals),
+        fixed(values.coverage_factor, 2),
+        values
+            .deviation_percent
+            .map(|d| fixed(d, decimals))
+            .unwrap_or_default(),
+        values
+            .deviation_db
+            .map(|d| fixed(d, decimals + 1))
+            .unwrap_or_default(),
+        phase
+            .map(|r| fixed(r.value, r.decimals))
+            .unwrap_or_default(),
+        phase
+            .map(|r| fixed(r.uncertainty, r.decimals))
+            .unwrap_or_default(),
+    ]
+}
+
+fn decimal_sign(number: String, language: Language) -> String {
+    match language {
+        Language::En => number,
+        Language::De => number.replace('.', ","),
+    }
+}
+
+/// Keeps a spreadsheet from running what an operator typed.
+fn harmless(text: String) -> String {
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        format!("'{text}")
+    } else {
+        text
+    }
+}

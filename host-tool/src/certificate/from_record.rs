@@ -1,0 +1,405 @@
+//! From a decoded record to the certificate: the only place that computes.
+
+use super::budget;
+use super::model::{
+    Certificate, Entry, Refusal, Remark, STANDARD_GRAVITY_MS2, Section, Severity, Value,
+};
+use super::model::{Point, PointValues};
+use super::rounding::{Rounded, round_uncertainty};
+use calib_core::point::PointResult;
+use calib_core::verdict::Verdict;
+use calib_protocol::record::Record;
+use jiff::{Timestamp, ToSpan, civil::Date, tz::TimeZone};
+
+impl Certificate {
+    /// The certificate of a record.
+    ///
+    /// Points are ordered by frequency and level; the reference point is
+    /// chosen per clause 5.3 among those that passed. The budget there is
+    /// recomputed from the settings and compared with the stored U.
+    pub fn from_record(record: &Record) -> Self {
+        let mut measured: Vec<&PointResult> = record.points.iter().collect();
+        measured.sort_by(|a, b| {
+            let key = |p: &PointResult| (p.spec.frequency_hz, p.spec.acceleration_rms_ms2);
+            let (a, b) = (key(a), key(b));
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
+        let mut points: Vec<Point> = measured
+            .iter()
+            .map(|p| point(p, record.sample_rate_hz))
+            .collect();
+        let reference = reference_point(&points);
+        state_deviations(&mut points, reference);
+        let mut certificate = Self {
+            number: number(record),
+            sections: sections(record),
+            inverted: reference.is_some_and(|index| measured[index].inverted),
+            reference,
+            points,
+            budget: None,
+            remarks: Vec::new(),
+        };
+        certificate.remarks = remarks(record, &certificate);
+        if let Some(index) = reference {
+            budget::attach(&mut certificate, record, measured[index]);
+        }
+        certificate
+    }
+}
+
+/// The decimal number a person would write for an f32: 31.5, not 31.499999.
+pub(super) fn decimal(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or(f64::NAN)
+}
+
+fn number(record: &Record) -> String {
+    format!("{}-{:06}", record.instrument_serial, record.id)
+}
+
+fn point(result: &PointResult, sample_rate_hz: f32) -> Point {
+    Point {
+        nominal_frequency_hz: decimal(result.spec.frequency_hz),
+        frequency_hz: f64::from(result.tone.cycles) * f64::from(sample_rate_hz)
+            / f64::from(result.tone.period_samples),
+        nominal_acceleration_ms2: decimal(result.spec.acceleration_rms_ms2),
+        acceleration_ms2: decimal(result.acceleration_rms_ms2),
+        outcome: outcome(result),
+        distortion_percent: percent(result.distortion_dut_rel),
+        distortion_reference_percent: percent(result.distortion_reference_rel),
+        signal_to_noise_db: decimal(result.signal_to_noise_dut_db),
+        signal_to_noise_reference_db: decimal(result.signal_to_noise_reference_db),
+        repeatability_percent: percent(result.repeatability_rel),
+        amplitude_stability_percent: percent(result.amplitude_stability_rel),
+        blocks: result.blocks,
+        drive_peak_v: decimal(result.drive_peak_v),
+        settling_s: decimal(result.settling_s),
+    }
+}
+
+fn percent(relative: f32) -> f64 {
+    f64::from(relative) * 100.0
+}
+
+fn outcome(result: &PointResult) -> Result<PointValues, Refusal> {
+    match result.verdict {
+        Verdict::Refused(reason) => Err(Refusal(format!("{reason:?}"))),
+        // A result without a valid U is none, whatever the verdict says.
+        Verdict::Pass => values(result).ok_or_else(|| Refusal("NotReportable".to_owned())),
+    }
+}
+
+fn values(result: &PointResult) -> Option<PointValues> {
+    let sensitivity_v_per_ms2 = decimal(result.sensitivity_v_per_ms2);
+    let relative = f64::from(result.expanded_uncertainty_rel);
+    let phase_deg = f64::from(result.phase_rad).to_degrees();
+    let phase_u_deg = f64::from(result.expanded_uncertainty_phase_rad).to_degrees();
+    let coverage_factor = decimal(result.coverage_factor);
+    let in_mv = |factor: f64| {
+        let value = sensitivity_v_per_ms2 * 1000.0 * factor;
+        Rounded::new(value, value * relative)
+    };
+    let (rounded_u, digit) = round_uncertainty(relative * 100.0, 2)?;
+    let usable = sensitivity_v_per_ms2 > 0.0 && coverage_factor > 0.0 && phase_deg.is_finite();
+    usable.then_some(())?;
+    Some(PointValues {
+        sensitivity_v_per_ms2,
+        expanded_uncertainty_percent: relative * 100.0,
+        coverage_factor,
+        effective_degrees_of_freedom: decimal(result.effective_degrees_of_freedom),
+        phase_deg,
+        expanded_uncertainty_phase_deg: phase_u_deg,
+        deviation_percent: None,
+        deviation_db: None,
+        printed_mv_per_ms2: in_mv(1.0)?,
+        printed_mv_per_g: in_mv(STANDARD_GRAVITY_MS2)?,
+        printed_phase_deg: Rounded::new(phase_deg, phase_u_deg),
+        printed_uncertainty_percent: (rounded_u, usize::try_from(digit).unwrap_or(0)),
+    })
+}
+
+/// The reference point of clause 5.3: 160 Hz, else 80 Hz; there 100 m/s2, else
+/// 10, 20 or 50 m/s2, else any level. Without either frequency the point
+/// nearest to 160 Hz on the logarithmic axis stands in.
+fn reference_point(points: &[Point]) -> Option<usize> {
+    let rank = |point: &Point| {
+        let octaves = |hz: f64| (point.nominal_frequency_hz / hz).log2().abs();
+        // omega = 1000 rad/s and 500 rad/s count as 160 Hz and 80 Hz.
+        let frequency = if octaves(160.0) < 0.01 {
+            0.0
+        } else if octaves(80.0) < 0.01 {
+            0.001
+        } else {
+            octaves(160.0)
+        };
+        let level = [100.0, 10.0, 20.0, 50.0]
+            .iter()
+            .position(|level| (point.nominal_acceleration_ms2 / level - 1.0).abs() < 0.01)
+            .unwrap_or(4);
+        (frequency, level)
+    };
+    let passed = points
+        .iter()
+        .enumerate()
+        .filter(|(_, point)| point.outcome.is_ok());
+    passed
+        .map(|(index, point)| (rank(point), index))
+        .min_by(|(a, _), (b, _)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+        .map(|(_, index)| index)
+}
+
+fn state_deviations(points: &mut [Point], reference: Option<usize>) {
+    let Some(index) = reference else { return };
+    let Ok(of_reference) = points[index]
+        .outcome
+        .as_ref()
+        .map(|v| v.sensitivity_v_per_ms2)
+    else {
+        return;
+    };
+    for values in points.iter_mut().filter_map(|p| p.outcome.as_mut().ok()) {
+        let ratio = values.sensitivity_v_per_ms2 / of_reference;
+        values.deviation_percent = Some(100.0 * (ratio - 1.0));
+        values.deviation_db = Some(20.0 * ratio.log10());
+    }
+}
+
+/// Words, or `None` when nothing but blanks was said.
+fn text(words: &str) -> Option<Value> {
+    let words = words.trim();
+    (!words.is_empty()).then(|| Value::Text(words.to_owned()))
+}
+
+fn phrase(key: String, values: &[String]) -> Option<Value> {
+    Some(Value::Phrase(key, values.to_vec()))
+}
+
+/// A day given as days since 1970-01-01; 0 is not stated.
+pub(super) fn day(days: u32) -> Option<Date> {
+    let epoch = Date::constant(1970, 1, 1);
+    (days > 0)
+        .then(|| epoch.checked_add(i64::from(days).days()).ok())
+        .flatten()
+}
+
+/// The UTC day of a run, if the host's clock was known.
+pub(super) fn run_day(record: &Record) -> Option<Date> {
+    let seconds = i64::try_from(record.labels.unix_time_s)
+        .ok()
+        .filter(|s| *s > 0)?;
+    let time = Timestamp::from_second(seconds).ok()?;
+    Some(time.to_zoned(TimeZone::UTC).date())
+}
+
+fn sections(record: &Record) -> Vec<Section> {
+    vec![
+        item(record),
+        calibration(record),
+        conditions(record),
+        mounting(record),
+        amplifier(record),
+        equipment(record),
+    ]
+}
+
+fn section(
+    key: &'static str,
+    entries: Vec<(&'static str, &'static str, Option<Value>)>,
+) -> Section {
+    let entry = |(key, clause, value)| Entry { key, clause, value };
+    Section {
+        key,
+        entries: entries.into_iter().map(entry).collect(),
+    }
+}
+
+fn item(record: &Record) -> Section {
+    section(
+        "item",
+        vec![
+            (
+                "model",
+                "ISO/IEC 17025 7.8.2.1 g",
+                text(&record.labels.dut_model),
+            ),
+            (
+                "serial",
+                "ISO/IEC 17025 7.8.2.1 g",
+                text(&record.labels.dut_serial),
+            ),
+        ],
+    )
+}
+
+fn calibration(record: &Record) -> Section {
+    let settings = &record.settings;
+    let extent = if record.complete {
+        "points.complete"
+    } else {
+        "points.incomplete"
+    };
+    section(
+        "calibration",
+        vec![
+            (
+                "method",
+                "ISO 16063-21 7",
+                phrase(format!("method.{:?}", settings.method), &[]),
+            ),
+            (
+                "example",
+                "",
+                phrase(format!("example.{:?}", settings.example), &[]),
+            ),
+            (
+                "date",
+                "ISO/IEC 17025 7.8.2.1 i",
+                run_day(record).map(Value::Day),
+            ),
+            (
+                "operator",
+                "ISO/IEC 17025 7.8.2.1 o",
+                text(&record.labels.operator),
+            ),
+            (
+                "record",
+                "",
+                phrase(
+                    "record.value".to_owned(),
+                    &[record.id.to_string(), record.instrument_serial.to_string()],
+                ),
+            ),
+            (
+                "points",
+                "",
+                phrase(extent.to_owned(), &[record.points.len().to_string()]),
+            ),
+            (
+                "blocks",
+                "",
+                Some(Value::Number(f64::from(settings.blocks), 0, "")),
+            ),
+            ("excitation", "", phrase("excitation.sine".to_owned(), &[])),
+            ("quantity", "", phrase("quantity.rms".to_owned(), &[])),
+        ],
+    )
+}
+
+fn conditions(record: &Record) -> Section {
+    let temperature = record.labels.temperature_centi_c;
+    let celsius = temperature.map(|centi| Value::Number(f64::from(centi) / 100.0, 1, "°C"));
+    section(
+        "conditions",
+        vec![
+            ("transducer_temperature", "ISO 16063-21 7 a, b", celsius),
+            ("humidity", "", None),
+        ],
+    )
+}
+
+fn mounting(record: &Record) -> Section {
+    section(
+        "mounting",
+        vec![(
+            "description",
+            "ISO 16063-21 7 c",
+            text(&record.labels.mounting),
+        )],
+    )
+}
+
+fn amplifier(record: &Record) -> Section {
+    let settings = &record.settings;
+    let scale = |volt_per_code: f32| Some(Value::Exact(decimal(volt_per_code * 1.0e6), "µV"));
+    section(
+        "amplifier",
+        vec![
+            (
+                "dut_input",
+                "ISO 16063-21 7 d",
+                scale(settings.dut_input.volt_per_code),
+            ),
+            (
+                "reference_input",
+                "ISO 16063-21 7 d",
+                scale(settings.reference_input.volt_per_code),
+            ),
+        ],
+    )
+}
+
+fn equipment(record: &Record) -> Section {
+    let reference = &record.settings.reference;
+    section(
+        "equipment",
+        vec![
+            (
+                "instrument",
+                "ISO 16063-21 7",
+                text(&record.instrument_serial),
+            ),
+            ("firmware", "", text(&record.firmware)),
+            ("reference", "ISO 16063-21 7", text(&reference.serial)),
+            (
+                "reference_certificate",
+                "ISO/IEC 17025 7.8.4.1 c",
+                text(&reference.certificate),
+            ),
+            (
+                "reference_calibrated",
+                "ISO 16063-21 7",
+                day(reference.calibrated_day).map(Value::Day),
+            ),
+            (
+                "reference_due",
+                "ISO 16063-21 7",
+                day(reference.due_day).map(Value::Day),
+            ),
+        ],
+    )
+}
+
+fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
+    let refused = certificate
+        .points
+        .iter()
+        .filter(|p| p.outcome.is_err())
+        .count();
+    let count = |n: usize| Value::Number(n as f64, 0, "");
+    let mut remarks = Vec::new();
+    let mut say = |severity, key, values| {
+        remarks.push(Remark {
+            severity,
+            key,
+            values,
+        })
+    };
+    if certificate.reference.is_none() {
+        say(Severity::Error, "no_result", vec![]);
+    }
+    if !record.complete {
+        say(Severity::Warning, "incomplete", vec![]);
+    }
+    if refused > 0 {
+        say(
+            Severity::Warning,
+            "refused",
+            vec![count(refused), count(certificate.points.len())],
+        );
+    }
+    if let (Some(due), Some(run)) = (day(record.settings.reference.due_day), run_day(record))
+        && due < run
+    {
+        say(Severity::Error, "reference_overdue", vec![Value::Day(due)]);
+    }
+    let passed = certificate
+        .points
+        .iter()
+        .filter_map(|p| p.outcome.as_ref().ok());
+    if passed
+        .clone()
+        .any(|values| (values.coverage_factor - 2.0).abs() > 0.005)
+    {
+        say(Severity::Note, "coverage_factor", vec![]);
+    }
+    remarks
+}

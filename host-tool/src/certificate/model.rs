@@ -1,0 +1,208 @@
+//! The certificate between record and formats: every format renders this.
+//!
+//! ```text
+//! Record --from_record--> Certificate --present--> strings --> HTML, PDF
+//!                                     \------------ numbers --> CSV, JSON, DCC, UFF
+//! ```
+//!
+//! Numbers are f64 in the unit their name states; accelerations are r.m.s.,
+//! uncertainties expanded. A missing item is `None` and is printed as missing.
+
+use super::rounding::Rounded;
+use jiff::civil::Date;
+use serde::Serialize;
+
+/// Standard acceleration of free fall, m/s2 (ISO 80000-3).
+pub const STANDARD_GRAVITY_MS2: f64 = 9.806_65;
+
+/// Everything a certificate says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Certificate {
+    /// Number of the certificate, unique for the instrument.
+    pub number: String,
+    /// Statements in the order they are printed.
+    pub sections: Vec<Section>,
+    /// True when the object is inverted in the sense of Annex B.
+    pub inverted: bool,
+    /// Index of the reference point in `points` (clause 5.3), if one passed.
+    pub reference: Option<usize>,
+    /// Points in rising frequency, then level.
+    pub points: Vec<Point>,
+    /// Budget at the reference point.
+    pub budget: Option<Budget>,
+    /// What a reader must know beside the numbers.
+    pub remarks: Vec<Remark>,
+}
+
+impl Certificate {
+    /// The reference point and its result.
+    pub fn reference_result(&self) -> Option<(&Point, &PointValues)> {
+        let point = self.points.get(self.reference?)?;
+        Some((point, point.outcome.as_ref().ok()?))
+    }
+
+    /// A statement by section and key.
+    pub fn statement(&self, section: &str, key: &str) -> Option<&Value> {
+        let section = self.sections.iter().find(|s| s.key == section)?;
+        let entry = section.entries.iter().find(|e| e.key == key)?;
+        entry.value.as_ref()
+    }
+}
+
+/// Statements of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// Message key after `section.`.
+    pub key: &'static str,
+    /// Statements in the order they are printed.
+    pub entries: Vec<Entry>,
+}
+
+/// One statement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Key; the message is `<section>.<key>`.
+    pub key: &'static str,
+    /// Clause that asks for it; empty when none does.
+    pub clause: &'static str,
+    /// What is stated; `None` is printed as missing.
+    pub value: Option<Value>,
+}
+
+/// What a statement says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// Words of the operator or the instrument.
+    Text(String),
+    /// A message key and its values.
+    Phrase(String, Vec<String>),
+    /// A number, its decimals and its unit.
+    Number(f64, usize, &'static str),
+    /// A number as it was given, and its unit.
+    Exact(f64, &'static str),
+    /// A day.
+    Day(Date),
+}
+
+/// One calibration point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// Nominal frequency, Hz.
+    pub nominal_frequency_hz: f64,
+    /// Frequency that was played, Hz.
+    pub frequency_hz: f64,
+    /// Set acceleration, m/s2 r.m.s.
+    pub nominal_acceleration_ms2: f64,
+    /// Acceleration reached, m/s2 r.m.s.
+    pub acceleration_ms2: f64,
+    /// Results, or the reason why there are none.
+    pub outcome: Result<PointValues, Refusal>,
+    /// Total harmonic distortion of the object's channel, %.
+    pub distortion_percent: f64,
+    /// Total harmonic distortion of the reference channel, %.
+    pub distortion_reference_percent: f64,
+    /// Signal to residual noise of the object's channel, dB.
+    pub signal_to_noise_db: f64,
+    /// Signal to residual noise of the reference channel, dB.
+    pub signal_to_noise_reference_db: f64,
+    /// Relative experimental standard deviation of the mean, %.
+    pub repeatability_percent: f64,
+    /// Largest change of the acceleration amplitude while measuring, %.
+    pub amplitude_stability_percent: f64,
+    /// Blocks averaged.
+    pub blocks: u16,
+    /// Drive voltage, V peak.
+    pub drive_peak_v: f64,
+    /// Time until the level was settled, s.
+    pub settling_s: f64,
+}
+
+/// Why a point has no result: the name of a reason, as in `reason.<name>`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Refusal(pub String);
+
+/// Results of a point that passed its checks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointValues {
+    /// Magnitude of the sensitivity, V/(m/s2), not rounded.
+    pub sensitivity_v_per_ms2: f64,
+    /// Relative expanded uncertainty of the magnitude, %, not rounded.
+    pub expanded_uncertainty_percent: f64,
+    /// Coverage factor.
+    pub coverage_factor: f64,
+    /// Effective degrees of freedom, possibly infinite.
+    pub effective_degrees_of_freedom: f64,
+    /// Phase, degrees, not rounded.
+    pub phase_deg: f64,
+    /// Expanded uncertainty of the phase, degrees, not rounded.
+    pub expanded_uncertainty_phase_deg: f64,
+    /// Deviation from the reference point, %, not rounded.
+    pub deviation_percent: Option<f64>,
+    /// Deviation from the reference point, dB, not rounded.
+    pub deviation_db: Option<f64>,
+    /// Sensitivity and U in mV/(m/s2), as printed.
+    pub printed_mv_per_ms2: Rounded,
+    /// Sensitivity and U in mV/g, as printed.
+    pub printed_mv_per_g: Rounded,
+    /// Phase and U in degrees, as printed; `None` when the phase has no U.
+    pub printed_phase_deg: Option<Rounded>,
+    /// U in %, as printed, with its decimals.
+    pub printed_uncertainty_percent: (f64, usize),
+}
+
+/// Budget of the sensitivity at one point, in D.1's shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Budget {
+    /// Contributions, by row of Table A.1.
+    pub rows: Vec<BudgetRow>,
+    /// Combined relative standard uncertainty, %.
+    pub combined_percent: f64,
+    /// Effective degrees of freedom, possibly infinite.
+    pub effective_degrees_of_freedom: f64,
+    /// Coverage factor.
+    pub coverage_factor: f64,
+    /// Relative expanded uncertainty, %.
+    pub expanded_percent: f64,
+}
+
+/// One line of the budget.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BudgetRow {
+    /// Row of Table A.1, 1 to 18.
+    pub row: u8,
+    /// Expanded uncertainty or bound, %.
+    pub value_percent: f64,
+    /// Message key of the distribution and its value.
+    pub distribution: (&'static str, Option<f64>),
+    /// Factor that turns the value into a standard uncertainty.
+    pub factor: f64,
+    /// Sensitivity coefficient.
+    pub sensitivity_coefficient: f64,
+    /// Relative contribution, %.
+    pub contribution_percent: f64,
+    /// Degrees of freedom, possibly infinite.
+    pub degrees_of_freedom: f64,
+}
+
+/// A remark of the certificate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Remark {
+    /// How serious it is.
+    pub severity: Severity,
+    /// Message key after `remark.`.
+    pub key: &'static str,
+    /// Values of the message.
+    pub values: Vec<Value>,
+}
+
+/// How serious a remark is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// The certificate must not be used.
+    Error,
+    /// The reader decides whether it matters.
+    Warning,
+    /// For information.
+    Note,
+}

@@ -1,0 +1,364 @@
+//! Certificate to strings in a language: what HTML and PDF print alike.
+
+use super::model::{Budget, Certificate, Point, PointValues, Remark, Section, Value};
+use super::plot;
+use super::words::Language;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The certificate in words, ready to be set.
+#[derive(Clone, Debug, Serialize)]
+pub struct Presented {
+    /// Language code for the document.
+    pub language: &'static str,
+    /// Certificate number.
+    pub number: String,
+    /// Fixed words by their message key, dots replaced by underscores.
+    pub words: BTreeMap<String, String>,
+    /// Result at the reference point.
+    pub headline: Option<Headline>,
+    /// Statements.
+    pub sections: Vec<PresentedSection>,
+    /// The table over frequency.
+    pub table: Table,
+    /// The budget at the reference point.
+    pub budget: Option<PresentedBudget>,
+    /// Remarks, most serious first.
+    pub remarks: Vec<PresentedRemark>,
+    /// Sensitivity over frequency, SVG.
+    pub plot_sensitivity: String,
+    /// Phase over frequency, SVG.
+    pub plot_phase: String,
+}
+
+/// Result at the reference point.
+#[derive(Clone, Debug, Serialize)]
+pub struct Headline {
+    /// "at 160 Hz and 10 m/s2 r.m.s."
+    pub at: String,
+    /// Sensitivity with U in mV/(m/s2).
+    pub per_ms2: String,
+    /// Sensitivity with U in mV/g.
+    pub per_g: String,
+    /// U in %.
+    pub uncertainty: String,
+    /// Phase with U.
+    pub phase: String,
+    /// Coverage factor in a sentence.
+    pub coverage: String,
+    /// Polarity in a sentence.
+    pub polarity: String,
+}
+
+/// Statements of one kind.
+#[derive(Clone, Debug, Serialize)]
+pub struct PresentedSection {
+    /// Key of the section.
+    pub key: &'static str,
+    /// Its heading.
+    pub title: String,
+    /// Label and statement; `None` is missing.
+    pub entries: Vec<(String, Option<String>)>,
+}
+
+/// A table of strings.
+#[derive(Clone, Debug, Serialize)]
+pub struct Table {
+    /// Heading and unit of each column.
+    pub columns: Vec<(String, String)>,
+    /// Rows; refused ones end in the reason.
+    pub rows: Vec<Row>,
+}
+
+/// A row of the table over frequency.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// One cell per column.
+    pub cells: Vec<String>,
+    /// True when the point has no result.
+    pub refused: bool,
+    /// True at the reference point.
+    pub reference: bool,
+}
+
+/// The budget in words.
+#[derive(Clone, Debug, Serialize)]
+pub struct PresentedBudget {
+    /// Headings.
+    pub columns: Vec<String>,
+    /// Rows of strings.
+    pub rows: Vec<Vec<String>>,
+    /// Combined standard uncertainty, %.
+    pub combined: String,
+    /// Effective degrees of freedom.
+    pub degrees: String,
+    /// "Expanded uncertainty, k = 2".
+    pub expanded_label: String,
+    /// Expanded uncertainty, %.
+    pub expanded: String,
+}
+
+/// A remark in words.
+#[derive(Clone, Debug, Serialize)]
+pub struct PresentedRemark {
+    /// "error", "warning" or "note".
+    pub severity: super::model::Severity,
+    /// The severity in the language.
+    pub label: String,
+    /// What is said.
+    pub text: String,
+}
+
+impl Presented {
+    /// Puts a certificate into words.
+    pub fn new(certificate: &Certificate, language: Language) -> Self {
+        Self {
+            language: language.code(),
+            number: certificate.number.clone(),
+            words: language.words(),
+            headline: headline(certificate, language),
+            sections: certificate
+                .sections
+                .iter()
+                .map(|s| section(s, language))
+                .collect(),
+            table: table(certificate, language),
+            budget: certificate.budget.as_ref().map(|b| budget(b, language)),
+            remarks: certificate
+                .remarks
+                .iter()
+                .map(|r| remark(r, language))
+                .collect(),
+            plot_sensitivity: plot::sensitivity(certificate, language),
+            plot_phase: plot::phase(certificate, language),
+        }
+    }
+}
+
+/// A statement in words.
+pub(super) fn value(value: &Value, language: Language) -> String {
+    match value {
+        Value::Text(text) => text.clone(),
+        Value::Phrase(key, values) => {
+            let values: Vec<&str> = values.iter().map(String::as_str).collect();
+            language.phrase(key, &values)
+        }
+        Value::Number(number, decimals, unit) => {
+            with_unit(language.number(*number, *decimals), unit)
+        }
+        Value::Exact(number, unit) => with_unit(language.shortest(*number), unit),
+        Value::Day(day) => day.to_string(),
+    }
+}
+
+fn with_unit(number: String, unit: &str) -> String {
+    if unit.is_empty() {
+        number
+    } else {
+        format!("{number}\u{a0}{unit}")
+    }
+}
+
+fn section(section: &Section, language: Language) -> PresentedSection {
+    let entries = section.entries.iter().map(|entry| {
+        let label = language
+            .word(&format!("{}.{}", section.key, entry.key))
+            .to_owned();
+        (label, entry.value.as_ref().map(|v| value(v, language)))
+    });
+    PresentedSection {
+        key: section.key,
+        title: language
+            .word(&format!("section.{}", section.key))
+            .to_owned(),
+        entries: entries.collect(),
+    }
+}
+
+fn remark(remark: &Remark, language: Language) -> PresentedRemark {
+    let values: Vec<String> = remark.values.iter().map(|v| value(v, language)).collect();
+    let values: Vec<&str> = values.iter().map(String::as_str).collect();
+    let severity = format!("severity.{:?}", remark.severity).to_lowercase();
+    PresentedRemark {
+        severity: remark.severity,
+        label: language.word(&severity).to_owned(),
+        text: language.phrase(&format!("remark.{}", remark.key), &values),
+    }
+}
+
+/// Degrees of freedom: whole numbers, truncated as GUM G.4.1 does.
+fn degrees(value: f64, language: Language) -> String {
+    if value.is_infinite() || value >= 1.0e4 {
+        "\u{221e}".to_owned()
+    } else {
+        language.number(value.floor(), 0)
+    }
+}
+
+fn rounded(rounded: &super::rounding::Rounded, unit: &str, language: Language) -> String {
+    let number = |value| language.number(value, rounded.decimals);
+    // ISO 80000-1: the degree follows the number without a space.
+    let space = if unit == "°" { "" } else { "\u{a0}" };
+    format!(
+        "({} \u{b1} {}){space}{unit}",
+        number(rounded.value),
+        number(rounded.uncertainty)
+    )
+}
+
+fn headline(certificate: &Certificate, language: Language) -> Option<Headline> {
+    let (point, values) = certificate.reference_result()?;
+    let (uncertainty, decimals) = values.printed_uncertainty_percent;
+    let at = [
+        language.shortest(point.nominal_frequency_hz),
+        language.shortest(point.nominal_acceleration_ms2),
+    ];
+    let coverage = [
+        language.number(values.coverage_factor, 2),
+        degrees(values.effective_degrees_of_freedom, language),
+    ];
+    let polarity = if certificate.inverted {
+        "result.inverted"
+    } else {
+        "result.not_inverted"
+    };
+    Some(Headline {
+        at: language.phrase("result.at", &[&at[0], &at[1]]),
+        per_ms2: rounded(&values.printed_mv_per_ms2, "mV/(m/s²)", language),
+        per_g: rounded(&values.printed_mv_per_g, "mV/g", language),
+        uncertainty: with_unit(language.number(uncertainty, decimals), "%"),
+        phase: values.printed_phase_deg.map_or_else(
+            || language.word("missing").to_owned(),
+            |phase| rounded(&phase, "°", language),
+        ),
+        coverage: language.phrase("result.coverage", &[&coverage[0], &coverage[1]]),
+        polarity: language.word(polarity).to_owned(),
+    })
+}
+
+/// Columns of the table: message key and unit.
+const COLUMNS: [(&str, &str); 13] = [
+    ("frequency", "Hz"),
+    ("acceleration", "m/s²"),
+    ("sensitivity", "mV/(m/s²)"),
+    ("sensitivity", "mV/g"),
+    ("uncertainty", "%"),
+    ("coverage_factor", ""),
+    ("deviation", "%"),
+    ("deviation", "dB"),
+    ("phase", "°"),
+    ("uncertainty_phase", "°"),
+    ("distortion", "%"),
+    ("signal_to_noise", "dB"),
+    ("verdict", ""),
+];
+
+fn table(certificate: &Certificate, language: Language) -> Table {
+    let column = |(key, unit): &(&str, &str)| {
+        (
+            language.word(&format!("column.{key}")).to_owned(),
+            (*unit).to_owned(),
+        )
+    };
+    let row = |(index, point): (usize, &Point)| Row {
+        cells: cells(point, language),
+        refused: point.outcome.is_err(),
+        reference: certificate.reference == Some(index),
+    };
+    Table {
+        columns: COLUMNS.iter().map(column).collect(),
+        rows: certificate.points.iter().enumerate().map(row).collect(),
+    }
+}
+
+fn cells(point: &Point, language: Language) -> Vec<String> {
+    let mut cells = vec![
+        language.shortest(point.nominal_frequency_hz),
+        language.number(point.acceleration_ms2, 3),
+    ];
+    match &point.outcome {
+        Ok(values) => cells.extend(result_cells(values, language)),
+        Err(_) => cells.extend(std::iter::repeat_n("\u{2013}".to_owned(), 8)),
+    }
+    cells.push(language.number(point.distortion_percent, 2));
+    cells.push(language.number(point.signal_to_noise_db, 0));
+    cells.push(match &point.outcome {
+        Ok(_) => language.word("verdict.pass").to_owned(),
+        Err(refusal) => {
+            let reason = language.word(&format!("reason.{}", refusal.0)).to_owned();
+            format!("{}: {reason}", language.word("verdict.refused"))
+        }
+    });
+    cells
+}
+
+fn result_cells(values: &PointValues, language: Language) -> [String; 8] {
+    let dash = || "\u{2013}".to_owned();
+    let pair = |r: &super::rounding::Rounded| language.number(r.value, r.decimals);
+    let (uncertainty, decimals) = values.printed_uncertainty_percent;
+    let phase = values.printed_phase_deg;
+    [
+        pair(&values.printed_mv_per_ms2),
+        pair(&values.printed_mv_per_g),
+        language.number(uncertainty, decimals),
+        language.number(values.coverage_factor, 2),
+        values
+            .deviation_percent
+            .map_or_else(dash, |d| language.number(d, decimals)),
+        // One percent is 0.087 dB: one more digit keeps the resolution.
+        values
+            .deviation_db
+            .map_or_else(dash, |d| language.number(d, decimals + 1)),
+        phase.as_ref().map_or_else(dash, pair),
+        phase.map_or_else(dash, |r| language.number(r.uncertainty, r.decimals)),
+    ]
+}
+
+fn budget(budget: &Budget, language: Language) -> PresentedBudget {
+    let keys = [
+        "quantity",
+        "description",
+        "value",
+        "distribution",
+        "factor",
+        "coefficient",
+        "contribution",
+        "degrees",
+    ];
+    let label = |key: &str| language.word(&format!("budget.{key}")).to_owned();
+    let rows = budget.rows.iter().map(|row| {
+        let (distribution, parameter) = row.distribution;
+        let parameter = parameter
+            .map(|value| language.shortest(value))
+            .unwrap_or_default();
+        vec![
+            row.row.to_string(),
+            language.word(&format!("row.{}", row.row)).to_owned(),
+            significant(row.value_percent, language),
+            language.phrase(&format!("distribution.{distribution}"), &[&parameter]),
+            language.number(row.factor, 3),
+            language.shortest(row.sensitivity_coefficient),
+            significant(row.contribution_percent, language),
+            degrees(row.degrees_of_freedom, language),
+        ]
+    });
+    PresentedBudget {
+        columns: keys.iter().map(|key| label(key)).collect(),
+        rows: rows.collect(),
+        combined: significant(budget.combined_percent, language),
+        degrees: degrees(budget.effective_degrees_of_freedom, language),
+        expanded_label: language.phrase(
+            "budget.expanded",
+            &[&language.number(budget.coverage_factor, 2)],
+        ),
+        expanded: significant(budget.expanded_percent, language),
+    }
+}
+
+/// Two significant digits, as the table of Annex D has them.
+fn significant(value: f64, language: Language) -> String {
+    match super::rounding::round_uncertainty(value, 2) {
+        Some((rounded, digit)) => language.number(rounded, usize::try_from(digit).unwrap_or(0)),
+        None => language.number(value, 2),
+    }
+}

@@ -1,0 +1,127 @@
+//! Words and numbers of a language, from the one message file.
+
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+/// The message file: language -> key -> text.
+static MESSAGES: LazyLock<BTreeMap<String, BTreeMap<String, String>>> = LazyLock::new(|| {
+    // Note(unwrap): the file is part of the program; a test reads it.
+    toml::from_str(include_str!("messages.toml")).expect("messages.toml is valid")
+});
+
+/// Language of a certificate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Language {
+    /// English, decimal point.
+    #[default]
+    En,
+    /// German, decimal comma.
+    De,
+}
+
+impl Language {
+    /// Every language there is.
+    pub const ALL: [Self; 2] = [Self::En, Self::De];
+
+    /// Two-letter code of ISO 639-1.
+    pub fn code(self) -> &'static str {
+        match self {
+            Self::En => "en",
+            Self::De => "de",
+        }
+    }
+
+    /// The text of `key`; the key itself when there is none, so that a defect
+    /// shows and no text disappears.
+    pub fn word(self, key: &str) -> &str {
+        MESSAGES
+            .get(self.code())
+            .and_then(|words| words.get(key))
+            .map_or(key, String::as_str)
+    }
+
+    /// Every text, dots of the keys replaced by underscores for templates.
+    pub fn words(self) -> BTreeMap<String, String> {
+        let words = MESSAGES.get(self.code()).into_iter().flatten();
+        words
+            .map(|(key, text)| (key.replace('.', "_"), text.clone()))
+            .collect()
+    }
+
+    /// The text of `key` with `{0}`, `{1}` ... replaced.
+    pub fn phrase(self, key: &str, values: &[&str]) -> String {
+        let mut text = self.word(key).to_owned();
+        for (index, value) in values.iter().enumerate() {
+            text = text.replace(&format!("{{{index}}}"), value);
+        }
+        text
+    }
+
+    /// A number with a fixed count of decimals and the decimal sign of the
+    /// language; the minus sign is U+2212, as a printer would set it. What is
+    /// not finite is a dash.
+    pub fn number(self, value: f64, decimals: usize) -> String {
+        if !value.is_finite() {
+            return "\u{2013}".to_owned();
+        }
+        let text = format!("{value:.decimals$}");
+        let text = match text.strip_prefix('-') {
+            // "-0.00" is zero.
+            Some(rest) if rest.chars().all(|c| c == '0' || c == '.') => rest.to_owned(),
+            Some(rest) => format!("\u{2212}{rest}"),
+            None => text,
+        };
+        self.decimal_sign(text)
+    }
+
+    /// A number as short as it can be written without loss.
+    pub fn shortest(self, value: f64) -> String {
+        self.decimal_sign(format!("{value}"))
+    }
+
+    fn decimal_sign(self, text: String) -> String {
+        match self {
+            Self::En => text,
+            Self::De => text.replace('.', ","),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_language_has_every_key() {
+        let english: Vec<_> = MESSAGES["en"].keys().collect();
+        for language in Language::ALL {
+            let own: Vec<_> = MESSAGES[language.code()].keys().collect();
+            assert_eq!(own, english, "{language:?}");
+        }
+    }
+
+    #[test]
+    fn translations_take_the_same_values() {
+        let places = |text: &str| {
+            (0..4)
+                .map(|i| text.contains(&format!("{{{i}}}")))
+                .collect::<Vec<_>>()
+        };
+        for (key, text) in &MESSAGES["en"] {
+            assert_eq!(places(text), places(&MESSAGES["de"][key]), "{key}");
+        }
+    }
+
+    #[test]
+    fn numbers_follow_the_language() {
+        assert_eq!(Language::De.number(-10.25, 1), "\u{2212}10,2");
+        assert_eq!(Language::En.number(-0.001, 2), "0.00");
+        assert_eq!(Language::De.shortest(31.5), "31,5");
+        assert_eq!(
+            Language::En.phrase("remark.refused", &["2", "31"]),
+            "2 of 31 points were refused. Their numbers are not results and are not given."
+        );
+    }
+}
