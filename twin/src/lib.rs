@@ -12,4 +12,12 @@ pub mod influence;
 pub mod oracle;
 pub mod plant;
 pub mod rig;
+//! - [`board`]: the emulated NUCLEO-H743ZI2.
+//! - [`rig_port`]: the seam between the two.
+//! - [`runner`]: runs an image on the board, step by step or paced.
+//!
+//! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
+
+pub mod board;
 pub mod rig_port;
+pub mod runner;

@@ -1,0 +1,209 @@
+//! The registers of the converter pair: clock, dual mode, trigger, data and DMA request.
+
+use rigless::device::{Device, DeviceContext, Level, RegisterFile, RequestChange};
+use rigless::soc::stm32h743::generated::adc3::{cfgr, cr, isr};
+use rigless::soc::stm32h743::generated::adc3_common::{Register, ccr};
+use rigless::time::VirtualNanos;
+
+use super::super::tim6;
+use super::{DMA_REQUEST, Pair, SharedPair};
+
+/// `DUAL` of the regular simultaneous mode alone (RM0433 Rev 9, section 25.7.2).
+const REGULAR_SIMULTANEOUS: u64 = 0b00110;
+/// `DAMDF` of one 32-bit word per pair for 16 to 10 bits.
+const WORD_PER_PAIR: u64 = 0b10;
+/// `EXTSEL` of TIM6's trigger output (section 25.4.19, table 213) and `EXTEN` of its rising edge.
+const TIM6_TRGO: u64 = 13;
+const RISING: u64 = 0b01;
+/// Divider each `PRESC` code selects.
+const PRESCALER: [u64; 12] = [1, 2, 4, 6, 8, 10, 12, 16, 32, 64, 128, 256];
+/// Places of the two clocks the memory map wires.
+const KERNEL_CLOCK: usize = 0;
+
+/// The model's state beside the registers.
+#[derive(Debug)]
+pub(in super::super) struct Common {
+    pair: SharedPair,
+    kernel_hz: u64,
+    bus_hz: u64,
+    /// The DMA request stands.
+    requested: bool,
+}
+
+impl Common {
+    pub(in super::super) fn new(pair: SharedPair) -> Self {
+        Self {
+            pair,
+            kernel_hz: 0,
+            bus_hz: 0,
+            requested: false,
+        }
+    }
+
+    /// Figure 136: kernel clock over `PRESC`, or bus clock over 1, 2 or 4; revision V halves both.
+    fn clock(&self, control: u64) {
+        let prescaler = PRESCALER.get(ccr::PRESC.get(control) as usize);
+        let hz = match ccr::CKMODE.get(control) {
+            0 => self.kernel_hz / prescaler.copied().unwrap_or(256),
+            mode => self.bus_hz >> (mode - 1),
+        };
+        self.pair.lock().clock_hz = hz / 2;
+    }
+
+    fn request(&mut self, level: bool, context: &mut DeviceContext<'_>) {
+        if self.requested != level {
+            self.requested = level;
+            context.request(DMA_REQUEST, Level::from(level));
+        }
+    }
+
+    fn trigger(&mut self, control: u64, context: &mut DeviceContext<'_>) {
+        let shared = self.pair.clone();
+        let mut pair = shared.lock();
+        if !pair.armed() {
+            return;
+        }
+        let Some(duration_ns) = pair.conversion_ns() else {
+            return context.tell("CCR", "a trigger finds the converters without a clock");
+        };
+        let now = context.now();
+        if now < pair.busy_until {
+            return context.tell("CCR", "a trigger during a conversion is ignored");
+        }
+        pair.busy_until = VirtualNanos(now.0 + duration_ns);
+        let codes = pair.analog.sample(now);
+        if pair.unread {
+            pair.overrun();
+            self.request(false, context);
+        } else if !isr::OVR.is_set(pair.converters[0].status) {
+            pair.take(codes, context);
+            let moves = cfgr::DMNGT.get(pair.converters[0].configuration) & 1 == 1;
+            self.request(moves && ccr::DAMDF.get(control) != 0, context);
+        }
+        if pair.interrupts_enabled() {
+            pair.drive_interrupt(context);
+        }
+    }
+}
+
+impl Pair {
+    /// The pair converts at each trigger: both enabled, the master started, on TIM6's rising edge.
+    fn armed(&self) -> bool {
+        let [master, slave] = &self.converters;
+        master.enabled()
+            && slave.enabled()
+            && cr::ADSTART.is_set(master.control)
+            && cfgr::EXTEN.get(master.configuration) == RISING
+            && cfgr::EXTSEL.get(master.configuration) == TIM6_TRGO
+    }
+
+    fn take(&mut self, codes: [u16; 2], context: &mut DeviceContext<'_>) {
+        for (nth, code) in codes.into_iter().enumerate() {
+            let converter = &mut self.converters[nth];
+            converter.data = converter.convert(nth, code, context);
+            converter.status |= isr::EOC.mask() | isr::EOS.mask();
+        }
+        self.unread = true;
+    }
+
+    /// Data arrived over unread data: flag it, and keep the old (section 25.4.27, `OVRMOD` clear).
+    fn overrun(&mut self) {
+        for converter in &mut self.converters {
+            converter.flag(isr::OVR, true);
+        }
+    }
+
+    fn read_data(&mut self) -> u64 {
+        for converter in &mut self.converters {
+            converter.flag(isr::EOC, false);
+        }
+        self.unread = false;
+        let [master, slave] = &self.converters;
+        u64::from(slave.data) << 16 | u64::from(master.data)
+    }
+}
+
+impl Device for Common {
+    type Register = Register;
+
+    fn read(
+        &mut self,
+        register: Register,
+        _registers: &mut RegisterFile,
+        context: &mut DeviceContext<'_>,
+    ) -> Option<u64> {
+        match register {
+            Register::Cdr => {
+                let data = self.pair.lock().read_data();
+                self.request(false, context);
+                Some(data)
+            }
+            Register::Csr => {
+                let pair = self.pair.lock();
+                Some(pair.converters[0].status | pair.converters[1].status << 16)
+            }
+            _ => None,
+        }
+    }
+
+    fn write(
+        &mut self,
+        register: Register,
+        value: u64,
+        _registers: &mut RegisterFile,
+        context: &mut DeviceContext<'_>,
+    ) {
+        if register != Register::Ccr {
+            return;
+        }
+        let dual = ccr::DUAL.get(value);
+        if dual != 0 && dual != REGULAR_SIMULTANEOUS {
+            context.tell("CCR", "this dual mode is not modelled");
+        }
+        if !matches!(ccr::DAMDF.get(value), 0 | WORD_PER_PAIR) {
+            context.tell("CCR", "this data format is not modelled");
+        }
+        self.clock(value);
+    }
+
+    fn on_request(
+        &mut self,
+        request: RequestChange,
+        registers: &mut RegisterFile,
+        context: &mut DeviceContext<'_>,
+    ) {
+        if request.request != tim6::TRIGGER || request.instance != tim6::NAME {
+            return;
+        }
+        let control = registers.get(Register::Ccr);
+        if ccr::DUAL.get(control) == REGULAR_SIMULTANEOUS {
+            self.trigger(control, context);
+        }
+    }
+
+    fn on_clock_input(
+        &mut self,
+        input: usize,
+        hz: u64,
+        registers: &mut RegisterFile,
+        _context: &mut DeviceContext<'_>,
+    ) {
+        match input {
+            KERNEL_CLOCK => self.kernel_hz = hz,
+            _ => self.bus_hz = hz,
+        }
+        self.clock(registers.get(Register::Ccr));
+    }
+
+    fn reset(&mut self) {
+        self.requested = false;
+        let mut pair = self.pair.lock();
+        pair.unread = false;
+        pair.busy_until = VirtualNanos(0);
+    }
+
+    fn reset_line(&mut self, _registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
+        self.request(false, context);
+        self.reset();
+    }
+}

@@ -1,0 +1,174 @@
+//! ADC1 and ADC2, the two simultaneously sampling converters, and their common block.
+//!
+//! RM0433 Rev 9, chapter 25, for silicon revision V. Modelled: deep power down, regulator start-up,
+//! calibration and enable with the datasheet's times; dual regular simultaneous mode (`DUAL` = 6) of
+//! one conversion per trigger on TIM6's trigger output, with the pair's 32-bit data register, its DMA
+//! request, end-of-conversion and overrun flags and the pair's interrupt; a single software-started
+//! conversion of one converter. Resolution, sampling time and clock are honoured: a trigger during a
+//! conversion is ignored, and the run is told.
+//!
+//! A conversion samples at its trigger and its data is there at once: for a chain of which both
+//! channels share every delay, the 1 to 5 microseconds of a conversion change nothing but the age of
+//! a sample. Left out, and told: injected groups, watchdogs, oversampling, offsets, sequences of more
+//! than one conversion, the other dual modes.
+//!
+//! - [`Converter`]: the registers of ADC1 or ADC2.
+//! - [`Common`]: the registers of the pair, trigger and DMA request.
+//! - `Pair`, here: what the two converters and the common block share.
+
+mod common;
+mod converter;
+
+use std::sync::{Arc, Mutex, MutexGuard};
+
+use rigless::device::{DeviceContext, Level};
+use rigless::soc::FieldSpec;
+use rigless::soc::stm32h743::generated::adc3::{cfgr, cr, isr};
+use rigless::time::VirtualNanos;
+
+pub(super) use common::Common;
+pub(super) use converter::Converter;
+
+use super::analog::Analog;
+
+/// The pair's instance name, as listeners see it.
+pub(super) const NAME: &str = "ADC12_Common";
+/// Request line of the pair's DMA request.
+pub(super) const DMA_REQUEST: usize = 0;
+/// Position of the pair's interrupt in each of its instances.
+const PAIR_LINE: usize = 0;
+
+/// Channel of each converter that is wired to a connector: ADC1 INP15 = PA3, ADC2 INP10 = PC0.
+const WIRED_CHANNEL: [u64; 2] = [15, 10];
+
+const NS_PER_S: u128 = 1_000_000_000;
+
+/// Half cycles of the analogue clock each `SMP` code samples for (RM0433 Rev 9, section 25.6.6).
+const SAMPLING_HALF_CYCLES: [u64; 8] = [3, 5, 17, 33, 65, 129, 775, 1621];
+
+/// What both converters and their common block share.
+#[derive(Debug)]
+struct Pair {
+    analog: Analog,
+    /// The analogue clock both converters run on, 0 while it stands still.
+    clock_hz: u64,
+    converters: [State; 2],
+    /// Data not yet read from the pair's register.
+    unread: bool,
+    busy_until: VirtualNanos,
+}
+
+/// One converter's registers as the pair needs them: the register file belongs to its instance.
+#[derive(Debug, Clone, Copy, Default)]
+struct State {
+    control: u64,
+    configuration: u64,
+    status: u64,
+    interrupts: u64,
+    sampling: [u64; 2],
+    sequence: u64,
+    preselection: u64,
+    data: u16,
+}
+
+/// A shared handle of the pair.
+#[derive(Debug, Clone)]
+pub(super) struct SharedPair(Arc<Mutex<Pair>>);
+
+impl SharedPair {
+    pub(super) fn new(analog: Analog) -> Self {
+        Self(Arc::new(Mutex::new(Pair {
+            analog,
+            clock_hz: 0,
+            converters: [State::default(); 2],
+            unread: false,
+            busy_until: VirtualNanos(0),
+        })))
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Pair> {
+        self.0
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
+impl State {
+    fn enabled(&self) -> bool {
+        cr::ADEN.is_set(self.control) && isr::ADRDY.is_set(self.status)
+    }
+
+    fn flag(&mut self, field: &FieldSpec, up: bool) {
+        self.status = field.set(self.status, u64::from(up));
+    }
+
+    /// The one channel of the sequence, or `None` for a longer sequence.
+    fn channel(&self) -> Option<u64> {
+        let length = self.sequence & 0xF;
+        (length == 0).then_some((self.sequence >> 6) & 0x1F)
+    }
+
+    /// Half cycles of the analogue clock one conversion of `channel` takes: sampling, then
+    /// 0.5 + N/2 cycles for N bits (RM0433 Rev 9, section 25.4.17).
+    fn conversion_half_cycles(&self, channel: u64) -> u64 {
+        let (register, place) = (channel / 10, channel % 10);
+        let code = (self.sampling[register as usize & 1] >> (3 * place)) & 0b111;
+        SAMPLING_HALF_CYCLES[code as usize] + 1 + u64::from(self.bits())
+    }
+
+    /// Resolution in bits (section 25.6.4, revision V).
+    fn bits(&self) -> u32 {
+        match cfgr::RES.get(self.configuration) {
+            0b001 | 0b101 => 14,
+            0b010 | 0b110 => 12,
+            0b011 => 10,
+            0b111 => 8,
+            _ => 16,
+        }
+    }
+
+    /// What converter `nth` makes of the code at its connector: 0 where the channel selected is not
+    /// the wired one, because that pin carries nothing.
+    fn convert(&mut self, nth: usize, code: u16, context: &mut DeviceContext<'_>) -> u16 {
+        let wired = WIRED_CHANNEL[nth];
+        let selected = self.channel() == Some(wired) && self.preselection & (1 << wired) != 0;
+        if !selected {
+            context.tell("SQR1", "a pin without a signal is converted: 0 V");
+            return 0;
+        }
+        code >> (16 - self.bits())
+    }
+}
+
+impl Pair {
+    /// How long one conversion keeps the pair busy, `None` while the clock stands still.
+    fn conversion_ns(&self) -> Option<u64> {
+        let slowest = self
+            .converters
+            .iter()
+            .filter_map(|converter| Some(converter.conversion_half_cycles(converter.channel()?)))
+            .max()?;
+        let doubled_hz = 2 * u128::from(self.clock_hz);
+        (doubled_hz > 0).then(|| (u128::from(slowest) * NS_PER_S).div_ceil(doubled_hz) as u64)
+    }
+
+    /// Nanoseconds `cycles` of the analogue clock last, `None` while it stands still.
+    fn cycles_ns(&self, cycles: u64) -> Option<u64> {
+        let hz = u128::from(self.clock_hz);
+        (hz > 0).then(|| (u128::from(cycles) * NS_PER_S).div_ceil(hz) as u64)
+    }
+
+    /// Drives the interrupt the two converters share.
+    fn drive_interrupt(&self, context: &mut DeviceContext<'_>) {
+        let raised = self
+            .converters
+            .iter()
+            .any(|converter| converter.status & converter.interrupts != 0);
+        context.interrupt(PAIR_LINE, Level::from(raised));
+    }
+
+    /// Whether any converter has an interrupt enabled.
+    fn interrupts_enabled(&self) -> bool {
+        self.converters.iter().any(|state| state.interrupts != 0)
+    }
+}

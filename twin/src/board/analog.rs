@@ -1,0 +1,106 @@
+//! The board's analogue pins: the one place where converters meet the rig.
+//!
+//! DAC1 says when the level on PA4 changes, the converter pair says when it samples. Between two of
+//! those instants the drive output is constant, so the rig hears every stretch of time exactly once.
+
+use std::sync::{Arc, Mutex, MutexGuard};
+
+use rigless::time::VirtualNanos;
+
+use crate::rig_port::{DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
+
+/// The pins PA4 (drive), PA3 (reference) and PC0 (device under test), with the rig on them.
+struct Pins {
+    rig: Box<dyn RigPort>,
+    drive_code: u16,
+    reached: VirtualNanos,
+    /// Instant at which the drive last left or reached silence.
+    silent_since: Option<VirtualNanos>,
+}
+
+/// A shared handle of the pins: DAC1 holds one, the converter pair holds one.
+#[derive(Clone)]
+pub struct Analog(Arc<Mutex<Pins>>);
+
+impl std::fmt::Debug for Analog {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("Analog").finish_non_exhaustive()
+    }
+}
+
+impl Analog {
+    /// The pins with `rig` on them, at rest.
+    #[must_use]
+    pub fn new(rig: Box<dyn RigPort>) -> Self {
+        Self(Arc::new(Mutex::new(Pins {
+            rig,
+            drive_code: DRIVE_MID_CODE,
+            reached: VirtualNanos(0),
+            silent_since: Some(VirtualNanos(0)),
+        })))
+    }
+
+    /// The level on PA4 becomes `code` at `now`.
+    pub(super) fn drive(&self, code: u16, now: VirtualNanos) {
+        let mut pins = self.lock();
+        if code == pins.drive_code {
+            return;
+        }
+        pins.advance(now);
+        pins.drive_code = code;
+        pins.silent_since = (code == DRIVE_MID_CODE).then_some(now);
+    }
+
+    /// The codes of both input channels at `now`.
+    pub(super) fn sample(&self, now: VirtualNanos) -> [u16; INPUT_CHANNELS] {
+        let mut pins = self.lock();
+        pins.advance(now);
+        pins.rig.sample()
+    }
+
+    /// Lets the rig live on to `now` without a conversion.
+    pub fn advance(&self, now: VirtualNanos) {
+        self.lock().advance(now);
+    }
+
+    /// The code on the drive output.
+    #[must_use]
+    pub fn drive_code(&self) -> u16 {
+        self.lock().drive_code
+    }
+
+    /// Since when the drive output has been at [`DRIVE_MID_CODE`], or `None` while it is not.
+    #[must_use]
+    pub fn silent_since(&self) -> Option<VirtualNanos> {
+        self.lock().silent_since
+    }
+
+    /// Replaces the rig at the present instant and hands the old one back.
+    pub fn replace_rig(&self, rig: Box<dyn RigPort>) -> Box<dyn RigPort> {
+        std::mem::replace(&mut self.lock().rig, rig)
+    }
+
+    /// A power cycle: virtual time starts at zero again, the rig goes on as it is.
+    pub fn restart_clock(&self) {
+        let mut pins = self.lock();
+        pins.reached = VirtualNanos(0);
+        pins.drive_code = DRIVE_MID_CODE;
+        pins.silent_since = Some(VirtualNanos(0));
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Pins> {
+        self.0
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
+impl Pins {
+    fn advance(&mut self, now: VirtualNanos) {
+        let duration_ns = now.0.saturating_sub(self.reached.0);
+        if duration_ns > 0 {
+            self.rig.hold(self.drive_code, duration_ns);
+            self.reached = now;
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! The part's core: a Cortex-M7 r1p1 with double-precision FPU, as the emulator is to make it.
+
+use std::num::{NonZeroU32, NonZeroU64};
+
+use rigless::cpu;
+use rigless::emulator::CoreSpec;
+use rigless::machine::armv7m;
+use rigless::mcu::{Mcu, Operate};
+
+use super::part::Part;
+
+/// SYSCLK of the shipping firmware, which drives SysTick alone (480 MHz, VOS0).
+const CLOCK_HZ: NonZeroU64 = NonZeroU64::new(480_000_000).expect("not zero");
+
+/// Instructions per second of virtual time.
+///
+/// The emulator gives every instruction the same time and knows neither caches, wait states nor dual
+/// issue. 250 million is about half an instruction per clock of the real core, so a deadline met here
+/// is met on the hardware unless a path is bound by memory.
+pub const INSTRUCTIONS_PER_S: u64 = 250_000_000;
+
+/// Reference clock of SysTick is the core clock over this (RM0433 Rev 9, section 19.1.1).
+const REFCLK_DIVIDER: NonZeroU32 = NonZeroU32::new(8).expect("not zero");
+const PRIORITY_BITS: u8 = 4;
+/// `BOOT_ADD0` as the vendor programs it (RM0433 Rev 9, table 9).
+const VECTOR_TABLE: u32 = 0x0800_0000;
+/// ES0392 Rev 15, section 2.1, in the layout of PM0253 Rev 6, table 52.
+const CPUID: u32 = 0x411F_C271;
+
+/// 16 KiB of instruction and data cache (PM0253 Rev 6, tables 77 and 81). The emulated core reports
+/// them and caches nothing: cache maintenance is accepted, coherency mistakes stay invisible.
+const CACHES: armv7m::Caches = armv7m::Caches {
+    clidr: 0x0900_0003,
+    ctr: 0x8303_C003,
+    ccsidr: &[0xF00F_E019, 0xF01F_E009],
+};
+
+/// `ITCMCR`, `DTCMCR`, `AHBPCR`, `CACR`, `AHBSCR` and `ABFSR` as offset, reset value and writable
+/// bits (PM0253 Rev 6, tables 104 to 109).
+const ACCESS_CONTROL: [(u64, u32, u32); 6] = [
+    (0xF90, 0b0111 << 3, 0b111),
+    (0xF94, 0b1000 << 3, 0b111),
+    (0xF98, 0, 0b1),
+    (0xF9C, 0, 0b111),
+    (0xFA0, 1 << 11, 0xFFFF),
+    (0xFA8, 0, 0),
+];
+
+/// The core of `part` as the emulator makes it.
+pub(super) fn spec(part: &Part) -> CoreSpec {
+    let lines = u32::from(Operate::cpu(part).interrupt_lines);
+    let core = armv7m::Core {
+        variant: armv7m::Variant::M7,
+        clock_hz: CLOCK_HZ,
+        interrupt_lines: NonZeroU32::new(lines).unwrap_or(NonZeroU32::MIN),
+        priority_bits: PRIORITY_BITS,
+        refclk_divider: REFCLK_DIVIDER,
+        instructions_per_second: NonZeroU64::new(INSTRUCTIONS_PER_S).unwrap_or(NonZeroU64::MIN),
+        boot: "flash",
+    };
+    let mut config = armv7m::Config::new(core, &cpu::armv7m::windows(Mcu::bus(part)));
+    config.fpu = armv7m::Fpu::FpV5Dp;
+    config.mpu_regions = armv7m::MpuRegions::Sixteen;
+    config.cpuid = CPUID;
+    config.caches = Some(CACHES);
+    config.branch_prediction = armv7m::BranchPrediction::Always;
+    config.implementation_registers = ACCESS_CONTROL
+        .iter()
+        .map(
+            |&(offset, reset, writable)| armv7m::ImplementationRegister {
+                offset,
+                reset,
+                writable,
+            },
+        )
+        .collect();
+    config.vector_table = Some(VECTOR_TABLE);
+    config.spec()
+}

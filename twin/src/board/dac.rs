@@ -1,0 +1,182 @@
+//! DAC1, channel 1 on PA4: the drive signal.
+//!
+//! RM0433 Rev 9, chapter 26. A write to a data holding register reaches the output at once without a
+//! trigger (`TEN1` clear), or at the next trigger `TSEL1` selects: software, or TIM6's trigger output.
+//! With `DMAEN1` each trigger that moved a value asks for the next one; a trigger that finds the last
+//! request unserved sets `DMAUDR1`, and requests stop until it is cleared (section 26.4.8).
+//! The output register keeps its value while the channel is off: a channel enabled before anything
+//! was loaded puts code 0, full negative drive, on the pin. While it is off the pin floats and the
+//! output stage's bias network holds mid-scale.
+//!
+//! Left out: channel 2 (its registers store), wave generation, calibration, sample and hold, each
+//! told to the run. `MODE1` 3 and other on-chip-only modes leave the pin floating.
+
+use rigless::device::{Device, DeviceContext, Level, RegisterFile, RequestChange};
+use rigless::soc::stm32h743::generated::dac::{Register, cr, mcr, sr, swtrgr};
+
+use super::analog::Analog;
+use super::tim6;
+use crate::rig_port::DRIVE_MID_CODE;
+
+/// Request line of channel 1's DMA request.
+pub(super) const DMA_REQUEST: usize = 0;
+/// The instance's name, as listeners see it.
+pub(super) const NAME: &str = "DAC";
+const UNDERRUN_LINE: usize = 0;
+
+/// `TSEL1` of a software trigger and of TIM6's (RM0433 Rev 9, table 225).
+const SOFTWARE: u64 = 0;
+const TIM6_TRGO: u64 = 5;
+
+/// The model's state beside the registers.
+#[derive(Debug)]
+pub(super) struct Dac {
+    analog: Analog,
+    /// Data holding register of channel 1, whatever the alignment it was written in.
+    holding: u16,
+    /// A DMA request stands.
+    pending: bool,
+}
+
+impl Dac {
+    pub(super) fn new(analog: Analog) -> Self {
+        Self {
+            analog,
+            holding: 0,
+            pending: false,
+        }
+    }
+
+    /// Moves the holding register to the output.
+    fn load(&self, registers: &mut RegisterFile, context: &DeviceContext<'_>) {
+        registers.set(Register::Dor1, u64::from(self.holding));
+        self.drive_pin(registers, context);
+    }
+
+    fn drive_pin(&self, registers: &RegisterFile, context: &DeviceContext<'_>) {
+        let enabled = cr::EN1.is_set(registers.get(Register::Cr));
+        // Modes 0 to 2 reach the pin, 3 stays on chip; bit 2 selects sample and hold.
+        let on_pin = mcr::MODE1.get(registers.get(Register::Mcr)) & 0b11 != 0b11;
+        let code = if enabled && on_pin {
+            registers.get(Register::Dor1) as u16
+        } else {
+            DRIVE_MID_CODE
+        };
+        self.analog.drive(code, context.now());
+    }
+
+    fn trigger(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
+        let control = registers.get(Register::Cr);
+        if !cr::EN1.is_set(control) || !cr::TEN1.is_set(control) {
+            return;
+        }
+        self.load(registers, context);
+        if !cr::DMAEN1.is_set(control) || sr::DMAUDR1.is_set(registers.get(Register::Sr)) {
+            return;
+        }
+        if self.pending {
+            let status = registers.get(Register::Sr) | sr::DMAUDR1.mask();
+            registers.set(Register::Sr, status);
+            self.drive_interrupt(registers, context);
+        } else {
+            self.pending = true;
+            context.request(DMA_REQUEST, Level::High);
+        }
+    }
+
+    fn withdraw(&mut self, context: &mut DeviceContext<'_>) {
+        if self.pending {
+            self.pending = false;
+            context.request(DMA_REQUEST, Level::Low);
+        }
+    }
+
+    fn drive_interrupt(&self, registers: &RegisterFile, context: &mut DeviceContext<'_>) {
+        let enabled = cr::DMAUDRIE1.is_set(registers.get(Register::Cr));
+        let flag = sr::DMAUDR1.is_set(registers.get(Register::Sr));
+        context.interrupt(UNDERRUN_LINE, Level::from(enabled && flag));
+    }
+
+    fn hold(&mut self, code: u64, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
+        self.holding = (code & 0xFFF) as u16;
+        self.withdraw(context);
+        if !cr::TEN1.is_set(registers.get(Register::Cr)) {
+            self.load(registers, context);
+        }
+    }
+
+    fn control_written(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
+        let control = registers.get(Register::Cr);
+        if cr::WAVE1.get(control) != 0 || cr::CEN1.is_set(control) {
+            context.tell("CR", "wave generation and calibration are not modelled");
+        }
+        if cr::EN2.is_set(control) {
+            context.tell(
+                "CR",
+                "channel 2 is not wired on this board and not modelled",
+            );
+        }
+        if !cr::DMAEN1.is_set(control) {
+            self.withdraw(context);
+        }
+        self.drive_interrupt(registers, context);
+        self.drive_pin(registers, context);
+    }
+}
+
+impl Device for Dac {
+    type Register = Register;
+
+    fn write(
+        &mut self,
+        register: Register,
+        value: u64,
+        registers: &mut RegisterFile,
+        context: &mut DeviceContext<'_>,
+    ) {
+        match register {
+            Register::Cr => self.control_written(registers, context),
+            Register::Mcr => self.drive_pin(registers, context),
+            Register::Swtrgr if swtrgr::SWTRIG1.is_set(value) => {
+                if cr::TSEL1.get(registers.get(Register::Cr)) == SOFTWARE {
+                    self.trigger(registers, context);
+                }
+            }
+            Register::Dhr12r1 | Register::Dhr12rd => self.hold(value, registers, context),
+            Register::Dhr12l1 | Register::Dhr12ld => self.hold(value >> 4, registers, context),
+            Register::Dhr8r1 | Register::Dhr8rd => self.hold(value << 4, registers, context),
+            Register::Sr => {
+                // rc_w1, section 26.7.14.
+                let kept = !value & sr::DMAUDR1.mask();
+                registers.set(Register::Sr, kept & registers.get(Register::Sr));
+                self.drive_interrupt(registers, context);
+            }
+            _ => {}
+        }
+    }
+
+    fn on_request(
+        &mut self,
+        request: RequestChange,
+        registers: &mut RegisterFile,
+        context: &mut DeviceContext<'_>,
+    ) {
+        if request.request == tim6::TRIGGER
+            && request.instance == tim6::NAME
+            && cr::TSEL1.get(registers.get(Register::Cr)) == TIM6_TRGO
+        {
+            self.trigger(registers, context);
+        }
+    }
+
+    fn reset(&mut self) {
+        self.holding = 0;
+        self.pending = false;
+    }
+
+    fn reset_line(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
+        self.withdraw(context);
+        self.holding = 0;
+        self.drive_pin(registers, context);
+    }
+}

@@ -1,0 +1,92 @@
+//! The emulated board: a NUCLEO-H743ZI2 that runs the shipping image unmodified.
+//!
+//! The core, clocks, flash, pins, DMA and serial ports are the emulator's (`rigless`); what this
+//! instrument needs beyond them is modelled here, one peripheral per file:
+//!
+//! | File | What |
+//! |---|---|
+//! | `analog` | PA4, PA3 and PC0: where converters meet the rig |
+//! | `tim6` | sample clock |
+//! | `dac` | DAC1, drive |
+//! | `adc` | ADC1 and ADC2, reference and device under test |
+//! | `dmamux` | request multiplexer |
+//! | `iwdg` | watchdog |
+//! | `serial_line` | USART3 to the virtual COM port |
+//! | `front_panel` | LEDs and button |
+//! | `memory_map`, `part`, `cortex_m7` | address map, the part as a whole, its core |
+//!
+//! Citations: RM0433 is the reference manual of the part, DS12110 its datasheet, ES0392 its errata,
+//! PM0253 the core's programming manual, UM2407 the board's manual.
+
+mod adc;
+mod analog;
+mod cortex_m7;
+mod dac;
+mod dmamux;
+mod front_panel;
+mod iwdg;
+mod memory_map;
+mod part;
+mod serial_line;
+mod tim6;
+
+use rigless::machine::{Board, Target};
+use rigless::mcu::Mcu;
+use rigless::snapshot::Store;
+
+pub use analog::Analog;
+pub use cortex_m7::INSTRUCTIONS_PER_S;
+pub use front_panel::Leds;
+pub use part::Part;
+pub use serial_line::SerialLine;
+
+/// The clock ST-LINK feeds the part's oscillator pin (UM2407, section 6.8.1).
+const HSE_HZ: u64 = 8_000_000;
+/// Rail of the part, and of its converters.
+const SUPPLY_MV: u32 = 3300;
+/// Place of USART3 in the emulator's list of serial ports.
+const USART3: usize = 2;
+/// Name of the board and of its one core.
+const NAME: &str = "nucleo-h743zi2";
+const CORE: &str = "stm32h743zi";
+
+/// The board: the part, and what is soldered around it.
+#[derive(Debug)]
+pub struct NucleoH743zi2 {
+    /// The microcontroller.
+    pub part: Part,
+}
+
+impl NucleoH743zi2 {
+    /// A board just powered on, with `analog` and `serial` connected.
+    ///
+    /// # Errors
+    ///
+    /// A mistake in the board's own description: nothing a caller can cause.
+    pub fn new(analog: Analog, serial: SerialLine) -> Result<Self, rigless::soc::Error> {
+        let part = Part::new(analog, serial)?;
+        Ok(Self { part })
+    }
+}
+
+/// The rig is not part of a snapshot, so a board cannot be kept in one.
+impl Store for NucleoH743zi2 {}
+
+impl Board for NucleoH743zi2 {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn targets(&mut self) -> Vec<Target<'_>> {
+        let core = cortex_m7::spec(&self.part);
+        vec![Target::new(CORE, &mut self.part, core)]
+    }
+
+    fn target_names(&self) -> Vec<&'static str> {
+        vec![CORE]
+    }
+
+    fn mcu(&mut self, target: usize) -> Option<&mut dyn Mcu> {
+        (target == 0).then_some(&mut self.part)
+    }
+}

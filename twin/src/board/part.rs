@@ -1,0 +1,204 @@
+//! The STM32H743ZI as this board needs it: the emulator's part with our own models in it.
+//!
+//! A part is a bus, which decodes an address to a slot, and a model for a slot. Ours is the
+//! emulator's, on our own bus ([`memory_map`]), with TIM6, DAC, ADC1, ADC2, their common block,
+//! DMAMUX1 and IWDG answered by the models next door.
+
+use rigless::device::{Device, ErasedDevice, ResetCause};
+use rigless::mcu::{Mcu, Operate};
+use rigless::soc::stm32h743::Stm32h743;
+use rigless::soc::stm32h743::generated::{dbgmcu, rcc, rtc};
+use rigless::soc::stm32h743::peripherals::dbg::KEPT_BY_A_SYSTEM_RESET;
+use rigless::soc::{Bus, Error};
+use rigless::time::VirtualNanos;
+
+use super::adc::{self, Common, Converter, SharedPair};
+use super::analog::Analog;
+use super::dac::Dac;
+use super::dmamux::Dmamux;
+use super::iwdg::Iwdg;
+use super::memory_map;
+use super::serial_line::SerialLine;
+use super::tim6::{self, Tim6};
+use super::{HSE_HZ, SUPPLY_MV, USART3};
+
+/// Our own models, and how a slot finds its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Own {
+    Tim6,
+    Dac,
+    Dmamux,
+    Converter(usize),
+    Common,
+    Iwdg,
+}
+
+const OWN: [(&str, Own); 7] = [
+    (tim6::NAME, Own::Tim6),
+    (super::dac::NAME, Own::Dac),
+    ("DMAMUX1", Own::Dmamux),
+    ("ADC1", Own::Converter(0)),
+    ("ADC2", Own::Converter(1)),
+    (adc::NAME, Own::Common),
+    ("IWDG", Own::Iwdg),
+];
+
+/// The part, out of reset, with the board's crystal, rail and serial line on its pins.
+#[derive(Debug)]
+pub struct Part {
+    /// The emulator's part. Its bus is ours.
+    pub(super) base: Stm32h743,
+    tim6: Tim6,
+    dac: Dac,
+    dmamux: Dmamux,
+    converters: [Converter; 2],
+    common: Common,
+    iwdg: Iwdg,
+    analog: Analog,
+    serial: SerialLine,
+    own: Box<[Option<Own>]>,
+    usart3_slot: usize,
+}
+
+impl Part {
+    /// A part after power-on with `analog` and `serial` on its pins.
+    ///
+    /// # Errors
+    ///
+    /// A mistake in [`memory_map`]: nothing a caller can cause.
+    pub(super) fn new(analog: Analog, serial: SerialLine) -> Result<Self, Error> {
+        let mut base = Stm32h743::new()?;
+        *base.bus_mut() = memory_map::bus()?;
+        let mut own = vec![None; base.bus().slots().len()].into_boxed_slice();
+        for (instance, model) in OWN {
+            own[base.bus().slot(instance)?] = Some(model);
+        }
+        let pair = SharedPair::new(analog.clone());
+        let mut part = Self {
+            usart3_slot: base.bus().slot("USART3")?,
+            base,
+            tim6: Tim6::new(),
+            dac: Dac::new(analog.clone()),
+            dmamux: Dmamux::new(),
+            converters: [
+                Converter::new(0, pair.clone()),
+                Converter::new(1, pair.clone()),
+            ],
+            common: Common::new(pair),
+            iwdg: Iwdg::new(),
+            analog,
+            serial,
+            own,
+        };
+        part.fit();
+        part.check()?;
+        Ok(part)
+    }
+
+    /// What the board puts on the pins.
+    fn fit(&mut self) {
+        self.base.rcc.attach_crystals(HSE_HZ, 0);
+        self.base.set_supply(SUPPLY_MV);
+        self.base.set_analog_supply(SUPPLY_MV);
+        self.base.usart[USART3].attach(self.serial.clone());
+        for converter in &mut self.base.adc {
+            converter.set_reference(SUPPLY_MV);
+        }
+    }
+
+    /// Hands to `fresh` what a system reset leaves alone: RM0433 Rev 9, sections 8.4.2, 4.3.14,
+    /// 46.3.10 and 60.5.8, and the levels outside on the pins.
+    fn inherit(&mut self, fresh: &mut Self, cause: ResetCause) {
+        std::mem::swap(&mut fresh.base.rcc, &mut self.base.rcc);
+        Device::reset(&mut fresh.base.rcc);
+        std::mem::swap(&mut fresh.base.pwr, &mut self.base.pwr);
+        Device::reset(&mut fresh.base.pwr);
+        let flags = self.register(rcc::Register::Rsr, "RCC");
+        let (clocks, registers) = fresh.base.clocks();
+        clocks.restarted(cause, flags, registers);
+        let options = self.base.flash.committed_options();
+        let (flash, registers) = fresh.base.program();
+        flash.keep_options(options, registers);
+        for (fresh, old) in fresh.base.usart.iter_mut().zip(&mut self.base.usart) {
+            fresh.inherit(old);
+        }
+        for (fresh, old) in fresh.base.gpio.iter_mut().zip(&mut self.base.gpio) {
+            *fresh = std::mem::take(old);
+            Device::reset(fresh);
+        }
+        for register in KEPT_BY_A_SYSTEM_RESET {
+            let kept = self.register::<dbgmcu::Register>(register, "DBGMCU");
+            fresh.set_register(register, "DBGMCU", kept);
+        }
+        for register in rtc::Register::ALL {
+            if register != rtc::Register::RtcWpr {
+                let kept = self.register(register, "RTC");
+                fresh.set_register(register, "RTC", kept);
+            }
+        }
+    }
+
+    fn register<L: rigless::soc::Layout>(&self, register: L, instance: &str) -> u64 {
+        self.base
+            .bus()
+            .registers(instance)
+            .map_or(0, |registers| registers.get(register))
+    }
+
+    fn set_register<L: rigless::soc::Layout>(&mut self, register: L, instance: &str, value: u64) {
+        if let Some(slot) = self.base.bus().slot_of(instance) {
+            let bus = self.base.bus_mut();
+            bus.slot_mut(slot).registers_mut().set(register, value);
+        }
+    }
+}
+
+impl Mcu for Part {
+    fn bus(&self) -> &Bus {
+        self.base.bus()
+    }
+
+    fn bus_mut(&mut self) -> &mut Bus {
+        self.base.bus_mut()
+    }
+
+    /// A system reset. A power cycle is a new [`Part`].
+    fn reset(&mut self, at: VirtualNanos, cause: ResetCause) {
+        let Ok(mut fresh) = Self::new(self.analog.clone(), self.serial.clone()) else {
+            unreachable!("a part that was built once is built again from the same tables");
+        };
+        self.inherit(&mut fresh, cause);
+        // PA4 floats from here on, until a firmware enables the converter again.
+        self.analog.drive(crate::rig_port::DRIVE_MID_CODE, at);
+        *self = fresh;
+    }
+
+    fn poll(&mut self, now: VirtualNanos) {
+        // USART3 is the only instance with something outside that speaks on its own, and this is
+        // called at every stop.
+        if !self.serial.is_sending() {
+            return;
+        }
+        let slot = self.usart3_slot;
+        let (bus, model) = self.base.split(slot);
+        if let Some(model) = model {
+            let (registers, mut context) = bus.drive(now, slot);
+            model.poll(registers, &mut context);
+        }
+    }
+
+    fn split(&mut self, slot: usize) -> (&mut Bus, Option<&mut dyn ErasedDevice>) {
+        let Some(own) = self.own.get(slot).copied().flatten() else {
+            return self.base.split(slot);
+        };
+        let model: &mut dyn ErasedDevice = match own {
+            Own::Tim6 => &mut self.tim6,
+            Own::Dac => &mut self.dac,
+            Own::Dmamux => &mut self.dmamux,
+            Own::Converter(nth) => &mut self.converters[nth],
+            Own::Common => &mut self.common,
+            Own::Iwdg => &mut self.iwdg,
+        };
+        (self.base.bus_mut(), Some(model))
+    }
+}

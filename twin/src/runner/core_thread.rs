@@ -1,0 +1,234 @@
+//! The thread the emulated core runs on, and how its owner talks to it.
+//!
+//! The emulator owns its thread from power-on to power-off and calls back whenever virtual time has
+//! reached the instant it was asked for. There it waits for the next command: look at or change
+//! something, run on, or switch off.
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread::JoinHandle;
+
+use rigless::emulator::{self, Driver, Hit, Host, Settled, Start, Stop};
+use rigless::image::Image;
+use rigless::session::Session;
+use rigless::time::VirtualNanos;
+
+use super::Error;
+use super::log::{self, Log};
+use crate::board::{NucleoH743zi2, SerialLine};
+
+/// How often, in virtual time, the log is drained and a wait for serial bytes looks.
+const STEP_NS: u64 = 1_000_000;
+
+/// Something to do with the board between two instructions.
+type Act = Box<dyn FnOnce(&mut Session<NucleoH743zi2>, &mut dyn Host, Stop) + Send>;
+
+enum Command {
+    Act(Act),
+    Run { until: VirtualNanos, wake: bool },
+    PowerOff,
+}
+
+/// What the callbacks keep.
+struct Callbacks {
+    commands: Receiver<Command>,
+    reached: Sender<Stop>,
+    goal: VirtualNanos,
+    wake: bool,
+    serial: SerialLine,
+    log_control: Option<u64>,
+    log: Sender<Log>,
+    hits: Sender<Hit>,
+}
+
+/// A running core and the lines to it.
+pub(super) struct CoreThread {
+    commands: Sender<Command>,
+    reached: Receiver<Stop>,
+    log: Receiver<Log>,
+    hits: Receiver<Hit>,
+    thread: Option<JoinHandle<Result<(), String>>>,
+    last: Stop,
+}
+
+impl Driver<NucleoH743zi2> for Callbacks {
+    fn on_settled(
+        &mut self,
+        _session: &mut Session<NucleoH743zi2>,
+        _host: &mut dyn Host,
+        settled: Settled,
+    ) {
+        if let Settled::Hit(hit) = settled {
+            // Nobody listening means nobody asked: a watch left over from before.
+            self.hits.send(hit).ok();
+        }
+    }
+
+    fn on_stop(
+        &mut self,
+        session: &mut Session<NucleoH743zi2>,
+        stop: Stop,
+        host: &mut dyn Host,
+    ) -> Option<VirtualNanos> {
+        if let Some(control) = self.log_control {
+            let mut log = Log::default();
+            if log::drain(host, control, &mut log).is_some() {
+                self.log.send(log).ok();
+            }
+        }
+        if stop.at < self.goal && !(self.wake && self.serial.has_received()) {
+            return Some(self.next(stop.at));
+        }
+        self.reached.send(stop).ok()?;
+        loop {
+            match self.commands.recv().ok()? {
+                Command::Act(act) => act(session, host, stop),
+                Command::PowerOff => return None,
+                Command::Run { until, wake } => {
+                    (self.goal, self.wake) = (until, wake);
+                    return Some(self.next(stop.at));
+                }
+            }
+        }
+    }
+}
+
+impl Callbacks {
+    /// The next instant to stop at on the way to the goal: whole steps, so that the same run stops
+    /// at the same instants however it is cut into pieces.
+    fn next(&self, now: VirtualNanos) -> VirtualNanos {
+        let step = (now.0 / STEP_NS + 1) * STEP_NS;
+        VirtualNanos(step.min(self.goal.0))
+    }
+}
+
+impl CoreThread {
+    /// Starts the core on `board` with `images` placed, and waits until it stands before its first
+    /// instruction.
+    pub(super) fn start(
+        board: NucleoH743zi2,
+        images: Vec<Image>,
+        serial: SerialLine,
+        log_control: Option<u64>,
+    ) -> Result<Self, Error> {
+        let (commands, for_callbacks) = channel();
+        let (reached, from_callbacks) = channel();
+        let (log, logged) = channel();
+        let (hits, hit) = channel();
+        let callbacks = Callbacks {
+            commands: for_callbacks,
+            reached,
+            goal: VirtualNanos(0),
+            wake: false,
+            serial,
+            log_control,
+            log,
+            hits,
+        };
+        let session = Session::new(Box::new(board), 0, VirtualNanos(0))
+            .map_err(|error| Error::Ended(error.to_string()))?;
+        let thread = std::thread::Builder::new()
+            .name("emulated core".into())
+            .spawn(move || {
+                emulator::run(session, &Start::new(&images), callbacks)
+                    .map(drop)
+                    .map_err(|error| error.to_string())
+            })
+            .map_err(|error| Error::Ended(error.to_string()))?;
+        let mut core = Self {
+            commands,
+            reached: from_callbacks,
+            log: logged,
+            hits: hit,
+            thread: Some(thread),
+            last: Stop {
+                at: VirtualNanos(0),
+                instruction_count: 0,
+                reason: rigless::emulator::StopReason::Deadline,
+            },
+        };
+        core.wait()?;
+        Ok(core)
+    }
+
+    /// Where the core stands.
+    pub(super) fn stop(&self) -> Stop {
+        self.last
+    }
+
+    /// Runs to `until`, or with `wake` until the board has sent something.
+    pub(super) fn run(&mut self, until: VirtualNanos, wake: bool) -> Result<(), Error> {
+        self.send(Command::Run { until, wake })?;
+        self.wait()
+    }
+
+    /// Does `act` where the core stands and hands its result back.
+    pub(super) fn act<T: Send + 'static>(
+        &mut self,
+        act: impl FnOnce(&mut Session<NucleoH743zi2>, &mut dyn Host, Stop) -> T + Send + 'static,
+    ) -> Result<T, Error> {
+        let (result, answer) = channel();
+        self.send(Command::Act(Box::new(move |session, host, stop| {
+            result.send(act(session, host, stop)).ok();
+        })))?;
+        match answer.recv() {
+            Ok(value) => Ok(value),
+            Err(_) => Err(self.why_ended()),
+        }
+    }
+
+    /// Log bytes that came since the last call.
+    pub(super) fn logged(&self) -> impl Iterator<Item = Log> + '_ {
+        self.log.try_iter()
+    }
+
+    /// Hits on watched instructions since the last call.
+    pub(super) fn hits(&self) -> impl Iterator<Item = Hit> + '_ {
+        self.hits.try_iter()
+    }
+
+    fn send(&mut self, command: Command) -> Result<(), Error> {
+        match self.commands.send(command) {
+            Ok(()) => Ok(()),
+            Err(_) => Err(self.why_ended()),
+        }
+    }
+
+    fn wait(&mut self) -> Result<(), Error> {
+        match self.reached.recv() {
+            Ok(stop) => {
+                self.last = stop;
+                Ok(())
+            }
+            Err(_) => Err(self.why_ended()),
+        }
+    }
+
+    /// The thread hung up: its result says why.
+    fn why_ended(&mut self) -> Error {
+        let result = self.thread.take().map(JoinHandle::join);
+        Error::Ended(match result {
+            Some(Ok(Err(error))) => error,
+            Some(Ok(Ok(()))) => "the run ended".into(),
+            Some(Err(panic)) => panic_message(panic.as_ref()),
+            None => "it stopped before".into(),
+        })
+    }
+}
+
+fn panic_message(panic: &(dyn std::any::Any + Send)) -> String {
+    let text = panic
+        .downcast_ref::<String>()
+        .map(String::as_str)
+        .or_else(|| panic.downcast_ref::<&str>().copied());
+    format!("a model failed: {}", text.unwrap_or("no message"))
+}
+
+impl Drop for CoreThread {
+    fn drop(&mut self) {
+        // Either fails only when the thread has ended already, which is what is wanted.
+        self.commands.send(Command::PowerOff).ok();
+        if let Some(thread) = self.thread.take() {
+            thread.join().ok();
+        }
+    }
+}

@@ -1,0 +1,359 @@
+//! A board with power: run it, look at it, and do to it what a person at the bench can.
+
+use std::time::Duration;
+
+use rigless::emulator::{HitKind, Watch};
+use rigless::image::Image;
+use rigless::time::VirtualNanos;
+
+use super::core_thread::CoreThread;
+use super::memory::{RECORD_FLASH, RECORD_FLASH_BYTES};
+use super::{Error, Firmware, Log, memory};
+use crate::board::{Analog, Leds, NucleoH743zi2, SerialLine};
+use crate::rig_port::{DRIVE_MID_CODE, RigPort};
+
+/// Symbol of the firmware's RTT control block.
+const LOG_CONTROL: &str = "_SEGGER_RTT";
+/// Longest virtual time of one power-on: the emulator's clock is 64 bit nanoseconds.
+const FOREVER: Duration = Duration::from_secs(1 << 32);
+
+/// Something the firmware asked of the emulated part that no model answers for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Gap(pub String);
+
+/// An emulated board with power, running a firmware image on a rig.
+///
+/// Time stands still between calls. The same image, rig and calls give the same run.
+pub struct Emulator {
+    core: CoreThread,
+    firmware: Firmware,
+    analog: Analog,
+    serial: SerialLine,
+    log: Log,
+    /// Virtual time of earlier power-ons.
+    before: Duration,
+    power_ons: u64,
+}
+
+impl std::fmt::Debug for Emulator {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter
+            .debug_struct("Emulator")
+            .field("firmware", &self.firmware.path())
+            .field("uptime", &self.uptime())
+            .finish_non_exhaustive()
+    }
+}
+
+impl Emulator {
+    /// A new board with erased record flash, switched on: it stands before its first instruction.
+    ///
+    /// # Errors
+    ///
+    /// An image the board cannot run.
+    pub fn power_on(firmware: &Firmware, rig: Box<dyn RigPort>) -> Result<Self, Error> {
+        Self::power_on_with_flash(firmware, rig, &[0xFF; RECORD_FLASH_BYTES])
+    }
+
+    /// As [`Emulator::power_on`], with `flash` as content of the record flash.
+    ///
+    /// # Errors
+    ///
+    /// As there, and [`Error::FlashSize`].
+    pub fn power_on_with_flash(
+        firmware: &Firmware,
+        rig: Box<dyn RigPort>,
+        flash: &[u8],
+    ) -> Result<Self, Error> {
+        let analog = Analog::new(rig);
+        let serial = SerialLine::default();
+        let core = start(firmware, &analog, &serial, flash, 0)?;
+        Ok(Self {
+            core,
+            firmware: firmware.clone(),
+            analog,
+            serial,
+            log: Log::default(),
+            before: Duration::ZERO,
+            power_ons: 1,
+        })
+    }
+
+    /// Runs for `duration` of virtual time.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn run_for(&mut self, duration: Duration) -> Result<(), Error> {
+        let until = self.after(duration);
+        self.run(until, false)
+    }
+
+    /// Runs until the board has sent something, at most for `limit`; answers whether it has.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn run_until_received(&mut self, limit: Duration) -> Result<bool, Error> {
+        if !self.serial.has_received() {
+            let until = self.after(limit);
+            self.run(until, true)?;
+        }
+        Ok(self.serial.has_received())
+    }
+
+    /// Virtual time since power-on.
+    #[must_use]
+    pub fn uptime(&self) -> Duration {
+        Duration::from_nanos(self.core.stop().at.0)
+    }
+
+    /// Virtual time of all power-ons together.
+    #[must_use]
+    pub fn elapsed(&self) -> Duration {
+        self.before + self.uptime()
+    }
+
+    /// Instructions executed since power-on.
+    #[must_use]
+    pub fn instructions(&self) -> u64 {
+        self.core.stop().instruction_count
+    }
+
+    /// The serial line: any thread may send and receive on it.
+    #[must_use]
+    pub fn serial(&self) -> &SerialLine {
+        &self.serial
+    }
+
+    /// Queues `bytes` for the board.
+    pub fn write_serial(&mut self, bytes: &[u8]) {
+        self.serial.send(bytes);
+    }
+
+    /// Takes what the board has sent since the last call.
+    #[must_use]
+    pub fn read_serial(&mut self) -> Vec<u8> {
+        self.serial.receive()
+    }
+
+    /// What the firmware has logged since the first power-on.
+    #[must_use]
+    pub fn log(&self) -> &Log {
+        &self.log
+    }
+
+    /// Which LEDs are lit.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn leds(&mut self) -> Result<Leds, Error> {
+        self.core.act(|session, _, _| session.board().part.leds())
+    }
+
+    /// Presses or releases the button.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn press_button(&mut self, pressed: bool) -> Result<(), Error> {
+        self.core.act(move |session, _, stop| {
+            session.board_mut().part.press_button(stop.at, pressed);
+        })
+    }
+
+    /// Code on the drive output at this instant.
+    #[must_use]
+    pub fn drive_code(&self) -> u16 {
+        self.analog.drive_code()
+    }
+
+    /// How long the drive output has been at mid-scale without interruption, `None` while it is not.
+    #[must_use]
+    pub fn silent_for(&self) -> Option<Duration> {
+        let since = self.analog.silent_since()?;
+        debug_assert_eq!(self.analog.drive_code(), DRIVE_MID_CODE);
+        Some(self.uptime().saturating_sub(Duration::from_nanos(since.0)))
+    }
+
+    /// Puts another rig on the connectors at this instant and hands the old one back.
+    pub fn replace_rig(&mut self, rig: Box<dyn RigPort>) -> Box<dyn RigPort> {
+        self.analog.advance(self.core.stop().at);
+        self.analog.replace_rig(rig)
+    }
+
+    /// Pulls the reset pin: memory stays, the part starts afresh.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn reset(&mut self) -> Result<(), Error> {
+        self.core.act(|session, host, stop| {
+            session.reset_by_pin(stop.at, stop.instruction_count, host);
+        })
+    }
+
+    /// Switches the board off and on again: flash stays, RAM comes up with other content.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn power_cycle(&mut self) -> Result<(), Error> {
+        let flash = self.record_flash()?;
+        self.analog.advance(self.core.stop().at);
+        self.before = self.elapsed();
+        self.serial.clear();
+        self.analog.restart_clock();
+        self.core = start(
+            &self.firmware,
+            &self.analog,
+            &self.serial,
+            &flash,
+            self.power_ons,
+        )?;
+        self.power_ons += 1;
+        Ok(())
+    }
+
+    /// Content of the record flash (bank 2).
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn record_flash(&mut self) -> Result<Vec<u8>, Error> {
+        self.core
+            .act(|_, host, _| memory::read(host, RECORD_FLASH, RECORD_FLASH_BYTES))?
+            .map_err(|error| Error::Ended(error.to_string()))
+    }
+
+    /// Restarts since power-on, with their cause, oldest first: a watchdog's reads `Model("IWDG")`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn resets(&mut self) -> Result<Vec<String>, Error> {
+        self.core.act(|session, _, _| {
+            let resets = session.resets().iter();
+            resets.map(|reset| format!("{:?}", reset.cause)).collect()
+        })
+    }
+
+    /// Everything the firmware asked for since power-on that no model answers for.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn gaps(&mut self) -> Result<Vec<Gap>, Error> {
+        self.core.act(|session, _, _| {
+            let unmapped = session.unmapped();
+            let unmapped = unmapped.iter().map(|gap| format!("unmapped: {gap:x?}"));
+            let refused = session.refused().iter();
+            let refused = refused.map(|(at, fault)| format!("refused at {at:#x}: {fault}"));
+            let stored = session.unimplemented().iter();
+            let stored = stored.map(|(at, gap)| format!("stored only at {at:#x}: {gap:x?}"));
+            let told = session.told();
+            let told =
+                told.map(|told| format!("{}.{}: {}", told.instance, told.register, told.reason));
+            let unrouted = session.unrouted().iter();
+            let unrouted = unrouted.map(|gap| format!("interrupt without a line: {gap:?}"));
+            unmapped
+                .chain(refused)
+                .chain(stored)
+                .chain(told)
+                .chain(unrouted)
+                .map(Gap)
+                .collect()
+        })
+    }
+
+    /// Runs for `duration` and counts instructions between each arrival at the address `from` and the
+    /// next arrival at `to`: how often, and how many in all, interrupts taken meanwhile included.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn count_between(
+        &mut self,
+        from: u64,
+        to: u64,
+        duration: Duration,
+    ) -> Result<(u64, u64), Error> {
+        let watches = [Watch::Instruction(from), Watch::Instruction(to)];
+        self.core.act(move |session, host, _| {
+            watches.into_iter().for_each(|watch| session.watch(watch));
+            session.settle_watches(host);
+        })?;
+        self.core.hits().for_each(drop);
+        self.run_for(duration)?;
+        let (mut entered, mut passes, mut instructions) = (None, 0, 0);
+        for hit in self
+            .core
+            .hits()
+            .filter(|hit| hit.kind == HitKind::Instruction)
+        {
+            if hit.address == from {
+                entered = Some(hit.instruction_count);
+            } else if let Some(start) = entered.take() {
+                passes += 1;
+                instructions += hit.instruction_count - start;
+            }
+        }
+        self.core.act(move |session, host, _| {
+            watches.into_iter().for_each(|watch| session.unwatch(watch));
+            session.settle_watches(host);
+        })?;
+        Ok((passes, instructions))
+    }
+
+    /// Reads `length` bytes of the board's memory.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails or nothing is at `address`.
+    pub fn read_memory(&mut self, address: u64, length: usize) -> Result<Vec<u8>, Error> {
+        self.core
+            .act(move |_, host, _| memory::read(host, address, length))?
+            .map_err(|error| Error::Ended(error.to_string()))
+    }
+
+    fn after(&self, duration: Duration) -> VirtualNanos {
+        let until = self.uptime() + duration.min(FOREVER);
+        VirtualNanos(until.as_nanos() as u64)
+    }
+
+    fn run(&mut self, until: VirtualNanos, wake: bool) -> Result<(), Error> {
+        self.core.run(until, wake)?;
+        for logged in self.core.logged() {
+            self.log.bytes.extend(logged.bytes);
+        }
+        Ok(())
+    }
+}
+
+/// Builds the board and starts its core.
+fn start(
+    firmware: &Firmware,
+    analog: &Analog,
+    serial: &SerialLine,
+    flash: &[u8],
+    seed: u64,
+) -> Result<CoreThread, Error> {
+    if flash.len() != RECORD_FLASH_BYTES {
+        return Err(Error::FlashSize {
+            expected: RECORD_FLASH_BYTES,
+            found: flash.len(),
+        });
+    }
+    let board = NucleoH743zi2::new(analog.clone(), serial.clone())
+        .map_err(|error| Error::Ended(error.to_string()))?;
+    let name = std::path::Path::new("record flash");
+    let records = Image::new(name, flash.to_vec(), Some(RECORD_FLASH))
+        .map_err(|error| Error::Ended(error.to_string()))?;
+    let images = vec![firmware.image().clone(), records];
+    let log_control = firmware.symbol(LOG_CONTROL).ok();
+    let mut core = CoreThread::start(board, images, serial.clone(), log_control)?;
+    core.act(move |_, host, _| memory::scramble(host, seed))?
+        .map_err(|error| Error::Ended(error.to_string()))?;
+    Ok(core)
+}

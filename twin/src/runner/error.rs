@@ -1,0 +1,45 @@
+//! What can keep an image from running.
+
+use std::path::PathBuf;
+
+/// Why an emulator could not be started or go on.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The image is not there.
+    #[error("no firmware image at {}: build it with `cargo xtask elf`", path.display())]
+    NoImage {
+        /// Where it was looked for.
+        path: PathBuf,
+    },
+    /// The image cannot be read.
+    #[error("cannot read the firmware image {}: {source}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The file is no image for this board.
+    #[error("{} is no firmware image for this board: {reason}", path.display())]
+    NotAnImage {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A stored copy of the record flash has the wrong size.
+    #[error("the record flash is {expected} bytes, the copy given has {found}")]
+    FlashSize {
+        /// Size of flash bank 2.
+        expected: usize,
+        /// Size of what was given.
+        found: usize,
+    },
+    /// The image has no such symbol.
+    #[error("the firmware image has no function called {0}")]
+    NoSymbol(String),
+    /// The emulator ended the run.
+    #[error("the emulated board stopped: {0}")]
+    Ended(String),
+}

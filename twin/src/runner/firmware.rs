@@ -1,0 +1,97 @@
+//! The firmware image: an ELF file.
+
+use std::path::{Path, PathBuf};
+
+use rigless::cpu::armv7m::code_address;
+use rigless::image::Image;
+use rigless::symbols::Symbols;
+
+use super::Error;
+
+/// Environment variable that names the image to run.
+const ELF_VARIABLE: &str = "CALIB_FIRMWARE_ELF";
+
+/// Where the image lies below the target directory once `cargo xtask elf` has built it.
+const BUILT: &str = "thumbv7em-none-eabihf/firmware/calib-firmware";
+
+/// A firmware image, read and checked.
+#[derive(Debug, Clone)]
+pub struct Firmware {
+    path: PathBuf,
+    image: Image,
+}
+
+impl Firmware {
+    /// Reads the image at `path`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoImage`], [`Error::Unreadable`] or [`Error::NotAnImage`].
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        if !path.is_file() {
+            return Err(Error::NoImage {
+                path: path.to_owned(),
+            });
+        }
+        let bytes = std::fs::read(path).map_err(|source| Error::Unreadable {
+            path: path.to_owned(),
+            source,
+        })?;
+        let image = Image::new(path, bytes, None).map_err(|error| Error::NotAnImage {
+            path: path.to_owned(),
+            reason: error.to_string(),
+        })?;
+        Ok(Self {
+            path: path.to_owned(),
+            image,
+        })
+    }
+
+    /// The shipping image: what `CALIB_FIRMWARE_ELF` names, else where `cargo xtask elf` puts it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Firmware::read`].
+    pub fn shipping() -> Result<Self, Error> {
+        Self::read(&shipping_path())
+    }
+
+    /// The file.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The file's bytes.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.image.bytes()
+    }
+
+    /// Address of a function or variable.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoSymbol`] when the image has no such name.
+    pub fn symbol(&self, name: &str) -> Result<u64, Error> {
+        Symbols::read(self.image.bytes(), code_address)
+            .ok()
+            .and_then(|symbols| symbols.get(name).ok())
+            .ok_or_else(|| Error::NoSymbol(name.to_owned()))
+    }
+
+    pub(super) fn image(&self) -> &Image {
+        &self.image
+    }
+}
+
+fn shipping_path() -> PathBuf {
+    if let Some(path) = std::env::var_os(ELF_VARIABLE) {
+        return PathBuf::from(path);
+    }
+    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(
+        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../target"),
+        PathBuf::from,
+    );
+    target.join(BUILT)
+}

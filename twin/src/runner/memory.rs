@@ -1,0 +1,57 @@
+//! The board's memories as the emulator's host sees them.
+
+use rigless::emulator::{Error as EmulatorError, Host};
+use rigless::soc::Width;
+
+/// Flash bank 2: records and settings (`memory.x`).
+pub(super) const RECORD_FLASH: u64 = 0x0810_0000;
+/// Its size.
+pub(super) const RECORD_FLASH_BYTES: usize = 1 << 20;
+
+/// The memories that lose their content with the supply: DTCM, AXI SRAM, SRAM1 to SRAM4.
+const VOLATILE: [(u64, u64); 5] = [
+    (0x2000_0000, 128 << 10),
+    (0x2400_0000, 512 << 10),
+    (0x3000_0000, 256 << 10),
+    (0x3004_0000, 32 << 10),
+    (0x3800_0000, 64 << 10),
+];
+
+/// Reads `length` bytes from `address`, a multiple of 8 both.
+pub(super) fn read(
+    host: &mut dyn Host,
+    address: u64,
+    length: usize,
+) -> Result<Vec<u8>, EmulatorError> {
+    let mut bytes = Vec::with_capacity(length);
+    for at in (address..address + length as u64).step_by(8) {
+        bytes.extend(host.read(at, Width::W64)?.to_le_bytes());
+    }
+    Ok(bytes)
+}
+
+/// Reads one word.
+pub(super) fn word(host: &mut dyn Host, address: u64) -> Result<u32, EmulatorError> {
+    Ok(host.read(address, Width::W32)? as u32)
+}
+
+/// Fills every volatile memory with noise drawn from `seed`, as power-on does.
+pub(super) fn scramble(host: &mut dyn Host, seed: u64) -> Result<(), EmulatorError> {
+    let mut state = seed;
+    for (base, size) in VOLATILE {
+        for at in (base..base + size).step_by(8) {
+            state = splitmix(&mut state);
+            host.write(at, Width::W64, state)?;
+        }
+    }
+    Ok(())
+}
+
+/// SplitMix64 (Steele, Lea and Flood 2014): the next number of a seeded sequence.
+fn splitmix(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+    let mut mixed = *state;
+    mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    mixed ^ (mixed >> 31)
+}
