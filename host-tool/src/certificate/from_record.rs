@@ -1,23 +1,23 @@
 //! From a decoded record to the certificate: the only place that computes.
 
 use super::budget;
-use super::model::{
-    Certificate, Entry, Refusal, Remark, STANDARD_GRAVITY_MS2, Section, Severity, Value,
-};
+use super::model::{Certificate, Refusal, Remark, STANDARD_GRAVITY_MS2, Severity, Value};
 use super::model::{Point, PointValues};
+use super::particulars::Particulars;
 use super::rounding::{Rounded, round_uncertainty};
+use super::sections::sections;
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
 use jiff::{Timestamp, ToSpan, civil::Date, tz::TimeZone};
 
 impl Certificate {
-    /// The certificate of a record.
+    /// The certificate of a record and of what else is to be stated.
     ///
     /// Points are ordered by frequency and level; the reference point is
     /// chosen per clause 5.3 among those that passed. The budget there is
     /// recomputed from the settings and compared with the stored U.
-    pub fn from_record(record: &Record) -> Self {
+    pub fn from_record(record: &Record, particulars: &Particulars) -> Self {
         let mut measured: Vec<&PointResult> = record.points.iter().collect();
         measured.sort_by(|a, b| {
             let key = |p: &PointResult| (p.spec.frequency_hz, p.spec.acceleration_rms_ms2);
@@ -31,8 +31,10 @@ impl Certificate {
         let reference = reference_point(&points);
         state_deviations(&mut points, reference);
         let mut certificate = Self {
-            number: number(record),
-            sections: sections(record),
+            number: number(record, particulars),
+            day: run_day(record).or(particulars.calibration.date),
+            particulars: particulars.clone(),
+            sections: sections(record, particulars),
             inverted: reference.is_some_and(|index| measured[index].inverted),
             reference,
             points,
@@ -52,8 +54,9 @@ pub(super) fn decimal(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::NAN)
 }
 
-fn number(record: &Record) -> String {
-    format!("{}-{:06}", record.instrument_serial, record.id)
+fn number(record: &Record, particulars: &Particulars) -> String {
+    let stated = particulars.calibration.number.clone();
+    stated.unwrap_or_else(|| format!("{}-{:06}", record.instrument_serial, record.id))
 }
 
 fn point(result: &PointResult, sample_rate_hz: f32) -> Point {
@@ -163,16 +166,6 @@ fn state_deviations(points: &mut [Point], reference: Option<usize>) {
     }
 }
 
-/// Words, or `None` when nothing but blanks was said.
-fn text(words: &str) -> Option<Value> {
-    let words = words.trim();
-    (!words.is_empty()).then(|| Value::Text(words.to_owned()))
-}
-
-fn phrase(key: String, values: &[String]) -> Option<Value> {
-    Some(Value::Phrase(key, values.to_vec()))
-}
-
 /// A day given as days since 1970-01-01; 0 is not stated.
 pub(super) fn day(days: u32) -> Option<Date> {
     let epoch = Date::constant(1970, 1, 1);
@@ -188,174 +181,6 @@ pub(super) fn run_day(record: &Record) -> Option<Date> {
         .filter(|s| *s > 0)?;
     let time = Timestamp::from_second(seconds).ok()?;
     Some(time.to_zoned(TimeZone::UTC).date())
-}
-
-fn sections(record: &Record) -> Vec<Section> {
-    vec![
-        item(record),
-        calibration(record),
-        conditions(record),
-        mounting(record),
-        amplifier(record),
-        equipment(record),
-    ]
-}
-
-fn section(
-    key: &'static str,
-    entries: Vec<(&'static str, &'static str, Option<Value>)>,
-) -> Section {
-    let entry = |(key, clause, value)| Entry { key, clause, value };
-    Section {
-        key,
-        entries: entries.into_iter().map(entry).collect(),
-    }
-}
-
-fn item(record: &Record) -> Section {
-    section(
-        "item",
-        vec![
-            (
-                "model",
-                "ISO/IEC 17025 7.8.2.1 g",
-                text(&record.labels.dut_model),
-            ),
-            (
-                "serial",
-                "ISO/IEC 17025 7.8.2.1 g",
-                text(&record.labels.dut_serial),
-            ),
-        ],
-    )
-}
-
-fn calibration(record: &Record) -> Section {
-    let settings = &record.settings;
-    let extent = if record.complete {
-        "points.complete"
-    } else {
-        "points.incomplete"
-    };
-    section(
-        "calibration",
-        vec![
-            (
-                "method",
-                "ISO 16063-21 7",
-                phrase(format!("method.{:?}", settings.method), &[]),
-            ),
-            (
-                "example",
-                "",
-                phrase(format!("example.{:?}", settings.example), &[]),
-            ),
-            (
-                "date",
-                "ISO/IEC 17025 7.8.2.1 i",
-                run_day(record).map(Value::Day),
-            ),
-            (
-                "operator",
-                "ISO/IEC 17025 7.8.2.1 o",
-                text(&record.labels.operator),
-            ),
-            (
-                "record",
-                "",
-                phrase(
-                    "record.value".to_owned(),
-                    &[record.id.to_string(), record.instrument_serial.to_string()],
-                ),
-            ),
-            (
-                "points",
-                "",
-                phrase(extent.to_owned(), &[record.points.len().to_string()]),
-            ),
-            (
-                "blocks",
-                "",
-                Some(Value::Number(f64::from(settings.blocks), 0, "")),
-            ),
-            ("excitation", "", phrase("excitation.sine".to_owned(), &[])),
-            ("quantity", "", phrase("quantity.rms".to_owned(), &[])),
-        ],
-    )
-}
-
-fn conditions(record: &Record) -> Section {
-    let temperature = record.labels.temperature_centi_c;
-    let celsius = temperature.map(|centi| Value::Number(f64::from(centi) / 100.0, 1, "°C"));
-    section(
-        "conditions",
-        vec![
-            ("transducer_temperature", "ISO 16063-21 7 a, b", celsius),
-            ("humidity", "", None),
-        ],
-    )
-}
-
-fn mounting(record: &Record) -> Section {
-    section(
-        "mounting",
-        vec![(
-            "description",
-            "ISO 16063-21 7 c",
-            text(&record.labels.mounting),
-        )],
-    )
-}
-
-fn amplifier(record: &Record) -> Section {
-    let settings = &record.settings;
-    let scale = |volt_per_code: f32| Some(Value::Exact(decimal(volt_per_code * 1.0e6), "µV"));
-    section(
-        "amplifier",
-        vec![
-            (
-                "dut_input",
-                "ISO 16063-21 7 d",
-                scale(settings.dut_input.volt_per_code),
-            ),
-            (
-                "reference_input",
-                "ISO 16063-21 7 d",
-                scale(settings.reference_input.volt_per_code),
-            ),
-        ],
-    )
-}
-
-fn equipment(record: &Record) -> Section {
-    let reference = &record.settings.reference;
-    section(
-        "equipment",
-        vec![
-            (
-                "instrument",
-                "ISO 16063-21 7",
-                text(&record.instrument_serial),
-            ),
-            ("firmware", "", text(&record.firmware)),
-            ("reference", "ISO 16063-21 7", text(&reference.serial)),
-            (
-                "reference_certificate",
-                "ISO/IEC 17025 7.8.4.1 c",
-                text(&reference.certificate),
-            ),
-            (
-                "reference_calibrated",
-                "ISO 16063-21 7",
-                day(reference.calibrated_day).map(Value::Day),
-            ),
-            (
-                "reference_due",
-                "ISO 16063-21 7",
-                day(reference.due_day).map(Value::Day),
-            ),
-        ],
-    )
 }
 
 fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {

@@ -3,6 +3,8 @@
 //! | file | idea |
 //! |---|---|
 //! | `from_record` | the one place that computes: record to [`Certificate`] |
+//! | `sections` | statements, each with the clause that asks for it |
+//! | [`particulars`] | what a TOML file states and no record knows |
 //! | `budget` | the budget at the reference point, recomputed and compared |
 //! | `rounding` | two digits of U, the value to the same digit |
 //! | `present` | [`Certificate`] to strings in a language |
@@ -17,9 +19,11 @@ mod html;
 mod json;
 pub mod model;
 mod output;
+pub mod particulars;
 mod plot;
 mod present;
 pub mod rounding;
+mod sections;
 #[cfg(test)]
 mod testing;
 #[cfg(test)]
@@ -29,6 +33,7 @@ mod words;
 pub use json::document;
 pub use model::Certificate;
 pub use output::Existing;
+pub use particulars::Particulars;
 pub use present::Presented;
 pub use words::Language;
 
@@ -73,10 +78,10 @@ impl std::str::FromStr for Format {
 }
 
 /// How a certificate is written.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Language of the words and of the decimal sign.
-    pub language: Language,
+    /// What is stated beside the record; its language is the certificate's.
+    pub particulars: Particulars,
     /// What happens to files of the same name with other content.
     pub existing: Existing,
 }
@@ -104,9 +109,10 @@ pub fn write_with(
     out_dir: &Path,
     options: &Options,
 ) -> Result<Vec<PathBuf>> {
-    let certificate = Certificate::from_record(record);
+    let certificate = Certificate::from_record(record, &options.particulars);
+    let language = options.particulars.language.unwrap_or_default();
     let file = |format: &Format| {
-        let content = render(&certificate, *format, options.language)?;
+        let content = render(&certificate, *format, language)?;
         Ok((file_name(&certificate, *format), content))
     };
     let files: Result<Vec<_>> = formats.iter().map(file).collect();

@@ -8,6 +8,7 @@
 //! Numbers are f64 in the unit their name states; accelerations are r.m.s.,
 //! uncertainties expanded. A missing item is `None` and is printed as missing.
 
+use super::particulars::Particulars;
 use super::rounding::Rounded;
 use jiff::civil::Date;
 use serde::Serialize;
@@ -20,6 +21,10 @@ pub const STANDARD_GRAVITY_MS2: f64 = 9.806_65;
 pub struct Certificate {
     /// Number of the certificate, unique for the instrument.
     pub number: String,
+    /// Day of calibration, UTC.
+    pub day: Option<Date>,
+    /// What was stated beside the record.
+    pub particulars: Particulars,
     /// Statements in the order they are printed.
     pub sections: Vec<Section>,
     /// True when the object is inverted in the sense of Annex B.

@@ -236,82 +236,133 @@ fn headline(certificate: &Certificate, language: Language) -> Option<Headline> {
     })
 }
 
-/// Columns of the table: message key and unit.
-const COLUMNS: [(&str, &str); 13] = [
-    ("frequency", "Hz"),
-    ("acceleration", "m/s²"),
-    ("sensitivity", "mV/(m/s²)"),
-    ("sensitivity", "mV/g"),
-    ("uncertainty", "%"),
-    ("coverage_factor", ""),
-    ("deviation", "%"),
-    ("deviation", "dB"),
-    ("phase", "°"),
-    ("uncertainty_phase", "°"),
-    ("distortion", "%"),
-    ("signal_to_noise", "dB"),
-    ("verdict", ""),
+/// A column of the table over frequency.
+pub(super) struct Column {
+    /// Name in templates.
+    pub(super) name: &'static str,
+    /// Message key after `column.`.
+    key: &'static str,
+    /// Unit, empty for none.
+    unit: &'static str,
+    /// Cell of a point.
+    cell: fn(&Point, Language) -> String,
+}
+
+/// Every column there is, in the order of the built-in layout.
+pub(super) const COLUMNS: [Column; 13] = [
+    column("frequency", "frequency", "Hz", |p, l| {
+        l.shortest(p.nominal_frequency_hz)
+    }),
+    column("acceleration", "acceleration", "m/s²", |p, l| {
+        l.number(p.acceleration_ms2, 3)
+    }),
+    column("sensitivity", "sensitivity", "mV/(m/s²)", |p, l| {
+        cell(p, |v| Some(value_of(&v.printed_mv_per_ms2, l)))
+    }),
+    column("sensitivity_per_g", "sensitivity", "mV/g", |p, l| {
+        cell(p, |v| Some(value_of(&v.printed_mv_per_g, l)))
+    }),
+    column("uncertainty", "uncertainty", "%", |p, l| {
+        cell(p, |v| {
+            Some(l.number(
+                v.printed_uncertainty_percent.0,
+                v.printed_uncertainty_percent.1,
+            ))
+        })
+    }),
+    column("coverage_factor", "coverage_factor", "", |p, l| {
+        cell(p, |v| Some(l.number(v.coverage_factor, 2)))
+    }),
+    column("deviation", "deviation", "%", |p, l| {
+        cell(p, |v| {
+            Some(l.number(v.deviation_percent?, v.printed_uncertainty_percent.1))
+        })
+    }),
+    // One percent is 0.087 dB: one more digit keeps the resolution.
+    column("deviation_db", "deviation", "dB", |p, l| {
+        cell(p, |v| {
+            Some(l.number(v.deviation_db?, v.printed_uncertainty_percent.1 + 1))
+        })
+    }),
+    column("phase", "phase", "°", |p, l| {
+        cell(p, |v| Some(value_of(&v.printed_phase_deg?, l)))
+    }),
+    column("uncertainty_phase", "uncertainty_phase", "°", |p, l| {
+        cell(p, |v| {
+            v.printed_phase_deg
+                .map(|r| l.number(r.uncertainty, r.decimals))
+        })
+    }),
+    column("distortion", "distortion", "%", |p, l| {
+        l.number(p.distortion_percent, 2)
+    }),
+    column("signal_to_noise", "signal_to_noise", "dB", |p, l| {
+        l.number(p.signal_to_noise_db, 0)
+    }),
+    column("verdict", "verdict", "", verdict),
 ];
 
-fn table(certificate: &Certificate, language: Language) -> Table {
-    let column = |(key, unit): &(&str, &str)| {
-        (
-            language.word(&format!("column.{key}")).to_owned(),
-            (*unit).to_owned(),
-        )
-    };
-    let row = |(index, point): (usize, &Point)| Row {
-        cells: cells(point, language),
-        refused: point.outcome.is_err(),
-        reference: certificate.reference == Some(index),
-    };
-    Table {
-        columns: COLUMNS.iter().map(column).collect(),
-        rows: certificate.points.iter().enumerate().map(row).collect(),
+const fn column(
+    name: &'static str,
+    key: &'static str,
+    unit: &'static str,
+    cell: fn(&Point, Language) -> String,
+) -> Column {
+    Column {
+        name,
+        key,
+        unit,
+        cell,
     }
 }
 
-fn cells(point: &Point, language: Language) -> Vec<String> {
-    let mut cells = vec![
-        language.shortest(point.nominal_frequency_hz),
-        language.number(point.acceleration_ms2, 3),
-    ];
+/// A result, or a dash where there is none.
+fn cell(point: &Point, of: impl Fn(&PointValues) -> Option<String>) -> String {
+    let values = point.outcome.as_ref().ok();
+    values.and_then(of).unwrap_or_else(|| "\u{2013}".to_owned())
+}
+
+fn value_of(rounded: &super::rounding::Rounded, language: Language) -> String {
+    language.number(rounded.value, rounded.decimals)
+}
+
+fn verdict(point: &Point, language: Language) -> String {
     match &point.outcome {
-        Ok(values) => cells.extend(result_cells(values, language)),
-        Err(_) => cells.extend(std::iter::repeat_n("\u{2013}".to_owned(), 8)),
-    }
-    cells.push(language.number(point.distortion_percent, 2));
-    cells.push(language.number(point.signal_to_noise_db, 0));
-    cells.push(match &point.outcome {
         Ok(_) => language.word("verdict.pass").to_owned(),
         Err(refusal) => {
             let reason = language.word(&format!("reason.{}", refusal.0)).to_owned();
             format!("{}: {reason}", language.word("verdict.refused"))
         }
-    });
-    cells
+    }
 }
 
-fn result_cells(values: &PointValues, language: Language) -> [String; 8] {
-    let dash = || "\u{2013}".to_owned();
-    let pair = |r: &super::rounding::Rounded| language.number(r.value, r.decimals);
-    let (uncertainty, decimals) = values.printed_uncertainty_percent;
-    let phase = values.printed_phase_deg;
-    [
-        pair(&values.printed_mv_per_ms2),
-        pair(&values.printed_mv_per_g),
-        language.number(uncertainty, decimals),
-        language.number(values.coverage_factor, 2),
-        values
-            .deviation_percent
-            .map_or_else(dash, |d| language.number(d, decimals)),
-        // One percent is 0.087 dB: one more digit keeps the resolution.
-        values
-            .deviation_db
-            .map_or_else(dash, |d| language.number(d, decimals + 1)),
-        phase.as_ref().map_or_else(dash, pair),
-        phase.map_or_else(dash, |r| language.number(r.uncertainty, r.decimals)),
-    ]
+fn table(certificate: &Certificate, language: Language) -> Table {
+    let wanted = &certificate.particulars.layout.columns;
+    let columns: Vec<&Column> = match wanted.is_empty() {
+        true => COLUMNS.iter().collect(),
+        false => wanted
+            .iter()
+            .filter_map(|name| COLUMNS.iter().find(|c| c.name == name))
+            .collect(),
+    };
+    let heading = |column: &&Column| {
+        (
+            language.word(&format!("column.{}", column.key)).to_owned(),
+            column.unit.to_owned(),
+        )
+    };
+    let row = |(index, point): (usize, &Point)| Row {
+        cells: columns
+            .iter()
+            .map(|column| (column.cell)(point, language))
+            .collect(),
+        refused: point.outcome.is_err(),
+        reference: certificate.reference == Some(index),
+    };
+    Table {
+        columns: columns.iter().map(heading).collect(),
+        rows: certificate.points.iter().enumerate().map(row).collect(),
+    }
 }
 
 fn budget(budget: &Budget, language: Language) -> PresentedBudget {

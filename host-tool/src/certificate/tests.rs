@@ -2,12 +2,17 @@
 
 use super::model::{Certificate, Value};
 use super::testing::{SENSITIVITY_V_PER_MS2, THIRD_OCTAVES_HZ, point, record, text, truth};
-use super::{Format, Language, render, write};
+use super::{Format, Language, Particulars, render, write};
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::Record;
 
 fn rendered(record: &Record, format: Format, language: Language) -> String {
-    let bytes = render(&Certificate::from_record(record), format, language).expect("renders");
+    let bytes = render(
+        &Certificate::from_record(record, &Particulars::default()),
+        format,
+        language,
+    )
+    .expect("renders");
     String::from_utf8(bytes).expect("UTF-8")
 }
 
@@ -21,7 +26,7 @@ fn rows(csv: &str, delimiter: u8) -> Vec<std::collections::HashMap<String, Strin
 
 #[test]
 fn the_reference_point_is_160_hz_and_states_its_uncertainty() {
-    let certificate = Certificate::from_record(&record(&THIRD_OCTAVES_HZ));
+    let certificate = Certificate::from_record(&record(&THIRD_OCTAVES_HZ), &Particulars::default());
     let (point, values) = certificate.reference_result().expect("a reference point");
     assert_eq!(point.nominal_frequency_hz, 160.0);
     // 10.2 mV/(m/s2) raised by 1/(1 - (160/32000)^2) = 2.5e-5: 10.20026.
@@ -45,7 +50,7 @@ fn the_reference_point_is_160_hz_and_states_its_uncertainty() {
 fn the_reference_point_moves_to_80_hz_when_160_hz_was_refused() {
     let mut record = record(&[40.0, 80.0, 160.0, 315.0]);
     record.points[2].verdict = Verdict::Refused(Reason::Distortion);
-    let certificate = Certificate::from_record(&record);
+    let certificate = Certificate::from_record(&record, &Particulars::default());
     let (point, _) = certificate.reference_result().expect("a reference point");
     assert_eq!(point.nominal_frequency_hz, 80.0);
 }
@@ -57,7 +62,7 @@ fn among_levels_at_160_hz_100_ms2_comes_first_then_10() {
         record.points[index].spec.acceleration_rms_ms2 = level;
     }
     let level = |record: &Record| {
-        let certificate = Certificate::from_record(record);
+        let certificate = Certificate::from_record(record, &Particulars::default());
         let (point, _) = certificate.reference_result().expect("a reference point");
         point.nominal_acceleration_ms2
     };
@@ -222,7 +227,7 @@ fn what_is_not_stated_is_printed_as_missing() {
     record.labels.operator = text("  ");
     record.labels.unix_time_s = 0;
     record.settings.reference.due_day = 0;
-    let certificate = Certificate::from_record(&record);
+    let certificate = Certificate::from_record(&record, &Particulars::default());
     let missing = [
         ("conditions", "transducer_temperature"),
         ("calibration", "operator"),
@@ -240,7 +245,7 @@ fn what_is_not_stated_is_printed_as_missing() {
 fn a_reference_past_its_due_date_is_an_error() {
     let mut record = record(&[160.0]);
     record.settings.reference.due_day = 20_000; // 2024-10-04, the run is 2025-11-21
-    let certificate = Certificate::from_record(&record);
+    let certificate = Certificate::from_record(&record, &Particulars::default());
     let remark = certificate
         .remarks
         .iter()
@@ -251,7 +256,8 @@ fn a_reference_past_its_due_date_is_an_error() {
 
 #[test]
 fn deviations_refer_to_the_reference_point() {
-    let certificate = Certificate::from_record(&record(&[160.0, 10_000.0]));
+    let certificate =
+        Certificate::from_record(&record(&[160.0, 10_000.0]), &Particulars::default());
     let values = certificate.points[1].outcome.as_ref().expect("passed");
     let expected = truth(10_000.0).0 / truth(160.0).0;
     // Two f32 roundings of 6e-8 each.
