@@ -8,11 +8,13 @@
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
+pub mod budget;
 pub mod control;
 pub mod correlation;
 pub mod generator;
 pub mod phase;
 pub mod point;
+pub mod reference;
 pub mod settings;
 pub mod tone;
 pub mod verdict;
