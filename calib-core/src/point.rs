@@ -1,7 +1,7 @@
 //! What is asked of a point and what comes back.
 
 use crate::tone::Tone;
-use crate::verdict::Verdict;
+use crate::verdict::{Reason, Verdict};
 use serde::{Deserialize, Serialize};
 
 /// One calibration point to be measured.
@@ -65,4 +65,40 @@ pub struct PointResult {
     pub settling_s: f32,
     /// Largest excess of the amplitude over the set level while settling, 1.
     pub overshoot_rel: f32,
+}
+
+impl PointResult {
+    /// A point without numbers, refused for `reason`.
+    ///
+    /// Without a tone (no frequency of the sample clock fits), zero cycles are
+    /// noted.
+    pub fn refused(spec: PointSpec, tone: Option<Tone>, reason: Reason) -> Self {
+        Self {
+            spec,
+            tone: tone.unwrap_or(Tone {
+                cycles: 0,
+                period_samples: 1,
+            }),
+            verdict: Verdict::Refused(reason),
+            acceleration_rms_ms2: 0.0,
+            sensitivity_v_per_ms2: 0.0,
+            phase_rad: 0.0,
+            inverted: false,
+            repeatability_rel: 0.0,
+            repeatability_phase_rad: 0.0,
+            blocks: 0,
+            expanded_uncertainty_rel: 0.0,
+            coverage_factor: 0.0,
+            effective_degrees_of_freedom: 0.0,
+            expanded_uncertainty_phase_rad: 0.0,
+            distortion_reference_rel: 0.0,
+            distortion_dut_rel: 0.0,
+            signal_to_noise_reference_db: 0.0,
+            signal_to_noise_dut_db: 0.0,
+            amplitude_stability_rel: 0.0,
+            drive_peak_v: 0.0,
+            settling_s: 0.0,
+            overshoot_rel: 0.0,
+        }
+    }
 }

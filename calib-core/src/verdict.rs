@@ -51,4 +51,16 @@ pub enum Reason {
     FrequencyUnavailable,
     /// Stopped by the operator, a host or the supervisor.
     Stopped,
+    /// The uncertainty budget of the settings makes no sense at this point.
+    BudgetInvalid,
+}
+
+impl Reason {
+    /// True when going on with the next point would be pointless or unsafe.
+    pub fn ends_run(self) -> bool {
+        matches!(
+            self,
+            Self::ReferenceDead | Self::Overload | Self::Overrun | Self::Stopped
+        )
+    }
 }

@@ -72,6 +72,19 @@ pub struct LevelState {
 }
 
 impl LevelState {
+    /// The state of an exciter that is not driven.
+    pub fn silent() -> Self {
+        Self {
+            stage: Stage::Probe,
+            drive_peak_v: 0.0,
+            change_rel: f32::INFINITY,
+            previous: None,
+            waits: 0,
+            blocks: 0,
+            highest_peak_ms2: 0.0,
+        }
+    }
+
     /// Drive now, V peak.
     pub fn drive_peak_v(&self) -> f32 {
         self.drive_peak_v
@@ -118,13 +131,8 @@ impl LevelLoop {
     /// The state before the first block, with the drive to begin with.
     pub fn start(&self) -> LevelState {
         LevelState {
-            stage: Stage::Probe,
             drive_peak_v: PROBE_REL * self.drive_limit_peak_v,
-            change_rel: f32::INFINITY,
-            previous: None,
-            waits: 0,
-            blocks: 0,
-            highest_peak_ms2: 0.0,
+            ..LevelState::silent()
         }
     }
 

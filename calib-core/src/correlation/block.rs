@@ -39,6 +39,15 @@ impl Block {
         }
     }
 
+    /// About `samples` samples to be passed over.
+    pub fn discard(tone: Tone, samples: u32) -> Self {
+        Self {
+            tone,
+            fold_samples: MIN_FOLD_SAMPLES as u16,
+            passes: samples.div_ceil(MIN_FOLD_SAMPLES).clamp(1, MAX_PASSES),
+        }
+    }
+
     /// The shortest block good enough for the amplitude loop.
     ///
     /// Tones of several cycles in a long period (31.5 Hz: 3 cycles in 4762

@@ -1,0 +1,22 @@
+//! From sample buffers to results: the course of every point.
+//!
+//! ```text
+//!        start_point                 level loop: settled     blocks full
+//!  idle ------------> wait <-> settle ---------------> measure ---------+
+//!   ^                  |         |                        |             v
+//!   |                  +---------+------------------------+--------> silence
+//!   +------------------------------ result -----------------------------+
+//!                 any fault: mute, the reason becomes the verdict
+//! ```
+//!
+//! A task hands over every buffer of sample pairs and passes
+//! [`Sequencer::command`] on to the generator. Nothing here knows of time
+//! but by counting samples.
+
+mod checks;
+mod scatter;
+mod sequencer;
+
+pub use checks::{Measured, judge};
+pub use scatter::Scatter;
+pub use sequencer::{Activity, Progress, Sequencer, Timing};

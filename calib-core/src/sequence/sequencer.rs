@@ -1,0 +1,564 @@
+//! The state machine of a point.
+
+use super::checks::{Measured, judge};
+use super::scatter::Scatter;
+use crate::budget::{TypeA, point_budget};
+use crate::control::level_loop::OVERLOAD_REL;
+use crate::control::{Level, LevelLoop, LevelState, Next, full_output_peak_ms2};
+use crate::correlation::{Block, Correlator, FoldMemory, PairEstimate};
+use crate::generator::{Command, Drive, ramp_samples};
+use crate::point::{PointResult, PointSpec};
+use crate::polarity::Polarity;
+use crate::reference::ReferenceSensitivity;
+use crate::settings::Settings;
+use crate::tone::Tone;
+use crate::verdict::{Reason, Verdict};
+use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
+
+/// Shortest measuring block, s.
+const MEASURING_BLOCK_S: f32 = 0.1;
+/// Longest block of the level loop for noisy signals, s.
+const LONGEST_CONTROL_BLOCK_S: f32 = 0.1;
+/// Noise of a block, relative to the set level, the level loop likes to see.
+const CONTROL_NOISE_REL: f32 = 1.5e-4;
+/// A device under test whose tone is not this many times its own noise, or not
+/// half a code, shows no signal.
+const OPEN_NOISE_FACTOR: f32 = 10.0;
+const OPEN_CODES: f32 = 0.5;
+/// Level relative to the set one below which the reference has died.
+const DEAD_REL: f32 = 0.002;
+/// Level relative to the set one below which measuring makes no sense.
+const LOST_REL: f32 = 0.5;
+
+/// What the hardware around the sequencer takes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Timing {
+    /// Pairs per second.
+    pub sample_rate_hz: f32,
+    /// Upper bound of the pairs between a change of [`Sequencer::command`] and
+    /// the first pair taken while the generator plays it: the buffers on both
+    /// ways. Ramps are not counted here.
+    pub latency_samples: u32,
+}
+
+/// What the sequencer is doing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Activity {
+    /// No point in work.
+    Idle,
+    /// Approaching the level.
+    Settling,
+    /// Measuring blocks.
+    Measuring,
+    /// Ramping down.
+    Silencing,
+}
+
+/// Where a point stands, for displays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Progress {
+    /// What is being done.
+    pub activity: Activity,
+    /// Blocks measured.
+    pub block: u16,
+    /// Blocks wanted.
+    pub blocks: u16,
+    /// Acceleration of the last block, m/s2 r.m.s.
+    pub acceleration_rms_ms2: f32,
+    /// Drive, V peak.
+    pub drive_peak_v: f32,
+}
+
+/// What is known of a point before its first sample.
+#[derive(Clone, Copy, Debug)]
+struct Plan {
+    spec: PointSpec,
+    tone: Tone,
+    reference: ReferenceSensitivity,
+    level_loop: LevelLoop,
+    /// Mean square of a buffer, in codes, that no wanted level can reach.
+    overload_square: f32,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Stage {
+    Idle,
+    /// A change of drive is on its way.
+    Waiting,
+    Settling,
+    Measuring,
+    /// The result is delivered when the exciter is silent.
+    Silencing {
+        left: u32,
+        result: PointResult,
+    },
+}
+
+/// Everything gathered over the measuring blocks.
+#[derive(Clone, Copy, Debug, Default)]
+struct Gathered {
+    ratio: Scatter,
+    level_sum: f32,
+    level_lowest: f32,
+    level_highest: f32,
+    distortion_square: [f32; 2],
+    signal_square: [f32; 2],
+    residual_square: [f32; 2],
+    clipped: bool,
+}
+
+/// Runs points one after another; see the module for the course of a point.
+pub struct Sequencer<'m> {
+    correlator: Correlator<'m>,
+    timing: Timing,
+    settings: Settings,
+    polarity: Polarity,
+    plan: Option<Plan>,
+    level: LevelState,
+    stage: Stage,
+    command: Command,
+    gathered: Gathered,
+    /// Number of the next sample, modulo the period of the tone.
+    index: u32,
+    /// Samples since the drive began.
+    elapsed: u32,
+    settling_samples: u32,
+    /// Mean of the reference in the last block, codes; none before the first.
+    reference_mean: Option<f32>,
+    last_level_peak_ms2: f32,
+}
+
+impl<'m> Sequencer<'m> {
+    /// A sequencer at rest.
+    pub fn new(memory: &'m mut FoldMemory, timing: Timing, settings: Settings) -> Self {
+        let tone = Tone {
+            cycles: 1,
+            period_samples: 500,
+        };
+        Self {
+            correlator: Correlator::new(memory, Block::measuring(tone, 1), 0),
+            timing,
+            settings,
+            polarity: Polarity::default(),
+            plan: None,
+            level: LevelState::silent(),
+            stage: Stage::Idle,
+            command: Command::Mute,
+            gathered: Gathered::default(),
+            index: 0,
+            elapsed: 0,
+            settling_samples: 0,
+            reference_mean: None,
+            last_level_peak_ms2: 0.0,
+        }
+    }
+
+    /// Begins a run with these settings; the polarity is open again.
+    pub fn start_run(&mut self, settings: Settings) {
+        self.settings = settings;
+        self.polarity = Polarity::default();
+        self.stage = Stage::Idle;
+        self.command = Command::Mute;
+    }
+
+    /// Begins a point. A point that cannot be driven is refused by the next
+    /// call of [`Self::feed`].
+    pub fn start_point(&mut self, spec: PointSpec) {
+        self.gathered = Gathered::default();
+        self.index = 0;
+        self.elapsed = 0;
+        self.settling_samples = 0;
+        self.reference_mean = None;
+        self.last_level_peak_ms2 = 0.0;
+        match self.plan(spec) {
+            Ok(plan) => {
+                self.plan = Some(plan);
+                self.level = plan.level_loop.start();
+                self.drive(plan.tone, self.level.drive_peak_v());
+            }
+            Err((tone, reason)) => {
+                self.plan = None;
+                self.level = LevelState::silent();
+                let result = PointResult::refused(spec, tone, reason);
+                self.stage = Stage::Silencing { left: 0, result };
+            }
+        }
+    }
+
+    /// Takes the next pairs, in the order they were sampled and without a gap;
+    /// returns the result when the point is over and the exciter silent.
+    ///
+    /// # Timing
+    /// The correlation's cost per pair, and once per block that of its
+    /// evaluation: see [`Correlator`].
+    pub fn feed(&mut self, pairs: &[u32]) -> Option<PointResult> {
+        let mut rest = pairs;
+        loop {
+            match self.stage {
+                Stage::Idle => return None,
+                Stage::Silencing { left, result } => {
+                    let taken = left.min(rest.len() as u32);
+                    if taken == left {
+                        self.stage = Stage::Idle;
+                        return Some(result);
+                    }
+                    let left = left - taken;
+                    self.stage = Stage::Silencing { left, result };
+                    return None;
+                }
+                _ if rest.is_empty() => return None,
+                _ => rest = self.correlate(rest),
+            }
+        }
+    }
+
+    /// Ends the point in work with this reason: lost samples, a stop.
+    pub fn interrupt(&mut self, reason: Reason) {
+        if !matches!(self.stage, Stage::Idle | Stage::Silencing { .. }) {
+            self.refuse(reason);
+        }
+    }
+
+    /// What the exciter is to do now; ask after every [`Self::feed`].
+    pub fn command(&self) -> Command {
+        self.command
+    }
+
+    /// Where the point stands.
+    pub fn progress(&self) -> Progress {
+        Progress {
+            activity: match self.stage {
+                Stage::Idle => Activity::Idle,
+                Stage::Waiting | Stage::Settling => Activity::Settling,
+                Stage::Measuring => Activity::Measuring,
+                Stage::Silencing { .. } => Activity::Silencing,
+            },
+            block: self.gathered.ratio.count(),
+            blocks: self.settings.blocks,
+            acceleration_rms_ms2: self.last_level_peak_ms2 * FRAC_1_SQRT_2,
+            drive_peak_v: match self.command {
+                Command::Play(drive) => drive.peak_v,
+                Command::Mute => 0.0,
+            },
+        }
+    }
+
+    /// Tone, reference and loop of a point, or why there are none.
+    fn plan(&self, spec: PointSpec) -> Result<Plan, (Option<Tone>, Reason)> {
+        let rate_hz = self.timing.sample_rate_hz;
+        let tone = Tone::nearest(spec.frequency_hz, rate_hz)
+            .ok_or((None, Reason::FrequencyUnavailable))?;
+        let refuse = |reason| (Some(tone), reason);
+        let frequency_hz = tone.frequency_hz(rate_hz);
+        let reference = self
+            .settings
+            .reference
+            .at(frequency_hz)
+            .ok_or(refuse(Reason::FrequencyUnavailable))?;
+        let set_peak_ms2 = spec.acceleration_rms_ms2 * SQRT_2;
+        let level_loop =
+            LevelLoop::new(&self.settings.limits, frequency_hz, set_peak_ms2).map_err(refuse)?;
+        let code_per_ms2 =
+            reference.sensitivity_v_per_ms2 / self.settings.reference_input.volt_per_code;
+        let overload_peak = OVERLOAD_REL * set_peak_ms2 * code_per_ms2;
+        Ok(Plan {
+            spec,
+            tone,
+            reference,
+            level_loop,
+            overload_square: overload_peak * overload_peak,
+        })
+    }
+
+    /// Feeds the correlator; at the end of a block, decides what follows.
+    fn correlate<'p>(&mut self, pairs: &'p [u32]) -> &'p [u32] {
+        let [before, _] = self.correlator.squares();
+        let taken = self.correlator.push(pairs);
+        let [after, _] = self.correlator.squares();
+        let period = u32::from(self.correlator.block().tone().period_samples);
+        self.index = (self.index + taken as u32) % period;
+        self.elapsed = self.elapsed.saturating_add(taken as u32);
+        if self.overloaded((after - before) as f32 / taken.max(1) as f32, taken) {
+            self.refuse(Reason::Overload);
+        } else if self.correlator.is_complete() {
+            self.block_ended();
+        }
+        pairs.get(taken..).unwrap_or(&[])
+    }
+
+    /// True when a stretch of at least 5 ms has more energy than the set level
+    /// allows at any place of a cycle: stops a runaway before its block ends.
+    fn overloaded(&self, mean_square: f32, taken: usize) -> bool {
+        let long_enough = taken as f32 >= 0.005 * self.timing.sample_rate_hz;
+        match (self.plan, self.reference_mean) {
+            (Some(plan), Some(mean)) if long_enough => {
+                mean_square - mean * mean > plan.overload_square
+            }
+            _ => false,
+        }
+    }
+
+    fn block_ended(&mut self) {
+        let (Some(plan), Some(estimate)) = (self.plan, self.correlator.estimate()) else {
+            return;
+        };
+        match self.stage {
+            Stage::Waiting => self.settle(Block::control(plan.tone)),
+            Stage::Settling => self.control(&plan, &estimate),
+            Stage::Measuring => self.measure(&plan, &estimate),
+            Stage::Idle | Stage::Silencing { .. } => {}
+        }
+    }
+
+    /// Begins a block of the level loop.
+    fn settle(&mut self, block: Block) {
+        self.stage = Stage::Settling;
+        self.correlator.start(block, self.index);
+    }
+
+    /// Changes the drive and waits until it is in force.
+    fn drive(&mut self, tone: Tone, peak_v: f32) {
+        self.command = Command::Play(Drive { tone, peak_v });
+        let wait = self.timing.latency_samples + u32::from(ramp_samples(tone));
+        self.stage = Stage::Waiting;
+        self.correlator
+            .start(Block::discard(tone, wait), self.index);
+    }
+
+    /// One step of the level loop.
+    fn control(&mut self, plan: &Plan, estimate: &PairEstimate) {
+        let level = self.level_of(plan, estimate);
+        if estimate.reference.clipped {
+            return self.refuse(Reason::Clipped);
+        }
+        match plan.level_loop.step(&mut self.level, level) {
+            Next::Hold => self.settle(self.control_block(plan, level, estimate)),
+            Next::Drive(peak_v) => self.drive(plan.tone, peak_v),
+            Next::Settled => {
+                self.settling_samples = self.elapsed;
+                self.begin_measuring(plan.tone);
+            }
+            Next::Failed(reason) => self.refuse(reason),
+        }
+    }
+
+    /// The block the loop needs for its noise: the usual one, or one long
+    /// enough for a noise of 0.015 % of the set level, up to 0.1 s.
+    fn control_block(&self, plan: &Plan, level: Level, estimate: &PairEstimate) -> Block {
+        let usual = Block::control(plan.tone);
+        let excess = level.noise_ms2 / (CONTROL_NOISE_REL * plan.level_loop.set_peak_ms2());
+        let wanted = excess * excess * estimate.block.samples() as f32;
+        let longest = LONGEST_CONTROL_BLOCK_S * self.timing.sample_rate_hz;
+        let wanted = wanted.min(longest) as u32;
+        if wanted > usual.samples() {
+            Block::measuring(plan.tone, wanted)
+        } else {
+            usual
+        }
+    }
+
+    fn begin_measuring(&mut self, tone: Tone) {
+        let shortest = (MEASURING_BLOCK_S * self.timing.sample_rate_hz) as u32;
+        self.stage = Stage::Measuring;
+        self.correlator
+            .start(Block::measuring(tone, shortest), self.index);
+    }
+
+    /// Adds one measured block, or ends the point.
+    fn measure(&mut self, plan: &Plan, estimate: &PairEstimate) {
+        let level = self.level_of(plan, estimate);
+        let set = plan.level_loop.set_peak_ms2();
+        let dut = &estimate.dut;
+        let noise = dut.amplitude_noise(estimate.block.samples());
+        let open = dut.amplitude_peak() < (OPEN_NOISE_FACTOR * noise).max(OPEN_CODES);
+        if level.peak_ms2 > OVERLOAD_REL * set {
+            self.refuse(Reason::Overload);
+        } else if level.peak_ms2 < DEAD_REL * set {
+            self.refuse(Reason::ReferenceDead);
+        } else if level.peak_ms2 < LOST_REL * set {
+            self.refuse(Reason::AmplitudeUnstable);
+        } else if open {
+            self.refuse(Reason::DutOpen);
+        } else {
+            self.gathered.add(level.peak_ms2, estimate);
+            if self.gathered.ratio.count() >= self.settings.blocks.max(2) {
+                self.finish(plan);
+            } else {
+                self.begin_measuring(plan.tone);
+            }
+        }
+    }
+
+    /// Acceleration by the reference in this block.
+    fn level_of(&mut self, plan: &Plan, estimate: &PairEstimate) -> Level {
+        self.reference_mean = Some(estimate.reference.mean);
+        let ms2_per_code =
+            self.settings.reference_input.volt_per_code / plan.reference.sensitivity_v_per_ms2;
+        let reference = &estimate.reference;
+        let noise_codes = reference.amplitude_noise(estimate.block.samples());
+        self.last_level_peak_ms2 = reference.amplitude_peak() * ms2_per_code;
+        Level {
+            peak_ms2: self.last_level_peak_ms2,
+            noise_ms2: noise_codes * ms2_per_code,
+        }
+    }
+
+    /// Ends the point with a reason: mute first.
+    fn refuse(&mut self, reason: Reason) {
+        let Some(plan) = self.plan else { return };
+        let result = self.result(&plan, Verdict::Refused(reason));
+        self.command = Command::Mute;
+        self.end(&plan, result);
+    }
+
+    /// Ends the point with its result: ramp down.
+    fn finish(&mut self, plan: &Plan) {
+        let measured = self.measured(plan);
+        let verdict = judge(self.settings.example, &measured);
+        let result = self.result(plan, verdict);
+        self.command = Command::Play(Drive {
+            tone: plan.tone,
+            peak_v: 0.0,
+        });
+        self.end(plan, result);
+    }
+
+    fn end(&mut self, plan: &Plan, result: PointResult) {
+        let left = self.timing.latency_samples + u32::from(ramp_samples(plan.tone));
+        self.stage = Stage::Silencing { left, result };
+    }
+
+    fn measured(&self, plan: &Plan) -> Measured {
+        let rate_hz = self.timing.sample_rate_hz;
+        let frequency_hz = plan.tone.frequency_hz(rate_hz);
+        let full_rms_ms2 =
+            full_output_peak_ms2(&self.settings.limits, frequency_hz) * FRAC_1_SQRT_2;
+        let mean_rms_ms2 = self.gathered.mean_level_peak() * FRAC_1_SQRT_2;
+        let headroom_db = 20.0 * libm::log10f(full_rms_ms2 / mean_rms_ms2);
+        Measured {
+            frequency_hz: plan.spec.frequency_hz,
+            frequency_deviation_rel: frequency_hz / plan.spec.frequency_hz - 1.0,
+            clipped: self.gathered.clipped,
+            distortion_rel: self.gathered.distortion_rel(0),
+            noise_below_full_db: self.gathered.signal_to_noise_db(0) + headroom_db,
+            dut_signal_to_noise_db: self.gathered.signal_to_noise_db(1),
+            amplitude_stability_rel: self.gathered.stability_rel(),
+        }
+    }
+
+    /// Sensitivity, uncertainty and diagnostics of what was gathered.
+    fn result(&mut self, plan: &Plan, verdict: Verdict) -> PointResult {
+        let gathered = self.gathered;
+        let mut result = PointResult::refused(plan.spec, Some(plan.tone), Reason::Stopped);
+        result.verdict = verdict;
+        self.describe_drive(plan, &mut result);
+        if gathered.ratio.count() < 2 {
+            return result;
+        }
+        let scale = self.settings.dut_input.volt_per_code
+            / self.settings.reference_input.volt_per_code
+            * plan.reference.sensitivity_v_per_ms2;
+        let sensitivity = gathered.ratio.mean() * scale;
+        let (phase_rad, inverted) = self
+            .polarity
+            .split(sensitivity.arg() + plan.reference.phase_rad);
+        let (repeatability_rel, repeatability_phase_rad) =
+            gathered.ratio.standard_deviations_of_mean();
+        result.acceleration_rms_ms2 = gathered.mean_level_peak() * FRAC_1_SQRT_2;
+        result.sensitivity_v_per_ms2 = sensitivity.norm();
+        result.phase_rad = phase_rad;
+        result.inverted = inverted;
+        result.repeatability_rel = repeatability_rel;
+        result.repeatability_phase_rad = repeatability_phase_rad;
+        result.blocks = gathered.ratio.count();
+        result.distortion_reference_rel = gathered.distortion_rel(0);
+        result.distortion_dut_rel = gathered.distortion_rel(1);
+        result.signal_to_noise_reference_db = gathered.signal_to_noise_db(0);
+        result.signal_to_noise_dut_db = gathered.signal_to_noise_db(1);
+        result.amplitude_stability_rel = gathered.stability_rel();
+        self.state_uncertainty(plan, &mut result);
+        result
+    }
+
+    fn describe_drive(&self, plan: &Plan, result: &mut PointResult) {
+        let settling = if self.settling_samples > 0 {
+            self.settling_samples
+        } else {
+            self.elapsed
+        };
+        let set = plan.level_loop.set_peak_ms2();
+        result.acceleration_rms_ms2 = self.last_level_peak_ms2 * FRAC_1_SQRT_2;
+        result.drive_peak_v = self.level.drive_peak_v();
+        result.settling_s = settling as f32 / self.timing.sample_rate_hz;
+        result.overshoot_rel = (self.level.highest_peak_ms2() / set - 1.0).max(0.0);
+    }
+
+    /// Fills in the budget's numbers; a budget that makes no sense refuses.
+    fn state_uncertainty(&self, plan: &Plan, result: &mut PointResult) {
+        let type_a = TypeA {
+            repeatability_rel: result.repeatability_rel,
+            repeatability_phase_rad: result.repeatability_phase_rad,
+            blocks: result.blocks,
+        };
+        let budget = point_budget(&self.settings, &plan.reference, type_a);
+        match budget.and_then(|budget| budget.expand()) {
+            Ok((magnitude, phase)) => {
+                result.expanded_uncertainty_rel = magnitude.expanded_uncertainty;
+                result.coverage_factor = magnitude.coverage.factor;
+                result.effective_degrees_of_freedom = magnitude.effective_degrees_of_freedom;
+                result.expanded_uncertainty_phase_rad = phase.expanded_uncertainty;
+            }
+            Err(_) => result.verdict = Verdict::Refused(Reason::BudgetInvalid),
+        }
+    }
+}
+
+impl Gathered {
+    fn add(&mut self, level_peak_ms2: f32, estimate: &PairEstimate) {
+        let (reference, dut) = (&estimate.reference, &estimate.dut);
+        if self.ratio.count() == 0 {
+            self.level_lowest = level_peak_ms2;
+            self.level_highest = level_peak_ms2;
+        }
+        self.ratio.add(dut.amplitude / reference.amplitude);
+        self.level_sum += level_peak_ms2;
+        self.level_lowest = self.level_lowest.min(level_peak_ms2);
+        self.level_highest = self.level_highest.max(level_peak_ms2);
+        for (channel, seen) in [reference, dut].into_iter().enumerate() {
+            let distortion = seen.distortion_rel();
+            self.distortion_square[channel] += distortion * distortion;
+            self.signal_square[channel] += 0.5 * seen.amplitude.norm_sqr();
+            self.residual_square[channel] += seen.residual_rms * seen.residual_rms;
+            self.clipped |= seen.clipped;
+        }
+    }
+
+    fn blocks(&self) -> f32 {
+        f32::from(self.ratio.count().max(1))
+    }
+
+    fn mean_level_peak(&self) -> f32 {
+        self.level_sum / self.blocks()
+    }
+
+    fn stability_rel(&self) -> f32 {
+        (self.level_highest - self.level_lowest) / self.mean_level_peak()
+    }
+
+    fn distortion_rel(&self, channel: usize) -> f32 {
+        libm::sqrtf(self.distortion_square[channel] / self.blocks())
+    }
+
+    /// dB, limited to 200 for signals without any residual.
+    fn signal_to_noise_db(&self, channel: usize) -> f32 {
+        let (signal, residual) = (self.signal_square[channel], self.residual_square[channel]);
+        let least = signal * 1.0e-20;
+        if signal > 0.0 {
+            10.0 * libm::log10f(signal / residual.max(least))
+        } else {
+            0.0
+        }
+    }
+}
