@@ -8,6 +8,7 @@ pub mod certificate;
 pub mod error;
 pub mod file;
 pub mod link;
+pub mod metrology;
 pub mod session;
 
 pub use error::{Error, Result};

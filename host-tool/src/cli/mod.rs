@@ -4,6 +4,7 @@
 //! `run(self, context) -> Result<()>`. Data goes to standard output (tables,
 //! or JSON with `--json`), everything else to standard error.
 
+mod budget;
 mod context;
 mod devices;
 mod download;
@@ -81,6 +82,8 @@ pub(crate) enum Command {
     Records(records::Records),
     /// Downloads a stored record into a file.
     Download(download::Download),
+    /// Evaluates an uncertainty budget (ISO 16063-21 Annex A, GUM).
+    Budget(budget::BudgetVerb),
     /// Versions of the tool, the protocol and the stored records.
     Version(version::Version),
 }
@@ -95,6 +98,7 @@ impl Command {
             Self::Stop(verb) => verb.run(context),
             Self::Records(verb) => verb.run(context),
             Self::Download(verb) => verb.run(context),
+            Self::Budget(verb) => verb.run(context),
             Self::Version(verb) => verb.run(context),
         }
     }

@@ -1,0 +1,96 @@
+//! `calib budget`: evaluates an uncertainty budget.
+
+use super::Context;
+use calib_host::metrology::budget::{self, Budget, Evaluation};
+use calib_host::metrology::monte_carlo::{self, Comparison, Options, Plan};
+use calib_host::{Error, Result};
+use clap::Args;
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// The form of the file, for `--help`.
+const FORM: &str = "\
+A budget is a TOML file:
+
+  measurand = \"sensitivity magnitude at 160 Hz\"
+  coverage_factor = 2            # or coverage_probability = 0.95, or neither
+  [[component]]
+  label = \"Reference\"
+  value = 0.5                    # percent: half-width, or expanded for normal
+  distribution = \"normal\"        # rectangular, triangular, u_shaped, special
+  k = 2                          # normal only; special has divisor = ...
+  sensitivity_coefficient = 1    # default 1
+  degrees_of_freedom = 9         # default infinite
+  [[correlation]]
+  a = \"Reference\"
+  b = \"Gain\"
+  r = 0.5                        # or \"unknown\": the bound of D.4
+
+See docs/metrology/budget.md for the rest: phase budgets, two stages, models.";
+
+/// `calib budget FILE`.
+#[derive(Debug, Args)]
+#[command(after_help = FORM)]
+pub(crate) struct BudgetVerb {
+    /// Budget to evaluate (TOML).
+    file: PathBuf,
+    /// Also propagate the distributions and judge the first-order result.
+    #[arg(long)]
+    monte_carlo: bool,
+    /// Seed of the random numbers.
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    seed: u64,
+    /// Trials at which Monte Carlo gives up.
+    #[arg(long, default_value_t = 20_000_000, value_name = "N")]
+    most_trials: usize,
+    /// Write the contribution chart here (SVG).
+    #[arg(long, value_name = "FILE.svg")]
+    chart: Option<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Output {
+    #[serde(flatten)]
+    evaluation: Evaluation,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    monte_carlo: Option<Comparison>,
+}
+
+impl BudgetVerb {
+    /// Evaluates and prints.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let budget = budget::load(&self.file)?;
+        let evaluation = budget::evaluate(&budget);
+        let monte_carlo = self
+            .monte_carlo
+            .then(|| self.propagate(&budget, &evaluation));
+        if let Some(path) = &self.chart {
+            std::fs::write(path, budget::contribution_chart(&evaluation))
+                .map_err(|error| Error::file("write", path, error))?;
+        }
+        let output = Output {
+            evaluation,
+            monte_carlo,
+        };
+        context.print(&output, || {
+            let mut text = budget::report(&output.evaluation);
+            if let Some(comparison) = &output.monte_carlo {
+                text.push_str(&monte_carlo::report(comparison, output.evaluation.unit));
+            }
+            text
+        })
+    }
+
+    /// Draws to a fifth of the tolerance the comparison needs (GUM-S1 8.2).
+    fn propagate(&self, budget: &Budget, evaluation: &Evaluation) -> Comparison {
+        let options = Options {
+            probability: evaluation.coverage_probability.clamp(0.5, 0.9999),
+            seed: self.seed,
+            share: 0.2,
+            most_trials: self.most_trials,
+            ..Options::default()
+        };
+        let outcome = monte_carlo::propagate(&Plan::new(budget), &options);
+        monte_carlo::validate(evaluation, &outcome, 2)
+    }
+}

@@ -1,0 +1,335 @@
+//! The law of propagation of uncertainty, and which component to improve.
+
+use super::coverage::{self, CoverageBasis};
+use super::{Budget, Coefficient, Unit};
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+/// A component with what it contributes.
+#[derive(Clone, Debug)]
+pub struct EvaluatedComponent {
+    /// Name.
+    pub label: String,
+    /// Half-width or expanded uncertainty, as stated.
+    pub value: f64,
+    /// Distribution, as the budget file spells it.
+    pub distribution: &'static str,
+    /// Value over standard uncertainty.
+    pub divisor: f64,
+    /// Sensitivity coefficient.
+    pub sensitivity_coefficient: f64,
+    /// Degrees of freedom; may be infinite.
+    pub degrees_of_freedom: f64,
+    /// Standard uncertainty.
+    pub standard_uncertainty: f64,
+    /// `|c_i| u(x_i)`.
+    pub contribution: f64,
+    /// Share of the combined variance, covariances halved between partners;
+    /// negative when a correlation makes the component compensate others.
+    pub variance_share: f64,
+}
+
+/// What halving one component would bring.
+#[derive(Clone, Debug, Serialize)]
+pub struct Improvement {
+    /// Name of the component.
+    pub label: String,
+    /// Share of the combined variance, percent.
+    pub variance_share_percent: f64,
+    /// Expanded uncertainty if this component alone were halved, in the unit
+    /// of the budget and with the same coverage factor.
+    pub expanded_uncertainty_if_halved: f64,
+}
+
+/// An evaluated budget.
+#[derive(Clone, Debug)]
+pub struct Evaluation {
+    /// What is measured.
+    pub measurand: String,
+    /// Unit of all uncertainties.
+    pub unit: Unit,
+    /// Components in the order of the budget.
+    pub components: Vec<EvaluatedComponent>,
+    /// Combined standard uncertainty, not rounded.
+    pub combined_standard_uncertainty: f64,
+    /// Effective degrees of freedom; may be infinite.
+    pub effective_degrees_of_freedom: f64,
+    /// Coverage factor.
+    pub coverage_factor: f64,
+    /// Coverage probability the factor stands for.
+    pub coverage_probability: f64,
+    /// What the factor rests on.
+    pub coverage_basis: CoverageBasis,
+    /// Expanded uncertainty, not rounded.
+    pub expanded_uncertainty: f64,
+    /// The three components most worth improving, the best first.
+    pub improve_first: Vec<Improvement>,
+    /// Assumptions and warnings.
+    pub remarks: Vec<String>,
+}
+
+/// Evaluates a budget.
+///
+/// # Equation
+/// `u^2 = sum (c_i u_i)^2 + 2 sum sum c_i c_j u_i u_j r_ij` and
+/// `1/nu_eff = sum ((c_i u_i / u)^4 / nu_i)`, in relative form.
+///
+/// # Source
+/// ISO 16063-21 (A.1); GUM 5.2.2, G.4.1.
+pub fn evaluate(budget: &Budget) -> Evaluation {
+    let signed: Vec<f64> = budget
+        .components
+        .iter()
+        .map(|component| component.signed_contribution())
+        .collect();
+    let variances = variance_parts(budget, &signed);
+    let combined = variances.iter().sum::<f64>().max(0.0).sqrt();
+    let components = evaluated_components(budget, &signed, &variances, combined);
+    let effective = effective_degrees_of_freedom(&components, combined);
+    let effective = match budget.truncate_degrees_of_freedom && effective.is_finite() {
+        true => effective.floor().max(1.0),
+        false => effective,
+    };
+    let factor = coverage::choose(
+        budget.coverage,
+        &components,
+        combined,
+        effective,
+        !budget.correlations.is_empty(),
+    );
+    let mut evaluation = Evaluation {
+        measurand: budget.measurand.clone(),
+        unit: budget.unit,
+        improve_first: improvements(&signed, &components, combined, factor.value),
+        components,
+        combined_standard_uncertainty: combined,
+        effective_degrees_of_freedom: effective,
+        coverage_factor: factor.value,
+        coverage_probability: factor.probability,
+        coverage_basis: factor.basis,
+        expanded_uncertainty: factor.value * combined,
+        remarks: budget.remarks.clone(),
+    };
+    warn(budget, &mut evaluation);
+    evaluation
+}
+
+/// Variance of each component plus half of its covariances, times two.
+fn variance_parts(budget: &Budget, signed: &[f64]) -> Vec<f64> {
+    let mut parts: Vec<f64> = signed.iter().map(|u| u * u).collect();
+    for correlation in &budget.correlations {
+        let (a, b) = (signed[correlation.a], signed[correlation.b]);
+        let covariance = match correlation.coefficient {
+            Coefficient::Known(r) => r * a * b,
+            Coefficient::Unknown => (a * b).abs(),
+        };
+        parts[correlation.a] += covariance;
+        parts[correlation.b] += covariance;
+    }
+    parts
+}
+
+fn evaluated_components(
+    budget: &Budget,
+    signed: &[f64],
+    variances: &[f64],
+    combined: f64,
+) -> Vec<EvaluatedComponent> {
+    let share = |variance: f64| match combined > 0.0 {
+        true => variance / (combined * combined),
+        false => 0.0,
+    };
+    budget
+        .components
+        .iter()
+        .zip(signed.iter().zip(variances))
+        .map(|(component, (contribution, variance))| EvaluatedComponent {
+            label: component.label.clone(),
+            value: component.value,
+            distribution: component.distribution.name(),
+            divisor: component.distribution.divisor(),
+            sensitivity_coefficient: component.sensitivity_coefficient,
+            degrees_of_freedom: component.degrees_of_freedom,
+            standard_uncertainty: component.standard_uncertainty(),
+            contribution: contribution.abs(),
+            variance_share: share(*variance),
+        })
+        .collect()
+}
+
+fn effective_degrees_of_freedom(components: &[EvaluatedComponent], combined: f64) -> f64 {
+    let sum: f64 = components
+        .iter()
+        .filter(|component| component.degrees_of_freedom.is_finite() && combined > 0.0)
+        .map(|component| (component.contribution / combined).powi(4) / component.degrees_of_freedom)
+        .sum();
+    match sum > 0.0 {
+        true => 1.0 / sum,
+        false => f64::INFINITY,
+    }
+}
+
+fn improvements(
+    signed: &[f64],
+    components: &[EvaluatedComponent],
+    combined: f64,
+    coverage_factor: f64,
+) -> Vec<Improvement> {
+    let mut order: Vec<usize> = (0..components.len()).collect();
+    order.sort_by(|&a, &b| {
+        components[b]
+            .variance_share
+            .total_cmp(&components[a].variance_share)
+    });
+    let halved = |index: usize| {
+        // u^2 = own^2 + own * rest + ...; half of own leaves own^2/4 + own*rest/2.
+        let own = signed[index].powi(2);
+        let with_covariance = components[index].variance_share * combined * combined;
+        let covariance = with_covariance - own;
+        let variance = combined * combined - 0.75 * own - covariance;
+        coverage_factor * variance.max(0.0).sqrt()
+    };
+    order
+        .into_iter()
+        .filter(|&index| components[index].variance_share > 0.0)
+        .take(3)
+        .map(|index| Improvement {
+            label: components[index].label.clone(),
+            variance_share_percent: 100.0 * components[index].variance_share,
+            expanded_uncertainty_if_halved: halved(index),
+        })
+        .collect()
+}
+
+fn warn(budget: &Budget, evaluation: &mut Evaluation) {
+    let effective = evaluation.effective_degrees_of_freedom;
+    let unknown = budget
+        .correlations
+        .iter()
+        .any(|correlation| correlation.coefficient == Coefficient::Unknown);
+    if unknown {
+        evaluation.remarks.push(
+            "correlation of unknown degree: the contributions add linearly, \
+             an upper bound (ISO 16063-21 D.4)"
+                .into(),
+        );
+    }
+    if !budget.correlations.is_empty() && effective.is_finite() {
+        evaluation.remarks.push(
+            "effective degrees of freedom assume independent components \
+             (GUM G.4.1); with correlations they are approximate"
+                .into(),
+        );
+    }
+    if evaluation.coverage_basis == CoverageBasis::Stated {
+        warn_of_stated_factor(budget, evaluation);
+    }
+}
+
+/// Tells when a stated factor does not reach the probability of its name.
+fn warn_of_stated_factor(budget: &Budget, evaluation: &mut Evaluation) {
+    let probability = evaluation.coverage_probability;
+    let fitting = coverage::choose(
+        super::CoverageRule::Probability(probability),
+        &evaluation.components,
+        evaluation.combined_standard_uncertainty,
+        evaluation.effective_degrees_of_freedom,
+        !budget.correlations.is_empty(),
+    );
+    if (fitting.value / evaluation.coverage_factor - 1.0).abs() > 0.1 {
+        evaluation.remarks.push(format!(
+            "the stated k = {} is that of a normal distribution; {} asks for \
+             k = {:.2} at {:.2} %",
+            evaluation.coverage_factor,
+            match fitting.basis {
+                CoverageBasis::StudentT => format!(
+                    "Student's t with {:.1} degrees of freedom",
+                    evaluation.effective_degrees_of_freedom
+                ),
+                _ => "the dominant component's shape".into(),
+            },
+            fitting.value,
+            100.0 * probability,
+        ));
+    }
+}
+
+impl Serialize for EvaluatedComponent {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        component_fields(self, "percent", serializer)
+    }
+}
+
+fn component_fields<S: Serializer>(
+    component: &EvaluatedComponent,
+    unit: &str,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(None)?;
+    map.serialize_entry("label", &component.label)?;
+    map.serialize_entry(&format!("value_{unit}"), &component.value)?;
+    map.serialize_entry("distribution", component.distribution)?;
+    map.serialize_entry("divisor", &component.divisor)?;
+    map.serialize_entry(
+        "sensitivity_coefficient",
+        &component.sensitivity_coefficient,
+    )?;
+    map.serialize_entry("degrees_of_freedom", &component.degrees_of_freedom)?;
+    map.serialize_entry(
+        &format!("standard_uncertainty_{unit}"),
+        &component.standard_uncertainty,
+    )?;
+    map.serialize_entry(&format!("contribution_{unit}"), &component.contribution)?;
+    map.serialize_entry(
+        "variance_share_percent",
+        &(100.0 * component.variance_share),
+    )?;
+    map.end()
+}
+
+/// A component of a phase budget: the same fields, in degrees.
+struct InDegrees<'a>(&'a EvaluatedComponent);
+
+impl Serialize for InDegrees<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        component_fields(self.0, "deg", serializer)
+    }
+}
+
+impl Serialize for Evaluation {
+    /// Field names end in `_percent`, or `_deg` in phase budgets. Infinite
+    /// degrees of freedom are `null`: JSON has no infinity.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let unit = match self.unit {
+            Unit::Percent => "percent",
+            Unit::Degree => "deg",
+        };
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("measurand", &self.measurand)?;
+        match self.unit {
+            Unit::Percent => map.serialize_entry("components", &self.components)?,
+            Unit::Degree => {
+                let components: Vec<_> = self.components.iter().map(InDegrees).collect();
+                map.serialize_entry("components", &components)?;
+            }
+        }
+        map.serialize_entry(
+            &format!("combined_standard_uncertainty_{unit}"),
+            &self.combined_standard_uncertainty,
+        )?;
+        map.serialize_entry(
+            "effective_degrees_of_freedom",
+            &self.effective_degrees_of_freedom,
+        )?;
+        map.serialize_entry("coverage_factor", &self.coverage_factor)?;
+        map.serialize_entry("coverage_probability", &self.coverage_probability)?;
+        map.serialize_entry("coverage_basis", &self.coverage_basis)?;
+        map.serialize_entry(
+            &format!("expanded_uncertainty_{unit}"),
+            &self.expanded_uncertainty,
+        )?;
+        map.serialize_entry("improve_first", &self.improve_first)?;
+        map.serialize_entry("remarks", &self.remarks)?;
+        map.end()
+    }
+}
