@@ -5,19 +5,15 @@
 //! - [`oracle`]: the truth about it, by formulas in the frequency domain.
 //! - [`influence`]: rigs that are wrong in every way an uncertainty budget admits.
 //! - [`rig_port`]: the seam between plant and board.
-//!
-//! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
-
-pub mod influence;
-pub mod oracle;
-pub mod plant;
-pub mod rig;
 //! - [`board`]: the emulated NUCLEO-H743ZI2.
-//! - [`rig_port`]: the seam between the two.
-//! - [`runner`]: runs an image on the board, step by step or paced.
+//! - [`runner`]: runs a firmware image on the board, step by step or paced.
 //!
 //! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
 
 pub mod board;
+pub mod influence;
+pub mod oracle;
+pub mod plant;
+pub mod rig;
 pub mod rig_port;
 pub mod runner;
