@@ -6,7 +6,7 @@
 //! - [`influence`]: rigs that are wrong in every way an uncertainty budget admits.
 //! - [`rig_port`]: the seam between plant and board.
 //! - [`board`]: the emulated NUCLEO-H743ZI2.
-//! - [`runner`]: runs a firmware image on the board, step by step or paced.
+//! - [`runner`]: runs an image on the board, step by step or paced.
 //!
 //! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
 
