@@ -1,0 +1,180 @@
+//! The program itself, over TCP: output, files and exit codes.
+
+use crate::device::Device;
+use crate::memory_link::{SharedDevice, shared};
+use std::io::{Read, Write};
+use std::net::TcpListener;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Serves `device` at a free port of this computer and returns its address.
+fn serve(device: Device) -> (SharedDevice, String) {
+    let device = shared(device);
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a free port");
+    let address = format!("tcp:{}", listener.local_addr().expect("address"));
+    let served = SharedDevice::clone(&device);
+    std::thread::spawn(move || {
+        for stream in listener.incoming() {
+            let mut stream = stream.expect("connection");
+            let mut buffer = [0; 1024];
+            while let Ok(count @ 1..) = stream.read(&mut buffer) {
+                for byte in &buffer[..count] {
+                    let answer = served.lock().expect("device").byte(*byte);
+                    stream.write_all(&answer).expect("answer");
+                }
+            }
+        }
+    });
+    (device, address)
+}
+
+fn calib(directory: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_calib"))
+        .args(arguments)
+        .current_dir(directory)
+        .env_remove("CALIB_DEVICE")
+        .env("NO_COLOR", "1")
+        .output()
+        .expect("calib starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+fn json(output: &Output) -> serde_json::Value {
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).expect("one JSON document")
+}
+
+#[test]
+fn a_session_from_info_to_the_file() {
+    let directory = tempfile::tempdir().expect("directory");
+    let (_, address) = serve(Device::new());
+    let go = |arguments: &[&str]| {
+        calib(
+            directory.path(),
+            &[arguments, &["--device", &address]].concat(),
+        )
+    };
+    assert_eq!(json(&go(&["info", "--json"]))["serial"], "MEM-1");
+    std::fs::write(
+        directory.path().join("points.csv"),
+        "frequency_hz\n80\n160\n",
+    )
+    .expect("list");
+    let run = go(&[
+        "run",
+        "--points",
+        "points.csv",
+        "--serial",
+        "Müller's",
+        "--json",
+    ]);
+    let run = json(&run);
+    assert_eq!(run["record_id"], 1);
+    assert_eq!(run["points"].as_array().expect("points").len(), 2);
+    let records = json(&go(&["records", "--json"]));
+    assert_eq!(records[0]["dut_serial"], "Müller's");
+    let download = json(&go(&["download", "1", "--json"]));
+    let file = directory
+        .path()
+        .join(download["file"].as_str().expect("path"));
+    let record = calib_protocol::record::decode(&std::fs::read(file).expect("file"));
+    assert_eq!(record.expect("record").points.len(), 2);
+    let table = text(&go(&["records"]).stdout);
+    assert!(table.starts_with("id  measured"), "{table}");
+    assert!(
+        table.lines().all(|line| line.chars().count() <= 80),
+        "{table}"
+    );
+}
+
+#[test]
+fn progress_and_remarks_stay_off_standard_output() {
+    let directory = tempfile::tempdir().expect("directory");
+    let (_, address) = serve(Device::new());
+    std::fs::write(directory.path().join("p.csv"), "frequency_hz\n80\n160\n").expect("list");
+    let run = ["run", "--points", "p.csv", "--device", &address];
+    let output = calib(directory.path(), &run);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    // Two points and the record; one line of progress per point.
+    assert_eq!(text(&output.stdout).lines().count(), 3);
+    assert_eq!(text(&output.stderr).lines().count(), 2);
+    let quiet = calib(directory.path(), &[&run[..], &["-q"]].concat());
+    assert_eq!(text(&quiet.stderr), "");
+}
+
+#[test]
+fn every_failure_has_its_exit_code_and_a_way_out() {
+    let directory = tempfile::tempdir().expect("directory");
+    let (device, address) = serve(Device::new());
+    std::fs::write(directory.path().join("bad.csv"), "frequency_hz\n-1\n").expect("list");
+    // A port nobody listens at: bound, then given back.
+    let free = TcpListener::bind("127.0.0.1:0")
+        .expect("port")
+        .local_addr()
+        .expect("address");
+    let nobody = format!("tcp:{free}");
+    for (arguments, code, words) in [
+        (
+            &["info", "-d", &nobody][..],
+            3,
+            "is `calib emulate --tcp PORT` running?",
+        ),
+        (
+            &["info", "-d", "/dev/no-such-port"],
+            3,
+            "`calib devices` lists the ports",
+        ),
+        (&["info", "-d", "tcp:nonsense"], 3, "tcp:192.168.0.7:4000"),
+        (
+            &["download", "9", "-d", &address],
+            5,
+            "`calib records` lists",
+        ),
+        (
+            &["run", "--points", "bad.csv", "-d", &address],
+            6,
+            "bad.csv:2",
+        ),
+        (
+            &["run", "--points", "none.csv", "-d", &address],
+            1,
+            "none.csv",
+        ),
+        (&["run", "--level", "0", "-d", &address], 2, "--level"),
+        (&["frobnicate"], 2, "unrecognized subcommand"),
+    ] {
+        let output = calib(directory.path(), arguments);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {message}");
+        assert!(message.contains(words), "{arguments:?}: {message}");
+        assert!(output.stdout.is_empty());
+    }
+    device.lock().expect("device").protocol_version = 7;
+    let output = calib(directory.path(), &["info", "-d", &address]);
+    assert_eq!(output.status.code(), Some(4));
+    assert!(text(&output.stderr).contains("protocol version 7"));
+}
+
+#[test]
+fn a_refused_point_ends_in_code_seven() {
+    let directory = tempfile::tempdir().expect("directory");
+    let (device, address) = serve(Device::new());
+    device.lock().expect("device").flash_broken = true;
+    std::fs::write(directory.path().join("p.csv"), "frequency_hz\n160\n").expect("list");
+    let output = calib(
+        directory.path(),
+        &["run", "--points", "p.csv", "-d", &address],
+    );
+    assert_eq!(output.status.code(), Some(7), "{}", text(&output.stderr));
+}
+
+#[test]
+fn the_help_lists_every_verb_and_the_exit_codes() {
+    let help = text(&calib(Path::new("."), &["--help"]).stdout);
+    for words in ["devices", "download", "Exit codes:", "CALIB_DEVICE"] {
+        assert!(help.contains(words), "{words}");
+    }
+}

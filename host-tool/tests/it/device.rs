@@ -1,0 +1,363 @@
+//! A calibrator in memory: the rules of the protocol, without any physics.
+
+use calib_core::point::PointResult;
+use calib_core::settings::{
+    Example, InputScale, Limits, Method, ReferenceCalibration, ReferencePoint, Settings,
+};
+use calib_core::tone::Tone;
+use calib_core::verdict::Verdict;
+use calib_protocol::frame::{Frame, FrameError, MAX_FRAME, PROTOCOL_VERSION, Receiver, encode};
+use calib_protocol::message::{
+    Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
+};
+use calib_protocol::record::{self, Record, RecordSummary, RunLabels};
+use std::collections::BTreeMap;
+
+/// Looks at the status while a point is measured.
+const LOOKS_PER_POINT: u16 = 3;
+
+pub(crate) struct Device {
+    pub(crate) records: BTreeMap<u32, Vec<u8>>,
+    pub(crate) settings: Settings,
+    pub(crate) protocol_version: u16,
+    /// Answers everything with this, if set.
+    pub(crate) refusal: Option<Refusal>,
+    /// The board loses its run at this look at the status.
+    pub(crate) reset_at_look: Option<u16>,
+    /// The flash is broken: runs end in `Failed`.
+    pub(crate) flash_broken: bool,
+    pub(crate) requests: Vec<Request>,
+    pub(crate) starts: u32,
+    receiver: Receiver,
+    run: Option<Run>,
+    last_start: Option<(u16, u32, u32)>,
+}
+
+struct Run {
+    id: u32,
+    spec: RunSpec,
+    looks: u16,
+    state: RunState,
+}
+
+impl Device {
+    pub(crate) fn new() -> Self {
+        Self {
+            records: BTreeMap::new(),
+            settings: settings(),
+            protocol_version: PROTOCOL_VERSION,
+            refusal: None,
+            reset_at_look: None,
+            flash_broken: false,
+            requests: Vec::new(),
+            starts: 0,
+            receiver: Receiver::new(),
+            run: None,
+            last_start: None,
+        }
+    }
+
+    /// A device that holds one record of `points` points under `id`.
+    pub(crate) fn with_record(id: u32, points: u16) -> Self {
+        let mut device = Self::new();
+        device.store(record(id, points));
+        device
+    }
+
+    pub(crate) fn store(&mut self, record: Record) {
+        let mut bytes = vec![0; 64 * 1024];
+        let length = record::encode(&record, &mut bytes).expect("fits");
+        bytes.truncate(length);
+        self.records.insert(record.id, bytes);
+    }
+
+    /// Takes a byte and returns what the device sends in return.
+    pub(crate) fn byte(&mut self, byte: u8) -> Vec<u8> {
+        let Some(raw) = self.receiver.push(byte) else {
+            return Vec::new();
+        };
+        let mut raw = raw.to_vec();
+        let Ok(frame) = Frame::check(&mut raw) else {
+            return Vec::new();
+        };
+        let response = match frame.message() {
+            Ok(request) => self.answer(frame.sequence, frame.checksum, request),
+            Err(FrameError::Message) => Response::Refused(Refusal::Unknown),
+            Err(_) => return Vec::new(),
+        };
+        let mut buffer = vec![0; MAX_FRAME];
+        let length = encode(frame.sequence, &response, &mut buffer).expect("fits");
+        buffer.truncate(length);
+        buffer
+    }
+
+    fn answer(&mut self, sequence: u16, checksum: u32, request: Request) -> Response {
+        self.requests.push(request.clone());
+        if let Some(refusal) = self.refusal {
+            return Response::Refused(refusal);
+        }
+        match request {
+            Request::Info => Response::Info(self.info()),
+            Request::Status => Response::Status(self.status()),
+            Request::Point { index } => Response::Point {
+                index,
+                result: self.point(index),
+            },
+            Request::Start(spec) => self.start(sequence, checksum, spec),
+            Request::Stop => {
+                self.end(RunState::Stopped);
+                Response::Done
+            }
+            Request::Records { from } => self.list(from),
+            Request::ReadRecord { id, offset } => self.read(id, offset),
+            Request::SettingsRead => Response::Settings(self.settings.clone()),
+            Request::SettingsWrite(settings) => {
+                self.settings = settings;
+                Response::Done
+            }
+            Request::Reset => {
+                self.run = None;
+                Response::Done
+            }
+        }
+    }
+
+    fn info(&self) -> Info {
+        Info {
+            protocol_version: self.protocol_version,
+            firmware_version: "0.1.0".try_into().expect("short"),
+            git_hash: "0123abcd".try_into().expect("short"),
+            serial: "MEM-1".try_into().expect("short"),
+            sample_rate_hz: 50_000.0,
+            reset_cause: ResetCause::PowerOn,
+            last_panic: None,
+            records: self.records.len() as u32,
+            uptime_ms: 1234,
+        }
+    }
+
+    fn start(&mut self, sequence: u16, checksum: u32, spec: RunSpec) -> Response {
+        if let Some((of, sum, record_id)) = self.last_start
+            && (of, sum) == (sequence, checksum)
+        {
+            return Response::Started { record_id };
+        }
+        if spec.points.is_empty() {
+            return Response::Refused(Refusal::PointList);
+        }
+        let running = |run: &Run| matches!(run.state, RunState::Settling | RunState::Measuring);
+        if self.run.as_ref().is_some_and(running) {
+            return Response::Refused(Refusal::Busy);
+        }
+        let id = self.records.keys().max().map_or(1, |last| last + 1);
+        self.starts += 1;
+        self.last_start = Some((sequence, checksum, id));
+        self.run = Some(Run {
+            id,
+            spec,
+            looks: 0,
+            state: RunState::Settling,
+        });
+        Response::Started { record_id: id }
+    }
+
+    /// Every look takes the run a step further.
+    fn status(&mut self) -> Status {
+        if let Some(run) = &mut self.run {
+            run.looks += 1;
+            let looks = run.looks;
+            let ended = usize::from(looks / LOOKS_PER_POINT) >= run.spec.points.len();
+            if self.reset_at_look == Some(looks) {
+                self.run = None;
+            } else if ended {
+                self.end(RunState::Finished);
+            }
+        }
+        let Some(run) = &self.run else {
+            return idle();
+        };
+        let point = (run.looks / LOOKS_PER_POINT).min(run.spec.points.len() as u16 - 1);
+        let spec = run.spec.points[usize::from(point)];
+        Status {
+            state: run.state,
+            point,
+            points: run.spec.points.len() as u16,
+            frequency_hz: spec.frequency_hz,
+            target_rms_ms2: spec.acceleration_rms_ms2,
+            acceleration_rms_ms2: spec.acceleration_rms_ms2,
+            drive_peak_v: 1.0,
+            block: run.looks % LOOKS_PER_POINT,
+            blocks: LOOKS_PER_POINT,
+            overruns: 0,
+            samples: 1,
+        }
+    }
+
+    /// Ends a run that is still going on.
+    fn end(&mut self, state: RunState) {
+        let Some(run) = &mut self.run else { return };
+        if !matches!(run.state, RunState::Settling | RunState::Measuring) {
+            return;
+        }
+        if self.flash_broken {
+            run.state = RunState::Failed;
+            return;
+        }
+        run.state = state;
+        let mut stored = record(run.id, 0);
+        stored.labels = run.spec.labels.clone();
+        stored.complete = state == RunState::Finished;
+        let done = usize::from(run.looks / LOOKS_PER_POINT);
+        for spec in run.spec.points.iter().take(done) {
+            let point = result(spec.frequency_hz, spec.acceleration_rms_ms2);
+            stored.points.push(point).expect("fits");
+        }
+        self.store(stored);
+    }
+
+    fn point(&self, index: u16) -> Option<PointResult> {
+        let run = self.run.as_ref()?;
+        let done = (run.looks / LOOKS_PER_POINT) > index;
+        let spec = run.spec.points.get(usize::from(index)).filter(|_| done)?;
+        Some(result(spec.frequency_hz, spec.acceleration_rms_ms2))
+    }
+
+    fn list(&self, from: u32) -> Response {
+        let mut matching = self.records.range(from..);
+        let records = matching.by_ref().take(16).map(|(id, bytes)| {
+            let record = record::decode(bytes).expect("own record");
+            RecordSummary {
+                id: *id,
+                bytes: bytes.len() as u32,
+                unix_time_s: record.labels.unix_time_s,
+                dut_serial: record.labels.dut_serial,
+                points: record.points.len() as u16,
+                refused: 0,
+            }
+        });
+        Response::Records {
+            records: records.collect(),
+            more: matching.next().is_some(),
+        }
+    }
+
+    fn read(&self, id: u32, offset: u32) -> Response {
+        let Some(bytes) = self.records.get(&id) else {
+            return Response::Refused(Refusal::RecordNotFound);
+        };
+        let Some(rest) = bytes.get(offset as usize..) else {
+            return Response::Refused(Refusal::OffsetOutOfRange);
+        };
+        let chunk = &rest[..rest.len().min(RECORD_CHUNK)];
+        Response::RecordData {
+            id,
+            offset,
+            total: bytes.len() as u32,
+            data: chunk.try_into().expect("a chunk"),
+        }
+    }
+}
+
+fn idle() -> Status {
+    Status {
+        state: RunState::Idle,
+        point: 0,
+        points: 0,
+        frequency_hz: 0.0,
+        target_rms_ms2: 0.0,
+        acceleration_rms_ms2: 0.0,
+        drive_peak_v: 0.0,
+        block: 0,
+        blocks: 0,
+        overruns: 0,
+        samples: 0,
+    }
+}
+
+pub(crate) fn settings() -> Settings {
+    let point = ReferencePoint {
+        frequency_hz: 160.0,
+        sensitivity_v_per_ms2: 0.01,
+        phase_rad: 0.0,
+        expanded_uncertainty_rel: 0.005,
+        expanded_uncertainty_phase_rad: 0.01,
+    };
+    Settings {
+        method: Method::Calibrator,
+        example: Example::Example2,
+        reference: ReferenceCalibration {
+            serial: "REF-1".try_into().expect("short"),
+            certificate: "C-1".try_into().expect("short"),
+            calibrated_day: 20_000,
+            due_day: 20_365,
+            points: [point].into_iter().collect(),
+        },
+        reference_input: InputScale {
+            volt_per_code: 1.5e-4,
+        },
+        dut_input: InputScale {
+            volt_per_code: 1.5e-4,
+        },
+        drive_full_scale_peak_v: 10.0,
+        limits: Limits {
+            drive_peak_v: 10.0,
+            acceleration_peak_ms2: 100.0,
+            velocity_peak_ms: 1.0,
+            displacement_peak_m: 0.005,
+        },
+        blocks: 5,
+        influences: heapless::Vec::new(),
+    }
+}
+
+pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResult {
+    PointResult {
+        spec: calib_core::point::PointSpec {
+            frequency_hz,
+            acceleration_rms_ms2,
+        },
+        tone: Tone {
+            cycles: 1,
+            period_samples: 100,
+        },
+        verdict: Verdict::Pass,
+        acceleration_rms_ms2,
+        sensitivity_v_per_ms2: 0.01,
+        phase_rad: 0.1,
+        inverted: false,
+        repeatability_rel: 1e-4,
+        repeatability_phase_rad: 1e-4,
+        blocks: 5,
+        expanded_uncertainty_rel: 0.01,
+        coverage_factor: 2.0,
+        effective_degrees_of_freedom: f32::INFINITY,
+        expanded_uncertainty_phase_rad: 0.02,
+        distortion_reference_rel: 0.001,
+        distortion_dut_rel: 0.001,
+        signal_to_noise_reference_db: 80.0,
+        signal_to_noise_dut_db: 80.0,
+        amplitude_stability_rel: 1e-5,
+        drive_peak_v: 1.0,
+        settling_s: 0.5,
+        overshoot_rel: 0.01,
+    }
+}
+
+pub(crate) fn record(id: u32, points: u16) -> Record {
+    Record {
+        id,
+        instrument_serial: "MEM-1".try_into().expect("short"),
+        firmware: "0.1.0 0123abcd".try_into().expect("short"),
+        sample_rate_hz: 50_000.0,
+        labels: RunLabels {
+            unix_time_s: 1_795_269_900,
+            dut_serial: "DUT'1".try_into().expect("short"),
+            ..RunLabels::default()
+        },
+        settings: settings(),
+        complete: true,
+        points: (0..points)
+            .map(|n| result(20.0 + f32::from(n), 10.0))
+            .collect(),
+    }
+}

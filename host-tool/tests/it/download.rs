@@ -1,0 +1,129 @@
+//! Downloads over links that break anywhere.
+
+use crate::device::{Device, record};
+use crate::memory_link::{Direction, Fault, MemoryLink, client, shared};
+use calib_host::link::Client;
+use calib_host::{Error, session};
+use calib_protocol::message::Request;
+use std::fs;
+
+/// About 2.7 kB: three chunks.
+fn device() -> Device {
+    Device::with_record(3, 28)
+}
+
+#[test]
+fn a_record_arrives_as_it_was_stored() {
+    let directory = tempfile::tempdir().expect("directory");
+    let device = shared(device());
+    let mut seen = Vec::new();
+    let download = session::download(&mut client(&device), 3, directory.path(), |progress| {
+        seen.push(progress.done)
+    })
+    .expect("download");
+    assert_eq!(download.record, record(3, 28));
+    let stored = device.lock().expect("device").records[&3].clone();
+    assert_eq!(fs::read(&download.path).expect("file"), stored);
+    assert_eq!(seen, [1024, 2048, stored.len() as u32]);
+    let names: Vec<_> = fs::read_dir(directory.path()).expect("list").collect();
+    assert_eq!(names.len(), 1, "nothing but the record is left");
+    // Once more: the same file is no obstacle.
+    session::download(&mut client(&device), 3, directory.path(), |_| ()).expect("again");
+}
+
+/// The connection is cut at every byte of the answers, one after the other, and
+/// the next connection goes on: nothing whole is fetched twice.
+#[test]
+fn a_download_cut_at_any_byte_is_resumed() {
+    let total = device().records[&3].len();
+    for position in (0..total + 60).step_by(7) {
+        let directory = tempfile::tempdir().expect("directory");
+        let device = shared(device());
+        let link = MemoryLink::with_fault(&device, Direction::ToHost, position, Fault::Cut);
+        let mut first = Client::new(Box::new(link));
+        let broken = session::download(&mut first, 3, directory.path(), |_| ());
+        let kept = match broken {
+            Ok(_) => continue,
+            Err(error) => {
+                assert_eq!(error.exit_code(), 3, "{error}");
+                position / (RECORD_CHUNK_ON_WIRE) * 1024
+            }
+        };
+        device.lock().expect("device").requests.clear();
+        let download = session::download(&mut client(&device), 3, directory.path(), |_| ());
+        let download = download.expect("resumed");
+        assert_eq!(download.record, record(3, 28), "cut at {position}");
+        assert!(download.resumed_at >= kept.min(total), "cut at {position}");
+        let first = device.lock().expect("device").requests[0].clone();
+        let offset = download.resumed_at as u32;
+        assert_eq!(first, Request::ReadRecord { id: 3, offset });
+    }
+}
+
+/// Sequence, checksum, head of the message, COBS and terminator add less than
+/// this to the 1024 bytes of a chunk.
+const RECORD_CHUNK_ON_WIRE: usize = 1024 + 32;
+
+/// Whatever byte a part ends at, also in the middle of a chunk.
+#[test]
+fn a_part_of_any_length_is_completed() {
+    let stored = device().records[&3].clone();
+    for length in (0..=stored.len()).step_by(5).chain([stored.len()]) {
+        let directory = tempfile::tempdir().expect("directory");
+        let part = directory.path().join("record-00003.calibrec.part");
+        fs::write(&part, &stored[..length]).expect("part");
+        let device = shared(device());
+        let download = session::download(&mut client(&device), 3, directory.path(), |_| ());
+        let download = download.expect("completed");
+        assert_eq!(download.resumed_at, length);
+        assert_eq!(fs::read(&download.path).expect("file"), stored);
+        assert!(!part.exists());
+    }
+}
+
+/// A part of another instrument's record number 3, shorter, as long, longer.
+#[test]
+fn a_part_of_another_record_is_dropped() {
+    let stored = device().records[&3].clone();
+    for length in [1, 700, stored.len(), stored.len() + 1, 9000] {
+        let directory = tempfile::tempdir().expect("directory");
+        let part = directory.path().join("record-00003.calibrec.part");
+        fs::write(&part, vec![0x5A; length]).expect("part");
+        let device = shared(device());
+        let download = session::download(&mut client(&device), 3, directory.path(), |_| ());
+        assert_eq!(
+            download.expect("from the start").record,
+            record(3, 28),
+            "{length}"
+        );
+    }
+}
+
+#[test]
+fn a_record_damaged_in_flash_is_refused_and_leaves_nothing() {
+    let directory = tempfile::tempdir().expect("directory");
+    let device = shared(device());
+    device
+        .lock()
+        .expect("device")
+        .records
+        .get_mut(&3)
+        .expect("record")[500] ^= 1;
+    let error =
+        session::download(&mut client(&device), 3, directory.path(), |_| ()).expect_err("damaged");
+    assert_eq!(error.exit_code(), 6);
+    assert!(error.to_string().contains("checksum"), "{error}");
+    assert_eq!(fs::read_dir(directory.path()).expect("list").count(), 0);
+}
+
+#[test]
+fn an_existing_file_with_another_content_is_kept() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path().join("record-00003.calibrec");
+    fs::write(&path, b"mine").expect("file");
+    let device = shared(device());
+    let error = session::download(&mut client(&device), 3, directory.path(), |_| ())
+        .expect_err("not overwritten");
+    assert!(matches!(error, Error::Input { .. }), "{error}");
+    assert_eq!(fs::read(&path).expect("file"), b"mine");
+}

@@ -1,0 +1,10 @@
+//! The host tool against a calibrator in memory: a device that speaks the real
+//! protocol over a link that can damage, lose and add any byte.
+
+mod command_line;
+mod device;
+mod download;
+mod hostile;
+mod link;
+mod memory_link;
+mod run;
