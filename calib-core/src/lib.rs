@@ -14,6 +14,7 @@ pub mod correlation;
 pub mod generator;
 pub mod phase;
 pub mod point;
+pub mod points;
 pub mod polarity;
 pub mod reference;
 pub mod requirements;

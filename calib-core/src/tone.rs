@@ -65,13 +65,7 @@ impl Tone {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// ISO 266 one-third-octave midband frequencies, 5 Hz to 10 kHz.
-    const PREFERRED_HZ: [f32; 34] = [
-        5.0, 6.3, 8.0, 10.0, 12.5, 16.0, 20.0, 25.0, 31.5, 40.0, 50.0, 63.0, 80.0, 100.0, 125.0,
-        160.0, 200.0, 250.0, 315.0, 400.0, 500.0, 630.0, 800.0, 1000.0, 1250.0, 1600.0, 2000.0,
-        2500.0, 3150.0, 4000.0, 5000.0, 6300.0, 8000.0, 10_000.0,
-    ];
+    use crate::points::PREFERRED_HZ;
 
     #[test]
     fn every_preferred_frequency_is_within_a_hundredth_of_a_percent() {

@@ -1,6 +1,11 @@
 //! What the instrument knows before it measures: reference, inputs, limits,
 //! influence quantities. Plain SI values, stored and exchanged as one message.
 
+mod field;
+mod validate;
+
+pub use validate::SettingsError;
+
 use heapless::{String, Vec};
 use serde::{Deserialize, Serialize};
 

@@ -1,0 +1,75 @@
+//! Point lists from the preferred series of ISO 16063-21, 5.1.
+
+use crate::point::PointSpec;
+use heapless::Vec;
+
+/// One-third-octave midband frequencies of ISO 266 from 5 Hz to 10 kHz, Hz.
+pub const PREFERRED_HZ: [f32; 34] = [
+    5.0, 6.3, 8.0, 10.0, 12.5, 16.0, 20.0, 25.0, 31.5, 40.0, 50.0, 63.0, 80.0, 100.0, 125.0, 160.0,
+    200.0, 250.0, 315.0, 400.0, 500.0, 630.0, 800.0, 1000.0, 1250.0, 1600.0, 2000.0, 2500.0,
+    3150.0, 4000.0, 5000.0, 6300.0, 8000.0, 10_000.0,
+];
+
+/// Reference frequencies in the order 5.3 prefers them, Hz.
+pub const REFERENCE_HZ: [f32; 2] = [160.0, 80.0];
+
+/// Fewest points a calibration should have (5.1).
+pub const FEWEST_POINTS: usize = 6;
+
+/// Default range of a field calibration, Hz.
+const DEFAULT_RANGE_HZ: (f32, f32) = (20.0, 10_000.0);
+
+/// Default level, m/s2 r.m.s.
+pub const DEFAULT_LEVEL_RMS_MS2: f32 = 10.0;
+
+/// A list of points; room for the whole preferred series.
+pub type PointList = Vec<PointSpec, { PREFERRED_HZ.len() }>;
+
+/// Every preferred frequency of a range at one level, the reference frequency
+/// first, the others rising.
+///
+/// The reference frequency is 160 Hz, or 80 Hz where the range does not reach
+/// 160 Hz; a range without either begins with its lowest frequency.
+pub fn preferred_points(low_hz: f32, high_hz: f32, acceleration_rms_ms2: f32) -> PointList {
+    let inside = |frequency_hz: f32| (low_hz..=high_hz).contains(&frequency_hz);
+    let first = REFERENCE_HZ.into_iter().find(|&hz| inside(hz));
+    let others = PREFERRED_HZ
+        .into_iter()
+        .filter(|&hz| inside(hz) && Some(hz) != first);
+    let spec = |frequency_hz| PointSpec {
+        frequency_hz,
+        acceleration_rms_ms2,
+    };
+    first.into_iter().chain(others).map(spec).collect()
+}
+
+/// The list the button starts: 20 Hz to 10 kHz at 10 m/s2.
+pub fn default_points() -> PointList {
+    let (low_hz, high_hz) = DEFAULT_RANGE_HZ;
+    preferred_points(low_hz, high_hz, DEFAULT_LEVEL_RMS_MS2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_default_list_begins_at_the_reference_point_and_covers_the_range() {
+        let list = default_points();
+        let frequencies: std::vec::Vec<f32> = list.iter().map(|p| p.frequency_hz).collect();
+        // 20 Hz to 10 kHz are 27 one-third-octave steps: 28 frequencies.
+        assert_eq!(frequencies.len(), 28);
+        assert_eq!(frequencies[..3], [160.0, 20.0, 25.0]);
+        assert_eq!(frequencies[27], 10_000.0);
+        assert!(frequencies[1..].is_sorted());
+        assert!(list.iter().all(|p| p.acceleration_rms_ms2 == 10.0));
+        assert!(list.len() >= FEWEST_POINTS);
+    }
+
+    #[test]
+    fn the_second_choice_is_taken_where_the_first_is_out_of_range() {
+        assert_eq!(preferred_points(5.0, 100.0, 1.0)[0].frequency_hz, 80.0);
+        assert_eq!(preferred_points(200.0, 400.0, 1.0)[0].frequency_hz, 200.0);
+        assert!(preferred_points(300.0, 310.0, 1.0).is_empty());
+    }
+}

@@ -1,0 +1,136 @@
+//! Settings of a field calibrator as it leaves the bench.
+
+use super::{
+    Distribution, Example, Influence, InputScale, Limits, Method, ReferenceCalibration,
+    ReferencePoint, Settings,
+};
+use crate::points::PREFERRED_HZ;
+use heapless::{String, Vec};
+
+/// -5 V to +5 V at the connector for codes 0 to 65 535.
+const VOLT_PER_CODE: f32 = 10.0 / 65_536.0;
+
+/// Sensitivity of the built-in reference with its conditioner, V/(m/s2).
+const REFERENCE_V_PER_MS2: f32 = 0.0102;
+
+const RECTANGULAR: Distribution = Distribution::Rectangular;
+
+/// Three quantities of unknown direction (Table D.1, note 3): 1/sqrt(18).
+const TRANSVERSE: Distribution = Distribution::Special {
+    factor: 0.235_702_26,
+};
+
+/// Row of Table A.1, value in percent, value in degrees, distribution.
+type Line = (u8, f32, f32, Distribution);
+
+/// Influences after Table D.1, adapted: both channels are sampled at the same
+/// time (no change of level between two readings, row 3), and correlation
+/// rejects harmonics, hum and noise except what the repeatability shows.
+const INFLUENCES: [Line; 15] = [
+    // Gain of the conditioner of the device under test.
+    (2, 0.25, 0.10, RECTANGULAR),
+    // Ratio of the two converters.
+    (3, 0.10, 0.05, RECTANGULAR),
+    // Slope of the response at the third harmonic (Table D.1, note 2).
+    (4, 0.0024, 0.0, RECTANGULAR),
+    // sqrt(2^2 + 5^2) % transverse sensitivity times 10 % transverse motion.
+    (6, 0.538_516, 0.31, TRANSVERSE),
+    (7, 0.05, 0.03, RECTANGULAR),
+    (8, 0.05, 0.03, RECTANGULAR),
+    (9, 0.05, 0.03, RECTANGULAR),
+    // 0.05 % a year for three years.
+    (10, 0.15, 0.05, RECTANGULAR),
+    // 23 degrees Celsius +- 3, 0.1 % and 0.02 % per degree.
+    (11, 0.36, 0.10, RECTANGULAR),
+    // 0.01 % of frequency on a response falling 2 % per decade.
+    (12, 0.0001, 0.0, RECTANGULAR),
+    (13, 0.03, 0.02, RECTANGULAR),
+    (14, 0.03, 0.02, RECTANGULAR),
+    (15, 0.0, 0.0, RECTANGULAR),
+    (16, 0.03, 0.02, RECTANGULAR),
+    (17, 0.03, 0.02, RECTANGULAR),
+];
+
+impl Settings {
+    /// A calibrator for the field: Example 2, built-in reference, +-5 V inputs,
+    /// 10 V drive and an exciter of 200 m/s2, 1 m/s and 5 mm peak.
+    ///
+    /// The reference table is flat; its expanded uncertainty is 0.5 % and
+    /// 0.3 degrees up to 1 kHz, rising to 1.5 % and 1 degree at 10 kHz. A real
+    /// instrument gets the table of its own certificate.
+    pub fn field_calibrator() -> Self {
+        Self {
+            method: Method::Calibrator,
+            example: Example::Example2,
+            reference: reference(),
+            reference_input: InputScale {
+                volt_per_code: VOLT_PER_CODE,
+            },
+            dut_input: InputScale {
+                volt_per_code: VOLT_PER_CODE,
+            },
+            drive_full_scale_peak_v: 10.0,
+            limits: Limits {
+                drive_peak_v: 10.0,
+                acceleration_peak_ms2: 200.0,
+                velocity_peak_ms: 1.0,
+                displacement_peak_m: 0.005,
+            },
+            blocks: 10,
+            influences: INFLUENCES.iter().map(influence).collect(),
+        }
+    }
+}
+
+fn influence(&(row, percent, degrees, distribution): &Line) -> Influence {
+    Influence {
+        row,
+        value_rel: percent / 100.0,
+        value_phase_rad: degrees.to_radians(),
+        distribution,
+    }
+}
+
+fn reference() -> ReferenceCalibration {
+    ReferenceCalibration {
+        serial: String::new(),
+        certificate: String::new(),
+        calibrated_day: 0,
+        due_day: 0,
+        points: PREFERRED_HZ
+            .into_iter()
+            .map(reference_point)
+            .collect::<Vec<_, _>>(),
+    }
+}
+
+/// Uncertainty is constant up to 1 kHz and grows with the logarithm above.
+fn reference_point(frequency_hz: f32) -> ReferencePoint {
+    let decades = libm::log10f(frequency_hz / 1000.0).max(0.0);
+    ReferencePoint {
+        frequency_hz,
+        sensitivity_v_per_ms2: REFERENCE_V_PER_MS2,
+        phase_rad: 0.0,
+        expanded_uncertainty_rel: 0.005 + 0.010 * decades,
+        expanded_uncertainty_phase_rad: (0.3 + 0.7 * decades).to_radians(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_field_calibrator_is_valid_and_has_every_preferred_frequency() {
+        let settings = Settings::field_calibrator();
+        assert_eq!(settings.validate(), Ok(()));
+        for frequency_hz in PREFERRED_HZ {
+            let reference = settings.reference.at(frequency_hz).expect("in the table");
+            assert_eq!(reference.sensitivity_v_per_ms2, REFERENCE_V_PER_MS2);
+            assert_eq!(reference.interpolation_rel, 0.0);
+        }
+        let at = |hz| settings.reference.at(hz).expect("in the table");
+        assert_eq!(at(1000.0).expanded_uncertainty_rel, 0.005);
+        assert!((at(10_000.0).expanded_uncertainty_rel - 0.015).abs() < 1.0e-8);
+    }
+}
