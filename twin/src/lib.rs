@@ -1,6 +1,8 @@
 //! The digital twin: simulated physics and the emulated board that runs the shipping firmware.
 //!
 //! - [`rig`]: the parameters of a simulated calibrator, read from a file or drawn by seed.
+//! - [`model`]: what a calibrator is made of, with everything effects may change.
+//! - [`effects`]: what real calibrators do beside, one file each.
 //! - [`plant`]: its physics in the time domain, with the converters.
 //! - [`oracle`]: the truth about it, by formulas in the frequency domain.
 //! - [`influence`]: rigs that are wrong in every way an uncertainty budget admits.
@@ -11,7 +13,9 @@
 //! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
 
 pub mod board;
+pub mod effects;
 pub mod influence;
+pub mod model;
 pub mod oracle;
 pub mod plant;
 pub mod rig;

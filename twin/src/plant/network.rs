@@ -13,6 +13,8 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, DMatrix};
 
+use crate::model::SecondOrder;
+
 /// What a coefficient of a [`Signal`] multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Source {
@@ -44,17 +46,6 @@ impl Signal {
     pub fn scaled(&self, factor: f64) -> Self {
         Self::default().plus(factor, self)
     }
-}
-
-/// A second-order section `(n0 + n1 p + n2 p^2) / (1 + p/Q + p^2)` with `p = s / w0`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SecondOrder {
-    /// Corner frequency `w0 / 2 pi`, Hz, positive.
-    pub corner_hz: f64,
-    /// Quality factor Q, positive.
-    pub quality_factor: f64,
-    /// Numerator `n0, n1, n2`, dimensionless.
-    pub numerator: [f64; 3],
 }
 
 /// A voltage-driven moving coil with a rigid table.

@@ -1,6 +1,7 @@
 //! From the values of a rig to the linear network of the plant.
 
-use super::network::{MovingCoil, Network, SecondOrder, Signal};
+use super::network::{MovingCoil, Network, Signal};
+use crate::model::SecondOrder;
 use crate::rig::{Exciter, Rig, Sensing};
 
 /// The linear network of a rig and the signals that leave it.
