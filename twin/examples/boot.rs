@@ -27,6 +27,7 @@ fn main() -> Result<(), Error> {
     println!("log:          {} bytes", board.log().bytes.len());
     println!("lamps:        {:?}", board.leds()?);
     println!("drive code:   {}", board.drive_code());
+    println!("sample pairs: {}", board.sample_pairs());
     println!("silent for:   {:?}", board.silent_for());
     println!("resets:       {:?}", board.resets()?);
     println!("instructions: {}", board.instructions());

@@ -16,6 +16,7 @@ struct Pins {
     reached: VirtualNanos,
     /// Instant at which the drive last left or reached silence.
     silent_since: Option<VirtualNanos>,
+    samples: u64,
 }
 
 /// A shared handle of the pins: DAC1 holds one, the converter pair holds one.
@@ -37,6 +38,7 @@ impl Analog {
             drive_code: DRIVE_MID_CODE,
             reached: VirtualNanos(0),
             silent_since: Some(VirtualNanos(0)),
+            samples: 0,
         })))
     }
 
@@ -55,6 +57,7 @@ impl Analog {
     pub(super) fn sample(&self, now: VirtualNanos) -> [u16; INPUT_CHANNELS] {
         let mut pins = self.lock();
         pins.advance(now);
+        pins.samples += 1;
         pins.rig.sample()
     }
 
@@ -67,6 +70,12 @@ impl Analog {
     #[must_use]
     pub fn drive_code(&self) -> u16 {
         self.lock().drive_code
+    }
+
+    /// Conversions of both channels so far.
+    #[must_use]
+    pub fn samples(&self) -> u64 {
+        self.lock().samples
     }
 
     /// Since when the drive output has been at [`DRIVE_MID_CODE`], or `None` while it is not.

@@ -1,8 +1,8 @@
 //! DMAMUX1, the request multiplexer in front of both DMA controllers, with what this board uses.
 //!
 //! RM0433 Rev 9, chapter 17: each channel's output follows the request line its `DMAREQ_ID` selects.
-//! Only the lines in [`LINES`] exist. Synchronisation, events and request generators are left out and
-//! told to the run when a firmware asks for them.
+//! Only the lines in [`LINES`] exist. Synchronisation, request generators and the second controller are
+//! left out, and told to the run when a firmware asks for them; events have no listener.
 
 use rigless::device::{Device, DeviceContext, Level, RegisterFile, RequestChange};
 use rigless::soc::Layout;
@@ -12,6 +12,8 @@ use rigless::soc::stm32h743::peripherals::usart::{RECEIVE_REQUEST, TRANSMIT_REQU
 use super::{adc, dac};
 
 const CHANNELS: usize = 16;
+/// Channels of the first controller. The second is not wired: each listener costs speed.
+const DMA1_STREAMS: usize = 8;
 
 /// Request lines by instance, its own numbering, and `DMAREQ_ID` (RM0433 Rev 9, table 124).
 ///
@@ -75,12 +77,15 @@ impl Device for Dmamux {
             }
             return;
         }
-        if dmamux_c0cr::SE.is_set(value) || dmamux_c0cr::EGE.is_set(value) {
-            context.tell("CxCR", "synchronisation and events are not modelled");
+        if dmamux_c0cr::SE.is_set(value) {
+            context.tell("CxCR", "synchronisation is not modelled");
         }
         let id = dmamux_c0cr::DMAREQ_ID.get(value) as usize;
         if id != 0 && !LINES.iter().any(|&(_, _, known)| known == id) {
             context.tell("CxCR", "no such request line on this board's multiplexer");
+        }
+        if id != 0 && channel >= DMA1_STREAMS {
+            context.tell("CxCR", "DMA2 hears no requests on this board: use DMA1");
         }
         self.selected[channel] = id;
         self.drive(channel, context);

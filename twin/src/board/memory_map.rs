@@ -76,16 +76,14 @@ const PORT_RESETS: [(&str, [u64; 3]); 11] = [
 ];
 
 /// The instances that hear requests: triggers, DMA requests, pin levels, power and watchdog signals.
-const REQUEST_READERS: [&str; 9] = [
+const REQUEST_READERS: [&str; 7] = [
     "RCC",
     "EXTI",
     "DMAMUX1",
     "DMA1",
-    "DMA2",
     "DAC",
     "ADC12_Common",
     "ADC3",
-    "ADC3_Common",
 ];
 
 /// Size of a USB core's clock block: `PCGCCTL` at 0xE00 alone. The FIFOs start at 0x1000.

@@ -169,6 +169,12 @@ impl Emulator {
         self.analog.drive_code()
     }
 
+    /// Sample pairs the converters have taken.
+    #[must_use]
+    pub fn sample_pairs(&self) -> u64 {
+        self.analog.samples()
+    }
+
     /// How long the drive output has been at mid-scale without interruption, `None` while it is not.
     #[must_use]
     pub fn silent_for(&self) -> Option<Duration> {
