@@ -1,1 +1,9 @@
-//! placeholder
+//! Firmware in the loop: the shipping image on the emulated board, asked by the
+//! host tool's own client, judged by the twin's oracle.
+//!
+//! Everything runs in virtual time on one thread, so a scenario gives the same
+//! result on every machine.
+
+pub mod bench;
+pub mod coverage;
+pub mod judge;

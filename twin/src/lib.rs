@@ -21,3 +21,5 @@ pub mod plant;
 pub mod rig;
 pub mod rig_port;
 pub mod runner;
+
+pub use nalgebra::Complex;

@@ -12,7 +12,12 @@ struct Bench {
     what: &'static str,
 }
 
-const BENCHES: &[Bench] = &[];
+const BENCHES: &[Bench] = &[Bench {
+    name: "coverage",
+    package: "calib-tests",
+    example: "bench_coverage",
+    what: "share of simulated calibrations whose U (k = 2) contains the truth",
+}];
 
 /// Runs one benchmark, or all of them.
 pub(crate) fn run(arguments: &[String]) -> Result<()> {

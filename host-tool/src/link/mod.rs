@@ -13,6 +13,7 @@
 
 mod address;
 mod client;
+mod emulated;
 mod error;
 mod exchange;
 pub mod port;
@@ -22,6 +23,7 @@ mod transport;
 
 pub use address::Address;
 pub use client::{Chunk, Client, RetryPolicy};
+pub use emulated::EmulatedTransport;
 pub use error::{LinkError, ProtocolError, Refused};
 pub use serial::SerialTransport;
 pub use tcp::TcpTransport;

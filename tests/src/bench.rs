@@ -1,0 +1,126 @@
+//! A calibrator on the bench: emulated board, rig and client.
+
+use calib_core::point::PointSpec;
+use calib_core::settings::{ReferencePoint, Settings};
+use calib_host::link::{Client, EmulatedTransport};
+use calib_host::session::{self, Outcome};
+use calib_protocol::record::RunLabels;
+use calib_twin::oracle::{self, CalibrationPoint};
+use calib_twin::plant::Plant;
+use calib_twin::rig::Rig;
+use calib_twin::rig_port::RigPort;
+use calib_twin::runner::{Emulator, Firmware, SharedEmulator};
+use std::ops::ControlFlow;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// What goes wrong on a bench ends a test: there is nothing to recover.
+pub type Fault = Box<dyn std::error::Error + Send + Sync>;
+
+/// Longest time the firmware may take from power-on to its first answer.
+const BOOT: Duration = Duration::from_secs(2);
+
+/// An emulated calibrator with its rig, and a client that speaks to it.
+pub struct Bench {
+    emulator: SharedEmulator,
+    /// The host tool's client.
+    pub client: Client,
+}
+
+impl Bench {
+    /// Boots the shipping image with `rig` on its connectors.
+    ///
+    /// # Errors
+    /// The image is missing or does not answer.
+    pub fn with_rig(rig: &Rig) -> Result<Self, Fault> {
+        Self::with_port(Box::new(Plant::new(rig)))
+    }
+
+    /// The same with anything on its connectors.
+    ///
+    /// # Errors
+    /// As [`Bench::with_rig`].
+    pub fn with_port(port: Box<dyn RigPort>) -> Result<Self, Fault> {
+        let firmware = Firmware::shipping()?;
+        let emulator = Arc::new(Mutex::new(Emulator::power_on(&firmware, port)?));
+        let mut client = Client::new(Box::new(EmulatedTransport::new(emulator.clone())));
+        client.wait(BOOT)?;
+        client.info()?;
+        Ok(Self { emulator, client })
+    }
+
+    /// The board itself.
+    pub fn board(&self) -> MutexGuard<'_, Emulator> {
+        self.emulator.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Tells the instrument what is certified about its reference, as a
+    /// laboratory would after the reference came back from calibration.
+    ///
+    /// # Errors
+    /// The instrument refuses.
+    pub fn certify_reference(&mut self, certificate: &[CalibrationPoint]) -> Result<(), Fault> {
+        let mut settings = self.client.settings()?;
+        settings.reference.points = certificate.iter().map(reference_point).collect();
+        self.client.write_settings(settings)?;
+        Ok(())
+    }
+
+    /// Changes settings in place.
+    ///
+    /// # Errors
+    /// The instrument refuses.
+    pub fn adjust(&mut self, change: impl FnOnce(&mut Settings)) -> Result<(), Fault> {
+        let mut settings = self.client.settings()?;
+        change(&mut settings);
+        self.client.write_settings(settings)?;
+        Ok(())
+    }
+
+    /// Runs a list to its end.
+    ///
+    /// # Errors
+    /// The link or the instrument fails.
+    pub fn run(&mut self, points: &[PointSpec]) -> Result<Outcome, Fault> {
+        let labels = RunLabels::default();
+        Ok(session::run(&mut self.client, points, labels, |_| {
+            ControlFlow::Continue(())
+        })?)
+    }
+
+    /// Waits until the exciter is silent; fails when it is not within `limit`.
+    ///
+    /// # Errors
+    /// The drive output still moves.
+    pub fn expect_silence(&mut self, limit: Duration) -> Result<(), Fault> {
+        self.client.wait(limit)?;
+        let board = self.board();
+        match board.silent_for() {
+            Some(_) => Ok(()),
+            None => Err(format!("the drive output is at code {}", board.drive_code()).into()),
+        }
+    }
+}
+
+/// One point of a list.
+pub fn point(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointSpec {
+    PointSpec {
+        frequency_hz,
+        acceleration_rms_ms2,
+    }
+}
+
+/// The true certificate of a rig's reference, without error.
+pub fn true_certificate(rig: &Rig) -> Vec<CalibrationPoint> {
+    oracle::reference_calibration(rig, None)
+}
+
+fn reference_point(line: &CalibrationPoint) -> ReferencePoint {
+    ReferencePoint {
+        frequency_hz: line.frequency_hz as f32,
+        sensitivity_v_per_ms2: line.sensitivity_v_per_ms2 as f32,
+        phase_rad: line.phase_rad as f32,
+        expanded_uncertainty_rel: line.expanded_uncertainty_rel as f32,
+        expanded_uncertainty_phase_rad: line.expanded_uncertainty_phase_rad as f32,
+    }
+}

@@ -1,0 +1,192 @@
+//! Does U (k = 2) contain the truth? Simulated calibrations with known truth.
+//!
+//! Each draw is a rig that is wrong in every way its budget admits, by as much
+//! as the stated distributions admit. The instrument is told the budget, not
+//! the errors, and states its uncertainty; the oracle knows the truth.
+
+use crate::bench::{Bench, Fault, point};
+use crate::judge::from_truth;
+use calib_core::settings::{Distribution as Stated, Influence as StatedInfluence};
+use calib_core::verdict::Verdict;
+use calib_twin::influence::{Distribution as Drawn, Influence, InfluenceDraw};
+use calib_twin::rig::Rig;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Frequencies of a draw, Hz: all but the last have an exact tone at 50 kS/s.
+const FREQUENCIES_HZ: [f32; 3] = [80.0, 160.0, 2000.0];
+
+/// The budget both sides are told: row of Table A.1, half-width in percent,
+/// half-width of the phase in mrad. After Table D.1, widened to the field.
+const BUDGET: [(u8, f32, f32, Kind); 13] = [
+    (2, 0.25, 2.0, Kind::Rectangular),
+    (3, 0.20, 2.0, Kind::Rectangular),
+    (4, 0.03, 0.3, Kind::Rectangular),
+    (6, 0.539, 2.0, Kind::Transverse),
+    (7, 0.05, 0.5, Kind::Rectangular),
+    (8, 0.10, 0.5, Kind::Triangular),
+    (9, 0.05, 0.5, Kind::Rectangular),
+    (10, 0.15, 1.0, Kind::Rectangular),
+    (11, 0.36, 1.0, Kind::Rectangular),
+    (13, 0.03, 0.3, Kind::Rectangular),
+    (14, 0.03, 0.3, Kind::UShaped),
+    (16, 0.03, 0.3, Kind::Rectangular),
+    (17, 0.03, 0.3, Kind::Rectangular),
+];
+
+#[derive(Clone, Copy)]
+enum Kind {
+    Rectangular,
+    Triangular,
+    UShaped,
+    Transverse,
+}
+
+impl Kind {
+    /// In the instrument's words; 1/sqrt(18) is the factor of Table D.1, note 3.
+    fn stated(self) -> Stated {
+        match self {
+            Self::Rectangular => Stated::Rectangular,
+            Self::Triangular => Stated::Triangular,
+            Self::UShaped => Stated::UShaped,
+            Self::Transverse => Stated::Special {
+                factor: 1.0 / 18.0_f32.sqrt(),
+            },
+        }
+    }
+
+    /// In the twin's.
+    fn drawn(self) -> Drawn {
+        match self {
+            Self::Rectangular => Drawn::Rectangular,
+            Self::Triangular => Drawn::Triangular,
+            Self::UShaped => Drawn::UShaped,
+            Self::Transverse => Drawn::Transverse,
+        }
+    }
+}
+
+/// How often the stated interval contained the truth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Points that passed their checks.
+    pub points: u64,
+    /// Points refused: they state nothing, so they count for nothing.
+    pub refused: u64,
+    /// Points whose magnitude was inside.
+    pub magnitude: u64,
+    /// Points whose phase was inside.
+    pub phase: u64,
+}
+
+impl Tally {
+    /// Share of points whose magnitude was inside, in percent.
+    pub fn magnitude_percent(&self) -> f64 {
+        100.0 * self.magnitude as f64 / self.points as f64
+    }
+
+    /// Share of points whose phase was inside, in percent.
+    pub fn phase_percent(&self) -> f64 {
+        100.0 * self.phase as f64 / self.points as f64
+    }
+
+    fn add(&mut self, other: Self) {
+        self.points += other.points;
+        self.refused += other.refused;
+        self.magnitude += other.magnitude;
+        self.phase += other.phase;
+    }
+}
+
+/// Runs `draws` simulated calibrations, seeded from `first_seed` on, on all
+/// cores; `progress` hears how many are done.
+///
+/// # Errors
+/// The first draw that could not be carried out.
+pub fn run(draws: u64, first_seed: u64, progress: impl Fn(u64) + Sync) -> Result<Tally, Fault> {
+    let next = AtomicU64::new(0);
+    let total = Mutex::new((Tally::default(), None));
+    let work = || {
+        loop {
+            let draw = next.fetch_add(1, Ordering::Relaxed);
+            if draw >= draws {
+                return;
+            }
+            let outcome = one(first_seed + draw);
+            let mut total = total
+                .lock()
+                .unwrap_or_else(std::sync::PoisonError::into_inner);
+            match outcome {
+                Ok(tally) => total.0.add(tally),
+                Err(fault) => total.1 = total.1.take().or(Some(fault)),
+            }
+            progress(draw + 1);
+        }
+    };
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(work);
+        }
+    });
+    match total
+        .into_inner()
+        .unwrap_or_else(std::sync::PoisonError::into_inner)
+    {
+        (_, Some(fault)) => Err(fault),
+        (tally, None) => Ok(tally),
+    }
+}
+
+/// One calibration with known truth.
+fn one(seed: u64) -> Result<Tally, Fault> {
+    let frequencies_hz = FREQUENCIES_HZ.map(f64::from);
+    let draw = InfluenceDraw::new(&Rig::draw(seed), &frequencies_hz, &drawn_budget(), seed);
+    let mut bench = Bench::with_rig(&draw.rig)?;
+    bench.certify_reference(&draw.certificate)?;
+    bench.adjust(|settings| settings.influences = stated_budget())?;
+    let outcome = bench.run(&FREQUENCIES_HZ.map(|frequency_hz| point(frequency_hz, 10.0)))?;
+    let mut tally = Tally::default();
+    for (result, frequency_hz) in outcome.points.iter().zip(frequencies_hz) {
+        if result.verdict != Verdict::Pass {
+            tally.refused += 1;
+            continue;
+        }
+        let deviation = from_truth(result, draw.truth(frequency_hz));
+        let inside = |deviation: f64, expanded: f32| deviation.abs() <= f64::from(expanded);
+        tally.points += 1;
+        tally.magnitude += u64::from(inside(
+            deviation.magnitude_rel,
+            result.expanded_uncertainty_rel,
+        ));
+        tally.phase += u64::from(inside(
+            deviation.phase_rad,
+            result.expanded_uncertainty_phase_rad,
+        ));
+    }
+    Ok(tally)
+}
+
+fn stated_budget() -> heapless::Vec<StatedInfluence, { calib_core::settings::MAX_INFLUENCES }> {
+    BUDGET
+        .iter()
+        .map(|&(row, percent, mrad, kind)| StatedInfluence {
+            row,
+            value_rel: percent / 100.0,
+            value_phase_rad: mrad / 1000.0,
+            distribution: kind.stated(),
+        })
+        .collect()
+}
+
+fn drawn_budget() -> Vec<Influence> {
+    BUDGET
+        .iter()
+        .map(|&(row, percent, mrad, kind)| Influence {
+            row,
+            bound_rel: f64::from(percent) / 100.0,
+            bound_phase_rad: f64::from(mrad) / 1000.0,
+            distribution: kind.drawn(),
+        })
+        .collect()
+}

@@ -1,0 +1,141 @@
+//! The shipping firmware calibrates an accelerometer.
+
+use calib_core::tone::Tone;
+use calib_core::verdict::Verdict;
+use calib_host::session;
+use calib_protocol::message::{ResetCause, RunState};
+use calib_tests::bench::{Bench, point, true_certificate};
+use calib_tests::judge::deviation;
+use calib_twin::rig::Rig;
+use std::time::Duration;
+
+/// A rig without noise: what is left is the instrument's own error.
+fn quiet_rig() -> Rig {
+    let mut rig = Rig::standard();
+    rig.reference.noise_rms_v = 0.0;
+    rig.dut.noise_rms_v = 0.0;
+    rig
+}
+
+#[test]
+fn every_default_point_is_reached_settled_and_right_on_a_quiet_rig() {
+    let rig = quiet_rig();
+    let mut bench = Bench::with_rig(&rig).expect("boots");
+    bench
+        .certify_reference(&true_certificate(&rig))
+        .expect("settings are taken");
+    let points = session::default_points(10.0);
+    assert_eq!(points.len(), 28, "one-third octaves from 20 Hz to 10 kHz");
+    let outcome = bench.run(&points).expect("runs");
+    assert_eq!(outcome.state, RunState::Finished);
+    assert_eq!(outcome.points.len(), points.len());
+    let sample_rate_hz = bench.client.info().expect("answers").sample_rate_hz;
+    for result in &outcome.points {
+        let frequency_hz = result.spec.frequency_hz;
+        let off = deviation(result, &rig, sample_rate_hz);
+        println!(
+            "{frequency_hz:>7} Hz: {:.4} m/s2, S {:+.4} %, phase {:+.4} deg, settled in {:.2} s, \
+             overshoot {:.2} %, {:?}",
+            result.acceleration_rms_ms2,
+            100.0 * off.magnitude_rel,
+            off.phase_rad.to_degrees(),
+            result.settling_s,
+            100.0 * result.overshoot_rel,
+            result.verdict
+        );
+    }
+    for result in &outcome.points {
+        let frequency_hz = result.spec.frequency_hz;
+        assert_eq!(result.verdict, Verdict::Pass, "{frequency_hz} Hz");
+        let level_rel = result.acceleration_rms_ms2 / result.spec.acceleration_rms_ms2 - 1.0;
+        assert!(
+            level_rel.abs() <= 1.0e-3,
+            "{frequency_hz} Hz: level off by {level_rel}"
+        );
+        let allowed_s = (20.0 / frequency_hz).max(0.5);
+        assert!(
+            result.settling_s <= allowed_s,
+            "{frequency_hz} Hz: {} s",
+            result.settling_s
+        );
+        assert!(
+            result.overshoot_rel <= 0.05,
+            "{frequency_hz} Hz: {}",
+            result.overshoot_rel
+        );
+        let off = deviation(result, &rig, sample_rate_hz);
+        assert!(
+            off.magnitude_rel.abs() <= 1.0e-3,
+            "{frequency_hz} Hz: {off:?}"
+        );
+        assert!(
+            off.phase_rad.to_degrees().abs() <= 0.1,
+            "{frequency_hz} Hz: {off:?}"
+        );
+    }
+    let status = bench.client.status().expect("answers");
+    assert_eq!(status.overruns, 0, "no sample was lost");
+    bench
+        .expect_silence(Duration::from_millis(200))
+        .expect("silent after the run");
+}
+
+#[test]
+fn a_record_survives_reset_and_power_cut() {
+    let rig = Rig::standard();
+    let mut bench = Bench::with_rig(&rig).expect("boots");
+    let outcome = bench
+        .run(&[point(160.0, 10.0), point(1000.0, 10.0)])
+        .expect("runs");
+    assert_eq!(outcome.state, RunState::Finished);
+    let before = bench.client.records().expect("lists");
+    bench.client.reset().expect("resets");
+    bench
+        .client
+        .wait(Duration::from_secs(1))
+        .expect("boots again");
+    let info = bench.client.info().expect("answers");
+    assert_eq!(info.reset_cause, ResetCause::Software);
+    assert_eq!(bench.client.records().expect("lists"), before);
+    bench.board().power_cycle().expect("power comes back");
+    bench
+        .client
+        .wait(Duration::from_secs(1))
+        .expect("boots again");
+    assert_eq!(
+        bench.client.info().expect("answers").reset_cause,
+        ResetCause::PowerOn
+    );
+    assert_eq!(bench.client.records().expect("lists"), before);
+    let folder = std::env::temp_dir().join(format!("calib-record-{}", std::process::id()));
+    let download = session::download(&mut bench.client, outcome.record_id, &folder, |_| ())
+        .expect("downloads");
+    assert_eq!(download.record.points.as_slice(), outcome.points.as_slice());
+    std::fs::remove_dir_all(&folder).expect("was created");
+}
+
+#[test]
+fn the_board_boots_silent_and_stays_silent() {
+    let bench = Bench::with_rig(&Rig::standard()).expect("boots");
+    let board = bench.board();
+    assert_eq!(
+        board.silent_for(),
+        Some(board.uptime()),
+        "never left mid-scale"
+    );
+}
+
+#[test]
+fn the_tone_is_the_one_asked_for() {
+    let mut bench = Bench::with_rig(&quiet_rig()).expect("boots");
+    let outcome = bench.run(&[point(31.5, 5.0)]).expect("runs");
+    let result = outcome.points.first().expect("one point");
+    // 31.5 Hz is 3 cycles in 4762 samples to 2e-5; the shortest within 1e-4.
+    assert_eq!(
+        result.tone,
+        Tone {
+            cycles: 3,
+            period_samples: 4762
+        }
+    );
+}

@@ -1,0 +1,63 @@
+//! What goes wrong ends in a named verdict and a silent exciter.
+
+use calib_core::point::PointSpec;
+use calib_core::verdict::{Reason, Verdict};
+use calib_protocol::message::RunState;
+use calib_tests::bench::{Bench, Fault, point};
+use calib_twin::rig::Rig;
+use std::time::Duration;
+
+/// Runs one point on `rig`, and expects its verdict and silence.
+fn expect(rig: &Rig, spec: PointSpec, reason: Reason) -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(rig)?;
+    let outcome = bench.run(&[spec])?;
+    assert_ne!(outcome.state, RunState::Failed);
+    let result = outcome.points.first().ok_or("no result")?;
+    assert_eq!(result.verdict, Verdict::Refused(reason));
+    bench.expect_silence(Duration::from_millis(200))?;
+    assert_eq!(bench.client.status()?.overruns, 0);
+    // The refusal is stored like any other result.
+    let records = bench.client.records()?;
+    assert_eq!(records.last().map(|record| record.refused), Some(1));
+    Ok(())
+}
+
+#[test]
+fn a_clipped_input_is_refused() -> Result<(), Fault> {
+    let mut rig = Rig::standard();
+    // 10 m/s2 r.m.s. are 14.1 m/s2 peak: 7 V at a 5 V input.
+    rig.dut.sensitivity_v_per_ms2 = 0.5;
+    expect(&rig, point(160.0, 10.0), Reason::Clipped)
+}
+
+#[test]
+fn a_dead_reference_is_refused() -> Result<(), Fault> {
+    let mut rig = Rig::standard();
+    rig.reference.conditioner_gain = 0.0;
+    expect(&rig, point(160.0, 10.0), Reason::ReferenceDead)
+}
+
+#[test]
+fn an_open_device_under_test_is_refused() -> Result<(), Fault> {
+    let mut rig = Rig::standard();
+    rig.dut.conditioner_gain = 0.0;
+    expect(&rig, point(160.0, 10.0), Reason::DutOpen)
+}
+
+#[test]
+fn a_level_beyond_the_amplifier_is_refused() -> Result<(), Fault> {
+    let mut rig = Rig::standard();
+    // A twentieth of the force: 10 m/s2 would take more than 10 V at 1 kHz.
+    rig.exciter.force_factor_n_per_a *= 0.05;
+    expect(&rig, point(1000.0, 10.0), Reason::DriveLimit)
+}
+
+#[test]
+fn a_level_beyond_the_stroke_is_refused_before_the_table_moves() -> Result<(), Fault> {
+    // 100 m/s2 r.m.s. at 20 Hz are 9 mm peak; the limit is 5 mm.
+    expect(
+        &Rig::standard(),
+        point(20.0, 100.0),
+        Reason::DisplacementLimit,
+    )
+}
