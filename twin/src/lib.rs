@@ -3,6 +3,7 @@
 //! - [`rig`]: the parameters of a simulated calibrator, read from a file or drawn by seed.
 //! - [`model`]: what a calibrator is made of, with everything effects may change.
 //! - [`effects`]: what real calibrators do beside, one file each.
+//! - [`steady`]: a model at one frequency once all has settled.
 //! - [`plant`]: its physics in the time domain, with the converters.
 //! - [`oracle`]: the truth about it, by formulas in the frequency domain.
 //! - [`influence`]: rigs that are wrong in every way an uncertainty budget admits.
@@ -21,5 +22,6 @@ pub mod plant;
 pub mod rig;
 pub mod rig_port;
 pub mod runner;
+pub mod steady;
 
 pub use nalgebra::Complex;

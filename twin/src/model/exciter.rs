@@ -51,6 +51,26 @@ pub struct CoilModel {
 }
 
 impl CoilModel {
+    /// A coil without losses and nonlinear terms, of unit mass, stiffness, force factor, resistance
+    /// and inductance: the start of a description.
+    pub const LINEAR: Self = Self {
+        mass_kg: 1.0,
+        stiffness_n_per_m: 1.0,
+        damping_ns_per_m: 0.0,
+        force_factor_n_per_a: 1.0,
+        emf_ratio: 1.0,
+        resistance_ohm: 1.0,
+        rise_k: 0.0,
+        rise_time_constant_s: 1.0,
+        inductance_h: 1.0,
+        inductance_exponent: 1.0,
+        quadratic_n_per_m2: 0.0,
+        cubic_n_per_m3: 0.0,
+        droop_per_m2: 0.0,
+        friction_n: 0.0,
+        static_force_n: 0.0,
+    };
+
     /// Resistance after `time_s` under load, ohm.
     pub fn warm_resistance_ohm(&self, time_s: f64) -> f64 {
         let rise_k = if self.rise_k == 0.0 {
@@ -123,11 +143,12 @@ pub struct InductanceLadder {
     pub pairs: Vec<(f64, f64)>,
 }
 
-/// Grid of the ladder, rad/s: from far below 1 Hz to far above 20 kHz.
+/// Start of the ladder's grid, rad/s, far below 1 Hz; it ends near 1e8 rad/s, far above 20 kHz.
 const LADDER_LOWEST: f64 = 0.1;
-const LADDER_HIGHEST: f64 = 1e8;
-/// Ratio of neighbouring grid points: three to a decade.
+/// Grid points to a decade.
 const LADDER_PER_DECADE: f64 = 3.0;
+/// Resistor-inductor pairs of a lossy coil.
+pub const LADDER_PAIRS: u32 = 27;
 
 impl InductanceLadder {
     fn new(inductance_h: f64, exponent: f64) -> Self {
@@ -142,20 +163,15 @@ impl InductanceLadder {
         let scale = inductance_h * INDUCTANCE_OMEGA.powf(a) * (std::f64::consts::PI * a).sin()
             / std::f64::consts::PI;
         let step = std::f64::consts::LN_10 / LADDER_PER_DECADE;
-        let mut pairs = Vec::new();
-        let mut x = LADDER_LOWEST;
-        while x < LADDER_HIGHEST {
-            pairs.push((scale * step * x.powf(exponent), x));
-            x *= step.exp();
-        }
+        let rate = |index| LADDER_LOWEST * (step * f64::from(index)).exp();
+        let pair = |index| (scale * step * f64::powf(rate(index), exponent), rate(index));
         // The rest of the endless sum, with 1/(s + x) = 1/x above the grid and 1/s below it: two
         // geometric series.
-        let last = pairs.last().map_or(LADDER_HIGHEST, |pair| pair.1);
         let series = |power: f64| step / ((power * step).exp() - 1.0);
         Self {
             resistance_ohm: scale * LADDER_LOWEST.powf(exponent) * series(exponent),
-            inductance_h: scale * last.powf(-a) * series(a),
-            pairs,
+            inductance_h: scale * rate(LADDER_PAIRS - 1).powf(-a) * series(a),
+            pairs: (0..LADDER_PAIRS).map(pair).collect(),
         }
     }
 }
@@ -166,21 +182,10 @@ mod tests {
 
     fn coil(exponent: f64) -> CoilModel {
         CoilModel {
-            mass_kg: 0.07,
-            stiffness_n_per_m: 8000.0,
-            damping_ns_per_m: 3.0,
-            force_factor_n_per_a: 7.0,
-            emf_ratio: 1.0,
             resistance_ohm: 4.0,
-            rise_k: 0.0,
-            rise_time_constant_s: 1.0,
             inductance_h: 1.2e-4,
             inductance_exponent: exponent,
-            quadratic_n_per_m2: 0.0,
-            cubic_n_per_m3: 0.0,
-            droop_per_m2: 0.0,
-            friction_n: 0.0,
-            static_force_n: 0.0,
+            ..CoilModel::LINEAR
         }
     }
 

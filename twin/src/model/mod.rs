@@ -14,7 +14,7 @@ mod exciter;
 mod section;
 
 pub use self::channel::{Channel, Characteristic, Pickup, Separation};
-pub use self::exciter::{COPPER_PER_K, CoilModel, InductanceLadder};
+pub use self::exciter::{COPPER_PER_K, CoilModel, InductanceLadder, LADDER_PAIRS};
 pub use self::section::{SecondOrder, Section};
 
 /// Standard acceleration of free fall, m/s2.

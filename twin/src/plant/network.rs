@@ -13,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, DMatrix};
 
-use crate::model::SecondOrder;
+use crate::model::{CoilModel, InductanceLadder, SecondOrder};
 
 /// What a coefficient of a [`Signal`] multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,8 +48,8 @@ impl Signal {
     }
 }
 
-/// A voltage-driven moving coil with a rigid table.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The linear part of a voltage-driven moving coil with a rigid table.
+#[derive(Clone, Debug, PartialEq)]
 pub struct MovingCoil {
     /// Armature and payload, kg.
     pub mass_kg: f64,
@@ -59,10 +59,27 @@ pub struct MovingCoil {
     pub damping_ns_per_m: f64,
     /// Force factor Bl, N/A (= V s/m).
     pub force_factor_n_per_a: f64,
+    /// Induced voltage over `Bl v`.
+    pub emf_ratio: f64,
     /// Coil resistance, ohm.
     pub resistance_ohm: f64,
-    /// Coil inductance, H.
-    pub inductance_h: f64,
+    /// Coil inductance with its losses.
+    pub ladder: InductanceLadder,
+}
+
+impl MovingCoil {
+    /// The linear part of `coil` after `time_s` under load.
+    pub fn of(coil: &CoilModel, time_s: f64) -> Self {
+        Self {
+            mass_kg: coil.mass_kg,
+            stiffness_n_per_m: coil.stiffness_n_per_m,
+            damping_ns_per_m: coil.damping_ns_per_m,
+            force_factor_n_per_a: coil.force_factor_n_per_a,
+            emf_ratio: coil.emf_ratio,
+            resistance_ohm: coil.warm_resistance_ohm(time_s),
+            ladder: coil.ladder(),
+        }
+    }
 }
 
 /// Signals a moving coil offers.
@@ -165,12 +182,16 @@ impl Network {
     /// A moving coil driven by `voltage`, with `force_n` acting on the table beside the coil's.
     ///
     /// # Equation
-    /// `L i' = u - R i - Bl v`, `M v' = Bl i - c v - k x + F`, `x' = v`.
+    /// `L i' = u - R i - e Bl v - sum R_k (i - j_k)`, `j_k' = x_k (i - j_k)`,
+    /// `M v' = Bl i - c v - k x + F`, `x' = v`.
+    ///
+    /// # Shape
+    /// The first three states are current, velocity and travel (in mm); the `j_k` follow.
     pub fn moving_coil(
         &mut self,
         voltage: &Signal,
         force_n: &Signal,
-        coil: MovingCoil,
+        coil: &MovingCoil,
     ) -> CoilSignals {
         let (current_index, current) = self.state();
         let (velocity_index, velocity) = self.state();
@@ -184,11 +205,16 @@ impl Network {
             .plus(-coil.stiffness_n_per_m, &travel)
             .plus(1.0, force_n)
             .scaled(1.0 / coil.mass_kg);
-        self.rows[current_index] = voltage
+        let mut across_inductance = voltage
             .clone()
-            .plus(-coil.resistance_ohm, &current)
-            .plus(-coil.force_factor_n_per_a, &velocity)
-            .scaled(1.0 / coil.inductance_h);
+            .plus(-coil.resistance_ohm - coil.ladder.resistance_ohm, &current)
+            .plus(-coil.emf_ratio * coil.force_factor_n_per_a, &velocity);
+        for &(resistance_ohm, rate_rad_s) in &coil.ladder.pairs {
+            let branch = self.low_pass(&current, rate_rad_s / TAU);
+            let through = current.clone().plus(-1.0, &branch);
+            across_inductance = across_inductance.plus(-resistance_ohm, &through);
+        }
+        self.rows[current_index] = across_inductance.scaled(1.0 / coil.ladder.inductance_h);
         self.rows[velocity_index] = acceleration.clone();
         self.rows[travel_index] = velocity.scaled(TRAVEL_SCALE_PER_S);
         CoilSignals {

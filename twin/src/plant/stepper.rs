@@ -160,6 +160,7 @@ mod tests {
 
     use super::super::network::{MovingCoil, Network};
     use super::*;
+    use crate::rig::Rig;
 
     /// The state at which the network stays for ever with its inputs at `inputs`.
     fn equilibrium(matrix: &DMatrix<f64>, inputs: &[f64]) -> Option<DVector<f64>> {
@@ -172,15 +173,8 @@ mod tests {
         let mut network = Network::default();
         let voltage = network.input();
         let force = network.input();
-        let coil = MovingCoil {
-            mass_kg: 0.07,
-            stiffness_n_per_m: 8000.0,
-            damping_ns_per_m: 3.0,
-            force_factor_n_per_a: 7.0,
-            resistance_ohm: 4.0,
-            inductance_h: 1.2e-4,
-        };
-        network.moving_coil(&voltage, &force, coil);
+        let coil = MovingCoil::of(&Rig::standard().exciter.model(), 0.0);
+        network.moving_coil(&voltage, &force, &coil);
         network
     }
 

@@ -2,7 +2,7 @@
 
 use super::network::{MovingCoil, Network, Signal};
 use crate::model::SecondOrder;
-use crate::rig::{Exciter, Rig, Sensing};
+use crate::rig::{Rig, Sensing};
 
 /// The linear network of a rig and the signals that leave it.
 #[derive(Clone, Debug)]
@@ -31,7 +31,11 @@ impl Wiring {
             converter.reconstruction_order,
             converter.reconstruction_hz,
         );
-        let coil = network.moving_coil(&voltage, &Signal::default(), moving_coil(&rig.exciter));
+        let coil = network.moving_coil(
+            &voltage,
+            &Signal::default(),
+            &MovingCoil::of(&rig.exciter.model(), 0.0),
+        );
         let inputs = [&rig.reference, &rig.dut].map(|sensing| {
             let connector = sense(&mut network, &coil.acceleration, sensing);
             network.butterworth(
@@ -47,17 +51,6 @@ impl Wiring {
             acceleration: coil.acceleration,
             converter: inputs,
         }
-    }
-}
-
-fn moving_coil(exciter: &Exciter) -> MovingCoil {
-    MovingCoil {
-        mass_kg: exciter.mass_kg(),
-        stiffness_n_per_m: exciter.stiffness_n_per_m,
-        damping_ns_per_m: exciter.damping_ns_per_m,
-        force_factor_n_per_a: exciter.force_factor_n_per_a,
-        resistance_ohm: exciter.coil_resistance_ohm,
-        inductance_h: exciter.coil_inductance_h,
     }
 }
 

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::validate::Range;
+use crate::model::CoilModel;
 
 /// A voltage-driven moving coil carrying table, reference and payload on a suspension.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -28,6 +29,19 @@ impl Exciter {
     /// Everything that moves, kg.
     pub fn mass_kg(&self) -> f64 {
         self.moving_mass_kg + self.payload_kg
+    }
+
+    /// The linear exciter these values describe.
+    pub fn model(&self) -> CoilModel {
+        CoilModel {
+            mass_kg: self.mass_kg(),
+            stiffness_n_per_m: self.stiffness_n_per_m,
+            damping_ns_per_m: self.damping_ns_per_m,
+            force_factor_n_per_a: self.force_factor_n_per_a,
+            resistance_ohm: self.coil_resistance_ohm,
+            inductance_h: self.coil_inductance_h,
+            ..CoilModel::LINEAR
+        }
     }
 
     pub(super) fn ranges(&self) -> Vec<Range> {
