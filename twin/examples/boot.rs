@@ -4,7 +4,8 @@
 
 use std::time::{Duration, Instant};
 
-use calib_twin::rig_port::ShortedInputs;
+use calib_twin::plant::Plant;
+use calib_twin::rig::Rig;
 use calib_twin::runner::{Emulator, Error, Firmware};
 
 fn main() -> Result<(), Error> {
@@ -12,7 +13,7 @@ fn main() -> Result<(), Error> {
     let seconds = arguments.next().and_then(|text| text.parse().ok());
     let duration = Duration::from_secs_f64(seconds.unwrap_or(1.0));
     let firmware = Firmware::shipping()?;
-    let mut board = Emulator::power_on(&firmware, Box::new(ShortedInputs))?;
+    let mut board = Emulator::power_on(&firmware, Box::new(Plant::new(&Rig::standard())))?;
     let start = Instant::now();
     board.run_for(duration / 2)?;
     if let Some(text) = arguments.next() {
@@ -24,7 +25,9 @@ fn main() -> Result<(), Error> {
         "serial:       {:?}",
         String::from_utf8_lossy(&board.read_serial())
     );
-    println!("log:          {} bytes", board.log().bytes.len());
+    for line in board.log().lines(&firmware) {
+        println!("log:          {line}");
+    }
     println!("lamps:        {:?}", board.leds()?);
     println!("drive code:   {}", board.drive_code());
     println!("sample pairs: {}", board.sample_pairs());

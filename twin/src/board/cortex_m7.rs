@@ -4,6 +4,7 @@ use std::num::{NonZeroU32, NonZeroU64};
 
 use rigless::cpu;
 use rigless::emulator::CoreSpec;
+use rigless::image::Image;
 use rigless::machine::armv7m;
 use rigless::mcu::{Mcu, Operate};
 
@@ -24,6 +25,13 @@ const REFCLK_DIVIDER: NonZeroU32 = NonZeroU32::new(8).expect("not zero");
 const PRIORITY_BITS: u8 = 4;
 /// `BOOT_ADD0` as the vendor programs it (RM0433 Rev 9, table 9).
 const VECTOR_TABLE: u32 = 0x0800_0000;
+/// Unique device identity (RM0433 Rev 9, section 61.1): wafer position and number, then the lot's
+/// name in ASCII. A lot no wafer fab has.
+const UNIQUE_ID: [u8; 12] = *b"\x23\x00\x41\x00\x07TWIN01 ";
+const UNIQUE_ID_AT: u64 = 0x1FF1_E800;
+/// Flash size in KiB (section 61.2).
+const FLASH_SIZE_KIB: u16 = 2048;
+const FLASH_SIZE_AT: u64 = 0x1FF1_E880;
 /// ES0392 Rev 15, section 2.1, in the layout of PM0253 Rev 6, table 52.
 const CPUID: u32 = 0x411F_C271;
 
@@ -75,5 +83,21 @@ pub(super) fn spec(part: &Part) -> CoreSpec {
         )
         .collect();
     config.vector_table = Some(VECTOR_TABLE);
-    config.spec()
+    let mut spec = config.spec();
+    spec.factory_images = factory_images();
+    spec
+}
+
+/// What the vendor programs into the system memory: the part's identity and its flash size.
+fn factory_images() -> Vec<Image> {
+    [
+        (UNIQUE_ID_AT, UNIQUE_ID.to_vec()),
+        (FLASH_SIZE_AT, FLASH_SIZE_KIB.to_le_bytes().to_vec()),
+    ]
+    .into_iter()
+    .filter_map(|(address, bytes)| {
+        let name = std::path::Path::new("system memory");
+        Image::new(name, bytes, Some(address)).ok()
+    })
+    .collect()
 }

@@ -3,9 +3,10 @@
 //! RTT is a ring buffer in the firmware's RAM that a probe drains: a control block with the
 //! descriptors of its channels, of which the first carries the log (SEGGER, UM08001, chapter 16).
 
+use defmt_decoder::{DecodeError, Table};
 use rigless::emulator::Host;
 
-use super::memory;
+use super::{Firmware, memory};
 
 /// Where the descriptor of the first up channel starts in the control block.
 const UP_CHANNEL: u64 = 24;
@@ -24,6 +25,28 @@ const LARGEST_BYTES: u32 = 1 << 16;
 pub struct Log {
     /// The encoded stream (defmt frames).
     pub bytes: Vec<u8>,
+}
+
+impl Log {
+    /// The messages as text, one per line: time stamp, level, message. What cannot be decoded is
+    /// named as such; a firmware without defmt has no lines.
+    #[must_use]
+    pub fn lines(&self, firmware: &Firmware) -> Vec<String> {
+        let Ok(Some(table)) = Table::parse(firmware.bytes()) else {
+            return Vec::new();
+        };
+        let mut decoder = table.new_stream_decoder();
+        decoder.received(&self.bytes);
+        let mut lines = Vec::new();
+        loop {
+            match decoder.decode() {
+                Ok(frame) => lines.push(frame.display(false).to_string()),
+                Err(DecodeError::UnexpectedEof) => return lines,
+                Err(DecodeError::Malformed) if !table.encoding().can_recover() => return lines,
+                Err(DecodeError::Malformed) => lines.push("(a damaged log message)".into()),
+            }
+        }
+    }
 }
 
 /// Drains the first up channel of the control block at `control`, if there is one.

@@ -5,6 +5,8 @@
 //!   calls give the same run.
 //! - [`VirtualSerial`]: the serial line as `Read` and `Write` with time-outs in virtual time, so that
 //!   host software runs against the board in one process.
+//! - [`run_paced`]: the same board at the pace of the wall, with [`Door`]s for programs in other
+//!   processes: a TCP port ([`TcpDoor`]) and, where there are any, a pseudo terminal (`PtyDoor`).
 //! - [`Log`]: what the firmware logs over RTT.
 
 mod core_thread;
@@ -13,10 +15,18 @@ mod error;
 mod firmware;
 mod log;
 mod memory;
+mod paced;
+#[cfg(unix)]
+mod pty_door;
 mod serial;
+mod tcp_door;
 
 pub use emulator::{Emulator, Gap};
 pub use error::Error;
 pub use firmware::Firmware;
 pub use log::Log;
+pub use paced::{Door, Pace, run_paced};
+#[cfg(unix)]
+pub use pty_door::PtyDoor;
 pub use serial::{SharedEmulator, VirtualSerial};
+pub use tcp_door::TcpDoor;

@@ -28,6 +28,16 @@ impl VirtualSerial {
         }
     }
 
+    /// Lets virtual time pass.
+    ///
+    /// # Errors
+    ///
+    /// The emulator failed.
+    pub fn wait(&mut self, duration: Duration) -> io::Result<()> {
+        let mut emulator = self.emulator.lock().unwrap_or_else(PoisonError::into_inner);
+        emulator.run_for(duration).map_err(io::Error::other)
+    }
+
     /// Sets how long a read waits.
     pub fn set_timeout(&mut self, timeout: Duration) {
         self.timeout = timeout;
