@@ -8,37 +8,25 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
+mod identity;
+#[cfg(target_os = "none")]
+mod instrument;
+#[cfg(target_os = "none")]
 mod panic;
+#[cfg(target_os = "none")]
+mod start;
+#[cfg(target_os = "none")]
+mod state;
+#[cfg(target_os = "none")]
+mod tasks;
+
+#[cfg(target_os = "none")]
+use defmt_rtt as _;
 
 #[cfg(target_os = "none")]
 #[embassy_executor::main]
-async fn main(_spawner: embassy_executor::Spawner) {
-    use defmt_rtt as _;
-    use grounded::uninit::GroundedArrayCell;
-    #[unsafe(link_section = ".axisram")]
-    static RX: GroundedArrayCell<u8, 1024> = GroundedArrayCell::uninit();
-    #[unsafe(link_section = ".axisram")]
-    static TX: GroundedArrayCell<u8, 1024> = GroundedArrayCell::uninit();
-    let mut board = board::Board::start();
-    let (rx, tx) = unsafe {
-        RX.initialize_all_copied(0);
-        TX.initialize_all_copied(0);
-        let (ptr, len) = RX.get_ptr_len();
-        let rx = core::slice::from_raw_parts_mut(ptr, len);
-        let (ptr, len) = TX.get_ptr_len();
-        (rx, core::slice::from_raw_parts_mut(ptr, len))
-    };
-    board.lamps.green.set_high();
-    defmt::info!("started, {} Hz timers", board::TIMER_HZ);
-    let (mut out, input) = board.link.split();
-    let mut input = input.into_ring_buffered(rx);
-    loop {
-        let Ok(n) = input.read(tx).await else {
-            continue;
-        };
-        board.lamps.yellow.toggle();
-        let _ = out.write(&tx[..n]).await;
-    }
+async fn main(spawner: embassy_executor::Spawner) {
+    start::start(spawner).await;
 }
 
 #[cfg(not(target_os = "none"))]

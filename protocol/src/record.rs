@@ -9,6 +9,7 @@
 use crate::frame::CRC;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
+use calib_core::verdict::Verdict;
 use heapless::{String, Vec};
 use serde::{Deserialize, Serialize};
 
@@ -143,6 +144,39 @@ pub fn check(bytes: &[u8]) -> Result<&[u8], RecordError> {
     }
 }
 
+/// Fields of a [`Record`] before its points, in order.
+type Head = (u32, String<32>, String<40>, f32, RunLabels, Settings, bool);
+
+/// Reads what the record list says of a stored record, point by point: it
+/// takes little memory, where [`decode`] takes room for the longest record.
+///
+/// # Errors
+/// As [`decode`].
+pub fn summarise(bytes: &[u8]) -> Result<RecordSummary, RecordError> {
+    let content = |_| RecordError::Content;
+    let body = check(bytes)?;
+    let (head, rest) = postcard::take_from_bytes::<Head>(body).map_err(content)?;
+    let (points, mut rest) = postcard::take_from_bytes::<u16>(rest).map_err(content)?;
+    let mut refused = 0;
+    for _ in 0..points {
+        let (point, after) = postcard::take_from_bytes::<PointResult>(rest).map_err(content)?;
+        refused += u16::from(point.verdict != Verdict::Pass);
+        rest = after;
+    }
+    if !rest.is_empty() || usize::from(points) > MAX_POINTS {
+        return Err(RecordError::Content);
+    }
+    let (id, _, _, _, labels, _, _) = head;
+    Ok(RecordSummary {
+        id,
+        bytes: bytes.len() as u32,
+        unix_time_s: labels.unix_time_s,
+        dut_serial: labels.dut_serial,
+        points,
+        refused,
+    })
+}
+
 /// Reads the stored form.
 ///
 /// # Errors
@@ -157,7 +191,9 @@ pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use calib_core::point::PointSpec;
     use calib_core::settings::{Example, InputScale, Limits, Method, ReferenceCalibration};
+    use calib_core::verdict::Reason;
 
     fn record() -> Record {
         Record {
@@ -203,6 +239,36 @@ mod tests {
     #[test]
     fn decoding_inverts_encoding() {
         assert_eq!(decode(&stored()), Ok(record()));
+    }
+
+    #[test]
+    fn the_summary_is_that_of_the_whole_record() {
+        let mut record = record();
+        record.labels.dut_serial = "D 9".try_into().expect("short");
+        record.labels.unix_time_s = 1_800_000_000;
+        for reason in [None, Some(Reason::Clipped), None] {
+            let spec = PointSpec {
+                frequency_hz: 160.0,
+                acceleration_rms_ms2: 10.0,
+            };
+            let mut point = PointResult::refused(spec, None, reason.unwrap_or(Reason::Stopped));
+            if reason.is_none() {
+                point.verdict = Verdict::Pass;
+            }
+            record.points.push(point).expect("room");
+        }
+        let mut bytes = vec![0; 2048];
+        let length = encode(&record, &mut bytes).expect("fits");
+        let summary = RecordSummary {
+            id: 7,
+            bytes: length as u32,
+            unix_time_s: 1_800_000_000,
+            dut_serial: record.labels.dut_serial,
+            points: 3,
+            refused: 1,
+        };
+        assert_eq!(summarise(&bytes[..length]), Ok(summary));
+        assert_eq!(summarise(&bytes[..length - 1]), Err(RecordError::Checksum));
     }
 
     #[test]

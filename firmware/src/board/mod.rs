@@ -9,21 +9,35 @@
 //! | host link | USART3 | PD8 (TX), PD9 (RX) | DMA1 streams 2, 3 |
 //! | LEDs | GPIO | PB0 green, PE1 yellow, PB14 red | |
 //! | button | GPIO | PC13, active high | |
+//! | records | FLASH bank 2 | | |
 //! | time | TIM2 | | |
+//! | watchdog | IWDG1 | | |
 
+mod axi_sram;
 mod cache;
 mod clocks;
+mod digitiser;
+mod exciter;
+mod sample_clock;
 
-pub(crate) use clocks::TIMER_HZ;
+pub(crate) use axi_sram::{AllZero, axi_static};
+pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser};
+pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
+pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
 
-use embassy_stm32::gpio::{Level, Output, Speed};
+use digitiser::DigitiserParts;
+use embassy_stm32::flash::{self, Flash};
+use embassy_stm32::gpio::{AnyPin, Input, Level, Output, Pull, Speed};
 use embassy_stm32::mode::Async;
 use embassy_stm32::usart::{self, Uart};
-use embassy_stm32::{bind_interrupts, dma, peripherals};
+use embassy_stm32::wdg::IndependentWatchdog;
+use embassy_stm32::{Peri, Peripherals, bind_interrupts, dma, peripherals};
+use exciter::ExciterParts;
 
 bind_interrupts!(
     /// Interrupts the drivers of the HAL need.
     pub struct Irqs {
+        FLASH => flash::InterruptHandler;
         USART3 => usart::InterruptHandler<peripherals::USART3>;
         DMA1_STREAM0 => dma::InterruptHandler<peripherals::DMA1_CH0>;
         DMA1_STREAM1 => dma::InterruptHandler<peripherals::DMA1_CH1>;
@@ -34,6 +48,30 @@ bind_interrupts!(
 
 /// Speed of the virtual COM port, baud, 8N1.
 pub(crate) const LINK_BAUD: u32 = 115_200;
+
+/// The record area: all of bank 2, as offsets in flash (see `memory.x`).
+pub(crate) const RECORD_AREA: core::ops::Range<u32> = 0x10_0000..0x20_0000;
+
+/// Longest time without a sign of life, microseconds.
+const WATCHDOG_US: u32 = 500_000;
+
+/// The virtual COM port.
+pub(crate) type Port = Uart<'static, Async>;
+/// The flash behind the archive.
+pub(crate) type RecordFlash = Flash<'static>;
+/// The watchdog.
+pub(crate) type Watchdog = IndependentWatchdog<'static, peripherals::IWDG1>;
+
+axi_static!(RECEIVE: [u8; 4096]);
+axi_static!(TRANSMIT: [u8; 512]);
+
+/// Memory the port's DMA reaches.
+pub(crate) struct PortBuffers {
+    /// Ring of received bytes: 350 ms at 115 200 baud.
+    pub(crate) receive: &'static mut [u8],
+    /// Bytes on their way out.
+    pub(crate) transmit: &'static mut [u8],
+}
 
 /// Lamps of the board.
 pub(crate) struct Lamps {
@@ -47,30 +85,61 @@ pub(crate) struct Lamps {
 
 /// Everything the tasks own, wired.
 pub(crate) struct Board {
-    /// Lamps.
     pub(crate) lamps: Lamps,
-    /// Virtual COM port.
-    pub(crate) link: Uart<'static, Async>,
+    pub(crate) button: Input<'static>,
+    pub(crate) port: Port,
+    pub(crate) port_buffers: PortBuffers,
+    pub(crate) digitiser: Digitiser,
+    pub(crate) exciter: Exciter,
+    pub(crate) sample_clock: SampleClock,
+    pub(crate) flash: RecordFlash,
+    pub(crate) watchdog: Watchdog,
 }
 
 impl Board {
-    /// Starts clocks and caches, and wires every pin.
+    /// Starts clocks and caches and wires everything; the sample clock stands.
+    ///
+    /// # Panics
+    /// When a converter does not answer: the board is broken, and the panic
+    /// is reported after the reset.
     pub(crate) fn start() -> Self {
-        let p = embassy_stm32::init(clocks::config());
+        // Note(unsafe): the first thing that happens; every user comes later.
+        unsafe { axi_sram::clear() };
+        let p: Peripherals = embassy_stm32::init(clocks::config());
         cache::enable_instruction_cache();
-
-        let lamp = |level| (level, Speed::Low);
-        let (off, speed) = lamp(Level::Low);
-        let lamps = Lamps {
-            green: Output::new(p.PB0, off, speed),
-            yellow: Output::new(p.PE1, off, speed),
-            red: Output::new(p.PB14, off, speed),
-        };
-
+        let lamp = |pin: Peri<'static, AnyPin>| Output::new(pin, Level::Low, Speed::Low);
+        let exciter = Exciter::new(ExciterParts {
+            _dac: p.DAC1,
+            pin: p.PA4,
+            dma: p.DMA1_CH1,
+        });
+        let digitiser = Digitiser::new(DigitiserParts {
+            _converters: (p.ADC1, p.ADC2),
+            reference_pin: p.PA3,
+            dut_pin: p.PC0,
+            dma: p.DMA1_CH0,
+        });
         let mut config = usart::Config::default();
         config.baudrate = LINK_BAUD;
-        // Note(unwrap): init; the baud rate is a constant the part can make.
-        let link = Uart::new(p.USART3, p.PD9, p.PD8, p.DMA1_CH3, p.DMA1_CH2, Irqs, config).unwrap();
-        Self { lamps, link }
+        let port = Uart::new(p.USART3, p.PD9, p.PD8, p.DMA1_CH3, p.DMA1_CH2, Irqs, config);
+        // Note(unwrap): init; each is made once, from constants.
+        Self {
+            lamps: Lamps {
+                green: lamp(p.PB0.into()),
+                yellow: lamp(p.PE1.into()),
+                red: lamp(p.PB14.into()),
+            },
+            button: Input::new(p.PC13, Pull::Down),
+            port: port.expect("USART3"),
+            port_buffers: PortBuffers {
+                receive: RECEIVE.take(),
+                transmit: TRANSMIT.take(),
+            },
+            digitiser: digitiser.expect("converters"),
+            exciter,
+            sample_clock: SampleClock::new(p.TIM6),
+            flash: Flash::new(p.FLASH, Irqs),
+            watchdog: IndependentWatchdog::new(p.IWDG1, WATCHDOG_US),
+        }
     }
 }

@@ -1,0 +1,67 @@
+//! AXI SRAM: DMA buffers, and what is too large for the tightly coupled RAM.
+//!
+//! DMA1 and DMA2 have no path to the tightly coupled memories where stack and
+//! small statics live (RM0433 Rev 8, table 3). The start-up code leaves this
+//! memory alone, so [`clear`] comes first: then everything in the section
+//! `.axisram` is zero, which also sets the memory's check bits (ECC). So only
+//! values that are all zero may be declared there: see [`AllZero`].
+
+use calib_core::correlation::FoldMemory;
+use calib_firmware::archive::Directory;
+
+unsafe extern "C" {
+    static mut __axisram_start: u32;
+    static mut __axisram_end: u32;
+}
+
+/// Fills the section with zeros.
+///
+/// # Safety
+/// Nothing in the section may have been used yet.
+pub(crate) unsafe fn clear() {
+    let mut word = &raw mut __axisram_start;
+    let end = &raw mut __axisram_end;
+    while word < end {
+        // Note(unsafe): between two symbols of the linker, word aligned.
+        unsafe {
+            word.write_volatile(0);
+            word = word.add(1);
+        }
+    }
+}
+
+/// Types with a value whose bytes are all zero.
+///
+/// # Safety
+/// Every byte of `ZERO` that is initialised must be zero.
+pub(crate) unsafe trait AllZero {
+    /// That value.
+    const ZERO: Self;
+}
+
+// Note(unsafe): numbers; sums of zero; a vector of length zero.
+unsafe impl<const N: usize> AllZero for [u8; N] {
+    const ZERO: Self = [0; N];
+}
+unsafe impl<const N: usize> AllZero for [u16; N] {
+    const ZERO: Self = [0; N];
+}
+unsafe impl<const N: usize> AllZero for [u32; N] {
+    const ZERO: Self = [0; N];
+}
+unsafe impl AllZero for FoldMemory {
+    const ZERO: Self = FoldMemory::new();
+}
+unsafe impl AllZero for Directory {
+    const ZERO: Self = Directory::new();
+}
+
+/// Declares a static in AXI SRAM, to be taken once.
+macro_rules! axi_static {
+    ($name:ident: $type:ty) => {
+        #[unsafe(link_section = ".axisram")]
+        static $name: static_cell::ConstStaticCell<$type> =
+            static_cell::ConstStaticCell::new(<$type as $crate::board::AllZero>::ZERO);
+    };
+}
+pub(crate) use axi_static;

@@ -1,0 +1,190 @@
+//! ADC1 and ADC2, regular simultaneous: pairs of reference and DUT samples.
+//!
+//! The HAL's ring-buffered ADC does not cover dual mode, so the registers are
+//! set here and the HAL only runs the DMA ring. Source: RM0433 Rev 8, 25.4.
+//!
+//! One pair is one word of the common data register: low half reference
+//! (ADC1, master), high half device under test (ADC2), both 16 bit offset
+//! binary. A pair can be lost, but never torn: the phase between the channels
+//! does not depend on the DMA.
+
+use super::axi_sram::axi_static;
+use defmt::Format;
+use embassy_stm32::dma::{self, ReadableRingBuffer, TransferOptions};
+use embassy_stm32::pac::{
+    self,
+    adc::{Adc, vals},
+    adccommon::vals::{Ckmode, Damdf, Dual},
+};
+use embassy_stm32::{Peri, gpio, peripherals, rcc};
+use embassy_time::{Duration, Timer, block_for};
+
+/// Sample pairs handed over at once: 10 ms, half of the DMA ring.
+pub(crate) const BLOCK_PAIRS: usize = 500;
+
+/// INP15 of ADC1 is PA3 (DS12110 Rev 10, table 9).
+const REFERENCE_CHANNEL: u8 = 15;
+/// INP10 of ADC2 is PC0.
+const DUT_CHANNEL: u8 = 10;
+/// `tim6_trgo` among the triggers of a regular group (RM0433 Rev 8, table 209).
+const TRIGGER_TIM6: u8 = 13;
+/// Longest offset and linearity calibration: 165 010 cycles of the converter
+/// clock (DS12110 Rev 10, table 87), with a margin of two.
+const CALIBRATION_LIMIT: Duration = Duration::from_millis(20);
+
+axi_static!(RING: [u32; 2 * BLOCK_PAIRS]);
+
+/// Why samples are missing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Format)]
+pub(crate) enum DigitiserFault {
+    /// The converters were not read in time.
+    ConverterOverrun,
+    /// A half of the ring was overwritten before it was taken.
+    RingOverrun,
+    /// No samples for longer than two blocks take.
+    Silent,
+    /// A converter did not become ready at start.
+    NotReady,
+}
+
+/// The pair of converters with its DMA ring.
+pub(crate) struct Digitiser {
+    ring: ReadableRingBuffer<'static, u32>,
+}
+
+/// What the digitiser is made of.
+pub(crate) struct DigitiserParts {
+    /// Held, so that nothing else reprograms the converters.
+    pub(crate) _converters: (
+        Peri<'static, peripherals::ADC1>,
+        Peri<'static, peripherals::ADC2>,
+    ),
+    pub(crate) reference_pin: Peri<'static, peripherals::PA3>,
+    pub(crate) dut_pin: Peri<'static, peripherals::PC0>,
+    pub(crate) dma: Peri<'static, peripherals::DMA1_CH0>,
+}
+
+impl Digitiser {
+    /// Calibrates and arms both converters; samples come with the clock.
+    ///
+    /// # Errors
+    /// [`DigitiserFault::NotReady`] when a converter does not answer.
+    pub(crate) fn new(parts: DigitiserParts) -> Result<Self, DigitiserFault> {
+        rcc::enable_and_reset::<peripherals::ADC1>();
+        gpio::Flex::new(parts.reference_pin).set_as_analog();
+        gpio::Flex::new(parts.dut_pin).set_as_analog();
+
+        pac::ADC12_COMMON.ccr().modify(|w| {
+            // 60 MHz, halved once more in revision V: synchronous to the
+            // timer's clock, so the aperture does not jitter against it.
+            w.set_ckmode(Ckmode::SYNC_DIV4);
+            w.set_dual(Dual::DUAL_R);
+            w.set_damdf(Damdf::FORMAT32TO10);
+        });
+        for (adc, channel) in [(pac::ADC1, REFERENCE_CHANNEL), (pac::ADC2, DUT_CHANNEL)] {
+            calibrate(adc)?;
+            enable(adc)?;
+            select(adc, channel);
+        }
+        pac::ADC1.cfgr().modify(|w| {
+            w.set_extsel(TRIGGER_TIM6);
+            w.set_exten(vals::Exten::RISING_EDGE);
+            w.set_dmngt(vals::Dmngt::DMA_CIRCULAR);
+        });
+
+        let request = embassy_stm32::adc::RxDma::<peripherals::ADC1>::request(&*parts.dma);
+        let channel = dma::Channel::new(parts.dma, super::Irqs);
+        let source = pac::ADC12_COMMON.cdr().as_ptr().cast::<u32>();
+        let buffer = RING.take();
+        // Note(unsafe): the common data register is a valid source of words.
+        let mut ring = unsafe {
+            ReadableRingBuffer::new(channel, request, source, buffer, TransferOptions::default())
+        };
+        ring.start();
+        pac::ADC1.cr().modify(|w| w.set_adstart(true));
+        Ok(Self { ring })
+    }
+
+    /// The next block of pairs, in the order they were sampled.
+    ///
+    /// # Errors
+    /// Any fault means that pairs are missing before the next block.
+    pub(crate) async fn next(
+        &mut self,
+        block: &mut [u32; BLOCK_PAIRS],
+    ) -> Result<(), DigitiserFault> {
+        use embassy_futures::select::{Either, select};
+        let read = self.ring.read_exact(block);
+        match select(read, Timer::after(SILENCE)).await {
+            Either::Second(()) => Err(DigitiserFault::Silent),
+            Either::First(Err(_)) => Err(DigitiserFault::RingOverrun),
+            Either::First(Ok(_)) if converter_overrun() => Err(DigitiserFault::ConverterOverrun),
+            Either::First(Ok(_)) => Ok(()),
+        }
+    }
+
+    /// Puts the stream right after a fault: empty ring, converters armed.
+    pub(crate) fn restart(&mut self) {
+        pac::ADC1.isr().write(|w| w.set_ovr(true));
+        pac::ADC2.isr().write(|w| w.set_ovr(true));
+        self.ring.clear();
+        pac::ADC1.cr().modify(|w| w.set_adstart(true));
+    }
+}
+
+/// Without a block for this long the sample clock or the DMA has stopped.
+const SILENCE: Duration = Duration::from_millis(25);
+
+fn converter_overrun() -> bool {
+    let status = pac::ADC12_COMMON.csr().read();
+    status.ovr_mst() || status.ovr_slv()
+}
+
+/// Powers a converter and measures its offset and linearity (25.4.8).
+fn calibrate(adc: Adc) -> Result<(), DigitiserFault> {
+    adc.cr().modify(|w| {
+        w.set_deeppwd(false);
+        w.set_advregen(true);
+        w.set_boost(vals::Boost::LT50);
+    });
+    // Start-up of the regulator, t_ADCVREG_STUP (DS12110 Rev 10, table 87).
+    block_for(Duration::from_micros(10));
+    adc.cr().modify(|w| {
+        w.set_adcaldif(vals::Adcaldif::SINGLE_ENDED);
+        w.set_adcallin(true);
+        w.set_adcal(true);
+    });
+    within(CALIBRATION_LIMIT, || !adc.cr().read().adcal())
+}
+
+fn enable(adc: Adc) -> Result<(), DigitiserFault> {
+    adc.isr().write(|w| w.set_adrdy(true));
+    adc.cr().modify(|w| w.set_aden(true));
+    within(Duration::from_millis(1), || adc.isr().read().adrdy())
+}
+
+/// One conversion of `channel` per trigger, 16 bit.
+fn select(adc: Adc, channel: u8) {
+    adc.cfgr().modify(|w| w.set_res(vals::Res::BITS16));
+    adc.pcsel()
+        .modify(|w| w.set_pcsel(usize::from(channel), vals::Pcsel::PRESELECTED));
+    // 64.5 cycles: 2.2 us settle 16 bits from the 1 kOhm of the front end.
+    adc.smpr(1).modify(|w| {
+        w.set_smp(usize::from(channel - 10), vals::SampleTime::CYCLES64_5);
+    });
+    adc.sqr1().modify(|w| {
+        w.set_l(0);
+        w.set_sq(0, channel);
+    });
+}
+
+/// Polls until `ready`, at most `limit`.
+fn within(limit: Duration, ready: impl Fn() -> bool) -> Result<(), DigitiserFault> {
+    let start = embassy_time::Instant::now();
+    while !ready() {
+        if start.elapsed() > limit {
+            return Err(DigitiserFault::NotReady);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,103 @@
+//! DAC1 channel 1: the drive signal, silent unless it is told otherwise.
+//!
+//! Rest is mid-scale: zero volts behind the output stage. Converter and DMA
+//! never stop; silence is a ring full of mid-scale codes. Source: RM0433
+//! Rev 8, chapter 26.
+
+use super::axi_sram::axi_static;
+use super::digitiser::BLOCK_PAIRS;
+use embassy_stm32::dma::{self, TransferOptions, WritableRingBuffer};
+use embassy_stm32::pac::{self, dac::vals::Mode};
+use embassy_stm32::{Peri, gpio, peripherals, rcc};
+
+/// Code of zero volts at the exciter.
+pub(crate) const MID_SCALE: u16 = 2048;
+/// Channel 1 in the register arrays.
+const CHANNEL: usize = 0;
+/// `tim6_trgo` among the DAC triggers (RM0433 Rev 8, table 223).
+const TRIGGER_TIM6: u8 = 5;
+
+axi_static!(RING: [u16; 2 * BLOCK_PAIRS]);
+
+/// The drive output with its DMA ring.
+pub(crate) struct Exciter {
+    ring: WritableRingBuffer<'static, u16>,
+}
+
+/// What the exciter is made of.
+pub(crate) struct ExciterParts {
+    /// Held, so that nothing else reprograms the converter.
+    pub(crate) _dac: Peri<'static, peripherals::DAC1>,
+    pub(crate) pin: Peri<'static, peripherals::PA4>,
+    pub(crate) dma: Peri<'static, peripherals::DMA1_CH1>,
+}
+
+/// The drive was written too late: the ring played a stale block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, defmt::Format)]
+pub(crate) struct Late;
+
+impl Exciter {
+    /// Brings the output to rest and arms it for the sample clock.
+    pub(crate) fn new(parts: ExciterParts) -> Self {
+        rcc::enable_and_reset::<peripherals::DAC1>();
+        gpio::Flex::new(parts.pin).set_as_analog();
+        let registers = pac::DAC1;
+        // Without the buffer, which is linear only to within 0.2 V of the rails
+        // (DS12110 Rev 10, table 93); the output stage has a high impedance.
+        registers
+            .mcr()
+            .modify(|w| w.set_mode(CHANNEL, Mode::NORMAL_EXT_BUFDIS));
+        // Without this the first trigger would move the reset value, full
+        // negative scale, to the output: a kick of the whole armature.
+        preload_mid_scale();
+        registers.cr().modify(|w| w.set_en(CHANNEL, true));
+
+        let request =
+            embassy_stm32::dac::Dma::<peripherals::DAC1, embassy_stm32::dac::Ch1>::request(
+                &*parts.dma,
+            );
+        let channel = dma::Channel::new(parts.dma, super::Irqs);
+        let target = registers.dhr12r(CHANNEL).as_ptr().cast::<u16>();
+        let buffer = RING.take();
+        buffer.fill(MID_SCALE);
+        // Note(unsafe): the data holding register takes halfwords.
+        let mut ring = unsafe {
+            WritableRingBuffer::new(channel, request, target, buffer, TransferOptions::default())
+        };
+        ring.start();
+        registers.cr().modify(|w| {
+            w.set_tsel(CHANNEL, TRIGGER_TIM6);
+            w.set_ten(CHANNEL, true);
+            w.set_dmaen(CHANNEL, true);
+        });
+        Self { ring }
+    }
+
+    /// Queues one block of codes behind the one being played.
+    ///
+    /// # Errors
+    /// [`Late`] when the ring ran dry before; the block is not played.
+    pub(crate) async fn play(&mut self, codes: &[u16; BLOCK_PAIRS]) -> Result<(), Late> {
+        self.ring
+            .write_exact(codes)
+            .await
+            .map(drop)
+            .map_err(|_| Late)
+    }
+}
+
+/// Puts mid-scale where the next conversion comes from.
+fn preload_mid_scale() {
+    pac::DAC1.dhr12r(CHANNEL).write(|w| w.set_dhr(MID_SCALE));
+}
+
+/// Brings the output to rest now, whatever else happens: for faults.
+///
+/// Detaches trigger and DMA, so that the code written is the last one.
+pub(crate) fn silence_now() {
+    pac::DAC1.cr().modify(|w| {
+        w.set_dmaen(CHANNEL, false);
+        w.set_ten(CHANNEL, false);
+    });
+    preload_mid_scale();
+}

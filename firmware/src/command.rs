@@ -1,0 +1,114 @@
+//! From a request to its answer.
+//!
+//! Every request that can be read gets exactly one answer; what is done lies
+//! behind [`Instrument`], which the tasks implement on the board.
+
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::settings::Settings;
+use calib_protocol::message::{Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, Status};
+use calib_protocol::record::RecordSummary;
+use heapless::Vec;
+
+/// Part of a stored record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordPart {
+    /// Length of the whole record, in bytes.
+    pub total: u32,
+    /// Bytes from the offset asked for.
+    pub data: Vec<u8, RECORD_CHUNK>,
+}
+
+/// A page of the record list.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RecordPage {
+    /// Summaries in rising running number.
+    pub records: Vec<RecordSummary, 16>,
+    /// True when there are more.
+    pub more: bool,
+}
+
+/// What a host can ask of the calibrator.
+// Both ends are in this crate and run on one executor: no `Send` is needed.
+#[allow(async_fn_in_trait)]
+pub trait Instrument {
+    /// Identity and health.
+    fn info(&mut self) -> Info;
+    /// What is going on.
+    fn status(&mut self) -> Status;
+    /// Result of a point of the running or last run.
+    fn point(&mut self, index: u16) -> Option<PointResult>;
+    /// Begins a run and returns the running number of its record.
+    async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal>;
+    /// Silences the exciter and ends the run, if there is one.
+    async fn stop(&mut self);
+    /// Stored records from a running number on.
+    async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal>;
+    /// Bytes of a stored record.
+    async fn read_record(&mut self, id: u32, offset: u32) -> Result<RecordPart, Refusal>;
+    /// The settings in force.
+    fn settings(&mut self) -> Settings;
+    /// Checks, stores and takes new settings.
+    async fn write_settings(&mut self, settings: Settings) -> Result<(), Refusal>;
+}
+
+/// Carries out `request`; a reset is left to the caller, who answers first.
+pub async fn answer(request: Request, instrument: &mut impl Instrument) -> Response {
+    carry_out(request, instrument)
+        .await
+        .unwrap_or_else(Response::Refused)
+}
+
+async fn carry_out(
+    request: Request,
+    instrument: &mut impl Instrument,
+) -> Result<Response, Refusal> {
+    Ok(match request {
+        Request::Info => Response::Info(instrument.info()),
+        Request::Status => Response::Status(instrument.status()),
+        Request::Point { index } => Response::Point {
+            index,
+            result: instrument.point(index),
+        },
+        Request::Start(spec) => {
+            check_points(&spec.points)?;
+            let record_id = instrument.start(spec).await?;
+            Response::Started { record_id }
+        }
+        Request::Stop => {
+            instrument.stop().await;
+            Response::Done
+        }
+        Request::Records { from } => {
+            let RecordPage { records, more } = instrument.records(from).await?;
+            Response::Records { records, more }
+        }
+        Request::ReadRecord { id, offset } => {
+            let RecordPart { total, data } = instrument.read_record(id, offset).await?;
+            Response::RecordData {
+                id,
+                offset,
+                total,
+                data,
+            }
+        }
+        Request::SettingsRead => Response::Settings(instrument.settings()),
+        Request::SettingsWrite(settings) => {
+            settings.validate().map_err(|_| Refusal::Settings)?;
+            instrument.write_settings(settings).await?;
+            Response::Done
+        }
+        Request::Reset => Response::Done,
+    })
+}
+
+/// Whether every value of a list is finite and positive, and there is one.
+fn check_points(points: &[PointSpec]) -> Result<(), Refusal> {
+    let usable = |value: f32| value.is_finite() && value > 0.0;
+    let all = points
+        .iter()
+        .all(|point| usable(point.frequency_hz) && usable(point.acceleration_rms_ms2));
+    if points.is_empty() || !all {
+        return Err(Refusal::PointList);
+    }
+    Ok(())
+}

@@ -1,0 +1,72 @@
+//! Who this instrument is, and why it started.
+
+use calib_protocol::message::ResetCause;
+use core::fmt::Write;
+use embassy_stm32::pac::{self, rcc::regs::Rsr};
+use heapless::String;
+
+/// Git hash of the image; `-dirty` when it was built from changed files.
+const GIT_HASH: &str = env!("CALIB_GIT_HASH");
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// What does not change while the board runs.
+#[derive(Clone)]
+pub(crate) struct Identity {
+    pub(crate) serial: String<32>,
+    pub(crate) version: String<16>,
+    pub(crate) git_hash: String<24>,
+    pub(crate) reset_cause: ResetCause,
+    pub(crate) last_panic: Option<String<160>>,
+}
+
+impl Identity {
+    /// Reads unique id and reset flags, and clears the flags.
+    pub(crate) fn read() -> Self {
+        let flags = pac::RCC.rsr().read();
+        pac::RCC.rsr().modify(|w| w.set_rmvf(true));
+        Self {
+            serial: fitting(embassy_stm32::uid::uid_hex()),
+            version: fitting(VERSION),
+            git_hash: fitting(GIT_HASH),
+            reset_cause: cause(flags),
+            last_panic: crate::panic::take_reason(),
+        }
+    }
+
+    /// Version and git hash in one, as records carry it.
+    pub(crate) fn firmware(&self) -> String<40> {
+        let mut text = String::new();
+        // 16 + 1 + 23 characters always fit.
+        let _ = write!(text, "{} {}", self.version, self.git_hash);
+        text
+    }
+}
+
+/// As much of `text` as fits.
+fn fitting<const N: usize>(text: &str) -> String<N> {
+    let mut result = String::new();
+    for character in text.chars() {
+        if result.push(character).is_err() {
+            break;
+        }
+    }
+    result
+}
+
+/// The most specific flag wins: every reset also sets the pin flag, and power
+/// on sets the brown-out flag as well (RM0433 Rev 8, table 56).
+fn cause(flags: Rsr) -> ResetCause {
+    if flags.porrstf() {
+        ResetCause::PowerOn
+    } else if flags.borrstf() {
+        ResetCause::BrownOut
+    } else if flags.iwdg1rstf() || flags.wwdg1rstf() {
+        ResetCause::Watchdog
+    } else if flags.sftrstf() {
+        ResetCause::Software
+    } else if flags.pinrstf() {
+        ResetCause::Pin
+    } else {
+        ResetCause::Other
+    }
+}

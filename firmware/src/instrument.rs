@@ -1,0 +1,99 @@
+//! The calibrator as its hosts see it.
+
+use crate::identity::Identity;
+use crate::state::{self, Order};
+use crate::tasks::store::SharedArchive;
+use calib_core::point::PointResult;
+use calib_core::settings::Settings;
+use calib_firmware::command::{Instrument, RecordPage, RecordPart};
+use calib_protocol::frame::PROTOCOL_VERSION;
+use calib_protocol::message::{Info, Refusal, RunSpec, RunState, Status};
+use embassy_time::Instant;
+
+/// One host's view; copies share everything behind it.
+#[derive(Clone)]
+pub(crate) struct Calibrator {
+    pub(crate) identity: &'static Identity,
+    pub(crate) archive: &'static SharedArchive,
+}
+
+impl Instrument for Calibrator {
+    fn info(&mut self) -> Info {
+        let identity = self.identity;
+        Info {
+            protocol_version: PROTOCOL_VERSION,
+            firmware_version: identity.version.clone(),
+            git_hash: identity.git_hash.clone(),
+            serial: identity.serial.clone(),
+            sample_rate_hz: crate::board::SAMPLE_RATE_HZ as f32,
+            reset_cause: identity.reset_cause,
+            last_panic: identity.last_panic.clone(),
+            records: self.archive.records(),
+            uptime_ms: Instant::now().as_millis(),
+        }
+    }
+
+    fn status(&mut self) -> Status {
+        state::status()
+    }
+
+    fn point(&mut self, index: u16) -> Option<PointResult> {
+        state::RUN.lock(|run| run.borrow().results.get(usize::from(index)).copied())
+    }
+
+    async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal> {
+        let record_id = self.archive.prepare(&spec).await?;
+        // No await from here on: the other link cannot come in between.
+        if is_running(state::status().state) {
+            return Err(Refusal::Busy);
+        }
+        let points = spec.points.len() as u16;
+        state::RUN.lock(|run| {
+            let mut run = run.borrow_mut();
+            run.results.clear();
+            run.complete = false;
+            run.spec = spec;
+        });
+        state::update_status(|status| {
+            status.state = RunState::Settling;
+            status.point = 0;
+            status.points = points;
+        });
+        state::ORDERS
+            .try_send(Order::Start)
+            .map_err(|_| Refusal::Busy)?;
+        Ok(record_id)
+    }
+
+    async fn stop(&mut self) {
+        state::ORDERS.send(Order::Stop).await;
+    }
+
+    async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal> {
+        self.archive.page(from)
+    }
+
+    async fn read_record(&mut self, id: u32, offset: u32) -> Result<RecordPart, Refusal> {
+        self.archive.read(id, offset).await
+    }
+
+    fn settings(&mut self) -> Settings {
+        state::settings()
+    }
+
+    async fn write_settings(&mut self, settings: Settings) -> Result<(), Refusal> {
+        if is_running(state::status().state) {
+            return Err(Refusal::Busy);
+        }
+        self.archive.store_settings(&settings).await?;
+        state::take_settings(settings);
+        Ok(())
+    }
+}
+
+fn is_running(state: RunState) -> bool {
+    matches!(
+        state,
+        RunState::Settling | RunState::Measuring | RunState::Storing
+    )
+}

@@ -1,0 +1,9 @@
+//! The parts of the firmware that know no hardware: what a request does, how
+//! a link is served, how the journal lies in flash. They run on the host too,
+//! where their tests are.
+#![cfg_attr(not(test), no_std)]
+#![forbid(unsafe_code)]
+
+pub mod archive;
+pub mod command;
+pub mod link;

@@ -1,0 +1,107 @@
+//! What tasks know of each other: short copies under a critical section.
+
+use calib_core::point::PointResult;
+use calib_core::settings::Settings;
+use calib_protocol::message::{RunSpec, RunState, Status};
+use calib_protocol::record::{MAX_POINTS, RunLabels};
+use core::cell::{Cell, RefCell};
+use core::sync::atomic::AtomicU32;
+use embassy_sync::blocking_mutex::CriticalSectionMutex;
+use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
+use embassy_sync::channel::Channel;
+use embassy_sync::signal::Signal;
+use heapless::{String, Vec};
+
+static STATUS: CriticalSectionMutex<Cell<Status>> = CriticalSectionMutex::new(Cell::new(Status {
+    state: RunState::Idle,
+    point: 0,
+    points: 0,
+    frequency_hz: 0.0,
+    target_rms_ms2: 0.0,
+    acceleration_rms_ms2: 0.0,
+    drive_peak_v: 0.0,
+    block: 0,
+    blocks: 0,
+    overruns: 0,
+    samples: 0,
+}));
+
+/// A copy of the status.
+pub(crate) fn status() -> Status {
+    STATUS.lock(Cell::get)
+}
+
+/// Changes the status.
+pub(crate) fn update_status(change: impl FnOnce(&mut Status)) {
+    STATUS.lock(|cell| {
+        let mut status = cell.get();
+        change(&mut status);
+        cell.set(status);
+    });
+}
+
+/// Labels of a run nobody described, as a constant.
+pub(crate) const NO_LABELS: RunLabels = RunLabels {
+    unix_time_s: 0,
+    dut_model: String::new(),
+    dut_serial: String::new(),
+    operator: String::new(),
+    temperature_centi_c: None,
+    mounting: String::new(),
+};
+
+/// The running or last run.
+pub(crate) struct Run {
+    /// What was asked.
+    pub(crate) spec: RunSpec,
+    /// Results so far, in order.
+    pub(crate) results: Vec<PointResult, MAX_POINTS>,
+    /// Every point was attempted.
+    pub(crate) complete: bool,
+}
+
+/// The running or last run.
+pub(crate) static RUN: CriticalSectionMutex<RefCell<Run>> =
+    CriticalSectionMutex::new(RefCell::new(Run {
+        spec: RunSpec {
+            points: Vec::new(),
+            labels: NO_LABELS,
+        },
+        results: Vec::new(),
+        complete: false,
+    }));
+
+/// Orders to the measuring task.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, defmt::Format)]
+pub(crate) enum Order {
+    /// Measure the points of [`RUN`].
+    Start,
+    /// Silence the exciter and end the run.
+    Stop,
+}
+
+/// Orders to the measuring task. A start is only given when it is idle.
+pub(crate) static ORDERS: Channel<CriticalSectionRawMutex, Order, 4> = Channel::new();
+
+/// The measuring task has ended a run: it can be stored.
+pub(crate) static RUN_ENDED: Signal<CriticalSectionRawMutex, ()> = Signal::new();
+
+/// Rises while samples come in.
+pub(crate) static ACQUIRE_ALIVE: AtomicU32 = AtomicU32::new(0);
+/// Rises while blocks are worked on.
+pub(crate) static MEASURE_ALIVE: AtomicU32 = AtomicU32::new(0);
+
+static SETTINGS: CriticalSectionMutex<RefCell<Option<Settings>>> =
+    CriticalSectionMutex::new(RefCell::new(None));
+
+/// The settings in force; before any were stored, a field calibrator's.
+pub(crate) fn settings() -> Settings {
+    SETTINGS
+        .lock(|settings| settings.borrow().clone())
+        .unwrap_or_else(Settings::field_calibrator)
+}
+
+/// Takes other settings into force.
+pub(crate) fn take_settings(settings: Settings) {
+    SETTINGS.lock(|current| current.replace(Some(settings)));
+}

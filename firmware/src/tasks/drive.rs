@@ -1,0 +1,62 @@
+//! Drive out: one block of codes for each block of samples.
+//!
+//! Measuring commands the drive anew with every block. Without a command in
+//! time the exciter goes silent by itself: a hung measurement does not leave
+//! a tone on the table.
+
+use crate::board::{BLOCK_PAIRS, Exciter, MID_SCALE};
+use calib_core::generator::{Command, Generator};
+use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
+use embassy_sync::signal::Signal;
+use embassy_time::{Duration, with_timeout};
+
+/// What the exciter does during the next block.
+#[derive(Clone, Copy, Debug, PartialEq, defmt::Format)]
+pub(crate) struct DriveOrder {
+    /// What the core wants.
+    pub(crate) command: Command,
+    /// Volts peak at the exciter for 2048 codes.
+    pub(crate) full_scale_peak_v: f32,
+}
+
+/// The order for the next block.
+pub(crate) static COMMAND: Signal<CriticalSectionRawMutex, DriveOrder> = Signal::new();
+
+/// A block and a bit: the ring holds one more block, so that silence, too,
+/// comes before the ring runs dry.
+const PATIENCE: Duration = Duration::from_millis(14);
+
+/// Start of the dither: the same tone is the same codes, run after run.
+const SEED: u32 = 1;
+
+/// Plays what it is told.
+#[embassy_executor::task]
+pub(crate) async fn drive(mut exciter: Exciter) -> ! {
+    let mut full_scale_peak_v = 0.0;
+    let mut generator = Generator::new(f32::INFINITY, SEED);
+    let mut codes = [MID_SCALE; BLOCK_PAIRS];
+    let mut patience = PATIENCE;
+    loop {
+        if let Ok(order) = with_timeout(patience, COMMAND.wait()).await {
+            patience = PATIENCE;
+            // The scale only changes between runs, in silence.
+            if order.full_scale_peak_v != full_scale_peak_v {
+                full_scale_peak_v = order.full_scale_peak_v;
+                generator = Generator::new(full_scale_peak_v, SEED);
+            }
+            generator.apply(order.command);
+        } else {
+            if !generator.is_silent() {
+                defmt::error!("no drive command in time: silent");
+            }
+            generator.mute();
+            // From now on the ring alone sets the pace.
+            patience = Duration::from_ticks(0);
+        }
+        generator.fill(&mut codes);
+        if exciter.play(&codes).await.is_err() {
+            defmt::warn!("drive written late");
+            generator.mute();
+        }
+    }
+}

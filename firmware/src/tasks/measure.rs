@@ -1,0 +1,153 @@
+//! Blocks in, drive commands and results out: the core decides everything.
+
+use crate::board::{BLOCK_PAIRS, SAMPLE_RATE_HZ, axi_static};
+use crate::state::{self, Order};
+use crate::tasks::acquire::Block;
+use crate::tasks::drive::{COMMAND, DriveOrder};
+use calib_core::correlation::FoldMemory;
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::sequence::{Activity, Sequencer, Timing};
+use calib_core::verdict::Reason;
+use calib_protocol::message::RunState;
+use core::sync::atomic::Ordering;
+use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
+use embassy_sync::zerocopy_channel::Receiver;
+
+/// From a change of command to the first pair taken under it, at most: the
+/// rest of the block in which the change was decided, the block that is
+/// queued, and the two samples by which the converters follow each other.
+const TIMING: Timing = Timing {
+    sample_rate_hz: SAMPLE_RATE_HZ as f32,
+    latency_samples: 2 * BLOCK_PAIRS as u32 + 2,
+};
+
+/// Works on every block.
+#[embassy_executor::task]
+pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMutex, Block>) -> ! {
+    axi_static!(FOLD: FoldMemory);
+    let fold = FOLD.take();
+    let settings = state::settings();
+    let mut runner = Runner {
+        full_scale_peak_v: settings.drive_full_scale_peak_v,
+        sequencer: Sequencer::new(fold, TIMING, settings),
+        running: None,
+        stopping: false,
+    };
+    loop {
+        let block = blocks.receive().await;
+        while let Ok(order) = state::ORDERS.try_receive() {
+            runner.obey(order);
+        }
+        if block.gap {
+            runner.sequencer.interrupt(Reason::Overrun);
+        }
+        let result = runner.sequencer.feed(&block.pairs);
+        blocks.receive_done();
+        if let Some(result) = result {
+            runner.finish_point(result);
+        }
+        COMMAND.signal(DriveOrder {
+            command: runner.sequencer.command(),
+            full_scale_peak_v: runner.full_scale_peak_v,
+        });
+        runner.show();
+        state::MEASURE_ALIVE.fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+/// Walks the sequencer through the points of a run.
+struct Runner {
+    sequencer: Sequencer<'static>,
+    full_scale_peak_v: f32,
+    /// Index of the point in work.
+    running: Option<usize>,
+    stopping: bool,
+}
+
+impl Runner {
+    fn obey(&mut self, order: Order) {
+        match (order, self.running) {
+            (Order::Start, None) => self.start_run(),
+            (Order::Stop, Some(_)) => {
+                self.stopping = true;
+                self.sequencer.interrupt(Reason::Stopped);
+            }
+            (Order::Start, Some(_)) | (Order::Stop, None) => {}
+        }
+    }
+
+    fn start_run(&mut self) {
+        let settings = state::settings();
+        defmt::info!("run begins");
+        self.full_scale_peak_v = settings.drive_full_scale_peak_v;
+        self.stopping = false;
+        self.sequencer.start_run(settings);
+        self.start_point(0);
+    }
+
+    /// Begins point `index`, or ends the run when there is none.
+    fn start_point(&mut self, index: usize) {
+        match point(index) {
+            Some(spec) if !self.stopping => {
+                self.running = Some(index);
+                self.sequencer.start_point(spec);
+                state::update_status(|status| {
+                    status.point = index as u16;
+                    status.frequency_hz = spec.frequency_hz;
+                    status.target_rms_ms2 = spec.acceleration_rms_ms2;
+                });
+            }
+            next => self.end_run(next.is_none()),
+        }
+    }
+
+    fn finish_point(&mut self, result: PointResult) {
+        defmt::info!(
+            "{} Hz: {}, {} V/(m/s2) at {} m/s2",
+            result.spec.frequency_hz,
+            result.verdict,
+            result.sensitivity_v_per_ms2,
+            result.acceleration_rms_ms2
+        );
+        let Some(index) = self.running else { return };
+        state::RUN.lock(|run| {
+            // As many results fit as points were asked for.
+            let _ = run.borrow_mut().results.push(result);
+        });
+        self.start_point(index + 1);
+    }
+
+    fn end_run(&mut self, complete: bool) {
+        defmt::info!("run ends");
+        self.running = None;
+        state::RUN.lock(|run| run.borrow_mut().complete = complete);
+        state::update_status(|status| {
+            status.state = RunState::Storing;
+            status.frequency_hz = 0.0;
+            status.target_rms_ms2 = 0.0;
+        });
+        state::RUN_ENDED.signal(());
+    }
+
+    /// Puts the progress where links and lamps see it.
+    fn show(&self) {
+        if self.running.is_none() {
+            return state::update_status(|status| status.drive_peak_v = 0.0);
+        }
+        let progress = self.sequencer.progress();
+        state::update_status(|status| {
+            status.state = match progress.activity {
+                Activity::Idle | Activity::Settling => RunState::Settling,
+                Activity::Measuring | Activity::Silencing => RunState::Measuring,
+            };
+            status.acceleration_rms_ms2 = progress.acceleration_rms_ms2;
+            status.drive_peak_v = progress.drive_peak_v;
+            status.block = progress.block;
+            status.blocks = progress.blocks;
+        });
+    }
+}
+
+fn point(index: usize) -> Option<PointSpec> {
+    state::RUN.lock(|run| run.borrow().spec.points.get(index).copied())
+}
