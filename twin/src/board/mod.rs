@@ -28,6 +28,8 @@ mod iwdg;
 mod memory_map;
 mod part;
 mod serial_line;
+#[cfg(test)]
+mod tests;
 mod tim6;
 
 use rigless::machine::{Board, Target};

@@ -1,0 +1,177 @@
+//! ADC1 and ADC2.
+
+use rigless::soc::stm32h743::generated::adc3::Register;
+use rigless::soc::stm32h743::generated::adc3_common::Register as Pair;
+use rigless::soc::stm32h743::generated::{ADC1, ADC2, ADC12_COMMON, DMA1, DMAMUX1, dma1, dmamux1};
+use rigless::soc::{FieldSpec, Peripheral};
+
+use super::{Bench, RAM};
+
+const READY: u64 = 1;
+const END_OF_CONVERSION: u64 = 1 << 2;
+const OVERRUN: u64 = 1 << 4;
+const REGULATOR_READY: u64 = 1 << 12;
+
+const ENABLE: u64 = 1;
+const START: u64 = 1 << 2;
+const STOP: u64 = 1 << 4;
+const REGULATOR: u64 = 1 << 28;
+const CALIBRATE: u64 = 1 << 31;
+
+/// Circular DMA, trigger 13 (TIM6) on the rising edge, 16 bit.
+const CONFIGURATION: u64 = 0b11 | 13 << 5 | 0b01 << 10;
+const SIMULTANEOUS_WORDS: u64 = 0b00110 | 0b10 << 14;
+const CHANNELS: [(&Peripheral, u64); 2] = [(&ADC1, 15), (&ADC2, 10)];
+
+/// Both converters from deep power down to enabled, as the manual's sequence has it.
+fn enable(bench: &mut Bench) {
+    bench.write(&ADC12_COMMON, Pair::Ccr, SIMULTANEOUS_WORDS);
+    for (converter, channel) in CHANNELS {
+        bench.write(converter, Register::Cr, REGULATOR);
+        bench.run(10_000);
+        assert_eq!(bench.read(converter, Register::Isr), REGULATOR_READY);
+        bench.write(converter, Register::Cr, REGULATOR | CALIBRATE);
+        assert_ne!(bench.read(converter, Register::Cr) & CALIBRATE, 0);
+        bench.run(100_000);
+        assert_eq!(bench.read(converter, Register::Cr) & CALIBRATE, 0);
+        bench.write(converter, Register::Pcsel, 1 << channel);
+        bench.write(converter, Register::Sqr1, channel << 6);
+        bench.write(converter, Register::Smpr2, 0);
+        bench.write(converter, Register::Cr, REGULATOR | ENABLE);
+        bench.run(1_000);
+        assert_eq!(bench.read(converter, Register::Isr) & READY, READY);
+    }
+    bench.write(&ADC1, Register::Cfgr, CONFIGURATION);
+}
+
+fn start(bench: &mut Bench) {
+    bench.write(&ADC1, Register::Cr, REGULATOR | ENABLE | START);
+    bench.start_sample_clock(1280);
+}
+
+/// One calibration of the offset takes 1280 cycles: of 64 MHz, halved by revision V, 40 us.
+#[test]
+fn calibration_takes_its_cycles_of_the_halved_clock() {
+    let mut bench = Bench::new();
+    bench.write(&ADC1, Register::Cr, REGULATOR);
+    bench.run(10_000);
+    bench.write(&ADC1, Register::Cr, REGULATOR | CALIBRATE);
+    bench.run(39_999);
+    assert_ne!(bench.read(&ADC1, Register::Cr) & CALIBRATE, 0);
+    bench.run(1);
+    assert_eq!(bench.read(&ADC1, Register::Cr) & CALIBRATE, 0);
+}
+
+#[test]
+fn a_trigger_converts_both_channels_into_one_word() {
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    start(&mut bench);
+    bench.run(19_999);
+    assert_eq!(bench.told().samples, 0);
+    bench.run(1);
+    assert_eq!(bench.told().samples, 1);
+    assert_ne!(bench.read(&ADC1, Register::Isr) & END_OF_CONVERSION, 0);
+    // Device under test in the upper half, reference in the lower.
+    assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2001_1001);
+    assert_eq!(bench.read(&ADC1, Register::Isr) & END_OF_CONVERSION, 0);
+}
+
+#[test]
+fn dma_fills_a_ring_with_pairs() {
+    use dma1::Register as Dma;
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    bench.write(&DMAMUX1, dmamux1::Register::DmamuxC0cr, 9);
+    bench.write(&DMA1, Dma::S0par, ADC12_COMMON.base + 0xC);
+    bench.write(&DMA1, Dma::S0m0ar, RAM);
+    bench.write(&DMA1, Dma::S0ndtr, 4);
+    // Peripheral to memory, circular, memory increment, words, half and full interrupts, enabled.
+    let control = 1 << 8 | 1 << 10 | 0b10 << 11 | 0b10 << 13 | 0b11 << 3 | 1;
+    bench.write(&DMA1, Dma::S0cr, control);
+    bench.interrupts(11);
+    start(&mut bench);
+    bench.run(2 * 20_000);
+    assert_eq!(bench.interrupts(11), [true], "half full");
+    bench.run(3 * 20_000);
+    let words: Vec<u32> = bench.ram.0[..16]
+        .chunks_exact(4)
+        .map(|word| u32::from_le_bytes(word.try_into().unwrap()))
+        .collect();
+    assert_eq!(words, [0x2005_1005, 0x2002_1002, 0x2003_1003, 0x2004_1004]);
+    assert_eq!(bench.read(&ADC1, Register::Isr) & OVERRUN, 0);
+}
+
+#[test]
+fn a_word_nobody_reads_is_kept_and_the_next_is_an_overrun() {
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    bench.write(&ADC1, Register::Ier, OVERRUN);
+    bench.interrupts(18);
+    start(&mut bench);
+    bench.run(2 * 20_000);
+    for converter in [&ADC1, &ADC2] {
+        assert_ne!(bench.read(converter, Register::Isr) & OVERRUN, 0);
+    }
+    assert_eq!(bench.interrupts(18).last(), Some(&true));
+    assert_eq!(
+        bench.read(&ADC12_COMMON, Pair::Cdr),
+        0x2001_1001,
+        "the old word"
+    );
+}
+
+#[test]
+fn a_stopped_or_misconfigured_pair_converts_nothing() {
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    start(&mut bench);
+    bench.write(&ADC1, Register::Cr, REGULATOR | ENABLE | STOP);
+    bench.run(100_000);
+    assert_eq!(bench.told().samples, 0, "stopped");
+    bench.write(&ADC1, Register::Cfgr, CONFIGURATION & !(0b11 << 10));
+    bench.write(&ADC1, Register::Cfgr, CONFIGURATION ^ 1 << 5);
+    bench.write(&ADC1, Register::Cr, REGULATOR | ENABLE | START);
+    bench.run(100_000);
+    assert_eq!(bench.told().samples, 0, "another trigger is selected");
+}
+
+/// 810.5 + 8.5 cycles of 32 MHz are 25.6 us: every second trigger at 50 kHz comes too early.
+#[test]
+fn a_trigger_during_a_conversion_is_ignored() {
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    for (converter, channel) in CHANNELS {
+        bench.write(converter, Register::Smpr2, 0b111 << (3 * (channel - 10)));
+    }
+    start(&mut bench);
+    for _ in 0..10 {
+        bench.run(20_000);
+        bench.read(&ADC12_COMMON, Pair::Cdr);
+    }
+    assert_eq!(bench.told().samples, 5);
+}
+
+/// A channel nothing is connected to reads 0 V, whatever the rig does.
+#[test]
+fn the_wrong_channel_sees_nothing() {
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    bench.write(&ADC2, Register::Sqr1, 11 << 6);
+    start(&mut bench);
+    bench.run(20_000);
+    assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x0000_1001);
+}
+
+#[test]
+fn fewer_bits_drop_the_lowest() {
+    use rigless::soc::stm32h743::generated::adc3::cfgr;
+    let resolution: &FieldSpec = cfgr::RES;
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    bench.write(&ADC1, Register::Cfgr, resolution.set(CONFIGURATION, 0b110));
+    start(&mut bench);
+    bench.run(20_000);
+    // 12 bits of the reference's 0x1001, and all 16 of the other.
+    assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2001_0100);
+}

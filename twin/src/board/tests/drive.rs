@@ -1,0 +1,135 @@
+//! DAC1 channel 1.
+
+use rigless::soc::stm32h743::generated::dac::Register;
+use rigless::soc::stm32h743::generated::{DAC, DMA1, DMAMUX1, dma1, dmamux1};
+
+use super::{Bench, RAM};
+use crate::rig_port::DRIVE_MID_CODE;
+
+const ENABLE: u64 = 1;
+const TRIGGERED_BY_TIM6: u64 = 1 << 1 | 5 << 2;
+const DMA: u64 = 1 << 12;
+const UNDERRUN_INTERRUPT: u64 = 1 << 13;
+const UNDERRUN: u64 = 1 << 13;
+
+#[test]
+fn a_pin_nobody_drives_is_silent() {
+    let mut bench = Bench::new();
+    bench.run(1_000_000);
+    assert_eq!(bench.analog.drive_code(), DRIVE_MID_CODE);
+    bench.write(&DAC, Register::Dhr12r1, 4095);
+    assert_eq!(
+        bench.analog.drive_code(),
+        DRIVE_MID_CODE,
+        "loaded, not enabled"
+    );
+}
+
+/// The mistake the architecture warns of: enabled before anything is loaded, the pin gets code 0.
+#[test]
+fn enabling_before_loading_kicks() {
+    let mut bench = Bench::new();
+    bench.write(&DAC, Register::Cr, ENABLE);
+    assert_eq!(bench.analog.drive_code(), 0);
+}
+
+#[test]
+fn a_preloaded_channel_is_enabled_silently() {
+    let mut bench = Bench::new();
+    bench.write(&DAC, Register::Dhr12r1, u64::from(DRIVE_MID_CODE));
+    bench.write(&DAC, Register::Cr, ENABLE | TRIGGERED_BY_TIM6);
+    bench.start_sample_clock(1280);
+    bench.run(100_000);
+    assert_eq!(bench.analog.drive_code(), DRIVE_MID_CODE);
+    assert!(bench.analog.silent_since().is_some());
+}
+
+#[test]
+fn a_code_waits_for_its_trigger_and_holds_until_the_next() {
+    let mut bench = Bench::new();
+    bench.write(&DAC, Register::Dhr12r1, 2048);
+    bench.write(&DAC, Register::Cr, ENABLE | TRIGGERED_BY_TIM6);
+    bench.start_sample_clock(1280);
+    bench.write(&DAC, Register::Dhr12r1, 3000);
+    bench.run(20_000);
+    bench.write(&DAC, Register::Dhr12r1, 1000);
+    bench.run(20_000);
+    bench.analog.advance(rigless::time::VirtualNanos(bench.now));
+    assert_eq!(bench.told().holds, [(2048, 20_000), (3000, 20_000)]);
+    assert_eq!(bench.analog.drive_code(), 1000);
+}
+
+/// DMA1 stream 1 in circular mode plays four codes from RAM, one per trigger.
+fn play(bench: &mut Bench, codes: [u16; 4]) {
+    use dma1::Register as Dma;
+    for (place, code) in codes.iter().enumerate() {
+        bench.ram.0[2 * place..2 * place + 2].copy_from_slice(&code.to_le_bytes());
+    }
+    bench.write(&DMAMUX1, dmamux1::Register::DmamuxC1cr, 67);
+    bench.write(&DMA1, Dma::S1par, DAC.base + 8);
+    bench.write(&DMA1, Dma::S1m0ar, RAM);
+    bench.write(&DMA1, Dma::S1ndtr, 4);
+    // Memory to peripheral, circular, memory increment, halfwords, enabled.
+    let control = 0b01 << 6 | 1 << 8 | 1 << 10 | 0b01 << 11 | 0b01 << 13 | 1;
+    bench.write(&DMA1, Dma::S1cr, control);
+}
+
+#[test]
+fn dma_plays_a_ring_one_code_per_trigger() {
+    let mut bench = Bench::new();
+    bench.write(&DAC, Register::Dhr12r1, 2048);
+    bench.write(&DAC, Register::Cr, ENABLE);
+    play(&mut bench, [2100, 2200, 2300, 2400]);
+    bench.write(&DAC, Register::Cr, ENABLE | TRIGGERED_BY_TIM6 | DMA);
+    bench.start_sample_clock(1280);
+    bench.run(7 * 20_000);
+    bench.analog.advance(rigless::time::VirtualNanos(bench.now));
+    let played: Vec<u16> = bench.told().holds.iter().map(|&(code, _)| code).collect();
+    // Silence until the first trigger, mid-scale again at it, then the ring.
+    assert_eq!(
+        played.concat_silence(),
+        [2048, 2100, 2200, 2300, 2400, 2100]
+    );
+    assert_eq!(bench.analog.drive_code(), 2200);
+    assert_eq!(bench.read(&DAC, Register::Sr), 0, "no underrun");
+}
+
+/// Equal neighbours merged: the pin does not change between them.
+trait ConcatSilence {
+    fn concat_silence(self) -> Vec<u16>;
+}
+
+impl ConcatSilence for Vec<u16> {
+    fn concat_silence(mut self) -> Vec<u16> {
+        self.dedup();
+        self
+    }
+}
+
+#[test]
+fn a_request_nobody_serves_is_an_underrun() {
+    let mut bench = Bench::new();
+    bench.write(&DAC, Register::Dhr12r1, 2048);
+    let control = ENABLE | TRIGGERED_BY_TIM6 | DMA | UNDERRUN_INTERRUPT;
+    bench.write(&DAC, Register::Cr, control);
+    bench.interrupts(54);
+    bench.start_sample_clock(1280);
+    bench.run(20_000);
+    assert_eq!(bench.read(&DAC, Register::Sr), 0);
+    bench.run(20_000);
+    assert_eq!(bench.read(&DAC, Register::Sr), UNDERRUN);
+    assert_eq!(bench.interrupts(54), [true]);
+    bench.write(&DAC, Register::Sr, UNDERRUN);
+    assert_eq!(bench.read(&DAC, Register::Sr), 0, "cleared by writing one");
+}
+
+#[test]
+fn a_system_reset_lets_the_pin_float() {
+    let mut bench = Bench::new();
+    bench.write(&DAC, Register::Dhr12r1, 3000);
+    bench.write(&DAC, Register::Cr, ENABLE);
+    assert_eq!(bench.analog.drive_code(), 3000);
+    let at = rigless::time::VirtualNanos(bench.now);
+    rigless::mcu::Mcu::reset(&mut bench.part, at, rigless::device::ResetCause::Pin);
+    assert_eq!(bench.analog.drive_code(), DRIVE_MID_CODE);
+}
