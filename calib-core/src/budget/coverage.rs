@@ -5,7 +5,7 @@ use super::student::student_quantile;
 use crate::settings::Distribution;
 
 /// Probability that belongs to `k = 2` of a normal distribution.
-pub const PROBABILITY_K2: f32 = 0.954_499_74;
+pub const PROBABILITY_K2: f32 = 0.954_499_7;
 
 /// Effective degrees of freedom from which `k = 2` is kept: Student's factor
 /// for 95.45 % is 2.05 there.

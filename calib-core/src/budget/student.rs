@@ -8,13 +8,12 @@
 /// Returns `None` outside.
 ///
 /// # Accuracy
-/// 1e-5 relative from one degree of freedom on, for tails from 0.001 to 0.5:
+/// 1e-5 relative from one degree of freedom on, at tails of 0.05 and 0.0455:
 /// test `the_published_table_comes_out`. Degrees below 1 are taken as 1.
 ///
 /// # Source
 /// G. W. Hill, "Student's t-quantiles", Communications of the ACM 13 (1970),
-/// algorithm 396, refined by one Newton step on the exact series for whole
-/// degrees of freedom where the expansion is coarse.
+/// algorithm 396.
 pub fn student_quantile(tail: f32, degrees_of_freedom: f32) -> Option<f32> {
     if !(tail > 0.0 && tail < 1.0 && degrees_of_freedom > 0.0) {
         return None;
@@ -91,7 +90,7 @@ fn normal_quantile_lower(probability: f32) -> f32 {
     if q.abs() <= 0.425 {
         let r = 0.180_625 - q * q;
         let numerator = ((5.910_937_4e1 * r + 1.592_911_3e2) * r + 5.043_427e1) * r + 3.387_132_7;
-        let denominator = ((6.718_756_4e1 * r + 7.875_776e1) * r + 1.789_516_9e1) * r + 1.0;
+        let denominator = ((6.718_756e1 * r + 7.875_776e1) * r + 1.789_516_9e1) * r + 1.0;
         return q * numerator / denominator;
     }
     let r = libm::sqrtf(-libm::logf(probability));
@@ -102,7 +101,7 @@ fn normal_quantile_lower(probability: f32) -> f32 {
         numerator / denominator
     } else {
         let r = r - 5.0;
-        let numerator = ((1.733_720_3e-2 * r + 4.286_829_5e-1) * r + 3.081_226_4) * r + 6.657_905_0;
+        let numerator = ((1.733_720_3e-2 * r + 4.286_829_5e-1) * r + 3.081_226_4) * r + 6.657_905;
         let denominator = (1.225_820_2e-2 * r + 2.419_789_5e-1) * r + 1.0;
         numerator / denominator
     };
@@ -120,7 +119,7 @@ mod tests {
             (0.975, 1.959_963_985),
             (0.95, 1.644_853_627),
             (0.995, 2.575_829_304),
-            (0.841_344_75, 1.000_000_0),
+            (0.841_344_8, 1.000_000_0),
             (0.5, 0.0),
         ];
         for (probability, expected) in table {
@@ -160,7 +159,7 @@ mod tests {
             (20.0, 2.133_03),
             (100.0, 2.025_31),
         ];
-        let tail_95_45 = 1.0 - 0.954_499_74;
+        let tail_95_45 = 1.0 - 0.954_499_7;
         let cases = at_95.map(|(n, t)| (0.05, n, t)).into_iter();
         for (tail, n, expected) in cases.chain(at_95_45.map(|(n, t)| (tail_95_45, n, t))) {
             let t = f64::from(student_quantile(tail, n).expect("inside"));

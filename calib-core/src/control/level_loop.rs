@@ -18,14 +18,22 @@ const SEARCH_FACTOR: f32 = 4.0;
 const APPROACH_REL: f32 = 0.7;
 /// Noise of a block above which its gain is not trusted for the approach.
 const PROBE_NOISE_REL: f32 = 0.05;
-/// Blocks agree within this before the drive is raised on them.
-const AGREEMENT_REL: f32 = 0.02;
+/// Blocks agree within this before the drive is raised on them: loosely at the
+/// probe, since the approach stays 30 % below the set level, closely after it.
+const PROBE_AGREEMENT_REL: f32 = 0.1;
+const AGREEMENT_REL: f32 = 0.03;
 /// Settled within this of the set level.
 const TOLERANCE_REL: f32 = 5.0e-4;
 /// And, for noisy blocks, never wider than this (issue of 0.1 % at most).
 const MAX_TOLERANCE_REL: f32 = 1.0e-3;
 /// Relative change of drive so small that its transient needs no wait.
-const SMALL_CHANGE_REL: f32 = 0.01;
+const SMALL_CHANGE_REL: f32 = 0.02;
+/// Relative change of drive, also in units of the noise, from which two levels
+/// tell the exponent between them to some 10 %.
+const TELLING_CHANGE: f32 = 0.005;
+const TELLING_NOISE: f32 = 15.0;
+const LEAST_EXPONENT: f32 = 0.7;
+const GREATEST_EXPONENT: f32 = 1.4;
 /// Blocks waited for agreement before the last one is believed.
 const MAX_WAITS: u8 = 8;
 /// Blocks after which the loop gives up.
@@ -66,6 +74,10 @@ pub struct LevelState {
     change_rel: f32,
     /// Level of the block before, when the drive was the same.
     previous: Option<f32>,
+    /// Drive and level the last change was made from.
+    origin: Option<(f32, f32)>,
+    /// Level grows with this power of the drive, as far as known.
+    exponent: f32,
     waits: u8,
     blocks: u16,
     highest_peak_ms2: f32,
@@ -79,6 +91,8 @@ impl LevelState {
             drive_peak_v: 0.0,
             change_rel: f32::INFINITY,
             previous: None,
+            origin: None,
+            exponent: 1.0,
             waits: 0,
             blocks: 0,
             highest_peak_ms2: 0.0,
@@ -166,7 +180,11 @@ impl LevelLoop {
     /// The level to compare the next block with, unless this one agrees with
     /// the block before or follows so small a change that it need not.
     fn unsteady(&self, state: &LevelState, level: Level) -> Option<f32> {
-        let allowed = AGREEMENT_REL * level.peak_ms2 + 3.0 * level.noise_ms2;
+        let agreement = match state.stage {
+            Stage::Probe => PROBE_AGREEMENT_REL,
+            Stage::Approach | Stage::Trim => AGREEMENT_REL,
+        };
+        let allowed = agreement * level.peak_ms2 + 3.0 * level.noise_ms2;
         let agrees = |previous: f32| (level.peak_ms2 - previous).abs() <= allowed;
         let steady = state.change_rel < SMALL_CHANGE_REL
             || state.previous.is_some_and(agrees)
@@ -199,6 +217,7 @@ impl LevelLoop {
             (3.0 * level.noise_ms2 / self.set_peak_ms2).clamp(TOLERANCE_REL, MAX_TOLERANCE_REL);
         let within = |peak_ms2: f32| (peak_ms2 / self.set_peak_ms2 - 1.0).abs() <= tolerance;
         match (within(level.peak_ms2), state.previous) {
+            (true, _) if state.change_rel < SMALL_CHANGE_REL => Next::Settled,
             (true, Some(previous)) if within(previous) => Next::Settled,
             (true, _) => Next::Hold,
             (false, _) => self.drive_for(state, level, self.set_peak_ms2, Stage::Trim),
@@ -213,7 +232,16 @@ impl LevelLoop {
         wanted_peak_ms2: f32,
         stage: Stage,
     ) -> Next {
-        let wanted_peak_v = state.drive_peak_v * wanted_peak_ms2 / level.peak_ms2;
+        state.exponent = exponent(state, level);
+        // Far from the set level, the exponent may only hold back, and twice as
+        // much as seen: it is the mean over a range whose end bends most.
+        let exponent = match state.stage {
+            Stage::Trim => state.exponent,
+            Stage::Probe | Stage::Approach => (2.0 * state.exponent - 1.0).max(1.0),
+        };
+        let ratio = libm::powf(wanted_peak_ms2 / level.peak_ms2, 1.0 / exponent);
+        let wanted_peak_v = state.drive_peak_v * ratio;
+        state.origin = Some((state.drive_peak_v, level.peak_ms2));
         let at_limit = state.drive_peak_v >= self.drive_limit_peak_v;
         // A level of zero makes this infinite, and the limit catches it.
         if at_limit && !(wanted_peak_v < self.drive_limit_peak_v) {
@@ -229,5 +257,24 @@ impl LevelLoop {
         state.stage = stage;
         state.waits = 0;
         Next::Drive(drive_peak_v)
+    }
+}
+
+/// How the level grows with the drive: the exponent between the last two
+/// drives, or the one known before when they are too close to tell.
+///
+/// Bounded to what springs and amplifiers do, so that a bad block cannot make
+/// the next step wild.
+fn exponent(state: &LevelState, level: Level) -> f32 {
+    let Some((drive_peak_v, peak_ms2)) = state.origin else {
+        return state.exponent;
+    };
+    let drives = libm::logf(state.drive_peak_v / drive_peak_v);
+    let telling = TELLING_NOISE * level.noise_ms2 / level.peak_ms2;
+    let exponent = libm::logf(level.peak_ms2 / peak_ms2) / drives;
+    if drives.abs() > telling.max(TELLING_CHANGE) && exponent.is_finite() {
+        exponent.clamp(LEAST_EXPONENT, GREATEST_EXPONENT)
+    } else {
+        state.exponent
     }
 }

@@ -9,8 +9,8 @@ pub const MIN_FOLD_SAMPLES: u32 = 500;
 /// Most passes over a fold: each adds at most 32 768 to a 32-bit sum.
 pub const MAX_PASSES: u32 = 65_535;
 
-/// Most fractional cycles, per cycle, of an approximate block.
-const MAX_CYCLE_ERROR_REL: f32 = 2.2e-4;
+/// Most fractional cycles, per cycle, of a block of the level loop.
+const MAX_CYCLE_ERROR_REL: f32 = 1.0e-3;
 
 /// Shape of a block: a fold of `fold_samples`, passed `passes` times.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,9 +52,9 @@ impl Block {
     ///
     /// Tones of several cycles in a long period (31.5 Hz: 3 cycles in 4762
     /// samples) would make the loop wait; here one pass over the samples
-    /// nearest to fewer whole cycles is taken when it is at most 0.022 % of a
-    /// cycle off. The error of the amplitude is as small (`docs/metrology.md`);
-    /// measuring blocks are always exact.
+    /// nearest to fewer whole cycles is taken when it is at most 0.1 % of a
+    /// cycle off. The leakage of the fundamental into itself is then solved
+    /// for (`docs/metrology.md`). Measuring blocks are always exact.
     pub fn control(tone: Tone) -> Self {
         let exact = Self::measuring(tone, MIN_FOLD_SAMPLES);
         let cycles = u32::from(tone.cycles);
@@ -73,6 +73,11 @@ impl Block {
             }
         }
         exact
+    }
+
+    /// True when every pass is whole periods of the tone.
+    pub fn is_exact(self) -> bool {
+        self.fold_samples.is_multiple_of(self.tone.period_samples)
     }
 
     /// Tone the block is correlated with.

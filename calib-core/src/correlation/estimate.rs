@@ -168,14 +168,17 @@ fn correlate(
     block: Block,
 ) -> ([Spectrum; 2], [f32; 2]) {
     let per_pass = 1.0 / block.passes() as f32;
-    // Per channel: five cosine sums, five sine sums, one plain sum.
-    let mut sums = Sums::<22>::new();
+    // Per channel: five cosine sums, five sine sums, one plain sum; and the
+    // mean of exp(-2j phase), by which the fundamental leaks into itself.
+    let mut sums = Sums::<24>::new();
     for &place in fold {
         let phasors = harmonic_phasors(walk.next_cos_sin());
         let values = centred(place, means, per_pass);
-        let mut terms = [0.0; 22];
-        for (value, half) in values.into_iter().zip(terms.chunks_exact_mut(11)) {
-            for (phasor, pair) in phasors.iter().zip(half.chunks_exact_mut(2)) {
+        let mut terms = [0.0; 24];
+        terms[22] = phasors[1].re;
+        terms[23] = -phasors[1].im;
+        for (value, half) in values.into_iter().zip(terms.as_chunks_mut::<11>().0) {
+            for (phasor, pair) in phasors.iter().zip(half.as_chunks_mut::<2>().0) {
                 pair[0] = value * phasor.re;
                 pair[1] = -value * phasor.im;
             }
@@ -188,15 +191,29 @@ fn correlate(
     let usable = usable_harmonics(block.tone());
     let spectrum = |half: &[f32]| {
         let mut spectrum = [Complex32::new(0.0, 0.0); HARMONICS];
-        let pairs = half.chunks_exact(2).take(usable);
+        let pairs = half.as_chunks::<2>().0.iter().take(usable);
         for (amplitude, pair) in spectrum.iter_mut().zip(pairs) {
             *amplitude = Complex32::new(pair[0], pair[1]) * scale;
         }
         spectrum
     };
-    let (reference, dut) = total.split_at(11);
+    let (reference, rest) = total.split_at(11);
+    let (dut, leak) = rest.split_at(11);
     let offsets = [0.5 * scale * reference[10], 0.5 * scale * dut[10]];
-    ([spectrum(reference), spectrum(dut)], offsets)
+    let mut spectra = [spectrum(reference), spectrum(dut)];
+    if !block.is_exact() {
+        let leakage = Complex32::new(leak[0], leak[1]) * (0.5 * scale);
+        spectra
+            .iter_mut()
+            .for_each(|s| s[0] = without_leakage(s[0], leakage));
+    }
+    (spectra, offsets)
+}
+
+/// The amplitude behind `seen = A + conj(A) leakage`: the normal equations of
+/// a single sine, solved.
+fn without_leakage(seen: Complex32, leakage: Complex32) -> Complex32 {
+    (seen - seen.conj() * leakage) / (1.0 - leakage.norm_sqr())
 }
 
 /// Energy of the difference between the averaged period and the fit, times the

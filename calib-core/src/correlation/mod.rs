@@ -20,6 +20,8 @@ pub mod block;
 pub mod estimate;
 pub mod fold;
 mod sums;
+#[cfg(test)]
+mod tests;
 
 pub use block::Block;
 pub use estimate::{ChannelEstimate, PairEstimate};

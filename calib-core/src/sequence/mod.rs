@@ -16,6 +16,8 @@
 mod checks;
 mod scatter;
 mod sequencer;
+#[cfg(test)]
+mod tests;
 
 pub use checks::{Measured, judge};
 pub use scatter::Scatter;

@@ -148,7 +148,8 @@ mod tests {
 
     #[test]
     fn every_impossible_setting_is_named() {
-        let wrong: [(fn(&mut Settings), SettingsError); 10] = [
+        type Change = fn(&mut Settings);
+        let wrong: [(Change, SettingsError); 10] = [
             (|s| s.reference.points.clear(), SettingsError::NoReference),
             (
                 |s| s.reference.points[3].sensitivity_v_per_ms2 = f32::NAN,

@@ -1,0 +1,375 @@
+//! The whole course of points against a simple plant in f64.
+
+use super::*;
+use crate::correlation::FoldMemory;
+use crate::generator::Generator;
+use crate::point::{PointResult, PointSpec};
+use crate::points::default_points;
+use crate::settings::Settings;
+use crate::verdict::{Reason, Verdict};
+use std::collections::VecDeque;
+
+const RATE_HZ: f64 = 50_000.0;
+/// Pairs per buffer: 5 ms.
+const HALF: usize = 250;
+
+/// A second-order section by the bilinear transform.
+#[derive(Clone, Copy)]
+struct Section {
+    b: [f64; 3],
+    a: [f64; 2],
+    z: [f64; 2],
+}
+
+impl Section {
+    /// `(b2 s^2 + b1 s + b0) / (s^2 + w0/q s + w0^2)`, numerator as given.
+    fn new(b: [f64; 3], w0: f64, q: f64) -> Self {
+        let k = 2.0 * RATE_HZ;
+        let at = |c: [f64; 3]| {
+            [
+                c[0] + c[1] * k + c[2] * k * k,
+                2.0 * c[0] - 2.0 * c[2] * k * k,
+                c[0] - c[1] * k + c[2] * k * k,
+            ]
+        };
+        let (n, d) = (at(b), at([w0 * w0, w0 / q, 1.0]));
+        Self {
+            b: n.map(|c| c / d[0]),
+            a: [d[1] / d[0], d[2] / d[0]],
+            z: [0.0; 2],
+        }
+    }
+
+    fn step(&mut self, x: f64) -> f64 {
+        let y = self.b[0] * x + self.z[0];
+        self.z[0] = self.b[1] * x - self.a[0] * y + self.z[1];
+        self.z[1] = self.b[2] * x - self.a[1] * y;
+        y
+    }
+
+    /// Magnitude and phase at a frequency.
+    fn response(&self, frequency_hz: f64) -> (f64, f64) {
+        let w = std::f64::consts::TAU * frequency_hz / RATE_HZ;
+        let poly = |c: [f64; 3]| {
+            let re = c[0] + c[1] * w.cos() + c[2] * (2.0 * w).cos();
+            let im = -c[1] * w.sin() - c[2] * (2.0 * w).sin();
+            (re.hypot(im), im.atan2(re))
+        };
+        let (n, d) = (poly(self.b), poly([1.0, self.a[0], self.a[1]]));
+        (n.0 / d.0, n.1 - d.1)
+    }
+}
+
+/// Exciter on a suspension with a structural resonance, two transducers.
+struct Plant {
+    suspension: Section,
+    resonance: Section,
+    dut: Section,
+    /// m/s2 per volt well above the suspension.
+    gain: f64,
+    /// Relative rise of the gain at 14 m/s2: 3/4 of it for the fundamental.
+    hardening: f64,
+    noise_codes: f64,
+    offset_codes: f64,
+    reference_works: bool,
+    dut_works: bool,
+    dut_v_per_ms2: f64,
+    random: u64,
+    peak_ms2: f64,
+}
+
+const TAU: f64 = std::f64::consts::TAU;
+
+impl Plant {
+    fn new() -> Self {
+        let (w0, w1, wd) = (TAU * 12.0, TAU * 3200.0, TAU * 28_000.0);
+        Self {
+            // Acceleration of a mass on a spring: s^2 / (s^2 + w0/q s + w0^2),
+            // damped by the voltage-driven coil.
+            suspension: Section::new([0.0, 0.0, 1.0], w0, 0.9),
+            resonance: Section::new([w1 * w1, 0.1 * w1, 0.6], w1, 25.0),
+            dut: Section::new([wd * wd, 0.0, 0.0], wd, 0.7),
+            gain: 18.0,
+            hardening: 0.0,
+            noise_codes: 1.0,
+            offset_codes: 37.0,
+            reference_works: true,
+            dut_works: true,
+            dut_v_per_ms2: 0.0098,
+            random: 88_172_645_463_325_252,
+            peak_ms2: 0.0,
+        }
+    }
+
+    /// Sum of twelve uniform numbers less six: close to normal, variance 1.
+    fn normal(&mut self) -> f64 {
+        let mut sum = -6.0;
+        for _ in 0..12 {
+            self.random ^= self.random << 13;
+            self.random ^= self.random >> 7;
+            self.random ^= self.random << 17;
+            sum += (self.random >> 11) as f64 / (1_u64 << 53) as f64;
+        }
+        sum
+    }
+
+    fn code(&mut self, volt: f64) -> u32 {
+        let noise = self.noise_codes * self.normal();
+        let code = volt / (10.0 / 65_536.0) + 32_768.0 + self.offset_codes + noise;
+        code.round().clamp(0.0, 65_535.0) as u32
+    }
+
+    fn step(&mut self, dac: u16) -> u32 {
+        let volt = (f64::from(dac) - 2048.0) / 2048.0 * 10.0;
+        let linear = self.gain * self.suspension.step(self.resonance.step(volt));
+        let bent = (linear / 14.0).clamp(-1.6, 1.6);
+        let acceleration = linear * (1.0 + self.hardening * bent * bent);
+        self.peak_ms2 = self.peak_ms2.max(acceleration.abs());
+        let dut = self.dut.step(acceleration) * self.dut_v_per_ms2;
+        let reference = if self.reference_works {
+            acceleration * 0.0102
+        } else {
+            0.0
+        };
+        let dut = if self.dut_works { dut } else { 0.0 };
+        self.code(reference) | (self.code(dut) << 16)
+    }
+}
+
+/// Sequencer, generator and plant in a loop with `delay` buffers between.
+struct Rig<'m> {
+    sequencer: Sequencer<'m>,
+    generator: Generator,
+    plant: Plant,
+    waiting: VecDeque<Vec<u16>>,
+}
+
+impl<'m> Rig<'m> {
+    fn new(memory: &'m mut FoldMemory, plant: Plant, delay: usize) -> Self {
+        let timing = Timing {
+            sample_rate_hz: RATE_HZ as f32,
+            latency_samples: ((delay + 1) * HALF) as u32,
+        };
+        Self {
+            sequencer: Sequencer::new(memory, timing, Settings::field_calibrator()),
+            generator: Generator::new(10.0, 1),
+            plant,
+            waiting: (0..delay).map(|_| vec![2048; HALF]).collect(),
+        }
+    }
+
+    /// One buffer: out of the plant, through the sequencer, into the queue.
+    fn turn(&mut self) -> Option<PointResult> {
+        let mut codes = vec![0; HALF];
+        self.generator.fill(&mut codes);
+        self.waiting.push_back(codes);
+        let playing = self.waiting.pop_front().expect("just pushed");
+        let pairs: Vec<u32> = playing.iter().map(|&dac| self.plant.step(dac)).collect();
+        let result = self.sequencer.feed(&pairs);
+        self.generator.apply(self.sequencer.command());
+        result
+    }
+
+    fn point(&mut self, frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResult {
+        self.sequencer.start_point(PointSpec {
+            frequency_hz,
+            acceleration_rms_ms2,
+        });
+        self.generator.apply(self.sequencer.command());
+        for _ in 0..4000 {
+            if let Some(result) = self.turn() {
+                return result;
+            }
+        }
+        panic!("no result after 20 s at {frequency_hz} Hz");
+    }
+}
+
+/// Settling time allowed: 0.5 s or 20 cycles.
+fn settling_limit_s(frequency_hz: f32) -> f32 {
+    (20.0 / frequency_hz).max(0.5)
+}
+
+#[test]
+fn every_default_point_is_reached_in_time_and_measured() {
+    for delay in [1, 3] {
+        let mut memory = Box::new(FoldMemory::new());
+        let plant = Plant::new();
+        let dut = plant.dut;
+        let mut rig = Rig::new(&mut memory, plant, delay);
+        for spec in default_points() {
+            let result = rig.point(spec.frequency_hz, spec.acceleration_rms_ms2);
+            let hz = spec.frequency_hz;
+            assert_eq!(result.verdict, Verdict::Pass, "{hz} Hz {result:?}");
+            assert!(
+                (result.acceleration_rms_ms2 / 10.0 - 1.0).abs() < 1.0e-3,
+                "{hz} {result:?}"
+            );
+            assert!(
+                result.settling_s <= settling_limit_s(hz),
+                "{hz} Hz: {result:?}"
+            );
+            assert!(result.overshoot_rel <= 0.05, "{hz} Hz: {result:?}");
+            let played_hz = f64::from(result.tone.frequency_hz(RATE_HZ as f32));
+            let (magnitude, phase) = dut.response(played_hz);
+            // Noise of 1 code on 945 codes peak, 10 blocks of 5000 samples and
+            // more: sqrt(2 / 50 000) / 945 = 7e-6 per channel; 5 sigma of both
+            // are 5e-5. Quantisation adds 0.29 codes to the noise.
+            let expected = 0.0098 * magnitude;
+            let error = f64::from(result.sensitivity_v_per_ms2) / expected - 1.0;
+            assert!(error.abs() < 5.0e-5, "{hz} Hz: {error}");
+            assert!(
+                (f64::from(result.phase_rad) - phase).abs() < 5.0e-5,
+                "{hz} Hz"
+            );
+            assert!(!result.inverted && result.coverage_factor == 2.0);
+        }
+        assert!(rig.generator.is_silent());
+    }
+}
+
+#[test]
+fn bent_gains_and_other_suspensions_are_still_reached_in_time() {
+    for (q, f0_hz) in [(0.9, 12.0), (0.7, 20.0), (0.5, 6.0)] {
+        for hardening in [-0.1, 0.15] {
+            let mut memory = Box::new(FoldMemory::new());
+            let mut plant = Plant::new();
+            plant.hardening = hardening;
+            plant.suspension = Section::new([0.0, 0.0, 1.0], TAU * f0_hz, q);
+            let mut rig = Rig::new(&mut memory, plant, 2);
+            for hz in [20.0, 31.5, 40.0, 63.0, 160.0, 1000.0, 3150.0, 10_000.0] {
+                let result = rig.point(hz, 10.0);
+                assert_eq!(result.verdict, Verdict::Pass, "{hz} Hz {result:?}");
+                let error = result.acceleration_rms_ms2 / 10.0 - 1.0;
+                assert!(error.abs() < 1.0e-3, "{hz} Hz: {result:?}");
+                assert!(
+                    result.settling_s <= settling_limit_s(hz),
+                    "{hz} Hz: {result:?}"
+                );
+                assert!(result.overshoot_rel <= 0.05, "{hz} Hz: {result:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_inverted_device_keeps_its_small_phase() {
+    let mut memory = Box::new(FoldMemory::new());
+    let mut plant = Plant::new();
+    plant.dut_v_per_ms2 = -0.0098;
+    let mut rig = Rig::new(&mut memory, plant, 1);
+    for hz in [160.0, 20.0, 10_000.0] {
+        let (_, phase) = rig.plant.dut.response(f64::from(hz));
+        let result = rig.point(hz, 10.0);
+        assert!(result.inverted, "{hz} Hz");
+        assert!(
+            (f64::from(result.phase_rad) - phase).abs() < 1.0e-4,
+            "{hz} Hz {result:?}"
+        );
+    }
+}
+
+/// Runs one point and returns its reason and the highest acceleration.
+fn refused(change: impl FnOnce(&mut Plant), hz: f32, level: f32) -> (Reason, f64) {
+    let mut memory = Box::new(FoldMemory::new());
+    let mut plant = Plant::new();
+    change(&mut plant);
+    let mut rig = Rig::new(&mut memory, plant, 2);
+    let result = rig.point(hz, level);
+    assert!(rig.generator.is_silent(), "{result:?}");
+    match result.verdict {
+        Verdict::Refused(reason) => (reason, rig.plant.peak_ms2),
+        Verdict::Pass => panic!("passed: {result:?}"),
+    }
+}
+
+#[test]
+fn a_dead_reference_is_named_while_the_table_hardly_moves() {
+    for hz in [20.0, 160.0, 10_000.0] {
+        let (reason, peak_ms2) = refused(|p| p.reference_works = false, hz, 10.0);
+        assert_eq!(reason, Reason::ReferenceDead, "{hz} Hz");
+        // 5 % of 10 V times 18 m/s2 per volt, and 5 % for the ramp.
+        assert!(peak_ms2 < 0.5 * 18.0 * 1.7, "{hz} Hz: {peak_ms2}");
+    }
+}
+
+#[test]
+fn an_open_device_under_test_is_named() {
+    for noise in [0.0, 1.0, 30.0] {
+        let open = |p: &mut Plant| {
+            p.dut_works = false;
+            p.noise_codes = noise;
+        };
+        assert_eq!(refused(open, 160.0, 10.0).0, Reason::DutOpen, "{noise}");
+    }
+}
+
+#[test]
+fn a_level_beyond_the_drive_is_named() {
+    // 0.9 m/s2 per volt give 9 m/s2 peak at most; 14.1 m/s2 are wanted.
+    let (reason, peak_ms2) = refused(|p| p.gain = 0.9, 160.0, 10.0);
+    assert_eq!(reason, Reason::DriveLimit);
+    assert!(peak_ms2 < 9.5);
+}
+
+#[test]
+fn levels_beyond_the_exciter_are_refused_without_driving() {
+    let cases = [
+        (1000.0, 150.0, Reason::AccelerationLimit),
+        (20.0, 60.0, Reason::DisplacementLimit),
+        (40.0, 180.0 * 0.99, Reason::AccelerationLimit),
+        (31.5, 141.0, Reason::VelocityLimit),
+        (22_600.0, 1.0, Reason::FrequencyUnavailable),
+        (15_000.0, 1.0, Reason::FrequencyUnavailable),
+    ];
+    for (hz, level, expected) in cases {
+        let (reason, peak_ms2) = refused(|p| p.noise_codes = 0.0, hz, level);
+        assert_eq!((reason, peak_ms2), (expected, 0.0), "{hz} Hz {level} m/s2");
+    }
+}
+
+#[test]
+fn a_runaway_is_muted_within_two_blocks() {
+    let mut memory = Box::new(FoldMemory::new());
+    let mut rig = Rig::new(&mut memory, Plant::new(), 2);
+    rig.sequencer.start_point(PointSpec {
+        frequency_hz: 160.0,
+        acceleration_rms_ms2: 10.0,
+    });
+    rig.generator.apply(rig.sequencer.command());
+    while rig.sequencer.progress().activity != Activity::Measuring {
+        assert_eq!(rig.turn(), None);
+    }
+    // The payload falls off: three times the gain.
+    rig.plant.gain *= 3.0;
+    rig.plant.suspension.z.iter_mut().for_each(|z| *z *= 3.0);
+    let mut buffers = 0;
+    while !rig.generator.is_silent() {
+        rig.turn();
+        buffers += 1;
+        assert!(buffers < 10, "still driven");
+    }
+    let result = (0..100).find_map(|_| rig.turn()).expect("a result");
+    assert_eq!(result.verdict, Verdict::Refused(Reason::Overload));
+}
+
+#[test]
+fn an_interrupted_point_is_muted_at_once() {
+    let mut memory = Box::new(FoldMemory::new());
+    let mut rig = Rig::new(&mut memory, Plant::new(), 1);
+    for reason in [Reason::Overrun, Reason::Stopped] {
+        rig.sequencer.start_point(PointSpec {
+            frequency_hz: 160.0,
+            acceleration_rms_ms2: 10.0,
+        });
+        rig.generator.apply(rig.sequencer.command());
+        for _ in 0..20 {
+            assert_eq!(rig.turn(), None);
+        }
+        rig.sequencer.interrupt(reason);
+        rig.generator.apply(rig.sequencer.command());
+        assert!(rig.generator.is_silent());
+        let result = (0..100).find_map(|_| rig.turn()).expect("a result");
+        assert_eq!(result.verdict, Verdict::Refused(reason));
+    }
+}
