@@ -38,7 +38,7 @@ type BlockChannel = Channel<'static, CriticalSectionRawMutex, Block>;
 pub(crate) async fn start(spawner: Spawner) {
     static IDENTITY: StaticCell<Identity> = StaticCell::new();
     let identity: &'static Identity = IDENTITY.init(Identity::read());
-    let board = Board::start();
+    let board = Board::start().await;
     defmt::info!(
         "calib-firmware {=str} {=str}, serial {=str}",
         identity.version.as_str(),

@@ -17,7 +17,7 @@ use embassy_stm32::pac::{
     adccommon::vals::{Ckmode, Damdf, Dual},
 };
 use embassy_stm32::{Peri, gpio, peripherals, rcc};
-use embassy_time::{Duration, Timer, block_for};
+use embassy_time::{Duration, Timer, with_timeout};
 
 /// Sample pairs handed over at once: 10 ms, half of the DMA ring.
 pub(crate) const BLOCK_PAIRS: usize = 500;
@@ -28,6 +28,8 @@ const REFERENCE_CHANNEL: u8 = 15;
 const DUT_CHANNEL: u8 = 10;
 /// `tim6_trgo` among the triggers of a regular group (RM0433 Rev 8, table 209).
 const TRIGGER_TIM6: u8 = 13;
+/// The converter is ready within microseconds.
+const ENABLE_LIMIT: Duration = Duration::from_millis(1);
 /// Longest offset and linearity calibration: 165 010 cycles of the converter
 /// clock (DS12110 Rev 10, table 87), with a margin of two.
 const CALIBRATION_LIMIT: Duration = Duration::from_millis(20);
@@ -69,7 +71,7 @@ impl Digitiser {
     ///
     /// # Errors
     /// [`DigitiserFault::NotReady`] when a converter does not answer.
-    pub(crate) fn new(parts: DigitiserParts) -> Result<Self, DigitiserFault> {
+    pub(crate) async fn new(parts: DigitiserParts) -> Result<Self, DigitiserFault> {
         rcc::enable_and_reset::<peripherals::ADC1>();
         gpio::Flex::new(parts.reference_pin).set_as_analog();
         gpio::Flex::new(parts.dut_pin).set_as_analog();
@@ -82,8 +84,8 @@ impl Digitiser {
             w.set_damdf(Damdf::FORMAT32TO10);
         });
         for (adc, channel) in [(pac::ADC1, REFERENCE_CHANNEL), (pac::ADC2, DUT_CHANNEL)] {
-            calibrate(adc)?;
-            enable(adc)?;
+            calibrate(adc).await?;
+            enable(adc).await?;
             select(adc, channel);
         }
         pac::ADC1.cfgr().modify(|w| {
@@ -141,26 +143,26 @@ fn converter_overrun() -> bool {
 }
 
 /// Powers a converter and measures its offset and linearity (25.4.8).
-fn calibrate(adc: Adc) -> Result<(), DigitiserFault> {
+async fn calibrate(adc: Adc) -> Result<(), DigitiserFault> {
     adc.cr().modify(|w| {
         w.set_deeppwd(false);
         w.set_advregen(true);
         w.set_boost(vals::Boost::LT50);
     });
     // Start-up of the regulator, t_ADCVREG_STUP (DS12110 Rev 10, table 87).
-    block_for(Duration::from_micros(10));
+    Timer::after_micros(10).await;
     adc.cr().modify(|w| {
         w.set_adcaldif(vals::Adcaldif::SINGLE_ENDED);
         w.set_adcallin(true);
         w.set_adcal(true);
     });
-    within(CALIBRATION_LIMIT, || !adc.cr().read().adcal())
+    within(CALIBRATION_LIMIT, || !adc.cr().read().adcal()).await
 }
 
-fn enable(adc: Adc) -> Result<(), DigitiserFault> {
+async fn enable(adc: Adc) -> Result<(), DigitiserFault> {
     adc.isr().write(|w| w.set_adrdy(true));
     adc.cr().modify(|w| w.set_aden(true));
-    within(Duration::from_millis(1), || adc.isr().read().adrdy())
+    within(ENABLE_LIMIT, || adc.isr().read().adrdy()).await
 }
 
 /// One conversion of `channel` per trigger, 16 bit.
@@ -178,13 +180,13 @@ fn select(adc: Adc, channel: u8) {
     });
 }
 
-/// Polls until `ready`, at most `limit`.
-fn within(limit: Duration, ready: impl Fn() -> bool) -> Result<(), DigitiserFault> {
-    let start = embassy_time::Instant::now();
-    while !ready() {
-        if start.elapsed() > limit {
-            return Err(DigitiserFault::NotReady);
+/// Looks every 0.1 ms until `ready`, at most for `limit`.
+async fn within(limit: Duration, ready: impl Fn() -> bool) -> Result<(), DigitiserFault> {
+    let poll = async {
+        while !ready() {
+            Timer::after_micros(100).await;
         }
-    }
-    Ok(())
+    };
+    let late = |_| DigitiserFault::NotReady;
+    with_timeout(limit, poll).await.map_err(late)
 }

@@ -102,7 +102,7 @@ impl Board {
     /// # Panics
     /// When a converter does not answer: the board is broken, and the panic
     /// is reported after the reset.
-    pub(crate) fn start() -> Self {
+    pub(crate) async fn start() -> Self {
         // Note(unsafe): the first thing that happens; every user comes later.
         unsafe { axi_sram::clear() };
         let p: Peripherals = embassy_stm32::init(clocks::config());
@@ -135,7 +135,7 @@ impl Board {
                 receive: RECEIVE.take(),
                 transmit: TRANSMIT.take(),
             },
-            digitiser: digitiser.expect("converters"),
+            digitiser: digitiser.await.expect("converters"),
             exciter,
             sample_clock: SampleClock::new(p.TIM6),
             flash: Flash::new(p.FLASH, Irqs),
