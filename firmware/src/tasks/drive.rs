@@ -22,9 +22,10 @@ pub(crate) struct DriveOrder {
 /// The order for the next block.
 pub(crate) static COMMAND: Signal<CriticalSectionRawMutex, DriveOrder> = Signal::new();
 
-/// A block and a bit: the ring holds one more block, so that silence, too,
-/// comes before the ring runs dry.
-const PATIENCE: Duration = Duration::from_millis(14);
+/// The ring runs dry two blocks, 20 ms, after a block was written: until then
+/// the next one must be there, be it a tone or silence. A measurement may take
+/// this long to evaluate a block, less the 10 ms the block takes to come in.
+const PATIENCE: Duration = Duration::from_millis(18);
 
 /// Start of the dither: the same tone is the same codes, run after run.
 const SEED: u32 = 1;
