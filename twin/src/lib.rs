@@ -4,6 +4,7 @@
 //! - [`model`]: what a calibrator is made of, with everything effects may change.
 //! - [`effects`]: what real calibrators do beside, one file each.
 //! - [`steady`]: a model at one frequency once all has settled.
+//! - [`dataset`]: gap datasets of known cause.
 //! - [`plant`]: its physics in the time domain, with the converters.
 //! - [`oracle`]: the truth about it, by formulas in the frequency domain.
 //! - [`influence`]: rigs that are wrong in every way an uncertainty budget admits.
@@ -14,6 +15,7 @@
 //! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
 
 pub mod board;
+pub mod dataset;
 pub mod effects;
 pub mod influence;
 pub mod model;

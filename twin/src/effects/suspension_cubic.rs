@@ -10,7 +10,7 @@ pub(super) const EFFECT: Effect = Effect {
     id: "suspension_cubic",
     stage: Stage::Exciter,
     formula: "restoring force k1 x + k3 x^3: d near f0, H3 ~ X^2 in both channels",
-    parameters: &[Parameter::new("k3_n_per_m3", "N/m3", [-1e14, 1e14], 3e8)],
+    parameters: &[Parameter::new("k3_n_per_m3", "N/m3", [-1e14, 1e14], 3e7)],
     apply: |values, _conditions, model| {
         model.coil.cubic_n_per_m3 += values[0];
     },

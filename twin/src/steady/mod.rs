@@ -19,8 +19,8 @@ use crate::model::{Channel, Conditions, Model, Section};
 /// Highest harmonic that is reported.
 pub const REPORTED: usize = 5;
 
-/// Samples per period for static characteristics: a kink is placed to 1/4096 of a period.
-const FINE: usize = 4096;
+/// Samples per period for static characteristics: a kink is placed to 1/2048 of a period.
+const FINE: usize = 2048;
 
 /// What a channel shows in steady state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +82,7 @@ impl Default for Solver {
 /// Level error that is left, relative. The true level is reported, so it only has to be near.
 const LEVEL_TOLERANCE: f64 = 1e-4;
 /// Attempts to reach the level.
-const LEVEL_ATTEMPTS: usize = 40;
+const LEVEL_ATTEMPTS: usize = 16;
 
 impl Solver {
     /// The steady state at which the reference channel shows `reference_rms_v` at `frequency_hz`.
