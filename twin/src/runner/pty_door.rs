@@ -71,3 +71,27 @@ impl Door for PtyDoor {
         exchange(&mut self.master, line, &mut self.waiting)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{Read, Write};
+
+    #[test]
+    fn a_program_opens_it_like_a_port_and_closes_it_and_opens_it_again() {
+        let mut door = PtyDoor::open().unwrap();
+        let line = SerialLine::default();
+        for _ in 0..2 {
+            let open = File::options().read(true).write(true).open(door.path());
+            let mut port = open.unwrap();
+            // Raw: neither end nor meaning of a byte is changed on the way.
+            port.write_all(b"\x03\x00\r\n").unwrap();
+            door.serve(&line, b"\x04\n\x11").unwrap();
+            assert!(line.is_sending());
+            line.clear();
+            let mut answer = [0; 3];
+            port.read_exact(&mut answer).unwrap();
+            assert_eq!(&answer, b"\x04\n\x11");
+        }
+    }
+}

@@ -102,3 +102,55 @@ pub(super) fn exchange(
 fn would_wait(error: &io::Error) -> bool {
     matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::Duration;
+
+    fn connect(door: &TcpDoor) -> TcpStream {
+        let host = TcpStream::connect(("127.0.0.1", door.port())).unwrap();
+        host.set_read_timeout(Some(Duration::from_secs(5))).unwrap();
+        host
+    }
+
+    /// Serves until `done`: the loopback interface delivers in its own time.
+    fn serve_until(door: &mut TcpDoor, line: &SerialLine, done: impl Fn() -> bool) {
+        for _ in 0..5_000 {
+            door.serve(line, &[]).unwrap();
+            if done() {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        panic!("nothing came through the door in five seconds");
+    }
+
+    #[test]
+    fn bytes_pass_both_ways() {
+        let mut door = TcpDoor::listen(0).unwrap();
+        let line = SerialLine::default();
+        let mut host = connect(&door);
+        host.write_all(b"ask").unwrap();
+        serve_until(&mut door, &line, || line.is_sending());
+        door.serve(&line, b"answer").unwrap();
+        let mut answer = [0; 6];
+        host.read_exact(&mut answer).unwrap();
+        assert_eq!(&answer, b"answer");
+    }
+
+    #[test]
+    fn a_host_that_goes_leaves_the_door_open_for_the_next() {
+        let mut door = TcpDoor::listen(0).unwrap();
+        let line = SerialLine::default();
+        drop(connect(&door));
+        door.serve(&line, b"to nobody").unwrap();
+        let mut host = connect(&door);
+        host.write_all(b"next").unwrap();
+        serve_until(&mut door, &line, || line.is_sending());
+        door.serve(&line, b"!").unwrap();
+        let mut answer = [0; 1];
+        host.read_exact(&mut answer).unwrap();
+        assert_eq!(&answer, b"!", "and nothing of what the first one missed");
+    }
+}
