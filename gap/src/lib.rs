@@ -1,1 +1,26 @@
-//! placeholder
+//! Diagnosis of the gap between a simulated and a measured vibration calibrator.
+//!
+//! Reads a dataset (what was measured, what the simulation believes), and
+//! answers where the two differ, which unmodelled effect does it, how far the
+//! difference shrinks once the effect is added, and what to measure next.
+
+mod answer;
+mod dataset;
+mod diagnose;
+mod effects;
+mod engine;
+mod error;
+mod model;
+mod oscillator;
+mod report;
+mod stability;
+mod stages;
+
+pub use answer::{Answer, Cause, DatasetSummary, Estimate, Verdict, Where};
+pub use diagnose::{Options, diagnose, diagnose_all};
+pub use effects::{
+    About, NEVER_IDENTIFIABLE, Parameter, Scale, Stage, check_name, list as effects,
+};
+pub use engine::holdout::{Gap, ObservableGap};
+pub use error::GapError;
+pub use report::report;

@@ -8,6 +8,7 @@ mod budget;
 mod context;
 mod devices;
 mod download;
+mod gap;
 mod info;
 mod progress;
 mod records;
@@ -84,6 +85,8 @@ pub(crate) enum Command {
     Download(download::Download),
     /// Evaluates an uncertainty budget (ISO 16063-21 Annex A, GUM).
     Budget(budget::BudgetVerb),
+    /// Diagnoses the gap between simulation and measurement.
+    Gap(gap::Gap),
     /// Versions of the tool, the protocol and the stored records.
     Version(version::Version),
 }
@@ -99,6 +102,7 @@ impl Command {
             Self::Records(verb) => verb.run(context),
             Self::Download(verb) => verb.run(context),
             Self::Budget(verb) => verb.run(context),
+            Self::Gap(verb) => verb.run(context),
             Self::Version(verb) => verb.run(context),
         }
     }

@@ -1,0 +1,100 @@
+//! The answer of a diagnosis, as it is written to JSON.
+
+use crate::engine::holdout::Gap;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The four outcomes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// The simulation describes the data within the stated uncertainties.
+    NoGap,
+    /// One set of effects leads clearly and what is left is noise.
+    Explained,
+    /// Two or more sets cannot be told apart with these data.
+    Ambiguous,
+    /// Even the best set leaves significant structure.
+    Unexplained,
+}
+
+/// A place where simulation and measurement differ.
+#[derive(Debug, Clone, Serialize)]
+pub struct Where {
+    /// Stage of the chain it points to.
+    pub stage: &'static str,
+    /// Observable in which it shows.
+    pub observable: &'static str,
+    /// Condition along which it varies.
+    pub axis: &'static str,
+    /// Lowest value of that condition (or of frequency).
+    pub from: f64,
+    /// Highest value.
+    pub to: f64,
+    /// Share of the excess over noise.
+    pub share: f64,
+    /// Probability that noise alone does this.
+    pub p_value: f64,
+    /// Parity or class of the structure.
+    pub class: &'static str,
+}
+
+/// Value and standard uncertainty of a parameter.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Estimate {
+    /// Best value.
+    pub value: f64,
+    /// Standard uncertainty.
+    pub u: f64,
+}
+
+/// A set of effects with its probability.
+#[derive(Debug, Clone, Serialize)]
+pub struct Cause {
+    /// Names.
+    pub effects: Vec<&'static str>,
+    /// Posterior probability among all sets considered.
+    pub probability: f64,
+    /// BIC above the smallest.
+    pub delta_bic: f64,
+    /// Share of bootstrap samples of the rows in which this set is the best.
+    pub stability: f64,
+    /// By effect, by parameter.
+    pub parameters: BTreeMap<&'static str, BTreeMap<&'static str, Estimate>>,
+}
+
+/// What was read.
+#[derive(Debug, Clone, Serialize)]
+pub struct DatasetSummary {
+    /// Folder, as given.
+    pub path: String,
+    /// Number of rows.
+    pub rows: usize,
+    /// Columns that held values.
+    pub columns_used: Vec<String>,
+    /// Hash of rig and table.
+    pub sha256: String,
+}
+
+/// The whole answer; every field is always present.
+#[derive(Debug, Clone, Serialize)]
+pub struct Answer {
+    /// Outcome.
+    pub verdict: Verdict,
+    /// Where the gap lies, largest first.
+    pub r#where: Vec<Where>,
+    /// Sets above 1 %, best first.
+    pub causes: Vec<Cause>,
+    /// Probability that noise leaves as much structure as the best set does.
+    pub none_of_these_p_value: f64,
+    /// Sets that these data cannot tell apart.
+    pub confusable: Vec<Vec<String>>,
+    /// What to measure next.
+    pub next_measurement: String,
+    /// How far the gap shrinks on held-out rows.
+    pub gap: Gap,
+    /// Nominal parameters as fitted within their uncertainty.
+    pub nominal_parameters: BTreeMap<&'static str, Estimate>,
+    /// What was read.
+    pub dataset: DatasetSummary,
+}

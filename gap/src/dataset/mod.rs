@@ -1,0 +1,103 @@
+//! What a diagnosis reads: the folder of `rig.toml` and one table.
+//!
+//! ```text
+//! DATASET/
+//!   rig.toml     what the simulation believes, each value with its standard uncertainty
+//!   points.csv   steady-state sine points   (kind = "calibrator")
+//!   record.csv   input and output over time (kind = "oscillator")
+//! ```
+
+mod points;
+mod record;
+mod rig;
+
+pub(crate) use points::{Harmonic, Point};
+pub(crate) use record::Record;
+pub(crate) use rig::Rig;
+pub(crate) use rig::{Exciter, Kind, Measurand, Quantity, Transducer};
+
+use crate::error::GapError;
+use sha2::{Digest, Sha256};
+use std::path::Path;
+
+/// The measured part of a dataset.
+#[derive(Debug, Clone)]
+pub(crate) enum Measured {
+    /// Steady-state sine points of a calibrator, and the names of the columns that held values.
+    Points {
+        /// One entry per row of `points.csv`.
+        points: Vec<Point>,
+        /// Columns that were present.
+        columns: Vec<String>,
+    },
+    /// A uniformly sampled record of an oscillator.
+    Record(Record),
+}
+
+/// One dataset: rig and measurement, and nothing about the cause of a difference.
+#[derive(Debug, Clone)]
+pub(crate) struct Dataset {
+    /// What the simulation believes.
+    pub(crate) rig: Rig,
+    /// What was measured.
+    pub(crate) measured: Measured,
+    /// SHA-256 over `rig.toml` and the table, in hexadecimal.
+    pub(crate) sha256: String,
+}
+
+impl Dataset {
+    /// Reads and checks a dataset folder.
+    ///
+    /// # Errors
+    /// [`GapError`] names file, line and column of the first unusable value.
+    pub(crate) fn read(folder: &Path) -> Result<Self, GapError> {
+        if !folder.is_dir() {
+            let problem =
+                "is not a dataset folder (it must hold rig.toml and points.csv or record.csv)"
+                    .into();
+            return Err(GapError::Rig {
+                path: folder.into(),
+                problem,
+            });
+        }
+        let rig_path = folder.join("rig.toml");
+        let rig_text =
+            std::fs::read_to_string(&rig_path).map_err(|e| GapError::file(&rig_path, e))?;
+        let rig = Rig::parse(&rig_text, &rig_path)?;
+        let mut hash = Sha256::new();
+        hash.update(rig_text.as_bytes());
+        let table = folder.join(match rig.kind {
+            Kind::Calibrator => "points.csv",
+            Kind::Oscillator => "record.csv",
+        });
+        let file = std::fs::File::open(&table).map_err(|e| GapError::file(&table, e))?;
+        let mut input = HashingReader {
+            inner: std::io::BufReader::new(file),
+            hash: &mut hash,
+        };
+        let measured = match rig.kind {
+            Kind::Calibrator => points::read(&mut input)?,
+            Kind::Oscillator => Measured::Record(record::read(&mut input)?),
+        };
+        let sha256 = hash.finalize().iter().map(|b| format!("{b:02x}")).collect();
+        Ok(Self {
+            rig,
+            measured,
+            sha256,
+        })
+    }
+}
+
+/// Hashes a file while it is parsed, so that it is read once and never held whole.
+struct HashingReader<'a, R> {
+    inner: R,
+    hash: &'a mut Sha256,
+}
+
+impl<R: std::io::Read> std::io::Read for HashingReader<'_, R> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.inner.read(buffer)?;
+        self.hash.update(&buffer[..count]);
+        Ok(count)
+    }
+}

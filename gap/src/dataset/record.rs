@@ -1,0 +1,103 @@
+//! `record.csv`: input and output of an oscillator, uniformly sampled.
+
+use crate::error::GapError;
+use std::io::Read;
+
+/// Longest record that is read; more samples than this never change a diagnosis.
+pub(crate) const MOST_SAMPLES: usize = 2_000_000;
+
+/// A uniformly sampled record.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Record {
+    /// Sampling interval, in s.
+    pub(crate) interval_s: f64,
+    /// Input, in the unit of the file.
+    pub(crate) input: Vec<f64>,
+    /// Output, in the unit of the file.
+    pub(crate) output: Vec<f64>,
+}
+
+const FILE: &str = "record.csv";
+const COLUMNS: [&str; 3] = ["time_s", "input", "output"];
+
+/// Reads a record.
+///
+/// # Errors
+/// Missing or unknown columns, values that are no numbers, time steps that differ by more than 1 %.
+pub(super) fn read(input: impl Read) -> Result<Record, GapError> {
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_reader(input);
+    let header = reader.headers().map_err(|e| table(e.to_string()))?.clone();
+    if let Some(unknown) = header.iter().find(|name| !COLUMNS.contains(name)) {
+        return Err(table(format!(
+            "unknown column \"{unknown}\"; a record has {}",
+            COLUMNS.join(", ")
+        )));
+    }
+    let mut index = [0; 3];
+    for (slot, name) in index.iter_mut().zip(COLUMNS) {
+        *slot = header
+            .iter()
+            .position(|h| h == name)
+            .ok_or_else(|| table(format!("column {name} is missing")))?;
+    }
+    let mut columns: [Vec<f64>; 3] = Default::default();
+    let mut row = csv::StringRecord::new();
+    while reader
+        .read_record(&mut row)
+        .map_err(|e| table(e.to_string()))?
+    {
+        let line = columns[0].len() + 2;
+        if columns[0].len() == MOST_SAMPLES {
+            return Err(table(format!(
+                "more than {MOST_SAMPLES} samples; cut the record"
+            )));
+        }
+        for ((column, &at), name) in columns.iter_mut().zip(&index).zip(COLUMNS) {
+            let text = row.get(at).unwrap_or("");
+            let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
+            column.push(value.ok_or_else(|| GapError::Cell {
+                file: FILE,
+                line,
+                column: name.into(),
+                problem: format!("\"{text}\" is not a finite number"),
+            })?);
+        }
+    }
+    let [time, input, output] = columns;
+    Ok(Record {
+        interval_s: interval(&time)?,
+        input,
+        output,
+    })
+}
+
+fn interval(time_s: &[f64]) -> Result<f64, GapError> {
+    if time_s.len() < 100 {
+        return Err(table(format!(
+            "{} samples; a fit needs at least 100",
+            time_s.len()
+        )));
+    }
+    let interval = (time_s[time_s.len() - 1] - time_s[0]) / (time_s.len() - 1) as f64;
+    let uneven = time_s
+        .windows(2)
+        .position(|w| (w[1] - w[0] - interval).abs() > 0.01 * interval.abs());
+    if interval <= 0.0 || uneven.is_some() {
+        return Err(GapError::Cell {
+            file: FILE,
+            line: uneven.unwrap_or(0) + 3,
+            column: "time_s".into(),
+            problem: format!("not uniformly sampled: the mean step is {interval:e} s"),
+        });
+    }
+    Ok(interval)
+}
+
+fn table(problem: String) -> GapError {
+    GapError::Table {
+        file: FILE,
+        problem,
+    }
+}

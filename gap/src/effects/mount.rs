@@ -1,0 +1,162 @@
+//! What the mounting does to the device under test.
+
+use super::about::{About, Parameter, Stage};
+use super::start::{Start, ratios};
+use super::{Effect, Facts};
+use crate::model::chain::{Chain, Transfer};
+use crate::model::row::Row;
+use crate::model::waveform::Characteristic;
+
+/// Standard acceleration of free fall, in m/s2 (ISO 80000-3).
+pub(super) const FREE_FALL_MS2: f64 = 9.806_65;
+
+/// Strain of the base, driven by the payload at low frequency.
+pub(super) struct BaseStrain;
+/// Tilt in proportion to travel.
+pub(super) struct GravityTilt;
+/// A device that lifts off when the table falls away.
+pub(super) struct LooseMount {
+    /// The cut is on the positive side.
+    pub(super) upper: bool,
+    /// Weight holds the device down: tilting lowers the threshold.
+    pub(super) with_gravity: bool,
+}
+
+static STRAIN: About = About {
+    id: "base_strain",
+    stage: Stage::Mount,
+    formula: "r = 1 + s (payload/40 g)/(1 + (f/f1)^2)",
+    parameters: &[
+        Parameter::linear("strain", "1", -0.3, 0.3),
+        Parameter::log("corner_hz", "Hz", 5.0, 200.0),
+    ],
+    columns: &["frequency_hz", "payload_kg", "ratio"],
+    confused_with: &["dut_highpass", "gravity_tilt", "dut_frequency_slope"],
+    separate_by: "a second payload below the corner; phase at low frequency",
+};
+static TILT: About = About {
+    id: "gravity_tilt",
+    stage: Stage::Mount,
+    formula: "r = 1 + g cos(rotation)/f^2",
+    parameters: &[Parameter::linear("tilt_hz2", "Hz2", -1e4, 1e4)],
+    columns: &["frequency_hz", "rotation_deg", "ratio"],
+    confused_with: &["reference_highpass", "dut_highpass", "transverse_motion"],
+    separate_by: "the device rotated by 180 degrees at the lowest frequencies",
+};
+static LOOSE: About = About {
+    id: "loose_mount",
+    stage: Stage::Mount,
+    formula: "acceleration of the device cut on one side at a threshold of 0.5..3 g, impact noise above it",
+    parameters: &[
+        Parameter::log("threshold_ms2", "m/s2", 0.5, 300.0),
+        Parameter::linear("impact_noise", "1", 0.0, 3.0),
+    ],
+    columns: &[
+        "acceleration_ms2",
+        "ratio",
+        "dut_h2",
+        "dut_h3",
+        "dut_noise_v",
+        "tilt_deg",
+    ],
+    confused_with: &["adc_clipping"],
+    separate_by: "levels around the threshold with harmonics; another tilt",
+};
+
+impl Effect for BaseStrain {
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn about(&self) -> &'static About {
+        &STRAIN
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.ratio && (facts.largest_payload_kg > 0.0 || !facts.payload_stated)
+    }
+    fn starts(&self, _facts: &Facts) -> Vec<Start> {
+        ratios(6.0, 180.0, 9)
+            .into_iter()
+            .map(|corner| Start::signed(vec![0.002, corner], 0))
+            .collect()
+    }
+    fn transfer(&self, p: &[f64], row: &Row, frequency_hz: f64, transfer: &mut Transfer) {
+        let payload = if row.payload_stated {
+            row.payload_kg / 0.04
+        } else {
+            1.0
+        };
+        let q = frequency_hz / p[1];
+        transfer.dut *= 1.0 + p[0] * payload / (1.0 + q * q);
+    }
+}
+
+impl Effect for GravityTilt {
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn about(&self) -> &'static About {
+        &TILT
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.ratio
+    }
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        vec![Start::signed(
+            vec![0.001 * facts.lowest_hz * facts.lowest_hz],
+            0,
+        )]
+    }
+    fn transfer(&self, p: &[f64], row: &Row, frequency_hz: f64, transfer: &mut Transfer) {
+        transfer.dut *= 1.0 + p[0] * row.rotation.0 / (frequency_hz * frequency_hz);
+    }
+}
+
+impl LooseMount {
+    fn threshold(&self, p: &[f64], row: &Row) -> f64 {
+        let lowered = if self.with_gravity {
+            FREE_FALL_MS2 * (1.0 - row.vertical)
+        } else {
+            0.0
+        };
+        (p[0] - lowered).max(0.2)
+    }
+}
+
+impl Effect for LooseMount {
+    fn about(&self) -> &'static About {
+        &LOOSE
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.level_known
+            && (facts.ratio || facts.dut_harmonics)
+            && (!self.with_gravity || facts.tilt_varies)
+    }
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        let peak = facts.largest_level_ms2 * std::f64::consts::SQRT_2;
+        let added = if self.with_gravity {
+            FREE_FALL_MS2
+        } else {
+            0.0
+        };
+        ratios(0.15 * peak, 0.99 * peak, 14)
+            .into_iter()
+            .filter(|t| (1.0..100.0).contains(t))
+            .flat_map(|t| [0.0, 0.02].map(|noise| Start::shape(vec![t + added, noise])))
+            .collect()
+    }
+    fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
+        let threshold = self.threshold(p, row);
+        chain.mount = Some(Characteristic::OneSided {
+            threshold,
+            upper: self.upper,
+        });
+        let peak = row.level_ms2 * std::f64::consts::SQRT_2;
+        let excess = peak - threshold;
+        if excess > 0.0 && peak.is_finite() {
+            let impact_v = p[1] * excess * row.dut_peak_v / peak;
+            chain.noise_v2[1] += impact_v * impact_v;
+            // How impacts grow above the threshold depends on the contact: only that they grow is used.
+            chain.noise_open[1] += 0.3 * (1.0 - (-impact_v / 1e-5).exp());
+        }
+    }
+}

@@ -1,0 +1,298 @@
+//! Refinement of a set of effects: damped Gauss-Newton on the posterior.
+
+use super::normal::{Tangent, gram};
+use super::problem::{Column, Evaluation, Problem};
+use crate::effects::{Active, Scale};
+use crate::model::predict::Memory;
+use nalgebra::{Cholesky, DVector};
+
+/// A refined set of effects.
+#[derive(Clone)]
+pub(crate) struct Fit {
+    /// Library entries and their parameters.
+    pub(crate) effects: Vec<Active<'static>>,
+    /// Nuisance values in units of their uncertainty.
+    pub(crate) theta: Vec<f64>,
+    /// -2 ln posterior at the optimum.
+    pub(crate) objective: f64,
+}
+
+/// How far a refinement goes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Effort {
+    pub(crate) most_steps: usize,
+    /// Gain of the objective below which it stops.
+    pub(crate) enough: f64,
+}
+
+impl Effort {
+    pub(crate) const FULL: Self = Self {
+        most_steps: 25,
+        enough: 1e-3,
+    };
+}
+
+impl Fit {
+    /// Number of parameters of the effects.
+    pub(crate) fn parameter_count(&self) -> usize {
+        self.effects.iter().map(|e| e.parameters.len()).sum()
+    }
+
+    /// Names of the effects in library order.
+    pub(crate) fn names(&self) -> Vec<&'static str> {
+        self.effects.iter().map(|e| e.effect.about().id).collect()
+    }
+
+    /// Whether a library entry takes part.
+    pub(crate) fn has(&self, entry: usize) -> bool {
+        self.effects.iter().any(|e| e.entry == entry)
+    }
+}
+
+/// Memory of balances, reused between refinements of one problem.
+pub(crate) struct Workspace {
+    pub(crate) memory: Vec<Memory>,
+    spare: Vec<Memory>,
+}
+
+impl Workspace {
+    pub(crate) fn new(problem: &Problem) -> Self {
+        Self {
+            memory: problem.memory(),
+            spare: problem.memory(),
+        }
+    }
+}
+
+/// Refines effects and nuisances from a start.
+pub(crate) fn refine(
+    problem: &Problem,
+    effects: Vec<Active<'static>>,
+    theta: Vec<f64>,
+    effort: Effort,
+    work: &mut Workspace,
+) -> Fit {
+    let mut fit = Fit {
+        effects,
+        theta,
+        objective: f64::INFINITY,
+    };
+    clamp(&mut fit.effects);
+    let mut damping = 1e-3;
+    let mut linear = Linearised::new(problem, &fit, work);
+    fit.objective = linear.evaluation.objective;
+    for _ in 0..effort.most_steps {
+        let Some(step) = linear.step(problem, damping) else {
+            damping *= 10.0;
+            continue;
+        };
+        let trial = moved(problem, &fit, &step);
+        let evaluation = problem.evaluate(&trial.effects, &trial.theta, &mut work.memory);
+        let gain = fit.objective - evaluation.objective;
+        if gain > 0.0 {
+            fit = Fit {
+                objective: evaluation.objective,
+                ..trial
+            };
+            damping = (damping * 0.2).max(1e-9);
+            if gain < effort.enough {
+                break;
+            }
+            linear = Linearised::new(problem, &fit, work);
+        } else {
+            if gain > -1e-6 || damping > 1e6 {
+                break;
+            }
+            damping *= if damping < 1e-2 { 100.0 } else { 10.0 };
+        }
+    }
+    if fit.effects.iter().any(|e| e.effect.scatters()) {
+        polish(problem, &mut fit, effort, work);
+    }
+    fit
+}
+
+/// The problem linearised at a fit.
+pub(crate) struct Linearised {
+    pub(crate) evaluation: Evaluation,
+    pub(crate) columns: Vec<Column>,
+    pub(crate) prior: Vec<f64>,
+    theta: Vec<f64>,
+}
+
+impl Linearised {
+    pub(crate) fn new(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Self {
+        let (evaluation, mut columns) =
+            problem.linearise(&fit.effects, &fit.theta, &mut work.memory);
+        let mut effects = fit.effects.clone();
+        for at in 0..effects.len() {
+            for index in 0..effects[at].parameters.len() {
+                let original = effects[at].parameters[index];
+                let (value, step) = nudged(&effects[at], index);
+                effects[at].parameters[index] = value;
+                work.spare.clone_from(&work.memory);
+                let there = problem.evaluate(&effects, &fit.theta, &mut work.spare);
+                effects[at].parameters[index] = original;
+                columns.push(column(problem, &evaluation, &there, step));
+            }
+        }
+        let mut prior: Vec<f64> = problem
+            .free
+            .iter()
+            .map(|f| f64::from(u8::from(f.bounded)))
+            .collect();
+        prior.resize(columns.len(), 0.0);
+        Self {
+            evaluation,
+            columns,
+            prior,
+            theta: fit.theta.clone(),
+        }
+    }
+
+    fn step(&self, problem: &Problem, damping: f64) -> Option<DVector<f64>> {
+        let mut matrix = gram(&self.columns, &self.prior);
+        let nuisances = self.theta.len();
+        let mut gradient = DVector::zeros(self.columns.len());
+        for (i, column) in self.columns.iter().enumerate() {
+            gradient[i] = column.dot_data(problem, &self.evaluation.residual);
+            if i < nuisances {
+                gradient[i] -= self.prior[i] * self.theta[i];
+            }
+            matrix[(i, i)] *= 1.0 + damping;
+        }
+        Some(Cholesky::new(matrix)?.solve(&gradient))
+    }
+
+    /// The tangent space here, priors included.
+    pub(crate) fn tangent(self) -> Option<(Evaluation, Tangent)> {
+        let tangent = Tangent::new(self.columns, &self.prior)?;
+        Some((self.evaluation, tangent))
+    }
+}
+
+/// Slope of the weighted prediction from two evaluations; weights are those of the first.
+fn column(problem: &Problem, here: &Evaluation, there: &Evaluation, step: f64) -> Column {
+    let residual: Vec<f64> = there
+        .residual
+        .iter()
+        .zip(&there.weight)
+        .zip(&here.weight)
+        .map(|((r, wt), wh)| r / wt * wh)
+        .collect();
+    let mut column = Column::difference(problem, &residual, &here.residual, 1.0 / step);
+    for (slot, values) in &mut column.parts {
+        if super::problem::is_phase(*slot) {
+            // A phase that crossed half a turn between the two evaluations carries no slope.
+            values
+                .iter_mut()
+                .filter(|v| (v.abs() * step) > 1.0 / 1e-3)
+                .for_each(|v| *v = 0.0);
+        }
+    }
+    column
+}
+
+/// A parameter moved by a small step, and that step in internal units.
+fn nudged(active: &Active<'_>, index: usize) -> (f64, f64) {
+    let parameter = active.effect.about().parameters[index];
+    let value = active.parameters[index];
+    let (there, step) = match parameter.scale {
+        Scale::Log => (value * 1.0005, 0.0005_f64.ln_1p()),
+        Scale::Linear => {
+            let size = if value == 0.0 {
+                1e-6 * (parameter.upper - parameter.lower).min(1.0)
+            } else {
+                1e-4 * value
+            };
+            (value + size, size)
+        }
+    };
+    if there > parameter.upper {
+        match parameter.scale {
+            Scale::Log => (value / 1.0005, -step),
+            Scale::Linear => (value - step, -step),
+        }
+    } else {
+        (there, step)
+    }
+}
+
+fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
+    let mut trial = fit.clone();
+    let nuisances = problem.free.len();
+    for (theta, (free, change)) in trial
+        .theta
+        .iter_mut()
+        .zip(problem.free.iter().zip(step.iter()))
+    {
+        let bound = if free.bounded { 3.0 } else { 200.0 };
+        *theta += change.clamp(-bound, bound);
+    }
+    let mut at = nuisances;
+    for active in &mut trial.effects {
+        for (value, parameter) in active
+            .parameters
+            .iter_mut()
+            .zip(active.effect.about().parameters)
+        {
+            match parameter.scale {
+                Scale::Log => *value *= step[at].clamp(-1.0, 1.0).exp(),
+                Scale::Linear => *value += step[at],
+            }
+            at += 1;
+        }
+    }
+    clamp(&mut trial.effects);
+    trial
+}
+
+fn clamp(effects: &mut [Active<'static>]) {
+    for active in effects {
+        for (value, parameter) in active
+            .parameters
+            .iter_mut()
+            .zip(active.effect.about().parameters)
+        {
+            *value = value.clamp(parameter.lower, parameter.upper);
+        }
+    }
+}
+
+/// Direct search over the parameters of effects that act on scatter, which slopes do not see.
+fn polish(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspace) {
+    let rounds = if effort.most_steps > 10 { 4 } else { 1 };
+    let mut size: f64 = 0.4;
+    for _ in 0..rounds {
+        for at in 0..fit.effects.len() {
+            if !fit.effects[at].effect.scatters() {
+                continue;
+            }
+            for index in 0..fit.effects[at].parameters.len() {
+                for direction in [1.0_f64, -1.0] {
+                    let mut trial = fit.clone();
+                    let parameter = trial.effects[at].effect.about().parameters[index];
+                    let value = &mut trial.effects[at].parameters[index];
+                    match parameter.scale {
+                        Scale::Log => *value *= (direction * size).exp(),
+                        Scale::Linear => {
+                            *value += direction
+                                * size
+                                * 0.3
+                                * (parameter.upper - parameter.lower).min(3.0)
+                        }
+                    }
+                    clamp(&mut trial.effects);
+                    trial.objective = problem
+                        .evaluate(&trial.effects, &trial.theta, &mut work.memory)
+                        .objective;
+                    if trial.objective < fit.objective {
+                        *fit = trial;
+                        break;
+                    }
+                }
+            }
+        }
+        size *= 0.4;
+    }
+}

@@ -1,0 +1,590 @@
+//! A dataset as a fitting problem: whitened data, nuisance parameters, slots.
+
+use crate::dataset::{Exciter, Measurand, Measured, Point, Rig};
+use crate::effects::{Active, Facts};
+use crate::model::chain::{Chain, Transfer};
+use crate::model::predict::{Memory, Nominal, Prediction, predict};
+use crate::model::row::{CURRENT, DRIVE, NOISE, RATIO, REF_HARMONICS, Row, SLOTS};
+use std::f64::consts::{PI, TAU};
+use std::ops::Range;
+
+/// A parameter of the simulation that is not an effect, in units of its uncertainty.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Nuisance {
+    /// Gain of the ratio.
+    RatioGain,
+    /// Gain of the drive.
+    DriveGain,
+    /// One of the six exciter values.
+    Exciter(usize),
+    /// Gain of the reference in a run.
+    RunReference(usize),
+    /// Gain of the device under test in a run.
+    RunDut(usize),
+    /// Noise of a healthy channel.
+    Noise(usize),
+}
+
+/// A nuisance with its prior.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Free {
+    pub(crate) kind: Nuisance,
+    /// Relative standard uncertainty, the unit of the parameter.
+    pub(crate) unit: f64,
+    /// Whether a prior of one unit holds; the measurand has none.
+    pub(crate) bounded: bool,
+}
+
+/// The fitting problem.
+#[derive(Debug, Clone)]
+pub(crate) struct Problem {
+    pub(crate) rows: Vec<Row>,
+    pub(crate) free: Vec<Free>,
+    pub(crate) facts: Facts,
+    /// Row of each datum; data are ordered by slot, then by row.
+    pub(crate) row_of: Vec<usize>,
+    /// Data of each slot.
+    pub(crate) slots: [Range<usize>; SLOTS],
+    base: Nominal,
+    exciter_u: [f64; 6],
+    measured: Vec<f64>,
+    u: Vec<f64>,
+    /// Place of each row's slots in the data.
+    place: Vec<[u32; SLOTS]>,
+}
+
+/// State of the simulation for one set of effects and nuisance values.
+#[derive(Debug, Clone)]
+pub(crate) struct Evaluation {
+    /// (measured - simulated)/u.
+    pub(crate) residual: Vec<f64>,
+    /// 1/u, lowered where an effect leaves scatter open.
+    pub(crate) weight: Vec<f64>,
+    /// Sum of squares, priors and the logarithm of widened uncertainties: -2 ln posterior.
+    pub(crate) objective: f64,
+    /// Rows whose balance was not reached.
+    pub(crate) diverged: usize,
+}
+
+/// One column of a Jacobian: values in the slots it touches.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Column {
+    pub(crate) parts: Vec<(usize, Vec<f64>)>,
+}
+
+const ABSENT: u32 = u32::MAX;
+
+impl Problem {
+    /// Sets the problem up from the points of a dataset.
+    pub(crate) fn new(rig: &Rig, points: &[Point]) -> Self {
+        let rows: Vec<Row> = points.iter().map(|p| Row::new(p, rig)).collect();
+        Self::from_rows(rig, rows)
+    }
+
+    /// Sets the problem up from the measured part of a dataset, if it holds points.
+    pub(crate) fn from_dataset(rig: &Rig, measured: &Measured) -> Option<Self> {
+        match measured {
+            Measured::Points { points, .. } => Some(Self::new(rig, points)),
+            Measured::Record(_) => None,
+        }
+    }
+
+    fn from_rows(rig: &Rig, rows: Vec<Row>) -> Self {
+        let exciter = rig.exciter.and_then(|e| e.complete());
+        let noise_v = rig.digitiser.noise_v.map_or(0.0, |q| q.value);
+        let facts = Facts::new(&rows, exciter.map(|e| e.map(|q| q.value)), noise_v);
+        let s1 = rig.reference.and_then(|t| t.sensitivity_v_per_ms2);
+        let s2 = rig.dut.and_then(|t| t.sensitivity_v_per_ms2);
+        let base = Nominal {
+            exciter: exciter.map(|e| e.map(|q| q.value)),
+            drive_ln: s1.map_or(0.0, |q| q.value.ln()),
+            ratio_ln: s1.zip(s2).map_or(0.0, |(a, b)| (b.value / a.value).ln()),
+            dut_gain: 1.0,
+            noise_v: [noise_v; 2],
+        };
+        let exciter_u = exciter.map_or([0.0; 6], |e| e.map(|q| q.u / q.value));
+        let free = nuisances(rig, &rows, &facts);
+        let mut problem = Self {
+            rows,
+            free,
+            facts,
+            row_of: Vec::new(),
+            slots: std::array::from_fn(|_| 0..0),
+            base,
+            exciter_u,
+            measured: Vec::new(),
+            u: Vec::new(),
+            place: Vec::new(),
+        };
+        problem.lay_out();
+        problem
+    }
+
+    fn lay_out(&mut self) {
+        self.place = vec![[ABSENT; SLOTS]; self.rows.len()];
+        for slot in 0..SLOTS {
+            let start = self.row_of.len();
+            for (index, row) in self.rows.iter().enumerate() {
+                if row.u[slot].is_finite() {
+                    self.place[index][slot] = self.row_of.len() as u32;
+                    self.row_of.push(index);
+                    self.measured.push(row.value[slot]);
+                    self.u.push(row.u[slot]);
+                }
+            }
+            self.slots[slot] = start..self.row_of.len();
+        }
+    }
+
+    /// The same rig with some of the rows only.
+    pub(crate) fn subset(&self, rig: &Rig, keep: &dyn Fn(usize) -> bool) -> Self {
+        let rows = self
+            .rows
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| keep(*i))
+            .map(|(_, r)| r.clone())
+            .collect();
+        Self::from_rows(rig, rows)
+    }
+
+    /// Number of data.
+    pub(crate) fn len(&self) -> usize {
+        self.row_of.len()
+    }
+
+    /// Stated standard uncertainty of a datum.
+    pub(crate) fn uncertainty(&self, datum: usize) -> f64 {
+        self.u[datum]
+    }
+
+    /// Fresh memory for the balances.
+    pub(crate) fn memory(&self) -> Vec<Memory> {
+        vec![Memory::default(); self.rows.len()]
+    }
+
+    /// Value of one exciter entry for a nuisance value.
+    pub(crate) fn exciter_value(&self, index: usize, theta: f64) -> f64 {
+        let value = self.base.exciter.map_or(0.0, |e| e[index]);
+        value * stretched(self.exciter_u[index] * theta, self.exciter_u[index])
+    }
+
+    fn nominal(&self, theta: &[f64]) -> Nominal {
+        let mut nominal = self.base.clone();
+        for (free, &value) in self.free.iter().zip(theta) {
+            let change = value * free.unit;
+            match free.kind {
+                Nuisance::RatioGain => {
+                    nominal.ratio_ln += change;
+                    nominal.dut_gain *= change.exp();
+                }
+                Nuisance::DriveGain => nominal.drive_ln += change,
+                Nuisance::Exciter(i) => {
+                    if let Some(exciter) = nominal.exciter.as_mut() {
+                        exciter[i] = self.exciter_value(i, value);
+                    }
+                }
+                Nuisance::Noise(channel) => nominal.noise_v[channel] *= change.exp(),
+                Nuisance::RunReference(_) | Nuisance::RunDut(_) => {}
+            }
+        }
+        nominal
+    }
+
+    /// Added to ln ratio and ln drive by the gains of each run.
+    fn run_gains(&self, theta: &[f64]) -> Vec<[f64; 2]> {
+        let runs = self.rows.iter().map(|r| r.run).max().unwrap_or(0) + 1;
+        let mut gains = vec![[0.0; 2]; runs];
+        for (free, &value) in self.free.iter().zip(theta) {
+            match free.kind {
+                Nuisance::RunReference(run) => {
+                    gains[run][0] -= value * free.unit;
+                    gains[run][1] += value * free.unit;
+                }
+                Nuisance::RunDut(run) => gains[run][0] += value * free.unit,
+                _ => {}
+            }
+        }
+        gains
+    }
+
+    /// Calls `visit(row, prediction)` for every row.
+    pub(crate) fn predictions(
+        &self,
+        effects: &[Active<'_>],
+        theta: &[f64],
+        memory: &mut [Memory],
+        mut visit: impl FnMut(usize, &Prediction),
+    ) {
+        let nominal = self.nominal(theta);
+        let gains = self.run_gains(theta);
+        for (index, row) in self.rows.iter().enumerate() {
+            let mut prediction = predict(row, &nominal, effects, &mut memory[index]);
+            prediction.value[RATIO] += gains[row.run][0];
+            prediction.value[DRIVE] += gains[row.run][1];
+            visit(index, &prediction);
+        }
+    }
+
+    /// Compares simulation and measurement.
+    pub(crate) fn evaluate(
+        &self,
+        effects: &[Active<'_>],
+        theta: &[f64],
+        memory: &mut [Memory],
+    ) -> Evaluation {
+        self.evaluate_with(effects, theta, memory, |_, _| {})
+    }
+
+    fn evaluate_with(
+        &self,
+        effects: &[Active<'_>],
+        theta: &[f64],
+        memory: &mut [Memory],
+        mut visit: impl FnMut(usize, &Prediction),
+    ) -> Evaluation {
+        let mut evaluation = Evaluation {
+            residual: vec![0.0; self.len()],
+            weight: vec![0.0; self.len()],
+            objective: self.prior(theta),
+            diverged: 0,
+        };
+        self.predictions(effects, theta, memory, |index, prediction| {
+            evaluation.diverged += usize::from(prediction.diverged);
+            self.compare(index, prediction, &mut evaluation);
+            visit(index, prediction);
+        });
+        // A balance that fails on many rows is no description of them.
+        evaluation.objective += 1e3 * evaluation.diverged as f64;
+        if !evaluation.objective.is_finite() {
+            evaluation.objective = f64::MAX;
+        }
+        evaluation
+    }
+
+    /// Noise and openness of each row as a set of effects leaves them.
+    pub(crate) fn scatter_base(
+        &self,
+        effects: &[Active<'_>],
+        theta: &[f64],
+    ) -> (Nominal, Vec<Chain>) {
+        let nominal = self.nominal(theta);
+        let chains = self.rows.iter().map(|row| {
+            let mut chain = Chain {
+                dut_gain: nominal.dut_gain,
+                ..Chain::default()
+            };
+            effects.iter().for_each(|e| e.chain(row, &mut chain));
+            chain
+        });
+        let chains = chains.collect();
+        (nominal, chains)
+    }
+
+    /// Gain of the objective when an effect that only scatters is added, all else kept.
+    pub(crate) fn scatter_gain(
+        &self,
+        base: &(Nominal, Vec<Chain>),
+        added: &Active<'_>,
+        here: &Evaluation,
+    ) -> f64 {
+        let mut gain = 0.0;
+        for (index, (row, before)) in self.rows.iter().zip(&base.1).enumerate() {
+            let mut after = before.clone();
+            added.chain(row, &mut after);
+            let mut transfer = Transfer::default();
+            added.transfer(row, row.frequency_hz, &mut transfer);
+            let mut part = |slot: usize, change: f64, open: f64| {
+                let at = self.place[index][slot];
+                if at == ABSENT || (change == 0.0 && open <= 0.0) {
+                    return;
+                }
+                let at = at as usize;
+                let (weight, difference) = (here.weight[at], here.residual[at] / here.weight[at]);
+                let ratio = 1.0 + open * weight * weight;
+                let new = (difference - change).powi(2) * weight * weight / ratio;
+                gain += here.residual[at].powi(2) - new - ratio.ln();
+            };
+            for channel in 0..2 {
+                let healthy = base.0.noise_v[channel].powi(2);
+                let change = 0.5
+                    * ((healthy + after.noise_v2[channel]) / (healthy + before.noise_v2[channel]))
+                        .ln();
+                let open = after.noise_open[channel].powi(2) - before.noise_open[channel].powi(2);
+                part(NOISE + channel, change, open);
+                let (from, to) = (after.leakage[channel], before.leakage[channel]);
+                let slot = [RATIO, DRIVE][channel];
+                part(
+                    slot,
+                    if channel == 1 {
+                        transfer.reference.norm().ln()
+                    } else {
+                        0.0
+                    },
+                    from - to,
+                );
+                part(slot + 1, 0.0, from - to);
+                for k in 0..4 {
+                    let open =
+                        after.harmonic_leakage[channel][k] - before.harmonic_leakage[channel][k];
+                    for half in 0..2 {
+                        part(REF_HARMONICS + 8 * channel + 2 * k + half, 0.0, open);
+                    }
+                }
+            }
+        }
+        gain
+    }
+
+    fn prior(&self, theta: &[f64]) -> f64 {
+        self.free
+            .iter()
+            .zip(theta)
+            .filter(|(f, _)| f.bounded)
+            .map(|(_, t)| t * t)
+            .sum()
+    }
+
+    fn compare(&self, index: usize, prediction: &Prediction, evaluation: &mut Evaluation) {
+        for (slot, &at) in self.place[index].iter().enumerate() {
+            if at == ABSENT {
+                continue;
+            }
+            let at = at as usize;
+            let mut difference = self.measured[at] - prediction.value[slot];
+            if is_phase(slot) {
+                difference = wrapped(difference);
+            }
+            let (u, open) = (self.u[at], prediction.open[slot]);
+            let weight = if open > 0.0 {
+                let ratio = 1.0 + open / (u * u);
+                evaluation.objective += ratio.ln();
+                1.0 / (u * ratio.sqrt())
+            } else {
+                1.0 / u
+            };
+            let residual = difference * weight;
+            evaluation.residual[at] = residual;
+            evaluation.weight[at] = weight;
+            evaluation.objective += residual * residual;
+        }
+    }
+
+    /// Compares, and gives the slope of the prediction (times weight) against each nuisance.
+    pub(crate) fn linearise(
+        &self,
+        effects: &[Active<'_>],
+        theta: &[f64],
+        memory: &mut [Memory],
+    ) -> (Evaluation, Vec<Column>) {
+        let mut columns: Vec<Column> = self
+            .free
+            .iter()
+            .map(|f| self.empty_column(f.kind))
+            .collect();
+        let offsets: [usize; SLOTS] = std::array::from_fn(|s| self.slots[s].start);
+        let evaluation = self.evaluate_with(effects, theta, memory, |index, prediction| {
+            for ((free, column), &value) in self.free.iter().zip(&mut columns).zip(theta) {
+                let unit = self.relative_unit(free, value);
+                for (slot, values) in &mut column.parts {
+                    let at = self.place[index][*slot];
+                    if at != ABSENT {
+                        values[at as usize - offsets[*slot]] =
+                            unit * slope(free.kind, *slot, &self.rows[index], prediction);
+                    }
+                }
+            }
+        });
+        for column in &mut columns {
+            for (slot, values) in &mut column.parts {
+                for (value, weight) in values
+                    .iter_mut()
+                    .zip(&evaluation.weight[self.slots[*slot].clone()])
+                {
+                    *value *= weight;
+                }
+            }
+        }
+        (evaluation, columns)
+    }
+
+    fn relative_unit(&self, free: &Free, theta: f64) -> f64 {
+        match free.kind {
+            Nuisance::Exciter(i) => {
+                let u = self.exciter_u[i];
+                stretched_slope(u * theta, u) * u / stretched(u * theta, u)
+            }
+            _ => free.unit,
+        }
+    }
+
+    fn empty_column(&self, kind: Nuisance) -> Column {
+        let slots: &[usize] = match kind {
+            Nuisance::RatioGain | Nuisance::RunDut(_) => &[RATIO],
+            Nuisance::DriveGain => &[DRIVE],
+            Nuisance::RunReference(_) => &[RATIO, DRIVE],
+            Nuisance::Exciter(_) => &[DRIVE, DRIVE + 1, CURRENT, CURRENT + 1],
+            Nuisance::Noise(0) => &[NOISE],
+            Nuisance::Noise(_) => &[NOISE + 1],
+        };
+        let parts = slots.iter().filter(|s| !self.slots[**s].is_empty());
+        Column {
+            parts: parts
+                .map(|s| (*s, vec![0.0; self.slots[*s].len()]))
+                .collect(),
+        }
+    }
+}
+
+/// Slope of ln values against the relative change of a nuisance.
+fn slope(kind: Nuisance, slot: usize, row: &Row, prediction: &Prediction) -> f64 {
+    match kind {
+        Nuisance::RatioGain | Nuisance::DriveGain => 1.0,
+        Nuisance::RunDut(run) => f64::from(u8::from(row.run == run)),
+        Nuisance::RunReference(run) if row.run != run => 0.0,
+        Nuisance::RunReference(_) => {
+            if slot == RATIO {
+                -1.0
+            } else {
+                1.0
+            }
+        }
+        Nuisance::Exciter(i) => prediction
+            .slopes
+            .map_or(0.0, |(drive, current)| match slot {
+                DRIVE => drive[i].re,
+                CURRENT => current[i].re,
+                s if s == DRIVE + 1 => drive[i].im,
+                _ => current[i].im,
+            }),
+        Nuisance::Noise(channel) => prediction.noise_share[channel],
+    }
+}
+
+/// Factor on a value for a relative change; large uncertainties stay positive.
+fn stretched(change: f64, u: f64) -> f64 {
+    if u > 0.3 {
+        change.exp()
+    } else {
+        (1.0 + change).max(0.02)
+    }
+}
+
+fn stretched_slope(change: f64, u: f64) -> f64 {
+    if u > 0.3 {
+        change.exp()
+    } else if 1.0 + change > 0.02 {
+        1.0
+    } else {
+        0.0
+    }
+}
+
+/// Whether a slot is a phase, known up to whole turns.
+pub(crate) fn is_phase(slot: usize) -> bool {
+    slot < CURRENT + 2 && slot % 2 == 1
+}
+
+/// An angle within half a turn of zero.
+pub(crate) fn wrapped(angle: f64) -> f64 {
+    if angle.abs() <= PI {
+        angle
+    } else {
+        angle - TAU * (angle / TAU).round()
+    }
+}
+
+fn nuisances(rig: &Rig, rows: &[Row], facts: &Facts) -> Vec<Free> {
+    let mut free = Vec::new();
+    let relative = |t: Option<crate::dataset::Transducer>| {
+        t.and_then(|t| t.sensitivity_v_per_ms2)
+            .map(|q| q.u / q.value)
+    };
+    let (s1, s2) = (relative(rig.reference), relative(rig.dut));
+    let unbounded = |kind| Free {
+        kind,
+        unit: 0.01,
+        bounded: false,
+    };
+    if facts.ratio {
+        free.push(match (rig.measurand, s1.zip(s2)) {
+            (Measurand::Drive, Some((a, b))) => Free {
+                kind: Nuisance::RatioGain,
+                unit: a.hypot(b),
+                bounded: true,
+            },
+            _ => unbounded(Nuisance::RatioGain),
+        });
+    }
+    if facts.drive {
+        free.push(match (rig.measurand, s1) {
+            (Measurand::DutSensitivity, Some(u)) => Free {
+                kind: Nuisance::DriveGain,
+                unit: u,
+                bounded: true,
+            },
+            _ => unbounded(Nuisance::DriveGain),
+        });
+    }
+    if facts.drive || facts.current {
+        let values = rig
+            .exciter
+            .and_then(|e| e.complete())
+            .unwrap_or_default_units();
+        for (i, unit) in values.into_iter().enumerate() {
+            free.push(Free {
+                kind: Nuisance::Exciter(i),
+                unit,
+                bounded: true,
+            });
+        }
+    }
+    let runs = rows.iter().map(|r| r.run).max().unwrap_or(0) + 1;
+    for run in 0..runs {
+        if facts.ratio || facts.drive {
+            free.push(Free {
+                kind: Nuisance::RunReference(run),
+                unit: rig.repeatability.reference_gain,
+                bounded: true,
+            });
+        }
+        if facts.ratio {
+            free.push(Free {
+                kind: Nuisance::RunDut(run),
+                unit: rig.repeatability.dut_gain,
+                bounded: true,
+            });
+        }
+    }
+    let noise = rig.digitiser.noise_v.map_or(0.0, |q| q.u / q.value);
+    if facts.ref_noise {
+        free.push(Free {
+            kind: Nuisance::Noise(0),
+            unit: noise,
+            bounded: true,
+        });
+    }
+    if facts.dut_noise {
+        free.push(Free {
+            kind: Nuisance::Noise(1),
+            unit: noise,
+            bounded: true,
+        });
+    }
+    free.retain(|f| f.unit > 0.0);
+    free
+}
+
+/// Relative uncertainties of the exciter entries.
+trait RelativeUnits {
+    fn unwrap_or_default_units(self) -> [f64; 6];
+}
+
+impl RelativeUnits for Option<[crate::dataset::Quantity; 6]> {
+    fn unwrap_or_default_units(self) -> [f64; 6] {
+        self.map_or([0.0; 6], |e| e.map(|q| q.u / q.value))
+    }
+}
+
+/// Names of the nominal parameters in JSON, in the order of the nuisances of the exciter.
+pub(crate) const EXCITER_NAMES: [&str; 6] = Exciter::NAMES;

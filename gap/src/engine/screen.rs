@@ -1,0 +1,276 @@
+//! Screening: how much each effect could explain of what a fit leaves.
+
+use super::fit::{Fit, Linearised, Workspace};
+use super::normal::{Tangent, gram};
+use super::problem::{Column, Evaluation, Problem, wrapped};
+use crate::effects::{Active, Effect, Start, library};
+use crate::model::chain::Transfer;
+use crate::model::row::{DC, DRIVE, RATIO, REF_HARMONICS};
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+/// A start with the change of the weighted prediction of each member.
+pub(crate) struct Atom {
+    pub(crate) entry: usize,
+    start: Start,
+    columns: Vec<Column>,
+}
+
+/// What an effect promises.
+#[derive(Clone)]
+pub(crate) struct Promise {
+    pub(crate) entry: usize,
+    pub(crate) gain: f64,
+    pub(crate) parameters: Vec<f64>,
+    /// Group of observables in which the gain lies: response, harmonics and d.c., noise.
+    pub(crate) group: usize,
+}
+
+/// All starts of all effects that apply, with their changes at the nominal fit.
+pub(crate) struct Atoms {
+    list: Vec<Atom>,
+    scattering: Vec<(usize, Vec<f64>)>,
+}
+
+impl Atoms {
+    /// Prepares the starts of the entries that are allowed.
+    pub(crate) fn new(
+        problem: &Problem,
+        allowed: &[bool],
+        nominal: &Fit,
+        work: &mut Workspace,
+    ) -> Self {
+        let base = problem.evaluate(&[], &nominal.theta, &mut work.memory);
+        let mut atoms = Self {
+            list: Vec::new(),
+            scattering: Vec::new(),
+        };
+        for (entry, effect) in library()
+            .iter()
+            .enumerate()
+            .filter(|(i, e)| allowed[*i] && e.applies(&problem.facts))
+        {
+            let mut starts = effect.starts(&problem.facts);
+            if effect.bends() {
+                // One balance per row and start: the screening takes the smallest start only.
+                starts.truncate(if effect.about().id == "amplifier_clipping" {
+                    8
+                } else {
+                    1
+                });
+                if effect.about().id == "suspension_cubic"
+                    || effect.about().id == "suspension_asymmetry"
+                {
+                    starts.iter_mut().for_each(|s| s.signed = true);
+                }
+            }
+            for start in starts {
+                if effect.scatters() {
+                    atoms.scattering.push((entry, start.members[0].clone()));
+                    continue;
+                }
+                let columns: Vec<Column> = start
+                    .members
+                    .iter()
+                    .map(|m| change(problem, entry, m, nominal, &base, work))
+                    .collect();
+                if columns.iter().any(|c| c.norm2() > 0.0) {
+                    atoms.list.push(Atom {
+                        entry,
+                        start,
+                        columns,
+                    });
+                }
+            }
+        }
+        atoms
+    }
+
+    /// The best promise of every entry that the fit does not hold yet, best first.
+    pub(crate) fn scan(&self, problem: &Problem, fit: &Fit, work: &mut Workspace) -> Vec<Promise> {
+        let Some((evaluation, tangent)) = Linearised::new(problem, fit, work).tangent() else {
+            return Vec::new();
+        };
+        let mut best: Vec<Option<Promise>> = vec![None; library().len()];
+        for atom in &self.list {
+            if fit.has(atom.entry) {
+                continue;
+            }
+            if let Some(promise) = atom.promise(problem, &evaluation, &tangent) {
+                keep(&mut best, promise);
+            }
+        }
+        self.scan_scatter(problem, fit, &evaluation, &mut best);
+        let mut list: Vec<Promise> = best.into_iter().flatten().collect();
+        list.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        list
+    }
+
+    fn scan_scatter(
+        &self,
+        problem: &Problem,
+        fit: &Fit,
+        evaluation: &Evaluation,
+        best: &mut [Option<Promise>],
+    ) {
+        let base = problem.scatter_base(&fit.effects, &fit.theta);
+        for (entry, parameters) in &self.scattering {
+            if fit.has(*entry) {
+                continue;
+            }
+            let gain = problem.scatter_gain(&base, &active(*entry, parameters.clone()), evaluation);
+            keep(
+                best,
+                Promise {
+                    entry: *entry,
+                    gain,
+                    parameters: parameters.clone(),
+                    group: 2,
+                },
+            );
+        }
+    }
+}
+
+fn keep(best: &mut [Option<Promise>], promise: Promise) {
+    let slot = &mut best[promise.entry];
+    if promise.gain.is_finite() && slot.as_ref().is_none_or(|p| p.gain < promise.gain) {
+        *slot = Some(promise);
+    }
+}
+
+/// An entry of the library with values.
+pub(crate) fn active(entry: usize, parameters: Vec<f64>) -> Active<'static> {
+    Active {
+        entry,
+        effect: library()[entry],
+        parameters,
+    }
+}
+
+/// Change of the weighted prediction when one effect is added to the nominal fit.
+fn change(
+    problem: &Problem,
+    entry: usize,
+    parameters: &[f64],
+    nominal: &Fit,
+    base: &Evaluation,
+    work: &mut Workspace,
+) -> Column {
+    let effect = library()[entry];
+    if effect.is_linear() {
+        return linear_change(problem, effect, parameters);
+    }
+    let effects = [active(entry, parameters.to_vec())];
+    let there = problem.evaluate(&effects, &nominal.theta, &mut work.memory);
+    let unweighted: Vec<f64> = there
+        .residual
+        .iter()
+        .zip(&there.weight)
+        .zip(&base.weight)
+        .map(|((r, wt), wb)| r / wt * wb)
+        .collect();
+    Column::difference(problem, &unweighted, &base.residual, 1.0)
+}
+
+/// The same for an effect that is a linear response: no exciter has to be computed.
+fn linear_change(problem: &Problem, effect: &dyn Effect, parameters: &[f64]) -> Column {
+    let transfers: Vec<Transfer> = problem
+        .rows
+        .iter()
+        .map(|row| {
+            let mut transfer = Transfer::default();
+            effect.transfer(parameters, row, row.frequency_hz, &mut transfer);
+            transfer
+        })
+        .collect();
+    let mut column = Column::default();
+    for slot in [RATIO, RATIO + 1, DRIVE, DRIVE + 1] {
+        let range = problem.slots[slot].clone();
+        let values: Vec<f64> = range
+            .map(|at| {
+                let t = &transfers[problem.row_of[at]];
+                let quotient = if slot < DRIVE {
+                    t.dut / t.reference
+                } else {
+                    t.table * t.reference * t.drive
+                };
+                let value = if slot % 2 == 0 {
+                    0.5 * quotient.norm_sqr().ln()
+                } else {
+                    wrapped(quotient.arg())
+                };
+                value / problem.uncertainty(at)
+            })
+            .collect();
+        if values.iter().any(|v| v.abs() > 1e-9) {
+            column.parts.push((slot, values));
+        }
+    }
+    column
+}
+
+impl Atom {
+    fn promise(
+        &self,
+        problem: &Problem,
+        evaluation: &Evaluation,
+        tangent: &Tangent,
+    ) -> Option<Promise> {
+        let count = self.columns.len();
+        let loads: Vec<DVector<f64>> = self.columns.iter().map(|c| tangent.load(c)).collect();
+        let mut matrix: DMatrix<f64> = gram(&self.columns, &vec![0.0; count]);
+        let mut vector = DVector::zeros(count);
+        for i in 0..count {
+            // At the optimum the nuisances' own gradients are balanced by their priors.
+            vector[i] = self.columns[i].dot_data(problem, &evaluation.residual);
+            for j in 0..count {
+                matrix[(i, j)] -= loads[i].dot(&loads[j]);
+            }
+            // A direction that the nuisances can take over completely promises nothing.
+            if matrix[(i, i)] < 1e-6 * self.columns[i].norm2() {
+                return None;
+            }
+        }
+        let mut amplitude = Cholesky::new(matrix.clone())?.solve(&vector);
+        let effect = library()[self.entry];
+        if count == 1 {
+            let free = self.start.amplitude.is_some();
+            let (low, high) = if self.start.signed {
+                (f64::NEG_INFINITY, f64::INFINITY)
+            } else if free {
+                (0.0, 1e4)
+            } else {
+                (0.3, 3.0)
+            };
+            amplitude[0] = amplitude[0].clamp(low, high);
+        }
+        let gain =
+            2.0 * amplitude.dot(&vector) - (amplitude.transpose() * &matrix * &amplitude)[(0, 0)];
+        let parameters = effect.combine(&self.start, amplitude.as_slice());
+        Some(Promise {
+            entry: self.entry,
+            gain,
+            parameters,
+            group: self.group(),
+        })
+    }
+
+    fn group(&self) -> usize {
+        let weight = |from: usize, to: usize| -> f64 {
+            let parts = self
+                .columns
+                .iter()
+                .flat_map(|c| &c.parts)
+                .filter(|p| (from..to).contains(&p.0));
+            parts
+                .map(|(_, v)| v.iter().map(|x| x * x).sum::<f64>())
+                .sum()
+        };
+        let harmonics = weight(REF_HARMONICS, DC + 2);
+        if harmonics > weight(0, REF_HARMONICS) {
+            1
+        } else {
+            0
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! Which set of effects: none, singles, pairs, with their probabilities.
+
+use super::fit::{Effort, Fit, Workspace, refine};
+use super::problem::Problem;
+use super::screen::{Atoms, Promise, active};
+use crate::effects::library;
+
+/// Prior odds of one more effect, spread over the names of the library.
+const PRIOR_OF_MORE: f64 = 0.5;
+/// Gain of -2 ln likelihood below which a promise is not worth a refinement.
+const WORTH_REFINING: f64 = 5.0;
+/// Singles from which pairs are grown.
+const BASES: usize = 7;
+/// Pairs refined fully.
+const MOST_PAIRS: usize = 14;
+
+/// All sets that were refined, best first.
+pub(crate) struct Search {
+    /// The fit without effects.
+    pub(crate) nominal: Fit,
+    /// Every refined set, best variant of each name, by score.
+    pub(crate) sets: Vec<Scored>,
+}
+
+/// A refined set with its score, -2 ln of the (unnormalised) posterior probability.
+#[derive(Clone)]
+pub(crate) struct Scored {
+    pub(crate) fit: Fit,
+    pub(crate) bic: f64,
+    pub(crate) score: f64,
+    pub(crate) probability: f64,
+}
+
+/// What a search may do.
+#[derive(Debug, Clone)]
+pub(crate) struct Limits {
+    /// Entries of the library that may take part.
+    pub(crate) allowed: Vec<bool>,
+    /// Largest number of effects in a set.
+    pub(crate) most_effects: usize,
+}
+
+impl Limits {
+    /// The whole library without the given names.
+    pub(crate) fn without(names: &[String], most_effects: usize) -> Self {
+        let allowed = library()
+            .iter()
+            .map(|e| !names.iter().any(|n| n == e.about().id))
+            .collect();
+        Self {
+            allowed,
+            most_effects,
+        }
+    }
+}
+
+struct Searcher<'a> {
+    problem: &'a Problem,
+    atoms: Atoms,
+    work: Workspace,
+    found: Vec<Fit>,
+}
+
+/// Fits nothing, singles and sets.
+pub(crate) fn search(problem: &Problem, limits: &Limits) -> Search {
+    let mut work = Workspace::new(problem);
+    let nominal = refine(
+        problem,
+        Vec::new(),
+        vec![0.0; problem.free.len()],
+        Effort::FULL,
+        &mut work,
+    );
+    let atoms = Atoms::new(problem, &limits.allowed, &nominal, &mut work);
+    let mut searcher = Searcher {
+        problem,
+        atoms,
+        work,
+        found: Vec::new(),
+    };
+    if limits.most_effects > 0 {
+        searcher.singles(&nominal);
+    }
+    for size in 2..=limits.most_effects {
+        if !searcher.grow(size, nominal.objective) {
+            break;
+        }
+    }
+    let sets = score(problem, &nominal, searcher.found, &limits.allowed);
+    Search { nominal, sets }
+}
+
+impl Searcher<'_> {
+    fn singles(&mut self, nominal: &Fit) {
+        let promises = self.atoms.scan(self.problem, nominal, &mut self.work);
+        let best = promises.first().map_or(0.0, |p| p.gain);
+        let floor = WORTH_REFINING.max(0.02 * best);
+        for promise in chosen(&promises, 16, 4, floor) {
+            self.try_set(nominal, &promise, Effort::FULL);
+        }
+    }
+
+    fn try_set(&mut self, base: &Fit, promise: &Promise, effort: Effort) -> f64 {
+        let mut effects = base.effects.clone();
+        effects.push(active(promise.entry, promise.parameters.clone()));
+        let mut fit = refine(
+            self.problem,
+            effects.clone(),
+            base.theta.clone(),
+            effort,
+            &mut self.work,
+        );
+        let effect = library()[promise.entry];
+        if effect.bends() && base.effects.is_empty() {
+            // The screening of a bent exciter is linear in its size: try the other sizes too.
+            for start in effect.starts(&self.problem.facts).into_iter().skip(1) {
+                let mut other = base.effects.clone();
+                other.push(active(promise.entry, start.members[0].clone()));
+                let evaluation = self
+                    .problem
+                    .evaluate(&other, &fit.theta, &mut self.work.memory);
+                if evaluation.objective < fit.objective {
+                    let again = refine(
+                        self.problem,
+                        other,
+                        fit.theta.clone(),
+                        effort,
+                        &mut self.work,
+                    );
+                    if again.objective < fit.objective {
+                        fit = again;
+                    }
+                }
+            }
+        }
+        let objective = fit.objective;
+        if objective.is_finite() && objective < f64::MAX {
+            self.found.push(fit);
+        }
+        objective
+    }
+
+    /// Adds an effect to the best sets of the size below; false if nothing promises anything.
+    fn grow(&mut self, size: usize, nominal: f64) -> bool {
+        let mut tried: Vec<Vec<usize>> = Vec::new();
+        let mut any = false;
+        for round in 0..3 {
+            let bases = if round == 0 {
+                self.bases(size - 1, nominal)
+            } else {
+                self.exchange_bases(size)
+            };
+            let mut plans: Vec<(f64, Fit, Promise)> = Vec::new();
+            for base in &bases {
+                let promises = self.atoms.scan(self.problem, base, &mut self.work);
+                for promise in chosen(&promises, 5, 2, 9.0) {
+                    let mut entries: Vec<usize> = base.effects.iter().map(|e| e.entry).collect();
+                    entries.push(promise.entry);
+                    entries.sort_unstable();
+                    if same_name(base, promise.entry) || tried.contains(&entries) {
+                        continue;
+                    }
+                    plans.push((base.objective - promise.gain, base.clone(), promise));
+                }
+            }
+            if plans.is_empty() {
+                break;
+            }
+            any = true;
+            plans.sort_by(|a, b| a.0.total_cmp(&b.0));
+            self.refine_plans(plans, &mut tried);
+        }
+        any
+    }
+
+    fn refine_plans(&mut self, plans: Vec<(f64, Fit, Promise)>, tried: &mut Vec<Vec<usize>>) {
+        for (_, base, promise) in plans {
+            let mut entries: Vec<usize> = base.effects.iter().map(|e| e.entry).collect();
+            entries.push(promise.entry);
+            entries.sort_unstable();
+            if tried.contains(&entries) || tried.len() > 3 * MOST_PAIRS {
+                continue;
+            }
+            if tried.len() % MOST_PAIRS == MOST_PAIRS - 1 {
+                tried.push(entries);
+                break;
+            }
+            tried.push(entries);
+            self.try_set(&base, &promise, Effort::FULL);
+        }
+    }
+
+    /// Best sets of a size, and the best of each kind of observable.
+    fn bases(&self, size: usize, nominal: f64) -> Vec<Fit> {
+        let mut list: Vec<Fit> = self
+            .found
+            .iter()
+            .filter(|f| f.effects.len() == size)
+            .cloned()
+            .collect();
+        list.sort_by(|a, b| a.objective.total_cmp(&b.objective));
+        list.retain(|f| f.objective < nominal - WORTH_REFINING);
+        let mut kept: Vec<Fit> = Vec::new();
+        let mut of_kind = [0; 3];
+        for fit in list {
+            let kind = kind(&fit);
+            if kept.len() < BASES || of_kind[kind] < 2 {
+                of_kind[kind] += 1;
+                kept.push(fit);
+            }
+        }
+        kept
+    }
+
+    /// The best set with each of its effects left out in turn, the others kept as they are.
+    fn exchange_bases(&mut self, size: usize) -> Vec<Fit> {
+        let best = self
+            .found
+            .iter()
+            .filter(|f| f.effects.len() == size)
+            .min_by(|a, b| a.objective.total_cmp(&b.objective));
+        let Some(best) = best.cloned() else {
+            return Vec::new();
+        };
+        let mut bases = Vec::new();
+        for leave in 0..best.effects.len() {
+            let mut base = best.clone();
+            base.effects.remove(leave);
+            base.objective = self
+                .problem
+                .evaluate(&base.effects, &base.theta, &mut self.work.memory)
+                .objective;
+            bases.push(base);
+        }
+        bases
+    }
+}
+
+fn kind(fit: &Fit) -> usize {
+    match fit.effects.first() {
+        Some(e) if e.effect.scatters() => 2,
+        Some(e) if e.effect.bends() || e.effect.about().id.starts_with("adc") => 1,
+        _ => 0,
+    }
+}
+
+fn same_name(base: &Fit, entry: usize) -> bool {
+    base.effects
+        .iter()
+        .any(|e| e.effect.about().id == library()[entry].about().id)
+}
+
+/// The best promises overall and the best of each group.
+fn chosen(promises: &[Promise], overall: usize, per_group: usize, floor: f64) -> Vec<Promise> {
+    let mut counts = [0; 3];
+    let mut list = Vec::new();
+    for (rank, promise) in promises.iter().enumerate() {
+        let count = &mut counts[promise.group];
+        let in_group = *count < per_group && promise.gain > WORTH_REFINING;
+        if (promise.gain > floor && rank < overall) || in_group {
+            *count += 1;
+            list.push(promise.clone());
+        }
+    }
+    list
+}
+
+/// Scores the sets, keeps the best variant of each, drops what a subset does better.
+fn score(problem: &Problem, nominal: &Fit, found: Vec<Fit>, allowed: &[bool]) -> Vec<Scored> {
+    let mut names: Vec<&str> = library()
+        .iter()
+        .zip(allowed)
+        .filter(|(e, ok)| **ok && e.applies(&problem.facts))
+        .map(|(e, _)| e.about().id)
+        .collect();
+    names.dedup();
+    let per_name = 2.0 * (names.len().max(1) as f64 / PRIOR_OF_MORE).ln();
+    let per_parameter = (problem.len() as f64).ln();
+    let mut sets: Vec<Scored> = std::iter::once(nominal.clone())
+        .chain(found)
+        .map(|fit| {
+            let bic = fit.objective + per_parameter * fit.parameter_count() as f64;
+            let score = bic + per_name * fit.effects.len() as f64;
+            Scored {
+                fit,
+                bic,
+                score,
+                probability: 0.0,
+            }
+        })
+        .collect();
+    sets.sort_by(|a, b| a.score.total_cmp(&b.score));
+    let mut kept: Vec<Scored> = Vec::new();
+    for set in sets {
+        let names = sorted(set.fit.names());
+        // Occam's window: a set is not considered beside a better one made of part of it.
+        if !kept
+            .iter()
+            .any(|k| sorted(k.fit.names()).iter().all(|n| names.contains(n)))
+        {
+            kept.push(set);
+        }
+    }
+    normalise(&mut kept);
+    kept
+}
+
+fn sorted(mut names: Vec<&'static str>) -> Vec<&'static str> {
+    names.sort_unstable();
+    names
+}
+
+fn normalise(sets: &mut [Scored]) {
+    let best = sets.first().map_or(0.0, |s| s.score);
+    let total: f64 = sets.iter().map(|s| (-0.5 * (s.score - best)).exp()).sum();
+    for set in sets {
+        set.probability = (-0.5 * (set.score - best)).exp() / total;
+    }
+}

@@ -1,0 +1,291 @@
+//! What a fit leaves: tests by class, their significance calibrated by simulation.
+
+use super::fit::{Fit, Linearised, Workspace};
+use super::normal::Tangent;
+use super::problem::{Column, Problem};
+use crate::model::row::{NOISE, REF_HARMONICS, Row, SLOTS};
+
+/// Draws of pure noise that calibrate the tests.
+const DRAWS: usize = 60;
+/// Bands of the tests for local structure.
+const BANDS: usize = 14;
+
+/// One test of the residual and its outcome.
+#[derive(Debug, Clone)]
+pub(crate) struct Outcome {
+    pub(crate) slot: usize,
+    pub(crate) axis: &'static str,
+    /// Standard normal deviate.
+    pub(crate) z: f64,
+}
+
+/// Outcome of all tests.
+#[derive(Debug, Clone)]
+pub(crate) struct Structure {
+    pub(crate) outcomes: Vec<Outcome>,
+    /// Probability that pure noise leaves as much structure somewhere.
+    pub(crate) p_value: f64,
+    /// Residuals, one per datum.
+    pub(crate) residual: Vec<f64>,
+}
+
+struct Test {
+    slot: usize,
+    axis: &'static str,
+    column: Column,
+}
+
+/// Tests what a fit leaves.
+pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Structure {
+    let bounded: Vec<bool> = problem.free.iter().map(|f| f.bounded).collect();
+    let Some((evaluation, tangent)) = Linearised::new(problem, fit, work).tangent() else {
+        return Structure {
+            outcomes: Vec::new(),
+            p_value: 0.0,
+            residual: vec![0.0; problem.len()],
+        };
+    };
+    let tests = battery(problem);
+    let loads: Vec<_> = tests.iter().map(|t| tangent.load(&t.column)).collect();
+    let norms: Vec<f64> = tests
+        .iter()
+        .zip(&loads)
+        .map(|(t, l)| (t.column.norm2() - l.dot(l)).max(1e-12))
+        .collect();
+    let usable: Vec<usize> = (0..tests.len())
+        .filter(|i| norms[*i] > 1e-3 * tests[*i].column.norm2())
+        .collect();
+    // The residual of a fit has the covariance I - T G^-1 T'.
+    let scores = |left: &[f64]| -> Vec<f64> {
+        usable
+            .iter()
+            .map(|&i| tests[i].column.dot_data(problem, left) / norms[i].sqrt())
+            .collect()
+    };
+    let here = fit_scores(
+        &scores(&evaluation.residual),
+        &evaluation.residual,
+        problem,
+        &tangent,
+    );
+    let mut exceed = 0.0;
+    let mut draw = Gauss::new(0x9e37_79b9_7f4a_7c15);
+    for _ in 0..DRAWS {
+        let mut noise: Vec<f64> = (0..problem.len()).map(|_| draw.next()).collect();
+        for (column, _) in tangent.columns.iter().zip(&bounded).filter(|(_, b)| **b) {
+            let value = draw.next();
+            for (slot, values) in &column.parts {
+                for (n, v) in noise[problem.slots[*slot].clone()].iter_mut().zip(values) {
+                    *n += value * v;
+                }
+            }
+        }
+        let reduced = tangent.reduce(problem, &noise);
+        let p = fit_scores(&scores(&reduced), &reduced, problem, &tangent);
+        exceed -= (1.0 - p).max(1e-300).ln();
+    }
+    let effective = DRAWS as f64 / exceed.max(1e-9);
+    let p_value = -libm::expm1(effective * libm::log1p(-here.min(1.0 - 1e-15)));
+    let z = scores(&evaluation.residual);
+    let outcomes = usable
+        .iter()
+        .zip(z)
+        .map(|(&i, z)| Outcome {
+            slot: tests[i].slot,
+            axis: tests[i].axis,
+            z,
+        })
+        .collect();
+    Structure {
+        outcomes,
+        p_value,
+        residual: evaluation.residual,
+    }
+}
+
+/// Smallest p-value of all tests: directions, sums of squares by class, single outliers.
+fn fit_scores(z: &[f64], residual: &[f64], problem: &Problem, tangent: &Tangent) -> f64 {
+    let largest = z.iter().fold(0.0_f64, |m, z| m.max(z.abs()));
+    let mut smallest = two_sided(largest);
+    let idle = tangent.columns.len() as f64;
+    let groups = [
+        (0, REF_HARMONICS),
+        (REF_HARMONICS, NOISE),
+        (NOISE, SLOTS),
+        (0, 2),
+        (2, REF_HARMONICS),
+    ];
+    for (index, (from, to)) in groups.into_iter().enumerate() {
+        let range = problem.slots[from].start..problem.slots[to - 1].end;
+        let count = range.len() as f64;
+        if count > 0.0 {
+            let square: f64 = residual[range].iter().map(|r| r * r).sum();
+            let taken = if index == 0 || index > 2 {
+                (0.5 * idle).min(0.5 * count)
+            } else {
+                0.0
+            };
+            smallest = smallest.min(chi_square_tail(square, count - taken));
+        }
+    }
+    let outlier = residual.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
+    smallest.min(-libm::expm1(
+        residual.len() as f64 * libm::log1p(-two_sided(outlier).min(1.0 - 1e-15)),
+    ))
+}
+
+/// Probability of a larger deviate of either sign.
+pub(crate) fn two_sided(z: f64) -> f64 {
+    libm::erfc(z.abs() / std::f64::consts::SQRT_2)
+}
+
+/// Upper tail of chi-square by the cube-root transformation of Wilson and Hilferty.
+pub(crate) fn chi_square_tail(square: f64, degrees: f64) -> f64 {
+    let spread = 2.0 / (9.0 * degrees);
+    let z = ((square / degrees).cbrt() - 1.0 + spread) / spread.sqrt();
+    0.5 * libm::erfc(z / std::f64::consts::SQRT_2)
+}
+
+fn battery(problem: &Problem) -> Vec<Test> {
+    let facts = &problem.facts;
+    let ln = |f: f64| {
+        if facts.highest_hz > facts.lowest_hz {
+            2.0 * (f / facts.lowest_hz).ln() / (facts.highest_hz / facts.lowest_hz).ln() - 1.0
+        } else {
+            0.0
+        }
+    };
+    let mut tests = Vec::new();
+    let mut add = |slot: usize, axis: &'static str, shape: &dyn Fn(&Row) -> f64| {
+        let range = problem.slots[slot].clone();
+        if range.is_empty() {
+            return;
+        }
+        let values: Vec<f64> = range
+            .map(|at| finite(shape(&problem.rows[problem.row_of[at]])))
+            .collect();
+        if values.iter().any(|v| *v != 0.0) {
+            tests.push(Test {
+                slot,
+                axis,
+                column: Column {
+                    parts: vec![(slot, values)],
+                },
+            });
+        }
+    };
+    for slot in (0..SLOTS).filter(|s| !problem.slots[*s].is_empty()) {
+        let response = !(REF_HARMONICS..NOISE).contains(&slot);
+        let most = if response { 7 } else { 2 };
+        for order in 0..=most {
+            add(slot, "frequency_hz", &|row| {
+                legendre(order, ln(row.frequency_hz))
+            });
+        }
+        for order in 0..=2 {
+            let p = |row: &Row| legendre(order, ln(row.frequency_hz));
+            add(slot, "acceleration_ms2", &|row| p(row) * row.level_ms2.ln());
+            if response {
+                add(slot, "inverse level", &|row| p(row) / row.level_ms2);
+                if facts.rotation_varies {
+                    add(slot, "rotation_deg", &|row| p(row) * row.rotation.0);
+                    add(slot, "rotation_deg", &|row| p(row) * row.rotation.1);
+                }
+                if facts.payload_varies {
+                    add(slot, "payload_kg", &|row| p(row) * row.payload_kg);
+                }
+                if facts.temperature_varies {
+                    add(slot, "temperature_c", &|row| p(row) * row.warmer_k);
+                }
+                add(slot, "time_s", &|row| p(row) * row.time_s);
+            }
+        }
+        add(slot, "acceleration_ms2", &|row| row.level_ms2);
+        add(slot, "acceleration_ms2", &|row| {
+            row.level_ms2 * row.level_ms2
+        });
+        add(slot, "travel_m", &|row| {
+            row.level_ms2 / (row.omega * row.omega)
+        });
+        add(slot, "travel_m", &|row| {
+            (row.level_ms2 / (row.omega * row.omega)).powi(2)
+        });
+        add(slot, "coil_v", &|row| row.coil_peak_v);
+        if response {
+            let bands = BANDS.min(facts.frequencies_hz.len());
+            for band in 0..bands {
+                let limit = |b: usize| {
+                    facts.frequencies_hz[(b * facts.frequencies_hz.len() / bands)
+                        .min(facts.frequencies_hz.len() - 1)]
+                };
+                let (low, high) = (
+                    limit(band),
+                    if band + 1 == bands {
+                        f64::INFINITY
+                    } else {
+                        limit(band + 1)
+                    },
+                );
+                add(slot, "frequency_hz", &|row| {
+                    f64::from(u8::from((low..high).contains(&row.frequency_hz)))
+                });
+            }
+        }
+    }
+    tests
+}
+
+fn finite(value: f64) -> f64 {
+    if value.is_finite() { value } else { 0.0 }
+}
+
+fn legendre(order: usize, x: f64) -> f64 {
+    let (mut a, mut b) = (1.0, x);
+    if order == 0 {
+        return 1.0;
+    }
+    for n in 1..order {
+        let k = n as f64;
+        (a, b) = (b, ((2.0 * k + 1.0) * x * b - k * a) / (k + 1.0));
+    }
+    b
+}
+
+/// Normal deviates from a seed: the sum of a table-free polar method.
+pub(crate) struct Gauss {
+    state: u64,
+    spare: Option<f64>,
+}
+
+impl Gauss {
+    pub(crate) fn new(seed: u64) -> Self {
+        Self {
+            state: seed,
+            spare: None,
+        }
+    }
+
+    pub(crate) fn uniform(&mut self) -> f64 {
+        // splitmix64 (Steele, Lea, Flood 2014).
+        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    pub(crate) fn next(&mut self) -> f64 {
+        if let Some(value) = self.spare.take() {
+            return value;
+        }
+        loop {
+            let (x, y) = (2.0 * self.uniform() - 1.0, 2.0 * self.uniform() - 1.0);
+            let s = x * x + y * y;
+            if s > 0.0 && s < 1.0 {
+                let factor = (-2.0 * s.ln() / s).sqrt();
+                self.spare = Some(y * factor);
+                return x * factor;
+            }
+        }
+    }
+}

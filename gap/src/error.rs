@@ -1,0 +1,64 @@
+//! What can be wrong with the input of a diagnosis, and the way out.
+
+use std::path::PathBuf;
+
+/// An input that cannot be diagnosed: names the file, the place and the remedy.
+#[derive(Debug, thiserror::Error)]
+pub enum GapError {
+    /// A file of the dataset cannot be read or written.
+    #[error("{path}: {source}")]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: std::io::Error,
+    },
+    /// `rig.toml` is not a rig.
+    #[error("{path}: {problem}")]
+    Rig {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong and what is expected.
+        problem: String,
+    },
+    /// A table as a whole is unusable.
+    #[error("{file}: {problem}")]
+    Table {
+        /// File name inside the dataset.
+        file: &'static str,
+        /// What is wrong and what is expected.
+        problem: String,
+    },
+    /// One cell of a table is unusable.
+    #[error("{file}, line {line}, column {column}: {problem}")]
+    Cell {
+        /// File name inside the dataset.
+        file: &'static str,
+        /// Line in the file, the header being line 1.
+        line: usize,
+        /// Name of the column.
+        column: String,
+        /// What is wrong and what is expected.
+        problem: String,
+    },
+    /// A name that is not in the library of effects.
+    #[error("effect \"{name}\" is not in the library; `calib gap effects` lists it{hint}")]
+    UnknownEffect {
+        /// The name given.
+        name: String,
+        /// The nearest name, or nothing.
+        hint: String,
+    },
+    /// An option or combination of options that makes no sense.
+    #[error("{0}")]
+    Usage(String),
+}
+
+impl GapError {
+    pub(crate) fn file(path: impl Into<PathBuf>, source: std::io::Error) -> Self {
+        Self::File {
+            path: path.into(),
+            source,
+        }
+    }
+}

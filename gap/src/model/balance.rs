@@ -1,0 +1,335 @@
+//! Harmonic balance of the nonlinear exciter at a held level.
+//!
+//! The level fixes the fundamental of the motion, so the motion is the
+//! unknown and the coil voltage the result: for an assumed motion the force,
+//! then the current, then the voltage follow without solving anything. The
+//! harmonics of the motion are right when the voltage has just those harmonics
+//! the amplifier puts out. Each harmonic is corrected by its own linear
+//! response (with the mean stiffness of the suspension) until that holds.
+
+use super::exciter::Exciter;
+use super::waveform::Characteristic;
+use num_complex::Complex64;
+use std::f64::consts::{PI, TAU};
+
+/// Highest harmonic of the balance.
+pub(crate) const ORDERS: usize = 15;
+/// Points of the time grid; a cubic force of 15 orders folds back onto orders above 18 only.
+const GRID: usize = 64;
+/// Largest number of corrections.
+const MOST_CORRECTIONS: usize = 60;
+/// Correction of the motion, relative to its fundamental, at which the balance holds.
+const TOLERANCE: f64 = 1e-7;
+
+/// What bends the exciter away from the linear one, in one row.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Bend {
+    /// Force k3 x^3, in N/m3.
+    pub(crate) cubic_n_per_m3: f64,
+    /// Force k2 x^2 about the unloaded position, in N/m2.
+    pub(crate) quadratic_n_per_m2: f64,
+    /// Bl(x) = Bl (1 - droop x^2), in 1/m2.
+    pub(crate) droop_per_m2: f64,
+    /// Dry friction, in N.
+    pub(crate) friction_n: f64,
+    /// Peak voltage at which the amplifier saturates.
+    pub(crate) clip_v: Option<f64>,
+    /// Amplifier output e + even e^2, in 1/V.
+    pub(crate) even_per_v: f64,
+    /// Weight along the axis of motion over mass: g cos(tilt), in m/s2.
+    pub(crate) gravity_ms2: f64,
+}
+
+impl Bend {
+    /// Whether anything is bent at all.
+    pub(crate) fn is_linear(&self) -> bool {
+        self.cubic_n_per_m3 == 0.0
+            && self.quadratic_n_per_m2 == 0.0
+            && self.droop_per_m2 == 0.0
+            && self.friction_n == 0.0
+            && self.clip_v.is_none()
+            && self.even_per_v == 0.0
+    }
+}
+
+/// Harmonics of the displacement, in m: order 0 is the rest position.
+pub(crate) type Motion = [Complex64; ORDERS + 1];
+
+/// The balanced row.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Balanced {
+    /// Acceleration over coil voltage, fundamentals, in (m/s2)/V.
+    pub(crate) acceleration_per_v: Complex64,
+    /// Coil current over coil voltage, fundamentals, in S.
+    pub(crate) admittance: Complex64,
+    /// Force over displacement of the fundamentals: the describing function.
+    pub(crate) stiffness: Complex64,
+    /// Acceleration of orders 2..5 over the fundamental, phase relative to n times its phase.
+    pub(crate) harmonics: [Complex64; 4],
+    /// Whether the balance was reached.
+    pub(crate) converged: bool,
+}
+
+struct Tables {
+    cos: [f64; GRID],
+    sin: [f64; GRID],
+}
+
+fn tables() -> &'static Tables {
+    static TABLES: std::sync::OnceLock<Tables> = std::sync::OnceLock::new();
+    TABLES.get_or_init(|| Tables {
+        cos: std::array::from_fn(|i| (TAU * i as f64 / GRID as f64).cos()),
+        sin: std::array::from_fn(|i| (TAU * i as f64 / GRID as f64).sin()),
+    })
+}
+
+/// Balances one row at the held acceleration (peak, phase zero).
+///
+/// `motion` is the start (all zero: none) and receives the solution, so that a
+/// small change of a parameter needs few corrections.
+pub(crate) fn balance(
+    exciter: &Exciter,
+    bend: &Bend,
+    omega: f64,
+    acceleration_peak_ms2: f64,
+    motion: &mut Motion,
+) -> Balanced {
+    let travel = -acceleration_peak_ms2 / (omega * omega);
+    if (motion[1].re / travel - 1.0).abs() > 1e-3 || !motion.iter().all(|m| m.is_finite()) {
+        *motion = [Complex64::ZERO; ORDERS + 1];
+    }
+    motion[1] = Complex64::from(travel);
+    let work = Work::new(exciter, bend, omega);
+    let mut converged = false;
+    let mut state = work.voltages(motion);
+    for step in 0..MOST_CORRECTIONS {
+        let size = work.correct(motion, &state, if step < 25 { 1.0 } else { 0.5 });
+        state = work.voltages(motion);
+        if size < TOLERANCE * travel.abs() {
+            converged = true;
+            break;
+        }
+        if !size.is_finite() {
+            break;
+        }
+    }
+    work.result(motion, &state, acceleration_peak_ms2, converged)
+}
+
+struct Work<'a> {
+    exciter: &'a Exciter,
+    bend: &'a Bend,
+    omega: f64,
+    impedance: [Complex64; ORDERS + 1],
+    stiffness: [Complex64; ORDERS + 1],
+}
+
+struct State {
+    voltage: [Complex64; ORDERS + 1],
+    current_1: Complex64,
+    force_1: Complex64,
+    mean_added_stiffness: f64,
+}
+
+impl<'a> Work<'a> {
+    fn new(exciter: &'a Exciter, bend: &'a Bend, omega: f64) -> Self {
+        let mut impedance = [Complex64::from(exciter.resistance_ohm); ORDERS + 1];
+        let mut stiffness = [Complex64::from(exciter.stiffness_n_per_m); ORDERS + 1];
+        for n in 1..=ORDERS {
+            impedance[n] = exciter.impedance(n as f64 * omega);
+            stiffness[n] = exciter.dynamic_stiffness(n as f64 * omega);
+        }
+        Self {
+            exciter,
+            bend,
+            omega,
+            impedance,
+            stiffness,
+        }
+    }
+
+    /// Coil voltage that the assumed motion needs.
+    fn voltages(&self, motion: &Motion) -> State {
+        let (added, mean_added_stiffness) = self.added_force(motion);
+        let mut force = [Complex64::ZERO; ORDERS + 1];
+        for n in 0..=ORDERS {
+            force[n] = self.stiffness[n] * motion[n] + added[n];
+        }
+        if self.bend.quadratic_n_per_m2 != 0.0 {
+            force[0] += self.exciter.mass_kg * self.bend.gravity_ms2;
+        }
+        let bl = self.exciter.force_factor_n_per_a;
+        let emf_factor = bl * self.exciter.emf_ratio;
+        let mut velocity = [Complex64::ZERO; ORDERS + 1];
+        for n in 1..=ORDERS {
+            velocity[n] = motion[n] * Complex64::new(0.0, n as f64 * self.omega);
+        }
+        let (current, emf) = if self.bend.droop_per_m2 == 0.0 {
+            (force.map(|f| f / bl), velocity.map(|v| v * emf_factor))
+        } else {
+            self.drooping(motion, &force, &velocity, bl, emf_factor)
+        };
+        let mut voltage = [Complex64::ZERO; ORDERS + 1];
+        for n in 0..=ORDERS {
+            voltage[n] = self.impedance[n] * current[n] + emf[n];
+        }
+        State {
+            voltage,
+            current_1: current[1],
+            force_1: force[1],
+            mean_added_stiffness,
+        }
+    }
+
+    /// Force of the bent suspension and of friction, and its mean slope.
+    fn added_force(&self, motion: &Motion) -> (Motion, f64) {
+        let (k2, k3) = (self.bend.quadratic_n_per_m2, self.bend.cubic_n_per_m3);
+        let mut added = [Complex64::ZERO; ORDERS + 1];
+        let mut slope = 0.0;
+        if k2 != 0.0 || k3 != 0.0 {
+            let x = synthesize(motion);
+            let mut force = [0.0; GRID];
+            for (f, &x) in force.iter_mut().zip(&x) {
+                *f = (k2 + k3 * x) * x * x;
+                slope += (2.0 * k2 + 3.0 * k3 * x) * x;
+            }
+            slope /= GRID as f64;
+            added = analyse(&force);
+        }
+        if self.bend.friction_n > 0.0 {
+            for (n, sign) in self.velocity_sign(motion).into_iter().enumerate() {
+                added[n] += sign * self.bend.friction_n;
+            }
+        }
+        (added, slope)
+    }
+
+    /// Fourier coefficients of the sign of the velocity, from its two zeros.
+    fn velocity_sign(&self, motion: &Motion) -> Motion {
+        let zero = |mut angle: f64| {
+            for _ in 0..6 {
+                let (mut value, mut slope) = (0.0, 0.0);
+                for (n, x) in motion.iter().enumerate().skip(1) {
+                    let k = n as f64;
+                    let turned = x * Complex64::from_polar(k, k * angle);
+                    value -= turned.im;
+                    slope -= k * turned.re;
+                }
+                angle -= (value / slope).clamp(-0.3, 0.3);
+            }
+            angle
+        };
+        // x = -|x1| cos: the velocity is positive between the zeros near 0 and pi.
+        let (start, end) = (zero(0.0), zero(PI));
+        let mut sign = [Complex64::ZERO; ORDERS + 1];
+        sign[0] = Complex64::from((end - start) / PI - 1.0);
+        for (n, s) in sign.iter_mut().enumerate().skip(1) {
+            let k = n as f64;
+            let difference =
+                Complex64::from_polar(1.0, -k * end) - Complex64::from_polar(1.0, -k * start);
+            *s = difference * Complex64::new(0.0, 2.0 / (PI * k));
+        }
+        sign
+    }
+
+    /// Current and induced voltage where the force factor falls with travel.
+    fn drooping(
+        &self,
+        motion: &Motion,
+        force: &Motion,
+        velocity: &Motion,
+        bl: f64,
+        emf: f64,
+    ) -> (Motion, Motion) {
+        let (x, mut f, mut v) = (synthesize(motion), synthesize(force), synthesize(velocity));
+        for i in 0..GRID {
+            let left = (1.0 - self.bend.droop_per_m2 * x[i] * x[i]).max(0.05);
+            f[i] /= bl * left;
+            v[i] *= emf * left;
+        }
+        (analyse(&f), analyse(&v))
+    }
+
+    /// Moves each harmonic towards the voltage the amplifier puts out; returns the largest move in m.
+    fn correct(&self, motion: &mut Motion, state: &State, damping: f64) -> f64 {
+        let wanted = self.amplifier(state.voltage[1]);
+        let bl = self.exciter.force_factor_n_per_a;
+        let mut largest: f64 = 0.0;
+        for n in (0..=ORDERS).filter(|&n| n != 1) {
+            let s = Complex64::new(0.0, n as f64 * self.omega);
+            let stiffness = self.stiffness[n] + state.mean_added_stiffness;
+            let response = self.impedance[n] * stiffness / bl + s * bl * self.exciter.emf_ratio;
+            let move_by = (wanted[n] - state.voltage[n]) / response * damping;
+            motion[n] += move_by;
+            largest = largest.max(move_by.norm() * (n * n) as f64);
+        }
+        motion[0].im = 0.0;
+        largest
+    }
+
+    /// Harmonics the amplifier adds to the fundamental coil voltage (peak phasor).
+    fn amplifier(&self, fundamental: Complex64) -> Motion {
+        let mut wanted = [Complex64::ZERO; ORDERS + 1];
+        wanted[2] = fundamental * fundamental * (self.bend.even_per_v / 2.0);
+        if let Some(threshold) = self.bend.clip_v {
+            let clip = Characteristic::Clip { threshold };
+            let size = fundamental.norm();
+            if size > 0.75 * threshold {
+                let spectrum = clip.spectrum(clip.input_for(size));
+                let turn = fundamental / size;
+                for n in [3, 5] {
+                    wanted[n] += turn.powu(n as u32) * spectrum.order[n];
+                }
+            }
+        }
+        wanted
+    }
+
+    fn result(
+        &self,
+        motion: &Motion,
+        state: &State,
+        acceleration: f64,
+        converged: bool,
+    ) -> Balanced {
+        let relative = |n: usize| motion[n] * (-(n as f64 * self.omega).powi(2) / acceleration);
+        Balanced {
+            acceleration_per_v: acceleration / state.voltage[1],
+            admittance: state.current_1 / state.voltage[1],
+            stiffness: state.force_1 / motion[1],
+            harmonics: std::array::from_fn(|k| relative(k + 2)),
+            converged,
+        }
+    }
+}
+
+fn synthesize(orders: &Motion) -> [f64; GRID] {
+    let t = tables();
+    let mut out = [orders[0].re; GRID];
+    for (n, c) in orders.iter().enumerate().skip(1) {
+        if c.re == 0.0 && c.im == 0.0 {
+            continue;
+        }
+        for (i, o) in out.iter_mut().enumerate() {
+            let at = (n * i) % GRID;
+            *o += c.re * t.cos[at] - c.im * t.sin[at];
+        }
+    }
+    out
+}
+
+fn analyse(signal: &[f64; GRID]) -> Motion {
+    let t = tables();
+    let mut orders = [Complex64::ZERO; ORDERS + 1];
+    for (n, c) in orders.iter_mut().enumerate() {
+        let (mut re, mut im) = (0.0, 0.0);
+        for (i, s) in signal.iter().enumerate() {
+            let at = (n * i) % GRID;
+            re += s * t.cos[at];
+            im -= s * t.sin[at];
+        }
+        let scale = if n == 0 { 1.0 } else { 2.0 } / GRID as f64;
+        *c = Complex64::new(re * scale, im * scale);
+    }
+    orders
+}

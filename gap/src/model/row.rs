@@ -1,0 +1,164 @@
+//! One point, prepared for the model: conditions and measured values by slot.
+
+use crate::dataset::{Harmonic, Point, Rig};
+use std::f64::consts::{SQRT_2, TAU};
+
+/// Scalar observables of one row. Logarithms make gains additive.
+///
+/// | slot | value |
+/// |---|---|
+/// | 0, 1 | ln of the ratio, its phase |
+/// | 2, 3 | ln of reference/coil voltage, its phase |
+/// | 4, 5 | ln of coil current/voltage, its phase |
+/// | 6..14 | harmonics 2..5 of the reference, real and imaginary |
+/// | 14..22 | harmonics 2..5 of the device under test |
+/// | 22, 23 | d.c. of reference and device under test, in V |
+/// | 24, 25 | ln of the noise of reference and device under test |
+pub(crate) const SLOTS: usize = 26;
+/// First slot of the ratio.
+pub(crate) const RATIO: usize = 0;
+/// First slot of the drive.
+pub(crate) const DRIVE: usize = 2;
+/// First slot of the current.
+pub(crate) const CURRENT: usize = 4;
+/// First slot of the reference channel's harmonics.
+pub(crate) const REF_HARMONICS: usize = 6;
+/// First slot of the harmonics of the device under test.
+pub(crate) const DUT_HARMONICS: usize = 14;
+/// First slot of the d.c. values.
+pub(crate) const DC: usize = 22;
+/// First slot of the noise.
+pub(crate) const NOISE: usize = 24;
+
+/// Scatter of one noise value about its expectation, relative.
+pub(crate) const NOISE_SCATTER: f64 = 0.01;
+
+/// Conditions of a point; what was not stated has a neutral value.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Row {
+    pub(crate) frequency_hz: f64,
+    pub(crate) omega: f64,
+    pub(crate) run: usize,
+    /// Since the first point, in s.
+    pub(crate) time_s: f64,
+    /// Temperature minus the reference temperature, in K.
+    pub(crate) warmer_k: f64,
+    /// Cosine and sine of the rotation.
+    pub(crate) rotation: (f64, f64),
+    /// Cosine of the tilt.
+    pub(crate) vertical: f64,
+    pub(crate) payload_kg: f64,
+    pub(crate) payload_stated: bool,
+    /// Mains frequency, in Hz.
+    pub(crate) mains_hz: f64,
+    /// Measured coil voltage, peak; NaN if unknown.
+    pub(crate) coil_peak_v: f64,
+    /// Held level, r.m.s., in m/s2; NaN if unknown.
+    pub(crate) level_ms2: f64,
+    /// Peak voltages at the digitiser as the nominal simulation has them; NaN if unknown.
+    pub(crate) ref_peak_v: f64,
+    pub(crate) dut_peak_v: f64,
+    /// Width of one bin of the block, in Hz; NaN if unknown.
+    pub(crate) bin_hz: f64,
+    /// Only the amplitude of the harmonics is known.
+    pub(crate) bare_harmonics: [bool; 8],
+    /// Measured value of each slot.
+    pub(crate) value: [f64; SLOTS],
+    /// Standard uncertainty of each slot; infinite where nothing was measured.
+    pub(crate) u: [f64; SLOTS],
+}
+
+impl Row {
+    /// Prepares a point.
+    pub(crate) fn new(point: &Point, rig: &Rig) -> Self {
+        let s1 = rig
+            .reference
+            .and_then(|t| t.sensitivity_v_per_ms2)
+            .map(|q| q.value);
+        let s2 = rig
+            .dut
+            .and_then(|t| t.sensitivity_v_per_ms2)
+            .map(|q| q.value);
+        let from_ref = || Some(point.ref_v? / s1?);
+        let level = point.acceleration_ms2.or_else(from_ref);
+        let ref_v = level.and_then(|a| Some(a * s1?)).or(point.ref_v);
+        let dut_v = level
+            .and_then(|a| Some(a * s2?))
+            .or(point.dut_v)
+            .or_else(|| Some(point.ratio? * point.ref_v?));
+        let rotation = point.rotation_rad.unwrap_or(0.0);
+        let bin = rig
+            .digitiser
+            .sample_rate_hz
+            .and_then(|rate| Some(rate / rig.digitiser.block_samples?));
+        let mut row = Self {
+            frequency_hz: point.frequency_hz,
+            omega: TAU * point.frequency_hz,
+            run: point.run,
+            time_s: point.time_s.unwrap_or(0.0),
+            warmer_k: point.temperature_c.map_or(0.0, |t| {
+                t - rig.environment.reference_temperature_c.unwrap_or(23.0)
+            }),
+            rotation: (rotation.cos(), rotation.sin()),
+            vertical: point.tilt_rad.unwrap_or(0.0).cos(),
+            payload_kg: point.payload_kg.unwrap_or(0.0),
+            payload_stated: point.payload_kg.is_some(),
+            mains_hz: rig.environment.mains_hz.unwrap_or(50.0),
+            coil_peak_v: point.coil_v.map_or(f64::NAN, |v| v * SQRT_2),
+            level_ms2: level.unwrap_or(f64::NAN),
+            ref_peak_v: ref_v.map_or(f64::NAN, |v| v * SQRT_2),
+            dut_peak_v: dut_v.map_or(f64::NAN, |v| v * SQRT_2),
+            bin_hz: bin.unwrap_or(f64::NAN),
+            bare_harmonics: [false; 8],
+            value: [0.0; SLOTS],
+            u: [f64::INFINITY; SLOTS],
+        };
+        row.fill(point, rig);
+        row
+    }
+
+    fn set(&mut self, slot: usize, value: Option<f64>, u: Option<f64>) {
+        if let (Some(value), Some(u)) = (value, u) {
+            self.value[slot] = value;
+            self.u[slot] = u;
+        }
+    }
+
+    fn fill(&mut self, p: &Point, rig: &Rig) {
+        let quotient = |a: Option<f64>, b: Option<f64>| Some((a? / b?).ln());
+        self.set(
+            RATIO,
+            p.ratio.map(f64::ln).or_else(|| quotient(p.dut_v, p.ref_v)),
+            p.u_ratio,
+        );
+        self.set(RATIO + 1, p.dut_rad, p.u_phase_rad);
+        if rig.exciter.is_some_and(|e| e.complete().is_some()) {
+            self.set(DRIVE, quotient(p.ref_v, p.coil_v), p.u_drive);
+            self.set(DRIVE + 1, p.ref_rad, p.u_drive);
+            self.set(CURRENT, quotient(p.coil_a, p.coil_v), p.u_current);
+            self.set(CURRENT + 1, p.coil_a_rad, p.u_current);
+        }
+        for (k, harmonic) in p.ref_harmonics.iter().chain(&p.dut_harmonics).enumerate() {
+            if let Some(harmonic) = harmonic {
+                self.set_harmonic(k, *harmonic, p.u_harmonic);
+            }
+        }
+        self.set(DC, p.ref_dc_v, p.u_dc_v);
+        self.set(DC + 1, p.dut_dc_v, p.u_dc_v);
+        if rig.digitiser.noise_v.is_some() {
+            self.set(NOISE, p.ref_noise_v.map(f64::ln), Some(NOISE_SCATTER));
+            self.set(NOISE + 1, p.dut_noise_v.map(f64::ln), Some(NOISE_SCATTER));
+        }
+    }
+
+    fn set_harmonic(&mut self, k: usize, harmonic: Harmonic, u: Option<f64>) {
+        let slot = REF_HARMONICS + 2 * k;
+        if let Some(value) = harmonic.complex() {
+            self.set(slot, Some(value.re), u);
+            self.set(slot + 1, Some(value.im), u);
+        } else {
+            self.set(slot, Some(harmonic.amplitude), u);
+            self.bare_harmonics[k] = true;
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! An answer in words.
+
+use calib_gap::{Answer, Verdict};
+use std::fmt::Write;
+
+/// The answer for a terminal.
+pub(super) fn answer(answer: &Answer) -> String {
+    let mut text = String::new();
+    let gap = &answer.gap;
+    let _ = writeln!(
+        text,
+        "{} ({} rows)",
+        answer.dataset.path, answer.dataset.rows
+    );
+    let verdict = match answer.verdict {
+        Verdict::NoGap => {
+            "no gap: the simulation describes the data within the stated uncertainties"
+        }
+        Verdict::Explained => "explained: one cause leads clearly, and what it leaves is noise",
+        Verdict::Ambiguous => "ambiguous: these data cannot tell the causes below apart",
+        Verdict::Unexplained => "unexplained: no cause in the library describes the gap",
+    };
+    let _ = writeln!(text, "  {verdict}");
+    for cause in &answer.causes {
+        let _ = writeln!(
+            text,
+            "  cause   {:<44} probability {:.3}",
+            cause.effects.join(" + "),
+            cause.probability
+        );
+        for (name, estimate) in cause.parameters.values().flatten() {
+            let _ = writeln!(
+                text,
+                "            {name} = {:.6e}  (u = {:.1e})",
+                estimate.value, estimate.u
+            );
+        }
+    }
+    for place in &answer.r#where {
+        let _ = writeln!(
+            text,
+            "  where   {} in {} along {}, {:.4} .. {:.4} ({}), share {:.0} %, p = {:.1e}",
+            place.stage,
+            place.observable,
+            place.axis,
+            place.from,
+            place.to,
+            place.class,
+            100.0 * place.share,
+            place.p_value
+        );
+    }
+    let _ = writeln!(
+        text,
+        "  noise would leave as much structure with probability {:.2e}",
+        answer.none_of_these_p_value
+    );
+    let closed = gap.closed.map_or(String::new(), |c| {
+        format!(", {:.1} % of it closed", 100.0 * c)
+    });
+    let _ = writeln!(
+        text,
+        "  gap     {:.3} % before, {:.3} % after, {:.3} % noise, on {} rows that took no part{closed}",
+        gap.before_percent, gap.after_percent, gap.floor_percent, gap.held_out_rows
+    );
+    let _ = write!(text, "  next    {}", answer.next_measurement);
+    text
+}
