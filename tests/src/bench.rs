@@ -17,8 +17,8 @@ use std::time::Duration;
 /// What goes wrong on a bench ends a test: there is nothing to recover.
 pub type Fault = Box<dyn std::error::Error + Send + Sync>;
 
-/// Longest time the firmware may take from power-on to its first answer.
-const BOOT: Duration = Duration::from_secs(2);
+/// Time from power-on after which the firmware must answer.
+const BOOT: Duration = Duration::from_millis(300);
 
 /// An emulated calibrator with its rig, and a client that speaks to it.
 pub struct Bench {
