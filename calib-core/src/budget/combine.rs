@@ -127,6 +127,11 @@ impl<'a> Budget<'a> {
         pushed.map_err(|_| BudgetError::Full)
     }
 
+    /// True when a correlation was stated.
+    pub fn has_correlations(&self) -> bool {
+        !self.correlations.is_empty()
+    }
+
     /// The components in the order added.
     pub fn components(&self) -> &[Component<'a>] {
         &self.components

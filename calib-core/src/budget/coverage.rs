@@ -12,8 +12,9 @@ pub const PROBABILITY_K2: f32 = 0.954_499_7;
 const NORMAL_FROM: f32 = 50.0;
 
 /// Rest of the budget, relative to what dominates it, up to which the
-/// dominating distribution decides (EA-4/02 M:2022, S9.14: 0.3).
-const DOMINANCE_REL: f32 = 0.3;
+/// dominating distribution decides. EA-4/02 S9.14 writes 0.3, one digit, and
+/// its S11 applies it to a rest of 0.34.
+const DOMINANCE_REL: f32 = 0.35;
 
 /// How the coverage factor is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,8 +102,11 @@ impl Budget<'_> {
     }
 
     /// The shape when one or two rectangular components leave no more than
-    /// 0.3 of themselves to all the others.
+    /// 0.35 of themselves to all the others.
     fn dominated(&self, standard_uncertainty: f32) -> Option<Shape> {
+        if self.has_correlations() {
+            return None;
+        }
         let [first, second] = self.largest_rectangular();
         let total = standard_uncertainty * standard_uncertainty;
         let rest_small = |part: f32| total - part <= DOMINANCE_REL * DOMINANCE_REL * part;
@@ -171,9 +175,8 @@ pub fn trapezoid_factor(probability: f32, edge: f32) -> f32 {
     let spread = libm::sqrtf((1.0 + edge * edge) / 6.0);
     let slope = 1.0 - libm::sqrtf((1.0 - probability) * (1.0 - edge * edge));
     let flat = 0.5 * probability * (1.0 + edge);
-    if slope >= edge {
-        slope / spread
-    } else {
-        flat / spread
-    }
+    // Probability of the flat part alone.
+    let on_slope = probability > 2.0 * edge / (1.0 + edge);
+    let quantile = if on_slope { slope } else { flat };
+    quantile / spread
 }

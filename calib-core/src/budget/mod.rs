@@ -18,6 +18,8 @@ pub mod component;
 pub mod coverage;
 pub mod point;
 pub mod student;
+#[cfg(test)]
+mod tests;
 
 pub use catalogue::{Row, Table};
 pub use combine::{Budget, BudgetError, Combined, MAX_COMPONENTS};

@@ -10,6 +10,9 @@ const OFFSET: u32 = 0x8000_8000;
 /// Places of the fold between two decisions whether squares are summed.
 const STRIPE: usize = 128;
 
+/// Pairs whose loop is unrolled.
+const STRIDE: usize = 64;
+
 /// Of so many stripes, the first has its squares summed.
 const STRIPES: usize = 4;
 
@@ -166,25 +169,16 @@ impl<'m> Correlator<'m> {
 
 impl Energy {
     /// Adds the squares of a run.
-    ///
-    /// Four squares of at most 2^30 fit 32 bits unless all four samples are
-    /// the lowest code, so they are summed one by one into 33 bits: the first
-    /// two and the last two, each at most 2^31.
-    #[inline(never)]
     fn add(&mut self, pairs: &[u32]) {
-        let (groups, rest) = pairs.as_chunks::<2>();
-        let [mut reference, mut dut] = self.squares;
-        for group in groups {
-            let [first, second] = group.map(squares);
-            reference = reference.wrapping_add(u64::from(first[0].wrapping_add(second[0])));
-            dut = dut.wrapping_add(u64::from(first[1].wrapping_add(second[1])));
+        let (strides, rest) = pairs.as_chunks::<STRIDE>();
+        for stride in strides {
+            add_squares(stride, &mut self.squares);
         }
         for &pair in rest {
-            let squares = squares(pair);
-            reference = reference.wrapping_add(u64::from(squares[0]));
-            dut = dut.wrapping_add(u64::from(squares[1]));
+            for (sum, square) in self.squares.iter_mut().zip(squares(pair)) {
+                *sum = sum.wrapping_add(u64::from(square));
+            }
         }
-        self.squares = [reference, dut];
         self.samples = self.samples.wrapping_add(pairs.len() as u32);
     }
 
@@ -200,25 +194,55 @@ impl Energy {
     }
 }
 
+/// Adds the squares of both halves about mid-scale.
+///
+/// Four squares of at most 2^30 are summed in 32 bits. Only four samples at the
+/// lowest code wrap there (to 0): a channel at its rail, which the fold shows as
+/// clipped.
+#[inline(never)]
+fn add_squares(pairs: &[u32; STRIDE], sums: &mut [u64; 2]) {
+    for group in pairs.as_chunks::<4>().0 {
+        let squares = group.map(squares);
+        let sum = |channel: usize| {
+            let each = squares.iter().map(|square| square[channel]);
+            each.fold(0, u32::wrapping_add)
+        };
+        sums[0] = sums[0].wrapping_add(u64::from(sum(0)));
+        sums[1] = sums[1].wrapping_add(u64::from(sum(1)));
+    }
+}
+
 /// Squares of both halves about mid-scale, each at most 2^30.
 #[inline(always)]
 fn squares(pair: u32) -> [u32; 2] {
     let signed = pair ^ OFFSET;
-    let reference = i32::from(signed as i16);
-    let dut = (signed as i32) >> 16;
-    [
-        reference.wrapping_mul(reference) as u32,
-        dut.wrapping_mul(dut) as u32,
-    ]
+    let (low, high) = (i32::from(signed as i16), (signed as i32) >> 16);
+    [low.wrapping_mul(low) as u32, high.wrapping_mul(high) as u32]
 }
 
 /// Adds both halves of each pair to the sums of its place.
-///
-/// On the Cortex-M7 a pair becomes LDR, LDRD, UXTAH, ADD with LSR and STRD.
-#[inline(never)]
 fn fold_run(pairs: &[u32], fold: &mut [FoldSum]) {
-    for (&pair, sum) in pairs.iter().zip(fold) {
-        sum[0] = sum[0].wrapping_add(pair & 0xFFFF);
-        sum[1] = sum[1].wrapping_add(pair >> 16);
+    let (strides, rest) = pairs.as_chunks::<STRIDE>();
+    let (sums, sums_rest) = fold.as_chunks_mut::<STRIDE>();
+    for (stride, sums) in strides.iter().zip(sums) {
+        fold_stride(stride, sums);
     }
+    for (pair, sum) in rest.iter().zip(sums_rest) {
+        add_pair(*pair, sum);
+    }
+}
+
+/// [`fold_run`] for a length the compiler knows: it unrolls to LDR, LDRD,
+/// UXTAH, ADD with LSR and STRD a pair.
+#[inline(never)]
+fn fold_stride(pairs: &[u32; STRIDE], fold: &mut [FoldSum; STRIDE]) {
+    for (pair, sum) in pairs.iter().zip(fold) {
+        add_pair(*pair, sum);
+    }
+}
+
+#[inline(always)]
+fn add_pair(pair: u32, sum: &mut FoldSum) {
+    sum[0] = sum[0].wrapping_add(pair & 0xFFFF);
+    sum[1] = sum[1].wrapping_add(pair >> 16);
 }

@@ -7,6 +7,9 @@
 //! | amplitude finer than a code | rounding errors are fed back past a zero at the tone |
 //! | silence is silence | constant mid-scale code, no dither |
 
+#[cfg(test)]
+mod tests;
+
 use crate::phase::PhaseWalk;
 use crate::tone::Tone;
 use serde::{Deserialize, Serialize};
