@@ -4,11 +4,16 @@
 //! is one file of `src/cli/`. Errors name the way out ([`error::Error`]).
 #![forbid(unsafe_code)]
 
+mod address;
 pub mod certificate;
+pub mod demo;
+pub mod emulated;
 pub mod error;
 pub mod file;
 pub mod link;
 pub mod metrology;
 pub mod session;
+pub mod verdict_text;
 
+pub use address::Address;
 pub use error::{Error, Result};

@@ -1,8 +1,8 @@
 //! What every verb gets: output switches and the address of the device.
 
 use super::GlobalOptions;
-use calib_host::link::{Address, Client, port};
-use calib_host::{Error, Result};
+use calib_host::link::{Client, port};
+use calib_host::{Address, Error, Result};
 use serde::Serialize;
 use std::io::{IsTerminal, Write};
 

@@ -6,6 +6,7 @@
 
 mod budget;
 mod context;
+mod demo;
 mod devices;
 mod download;
 mod gap;
@@ -71,6 +72,8 @@ pub(crate) struct GlobalOptions {
 /// The verbs.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// A whole calibration on an emulated calibrator.
+    Demo(demo::Demo),
     /// Serial ports, the likely calibrators first.
     Devices(devices::Devices),
     /// Identity and health of the calibrator.
@@ -95,6 +98,7 @@ impl Command {
     /// Carries the verb out.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         match self {
+            Self::Demo(verb) => verb.run(context),
             Self::Devices(verb) => verb.run(context),
             Self::Info(verb) => verb.run(context),
             Self::Run(verb) => verb.run(context),

@@ -64,15 +64,17 @@ impl RunProgress {
         self.shown = progress.points.len();
     }
 
-    /// Removes the bar.
-    pub(crate) fn finish(&self) {
-        self.bar.finish_and_clear();
-    }
-
     /// Time left by this computer's clock, once a twentieth is done.
     fn left(&self, fraction: f64) -> Option<Duration> {
         let elapsed_s = self.begun.elapsed().as_secs_f64();
         (fraction > 0.05).then(|| Duration::from_secs_f64(elapsed_s * (1.0 / fraction - 1.0)))
+    }
+}
+
+impl Drop for RunProgress {
+    /// Removes the bar, however the run ended.
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
     }
 }
 

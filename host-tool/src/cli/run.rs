@@ -120,26 +120,30 @@ fn label<const N: usize>(option: &str, text: &str) -> Result<heapless::String<N>
 }
 
 /// Runs a list with progress. Ctrl-C stops it and silences the exciter.
-pub(super) fn measure(
+fn measure(
     context: &Context,
     client: &mut Client,
     points: &[PointSpec],
     labels: RunLabels,
 ) -> Result<Outcome> {
+    let stop = stop_on_interrupt();
+    let mut progress = RunProgress::new(context);
+    session::run(client, points, labels, |state| {
+        progress.show(state, points);
+        stop()
+    })
+}
+
+/// From now on, Ctrl-C asks a run to stop instead of ending the tool.
+pub(super) fn stop_on_interrupt() -> impl Fn() -> ControlFlow<()> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
     // Without the handler Ctrl-C still ends this tool; the calibrator goes on.
     let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
-    let mut progress = RunProgress::new(context);
-    let outcome = session::run(client, points, labels, |state| {
-        progress.show(state, points);
-        match interrupted.load(Ordering::Relaxed) {
-            true => ControlFlow::Break(()),
-            false => ControlFlow::Continue(()),
-        }
-    });
-    progress.finish();
-    outcome
+    move || match interrupted.load(Ordering::Relaxed) {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    }
 }
 
 /// Turns anything but a full pass into exit code 7.

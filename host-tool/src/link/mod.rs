@@ -1,7 +1,7 @@
-//! The link to a calibrator: address, transport, requests and answers.
+//! The link to a calibrator: transport, requests and answers.
 //!
 //! ```text
-//! Address --open--> Transport (serial | tcp | emulated | any other)
+//!                 Transport (serial | tcp | emulated | any other)
 //!                       |
 //!                    Client: request -> answer with the same sequence number
 //!                       |            retries, resynchronisation, typed errors
@@ -11,7 +11,6 @@
 //! The client never looks at a clock: a transport says when a timeout is over.
 //! So the same code runs against hardware and in the virtual time of a twin.
 
-mod address;
 mod client;
 mod emulated;
 mod error;
@@ -21,7 +20,6 @@ mod serial;
 mod tcp;
 mod transport;
 
-pub use address::Address;
 pub use client::{Chunk, Client, RetryPolicy};
 pub use emulated::EmulatedTransport;
 pub use error::{LinkError, ProtocolError, Refused};

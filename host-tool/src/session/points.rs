@@ -25,21 +25,14 @@ use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
 
-/// One-third-octave midband frequencies, 20 Hz to 10 kHz (ISO 266; ISO
-/// 16063-21, 5.1).
-const THIRD_OCTAVES_HZ: [f32; 28] = [
-    20.0, 25.0, 31.5, 40.0, 50.0, 63.0, 80.0, 100.0, 125.0, 160.0, 200.0, 250.0, 315.0, 400.0,
-    500.0, 630.0, 800.0, 1000.0, 1250.0, 1600.0, 2000.0, 2500.0, 3150.0, 4000.0, 5000.0, 6300.0,
-    8000.0, 10_000.0,
-];
-
-/// The default list at one level, m/s2 r.m.s.
+/// The default list (20 Hz to 10 kHz) at another level, m/s2 r.m.s.
 pub fn default_points(level_rms_ms2: f32) -> Vec<PointSpec> {
-    let point = |frequency_hz| PointSpec {
-        frequency_hz,
+    let list = calib_core::points::default_points();
+    let at_level = |point: &PointSpec| PointSpec {
         acceleration_rms_ms2: level_rms_ms2,
+        ..*point
     };
-    THIRD_OCTAVES_HZ.into_iter().map(point).collect()
+    list.iter().map(at_level).collect()
 }
 
 /// Reads a point list. `level_rms_ms2` is the set acceleration of points that

@@ -1,6 +1,8 @@
-//! Device addresses as typed: a serial port or `tcp:HOST:PORT`.
+//! Where a calibrator is, as typed: a serial port, `tcp:HOST:PORT`, `emulated`.
 
-use super::{LinkError, SerialTransport, TcpTransport, Transport};
+use crate::Result;
+use crate::emulated::KeptBoard;
+use crate::link::{SerialTransport, TcpTransport, Transport};
 use std::fmt;
 use std::str::FromStr;
 
@@ -11,17 +13,21 @@ pub enum Address {
     Serial(String),
     /// Host and port, `HOST:PORT`.
     Tcp(String),
+    /// The emulated calibrator of this user.
+    Emulated,
 }
 
 impl Address {
     /// Opens the link.
     ///
     /// # Errors
-    /// [`LinkError::Open`] with the way out.
-    pub fn open(&self) -> Result<Box<dyn Transport>, LinkError> {
+    /// [`crate::link::LinkError::Open`], or what keeps the emulated board from
+    /// starting, with the way out.
+    pub fn open(&self) -> Result<Box<dyn Transport>> {
         Ok(match self {
             Self::Serial(port) => Box::new(SerialTransport::open(port)?),
             Self::Tcp(peer) => Box::new(TcpTransport::connect(peer)?),
+            Self::Emulated => Box::new(KeptBoard::power_on()?),
         })
     }
 }
@@ -29,9 +35,10 @@ impl Address {
 impl FromStr for Address {
     type Err = std::convert::Infallible;
 
-    fn from_str(text: &str) -> Result<Self, Self::Err> {
+    fn from_str(text: &str) -> std::result::Result<Self, Self::Err> {
         Ok(match text.strip_prefix("tcp:") {
             Some(peer) => Self::Tcp(peer.to_owned()),
+            None if text == "emulated" => Self::Emulated,
             None => Self::Serial(text.to_owned()),
         })
     }
@@ -42,6 +49,7 @@ impl fmt::Display for Address {
         match self {
             Self::Serial(port) => formatter.write_str(port),
             Self::Tcp(peer) => write!(formatter, "tcp:{peer}"),
+            Self::Emulated => formatter.write_str("emulated"),
         }
     }
 }
@@ -51,11 +59,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_forms_are_told_apart_and_printed_as_typed() {
+    fn the_three_forms_are_told_apart_and_printed_as_typed() {
         for (text, address) in [
             ("/dev/ttyACM0", Address::Serial("/dev/ttyACM0".into())),
             ("COM3", Address::Serial("COM3".into())),
             ("tcp:localhost:4000", Address::Tcp("localhost:4000".into())),
+            ("emulated", Address::Emulated),
             ("tcp:[::1]:4000", Address::Tcp("[::1]:4000".into())),
         ] {
             let parsed: Address = text.parse().expect("infallible");

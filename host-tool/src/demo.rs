@@ -1,0 +1,169 @@
+//! The demo: a calibration from power-on to the certificate, without hardware.
+//!
+//! What happens is what would happen on a bench. The host sends nothing it would
+//! not send to hardware, and the board is reset between measuring and
+//! downloading, so the certificate comes from what flash kept.
+
+use crate::certificate::{self, Format};
+use crate::emulated::{EmulatedBoard, settings_for};
+use crate::link::Client;
+use crate::session::{self, Progress};
+use crate::{Error, Result, verdict_text};
+use calib_core::point::{PointResult, PointSpec};
+use calib_protocol::record::{Record, RunLabels};
+use calib_twin::oracle;
+use calib_twin::rig::Rig;
+use serde::Serialize;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// Reference point of the result (ISO 16063-21, 5.3), Hz.
+const REFERENCE_POINT_HZ: f32 = 160.0;
+
+/// What the demo tells while it goes on.
+#[derive(Debug)]
+pub enum Event<'a> {
+    /// A step begins.
+    Step(&'static str),
+    /// The run stands here.
+    Progress(&'a Progress<'a>, &'a [PointSpec]),
+}
+
+/// What was measured at a frequency, and the truth of the simulated device.
+#[derive(Clone, Debug, Serialize)]
+pub struct DemoResult {
+    /// Nominal frequency, Hz.
+    pub frequency_hz: f32,
+    /// Measured sensitivity, V/(m/s2).
+    pub sensitivity_v_per_ms2: f32,
+    /// Measured phase, degrees.
+    pub phase_deg: f64,
+    /// Expanded uncertainty of the sensitivity, percent.
+    pub expanded_uncertainty_percent: f64,
+    /// Its coverage factor.
+    pub coverage_factor: f32,
+    /// Sensitivity of the simulated device at the frequency played, V/(m/s2).
+    pub truth_v_per_ms2: f64,
+    /// Its phase, degrees.
+    pub truth_phase_deg: f64,
+}
+
+/// One point of the demo's run.
+#[derive(Clone, Debug, Serialize)]
+pub struct DemoPoint {
+    /// Result and truth.
+    #[serde(flatten)]
+    pub result: DemoResult,
+    /// Acceleration reached, m/s2 r.m.s.
+    pub acceleration_ms2: f32,
+    /// Time until the level was settled, s.
+    pub settling_s: f32,
+    /// `pass`, or `refused: ` and the reason.
+    pub verdict: String,
+}
+
+/// The result: the reference point, all points, and the files.
+#[derive(Clone, Debug, Serialize)]
+pub struct DemoReport {
+    /// The point at 160 Hz.
+    #[serde(flatten)]
+    pub reference: DemoResult,
+    /// Every point in the order measured.
+    pub points: Vec<DemoPoint>,
+    /// Record and certificate.
+    pub files: Vec<PathBuf>,
+}
+
+/// Runs the demo. The seed draws another device, another exciter and the errors
+/// the reference's certificate has within its stated uncertainty.
+///
+/// # Errors
+/// [`Error::Input`] when there is no firmware image; whatever may happen to a
+/// link, a run, a download or a file.
+pub fn run(
+    seed: u64,
+    out: &Path,
+    unix_time_s: u64,
+    mut observe: impl FnMut(&Event<'_>) -> ControlFlow<()>,
+) -> Result<DemoReport> {
+    let rig = Rig::draw(seed);
+    step(&mut observe, "switching the emulated calibrator on");
+    let board = EmulatedBoard::power_on(&rig)?;
+    let mut client = Client::new(Box::new(board.link()));
+    client.info()?;
+    step(
+        &mut observe,
+        "writing the reference's calibration into its settings",
+    );
+    let settings = settings_for(&rig, client.settings()?, Some(seed));
+    client.write_settings(settings)?;
+    step(&mut observe, "measuring");
+    let points = session::default_points(10.0);
+    let labels = labels(seed, unix_time_s);
+    let outcome = session::run(&mut client, &points, labels, |progress| {
+        observe(&Event::Progress(progress, &points))
+    })?;
+    step(&mut observe, "resetting the board");
+    board.reset()?;
+    step(
+        &mut observe,
+        "downloading the record and writing the certificate",
+    );
+    let download = session::download(&mut client, outcome.record_id, out, |_| ())?;
+    let mut files = vec![download.path];
+    files.extend(certificate::write(&download.record, &Format::ALL, out)?);
+    report(&rig, &download.record, files)
+}
+
+/// A step cannot be refused: only a run is worth stopping.
+fn step(observe: &mut impl FnMut(&Event<'_>) -> ControlFlow<()>, what: &'static str) {
+    let _ = observe(&Event::Step(what));
+}
+
+fn labels(seed: u64, unix_time_s: u64) -> RunLabels {
+    RunLabels {
+        unix_time_s,
+        dut_model: "simulated accelerometer".try_into().unwrap_or_default(),
+        dut_serial: format!("SIM-{seed}")
+            .as_str()
+            .try_into()
+            .unwrap_or_default(),
+        operator: "calib demo".try_into().unwrap_or_default(),
+        temperature_centi_c: Some(2300),
+        mounting: "rigid, simulated".try_into().unwrap_or_default(),
+    }
+}
+
+fn report(rig: &Rig, record: &Record, files: Vec<PathBuf>) -> Result<DemoReport> {
+    let point = |point: &PointResult| demo_point(rig, record.sample_rate_hz, point);
+    let points: Vec<DemoPoint> = record.points.iter().map(point).collect();
+    let at_reference = points
+        .iter()
+        .find(|point| point.result.frequency_hz == REFERENCE_POINT_HZ)
+        .ok_or_else(|| Error::NotPassed("stopped before the point at 160 Hz".to_owned()))?;
+    Ok(DemoReport {
+        reference: at_reference.result.clone(),
+        points,
+        files,
+    })
+}
+
+fn demo_point(rig: &Rig, sample_rate_hz: f32, point: &PointResult) -> DemoPoint {
+    let played_hz = f64::from(point.tone.cycles) * f64::from(sample_rate_hz)
+        / f64::from(point.tone.period_samples);
+    let truth = oracle::dut_sensitivity(rig, played_hz);
+    DemoPoint {
+        result: DemoResult {
+            frequency_hz: point.spec.frequency_hz,
+            sensitivity_v_per_ms2: point.sensitivity_v_per_ms2,
+            phase_deg: f64::from(point.phase_rad).to_degrees(),
+            expanded_uncertainty_percent: 100.0 * f64::from(point.expanded_uncertainty_rel),
+            coverage_factor: point.coverage_factor,
+            truth_v_per_ms2: truth.norm(),
+            truth_phase_deg: truth.arg().to_degrees(),
+        },
+        acceleration_ms2: point.acceleration_rms_ms2,
+        settling_s: point.settling_s,
+        verdict: verdict_text::verdict(point.verdict),
+    }
+}

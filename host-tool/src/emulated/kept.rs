@@ -1,0 +1,87 @@
+//! The emulated calibrator that remembers, as hardware does.
+
+use super::{EmulatedBoard, EmulatedTransport, settings_for};
+use crate::link::{Client, Transport};
+use crate::{Error, Result, file};
+use calib_twin::rig::Rig;
+use std::io;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// The emulated calibrator of `--device emulated`: its records and settings
+/// outlive the process, in a file of the user's.
+pub struct KeptBoard {
+    link: EmulatedTransport,
+    board: EmulatedBoard,
+    flash_file: PathBuf,
+}
+
+impl KeptBoard {
+    /// Switches the user's emulated calibrator on.
+    ///
+    /// # Errors
+    /// As [`EmulatedBoard::power_on`]; [`Error::File`].
+    pub fn power_on() -> Result<Self> {
+        let flash_file = flash_file();
+        let rig = Rig::standard();
+        let (board, is_new) = match std::fs::read(&flash_file) {
+            Ok(flash) => (EmulatedBoard::power_on_with_flash(&rig, &flash)?, false),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                (EmulatedBoard::power_on(&rig)?, true)
+            }
+            Err(error) => return Err(Error::file("read", &flash_file, error)),
+        };
+        if is_new {
+            let mut client = Client::new(Box::new(board.link()));
+            let settings = settings_for(&rig, client.settings()?, None);
+            client.write_settings(settings)?;
+        }
+        Ok(Self {
+            link: board.link(),
+            board,
+            flash_file,
+        })
+    }
+}
+
+impl Drop for KeptBoard {
+    fn drop(&mut self) {
+        // Nobody is left to be told; the next call finds the flash of before.
+        if let Ok(flash) = self.board.emulator().record_flash() {
+            let _ = file::replace(&self.flash_file, &flash);
+        }
+    }
+}
+
+/// `CALIB_STATE_DIR`, else the place this system has for such files.
+fn flash_file() -> PathBuf {
+    let folder = std::env::var_os("CALIB_STATE_DIR").map(PathBuf::from);
+    let folder = folder
+        .or_else(|| {
+            Some(
+                dirs::state_dir()
+                    .or_else(dirs::data_local_dir)?
+                    .join("calib"),
+            )
+        })
+        .unwrap_or_else(|| PathBuf::from("."));
+    folder.join("emulated-board.flash")
+}
+
+impl Transport for KeptBoard {
+    fn name(&self) -> String {
+        self.link.name()
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.link.send(bytes)
+    }
+
+    fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
+        self.link.receive(buffer, timeout)
+    }
+
+    fn wait(&mut self, duration: Duration) -> io::Result<()> {
+        self.link.wait(duration)
+    }
+}

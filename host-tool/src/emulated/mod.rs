@@ -1,0 +1,108 @@
+//! A calibrator without hardware: the shipping firmware on the emulated board.
+//!
+//! Virtual time passes only while the host waits for an answer or says so, and
+//! then as fast as this computer can: a run is the same each time, bit by bit.
+
+mod kept;
+mod settings;
+mod transport;
+
+pub use kept::KeptBoard;
+pub use settings::settings_for;
+pub use transport::EmulatedTransport;
+
+use crate::{Error, Result};
+use calib_twin::plant::Plant;
+use calib_twin::rig::Rig;
+use calib_twin::runner::{Emulator, Firmware, SharedEmulator};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Environment variable that names the firmware image.
+const ELF_VARIABLE: &str = "CALIB_FIRMWARE_ELF";
+/// The image, seen from the target directory.
+const ELF_IN_TARGET: &str = "thumbv7em-none-eabihf/firmware/calib-firmware";
+
+/// An emulated board with power, on a simulated rig.
+#[derive(Clone, Debug)]
+pub struct EmulatedBoard {
+    emulator: SharedEmulator,
+}
+
+impl EmulatedBoard {
+    /// Switches a new board on: its flash is erased.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when there is no firmware image, or it does not boot.
+    pub fn power_on(rig: &Rig) -> Result<Self> {
+        let emulator = Emulator::power_on(&firmware()?, Box::new(Plant::new(rig)));
+        Self::around(emulator)
+    }
+
+    /// Switches on a board whose record flash has this content.
+    ///
+    /// # Errors
+    /// As [`Self::power_on`], and when the content is not the size of the flash.
+    pub fn power_on_with_flash(rig: &Rig, flash: &[u8]) -> Result<Self> {
+        let rig = Box::new(Plant::new(rig));
+        Self::around(Emulator::power_on_with_flash(&firmware()?, rig, flash))
+    }
+
+    fn around(emulator: Result<Emulator, calib_twin::runner::Error>) -> Result<Self> {
+        let emulator = emulator.map_err(|error| board_error(&error))?;
+        Ok(Self {
+            emulator: Arc::new(Mutex::new(emulator)),
+        })
+    }
+
+    /// A link to the board's serial port.
+    pub fn link(&self) -> EmulatedTransport {
+        EmulatedTransport::new(Arc::clone(&self.emulator))
+    }
+
+    /// The board itself, for who wants to press its button or cut its power.
+    pub fn emulator(&self) -> MutexGuard<'_, Emulator> {
+        self.emulator.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Pulls the reset pin.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when the emulator fails.
+    pub fn reset(&self) -> Result<()> {
+        self.emulator().reset().map_err(|error| board_error(&error))
+    }
+}
+
+fn board_error(error: &calib_twin::runner::Error) -> Error {
+    Error::input(
+        "emulated board",
+        error.to_string(),
+        "build the firmware image with `./run demo` in the source tree",
+    )
+}
+
+/// The image: what the environment names, else what was built with this tool.
+fn firmware() -> Result<Firmware> {
+    let path = firmware_path();
+    Firmware::read(&path).map_err(|error| {
+        Error::input(
+            "firmware image",
+            error.to_string(),
+            format!("`./run demo` in the source tree builds it; or name one in {ELF_VARIABLE}"),
+        )
+    })
+}
+
+fn firmware_path() -> PathBuf {
+    if let Some(path) = std::env::var_os(ELF_VARIABLE) {
+        return PathBuf::from(path);
+    }
+    // target/release/calib, and target/release/deps/test-...
+    let program = std::env::current_exe().unwrap_or_default();
+    let candidates = program.ancestors().skip(1).take(3);
+    let found = candidates
+        .map(|folder| folder.join(ELF_IN_TARGET))
+        .find(|path| path.is_file());
+    found.unwrap_or_else(|| Path::new("target").join(ELF_IN_TARGET))
+}

@@ -1,0 +1,34 @@
+//! Verdicts in words, for tables, JSON and messages.
+
+use calib_core::verdict::{Reason, Verdict};
+
+/// A verdict for tables and JSON: `pass`, or `refused: ...`.
+pub fn verdict(verdict: Verdict) -> String {
+    match verdict {
+        Verdict::Pass => "pass".to_owned(),
+        Verdict::Refused(reason) => format!("refused: {}", self::reason(reason)),
+    }
+}
+
+/// A refusal in words.
+pub fn reason(reason: Reason) -> &'static str {
+    match reason {
+        Reason::Clipped => "a channel is clipped",
+        Reason::Distortion => "too much harmonic distortion",
+        Reason::SignalToNoise => "too little signal over noise",
+        Reason::AmplitudeUnstable => "the amplitude moved while measuring",
+        Reason::FrequencyDeviation => "the frequency is off",
+        Reason::NotSettled => "the level did not settle",
+        Reason::DriveLimit => "the level needs more drive voltage than allowed",
+        Reason::AccelerationLimit => "the level exceeds the acceleration limit",
+        Reason::VelocityLimit => "the level exceeds the velocity limit",
+        Reason::DisplacementLimit => "the level exceeds the displacement limit",
+        Reason::ReferenceDead => "the reference gives no signal",
+        Reason::DutOpen => "the device under test gives no signal",
+        Reason::Overload => "the acceleration overshot dangerously",
+        Reason::Overrun => "samples were lost",
+        Reason::FrequencyUnavailable => "this frequency is not available",
+        Reason::Stopped => "stopped",
+        _ => "for a reason this tool does not know",
+    }
+}
