@@ -4,8 +4,9 @@
 //! not send to hardware, and the board is reset between measuring and
 //! downloading, so the certificate comes from what flash kept.
 
-use crate::certificate::{self, Format};
+use crate::certificate::{self, Format, Options};
 use crate::emulated::{EmulatedBoard, settings_for};
+use crate::file::Existing;
 use crate::link::Client;
 use crate::session::{self, Progress};
 use crate::{Error, Result, verdict_text};
@@ -109,9 +110,25 @@ pub fn run(
         &mut observe,
         "downloading the record and writing the certificate",
     );
-    let download = session::download(&mut client, outcome.record_id, out, |_| ())?;
+    let download = session::download_with(
+        &mut client,
+        outcome.record_id,
+        out,
+        Existing::Replace,
+        |_| (),
+    )?;
+    // A demo may be shown twice.
+    let options = Options {
+        existing: Existing::Replace,
+        ..Options::default()
+    };
     let mut files = vec![download.path];
-    files.extend(certificate::write(&download.record, &Format::ALL, out)?);
+    files.extend(certificate::write_with(
+        &download.record,
+        &Format::ALL,
+        out,
+        &options,
+    )?);
     report(&rig, &download.record, files)
 }
 

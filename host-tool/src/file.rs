@@ -4,6 +4,27 @@ use crate::{Error, Result};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
+/// What happens to a file that is there already with other content.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Existing {
+    /// It stays and nothing is written: what was once given out is kept.
+    #[default]
+    Keep,
+    /// It is replaced.
+    Replace,
+}
+
+/// [`create`] or [`replace`].
+///
+/// # Errors
+/// Theirs.
+pub fn write(path: &Path, content: &[u8], existing: Existing) -> Result<()> {
+    match existing {
+        Existing::Keep => create(path, content),
+        Existing::Replace => replace(path, content),
+    }
+}
+
 /// Writes a file so that a reader sees the old content or the new one, never
 /// half of it: a temporary file beside it, synchronised, then renamed.
 ///

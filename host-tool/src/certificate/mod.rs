@@ -30,9 +30,9 @@ mod testing;
 mod tests;
 mod words;
 
+pub use crate::file::Existing;
 pub use json::document;
 pub use model::Certificate;
-pub use output::Existing;
 pub use particulars::Particulars;
 pub use present::Presented;
 pub use words::Language;

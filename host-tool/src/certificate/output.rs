@@ -1,17 +1,8 @@
 //! Files that are never half-written: all to temporary names, then renamed.
 
-use crate::{Error, Result, file};
+use crate::file::{self, Existing};
+use crate::{Error, Result};
 use std::path::{Path, PathBuf};
-
-/// What happens to a file that is there already with other content.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Existing {
-    /// It stays and nothing is written: a certificate once given out is kept.
-    #[default]
-    Keep,
-    /// It is replaced.
-    Replace,
-}
 
 /// Writes `files` (name, content) into `folder`, creating it if necessary.
 ///

@@ -1,7 +1,7 @@
 //! The emulated calibrator that remembers, as hardware does.
 
-use super::{EmulatedBoard, EmulatedTransport, settings_for};
-use crate::link::{Client, Transport};
+use super::{EmulatedBoard, settings_for};
+use crate::link::{Client, EmulatedTransport, Transport};
 use crate::{Error, Result, file};
 use calib_twin::rig::Rig;
 use std::io;

@@ -5,12 +5,11 @@
 
 mod kept;
 mod settings;
-mod transport;
 
 pub use kept::KeptBoard;
 pub use settings::settings_for;
-pub use transport::EmulatedTransport;
 
+use crate::link::EmulatedTransport;
 use crate::{Error, Result};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;

@@ -4,8 +4,9 @@
 //! chunk. The next attempt goes on at its end, whatever byte that is. Only a
 //! record whose checksum holds gets the final name.
 
+use crate::file::{self, Existing};
 use crate::link::Client;
-use crate::{Error, Result, file};
+use crate::{Error, Result};
 use calib_protocol::record::{self, Record, RecordError};
 use std::fs::{File, OpenOptions};
 use std::io::{Read, Write};
@@ -47,6 +48,20 @@ pub fn download(
     client: &mut Client,
     id: u32,
     directory: &Path,
+    progress: impl FnMut(Progress),
+) -> Result<Download> {
+    download_with(client, id, directory, Existing::Keep, progress)
+}
+
+/// As [`download`], and says what happens to an existing file.
+///
+/// # Errors
+/// As [`download`].
+pub fn download_with(
+    client: &mut Client,
+    id: u32,
+    directory: &Path,
+    existing: Existing,
     mut progress: impl FnMut(Progress),
 ) -> Result<Download> {
     std::fs::create_dir_all(directory).map_err(|error| Error::file("create", directory, error))?;
@@ -65,7 +80,7 @@ pub fn download(
         let _ = std::fs::remove_file(&part.path);
         broken(client, id, error)
     })?;
-    file::create(&path, &part.bytes)?;
+    file::write(&path, &part.bytes, existing)?;
     std::fs::remove_file(&part.path).map_err(|error| Error::file("remove", &part.path, error))?;
     Ok(Download {
         path,

@@ -4,6 +4,6 @@ mod download;
 mod points;
 mod run;
 
-pub use download::{Download, Progress as DownloadProgress, download};
+pub use download::{Download, Progress as DownloadProgress, download, download_with};
 pub use points::{default_points, read_points};
 pub use run::{Outcome, Progress, follow, run};
