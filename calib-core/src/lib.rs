@@ -13,6 +13,7 @@
 )]
 
 pub mod budget;
+pub mod consecutive;
 pub mod control;
 pub mod correlation;
 pub mod generator;
@@ -20,6 +21,7 @@ pub mod phase;
 pub mod point;
 pub mod points;
 pub mod polarity;
+pub mod quantity;
 pub mod reference;
 pub mod requirements;
 pub mod sequence;

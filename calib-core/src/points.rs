@@ -1,6 +1,7 @@
 //! Point lists from the preferred series of ISO 16063-21, 5.1.
 
 use crate::point::PointSpec;
+use crate::polarity::wrap;
 use heapless::Vec;
 
 /// One-third-octave midband frequencies of ISO 266 from 5 Hz to 10 kHz, Hz.
@@ -12,6 +13,14 @@ pub const PREFERRED_HZ: [f32; 34] = [
 
 /// Reference frequencies in the order 5.3 prefers them, Hz.
 pub const REFERENCE_HZ: [f32; 2] = [160.0, 80.0];
+
+/// Preferred accelerations 1, 2, 5 times powers of ten (5.1), m/s2.
+pub const LEVELS_MS2: [f32; 13] = [
+    0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0,
+];
+
+/// Reference accelerations in the order 5.3 prefers them, m/s2.
+pub const REFERENCE_MS2: [f32; 4] = [100.0, 10.0, 20.0, 50.0];
 
 /// Fewest points a calibration should have (5.1).
 pub const FEWEST_POINTS: usize = 6;
@@ -43,6 +52,49 @@ pub fn preferred_points(low_hz: f32, high_hz: f32, acceleration_rms_ms2: f32) ->
     first.into_iter().chain(others).map(spec).collect()
 }
 
+/// Levels of the series 1, 2, 5, 10 from `low` to `high`, m/s2 r.m.s., at one
+/// frequency: a linearity measurement. Rising, so that a limit ends it.
+pub fn linearity_points(frequency_hz: f32, low_rms_ms2: f32, high_rms_ms2: f32) -> PointList {
+    // A thousandth of slack: 0.1 * 10^n is not exact in f32.
+    let inside = |level: &f32| *level >= 0.999 * low_rms_ms2 && *level <= 1.001 * high_rms_ms2;
+    LEVELS_MS2
+        .into_iter()
+        .filter(inside)
+        .map(|acceleration_rms_ms2| PointSpec {
+            frequency_hz,
+            acceleration_rms_ms2,
+        })
+        .collect()
+}
+
+/// A sensitivity relative to that at the reference point (5.3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviation {
+    /// Relative deviation of the magnitude, 1.
+    pub rel: f32,
+    /// The same in decibels.
+    pub db: f32,
+    /// Deviation of the phase, rad, in (-pi, pi].
+    pub phase_rad: f32,
+}
+
+/// Deviation of a magnitude and phase from those at the reference point; `None`
+/// unless both magnitudes are positive.
+pub fn deviation(
+    (magnitude, phase_rad): (f32, f32),
+    (reference_magnitude, reference_phase_rad): (f32, f32),
+) -> Option<Deviation> {
+    let usable = magnitude > 0.0 && reference_magnitude > 0.0;
+    usable.then(|| {
+        let ratio = magnitude / reference_magnitude;
+        Deviation {
+            rel: (magnitude - reference_magnitude) / reference_magnitude,
+            db: 20.0 * libm::log10f(ratio),
+            phase_rad: wrap(phase_rad - reference_phase_rad),
+        }
+    })
+}
+
 /// The list the button starts: 20 Hz to 10 kHz at 10 m/s2.
 pub fn default_points() -> PointList {
     let (low_hz, high_hz) = DEFAULT_RANGE_HZ;
@@ -71,5 +123,25 @@ mod tests {
         assert_eq!(preferred_points(5.0, 100.0, 1.0)[0].frequency_hz, 80.0);
         assert_eq!(preferred_points(200.0, 400.0, 1.0)[0].frequency_hz, 200.0);
         assert!(preferred_points(300.0, 310.0, 1.0).is_empty());
+    }
+
+    #[test]
+    fn linearity_is_measured_at_preferred_levels() {
+        let levels: std::vec::Vec<f32> = linearity_points(160.0, 1.0, 100.0)
+            .iter()
+            .map(|p| p.acceleration_rms_ms2)
+            .collect();
+        assert_eq!(levels, [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0]);
+        assert!(linearity_points(160.0, 5.0, 2.0).is_empty());
+    }
+
+    #[test]
+    fn deviations_are_stated_in_every_way() {
+        // 5 % more is 20 lg 1.05 = 0.42379 dB.
+        let deviation = deviation((1.05, -3.0), (1.0, 3.0)).expect("positive");
+        assert!((deviation.rel - 0.05).abs() < 1.0e-7);
+        assert!((deviation.db - 0.423_785_98).abs() < 1.0e-6);
+        assert!((deviation.phase_rad - 0.283_185_3).abs() < 1.0e-6);
+        assert_eq!(super::deviation((0.0, 0.0), (1.0, 0.0)), None);
     }
 }
