@@ -29,6 +29,24 @@ pub fn reason(reason: Reason) -> &'static str {
         Reason::Overrun => "samples were lost",
         Reason::FrequencyUnavailable => "this frequency is not available",
         Reason::Stopped => "stopped",
+        Reason::BudgetInvalid => "the uncertainty budget makes no sense here",
         _ => "for a reason this tool does not know",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_reason_has_words() {
+        // Reasons are numbered without gaps, so the bytes 0, 1, 2 ... are all.
+        let reasons: Vec<Reason> = (0..=u8::MAX)
+            .map_while(|number| postcard::from_bytes(&[number]).ok())
+            .collect();
+        assert!(reasons.len() >= 16);
+        for known in reasons {
+            assert!(!reason(known).contains("does not know"), "{known:?}");
+        }
     }
 }
