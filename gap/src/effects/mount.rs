@@ -49,7 +49,7 @@ static LOOSE: About = About {
     formula: "acceleration of the device cut on one side at a threshold of 0.5..3 g, impact noise above it",
     parameters: &[
         Parameter::log("threshold_ms2", "m/s2", 0.5, 300.0),
-        Parameter::linear("impact_noise", "1", 0.0, 3.0),
+        Parameter::log("impact_noise", "1", 1e-7, 3.0),
     ],
     columns: &[
         "acceleration_ms2",
@@ -126,6 +126,9 @@ impl Effect for LooseMount {
     fn about(&self) -> &'static About {
         &LOOSE
     }
+    fn opens(&self) -> bool {
+        true
+    }
     fn applies(&self, facts: &Facts) -> bool {
         facts.level_known
             && (facts.ratio || facts.dut_harmonics)
@@ -141,7 +144,7 @@ impl Effect for LooseMount {
         ratios(0.15 * peak, 0.99 * peak, 14)
             .into_iter()
             .filter(|t| (1.0..100.0).contains(t))
-            .flat_map(|t| [0.0, 0.02].map(|noise| Start::shape(vec![t + added, noise])))
+            .flat_map(|t| [1e-6, 1e-3, 2e-2].map(|noise| Start::shape(vec![t + added, noise])))
             .collect()
     }
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {

@@ -23,7 +23,7 @@ static MAINS: About = About {
     formula: "lines at n x mains in the DUT channel, not locked to the block: noise, and leakage near n x mains",
     parameters: &[
         Parameter::log("pickup_v", "V", 1e-9, 1.0),
-        Parameter::linear("leaking_share", "1", 0.0, 1.2),
+        Parameter::linear("leaking_share", "1", 0.0, 2.0),
     ],
     columns: &["dut_noise_v", "ratio", "acceleration_ms2"],
     confused_with: &["ambient_vibration"],
@@ -81,10 +81,9 @@ impl MainsPickup {
     /// Leaked power at a frequency over the power of the nearest line.
     fn leaked(row: &Row, frequency_hz: f64) -> f64 {
         let order = (frequency_hz / row.mains_hz).round().max(1.0);
-        leaking(
-            (frequency_hz - order * row.mains_hz) / row.bin_hz,
-            order * MAINS_WANDER_HZ / row.bin_hz,
-        )
+        // Lines fall about as 1/n.
+        let bins = (frequency_hz - order * row.mains_hz) / row.bin_hz;
+        leaking(bins, order * MAINS_WANDER_HZ / row.bin_hz) / (order * order)
     }
 }
 

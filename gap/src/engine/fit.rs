@@ -78,38 +78,53 @@ pub(crate) fn refine(
         objective: f64::INFINITY,
     };
     clamp(&mut fit.effects);
+    descend(problem, &mut fit, effort, work);
+    if fit.effects.iter().any(|e| e.effect.opens()) {
+        // Slopes see the mean, the search sees the scatter: each moves the other's optimum.
+        for round in 0..3 {
+            let before = fit.objective;
+            polish(problem, &mut fit, round, work);
+            descend(problem, &mut fit, effort, work);
+            if before - fit.objective < 0.1 {
+                break;
+            }
+        }
+    }
+    fit
+}
+
+/// Damped Gauss-Newton steps until the objective stands still.
+fn descend(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspace) {
     let mut damping = 1e-3;
-    let mut linear = Linearised::new(problem, &fit, work);
+    let mut linear = Linearised::new(problem, fit, work);
     fit.objective = linear.evaluation.objective;
+    let mut small = 0;
     for _ in 0..effort.most_steps {
         let Some(step) = linear.step(problem, damping) else {
             damping *= 10.0;
             continue;
         };
-        let trial = moved(problem, &fit, &step);
+        let trial = moved(problem, fit, &step);
         let evaluation = problem.evaluate(&trial.effects, &trial.theta, &mut work.memory);
         let gain = fit.objective - evaluation.objective;
         if gain > 0.0 {
-            fit = Fit {
+            *fit = Fit {
                 objective: evaluation.objective,
                 ..trial
             };
-            damping = (damping * 0.2).max(1e-9);
-            if gain < effort.enough {
+            damping = (damping * 0.1).max(1e-9);
+            small = if gain < effort.enough { small + 1 } else { 0 };
+            if small == 2 {
                 break;
             }
-            linear = Linearised::new(problem, &fit, work);
+            linear = Linearised::new(problem, fit, work);
         } else {
-            if gain > -1e-6 || damping > 1e6 {
+            if damping > 1e6 {
                 break;
             }
             damping *= if damping < 1e-2 { 100.0 } else { 10.0 };
         }
     }
-    if fit.effects.iter().any(|e| e.effect.scatters()) {
-        polish(problem, &mut fit, effort, work);
-    }
-    fit
 }
 
 /// The problem linearised at a fit.
@@ -260,12 +275,11 @@ fn clamp(effects: &mut [Active<'static>]) {
 }
 
 /// Direct search over the parameters of effects that act on scatter, which slopes do not see.
-fn polish(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspace) {
-    let rounds = if effort.most_steps > 10 { 4 } else { 1 };
-    let mut size: f64 = 0.4;
-    for _ in 0..rounds {
+fn polish(problem: &Problem, fit: &mut Fit, round: usize, work: &mut Workspace) {
+    let mut size = 0.4_f64.powi(round as i32 + 1);
+    for _ in 0..3 {
         for at in 0..fit.effects.len() {
-            if !fit.effects[at].effect.scatters() {
+            if !fit.effects[at].effect.opens() {
                 continue;
             }
             for index in 0..fit.effects[at].parameters.len() {

@@ -60,9 +60,11 @@ impl Characteristic {
     /// A saturating characteristic bounds its output: beyond the bound the
     /// largest resolvable input, 50 times the fundamental, is returned.
     pub(crate) fn input_for(self, fundamental: f64) -> f64 {
-        let gain = self.spectrum(fundamental).order[1];
-        if (gain - fundamental).abs() < 1e-3 * fundamental {
-            return fundamental * fundamental / gain;
+        if !matches!(self, Self::Clip { .. }) {
+            return self.divided(fundamental);
+        }
+        if self.spectrum(fundamental).order[1] == fundamental {
+            return fundamental;
         }
         let (mut low, mut high) = (0.0, 50.0 * fundamental);
         for _ in 0..48 {
@@ -74,6 +76,27 @@ impl Characteristic {
             }
         }
         0.5 * (low + high)
+    }
+}
+
+impl Characteristic {
+    /// Inversion by repeated division, for gains near one (a falling cubic has no other safe bracket).
+    fn divided(self, fundamental: f64) -> f64 {
+        let mut input = fundamental;
+        for _ in 0..40 {
+            let output = self.spectrum(input).order[1];
+            if output <= 0.0 {
+                input *= 2.0;
+                continue;
+            }
+            let next = input * (fundamental / output).clamp(0.5, 2.0);
+            let done = (next - input).abs() <= 1e-13 * input;
+            input = next;
+            if done {
+                break;
+            }
+        }
+        input
     }
 }
 
