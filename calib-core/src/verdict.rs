@@ -53,6 +53,10 @@ pub enum Reason {
     Stopped,
     /// The uncertainty budget of the settings makes no sense at this point.
     BudgetInvalid,
+    /// Fewer averages than broadband excitation needs (4.4, Note 1).
+    TooFewAverages,
+    /// Coherence below 0.98 with broadband excitation (4.4, Note 1).
+    LowCoherence,
 }
 
 impl Reason {

@@ -1,0 +1,171 @@
+//! One period of a broadband signal, by an inverse Fourier transform.
+
+use super::{LINES, RECORD_SAMPLES};
+use crate::phase::cos_sin;
+use microfft::complex::cfft_4096;
+use num_complex::Complex32;
+
+/// How the phases of the lines are chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phases {
+    /// Schroeder's: the signal sweeps, its crest factor stays near 1.7.
+    Multisine,
+    /// Drawn anew from this seed: noise that repeats with the record. Another
+    /// seed for each average gives periodic random excitation.
+    Random {
+        /// Any number.
+        seed: u32,
+    },
+}
+
+/// Lines of equal amplitude from `first` to `last`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Excitation {
+    /// Lowest line, at least 1.
+    pub first: usize,
+    /// Highest line, below [`LINES`].
+    pub last: usize,
+    /// Phases of the lines.
+    pub phases: Phases,
+}
+
+impl Excitation {
+    /// Fills `period` with one period whose largest magnitude is 1, as real
+    /// parts; imaginary parts are rounding errors.
+    ///
+    /// Returns the r.m.s. value of the signal, or `None` when the lines are
+    /// out of order or out of range.
+    pub fn fill(self, period: &mut [Complex32; RECORD_SAMPLES]) -> Option<f32> {
+        if self.first == 0 || self.last < self.first || self.last >= LINES {
+            return None;
+        }
+        period.fill(Complex32::new(0.0, 0.0));
+        let mut random = self.seed();
+        let count = (self.last - self.first + 1) as u32;
+        let lines = period.iter_mut().enumerate().skip(self.first);
+        for ((_, value), index) in lines.take(count as usize).zip(0_u32..) {
+            let (cosine, sine) = match self.phases {
+                Phases::Multisine => schroeder(index, count),
+                Phases::Random { .. } => cos_sin(next(&mut random) >> 8, 1 << 24),
+            };
+            *value = Complex32::new(cosine, sine);
+        }
+        // A forward transform of the lines: the sum of exp(-j ...), whose real
+        // part is a sum of cosines with the phases negated.
+        let period = cfft_4096(period);
+        Some(normalise(period))
+    }
+
+    fn seed(self) -> u32 {
+        match self.phases {
+            Phases::Multisine => 1,
+            Phases::Random { seed } => seed | 1,
+        }
+    }
+}
+
+/// `-pi index^2 / count`, reduced to a turn in integers.
+fn schroeder(index: u32, count: u32) -> (f32, f32) {
+    let turn = 2 * count;
+    let (cosine, sine) = cos_sin((index * index) % turn, turn);
+    (cosine, -sine)
+}
+
+/// Marsaglia's xorshift, 32 bits.
+fn next(state: &mut u32) -> u32 {
+    *state ^= *state << 13;
+    *state ^= *state >> 17;
+    *state ^= *state << 5;
+    *state
+}
+
+/// Scales the real parts to a largest magnitude of 1; returns their r.m.s.
+fn normalise(period: &mut [Complex32; RECORD_SAMPLES]) -> f32 {
+    let peak = period.iter().fold(0.0_f32, |peak, v| peak.max(v.re.abs()));
+    let mut square = 0.0;
+    for value in period.iter_mut() {
+        value.re /= peak;
+        square += value.re * value.re;
+    }
+    libm::sqrtf(square / RECORD_SAMPLES as f32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn period(excitation: Excitation) -> (Vec<f64>, f32) {
+        let mut buffer = Box::new([Complex32::new(0.0, 0.0); RECORD_SAMPLES]);
+        let rms = excitation.fill(&mut buffer).expect("lines in range");
+        (buffer.iter().map(|v| f64::from(v.re)).collect(), rms)
+    }
+
+    /// Amplitude of one line by direct correlation in f64.
+    fn line(signal: &[f64], line: usize) -> f64 {
+        let (mut re, mut im) = (0.0, 0.0);
+        for (n, value) in signal.iter().enumerate() {
+            let place = (line * n) % RECORD_SAMPLES;
+            let angle = std::f64::consts::TAU * place as f64 / RECORD_SAMPLES as f64;
+            re += value * angle.cos();
+            im += value * angle.sin();
+        }
+        2.0 * re.hypot(im) / RECORD_SAMPLES as f64
+    }
+
+    #[test]
+    fn exactly_the_lines_asked_for_are_there() {
+        for phases in [Phases::Multisine, Phases::Random { seed: 42 }] {
+            let excitation = Excitation {
+                first: 3,
+                last: 820,
+                phases,
+            };
+            let (signal, rms) = period(excitation);
+            // 818 equal lines: rms^2 = 818 a^2 / 2.
+            let expected = f64::from(rms) * (2.0 / 818.0_f64).sqrt();
+            for inside in [3, 4, 100, 819, 820] {
+                assert!(
+                    (line(&signal, inside) / expected - 1.0).abs() < 1.0e-4,
+                    "{inside}"
+                );
+            }
+            for outside in [0, 1, 2, 821, 1500, 2047] {
+                assert!(
+                    line(&signal, outside) < 1.0e-5 * expected.sqrt(),
+                    "{outside}"
+                );
+            }
+            let peak = signal.iter().fold(0.0_f64, |peak, v| peak.max(v.abs()));
+            assert!((peak - 1.0).abs() < 1.0e-6);
+        }
+    }
+
+    #[test]
+    fn a_multisine_wastes_less_range_than_noise() {
+        let crest = |phases| {
+            let (_, rms) = period(Excitation {
+                first: 3,
+                last: 820,
+                phases,
+            });
+            1.0 / rms
+        };
+        // Schroeder phases of a flat band give 1.7; noise of 4096 samples
+        // peaks between 3 and 5 times its r.m.s. value.
+        assert!(crest(Phases::Multisine) < 1.9);
+        assert!((2.8..5.0).contains(&crest(Phases::Random { seed: 7 })));
+    }
+
+    #[test]
+    fn impossible_bands_are_refused() {
+        let mut buffer = Box::new([Complex32::new(0.0, 0.0); RECORD_SAMPLES]);
+        for (first, last) in [(0, 5), (6, 5), (5, LINES)] {
+            let excitation = Excitation {
+                first,
+                last,
+                phases: Phases::Multisine,
+            };
+            assert_eq!(excitation.fill(&mut buffer), None);
+        }
+    }
+}
