@@ -5,15 +5,18 @@
 //! or JSON with `--json`), everything else to standard error.
 
 mod budget;
+mod certificate;
 mod context;
 mod demo;
 mod devices;
 mod download;
+mod emulate;
 mod gap;
 mod info;
 mod progress;
 mod records;
 mod run;
+mod settings;
 mod stop;
 mod table;
 mod text;
@@ -80,12 +83,18 @@ pub(crate) enum Command {
     Info(info::Info),
     /// Measures a point list.
     Run(run::Run),
+    /// Prints or replaces the calibrator's settings.
+    Settings(settings::Settings),
     /// Stops a run and silences the exciter.
     Stop(stop::Stop),
     /// Records stored in the calibrator.
     Records(records::Records),
     /// Downloads a stored record into a file.
     Download(download::Download),
+    /// Writes the certificate of a record.
+    Certificate(certificate::CertificateVerb),
+    /// An emulated calibrator that other programs use like hardware.
+    Emulate(emulate::Emulate),
     /// Evaluates an uncertainty budget (ISO 16063-21 Annex A, GUM).
     Budget(budget::BudgetVerb),
     /// Diagnoses the gap between simulation and measurement.
@@ -102,9 +111,12 @@ impl Command {
             Self::Devices(verb) => verb.run(context),
             Self::Info(verb) => verb.run(context),
             Self::Run(verb) => verb.run(context),
+            Self::Settings(verb) => verb.run(context),
             Self::Stop(verb) => verb.run(context),
             Self::Records(verb) => verb.run(context),
             Self::Download(verb) => verb.run(context),
+            Self::Certificate(verb) => verb.run(context),
+            Self::Emulate(verb) => verb.run(context),
             Self::Budget(verb) => verb.run(context),
             Self::Gap(verb) => verb.run(context),
             Self::Version(verb) => verb.run(context),
