@@ -464,7 +464,7 @@ fn a_point_budget_has_a_row_for_every_source() {
     assert_eq!(budget.phase.components().len(), 17);
     let (magnitude, phase) = budget.expand().expect("valid");
     // By hand, percent: 0.25, 0.1443, 0.0577, 0.1269, 2 x 0.0289 + 0.0289,
-    // 0.0866, 0.2078, 4 x 0.0173, 0.01: u = 0.4017.
+    // 0.0866, 0.2078, 4 x 0.0173, 0.01: u = 0.3966.
     let squares: f64 = [
         0.25_f64, 0.144_34, 0.057_74, 0.126_93, 0.028_87, 0.028_87, 0.028_87, 0.086_60, 0.207_85,
         0.017_32, 0.017_32, 0.017_32, 0.017_32, 0.01, 0.001_386,
