@@ -11,10 +11,12 @@
 
 mod channel;
 mod exciter;
+mod friction;
 mod section;
 
 pub use self::channel::{Channel, Characteristic, Pickup, Separation};
 pub use self::exciter::{COPPER_PER_K, CoilModel, InductanceLadder, LADDER_PAIRS};
+pub use self::friction::friction_n;
 pub use self::section::{SecondOrder, Section};
 
 /// Standard acceleration of free fall, m/s2.

@@ -120,6 +120,21 @@ mod tests {
         assert!((peak.arg() + PI / 2.0).abs() < 1e-4);
     }
 
+    /// An instrument whose reference table was never set holds 0.0102 V/(m/s2) and 0 degrees with
+    /// U = 0.5 % and 0.3 degrees, above 1 kHz 1 % and 0.7 degrees per decade more.
+    #[test]
+    fn the_reference_is_what_an_instrument_out_of_the_box_believes() {
+        let rig = Rig::standard();
+        for frequency_hz in ONE_THIRD_OCTAVES_HZ {
+            let decades = (frequency_hz / 1000.0).log10().max(0.0);
+            let truth = reference_sensitivity(&rig, frequency_hz);
+            let magnitude_rel = (truth.norm() / 0.0102 - 1.0).abs();
+            assert!(magnitude_rel < 0.005 + 0.010 * decades, "{frequency_hz} Hz");
+            let phase_deg = truth.arg().to_degrees().abs();
+            assert!(phase_deg < 0.3 + 0.7 * decades, "{frequency_hz} Hz");
+        }
+    }
+
     #[test]
     fn exciter_at_its_landmarks() {
         let rig = Rig::standard();

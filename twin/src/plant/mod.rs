@@ -7,21 +7,28 @@
 //! ```
 //!
 //! Time domain, f64. The linear part is one state space, stepped exactly for an input that is held
-//! between two conversions, which it is: no integration error at any frequency.
+//! between two conversions, which it is: no integration error at any frequency. Effects that are
+//! linear change that state space; nonlinear ones drive it as further inputs (`bends`), in
+//! steps of a quarter of a sample period.
 
+mod bends;
 mod codes;
 pub mod network;
+mod realise;
+mod sampler;
+mod simulation;
 mod stepper;
 mod wiring;
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, StandardNormal};
 
-use self::codes::{drive_v, input_code};
-use self::network::Signal;
-use self::stepper::Stepper;
-use self::wiring::{DRIVE_INPUT, Wiring};
+use self::codes::drive_v;
+pub use self::realise::PlantError;
+use self::sampler::{Sampled, Sampler};
+use self::simulation::Simulation;
+use crate::effects::ActiveEffect;
+use crate::model::{Conditions, Model};
 use crate::rig::Rig;
 use crate::rig_port::{INPUT_CHANNELS, RigPort};
 
@@ -29,38 +36,48 @@ use crate::rig_port::{INPUT_CHANNELS, RigPort};
 ///
 /// # Timing
 /// One hold of a sample period and one sample take about 0.2 us on a present-day core: test
-/// `a_second_of_plant_takes_a_fraction_of_a_second`.
+/// `a_second_of_plant_takes_a_fraction_of_a_second`. With nonlinear effects about 2 us.
 #[derive(Clone, Debug)]
 pub struct Plant {
     rig: Rig,
-    stepper: Stepper,
-    current: Tap,
-    travel: Tap,
-    acceleration: Tap,
-    converter: [Tap; INPUT_CHANNELS],
+    simulation: Simulation,
+    samplers: [Sampler; INPUT_CHANNELS],
     noise: ChaCha8Rng,
 }
-
-/// Non-zero coefficients of a signal over (states, inputs).
-type Tap = Vec<(usize, f64)>;
 
 impl Plant {
     /// The rig at rest, its drive at 0 V for ever.
     pub fn new(rig: &Rig) -> Self {
-        let wiring = Wiring::new(rig);
-        let tap = |signal: &Signal| wiring.network.columns(signal);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "1 us..1 ms"
-        )]
-        let tick_ns = (1e9 / rig.converter.sample_rate_hz).round() as u64;
+        Self::of(rig, &rig.model(), 0.0)
+    }
+
+    /// The rig with effects, at rest under `conditions`; time goes on from theirs.
+    ///
+    /// # Errors
+    /// [`PlantError`] for an effect that no causal network has.
+    pub fn with_effects(
+        rig: &Rig,
+        effects: &[ActiveEffect],
+        conditions: &Conditions,
+    ) -> Result<Self, PlantError> {
+        let mut model = rig.model();
+        for effect in effects {
+            effect.apply(conditions, &mut model);
+        }
+        realise::check(&model.reference)?;
+        realise::check(&model.dut)?;
+        Ok(Self::of(rig, &model, conditions.time_s))
+    }
+
+    fn of(rig: &Rig, model: &Model, start_s: f64) -> Self {
+        let sampler =
+            |channel, sensing| Sampler::new(model, channel, sensing, rig.converter, start_s);
         Self {
-            stepper: Stepper::new(wiring.network.matrix(), tick_ns),
-            current: tap(&wiring.current),
-            travel: tap(&wiring.travel),
-            acceleration: tap(&wiring.acceleration),
-            converter: [tap(&wiring.converter[0]), tap(&wiring.converter[1])],
+            simulation: Simulation::new(model, &rig.converter, start_s, rig.noise_seed),
+            samplers: [
+                sampler(&model.reference, &rig.reference),
+                sampler(&model.dut, &rig.dut),
+            ],
             noise: ChaCha8Rng::seed_from_u64(rig.noise_seed),
             rig: rig.clone(),
         }
@@ -71,37 +88,34 @@ impl Plant {
         &self.rig
     }
 
-    /// Coil current at this instant, A.
-    pub fn current_a(&self) -> f64 {
-        self.read(&self.current)
+    /// Voltage at the coil at this instant, V.
+    pub fn coil_v(&self) -> f64 {
+        self.simulation.coil_v()
     }
 
-    /// Travel of the table from rest at this instant, m.
+    /// Coil current at this instant, A.
+    pub fn current_a(&self) -> f64 {
+        self.simulation.instant().current_a
+    }
+
+    /// Travel of the armature from its unloaded position at this instant, m.
     pub fn travel_m(&self) -> f64 {
-        self.read(&self.travel)
+        self.simulation.instant().travel_m
     }
 
     /// Acceleration of the table at this instant, m/s2.
     pub fn acceleration_ms2(&self) -> f64 {
-        self.read(&self.acceleration)
+        self.simulation.acceleration_ms2()
     }
 
     /// Volts at both input converters at this instant, without noise and offset.
     pub fn converter_v(&self) -> [f64; INPUT_CHANNELS] {
-        [self.read(&self.converter[0]), self.read(&self.converter[1])]
+        [0, 1].map(|channel| self.simulation.converter_v(channel))
     }
 
     /// As [`RigPort::hold`] with the voltage of an ideal drive converter.
     pub fn hold_volt(&mut self, drive_v: f64, duration_ns: u64) {
-        self.stepper.set_input(DRIVE_INPUT, drive_v);
-        self.stepper.advance(duration_ns);
-    }
-
-    fn read(&self, tap: &Tap) -> f64 {
-        let source = self.stepper.source();
-        tap.iter()
-            .map(|&(column, factor)| factor * source[column])
-            .sum()
+        self.simulation.hold(drive_v, duration_ns);
     }
 }
 
@@ -111,18 +125,27 @@ impl RigPort for Plant {
     }
 
     fn sample(&mut self) -> [u16; INPUT_CHANNELS] {
-        let [reference_v, dut_v] = self.converter_v();
-        let mut digitise = |volt: f64, noise_rms_v: f64, offset_v: f64| {
-            let unit: f64 = StandardNormal.sample(&mut self.noise);
-            input_code(&self.rig.converter, volt + offset_v + noise_rms_v * unit)
-        };
-        let (reference, dut) = (&self.rig.reference, &self.rig.dut);
-        [
-            digitise(reference_v, reference.noise_rms_v, reference.offset_v),
-            digitise(dut_v, dut.noise_rms_v, dut.offset_v),
-        ]
+        let simulation = &self.simulation;
+        let elapsed_s = simulation.elapsed_s();
+        let mut codes = [0; INPUT_CHANNELS];
+        for (channel, code) in codes.iter_mut().enumerate() {
+            let sampler = &self.samplers[channel];
+            let sampled = Sampled {
+                volt: simulation.converter_v(channel),
+                volt_per_s: if sampler.needs_slope() {
+                    simulation.converter_v_per_s(channel)
+                } else {
+                    0.0
+                },
+                face_m2s4: simulation.face_m2s4(channel),
+            };
+            *code = sampler.code(sampled, elapsed_s, &mut self.noise);
+        }
+        codes
     }
 }
 
+#[cfg(test)]
+mod effect_tests;
 #[cfg(test)]
 mod tests;

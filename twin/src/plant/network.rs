@@ -11,7 +11,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use nalgebra::{Complex, DMatrix};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::model::{CoilModel, InductanceLadder, SecondOrder};
 
@@ -269,14 +269,7 @@ impl Network {
         frequency_hz: f64,
     ) -> Option<Complex<f64>> {
         let count = self.states();
-        let matrix = self.matrix().map(|value| Complex::new(value, 0.0));
-        let mut system = -matrix.columns(0, count).into_owned();
-        for index in 0..count {
-            system[(index, index)] += Complex::new(0.0, TAU * frequency_hz);
-        }
-        let state = system
-            .lu()
-            .solve(&matrix.column(count + input).into_owned())?;
+        let state = self.state_response(input, frequency_hz)?;
         let terms = self.columns(signal).into_iter().map(|(column, value)| {
             if column < count {
                 state[column] * value
@@ -285,6 +278,22 @@ impl Network {
             }
         });
         Some(terms.sum())
+    }
+
+    /// Response of all states to input number `input`.
+    fn state_response(&self, input: usize, frequency_hz: f64) -> Option<DVector<Complex<f64>>> {
+        let count = self.states();
+        if count == 0 {
+            return Some(DVector::zeros(0));
+        }
+        let matrix = self.matrix().map(|value| Complex::new(value, 0.0));
+        let mut system = -matrix.columns(0, count).into_owned();
+        for index in 0..count {
+            system[(index, index)] += Complex::new(0.0, TAU * frequency_hz);
+        }
+        system
+            .lu()
+            .solve(&matrix.column(count + input).into_owned())
     }
 }
 

@@ -114,6 +114,21 @@ impl Stepper {
         self.source[self.states + index] = value;
     }
 
+    /// Sets state number `index` now.
+    pub(super) fn set_state(&mut self, index: usize, value: f64) {
+        self.source[index] = value;
+    }
+
+    /// The states at present.
+    pub(super) fn clone_state(&self) -> Vec<f64> {
+        self.source[..self.states].to_vec()
+    }
+
+    /// Goes back to earlier states; the inputs stay.
+    pub(super) fn restore(&mut self, states: &[f64]) {
+        self.source[..self.states].copy_from_slice(states);
+    }
+
     /// (state, inputs) at present.
     pub(super) fn source(&self) -> &[f64] {
         &self.source

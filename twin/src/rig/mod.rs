@@ -7,6 +7,7 @@ mod certificate;
 mod converter;
 mod draw;
 mod exciter;
+mod model;
 mod sensing;
 mod validate;
 

@@ -5,7 +5,6 @@
 //! it: by the fundamental of the reference channel.
 
 mod coil;
-mod friction;
 mod spectrum;
 mod stepping;
 

@@ -2,9 +2,8 @@
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 
-use super::friction::friction_n;
 use super::spectrum::{Grid, SILENCE, Spectrum};
-use crate::model::CoilModel;
+use crate::model::{CoilModel, friction_n};
 use crate::plant::network::{MovingCoil, Network};
 
 /// Steps per period. A term that acts on the travel is resolved to `(pi h / N)^2 / 3` of itself at

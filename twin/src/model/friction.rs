@@ -10,7 +10,7 @@
 /// The mean of `sign(v)` over a velocity that goes linearly from v0 to v1 is
 /// `(|v1| - |v0|)/(v1 - v0)`. With `v1 = free + gain F` and `F = -Fc mean` this is linear in v1 where
 /// the sign stays, and where it changes `v1^2 - (free + v0 + g Fc) v1 + v0 (free - g Fc) = 0`.
-pub(super) fn friction_n(start: f64, free: f64, gain: f64, coulomb_n: f64) -> f64 {
+pub fn friction_n(start: f64, free: f64, gain: f64, coulomb_n: f64) -> f64 {
     let sign = if start == 0.0 {
         free.signum()
     } else {

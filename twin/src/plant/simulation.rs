@@ -1,0 +1,302 @@
+//! The network of a plant in time, with its nonlinear terms and the motion of the base.
+
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use super::bends::{Bends, Instant, Levels};
+use super::network::{Network, Signal};
+use super::stepper::Stepper;
+use super::wiring::{BASE_INPUT, DRIVE_INPUT, FRICTION_INPUT, RATE_INPUT, TERMS, Wiring};
+use crate::model::{AmbientMotion, Model, friction_n};
+use crate::rig::Converter;
+use crate::rig_port::INPUT_CHANNELS;
+
+/// Non-zero coefficients of a signal over (states, inputs).
+type Tap = Vec<(usize, f64)>;
+
+/// Steps in a sample period where there are nonlinear terms. A term that acts at 10 kHz is then
+/// 0.8 % short, one at 1 kHz 1e-4.
+const STEPS_PER_SAMPLE: u64 = 4;
+
+/// Corrections of each such step.
+const CORRECTIONS: usize = 2;
+
+/// Taps that are read at every step.
+#[derive(Clone, Debug)]
+struct Taps {
+    demand: Tap,
+    current: Tap,
+    velocity: Tap,
+    travel: Tap,
+    acceleration: Tap,
+    faces: [Tap; INPUT_CHANNELS],
+    converter: [Tap; INPUT_CHANNELS],
+    converter_rate: [Tap; INPUT_CHANNELS],
+}
+
+/// Nonlinear terms at work.
+#[derive(Clone, Debug)]
+struct Nonlinear {
+    bends: Bends,
+    terms: [f64; TERMS],
+    /// Columns of the states that hold them.
+    columns: [usize; TERMS],
+    step_ns: u64,
+    /// Velocity after a step per newton held over it.
+    velocity_per_newton: f64,
+}
+
+/// The plant in time.
+#[derive(Clone, Debug)]
+pub(super) struct Simulation {
+    stepper: Stepper,
+    taps: Taps,
+    nonlinear: Option<Box<Nonlinear>>,
+    levels: Levels,
+    /// Whether anything needs the levels.
+    levelled: bool,
+    ambient: AmbientMotion,
+    ambient_noise: ChaCha8Rng,
+    elapsed_ns: u64,
+    sample_ns: u64,
+}
+
+impl Simulation {
+    pub(super) fn new(model: &Model, converter: &Converter, start_s: f64, seed: u64) -> Self {
+        let bends = Bends::of(model, start_s);
+        let wiring = Wiring::new(model, converter, start_s, bends.is_some());
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "1 us to 1 ms"
+        )]
+        let sample_ns = (1e9 / converter.sample_rate_hz).round() as u64;
+        let step_ns = sample_ns / STEPS_PER_SAMPLE;
+        let tick_ns = if bends.is_some() { step_ns } else { sample_ns };
+        let stepper = Stepper::new(wiring.network.matrix(), tick_ns);
+        let nonlinear = bends.zip(wiring.terms.as_ref()).map(|(bends, terms)| {
+            Box::new(Nonlinear::new(bends, terms, &wiring, &stepper, step_ns))
+        });
+        let channels = [&model.reference, &model.dut];
+        Self {
+            taps: Taps::new(&wiring),
+            stepper,
+            levelled: nonlinear.is_some()
+                || channels
+                    .iter()
+                    .any(|channel| channel.level_gain_per_ms2 != 0.0),
+            nonlinear,
+            levels: Levels::default(),
+            ambient: model.ambient,
+            // Another stream than that of the converters, from the same seed.
+            ambient_noise: ChaCha8Rng::seed_from_u64(seed.wrapping_add(0x5EED)),
+            elapsed_ns: 0,
+            sample_ns,
+        }
+    }
+
+    /// Advances by `duration_ns` with the drive constant.
+    pub(super) fn hold(&mut self, drive_v: f64, duration_ns: u64) {
+        self.stepper.set_input(DRIVE_INPUT, drive_v);
+        self.shake();
+        match self.nonlinear.take() {
+            None => self.stepper.advance(duration_ns),
+            Some(mut nonlinear) => {
+                self.advance_bent(&mut nonlinear, duration_ns);
+                self.nonlinear = Some(nonlinear);
+            }
+        }
+        self.elapsed_ns += duration_ns;
+        if self.levelled {
+            let instant = self.instant();
+            self.levels
+                .take(&instant, (duration_ns as f64 * 1e-9).min(0.1));
+        }
+    }
+
+    /// The base moves on: a tone, and noise that is white up to half the sample rate.
+    fn shake(&mut self) {
+        let ambient = &self.ambient;
+        if *ambient == AmbientMotion::default() {
+            return;
+        }
+        let unit: f64 = StandardNormal.sample(&mut self.ambient_noise);
+        // The middle of the hold that begins, so that the steps are not late.
+        let time_s = (self.elapsed_ns + self.sample_ns / 2) as f64 * 1e-9;
+        let angle = std::f64::consts::TAU * ambient.tone_hz * time_s;
+        let tone = std::f64::consts::SQRT_2 * ambient.tone_rms_ms2 * angle.sin();
+        self.stepper
+            .set_input(BASE_INPUT, ambient.broadband_rms_ms2 * unit + tone);
+    }
+
+    fn advance_bent(&mut self, nonlinear: &mut Nonlinear, duration_ns: u64) {
+        let steps = duration_ns / nonlinear.step_ns;
+        let begun_ns = self.elapsed_ns;
+        for step in 0..steps {
+            let end_ns = begun_ns + (step + 1) * nonlinear.step_ns;
+            self.step_bent(nonlinear, end_ns as f64 * 1e-9);
+        }
+        // What is left is shorter than a step: the terms stay as they are.
+        self.stepper
+            .advance(duration_ns - steps * nonlinear.step_ns);
+    }
+
+    /// One step with terms that change linearly, predicted and corrected.
+    fn step_bent(&mut self, nonlinear: &mut Nonlinear, end_s: f64) {
+        let begun = self.stepper.clone_state();
+        let step_s = nonlinear.step_ns as f64 * 1e-9;
+        let v0 = self.instant().velocity_ms;
+        let now = nonlinear.terms;
+        let mut end = now;
+        for _ in 0..CORRECTIONS {
+            self.stepper.restore(&begun);
+            for (term, (end, now)) in end.iter().zip(&now).enumerate() {
+                self.stepper
+                    .set_input(RATE_INPUT + term, (end - now) / step_s);
+            }
+            let coulomb_n = nonlinear.bends.friction_n();
+            if coulomb_n != 0.0 {
+                self.stepper.set_input(FRICTION_INPUT, 0.0);
+                self.stepper.advance(nonlinear.step_ns);
+                let free = self.instant().velocity_ms;
+                self.stepper.restore(&begun);
+                let force = friction_n(v0, free, nonlinear.velocity_per_newton, coulomb_n);
+                self.stepper.set_input(FRICTION_INPUT, force);
+            }
+            self.stepper.advance(nonlinear.step_ns);
+            let mut instant = self.instant();
+            instant.elapsed_s = end_s;
+            end = nonlinear.bends.terms(&instant, &self.levels);
+        }
+        for (term, (&column, &value)) in nonlinear.columns.iter().zip(&end).enumerate() {
+            self.stepper.set_state(column, value);
+            self.stepper.set_input(RATE_INPUT + term, 0.0);
+        }
+        nonlinear.terms = end;
+    }
+
+    /// What the nonlinear terms depend on, at present.
+    pub(super) fn instant(&self) -> Instant {
+        Instant {
+            elapsed_s: self.elapsed_s(),
+            demand_v: self.read(&self.taps.demand),
+            current_a: self.read(&self.taps.current),
+            velocity_ms: self.read(&self.taps.velocity),
+            travel_m: self.read(&self.taps.travel),
+            faces_ms2: [
+                self.read(&self.taps.faces[0]),
+                self.read(&self.taps.faces[1]),
+            ],
+        }
+    }
+
+    /// Since the start, s.
+    pub(super) fn elapsed_s(&self) -> f64 {
+        self.elapsed_ns as f64 * 1e-9
+    }
+
+    /// Voltage at the coil, V.
+    pub(super) fn coil_v(&self) -> f64 {
+        let instant = self.instant();
+        let beside = self
+            .nonlinear
+            .as_ref()
+            .map_or(0.0, |bent| bent.bends.amplifier_v(&instant, &self.levels));
+        instant.demand_v + beside
+    }
+
+    /// Acceleration of the table, m/s2.
+    pub(super) fn acceleration_ms2(&self) -> f64 {
+        self.read(&self.taps.acceleration)
+    }
+
+    /// Volts at an input converter.
+    pub(super) fn converter_v(&self, channel: usize) -> f64 {
+        self.read(&self.taps.converter[channel])
+    }
+
+    /// Their derivative, V/s.
+    pub(super) fn converter_v_per_s(&self, channel: usize) -> f64 {
+        self.read(&self.taps.converter_rate[channel])
+    }
+
+    /// Mean square of the motion of a mounting face, (m/s2)2.
+    pub(super) fn face_m2s4(&self, channel: usize) -> f64 {
+        self.levels.faces_m2s4[channel]
+    }
+
+    fn read(&self, tap: &Tap) -> f64 {
+        let source = self.stepper.source();
+        tap.iter()
+            .map(|&(column, factor)| factor * source[column])
+            .sum()
+    }
+}
+
+impl Nonlinear {
+    fn new(
+        bends: Bends,
+        terms: &[Signal; TERMS],
+        wiring: &Wiring,
+        stepper: &Stepper,
+        step_ns: u64,
+    ) -> Self {
+        let column = |signal: &Signal| {
+            wiring
+                .network
+                .columns(signal)
+                .first()
+                .map_or(0, |term| term.0)
+        };
+        // The answer to one newton, from rest.
+        let mut probe = stepper.clone();
+        probe.set_input(FRICTION_INPUT, 1.0);
+        probe.advance(step_ns);
+        let velocity = wiring.network.columns(&wiring.velocity);
+        let velocity_per_newton = velocity
+            .iter()
+            .map(|&(column, factor)| factor * probe.source()[column])
+            .sum();
+        Self {
+            bends,
+            terms: [0.0; TERMS],
+            columns: std::array::from_fn(|term| column(&terms[term])),
+            step_ns,
+            velocity_per_newton,
+        }
+    }
+}
+
+impl Taps {
+    fn new(wiring: &Wiring) -> Self {
+        let network = &wiring.network;
+        let tap = |signal: &Signal| network.columns(signal);
+        let rate = |signal: &Signal| rate(network, signal);
+        Self {
+            demand: tap(&wiring.demand),
+            current: tap(&wiring.current),
+            velocity: tap(&wiring.velocity),
+            travel: tap(&wiring.travel),
+            acceleration: tap(&wiring.acceleration),
+            faces: [tap(&wiring.faces[0]), tap(&wiring.faces[1])],
+            converter: [tap(&wiring.converter[0]), tap(&wiring.converter[1])],
+            converter_rate: [rate(&wiring.converter[0]), rate(&wiring.converter[1])],
+        }
+    }
+}
+
+/// Coefficients of a signal's derivative; the signal depends on states only.
+fn rate(network: &Network, signal: &Signal) -> Tap {
+    let matrix = network.matrix();
+    let mut sums = vec![0.0; matrix.ncols()];
+    for (state, factor) in network.columns(signal) {
+        for (column, sum) in sums.iter_mut().enumerate() {
+            *sum += factor * matrix[(state, column)];
+        }
+    }
+    sums.into_iter()
+        .enumerate()
+        .filter(|entry| entry.1 != 0.0)
+        .collect()
+}

@@ -1,0 +1,33 @@
+//! The model of a rig: its linear elements, ready for effects.
+
+use super::{Rig, Sensing};
+use crate::model::{Channel, Model, SecondOrder, Section};
+
+impl Rig {
+    /// The linear calibrator these values describe.
+    pub fn model(&self) -> Model {
+        Model::new(
+            self.exciter.model(),
+            self.reference.model(),
+            self.dut.model(),
+        )
+    }
+}
+
+impl Sensing {
+    /// Transducer, high-pass and low-pass of this channel.
+    fn model(&self) -> Channel {
+        let mut channel = Channel::flat(self.sensitivity_v_per_ms2 * self.conditioner_gain);
+        // A second-order Butterworth low-pass has Q = 1/sqrt(2).
+        let low_pass = SecondOrder::low_pass(self.low_pass_hz, std::f64::consts::FRAC_1_SQRT_2);
+        channel.response = vec![
+            Section::SecondOrder(SecondOrder::low_pass(
+                self.resonance_hz,
+                self.quality_factor,
+            )),
+            Section::HighPass(self.high_pass_hz),
+            Section::SecondOrder(low_pass),
+        ];
+        channel
+    }
+}
