@@ -3,7 +3,7 @@
 use super::Context;
 use calib_host::metrology::budget::{self, Budget, Evaluation};
 use calib_host::metrology::monte_carlo::{self, Comparison, Options, Plan};
-use calib_host::{Error, Result};
+use calib_host::{Result, file};
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -65,8 +65,7 @@ impl BudgetVerb {
             .monte_carlo
             .then(|| self.propagate(&budget, &evaluation));
         if let Some(path) = &self.chart {
-            std::fs::write(path, budget::contribution_chart(&evaluation))
-                .map_err(|error| Error::file("write", path, error))?;
+            file::replace(path, budget::contribution_chart(&evaluation).as_bytes())?;
         }
         let output = Output {
             evaluation,

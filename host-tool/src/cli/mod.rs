@@ -12,7 +12,9 @@ mod devices;
 mod download;
 mod emulate;
 mod gap;
+mod identify;
 mod info;
+mod link;
 mod progress;
 mod records;
 mod run;
@@ -99,6 +101,10 @@ pub(crate) enum Command {
     Budget(budget::BudgetVerb),
     /// Diagnoses the gap between simulation and measurement.
     Gap(gap::Gap),
+    /// Identifies the model of an accelerometer (ISO 16063-43).
+    Identify(identify::Identify),
+    /// Links comparisons, judges degrees of equivalence.
+    Link(link::Link),
     /// Versions of the tool, the protocol and the stored records.
     Version(version::Version),
 }
@@ -119,6 +125,8 @@ impl Command {
             Self::Emulate(verb) => verb.run(context),
             Self::Budget(verb) => verb.run(context),
             Self::Gap(verb) => verb.run(context),
+            Self::Identify(verb) => verb.run(context),
+            Self::Link(verb) => verb.run(context),
             Self::Version(verb) => verb.run(context),
         }
     }

@@ -5,6 +5,9 @@
 //! | [`budget`] | uncertainty budgets, type A evaluation, coverage factors | ISO 16063-21 Annex A, GUM |
 //! | [`monte_carlo`] | propagation of distributions | GUM Supplement 1 |
 //! | [`input`] | files with line numbers, remedies in every error | |
+//! | [`identify`] | accelerometer model from sinusoidal data | ISO 16063-43 7.2 |
+//! | [`linking`] | degrees of equivalence, linked comparisons | EURAMET.AUV.V-K3 |
+//! | [`oscillator`] | the mass-spring-damper model | ISO 16063-43 7.1 |
 //! | [`chart`] | small SVG charts | |
 //! | [`statistics`] | quantiles | |
 //!
@@ -13,7 +16,10 @@
 
 pub mod budget;
 pub mod chart;
+pub mod identify;
 pub mod input;
+pub mod linking;
 pub mod monte_carlo;
+pub mod oscillator;
 pub mod statistics;
 pub mod text;
