@@ -3,6 +3,8 @@
 use super::Context;
 use calib_host::metrology::identify::{self, Identification, Spread, Weighting};
 use calib_host::metrology::input::Source;
+use calib_host::metrology::record;
+use calib_host::metrology::shock::{self, Choice};
 use calib_host::{Error, Result, file};
 use clap::Args;
 use serde::Serialize;
@@ -16,6 +18,9 @@ POINTS.csv has one header line and the columns
 with standard uncertainties; without the last two the fit is unweighted.
 The phase of an output that lags is negative.
 
+RECORD.csv has the columns time_s, input (acceleration) and output, equally
+spaced in time.
+
 See docs/metrology/identification.md.";
 
 /// `calib identify POINTS.csv`.
@@ -23,7 +28,26 @@ See docs/metrology/identification.md.";
 #[command(after_help = FORM)]
 pub(crate) struct Identify {
     /// Sinusoidal calibration points (CSV).
-    points: PathBuf,
+    #[arg(required_unless_present = "shock", conflicts_with = "shock")]
+    points: Option<PathBuf>,
+    /// Identify from a shock record instead (CSV: time_s, input, output).
+    #[arg(long, value_name = "RECORD.csv")]
+    shock: Option<PathBuf>,
+    /// Shock: lowest frequency used, Hz.
+    #[arg(long, requires = "shock", value_name = "HZ")]
+    from_hz: Option<f64>,
+    /// Shock: highest frequency used, Hz.
+    #[arg(long, requires = "shock", value_name = "HZ")]
+    to_hz: Option<f64>,
+    /// Shock: pre-warp the bilinear mapping at the resonance.
+    #[arg(long, requires = "shock")]
+    pre_warp: bool,
+    /// Shock: known delay of the input channel behind the output channel, s.
+    #[arg(long, requires = "shock", default_value_t = 0.0, value_name = "S")]
+    input_delay_s: f64,
+    /// Shock: uncertainty coefficient of (27) from a budget, for the test.
+    #[arg(long, requires = "shock", value_name = "U0")]
+    u0: Option<f64>,
     /// Ignore the stated uncertainties.
     #[arg(long)]
     unweighted: bool,
@@ -51,7 +75,45 @@ struct Output {
 impl Identify {
     /// Identifies and prints.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        self.from_points(context, &self.points)
+        match (&self.shock, &self.points) {
+            (Some(record), _) => self.from_shock(context, record),
+            (None, Some(points)) => self.from_points(context, points),
+            (None, None) => Ok(()),
+        }
+    }
+
+    fn from_shock(&self, context: &Context, path: &Path) -> Result<()> {
+        for (name, value) in [
+            ("--from-hz", self.from_hz),
+            ("--to-hz", self.to_hz),
+            ("--u0", self.u0),
+        ] {
+            if value.is_some_and(|value| !value.is_finite() || value <= 0.0) {
+                return Err(Error::Usage {
+                    problem: format!("{name} must be greater than zero"),
+                    hint: "leave it out for the default".into(),
+                });
+            }
+        }
+        if !self.input_delay_s.is_finite() {
+            return Err(Error::Usage {
+                problem: "--input-delay-s is not a finite number".into(),
+                hint: "state the delay in seconds, such as 0.8e-6".into(),
+            });
+        }
+        let record = record::read(Source::read(path)?)?;
+        let choice = Choice {
+            from_hz: self.from_hz,
+            to_hz: self.to_hz,
+            u0: self.u0,
+            prewarp: self.pre_warp,
+            input_delay_s: self.input_delay_s,
+        };
+        let result = shock::identify(&record, &choice)?;
+        if let Some(chart) = &self.chart {
+            file::replace(chart, shock::simulation_chart(&record, &result).as_bytes())?;
+        }
+        context.print(&result, || shock::report(&result))
     }
 
     fn from_points(&self, context: &Context, path: &Path) -> Result<()> {

@@ -6,6 +6,7 @@
 
 mod budget;
 mod certificate;
+mod check;
 mod context;
 mod demo;
 mod devices;
@@ -15,6 +16,10 @@ mod gap;
 mod identify;
 mod info;
 mod link;
+mod nomogram;
+mod phase;
+mod points;
+mod predict;
 mod progress;
 mod records;
 mod run;
@@ -103,6 +108,16 @@ pub(crate) enum Command {
     Gap(gap::Gap),
     /// Identifies the model of an accelerometer (ISO 16063-43).
     Identify(identify::Identify),
+    /// Converts between acceleration, velocity and displacement (Annex C).
+    Nomogram(nomogram::Nomogram),
+    /// Phase by comparison with the uncertainty of ISO 5347-9.
+    Phase(phase::Phase),
+    /// Lists of points by ISO 16063-21 clause 5.
+    Points(points::Points),
+    /// Judges a record by Tables 1 to 6 and clause 7 of ISO 16063-21.
+    Check(check::Check),
+    /// Predicts the output for a record, or the input behind it.
+    Predict(predict::Predict),
     /// Links comparisons, judges degrees of equivalence.
     Link(link::Link),
     /// Versions of the tool, the protocol and the stored records.
@@ -126,6 +141,11 @@ impl Command {
             Self::Budget(verb) => verb.run(context),
             Self::Gap(verb) => verb.run(context),
             Self::Identify(verb) => verb.run(context),
+            Self::Nomogram(verb) => verb.run(context),
+            Self::Phase(verb) => verb.run(context),
+            Self::Points(verb) => verb.run(context),
+            Self::Check(verb) => verb.run(context),
+            Self::Predict(verb) => verb.run(context),
             Self::Link(verb) => verb.run(context),
             Self::Version(verb) => verb.run(context),
         }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 /// Path of a file of the shared data. A clone without it says so and passes;
 /// in CI a missing file is a failure.
-pub fn path(name: &str) -> Option<PathBuf> {
+pub(crate) fn path(name: &str) -> Option<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../shared")
         .join(name);

@@ -75,6 +75,16 @@ impl Lanes {
         }
     }
 
+    /// Fills a slice with numbers uniform in [0, 1).
+    pub fn fill_uniform(&mut self, out: &mut [f64]) {
+        let mut numbers = [0.0; LANES];
+        for chunk in out.chunks_mut(LANES) {
+            self.uniform_into(&mut numbers);
+            let count = chunk.len();
+            chunk.copy_from_slice(&numbers[..count]);
+        }
+    }
+
     /// Fills a slice with standard normal numbers.
     #[inline(always)]
     pub fn fill_normal(&mut self, out: &mut [f64]) {

@@ -1,0 +1,77 @@
+//! `calib points`: lists of points by clause 5.
+
+use super::Context;
+use calib_host::Result;
+use calib_host::metrology::lists::{self, ListPoint};
+use clap::{Args, Subcommand};
+use std::fmt::Write;
+
+/// `calib points preferred` and `calib points linearity`.
+#[derive(Debug, Args)]
+pub(crate) struct Points {
+    #[command(subcommand)]
+    list: List,
+}
+
+#[derive(Debug, Subcommand)]
+enum List {
+    /// Preferred frequencies, the reference point first (5.1, 5.3).
+    Preferred {
+        /// Lowest frequency, Hz.
+        #[arg(long, default_value_t = 20.0)]
+        from: f64,
+        /// Highest frequency, Hz.
+        #[arg(long, default_value_t = 5000.0)]
+        to: f64,
+        /// Points, at least six; default every preferred frequency.
+        #[arg(long)]
+        count: Option<usize>,
+        /// Acceleration, m/s2 r.m.s.
+        #[arg(long, default_value_t = 10.0)]
+        acceleration: f64,
+    },
+    /// One frequency, several levels.
+    Linearity {
+        /// Frequency, Hz.
+        #[arg(long, default_value_t = 160.0)]
+        frequency: f64,
+        /// Lowest level, m/s2 r.m.s.
+        #[arg(long, default_value_t = 1.0)]
+        from: f64,
+        /// Highest level, m/s2 r.m.s.
+        #[arg(long, default_value_t = 50.0)]
+        to: f64,
+    },
+}
+
+impl Points {
+    /// Prints a list as CSV, or as JSON.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let list = match self.list {
+            List::Preferred {
+                from,
+                to,
+                count,
+                acceleration,
+            } => lists::preferred(from, to, count, acceleration)?,
+            List::Linearity {
+                frequency,
+                from,
+                to,
+            } => lists::linearity(frequency, from, to)?,
+        };
+        context.print(&list, || csv(&list))
+    }
+}
+
+fn csv(list: &[ListPoint]) -> String {
+    let mut text = String::from("frequency_hz,acceleration_rms_ms2\n");
+    for point in list {
+        let _ = writeln!(
+            text,
+            "{},{}",
+            point.frequency_hz, point.acceleration_rms_ms2
+        );
+    }
+    text
+}

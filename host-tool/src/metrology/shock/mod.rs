@@ -1,0 +1,12 @@
+//! Identification of the accelerometer model from a shock record.
+//!
+//! # Source
+//! ISO 16063-43:2015, 7.3, 8.4.2, 8.5.3, 9.2.
+
+mod chart;
+mod fit;
+mod report;
+
+pub use chart::simulation_chart;
+pub use fit::{Choice, Range, ShockIdentification, identify};
+pub use report::report;
