@@ -12,12 +12,20 @@ struct Bench {
     what: &'static str,
 }
 
-const BENCHES: &[Bench] = &[Bench {
-    name: "coverage",
-    package: "calib-tests",
-    example: "bench_coverage",
-    what: "share of simulated calibrations whose U (k = 2) contains the truth",
-}];
+const BENCHES: &[Bench] = &[
+    Bench {
+        name: "coverage",
+        package: "calib-tests",
+        example: "bench_coverage",
+        what: "share of simulated calibrations whose U (k = 2) contains the truth",
+    },
+    Bench {
+        name: "monte-carlo",
+        package: "calib-host",
+        example: "bench_monte_carlo",
+        what: "propagation of distributions on one core, beside numpy",
+    },
+];
 
 /// Runs one benchmark, or all of them.
 pub(crate) fn run(arguments: &[String]) -> Result<()> {

@@ -25,7 +25,7 @@ mod present;
 pub mod rounding;
 mod sections;
 #[cfg(test)]
-mod testing;
+pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
 mod words;

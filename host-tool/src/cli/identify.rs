@@ -76,13 +76,13 @@ impl Identify {
     /// Identifies and prints.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         match (&self.shock, &self.points) {
-            (Some(record), _) => self.from_shock(context, record),
-            (None, Some(points)) => self.from_points(context, points),
+            (Some(record), _) => self.identify_shock(context, record),
+            (None, Some(points)) => self.identify_points(context, points),
             (None, None) => Ok(()),
         }
     }
 
-    fn from_shock(&self, context: &Context, path: &Path) -> Result<()> {
+    fn identify_shock(&self, context: &Context, path: &Path) -> Result<()> {
         for (name, value) in [
             ("--from-hz", self.from_hz),
             ("--to-hz", self.to_hz),
@@ -116,7 +116,7 @@ impl Identify {
         context.print(&result, || shock::report(&result))
     }
 
-    fn from_points(&self, context: &Context, path: &Path) -> Result<()> {
+    fn identify_points(&self, context: &Context, path: &Path) -> Result<()> {
         if !(self.significance > 0.0 && self.significance <= 0.05) {
             return Err(Error::Usage {
                 problem: format!("--significance {} is outside 0 .. 0.05", self.significance),

@@ -70,3 +70,59 @@ fn missing(record: &Record, particulars: &Particulars) -> Vec<Missing> {
     }
     missing
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certificate::testing;
+
+    fn of<'a>(check: &'a Check, parameter: &str) -> &'a Requirement {
+        let found = check
+            .requirements
+            .iter()
+            .find(|requirement| requirement.parameter == parameter);
+        found.expect("the row is there")
+    }
+
+    #[test]
+    fn the_worst_point_decides_its_row() {
+        let mut record = testing::record(&[80.0, 160.0, 1000.0]);
+        let particulars = Particulars::default();
+        let distortion = "total harmonic distortion";
+        record.points[1].distortion_reference_rel = 0.10;
+        let check = super::check(&record, &particulars, Some(Example::Example2));
+        // Table 2, Example 2, above 20 Hz: 10 %, which 10 % fulfils.
+        assert_eq!(of(&check, distortion).outcome, Outcome::Pass);
+        assert_eq!(of(&check, distortion).limit.map(|l| l.round()), Some(10.0));
+        record.points[1].distortion_reference_rel = 0.101;
+        let check = super::check(&record, &particulars, Some(Example::Example2));
+        assert_eq!(of(&check, distortion).outcome, Outcome::Fail);
+        assert_eq!(of(&check, distortion).at_hz, Some(160.0));
+        assert!(!check.pass);
+        // A refused point has no result that could fail.
+        record.points[1].verdict =
+            calib_core::verdict::Verdict::Refused(calib_core::verdict::Reason::Distortion);
+        let check = super::check(&record, &particulars, Some(Example::Example2));
+        assert_eq!(of(&check, distortion).outcome, Outcome::Pass);
+    }
+
+    #[test]
+    fn missing_statements_and_measurements_are_listed() {
+        let record = testing::record(&[160.0]);
+        let check = super::check(&record, &Particulars::default(), None);
+        assert!(
+            check
+                .missing
+                .iter()
+                .any(|m| m.clause.contains("16063-21 7"))
+        );
+        let unmeasured = of(&check, "transverse, rocking motion");
+        assert_eq!(unmeasured.outcome, Outcome::NotMeasured);
+        let report = super::report(&check);
+        assert!(report.contains("not measured"), "{report}");
+        assert!(
+            report.lines().all(|line| line.chars().count() <= 80),
+            "{report}"
+        );
+    }
+}

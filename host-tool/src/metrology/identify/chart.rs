@@ -4,6 +4,9 @@ use super::fit::{Identification, distance};
 use super::points::Points;
 use crate::metrology::chart::{Axes, Axis, BLUE, RED, Scale, Svg};
 
+/// Title, values at the points, and a line.
+type Panel = (&'static str, Vec<f64>, Vec<(f64, f64)>);
+
 /// Magnitude, phase and the deviations of both over frequency.
 pub fn response_chart(points: &Points, result: &Identification) -> String {
     let mut svg = Svg::new(900.0, 640.0);
@@ -31,7 +34,7 @@ pub fn response_chart(points: &Points, result: &Identification) -> String {
             .collect()
     };
     let zero = vec![(x.low, 0.0), (x.high, 0.0)];
-    let panels: [(&str, Vec<f64>, Vec<(f64, f64)>); 4] = [
+    let panels: [Panel; 4] = [
         ("magnitude", magnitude, model(|h| h.norm())),
         ("phase / deg", phase, model(|h| h.arg().to_degrees())),
         (

@@ -4,6 +4,9 @@ use super::fit::ShockIdentification;
 use crate::metrology::chart::{Axes, Axis, BLUE, GREY, RED, Scale, Svg};
 use crate::metrology::record::{TimeRecord, without_offset};
 
+/// Title, top and height, and lines with their colours.
+type Panel<'a> = (&'a str, f64, f64, Vec<(&'a [f64], &'a str)>);
+
 /// Measured and simulated output over time; their difference below.
 pub fn simulation_chart(record: &TimeRecord, result: &ShockIdentification) -> String {
     let mut svg = Svg::new(900.0, 560.0);
@@ -21,7 +24,7 @@ pub fn simulation_chart(record: &TimeRecord, result: &ShockIdentification) -> St
         .map(|(m, s)| m - s)
         .collect();
     let milliseconds = |index: usize| 1000.0 * index as f64 / result.sample_rate_hz;
-    let panels: [(&str, f64, f64, Vec<(&[f64], &str)>); 2] = [
+    let panels: [Panel<'_>; 2] = [
         (
             "output",
             30.0,
