@@ -4,6 +4,7 @@
 //! - [`model`]: what a calibrator is made of, with everything effects may change.
 //! - [`effects`]: what real calibrators do beside, one file each.
 //! - [`steady`]: a model at one frequency once all has settled.
+//! - [`oscillator`]: a single oscillator in time.
 //! - [`dataset`]: gap datasets of known cause.
 //! - [`plant`]: its physics in the time domain, with the converters.
 //! - [`oracle`]: the truth about it, by formulas in the frequency domain.
@@ -20,6 +21,7 @@ pub mod effects;
 pub mod influence;
 pub mod model;
 pub mod oracle;
+pub mod oscillator;
 pub mod plant;
 pub mod rig;
 pub mod rig_port;

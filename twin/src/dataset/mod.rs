@@ -9,6 +9,7 @@ mod design;
 mod nominal;
 mod observe;
 mod point;
+mod record;
 mod truth;
 mod unlocked;
 
@@ -20,6 +21,7 @@ pub use self::nominal::{
     Digitiser, Environment, Exciter, Nominal, NominalError, Quantity, Repeatability, Transducer,
 };
 pub use self::point::{Columns, Harmonic, Point, points_csv};
+pub use self::record::{NominalOscillator, Record, RecordOptions};
 
 /// Writes a dataset of points to the folder `directory`, which is made if it does not exist.
 ///

@@ -3,13 +3,15 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::{EFFECTS, Effect};
+use super::oscillator::OscillatorAction;
+use super::{CalibratorAction, Effect, Library};
 use crate::model::{Conditions, Model};
+use crate::oscillator::Oscillator;
 
 /// An effect at work.
 #[derive(Clone)]
-pub struct ActiveEffect {
-    effect: &'static Effect,
+pub struct ActiveEffect<A: 'static = CalibratorAction> {
+    effect: &'static Effect<A>,
     values: Vec<f64>,
 }
 
@@ -58,12 +60,12 @@ pub enum EffectError {
     },
 }
 
-impl ActiveEffect {
+impl<A: Library> ActiveEffect<A> {
     /// `effect` with `values` in the order of its parameters.
     ///
     /// # Errors
     /// [`EffectError::OutOfBounds`] for a value outside of its bounds, a missing one (NaN) included.
-    pub fn new(effect: &'static Effect, values: &[f64]) -> Result<Self, EffectError> {
+    pub fn new(effect: &'static Effect<A>, values: &[f64]) -> Result<Self, EffectError> {
         let given = values.iter().copied().chain(std::iter::repeat(f64::NAN));
         let mut accepted = Vec::with_capacity(effect.parameters.len());
         for (parameter, value) in effect.parameters.iter().zip(given) {
@@ -83,12 +85,12 @@ impl ActiveEffect {
         Ok(Self::trusted(effect, accepted))
     }
 
-    pub(super) fn trusted(effect: &'static Effect, values: Vec<f64>) -> Self {
+    pub(super) fn trusted(effect: &'static Effect<A>, values: Vec<f64>) -> Self {
         Self { effect, values }
     }
 
     /// The effect of the library.
-    pub fn effect(&self) -> &'static Effect {
+    pub fn effect(&self) -> &'static Effect<A> {
         self.effect
     }
 
@@ -96,20 +98,29 @@ impl ActiveEffect {
     pub fn values(&self) -> &[f64] {
         &self.values
     }
+}
 
+impl ActiveEffect<CalibratorAction> {
     /// Changes `model` as the effect does under `conditions`.
     pub fn apply(&self, conditions: &Conditions, model: &mut Model) {
         (self.effect.apply)(&self.values, conditions, model);
     }
 }
 
-impl fmt::Debug for ActiveEffect {
+impl ActiveEffect<OscillatorAction> {
+    /// Changes `oscillator` as the effect does.
+    pub fn apply_to(&self, oscillator: &mut Oscillator) {
+        (self.effect.apply)(&self.values, oscillator);
+    }
+}
+
+impl<A> fmt::Debug for ActiveEffect<A> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, formatter)
     }
 }
 
-impl fmt::Display for ActiveEffect {
+impl<A> fmt::Display for ActiveEffect<A> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(self.effect.id)?;
         let mut separator = '=';
@@ -122,14 +133,14 @@ impl fmt::Display for ActiveEffect {
 }
 
 /// Reads `NAME` or `NAME=PARAM:VALUE,PARAM:VALUE`; parameters not given have their usual value.
-impl FromStr for ActiveEffect {
+impl<A: Library> FromStr for ActiveEffect<A> {
     type Err = EffectError;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let (name, list) = text.split_once('=').unwrap_or((text, ""));
-        let effect = Effect::named(name.trim()).ok_or_else(|| EffectError::Unknown {
+        let effect = Effect::<A>::named(name.trim()).ok_or_else(|| EffectError::Unknown {
             name: name.trim().to_owned(),
-            known: EFFECTS.map(|effect| effect.id).join(", "),
+            known: names::<A>().join(", "),
         })?;
         let mut active = effect.usual();
         for part in list.split(',').filter(|part| !part.trim().is_empty()) {
@@ -140,8 +151,13 @@ impl FromStr for ActiveEffect {
     }
 }
 
+/// Names of all effects of a library.
+fn names<A: Library>() -> Vec<&'static str> {
+    Effect::<A>::all().map(|effect| effect.id).collect()
+}
+
 /// Index and value of one `PARAM:VALUE`.
-fn assignment(effect: &'static Effect, part: &str) -> Result<(usize, f64), EffectError> {
+fn assignment<A>(effect: &'static Effect<A>, part: &str) -> Result<(usize, f64), EffectError> {
     let malformed = || EffectError::Malformed {
         text: part.to_owned(),
     };
@@ -161,27 +177,28 @@ fn assignment(effect: &'static Effect, part: &str) -> Result<(usize, f64), Effec
 mod tests {
     use super::*;
 
-    #[test]
-    fn every_effect_is_written_and_read_back() {
-        for effect in Effect::all() {
+    fn hold_for<A: Library>() {
+        let names = names::<A>();
+        let mut unique = names.clone();
+        unique.sort_unstable();
+        unique.dedup();
+        assert_eq!(unique, names, "sorted, each once");
+        for effect in Effect::<A>::all() {
             let text = effect.usual().to_string();
-            let read: ActiveEffect = text.parse().expect("own text");
+            let read: ActiveEffect<A> = text.parse().expect("own text");
             assert_eq!(read.to_string(), text);
-        }
-    }
-
-    #[test]
-    fn names_are_unique_and_usual_values_within_bounds() {
-        let mut names: Vec<_> = EFFECTS.iter().map(|effect| effect.id).collect();
-        names.dedup();
-        assert_eq!(names.len(), EFFECTS.len());
-        for effect in Effect::all() {
             assert!(
                 ActiveEffect::new(effect, effect.usual().values()).is_ok(),
                 "{}",
                 effect.id
             );
         }
+    }
+
+    #[test]
+    fn every_effect_is_written_and_read_back_with_usual_values_in_bounds() {
+        hold_for::<CalibratorAction>();
+        hold_for::<OscillatorAction>();
     }
 
     #[test]

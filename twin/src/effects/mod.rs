@@ -38,6 +38,7 @@ mod lossy_inductance;
 mod mains_pickup;
 mod mechanical_damping;
 mod mount_compliance;
+pub mod oscillator;
 mod payload_mass;
 mod reference_drift;
 mod reference_gain;
@@ -99,9 +100,24 @@ impl Parameter {
     }
 }
 
-/// An effect of the library.
+/// What an effect of a calibrator does to a model; values are in the order of its parameters.
+pub type CalibratorAction = fn(&[f64], &Conditions, &mut Model);
+
+/// A set of effects with the same kind of action.
+pub trait Library: Copy + 'static {
+    /// All its effects, by name.
+    fn effects() -> &'static [Effect<Self>];
+}
+
+impl Library for CalibratorAction {
+    fn effects() -> &'static [Effect<Self>] {
+        &EFFECTS
+    }
+}
+
+/// An effect of a library, of a calibrator if not said otherwise.
 #[derive(Clone, Copy)]
-pub struct Effect {
+pub struct Effect<A: 'static = CalibratorAction> {
     /// Name in the library, on the command line and in files.
     pub id: &'static str,
     /// Where it sits.
@@ -111,8 +127,8 @@ pub struct Effect {
     pub formula: &'static str,
     /// Parameters in the order of their values.
     pub parameters: &'static [Parameter],
-    /// Changes a model; `values` are in the order of `parameters`.
-    apply: fn(values: &[f64], conditions: &Conditions, model: &mut Model),
+    /// Changes a model.
+    apply: A,
 }
 
 /// All effects of a calibrator, by name.
@@ -163,10 +179,10 @@ pub static EFFECTS: [Effect; 44] = [
     transverse_motion::EFFECT,
 ];
 
-impl Effect {
-    /// All effects, by name.
+impl<A: Library> Effect<A> {
+    /// All effects of the library, by name.
     pub fn all() -> impl Iterator<Item = &'static Self> {
-        EFFECTS.iter()
+        A::effects().iter()
     }
 
     /// The effect called `id`.
@@ -175,7 +191,7 @@ impl Effect {
     }
 
     /// The effect with the usual value of each parameter.
-    pub fn usual(&'static self) -> ActiveEffect {
+    pub fn usual(&'static self) -> ActiveEffect<A> {
         let values = self
             .parameters
             .iter()
