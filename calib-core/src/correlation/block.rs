@@ -6,7 +6,7 @@ use crate::tone::{MAX_PERIOD_SAMPLES, Tone};
 /// that the inner loop runs long and the sums stay small.
 pub const MIN_FOLD_SAMPLES: u32 = 500;
 
-/// Most passes over a fold: each adds at most 65 535 to a 32-bit sum.
+/// Most passes over a fold: each adds at most 32 768 to a 32-bit sum.
 pub const MAX_PASSES: u32 = 65_535;
 
 /// Most fractional cycles, per cycle, of a block of the level loop.
@@ -24,8 +24,8 @@ impl Block {
     /// Whole periods of `tone`, at least `min_samples` samples long.
     ///
     /// # Overflow
-    /// A sum takes one code of at most 65 535 per pass and `passes` is at most
-    /// 65 535: `65 535 * 65 535 < 2^32`. With folds of 500 samples or
+    /// A sum takes one sample of at most 32 768 per pass and `passes` is at
+    /// most 65 535: `65 535 * 32 768 < 2^31`. With folds of 500 samples or
     /// more the limit is 32.7 million samples, 655 s at 50 kS/s; longer
     /// requests give that longest block.
     pub fn measuring(tone: Tone, min_samples: u32) -> Self {
@@ -54,7 +54,7 @@ impl Block {
     /// samples) would make the loop wait; here one pass over the samples
     /// nearest to fewer whole cycles is taken when it is at most 0.1 % of a
     /// cycle off. The leakage of the fundamental into itself is then solved
-    /// for (`docs/metrology/measurement.md`). Measuring blocks are always exact.
+    /// for (`docs/metrology.md`). Measuring blocks are always exact.
     pub fn control(tone: Tone) -> Self {
         let exact = Self::measuring(tone, MIN_FOLD_SAMPLES);
         let cycles = u32::from(tone.cycles);

@@ -1,7 +1,7 @@
 //! From the integer fold to complex amplitudes and residual noise.
 
 use super::block::Block;
-use super::fold::{Energy, FoldSum, is_squared};
+use super::fold::FoldSum;
 use super::sums::Sums;
 use crate::phase::PhaseWalk;
 use crate::tone::Tone;
@@ -26,9 +26,7 @@ pub struct ChannelEstimate {
     pub harmonics: [Complex32; HARMONICS - 1],
     /// Root mean square of what mean, fundamental and harmonics leave.
     pub residual_rms: f32,
-    /// True when a place of the period stayed at an end of the converter's
-    /// range in every pass: a signal too large. A lone spike is no such signal;
-    /// it shows in the residual.
+    /// True when a sample reached an end of the converter's range.
     pub clipped: bool,
 }
 
@@ -91,12 +89,6 @@ pub struct PairEstimate {
     pub dut: ChannelEstimate,
 }
 
-/// Code of 0 V.
-const MID_CODE: i64 = 32_768;
-
-/// Highest code.
-const LAST_CODE: u32 = 65_535;
-
 /// Complex amplitudes of harmonics 1 to 5.
 type Spectrum = [Complex32; HARMONICS];
 
@@ -112,7 +104,8 @@ pub(super) fn estimate(
     block: Block,
     start_index: u32,
     fold: &[FoldSum],
-    energy: Energy,
+    squares: [i64; 2],
+    clipped: [bool; 2],
 ) -> PairEstimate {
     let means = [mean_code(fold, 0), mean_code(fold, 1)];
     let walk = PhaseWalk::new(block.tone(), start_index);
@@ -120,13 +113,13 @@ pub(super) fn estimate(
     let fit_energy = residual_energy(walk, fold, means, block, &spectra, offsets);
     let channel = |index: usize| {
         let [amplitude, harmonics @ ..] = spectra[index];
-        let within = spread_within_places(fold, index, energy, block.passes());
+        let within = spread_within_places(fold, index, squares[index], block.passes());
         ChannelEstimate {
             amplitude,
-            mean: mean_of_sample(means[index], block.passes()) + offsets[index],
+            mean: means[index] as f32 / block.passes() as f32 + offsets[index],
             harmonics,
             residual_rms: libm::sqrtf((within + fit_energy[index]) / block.samples() as f32),
-            clipped: stays_at_an_end(fold, index, block.passes()),
+            clipped: clipped[index],
         }
     };
     PairEstimate {
@@ -138,31 +131,17 @@ pub(super) fn estimate(
 
 /// Rounded mean of a channel's sums: subtracting it in integers keeps a large
 /// offset out of the f32 sums.
-fn mean_code(fold: &[FoldSum], channel: usize) -> u32 {
-    let sum: u64 = fold.iter().map(|sums| u64::from(sums[channel])).sum();
-    (sum / fold.len().max(1) as u64) as u32
-}
-
-/// Mean of a sample about mid-scale, from the mean of the sums.
-fn mean_of_sample(mean: u32, passes: u32) -> f32 {
-    (i64::from(mean) - MID_CODE * i64::from(passes)) as f32 / passes as f32
-}
-
-/// True when some place held the first or the last code in every pass.
-fn stays_at_an_end(fold: &[FoldSum], channel: usize, passes: u32) -> bool {
-    let top = LAST_CODE * passes;
-    fold.iter()
-        .any(|sums| sums[channel] == 0 || sums[channel] == top)
+fn mean_code(fold: &[FoldSum], channel: usize) -> i32 {
+    let sum: i64 = fold.iter().map(|sums| i64::from(sums[channel])).sum();
+    (sum / fold.len().max(1) as i64) as i32
 }
 
 /// Sums of a place, free of the mean, in codes per sample.
 #[inline]
-fn centred(sums: FoldSum, means: [u32; 2], per_pass: f32) -> [f32; 2] {
-    // In 64 bits: the longest block's sums fill 32.
-    let difference = |sum: u32, mean: u32| (i64::from(sum) - i64::from(mean)) as f32;
+fn centred(sums: FoldSum, means: [i32; 2], per_pass: f32) -> [f32; 2] {
     [
-        difference(sums[0], means[0]) * per_pass,
-        difference(sums[1], means[1]) * per_pass,
+        sums[0].wrapping_sub(means[0]) as f32 * per_pass,
+        sums[1].wrapping_sub(means[1]) as f32 * per_pass,
     ]
 }
 
@@ -185,7 +164,7 @@ fn usable_harmonics(tone: Tone) -> usize {
 fn correlate(
     mut walk: PhaseWalk,
     fold: &[FoldSum],
-    means: [u32; 2],
+    means: [i32; 2],
     block: Block,
 ) -> ([Spectrum; 2], [f32; 2]) {
     let per_pass = 1.0 / block.passes() as f32;
@@ -242,7 +221,7 @@ fn without_leakage(seen: Complex32, leakage: Complex32) -> Complex32 {
 fn residual_energy(
     mut walk: PhaseWalk,
     fold: &[FoldSum],
-    means: [u32; 2],
+    means: [i32; 2],
     block: Block,
     spectra: &[Spectrum; 2],
     offsets: [f32; 2],
@@ -264,22 +243,15 @@ fn residual_energy(
 }
 
 /// Energy of the samples about the average of their own place: the part of
-/// the residual that differs from period to period, estimated for all places
-/// from those whose squares were summed.
+/// the residual that differs from period to period.
 ///
 /// `sum x^2 - sum F^2 / passes` is formed in 128-bit integers: exact, so
 /// nothing is lost when the signal is a million times the noise.
-fn spread_within_places(fold: &[FoldSum], channel: usize, energy: Energy, passes: u32) -> f32 {
-    let middle = MID_CODE * i64::from(passes);
-    let (mut folded, mut places) = (0_i128, 0_u32);
-    for (place, sums) in fold.iter().enumerate() {
-        if is_squared(place) {
-            let sum = i128::from(i64::from(sums[channel]) - middle);
-            folded += sum * sum;
-            places += 1;
-        }
-    }
-    let spread = i128::from(energy.squares[channel]) * i128::from(passes) - folded;
-    let all = fold.len() as f32 / places.max(1) as f32;
-    spread.max(0) as f32 / passes as f32 * all
+fn spread_within_places(fold: &[FoldSum], channel: usize, squares: i64, passes: u32) -> f32 {
+    let folded: i128 = fold
+        .iter()
+        .map(|sums| i128::from(i64::from(sums[channel]) * i64::from(sums[channel])))
+        .sum();
+    let spread = i128::from(squares) * i128::from(passes) - folded;
+    spread.max(0) as f32 / passes as f32
 }

@@ -7,23 +7,14 @@ use crate::tone::MAX_PERIOD_SAMPLES;
 /// Turns a pair in offset binary (`ADC2 << 16 | ADC1`) into two signed halves.
 const OFFSET: u32 = 0x8000_8000;
 
-/// Places of the fold between two decisions whether squares are summed.
-const STRIPE: usize = 128;
+/// Pairs between two looks at the energy, see [`Correlator::push`].
+const RUN: usize = 64;
 
-/// Pairs whose loop is unrolled.
-const STRIDE: usize = 64;
+/// No run with less energy than one full-scale sample can hold a clipped one.
+const CLIP_ENERGY: i64 = 32_767 * 32_767;
 
-/// Of so many stripes, the first has its squares summed.
-const STRIPES: usize = 4;
-
-/// Sums of a place of the period, reference and device under test, in offset
-/// binary as the converter gives it.
-pub type FoldSum = [u32; 2];
-
-/// True for the places whose squares are summed.
-pub(super) fn is_squared(place: usize) -> bool {
-    (place / STRIPE).is_multiple_of(STRIPES)
-}
+/// Sums of a fold: reference and device under test at each place of a period.
+pub type FoldSum = [i32; 2];
 
 /// Room for the longest fold; 96 KB, all zero at the start.
 pub struct FoldMemory([FoldSum; MAX_PERIOD_SAMPLES as usize]);
@@ -41,29 +32,18 @@ impl Default for FoldMemory {
     }
 }
 
-/// Energy of a stretch of samples.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Energy {
-    /// Sums of squares of both channels about mid-scale, codes squared, exact.
-    pub squares: [u64; 2],
-    /// Samples in those sums.
-    pub samples: u32,
-}
-
 /// Streams sample pairs into one block after another.
 ///
 /// The low half of a pair is the reference, the high half the device under
 /// test, both 16 bit offset binary.
-///
-/// Squares, from which the noise follows, are summed at a quarter of the
-/// places: as good a sample of the noise, at a quarter of the cost.
 pub struct Correlator<'m> {
     fold: &'m mut [FoldSum],
     block: Block,
     start_index: u32,
     taken: u32,
     place: usize,
-    energy: Energy,
+    squares: [i64; 2],
+    clipped: [bool; 2],
 }
 
 impl<'m> Correlator<'m> {
@@ -76,7 +56,8 @@ impl<'m> Correlator<'m> {
             start_index,
             taken: 0,
             place: 0,
-            energy: Energy::default(),
+            squares: [0; 2],
+            clipped: [false; 2],
         };
         correlator.start(block, start_index);
         correlator
@@ -96,7 +77,8 @@ impl<'m> Correlator<'m> {
         self.start_index = start_index;
         self.taken = 0;
         self.place = 0;
-        self.energy = Energy::default();
+        self.squares = [0; 2];
+        self.clipped = [false; 2];
     }
 
     /// Shape of the block in work.
@@ -116,21 +98,23 @@ impl<'m> Correlator<'m> {
 
     /// Adds pairs, at most as many as the block still needs; returns how many.
     ///
+    /// Clipping costs nothing while the signals are moderate: a run of 64
+    /// pairs is searched for clipped samples only when its energy is at least
+    /// that of one sample at full scale (an r.m.s. of 12.5 % of full scale).
+    ///
     /// # Timing
     /// `./run bench` counts the instructions per pair on the Cortex-M7.
     pub fn push(&mut self, pairs: &[u32]) -> usize {
         let wanted = pairs.len().min(self.remaining() as usize);
         let mut rest = pairs.get(..wanted).unwrap_or(pairs);
         while !rest.is_empty() {
-            let length = self.run_length().min(rest.len());
-            let (run, later) = rest.split_at(length);
-            let Some(sums) = self.fold.get_mut(self.place..self.place + length) else {
-                break;
-            };
-            fold_run(run, sums);
-            if is_squared(self.place) {
-                self.energy.add(run);
-            }
+            let fold = self
+                .fold
+                .get_mut(self.place..self.block.fold_samples().into());
+            let Some(fold) = fold else { break };
+            let length = fold.len().min(rest.len());
+            let (now, later) = rest.split_at(length);
+            fold_pass(now, fold, &mut self.squares, &mut self.clipped);
             self.place += length;
             if self.place == usize::from(self.block.fold_samples()) {
                 self.place = 0;
@@ -141,16 +125,14 @@ impl<'m> Correlator<'m> {
         wanted
     }
 
-    /// Places to the end of the stripe or of the fold.
-    fn run_length(&self) -> usize {
-        let to_stripe = STRIPE - self.place % STRIPE;
-        let to_end = usize::from(self.block.fold_samples()) - self.place;
-        to_stripe.min(to_end)
+    /// Sum of squares of both channels so far, in codes squared, exact.
+    pub fn squares(&self) -> [i64; 2] {
+        self.squares
     }
 
-    /// Energy of the squared places so far.
-    pub fn energy(&self) -> Energy {
-        self.energy
+    /// True for each channel that reached an end of the converter's range.
+    pub fn clipped(&self) -> [bool; 2] {
+        self.clipped
     }
 
     /// Complex amplitudes, mean, harmonics and residual of a full block.
@@ -162,87 +144,75 @@ impl<'m> Correlator<'m> {
     pub fn estimate(&self) -> Option<PairEstimate> {
         let length = usize::from(self.block.fold_samples());
         let fold = self.fold.get(..length)?;
-        self.is_complete()
-            .then(|| estimate(self.block, self.start_index, fold, self.energy))
+        self.is_complete().then(|| {
+            estimate(
+                self.block,
+                self.start_index,
+                fold,
+                self.squares,
+                self.clipped,
+            )
+        })
     }
 }
 
-impl Energy {
-    /// Adds the squares of a run.
-    fn add(&mut self, pairs: &[u32]) {
-        let (strides, rest) = pairs.as_chunks::<STRIDE>();
-        for stride in strides {
-            add_squares(stride, &mut self.squares);
+/// Adds `pairs` to the sums at the same places, run by run.
+fn fold_pass(pairs: &[u32], fold: &mut [FoldSum], squares: &mut [i64; 2], clipped: &mut [bool; 2]) {
+    for (run, sums) in pairs.chunks(RUN).zip(fold.chunks_mut(RUN)) {
+        let energy = fold_run(run, sums);
+        if energy.iter().any(|&e| e >= CLIP_ENERGY) {
+            search_clipped(run, clipped);
         }
-        for &pair in rest {
-            for (sum, square) in self.squares.iter_mut().zip(squares(pair)) {
-                *sum = sum.wrapping_add(u64::from(square));
-            }
-        }
-        self.samples = self.samples.wrapping_add(pairs.len() as u32);
-    }
-
-    /// What was added since `earlier`.
-    pub fn since(self, earlier: Self) -> Self {
-        Self {
-            squares: [
-                self.squares[0].wrapping_sub(earlier.squares[0]),
-                self.squares[1].wrapping_sub(earlier.squares[1]),
-            ],
-            samples: self.samples.wrapping_sub(earlier.samples),
-        }
+        squares[0] = squares[0].wrapping_add(energy[0]);
+        squares[1] = squares[1].wrapping_add(energy[1]);
     }
 }
 
-/// Adds the squares of both halves about mid-scale.
+/// Adds one run and returns its sums of squares.
 ///
-/// Four squares of at most 2^30 are summed in 32 bits. Only four samples at the
-/// lowest code wrap there (to 0): a channel at its rail, which the fold shows as
-/// clipped.
+/// Eight pairs at a time: on the Cortex-M7 a pair becomes half an LDRD, EOR,
+/// LDRD, SXTAH, ADD with ASR, STRD, SMLALBB and SMLALTT.
 #[inline(never)]
-fn add_squares(pairs: &[u32; STRIDE], sums: &mut [u64; 2]) {
-    for group in pairs.as_chunks::<4>().0 {
-        let squares = group.map(squares);
-        let sum = |channel: usize| {
-            let each = squares.iter().map(|square| square[channel]);
-            each.fold(0, u32::wrapping_add)
-        };
-        sums[0] = sums[0].wrapping_add(u64::from(sum(0)));
-        sums[1] = sums[1].wrapping_add(u64::from(sum(1)));
+fn fold_run(pairs: &[u32], fold: &mut [FoldSum]) -> [i64; 2] {
+    let mut energy = [0_i64; 2];
+    let (pair_groups, pair_rest) = pairs.as_chunks::<8>();
+    let (sum_groups, sum_rest) = fold.as_chunks_mut::<8>();
+    for (group, sums) in pair_groups.iter().zip(sum_groups.iter_mut()) {
+        for (&pair, sum) in group.iter().zip(sums) {
+            add_pair(pair, sum, &mut energy);
+        }
     }
+    // What is left is shorter than a group in `pairs`; in `fold` it follows
+    // the groups that were used.
+    let used = pair_groups.len();
+    let tail = sum_groups
+        .get_mut(used)
+        .map_or(sum_rest, |group| group.as_mut_slice());
+    for (&pair, sum) in pair_rest.iter().zip(tail) {
+        add_pair(pair, sum, &mut energy);
+    }
+    energy
 }
 
-/// Squares of both halves about mid-scale, each at most 2^30.
+/// One pair: both halves signed, added to their sums and squared.
 #[inline(always)]
-fn squares(pair: u32) -> [u32; 2] {
+fn add_pair(pair: u32, sum: &mut FoldSum, energy: &mut [i64; 2]) {
     let signed = pair ^ OFFSET;
-    let (low, high) = (i32::from(signed as i16), (signed as i32) >> 16);
-    [low.wrapping_mul(low) as u32, high.wrapping_mul(high) as u32]
+    let reference = i32::from(signed as i16);
+    let dut = (signed as i32) >> 16;
+    sum[0] = sum[0].wrapping_add(reference);
+    sum[1] = sum[1].wrapping_add(dut);
+    energy[0] = energy[0].wrapping_add(i64::from(reference.wrapping_mul(reference)));
+    energy[1] = energy[1].wrapping_add(i64::from(dut.wrapping_mul(dut)));
 }
 
-/// Adds both halves of each pair to the sums of its place.
-fn fold_run(pairs: &[u32], fold: &mut [FoldSum]) {
-    let (strides, rest) = pairs.as_chunks::<STRIDE>();
-    let (sums, sums_rest) = fold.as_chunks_mut::<STRIDE>();
-    for (stride, sums) in strides.iter().zip(sums) {
-        fold_stride(stride, sums);
-    }
-    for (pair, sum) in rest.iter().zip(sums_rest) {
-        add_pair(*pair, sum);
-    }
-}
-
-/// [`fold_run`] for a length the compiler knows: it unrolls to LDR, LDRD,
-/// UXTAH, ADD with LSR and STRD a pair.
+/// Marks the channels that show the first or the last code.
+#[cold]
 #[inline(never)]
-fn fold_stride(pairs: &[u32; STRIDE], fold: &mut [FoldSum; STRIDE]) {
-    for (pair, sum) in pairs.iter().zip(fold) {
-        add_pair(*pair, sum);
+fn search_clipped(pairs: &[u32], clipped: &mut [bool; 2]) {
+    for &pair in pairs {
+        let (reference, dut) = (pair & 0xFFFF, pair >> 16);
+        clipped[0] |= reference == 0 || reference == 0xFFFF;
+        clipped[1] |= dut == 0 || dut == 0xFFFF;
     }
-}
-
-#[inline(always)]
-fn add_pair(pair: u32, sum: &mut FoldSum) {
-    sum[0] = sum[0].wrapping_add(pair & 0xFFFF);
-    sum[1] = sum[1].wrapping_add(pair >> 16);
 }

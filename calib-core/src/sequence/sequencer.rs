@@ -5,7 +5,7 @@ use super::scatter::Scatter;
 use crate::budget::{TypeA, point_budget};
 use crate::control::level_loop::OVERLOAD_REL;
 use crate::control::{Level, LevelLoop, LevelState, Next, full_output_peak_ms2};
-use crate::correlation::{Block, Correlator, Energy, FoldMemory, PairEstimate};
+use crate::correlation::{Block, Correlator, FoldMemory, PairEstimate};
 use crate::generator::{Command, Drive, ramp_samples};
 use crate::point::{PointResult, PointSpec};
 use crate::polarity::Polarity;
@@ -29,9 +29,6 @@ const OPEN_CODES: f32 = 0.5;
 const DEAD_REL: f32 = 0.002;
 /// Level relative to the set one below which measuring makes no sense.
 const LOST_REL: f32 = 0.5;
-
-/// Fewest samples whose energy can stop a runaway: too many for a spike.
-const GUARD_SAMPLES: u32 = 32;
 
 /// What the hardware around the sequencer takes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -277,13 +274,13 @@ impl<'m> Sequencer<'m> {
 
     /// Feeds the correlator; at the end of a block, decides what follows.
     fn correlate<'p>(&mut self, pairs: &'p [u32]) -> &'p [u32] {
-        let before = self.correlator.energy();
+        let [before, _] = self.correlator.squares();
         let taken = self.correlator.push(pairs);
-        let energy = self.correlator.energy().since(before);
+        let [after, _] = self.correlator.squares();
         let period = u32::from(self.correlator.block().tone().period_samples);
         self.index = (self.index + taken as u32) % period;
         self.elapsed = self.elapsed.saturating_add(taken as u32);
-        if self.overloaded(energy) {
+        if self.overloaded((after - before) as f32 / taken.max(1) as f32, taken) {
             self.refuse(Reason::Overload);
         } else if self.correlator.is_complete() {
             self.block_ended();
@@ -291,12 +288,12 @@ impl<'m> Sequencer<'m> {
         pairs.get(taken..).unwrap_or(&[])
     }
 
-    /// True when a stretch of samples has more energy than the set level allows
-    /// at any place of a cycle: stops a runaway before its block ends.
-    fn overloaded(&self, energy: Energy) -> bool {
-        let mean_square = energy.squares[0] as f32 / energy.samples.max(1) as f32;
+    /// True when a stretch of at least 5 ms has more energy than the set level
+    /// allows at any place of a cycle: stops a runaway before its block ends.
+    fn overloaded(&self, mean_square: f32, taken: usize) -> bool {
+        let long_enough = taken as f32 >= 0.005 * self.timing.sample_rate_hz;
         match (self.plan, self.reference_mean) {
-            (Some(plan), Some(mean)) if energy.samples >= GUARD_SAMPLES => {
+            (Some(plan), Some(mean)) if long_enough => {
                 mean_square - mean * mean > plan.overload_square
             }
             _ => false,
