@@ -14,7 +14,7 @@
 //! Over `N = m * period` samples every component at `h * cycles / period` of
 //! the sample rate, and the mean, is orthogonal to every other: the sum over a
 //! period of `exp(j 2 pi k n / period)` is zero for every whole `k` that is no
-//! multiple of `period`. Derived with its limits in `docs/metrology.md`.
+//! multiple of `period`. Derived with its limits in `docs/metrology/measurement.md`.
 
 pub mod block;
 pub mod estimate;

@@ -94,8 +94,9 @@ fn solve(mut m: [[f64; 4]; 3]) -> [f64; 3] {
         for j in 0..3 {
             if i != j {
                 let factor = m[j][i] / m[i][i];
-                for k in 0..4 {
-                    m[j][k] -= factor * m[i][k];
+                let pivot = m[i];
+                for (value, above) in m[j].iter_mut().zip(pivot) {
+                    *value -= factor * above;
                 }
             }
         }
