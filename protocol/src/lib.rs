@@ -14,4 +14,3 @@
 pub mod frame;
 pub mod message;
 pub mod record;
-pub mod stored_point;
