@@ -30,6 +30,8 @@ pub fn reason(reason: Reason) -> &'static str {
         Reason::FrequencyUnavailable => "this frequency is not available",
         Reason::Stopped => "stopped",
         Reason::BudgetInvalid => "the uncertainty budget makes no sense here",
+        Reason::TooFewAverages => "too few spectra were averaged",
+        Reason::LowCoherence => "the coherence is below 0.98",
         _ => "for a reason this tool does not know",
     }
 }
