@@ -7,6 +7,7 @@
 //! | 4 | CRC-32 of everything before, LE |
 
 use crate::frame::CRC;
+use crate::stored_point;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
@@ -53,6 +54,7 @@ pub struct Record {
     /// True when every point of the list was attempted.
     pub complete: bool,
     /// Results in the order measured.
+    #[serde(with = "crate::stored_point")]
     pub points: Vec<PointResult, MAX_POINTS>,
 }
 
@@ -159,7 +161,7 @@ pub fn summarise(bytes: &[u8]) -> Result<RecordSummary, RecordError> {
     let (points, mut rest) = postcard::take_from_bytes::<u16>(rest).map_err(content)?;
     let mut refused = 0;
     for _ in 0..points {
-        let (point, after) = postcard::take_from_bytes::<PointResult>(rest).map_err(content)?;
+        let (point, after) = stored_point::take(rest).map_err(content)?;
         refused += u16::from(point.verdict != Verdict::Pass);
         rest = after;
     }
@@ -234,6 +236,28 @@ mod tests {
         let length = encode(&record(), &mut bytes).expect("fits");
         bytes.truncate(length);
         bytes
+    }
+
+    #[test]
+    fn a_default_run_stays_small() {
+        // 31 points with a full table of the reference: 48 bytes a point, 20 a
+        // row of the table, and the texts.
+        let mut record = record();
+        record.settings = Settings::field_calibrator();
+        let spec = PointSpec {
+            frequency_hz: 31.5,
+            acceleration_rms_ms2: 10.0,
+        };
+        let mut point = PointResult::refused(spec, None, Reason::DriveLimit);
+        point.sensitivity_v_per_ms2 = 0.009_8;
+        let points = core::iter::repeat_n(point, 31);
+        record.points = points.collect();
+        let mut bytes = vec![0; 8192];
+        let length = encode(&record, &mut bytes).expect("fits");
+        assert!(length < 2_600, "{length}");
+        let read = decode(&bytes[..length]).expect("whole");
+        assert_eq!(read.settings, record.settings);
+        assert_eq!(read.points, record.points);
     }
 
     #[test]
