@@ -100,6 +100,7 @@ impl Problem {
             drive_ln: s1.map_or(0.0, |q| q.value.ln()),
             ratio_ln: s1.zip(s2).map_or(0.0, |(a, b)| (b.value / a.value).ln()),
             dut_gain: 1.0,
+            reference_gain: 1.0,
             noise_v: [noise_v; 2],
         };
         let exciter_u = exciter.map_or([0.0; 6], |e| e.map(|q| q.u / q.value));
@@ -178,7 +179,12 @@ impl Problem {
                     nominal.ratio_ln += change;
                     nominal.dut_gain *= change.exp();
                 }
-                Nuisance::DriveGain => nominal.drive_ln += change,
+                Nuisance::DriveGain => {
+                    nominal.drive_ln += change;
+                    if free.bounded {
+                        nominal.reference_gain *= change.exp();
+                    }
+                }
                 Nuisance::Exciter(i) => {
                     if let Some(exciter) = nominal.exciter.as_mut() {
                         exciter[i] = self.exciter_value(i, value);
@@ -218,8 +224,16 @@ impl Problem {
     ) {
         let nominal = self.nominal(theta);
         let gains = self.run_gains(theta);
+        // The reference holds the level, with its gain in each run.
+        let of_run: Vec<Nominal> = gains
+            .iter()
+            .map(|g| Nominal {
+                reference_gain: nominal.reference_gain * g[1].exp(),
+                ..nominal.clone()
+            })
+            .collect();
         for (index, row) in self.rows.iter().enumerate() {
-            let mut prediction = predict(row, &nominal, effects, &mut memory[index]);
+            let mut prediction = predict(row, &of_run[row.run], effects, &mut memory[index]);
             prediction.value[RATIO] += gains[row.run][0];
             prediction.value[DRIVE] += gains[row.run][1];
             visit(index, &prediction);

@@ -18,6 +18,8 @@ pub(crate) struct Nominal {
     pub(crate) ratio_ln: f64,
     /// Gain of the device under test relative to its nominal value.
     pub(crate) dut_gain: f64,
+    /// Sensitivity of the reference relative to its nominal value: the level is held by it.
+    pub(crate) reference_gain: f64,
     /// Noise of a healthy channel: reference, device under test, in V.
     pub(crate) noise_v: [f64; 2],
 }
@@ -75,7 +77,9 @@ pub(crate) fn predict(
     };
     let reference = ReferenceInput::new(row, &chain);
     let motion = nominal.exciter.map(|values| {
-        let level = reference.input_ms2(row) / (first.reference * first.table).norm();
+        let level = reference.input_ms2(row)
+            / (first.reference * first.table).norm()
+            / nominal.reference_gain;
         drive(row, &values, &chain, level, memory)
     });
     let balanced = motion.as_ref().and_then(|m| m.balanced);
