@@ -143,6 +143,9 @@ mod tests {
         async fn read_record(&mut self, _: u32, _: u32) -> Result<RecordPart, Refusal> {
             Err(Refusal::RecordNotFound)
         }
+        async fn release(&mut self, _: u32) -> Result<(), Refusal> {
+            Ok(())
+        }
         fn settings(&mut self) -> Settings {
             unreachable!("not asked here")
         }
