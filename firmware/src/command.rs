@@ -45,6 +45,8 @@ pub trait Instrument {
     async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal>;
     /// Bytes of a stored record.
     async fn read_record(&mut self, id: u32, offset: u32) -> Result<RecordPart, Refusal>;
+    /// Lets records up to this number make room.
+    async fn release(&mut self, through: u32) -> Result<(), Refusal>;
     /// The settings in force.
     fn settings(&mut self) -> Settings;
     /// Checks, stores and takes new settings.
@@ -98,6 +100,10 @@ async fn carry_out(
             Response::Done
         }
         Request::Reset => Response::Done,
+        Request::Release { through } => {
+            instrument.release(through).await?;
+            Response::Done
+        }
     })
 }
 

@@ -42,7 +42,7 @@ impl Instrument for Calibrator {
     }
 
     async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal> {
-        let record_id = self.archive.prepare(&spec).await?;
+        let record_id = self.archive.prepare(spec.points.len()).await?;
         // No await from here on: the other link cannot come in between.
         if is_running(state::status().state) {
             return Err(Refusal::Busy);
@@ -70,11 +70,18 @@ impl Instrument for Calibrator {
     }
 
     async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal> {
-        self.archive.page(from)
+        self.archive.page(from).await
     }
 
     async fn read_record(&mut self, id: u32, offset: u32) -> Result<RecordPart, Refusal> {
         self.archive.read(id, offset).await
+    }
+
+    async fn release(&mut self, through: u32) -> Result<(), Refusal> {
+        if is_running(state::status().state) {
+            return Err(Refusal::Busy);
+        }
+        self.archive.release(through).await
     }
 
     fn settings(&mut self) -> Settings {

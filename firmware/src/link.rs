@@ -3,6 +3,10 @@
 //! The stream is read until it holds a frame. A damaged frame is dropped: the
 //! host asks again. A whole frame is answered with its own sequence number,
 //! also when its message means nothing to this version.
+//!
+//! A host whose answer got lost sends its frame again. That is harmless for
+//! every request but a start: the start last accepted is recognised by its
+//! frame and answered again, not carried out again.
 
 use crate::command::{self, Instrument};
 use calib_protocol::frame::{self, Frame, FrameError, MAX_FRAME, Receiver};
@@ -21,6 +25,15 @@ pub enum Aftermath {
 pub struct Link {
     receiver: Receiver,
     answer: [u8; MAX_FRAME],
+    last_start: Option<Start>,
+}
+
+/// A start that was accepted: its frame, and the record it will have.
+#[derive(Clone, Copy)]
+struct Start {
+    sequence: u16,
+    checksum: u32,
+    record_id: u32,
 }
 
 impl Default for Link {
@@ -35,6 +48,7 @@ impl Link {
         Self {
             receiver: Receiver::new(),
             answer: [0; MAX_FRAME],
+            last_start: None,
         }
     }
 
@@ -51,16 +65,27 @@ impl Link {
         instrument: &mut impl Instrument,
     ) -> Option<(&[u8], Aftermath)> {
         let frame = Frame::check(self.receiver.push(byte)?).ok()?;
-        let sequence = frame.sequence;
+        let (sequence, checksum) = (frame.sequence, frame.checksum);
         let request = frame.message::<Request>();
         let aftermath = match request {
             Ok(Request::Reset) => Aftermath::Reset,
             _ => Aftermath::None,
         };
-        let response = match request {
-            Ok(request) => command::answer(request, instrument).await,
-            Err(_) => Response::Refused(Refusal::Unknown),
+        let again = self
+            .last_start
+            .filter(|start| (start.sequence, start.checksum) == (sequence, checksum));
+        let response = match (request, again) {
+            (Ok(_), Some(Start { record_id, .. })) => Response::Started { record_id },
+            (Ok(request), None) => command::answer(request, instrument).await,
+            (Err(_), _) => Response::Refused(Refusal::Unknown),
         };
+        if let Response::Started { record_id } = response {
+            self.last_start = Some(Start {
+                sequence,
+                checksum,
+                record_id,
+            });
+        }
         let length = encode(sequence, &response, &mut self.answer)?;
         Some((self.answer.get(..length)?, aftermath))
     }
@@ -73,5 +98,113 @@ fn encode(sequence: u16, response: &Response, buffer: &mut [u8]) -> Option<usize
             frame::encode(sequence, &Response::Refused(Refusal::Unknown), buffer).ok()
         }
         written => written.ok(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::{RecordPage, RecordPart};
+    use calib_core::point::{PointResult, PointSpec};
+    use calib_core::settings::Settings;
+    use calib_protocol::message::{Info, RunSpec, Status};
+    use calib_protocol::record::RunLabels;
+    use core::future::Future;
+    use core::pin::pin;
+    use core::task::{Context, Poll, Waker};
+
+    /// Accepts one start and is busy from then on.
+    #[derive(Default)]
+    struct Busy {
+        starts: u32,
+    }
+
+    impl Instrument for Busy {
+        fn info(&mut self) -> Info {
+            unreachable!("not asked here")
+        }
+        fn status(&mut self) -> Status {
+            unreachable!("not asked here")
+        }
+        fn point(&mut self, _: u16) -> Option<PointResult> {
+            None
+        }
+        async fn start(&mut self, _: RunSpec) -> Result<u32, Refusal> {
+            self.starts += 1;
+            match self.starts {
+                1 => Ok(41),
+                _ => Err(Refusal::Busy),
+            }
+        }
+        async fn stop(&mut self) {}
+        async fn records(&mut self, _: u32) -> Result<RecordPage, Refusal> {
+            Ok(RecordPage::default())
+        }
+        async fn read_record(&mut self, _: u32, _: u32) -> Result<RecordPart, Refusal> {
+            Err(Refusal::RecordNotFound)
+        }
+        async fn release(&mut self, _: u32) -> Result<(), Refusal> {
+            Ok(())
+        }
+        fn settings(&mut self) -> Settings {
+            unreachable!("not asked here")
+        }
+        async fn write_settings(&mut self, _: Settings) -> Result<(), Refusal> {
+            Ok(())
+        }
+    }
+
+    fn start() -> Request {
+        let point = PointSpec {
+            frequency_hz: 160.0,
+            acceleration_rms_ms2: 10.0,
+        };
+        Request::Start(RunSpec {
+            points: [point].into_iter().collect(),
+            labels: RunLabels::default(),
+        })
+    }
+
+    /// Sends a request and returns the answer; nothing here ever waits.
+    fn ask(link: &mut Link, busy: &mut Busy, sequence: u16, request: &Request) -> Response {
+        let mut buffer = vec![0; MAX_FRAME];
+        let length = frame::encode(sequence, request, &mut buffer).expect("fits");
+        for byte in &buffer[..length] {
+            let future = pin!(link.push(*byte, busy));
+            let polled = future.poll(&mut Context::from_waker(Waker::noop()));
+            let Poll::Ready(answer) = polled else {
+                panic!("nothing here waits");
+            };
+            if let Some((bytes, _)) = answer {
+                let mut bytes = bytes[..bytes.len() - 1].to_vec();
+                let frame = Frame::check(&mut bytes).expect("whole");
+                assert_eq!(frame.sequence, sequence);
+                return frame.message().expect("a response");
+            }
+        }
+        panic!("a whole frame is answered");
+    }
+
+    #[test]
+    fn a_repeated_start_is_answered_again_and_carried_out_once() {
+        let (mut link, mut busy) = (Link::new(), Busy::default());
+        let started = Response::Started { record_id: 41 };
+        for _ in 0..3 {
+            assert_eq!(ask(&mut link, &mut busy, 9, &start()), started);
+        }
+        assert_eq!(busy.starts, 1);
+        // Another request in between changes nothing.
+        ask(&mut link, &mut busy, 10, &Request::Stop);
+        assert_eq!(ask(&mut link, &mut busy, 9, &start()), started);
+        assert_eq!(busy.starts, 1);
+    }
+
+    #[test]
+    fn another_start_is_no_repetition() {
+        let (mut link, mut busy) = (Link::new(), Busy::default());
+        ask(&mut link, &mut busy, 9, &start());
+        let refused = Response::Refused(Refusal::Busy);
+        assert_eq!(ask(&mut link, &mut busy, 10, &start()), refused);
+        assert_eq!(busy.starts, 2);
     }
 }

@@ -8,6 +8,7 @@ use crate::tasks::acquire::Block;
 use crate::tasks::store::SharedArchive;
 use crate::tasks::{acquire, drive, link, measure, store, supervise};
 use calib_firmware::archive::{Directory, LastAccess, MAX_ITEM, Memory};
+use calib_protocol::record::Record;
 use embassy_executor::{InterruptExecutor, Spawner};
 use embassy_stm32::interrupt::{self, InterruptExt, Priority};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
@@ -80,11 +81,14 @@ pub(crate) async fn start(spawner: Spawner) {
 async fn open_archive(flash: RecordFlash) -> &'static SharedArchive {
     axi_static!(DIRECTORY: Directory);
     axi_static!(SCRATCH: [u8; MAX_ITEM]);
+    // Some 20 KB: too large for a stack.
+    static RECORD: ConstStaticCell<Record> = ConstStaticCell::new(store::empty_record());
     static LAST_ACCESS: LastAccess = LastAccess::new();
     static ARCHIVE: StaticCell<SharedArchive> = StaticCell::new();
     let memory = Memory {
         directory: DIRECTORY.take(),
         scratch: SCRATCH.take(),
+        record: RECORD.take(),
         last_access: &LAST_ACCESS,
     };
     let (archive, settings) = match SharedArchive::open(flash, memory).await {

@@ -125,7 +125,7 @@ fn main() {
                 .map(|c| format!("{} {:.3}", c.effects.join("+"), c.probability))
                 .collect();
             detail += &format!(
-                "{i:4} {:?} top={is_top} {:?} p={:.2e} chi {:.2}>{:.2} closed {:?} {:.2}s [{}] where {:?}\n",
+                "{i:4} {:?} top={is_top} {:?} p={:.2e} chi {:.2}>{:.2} closed {:?} {:.2}s [{}] where {:?} next {}\n",
                 names,
                 answer.verdict,
                 answer.none_of_these_p_value,
@@ -134,7 +134,8 @@ fn main() {
                 answer.gap.closed.map(|c| (c * 1000.0).round() / 1000.0),
                 time,
                 list.join(", "),
-                answer.r#where.iter().map(|w| w.stage).collect::<Vec<_>>()
+                answer.r#where.iter().map(|w| w.stage).collect::<Vec<_>>(),
+                answer.next_measurement
             );
         }
     }

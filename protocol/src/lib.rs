@@ -14,4 +14,5 @@
 pub mod frame;
 pub mod message;
 pub mod record;
+pub mod stored;
 pub mod stored_point;

@@ -12,6 +12,7 @@
 //! | `SettingsRead` | `Settings` | settings/get |
 //! | `SettingsWrite` | `Done` or `Refused` | settings/set |
 //! | `Reset` | `Done`, then the board resets | device/reset |
+//! | `Release` | `Done` or `Refused` | record/release |
 
 use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
 use calib_core::point::{PointResult, PointSpec};
@@ -63,6 +64,12 @@ pub enum Request {
     SettingsWrite(Settings),
     /// Reset the board.
     Reset,
+    /// The host keeps every record up to this running number: they may make
+    /// room when the record area is full.
+    Release {
+        /// Last running number kept.
+        through: u32,
+    },
 }
 
 /// What the calibrator answers.

@@ -1,4 +1,6 @@
-//! Stored records: what a calibration leaves behind.
+//! Records: what a calibration leaves behind, as hosts get and keep it.
+//!
+//! In flash it takes less room: see [`crate::stored`].
 //!
 //! | bytes | content |
 //! |---|---|
@@ -11,13 +13,18 @@ use crate::stored_point;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
+use core::ops::Range;
 use heapless::{String, Vec};
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
-/// Version of the stored form.
+/// Version of this form.
 pub const RECORD_VERSION: u16 = 1;
 /// Most points of one run.
 pub const MAX_POINTS: usize = 200;
+
+/// A SHA-256 sum (FIPS 180-4).
+pub type Sha256Sum = [u8; 32];
 
 /// What the operator says about a run.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,6 +48,8 @@ pub struct RunLabels {
 pub struct Record {
     /// Running number of the instrument, from 1, never used twice.
     pub id: u32,
+    /// [`digest`] of the record with the number before; zero for the first.
+    pub previous_sha256: Sha256Sum,
     /// Serial number of the instrument.
     pub instrument_serial: String<32>,
     /// Firmware version and git hash.
@@ -51,6 +60,9 @@ pub struct Record {
     pub labels: RunLabels,
     /// Settings and reference calibration the run was made with.
     pub settings: Settings,
+    /// What made the instrument restart since the record before, if that was a
+    /// panic or a fault.
+    pub incident: Option<String<160>>,
     /// True when every point of the list was attempted.
     pub complete: bool,
     /// Results in the order measured.
@@ -73,6 +85,16 @@ pub struct RecordSummary {
     pub points: u16,
     /// Points refused.
     pub refused: u16,
+    /// [`digest`] of the record.
+    pub sha256: Sha256Sum,
+}
+
+/// SHA-256 of the bytes of a record, as [`encode`] writes them.
+///
+/// Each record carries that of the one before: a record that was removed or
+/// altered breaks the chain at the next.
+pub fn digest(record: &[u8]) -> Sha256Sum {
+    Sha256::digest(record).into()
 }
 
 /// Why stored bytes are not a record.
@@ -108,7 +130,7 @@ impl core::fmt::Display for RecordError {
 
 impl core::error::Error for RecordError {}
 
-/// Writes the stored form and returns its length in bytes.
+/// Writes a record and returns its length in bytes.
 ///
 /// # Errors
 /// [`RecordError::Length`] when the buffer is too small.
@@ -146,19 +168,26 @@ pub fn check(bytes: &[u8]) -> Result<&[u8], RecordError> {
     }
 }
 
-/// Fields of a [`Record`] before its points, in order.
-type Head = (u32, String<32>, String<40>, f32, RunLabels, Settings, bool);
+/// Fields of a [`Record`] before its settings, in order.
+pub(crate) type Head = (u32, Sha256Sum, String<32>, String<40>, f32, RunLabels);
+/// Fields between its settings and its points; the number of points.
+type Middle = (Option<String<160>>, bool, u16);
 
-/// Reads what the record list says of a stored record, point by point: it
-/// takes little memory, where [`decode`] takes room for the longest record.
+/// Where the settings lie in the bytes of a record, and what the record list
+/// says of it. Read point by point: that takes little memory, where [`decode`]
+/// takes room for the longest record.
 ///
 /// # Errors
 /// As [`decode`].
-pub fn summarise(bytes: &[u8]) -> Result<RecordSummary, RecordError> {
+pub fn inspect(bytes: &[u8]) -> Result<(RecordSummary, Range<usize>), RecordError> {
     let content = |_| RecordError::Content;
     let body = check(bytes)?;
     let (head, rest) = postcard::take_from_bytes::<Head>(body).map_err(content)?;
-    let (points, mut rest) = postcard::take_from_bytes::<u16>(rest).map_err(content)?;
+    let start = bytes.len() - 4 - rest.len();
+    let (_, rest) = postcard::take_from_bytes::<Settings>(rest).map_err(content)?;
+    let settings = start..bytes.len() - 4 - rest.len();
+    let (middle, mut rest) = postcard::take_from_bytes::<Middle>(rest).map_err(content)?;
+    let (_, _, points) = middle;
     let mut refused = 0;
     for _ in 0..points {
         let (point, after) = stored_point::take(rest).map_err(content)?;
@@ -168,18 +197,20 @@ pub fn summarise(bytes: &[u8]) -> Result<RecordSummary, RecordError> {
     if !rest.is_empty() || usize::from(points) > MAX_POINTS {
         return Err(RecordError::Content);
     }
-    let (id, _, _, _, labels, _, _) = head;
-    Ok(RecordSummary {
+    let (id, _, _, _, _, labels) = head;
+    let summary = RecordSummary {
         id,
         bytes: bytes.len() as u32,
         unix_time_s: labels.unix_time_s,
         dut_serial: labels.dut_serial,
         points,
         refused,
-    })
+        sha256: digest(bytes),
+    };
+    Ok((summary, settings))
 }
 
-/// Reads the stored form.
+/// Reads a record.
 ///
 /// # Errors
 /// Those of [`check`], and [`RecordError::Content`].
@@ -200,6 +231,7 @@ mod tests {
     fn record() -> Record {
         Record {
             id: 7,
+            previous_sha256: [3; 32],
             instrument_serial: "A1".try_into().expect("short"),
             firmware: "0.1.0".try_into().expect("short"),
             sample_rate_hz: 50_000.0,
@@ -226,6 +258,7 @@ mod tests {
                 blocks: 5,
                 influences: Vec::new(),
             },
+            incident: None,
             complete: true,
             points: Vec::new(),
         }
@@ -287,12 +320,16 @@ mod tests {
             id: 7,
             bytes: length as u32,
             unix_time_s: 1_800_000_000,
-            dut_serial: record.labels.dut_serial,
+            dut_serial: record.labels.dut_serial.clone(),
             points: 3,
             refused: 1,
+            sha256: digest(&bytes[..length]),
         };
-        assert_eq!(summarise(&bytes[..length]), Ok(summary));
-        assert_eq!(summarise(&bytes[..length - 1]), Err(RecordError::Checksum));
+        let (found, settings) = inspect(&bytes[..length]).expect("a record");
+        assert_eq!(found, summary);
+        let settings = postcard::from_bytes(&bytes[settings]);
+        assert_eq!(settings, Ok(record.settings));
+        assert_eq!(inspect(&bytes[..length - 1]), Err(RecordError::Checksum));
     }
 
     #[test]

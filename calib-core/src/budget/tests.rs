@@ -390,6 +390,21 @@ fn hardness_of_ea_4_02_needs_students_factor() {
 }
 
 #[test]
+fn a_working_reference_takes_two_stages() {
+    // First stage 0.3 and 0.4 (4 degrees of freedom): 0.5, nu = 0.5^4 / (0.4^4
+    // / 4) = 9.766. Second stage with 1.2: 1.3, nu = 1.3^4 / (0.5^4 / 9.766).
+    let first = budget([standard(0.3, f32::INFINITY), standard(0.4, 4.0)])
+        .expand(CoverageRule::Fixed(2.0))
+        .expect("valid");
+    let working = Component::from_result(Row::a1(1), &first);
+    let second = budget([working, standard(1.2, f32::INFINITY)])
+        .combine()
+        .expect("valid");
+    close(second.standard_uncertainty, 1.3, 1.0e-6);
+    close(second.effective_degrees_of_freedom, 446.2656, 1.0e-5);
+}
+
+#[test]
 fn nonsense_is_refused_by_name() {
     let mut budget = Budget::new();
     assert_eq!(budget.combine(), Err(BudgetError::Empty));

@@ -401,6 +401,22 @@ mod properties {
         }
 
         #[test]
+        fn a_common_gain_leaves_the_ratio_alone(tone in any_tone(), shift in 1_u32..5, phase in -3.0..3.0_f64) {
+            // Gains of powers of two on whole codes: the samples scale exactly,
+            // so the ratio may differ by f32 rounding alone.
+            let block = Block::measuring(tone, 1_000);
+            let quiet = [Signal { peak: 900.0, ..PLAIN }, Signal { peak: 700.0, phase, ..PLAIN }];
+            let pairs = pairs(tone, quiet, 0, block.samples(), 0.0);
+            let louder: Vec<u32> = pairs.iter().map(|pair| {
+                let scaled = |half: u32| (((half as i32 - 32_768) << shift) + 32_768) as u32;
+                scaled(pair & 0xFFFF) | (scaled(pair >> 16) << 16)
+            }).collect();
+            let ratio = |estimate: PairEstimate| estimate.dut.amplitude / estimate.reference.amplitude;
+            let (before, after) = (ratio(correlate(block, 0, &pairs)), ratio(correlate(block, 0, &louder)));
+            prop_assert!((after / before - 1.0).norm() < 1.0e-6, "{before} {after}");
+        }
+
+        #[test]
         fn a_shift_of_phase_is_seen_as_that_shift(tone in any_tone(), phase in -3.0..3.0_f64, shift in -3.0..3.0_f64) {
             let block = Block::measuring(tone, 2_000);
             let one = Signal { phase, ..PLAIN };

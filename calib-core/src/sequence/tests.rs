@@ -70,6 +70,8 @@ struct Plant {
     /// Relative rise of the gain at 14 m/s2: 3/4 of it for the fundamental.
     hardening: f64,
     noise_codes: f64,
+    /// Further noise of the device under test.
+    dut_noise_codes: f64,
     offset_codes: f64,
     reference_works: bool,
     dut_works: bool,
@@ -92,6 +94,7 @@ impl Plant {
             gain: 18.0,
             hardening: 0.0,
             noise_codes: 1.0,
+            dut_noise_codes: 0.0,
             offset_codes: 37.0,
             reference_works: true,
             dut_works: true,
@@ -113,8 +116,8 @@ impl Plant {
         sum
     }
 
-    fn code(&mut self, volt: f64) -> u32 {
-        let noise = self.noise_codes * self.normal();
+    fn code(&mut self, volt: f64, noise_codes: f64) -> u32 {
+        let noise = noise_codes * self.normal();
         let code = volt / (10.0 / 65_536.0) + 32_768.0 + self.offset_codes + noise;
         code.round().clamp(0.0, 65_535.0) as u32
     }
@@ -132,7 +135,10 @@ impl Plant {
             0.0
         };
         let dut = if self.dut_works { dut } else { 0.0 };
-        self.code(reference) | (self.code(dut) << 16)
+        {
+            let dut_noise_codes = self.noise_codes.hypot(self.dut_noise_codes);
+            self.code(reference, self.noise_codes) | (self.code(dut, dut_noise_codes) << 16)
+        }
     }
 }
 
@@ -295,10 +301,10 @@ fn a_dead_reference_is_named_while_the_table_hardly_moves() {
 
 #[test]
 fn an_open_device_under_test_is_named() {
-    for noise in [0.0, 1.0, 30.0] {
+    for noise in [0.0, 1.0, 300.0] {
         let open = |p: &mut Plant| {
             p.dut_works = false;
-            p.noise_codes = noise;
+            p.dut_noise_codes = noise;
         };
         assert_eq!(refused(open, 160.0, 10.0).0, Reason::DutOpen, "{noise}");
     }

@@ -52,22 +52,22 @@ impl LastAccess {
 }
 
 /// `F`, with its accesses noted.
-pub(super) struct Located<F> {
+pub(super) struct Located<'l, F> {
     flash: F,
-    last: &'static LastAccess,
+    last: &'l LastAccess,
 }
 
-impl<F> Located<F> {
-    pub(super) fn new(flash: F, last: &'static LastAccess) -> Self {
+impl<'l, F> Located<'l, F> {
+    pub(super) fn new(flash: F, last: &'l LastAccess) -> Self {
         Self { flash, last }
     }
 }
 
-impl<F: ErrorType> ErrorType for Located<F> {
+impl<F: ErrorType> ErrorType for Located<'_, F> {
     type Error = F::Error;
 }
 
-impl<F: ReadNorFlash> ReadNorFlash for Located<F> {
+impl<F: ReadNorFlash> ReadNorFlash for Located<'_, F> {
     const READ_SIZE: usize = F::READ_SIZE;
 
     async fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), F::Error> {
@@ -80,7 +80,7 @@ impl<F: ReadNorFlash> ReadNorFlash for Located<F> {
     }
 }
 
-impl<F: NorFlash> NorFlash for Located<F> {
+impl<F: NorFlash> NorFlash for Located<'_, F> {
     const WRITE_SIZE: usize = F::WRITE_SIZE;
     const ERASE_SIZE: usize = F::ERASE_SIZE;
 

@@ -9,6 +9,7 @@ use calib_core::point::{PointResult, PointSpec};
 use calib_core::sequence::{Activity, Sequencer, Timing};
 use calib_core::verdict::Reason;
 use calib_protocol::message::RunState;
+use calib_protocol::stored_point::as_stored;
 use core::sync::atomic::Ordering;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::zerocopy_channel::Receiver;
@@ -110,9 +111,11 @@ impl Runner {
             result.acceleration_rms_ms2
         );
         let Some(index) = self.running else { return };
+        // The same numbers now as in the record later.
+        let result = as_stored(&result);
         state::RUN.lock(|run| {
             // As many results fit as points were asked for.
-            let _ = run.borrow_mut().results.push(result);
+            let _ = run.borrow_mut().results.push(as_stored(&result));
         });
         self.start_point(index + 1);
     }

@@ -6,80 +6,81 @@ use crate::state;
 use calib_core::settings::{Example, InputScale, Limits, Method, ReferenceCalibration, Settings};
 use calib_firmware::archive::{Archive, ArchiveError, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
-use calib_protocol::message::{Refusal, RunSpec, RunState};
+use calib_protocol::message::{Refusal, RunState};
 use calib_protocol::record::Record;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
-use embassy_sync::mutex::Mutex;
+use embassy_sync::mutex::{Mutex, MutexGuard};
 use heapless::{String, Vec};
-use static_cell::ConstStaticCell;
 
 /// The archive behind a lock. Nobody waits for it on behalf of a host: while
 /// it is being written, a host hears that the calibrator is busy.
-pub(crate) struct SharedArchive(Mutex<CriticalSectionRawMutex, Archive<RecordFlash>>);
+pub(crate) struct SharedArchive(Mutex<CriticalSectionRawMutex, Archive<'static, RecordFlash>>);
+
+type ArchiveGuard<'a> = MutexGuard<'a, CriticalSectionRawMutex, Archive<'static, RecordFlash>>;
 
 impl SharedArchive {
     /// Reads the record area; returns the archive and the stored settings.
     pub(crate) async fn open(
         flash: RecordFlash,
-        memory: Memory,
+        memory: Memory<'static>,
     ) -> Result<(Self, Option<Settings>), ArchiveError> {
-        let (archive, settings) = Archive::open(flash, RECORD_AREA, memory).await?;
+        let archive = Archive::open(flash, RECORD_AREA, memory).await?;
+        let settings = archive.settings().cloned();
         Ok((Self(Mutex::new(archive)), settings))
     }
 
-    /// Stored records; while one is being written, without it.
+    /// Stored records; while one is being written, none are counted.
     pub(crate) fn records(&self) -> u32 {
-        match self.0.try_lock() {
-            Ok(archive) => archive.len(),
-            Err(_) => 0,
-        }
+        self.0.try_lock().map_or(0, |archive| archive.len())
     }
 
-    /// Running number of the next record, when there is room for this run.
-    pub(crate) async fn prepare(&self, spec: &RunSpec) -> Result<u32, Refusal> {
-        let mut archive = self.0.try_lock().map_err(|_| Refusal::Busy)?;
-        archive.check_room(longest_record(spec)).await?;
+    /// Running number of the next record, when there is room for so many
+    /// points.
+    pub(crate) async fn prepare(&self, points: usize) -> Result<u32, Refusal> {
+        let mut archive = self.lock()?;
+        archive.check_room(points).await?;
         Ok(archive.next_id())
     }
 
     /// See [`Archive::page`].
-    pub(crate) fn page(&self, from: u32) -> Result<RecordPage, Refusal> {
-        let archive = self.0.try_lock().map_err(|_| Refusal::Busy)?;
-        Ok(archive.page(from))
+    pub(crate) async fn page(&self, from: u32) -> Result<RecordPage, Refusal> {
+        Ok(self.lock()?.page(from).await?)
     }
 
     /// See [`Archive::read`].
     pub(crate) async fn read(&self, id: u32, offset: u32) -> Result<RecordPart, Refusal> {
-        let mut archive = self.0.try_lock().map_err(|_| Refusal::Busy)?;
-        archive.read(id, offset).await
+        self.lock()?.read(id, offset).await
+    }
+
+    /// See [`Archive::release`].
+    pub(crate) async fn release(&self, through: u32) -> Result<(), Refusal> {
+        Ok(self.lock()?.release(through).await?)
     }
 
     /// See [`Archive::store_settings`].
     pub(crate) async fn store_settings(&self, settings: &Settings) -> Result<(), Refusal> {
-        let mut archive = self.0.try_lock().map_err(|_| Refusal::Busy)?;
-        Ok(archive.store_settings(settings).await?)
+        Ok(self.lock()?.store_settings(settings).await?)
     }
-}
 
-/// Bytes a record of this run can take: each point at most 110, and the
-/// fullest settings and labels.
-fn longest_record(spec: &RunSpec) -> usize {
-    110 * spec.points.len() + 2048
+    fn lock(&self) -> Result<ArchiveGuard<'_>, Refusal> {
+        self.0.try_lock().map_err(|_| Refusal::Busy)
+    }
 }
 
 /// Stores every run that ends.
 #[embassy_executor::task]
 pub(crate) async fn store(archive: &'static SharedArchive, identity: &'static Identity) -> ! {
-    // Some 20 KB: too large for a stack.
-    static RECORD: ConstStaticCell<Record> = ConstStaticCell::new(empty());
-    let record = RECORD.take();
-    record.instrument_serial = identity.serial.clone();
-    record.firmware = identity.firmware();
+    // What made the board restart belongs to the first record after it.
+    let mut incident = identity.last_panic.clone();
     loop {
         state::RUN_ENDED.wait().await;
         let mut archive = archive.0.lock().await;
-        record.id = archive.next_id();
+        let record = archive.draft();
+        record.instrument_serial = identity.serial.clone();
+        record.firmware = identity.firmware();
+        record.sample_rate_hz = crate::board::SAMPLE_RATE_HZ as f32;
         record.settings = state::settings();
+        record.incident.clone_from(&incident);
         state::RUN.lock(|run| {
             let run = run.borrow();
             record.labels.clone_from(&run.spec.labels);
@@ -88,23 +89,32 @@ pub(crate) async fn store(archive: &'static SharedArchive, identity: &'static Id
             // The same capacity: all of them fit.
             let _ = record.points.extend_from_slice(&run.results);
         });
-        let ended = match archive.store(record).await {
-            Ok(()) if record.complete => RunState::Finished,
-            Ok(()) => RunState::Stopped,
+        let complete = record.complete;
+        let stored = archive.store().await;
+        drop(archive);
+        let ended = match stored {
+            Ok(()) => {
+                incident = None;
+                if complete {
+                    RunState::Finished
+                } else {
+                    RunState::Stopped
+                }
+            }
             Err(error) => {
                 defmt::error!("record not stored: {}", defmt::Display2Format(&error));
                 RunState::Failed
             }
         };
-        drop(archive);
         state::update_status(|status| status.state = ended);
     }
 }
 
 /// A record of nothing.
-const fn empty() -> Record {
+pub(crate) const fn empty_record() -> Record {
     Record {
         id: 0,
+        previous_sha256: [0; 32],
         instrument_serial: String::new(),
         firmware: String::new(),
         sample_rate_hz: crate::board::SAMPLE_RATE_HZ as f32,
@@ -131,6 +141,7 @@ const fn empty() -> Record {
             blocks: 0,
             influences: Vec::new(),
         },
+        incident: None,
         complete: false,
         points: Vec::new(),
     }

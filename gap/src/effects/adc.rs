@@ -154,8 +154,9 @@ impl Effect for Adc {
                 .into_iter()
                 .map(|d| Start::positive(vec![d], 0))
                 .collect(),
-            Bend::Clipping => ratios(0.4 * large, 0.998 * large, 16)
+            Bend::Clipping => ratios(0.4 * large, 0.87 * large, 9)
                 .into_iter()
+                .chain([0.9, 0.92, 0.94, 0.955, 0.97, 0.98, 0.99, 0.997].map(|s| s * large))
                 .map(|c| Start::shape(vec![c]))
                 .collect(),
         }

@@ -41,6 +41,9 @@ impl Effect for Amplifier {
     fn bends(&self) -> bool {
         true
     }
+    fn saturates(&self) -> bool {
+        matches!(self, Self::Clipping)
+    }
     fn applies(&self, facts: &Facts) -> bool {
         facts.exciter_known && facts.level_known && (facts.ref_harmonics || facts.dut_harmonics)
     }

@@ -69,6 +69,11 @@ pub(crate) trait Effect: Sync {
         false
     }
 
+    /// Whether the response depends on level so steeply that the gain of each run matters.
+    fn saturates(&self) -> bool {
+        false
+    }
+
     /// Whether the effect leaves part of the scatter open, which slopes do not see.
     fn opens(&self) -> bool {
         self.scatters()

@@ -61,29 +61,34 @@ static AMBIENT_TONE: About = About {
     ..AMBIENT
 };
 
-/// Square of sin(pi x)/(pi x), averaged over the half width `blur`.
-fn leaking(bins: f64, blur: f64) -> f64 {
-    let sinc2 = |x: f64| {
-        let angle = PI * x;
-        if angle.abs() < 1e-6 {
-            1.0
-        } else {
-            (angle.sin() / angle).powi(2)
-        }
+/// Leaked power over line power at a distance in bins: the square of
+/// sin(pi x)/(pi x), beyond the first zero its mean over the unknown fraction of a bin.
+fn leaking(bins: f64) -> f64 {
+    let angle = PI * bins;
+    if bins.abs() >= 1.0 {
+        return 0.5 / (angle * angle);
+    }
+    let sinc = if angle.abs() < 1e-6 {
+        1.0
+    } else {
+        angle.sin() / angle
     };
-    (sinc2(bins - blur) + sinc2(bins) + sinc2(bins + blur)) / 3.0
+    sinc.powi(2).max(0.05)
 }
 
-/// Largest deviation of the mains frequency that is usual, in Hz.
-const MAINS_WANDER_HZ: f64 = 0.03;
+/// Mains lines that carry power; their amplitudes fall about as 1/n.
+const LINES: usize = 8;
+/// Sum of 1/n^2 over the lines.
+const LINE_POWER: f64 = 1.527_422;
 
 impl MainsPickup {
-    /// Leaked power at a frequency over the power of the nearest line.
+    /// Power leaked into a frequency over the power of all lines.
     fn leaked(row: &Row, frequency_hz: f64) -> f64 {
-        let order = (frequency_hz / row.mains_hz).round().max(1.0);
-        // Lines fall about as 1/n.
-        let bins = (frequency_hz - order * row.mains_hz) / row.bin_hz;
-        leaking(bins, order * MAINS_WANDER_HZ / row.bin_hz) / (order * order)
+        let lines = (1..=LINES).map(|n| {
+            let order = n as f64;
+            leaking((frequency_hz - order * row.mains_hz) / row.bin_hz) / (order * order)
+        });
+        lines.sum::<f64>() / LINE_POWER
     }
 }
 
@@ -218,7 +223,7 @@ impl Effect for AmbientVibration {
         }
         if let (Self::Tone, true) = (self, row.bin_hz.is_finite()) {
             let bins = (row.frequency_hz - p[2]) / row.bin_hz;
-            let share = leaking(bins, 0.05);
+            let share = leaking(bins);
             chain.leakage[1] += 0.5 * (p[1] / row.level_ms2).powi(2) * share;
             if bins.abs() < 1.0 {
                 // Near the tone part of it counts as fundamental, not as noise.

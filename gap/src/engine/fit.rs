@@ -1,7 +1,7 @@
 //! Refinement of a set of effects: damped Gauss-Newton on the posterior.
 
 use super::normal::{Tangent, gram};
-use super::problem::{Column, Evaluation, Problem};
+use super::problem::{Column, Evaluation, Nuisance, Problem};
 use crate::effects::{Active, Scale};
 use crate::model::predict::Memory;
 use nalgebra::{Cholesky, DVector};
@@ -139,6 +139,9 @@ impl Linearised {
     pub(crate) fn new(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Self {
         let (evaluation, mut columns) =
             problem.linearise(&fit.effects, &fit.theta, &mut work.memory);
+        if fit.effects.iter().any(|e| e.effect.bends()) {
+            bent_columns(problem, fit, &evaluation, &mut columns, work);
+        }
         let mut effects = fit.effects.clone();
         for at in 0..effects.len() {
             for index in 0..effects[at].parameters.len() {
@@ -183,6 +186,34 @@ impl Linearised {
     pub(crate) fn tangent(self) -> Option<(Evaluation, Tangent)> {
         let tangent = Tangent::new(self.columns, &self.prior)?;
         Some((self.evaluation, tangent))
+    }
+}
+
+/// Slopes against exciter and level where the exciter is nonlinear: its
+/// harmonics depend on them too, and on more than the linear response does.
+fn bent_columns(
+    problem: &Problem,
+    fit: &Fit,
+    evaluation: &Evaluation,
+    columns: &mut [Column],
+    work: &mut Workspace,
+) {
+    const STEP: f64 = 0.01;
+    let saturates = fit.effects.iter().any(|e| e.effect.saturates());
+    for (index, free) in problem.free.iter().enumerate() {
+        let wanted = match free.kind {
+            Nuisance::Exciter(_) | Nuisance::DriveGain => true,
+            Nuisance::RunReference(_) => saturates,
+            _ => false,
+        };
+        if !wanted {
+            continue;
+        }
+        let mut theta = fit.theta.clone();
+        theta[index] += STEP;
+        work.spare.clone_from(&work.memory);
+        let there = problem.evaluate(&fit.effects, &theta, &mut work.spare);
+        columns[index] = column(problem, evaluation, &there, STEP);
     }
 }
 

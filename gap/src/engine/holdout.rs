@@ -55,6 +55,12 @@ pub struct Gap {
     pub held_out_rows: usize,
     /// Effects chosen on the other rows.
     pub chosen: Vec<&'static str>,
+    /// Simulation error of a record in the unit of its output, r.m.s., before.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rms_before: Option<f64>,
+    /// The same, after.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rms_after: Option<f64>,
     /// By observable.
     pub by_observable: BTreeMap<&'static str, ObservableGap>,
 }
@@ -136,6 +142,8 @@ pub(crate) fn score_on(training: &Problem, testing: &Problem, nominal: &Fit, cho
         chi_after: (chi[1] / chi[2].max(1.0)).sqrt(),
         held_out_rows: testing.rows.len(),
         chosen: chosen.names(),
+        rms_before: None,
+        rms_after: None,
         by_observable,
     }
 }

@@ -100,6 +100,7 @@ impl Problem {
             drive_ln: s1.map_or(0.0, |q| q.value.ln()),
             ratio_ln: s1.zip(s2).map_or(0.0, |(a, b)| (b.value / a.value).ln()),
             dut_gain: 1.0,
+            reference_gain: 1.0,
             noise_v: [noise_v; 2],
         };
         let exciter_u = exciter.map_or([0.0; 6], |e| e.map(|q| q.u / q.value));
@@ -178,7 +179,12 @@ impl Problem {
                     nominal.ratio_ln += change;
                     nominal.dut_gain *= change.exp();
                 }
-                Nuisance::DriveGain => nominal.drive_ln += change,
+                Nuisance::DriveGain => {
+                    nominal.drive_ln += change;
+                    if free.bounded {
+                        nominal.reference_gain *= change.exp();
+                    }
+                }
                 Nuisance::Exciter(i) => {
                     if let Some(exciter) = nominal.exciter.as_mut() {
                         exciter[i] = self.exciter_value(i, value);
@@ -218,8 +224,16 @@ impl Problem {
     ) {
         let nominal = self.nominal(theta);
         let gains = self.run_gains(theta);
+        // The reference holds the level, with its gain in each run.
+        let of_run: Vec<Nominal> = gains
+            .iter()
+            .map(|g| Nominal {
+                reference_gain: nominal.reference_gain * g[1].exp(),
+                ..nominal.clone()
+            })
+            .collect();
         for (index, row) in self.rows.iter().enumerate() {
-            let mut prediction = predict(row, &nominal, effects, &mut memory[index]);
+            let mut prediction = predict(row, &of_run[row.run], effects, &mut memory[index]);
             prediction.value[RATIO] += gains[row.run][0];
             prediction.value[DRIVE] += gains[row.run][1];
             visit(index, &prediction);
@@ -268,7 +282,15 @@ impl Problem {
         effects: &[Active<'_>],
         theta: &[f64],
     ) -> (Nominal, Vec<Chain>) {
-        let nominal = self.nominal(theta);
+        // The noise of a healthy channel goes back to its stated value: a fit without
+        // the effect has stretched it.
+        let mut relaxed = theta.to_vec();
+        for (value, free) in relaxed.iter_mut().zip(&self.free) {
+            if matches!(free.kind, Nuisance::Noise(_)) {
+                *value = 0.0;
+            }
+        }
+        let nominal = self.nominal(&relaxed);
         let chains = self.rows.iter().map(|row| {
             let mut chain = Chain {
                 dut_gain: nominal.dut_gain,
@@ -281,14 +303,18 @@ impl Problem {
         (nominal, chains)
     }
 
-    /// Gain of the objective when an effect that only scatters is added, all else kept.
+    /// Gain of the objective when an effect that only scatters is added, all
+    /// else but the healthy noise kept.
     pub(crate) fn scatter_gain(
         &self,
         base: &(Nominal, Vec<Chain>),
         added: &Active<'_>,
         here: &Evaluation,
+        theta: &[f64],
     ) -> f64 {
         let mut gain = 0.0;
+        let mut noise = [NoiseSum::default(); 2];
+        let mut before_noise = 0.0;
         for (index, (row, before)) in self.rows.iter().zip(&base.1).enumerate() {
             let mut after = before.clone();
             added.chain(row, &mut after);
@@ -306,24 +332,11 @@ impl Problem {
                 gain += here.residual[at].powi(2) - new - ratio.ln();
             };
             for channel in 0..2 {
-                let healthy = base.0.noise_v[channel].powi(2);
-                let change = 0.5
-                    * ((healthy + after.noise_v2[channel]) / (healthy + before.noise_v2[channel]))
-                        .ln();
-                let open = after.noise_open[channel].powi(2) - before.noise_open[channel].powi(2);
-                part(NOISE + channel, change, open);
-                let (from, to) = (after.leakage[channel], before.leakage[channel]);
+                let open = after.leakage[channel] - before.leakage[channel];
                 let slot = [RATIO, DRIVE][channel];
-                part(
-                    slot,
-                    if channel == 1 {
-                        transfer.reference.norm().ln()
-                    } else {
-                        0.0
-                    },
-                    from - to,
-                );
-                part(slot + 1, 0.0, from - to);
+                let loss = transfer.reference.norm().ln();
+                part(slot, if channel == 1 { loss } else { 0.0 }, open);
+                part(slot + 1, 0.0, open);
                 for k in 0..4 {
                     let open =
                         after.harmonic_leakage[channel][k] - before.harmonic_leakage[channel][k];
@@ -331,7 +344,27 @@ impl Problem {
                         part(REF_HARMONICS + 8 * channel + 2 * k + half, 0.0, open);
                     }
                 }
+                let at = self.place[index][NOISE + channel];
+                if at != ABSENT {
+                    let at = at as usize;
+                    let healthy = base.0.noise_v[channel].powi(2);
+                    let power = healthy + after.noise_v2[channel];
+                    let open =
+                        after.noise_open[channel].powi(2) - before.noise_open[channel].powi(2);
+                    let difference = self.measured[at] - 0.5 * power.ln();
+                    noise[channel].add(difference, healthy / power, here.weight[at], open);
+                    before_noise += here.residual[at].powi(2);
+                }
             }
+        }
+        gain += before_noise;
+        for (channel, sum) in noise.iter().enumerate() {
+            let at = self
+                .free
+                .iter()
+                .position(|f| f.kind == Nuisance::Noise(channel));
+            gain += at.map_or(0.0, |i| theta[i] * theta[i])
+                - sum.least(at.map_or(0.0, |i| self.free[i].unit));
         }
         gain
     }
@@ -433,6 +466,31 @@ impl Problem {
                 .map(|s| (*s, vec![0.0; self.slots[*s].len()]))
                 .collect(),
         }
+    }
+}
+
+/// Sums over the noise of one channel, from which its healthy noise is fitted.
+#[derive(Clone, Copy, Default)]
+struct NoiseSum {
+    square: f64,
+    mixed: f64,
+    share: f64,
+    widened: f64,
+}
+
+impl NoiseSum {
+    fn add(&mut self, difference: f64, share: f64, weight: f64, open: f64) {
+        let ratio = 1.0 + open * weight * weight;
+        let w2 = weight * weight / ratio;
+        self.square += difference * difference * w2;
+        self.mixed += difference * share * w2;
+        self.share += share * share * w2;
+        self.widened += ratio.ln();
+    }
+
+    /// Least sum of squares over the healthy noise with its prior of one unit.
+    fn least(&self, unit: f64) -> f64 {
+        self.square + self.widened - (unit * self.mixed).powi(2) / (1.0 + unit * unit * self.share)
     }
 }
 

@@ -52,11 +52,9 @@ impl Atoms {
             let mut starts = effect.starts(&problem.facts);
             if effect.bends() {
                 // One balance per row and start: the screening takes the smallest start only.
-                starts.truncate(if effect.about().id == "amplifier_clipping" {
-                    8
-                } else {
-                    1
-                });
+                if effect.about().id != "amplifier_clipping" {
+                    starts.truncate(1);
+                }
                 if effect.about().id == "suspension_cubic"
                     || effect.about().id == "suspension_asymmetry"
                 {
@@ -117,7 +115,12 @@ impl Atoms {
             if fit.has(*entry) {
                 continue;
             }
-            let gain = problem.scatter_gain(&base, &active(*entry, parameters.clone()), evaluation);
+            let gain = problem.scatter_gain(
+                &base,
+                &active(*entry, parameters.clone()),
+                evaluation,
+                &fit.theta,
+            );
             keep(
                 best,
                 Promise {

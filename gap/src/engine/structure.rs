@@ -45,6 +45,14 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
             residual: vec![0.0; problem.len()],
         };
     };
+    // Where an effect leaves scatter open its size is a rough guess: such data count less.
+    let left: Vec<f64> = evaluation
+        .residual
+        .iter()
+        .zip(&evaluation.weight)
+        .enumerate()
+        .map(|(at, (r, w))| r * (w * problem.uncertainty(at)).powi(2))
+        .collect();
     let tests = battery(problem);
     let loads: Vec<_> = tests.iter().map(|t| tangent.load(&t.column)).collect();
     let norms: Vec<f64> = tests
@@ -62,12 +70,7 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
             .map(|&i| tests[i].column.dot_data(problem, left) / norms[i].sqrt())
             .collect()
     };
-    let here = fit_scores(
-        &scores(&evaluation.residual),
-        &evaluation.residual,
-        problem,
-        &tangent,
-    );
+    let here = fit_scores(&scores(&left), &left, problem, &tangent);
     let mut exceed = 0.0;
     let mut draw = Gauss::new(0x9e37_79b9_7f4a_7c15);
     for _ in 0..DRAWS {
@@ -86,7 +89,7 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
     }
     let effective = DRAWS as f64 / exceed.max(1e-9);
     let p_value = -libm::expm1(effective * libm::log1p(-here.min(1.0 - 1e-15)));
-    let z = scores(&evaluation.residual);
+    let z = scores(&left);
     let outcomes = usable
         .iter()
         .zip(z)

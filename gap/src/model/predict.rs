@@ -18,6 +18,8 @@ pub(crate) struct Nominal {
     pub(crate) ratio_ln: f64,
     /// Gain of the device under test relative to its nominal value.
     pub(crate) dut_gain: f64,
+    /// Sensitivity of the reference relative to its nominal value: the level is held by it.
+    pub(crate) reference_gain: f64,
     /// Noise of a healthy channel: reference, device under test, in V.
     pub(crate) noise_v: [f64; 2],
 }
@@ -75,7 +77,9 @@ pub(crate) fn predict(
     };
     let reference = ReferenceInput::new(row, &chain);
     let motion = nominal.exciter.map(|values| {
-        let level = reference.input_ms2(row) / (first.reference * first.table).norm();
+        let level = reference.input_ms2(row)
+            / (first.reference * first.table).norm()
+            / nominal.reference_gain;
         drive(row, &values, &chain, level, memory)
     });
     let balanced = motion.as_ref().and_then(|m| m.balanced);
@@ -204,8 +208,18 @@ fn drive(
 /// At high frequency the travel is too small to bend anything; the row is then linear to 1e-7.
 fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) -> bool {
     let bend = &chain.bend;
-    if bend.friction_n != 0.0 || bend.even_per_v != 0.0 || bend.clip_v.is_some() {
+    if bend.friction_n != 0.0 || bend.even_per_v != 0.0 {
         return false;
+    }
+    if let Some(threshold) = bend.clip_v {
+        let stiffness = exciter.dynamic_stiffness(row.omega);
+        let per_v = exciter
+            .linear(row.omega, 0.0, stiffness)
+            .acceleration_per_v
+            .norm();
+        if level_ms2 * SQRT_2 / per_v > 0.75 * threshold {
+            return false;
+        }
     }
     let sag = bend.gravity_ms2.abs() * exciter.mass_kg / exciter.stiffness_n_per_m;
     let travel = level_ms2 * SQRT_2 / (row.omega * row.omega);

@@ -152,7 +152,7 @@ pub(crate) fn add(t: &mut Truth, name: &str, r: &mut Random) {
             set("armature_mode.z", r.log_between(0.01, 0.05))
         }
         "payload_mass" => set("payload_mass.m", r.log_between(0.003, 0.02)),
-        "amplifier_clipping" => set("amplifier_clipping.v", r.log_between(14.0, 22.0)),
+        "amplifier_clipping" => set("amplifier_clipping.v", r.log_between(6.6, 7.9)),
         "amplifier_even_order" => set("amplifier_even_order.b", r.log_between(1e-5, 3e-3)),
         "amplifier_gain_drift" => set(
             "amplifier_gain_drift.b",

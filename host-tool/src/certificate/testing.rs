@@ -54,6 +54,7 @@ pub(crate) fn record(frequencies_hz: &[f32]) -> Record {
     }
     Record {
         id: 17,
+        previous_sha256: [0; 32],
         instrument_serial: text("CAL-0042"),
         firmware: text("0.1.0 (1a2b3c4)"),
         sample_rate_hz: 50_000.0,
@@ -66,6 +67,7 @@ pub(crate) fn record(frequencies_hz: &[f32]) -> Record {
             mounting: text("stud M5, 2 Nm, light oil, vertical"),
         },
         settings: settings(),
+        incident: None,
         complete: true,
         points,
     }

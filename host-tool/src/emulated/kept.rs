@@ -1,7 +1,7 @@
 //! The emulated calibrator that remembers, as hardware does.
 
-use super::{EmulatedBoard, settings_for};
-use crate::link::{Client, EmulatedTransport, Transport};
+use super::EmulatedBoard;
+use crate::link::{EmulatedTransport, Transport};
 use crate::{Error, Result, file};
 use calib_twin::rig::Rig;
 use std::io;
@@ -24,18 +24,13 @@ impl KeptBoard {
     pub fn power_on() -> Result<Self> {
         let flash_file = flash_file();
         let rig = Rig::standard();
-        let (board, is_new) = match std::fs::read(&flash_file) {
-            Ok(flash) => (EmulatedBoard::power_on_with_flash(&rig, &flash)?, false),
+        let board = match std::fs::read(&flash_file) {
+            Ok(flash) => EmulatedBoard::power_on_with_flash(&rig, &flash)?,
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                (EmulatedBoard::power_on(&rig)?, true)
+                EmulatedBoard::power_on_calibrated(&rig, None)?
             }
             Err(error) => return Err(Error::file("read", &flash_file, error)),
         };
-        if is_new {
-            let mut client = Client::new(Box::new(board.link()));
-            let settings = settings_for(&rig, client.settings()?, None);
-            client.write_settings(settings)?;
-        }
         Ok(Self {
             link: board.link(),
             board,
@@ -47,7 +42,7 @@ impl KeptBoard {
 impl Drop for KeptBoard {
     fn drop(&mut self) {
         // Nobody is left to be told; the next call finds the flash of before.
-        if let Ok(flash) = self.board.emulator().record_flash() {
+        if let Ok(flash) = self.board.record_flash() {
             let _ = file::replace(&self.flash_file, &flash);
         }
     }

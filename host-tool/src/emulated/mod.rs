@@ -9,7 +9,7 @@ mod settings;
 pub use kept::KeptBoard;
 pub use settings::settings_for;
 
-use crate::link::EmulatedTransport;
+use crate::link::{Client, EmulatedTransport};
 use crate::{Error, Result};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
@@ -47,6 +47,19 @@ impl EmulatedBoard {
         Self::around(Emulator::power_on_with_flash(&firmware()?, rig, flash))
     }
 
+    /// Switches a new board on and tells it what is certified about the rig's
+    /// reference, as [`settings_for`] says.
+    ///
+    /// # Errors
+    /// As [`Self::power_on`], and those of the link.
+    pub fn power_on_calibrated(rig: &Rig, error_seed: Option<u64>) -> Result<Self> {
+        let board = Self::power_on(rig)?;
+        let mut client = Client::new(Box::new(board.link()));
+        let settings = settings_for(rig, client.settings()?, error_seed);
+        client.write_settings(settings)?;
+        Ok(board)
+    }
+
     fn around(emulator: Result<Emulator, calib_twin::runner::Error>) -> Result<Self> {
         let emulator = emulator.map_err(|error| board_error(&error))?;
         Ok(Self {
@@ -62,6 +75,15 @@ impl EmulatedBoard {
     /// The board itself, for who wants to press its button or cut its power.
     pub fn emulator(&self) -> MutexGuard<'_, Emulator> {
         self.emulator.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Content of the record flash.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when the emulator fails.
+    pub fn record_flash(&self) -> Result<Vec<u8>> {
+        let flash = self.emulator().record_flash();
+        flash.map_err(|error| board_error(&error))
     }
 
     /// Pulls the reset pin.

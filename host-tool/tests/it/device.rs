@@ -119,6 +119,8 @@ impl Device {
                 self.run = None;
                 Response::Done
             }
+            // It never runs out of room.
+            Request::Release { .. } => Response::Done,
         }
     }
 
@@ -233,6 +235,7 @@ impl Device {
                 dut_serial: record.labels.dut_serial,
                 points: record.points.len() as u16,
                 refused: 0,
+                sha256: record::digest(bytes),
             }
         });
         Response::Records {
@@ -346,6 +349,7 @@ pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResul
 pub(crate) fn record(id: u32, points: u16) -> Record {
     Record {
         id,
+        previous_sha256: [0; 32],
         instrument_serial: "MEM-1".try_into().expect("short"),
         firmware: "0.1.0 0123abcd".try_into().expect("short"),
         sample_rate_hz: 50_000.0,
@@ -355,6 +359,7 @@ pub(crate) fn record(id: u32, points: u16) -> Record {
             ..RunLabels::default()
         },
         settings: settings(),
+        incident: None,
         complete: true,
         points: (0..points)
             .map(|n| result(20.0 + f32::from(n), 10.0))

@@ -89,14 +89,6 @@ impl Analog {
         std::mem::replace(&mut self.lock().rig, rig)
     }
 
-    /// A power cycle: virtual time starts at zero again, the rig goes on as it is.
-    pub fn restart_clock(&self) {
-        let mut pins = self.lock();
-        pins.reached = VirtualNanos(0);
-        pins.drive_code = DRIVE_MID_CODE;
-        pins.silent_since = Some(VirtualNanos(0));
-    }
-
     fn lock(&self) -> MutexGuard<'_, Pins> {
         self.0
             .lock()

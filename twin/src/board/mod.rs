@@ -10,6 +10,7 @@
 //! | `dac` | DAC1, drive |
 //! | `adc` | ADC1 and ADC2, reference and device under test |
 //! | `dmamux` | request multiplexer |
+//! | `flash` | flash interface, watched: what a power cut leaves behind |
 //! | `iwdg` | watchdog |
 //! | `serial_line` | USART3 to the virtual COM port |
 //! | `front_panel` | LEDs and button |
@@ -23,6 +24,7 @@ mod analog;
 mod cortex_m7;
 mod dac;
 mod dmamux;
+mod flash;
 mod front_panel;
 mod iwdg;
 mod memory_map;
@@ -36,8 +38,13 @@ use rigless::machine::{Board, Target};
 use rigless::mcu::Mcu;
 use rigless::snapshot::Store;
 
+use crate::rig_port::RigPort;
+
 pub use analog::Analog;
 pub use cortex_m7::INSTRUCTIONS_PER_S;
+pub use flash::{
+    FlashWatch, Operation, RECORD_FLASH, SECTOR_BYTES, SECTORS, WORD_BYTES, torn_sector, torn_word,
+};
 pub use front_panel::Leds;
 pub use part::Part;
 pub use serial_line::SerialLine;
@@ -52,6 +59,29 @@ const USART3: usize = 2;
 const NAME: &str = "nucleo-h743zi2";
 const CORE: &str = "stm32h743zi";
 
+/// What is connected to the board, each a handle that others may hold too.
+#[derive(Debug, Clone)]
+pub struct Pins {
+    /// The rig on the analogue pins.
+    pub analog: Analog,
+    /// The far end of the virtual COM port.
+    pub serial: SerialLine,
+    /// A view of the record flash's operations.
+    pub flash: FlashWatch,
+}
+
+impl Pins {
+    /// A board with `rig` on its connectors.
+    #[must_use]
+    pub fn with_rig(rig: Box<dyn RigPort>) -> Self {
+        Self {
+            analog: Analog::new(rig),
+            serial: SerialLine::default(),
+            flash: FlashWatch::default(),
+        }
+    }
+}
+
 /// The board: the part, and what is soldered around it.
 #[derive(Debug)]
 pub struct NucleoH743zi2 {
@@ -60,13 +90,13 @@ pub struct NucleoH743zi2 {
 }
 
 impl NucleoH743zi2 {
-    /// A board just powered on, with `analog` and `serial` connected.
+    /// A board just powered on.
     ///
     /// # Errors
     ///
     /// A mistake in the board's own description: nothing a caller can cause.
-    pub fn new(analog: Analog, serial: SerialLine) -> Result<Self, rigless::soc::Error> {
-        let part = Part::new(analog, serial)?;
+    pub fn new(pins: Pins) -> Result<Self, rigless::soc::Error> {
+        let part = Part::new(pins)?;
         Ok(Self { part })
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! A part is a bus, which decodes an address to a slot, and a model for a slot. Ours is the
 //! emulator's, on our own bus ([`memory_map`]), with TIM6, DAC, ADC1, ADC2, their common block,
-//! DMAMUX1 and IWDG answered by the models next door.
+//! DMAMUX1, the flash interface and IWDG answered by the models next door.
 
 use rigless::device::{Device, ErasedDevice, ResetCause};
 use rigless::mcu::{Mcu, Operate};
@@ -13,14 +13,13 @@ use rigless::soc::{Bus, Error};
 use rigless::time::VirtualNanos;
 
 use super::adc::{self, Common, Converter, SharedPair};
-use super::analog::Analog;
 use super::dac::Dac;
 use super::dmamux::Dmamux;
+use super::flash::WatchedFlash;
 use super::iwdg::Iwdg;
 use super::memory_map;
-use super::serial_line::SerialLine;
 use super::tim6::{self, Tim6};
-use super::{HSE_HZ, SUPPLY_MV, USART3};
+use super::{HSE_HZ, Pins, SUPPLY_MV, USART3};
 
 /// Our own models, and how a slot finds its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,16 +29,18 @@ enum Own {
     Dmamux,
     Converter(usize),
     Common,
+    Flash,
     Iwdg,
 }
 
-const OWN: [(&str, Own); 7] = [
+const OWN: [(&str, Own); 8] = [
     (tim6::NAME, Own::Tim6),
     (super::dac::NAME, Own::Dac),
     ("DMAMUX1", Own::Dmamux),
     ("ADC1", Own::Converter(0)),
     ("ADC2", Own::Converter(1)),
     (adc::NAME, Own::Common),
+    ("Flash", Own::Flash),
     ("IWDG", Own::Iwdg),
 ];
 
@@ -53,41 +54,41 @@ pub struct Part {
     dmamux: Dmamux,
     converters: [Converter; 2],
     common: Common,
+    flash: WatchedFlash,
     iwdg: Iwdg,
-    analog: Analog,
-    serial: SerialLine,
+    pins: Pins,
     own: Box<[Option<Own>]>,
     usart3_slot: usize,
 }
 
 impl Part {
-    /// A part after power-on with `analog` and `serial` on its pins.
+    /// A part after power-on with `pins` connected.
     ///
     /// # Errors
     ///
     /// A mistake in [`memory_map`]: nothing a caller can cause.
-    pub(super) fn new(analog: Analog, serial: SerialLine) -> Result<Self, Error> {
+    pub(super) fn new(pins: Pins) -> Result<Self, Error> {
         let mut base = Stm32h743::new()?;
         *base.bus_mut() = memory_map::bus()?;
         let mut own = vec![None; base.bus().slots().len()].into_boxed_slice();
         for (instance, model) in OWN {
             own[base.bus().slot(instance)?] = Some(model);
         }
-        let pair = SharedPair::new(analog.clone());
+        let pair = SharedPair::new(pins.analog.clone());
         let mut part = Self {
             usart3_slot: base.bus().slot("USART3")?,
             base,
             tim6: Tim6::new(),
-            dac: Dac::new(analog.clone()),
+            dac: Dac::new(pins.analog.clone()),
             dmamux: Dmamux::new(),
             converters: [
                 Converter::new(0, pair.clone()),
                 Converter::new(1, pair.clone()),
             ],
             common: Common::new(pair),
+            flash: WatchedFlash::new(pins.flash.clone()),
             iwdg: Iwdg::new(),
-            analog,
-            serial,
+            pins,
             own,
         };
         part.fit();
@@ -100,14 +101,28 @@ impl Part {
         self.base.rcc.attach_crystals(HSE_HZ, 0);
         self.base.set_supply(SUPPLY_MV);
         self.base.set_analog_supply(SUPPLY_MV);
-        self.base.usart[USART3].attach(self.serial.clone());
+        self.base.usart[USART3].attach(self.pins.serial.clone());
         for converter in &mut self.base.adc {
             converter.set_reference(SUPPLY_MV);
         }
     }
 
-    /// Hands to `fresh` what a system reset leaves alone: RM0433 Rev 9, sections 8.4.2, 4.3.14,
-    /// 46.3.10 and 60.5.8, and the levels outside on the pins.
+    /// Hands to `fresh` what even a loss of the supply leaves alone: option bytes, and the levels
+    /// outside on the pins.
+    fn inherit_lasting(&mut self, fresh: &mut Self) {
+        let options = self.flash.inner.committed_options();
+        if let Some(slot) = fresh.base.bus().slot_of("Flash") {
+            let registers = fresh.base.bus_mut().slot_mut(slot).registers_mut();
+            fresh.flash.inner.keep_options(options, registers);
+        }
+        for (fresh, old) in fresh.base.gpio.iter_mut().zip(&mut self.base.gpio) {
+            *fresh = std::mem::take(old);
+            Device::reset(fresh);
+        }
+    }
+
+    /// Hands to `fresh` what a system reset leaves alone: RM0433 Rev 9, sections 8.4.2, 46.3.10 and
+    /// 60.5.8, and the far ends of the serial ports.
     fn inherit(&mut self, fresh: &mut Self, cause: ResetCause) {
         std::mem::swap(&mut fresh.base.rcc, &mut self.base.rcc);
         Device::reset(&mut fresh.base.rcc);
@@ -116,15 +131,8 @@ impl Part {
         let flags = self.register(rcc::Register::Rsr, "RCC");
         let (clocks, registers) = fresh.base.clocks();
         clocks.restarted(cause, flags, registers);
-        let options = self.base.flash.committed_options();
-        let (flash, registers) = fresh.base.program();
-        flash.keep_options(options, registers);
         for (fresh, old) in fresh.base.usart.iter_mut().zip(&mut self.base.usart) {
             fresh.inherit(old);
-        }
-        for (fresh, old) in fresh.base.gpio.iter_mut().zip(&mut self.base.gpio) {
-            *fresh = std::mem::take(old);
-            Device::reset(fresh);
         }
         for register in KEPT_BY_A_SYSTEM_RESET {
             let kept = self.register::<dbgmcu::Register>(register, "DBGMCU");
@@ -145,6 +153,13 @@ impl Part {
             .map_or(0, |registers| registers.get(register))
     }
 
+    /// Cuts the supply of the part, or gives it back, when the run goes on.
+    pub(crate) fn power(&mut self, at: VirtualNanos, on: bool) {
+        let slot = self.usart3_slot;
+        let (_, mut context) = self.base.bus_mut().drive(at, slot);
+        context.request_power(on);
+    }
+
     fn set_register<L: rigless::soc::Layout>(&mut self, register: L, instance: &str, value: u64) {
         if let Some(slot) = self.base.bus().slot_of(instance) {
             let bus = self.base.bus_mut();
@@ -162,21 +177,26 @@ impl Mcu for Part {
         self.base.bus_mut()
     }
 
-    /// A system reset. A power cycle is a new [`Part`].
+    /// A system reset, or a power-on reset that keeps nothing but what never needs the supply.
     fn reset(&mut self, at: VirtualNanos, cause: ResetCause) {
-        let Ok(mut fresh) = Self::new(self.analog.clone(), self.serial.clone()) else {
+        let Ok(mut fresh) = Self::new(self.pins.clone()) else {
             unreachable!("a part that was built once is built again from the same tables");
         };
-        self.inherit(&mut fresh, cause);
+        self.inherit_lasting(&mut fresh);
+        if cause != ResetCause::PowerOn {
+            self.inherit(&mut fresh, cause);
+        }
+        self.pins.flash.abandon();
         // PA4 floats from here on, until a firmware enables the converter again.
-        self.analog.drive(crate::rig_port::DRIVE_MID_CODE, at);
+        let analog = self.pins.analog.clone();
+        analog.drive(crate::rig_port::DRIVE_MID_CODE, at);
         *self = fresh;
     }
 
     fn poll(&mut self, now: VirtualNanos) {
         // USART3 is the only instance with something outside that speaks on its own, and this is
         // called at every stop.
-        if !self.serial.is_sending() {
+        if !self.pins.serial.is_sending() {
             return;
         }
         let slot = self.usart3_slot;
@@ -197,6 +217,7 @@ impl Mcu for Part {
             Own::Dmamux => &mut self.dmamux,
             Own::Converter(nth) => &mut self.converters[nth],
             Own::Common => &mut self.common,
+            Own::Flash => &mut self.flash,
             Own::Iwdg => &mut self.iwdg,
         };
         (self.base.bus_mut(), Some(model))

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
 use super::oscillator::OscillatorAction;
 use super::{CalibratorAction, Effect, Library};
 use crate::model::{Conditions, Model};
@@ -111,6 +113,26 @@ impl ActiveEffect<OscillatorAction> {
     /// Changes `oscillator` as the effect does.
     pub fn apply_to(&self, oscillator: &mut Oscillator) {
         (self.effect.apply)(&self.values, oscillator);
+    }
+}
+
+impl<A> PartialEq for ActiveEffect<A> {
+    fn eq(&self, other: &Self) -> bool {
+        self.effect.id == other.effect.id && self.values == other.values
+    }
+}
+
+/// As its text.
+impl<A> Serialize for ActiveEffect<A> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de, A: Library> Deserialize<'de> for ActiveEffect<A> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        text.parse().map_err(serde::de::Error::custom)
     }
 }
 

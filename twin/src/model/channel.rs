@@ -99,6 +99,15 @@ pub struct Channel {
 }
 
 impl Channel {
+    /// Whether every section has a causal network: a coupling with a constant phase angle has none.
+    pub fn is_causal(&self) -> bool {
+        let causal = |section: &Section| match section {
+            Section::Coupling { quadrature, .. } => *quadrature == 0.0,
+            _ => true,
+        };
+        self.motion.iter().chain(&self.response).all(causal)
+    }
+
     /// A flat channel.
     pub fn flat(sensitivity_v_per_ms2: f64) -> Self {
         Self {

@@ -24,11 +24,8 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use self::codes::drive_v;
-pub use self::realise::PlantError;
 use self::sampler::{Sampled, Sampler};
 use self::simulation::Simulation;
-use crate::effects::ActiveEffect;
-use crate::model::{Conditions, Model};
 use crate::rig::Rig;
 use crate::rig_port::{INPUT_CHANNELS, RigPort};
 
@@ -46,34 +43,15 @@ pub struct Plant {
 }
 
 impl Plant {
-    /// The rig at rest, its drive at 0 V for ever.
+    /// The rig with its effects, at rest, its drive at 0 V for ever; time goes on from that of its
+    /// surroundings.
     pub fn new(rig: &Rig) -> Self {
-        Self::of(rig, &rig.model(), 0.0)
-    }
-
-    /// The rig with effects, at rest under `conditions`; time goes on from theirs.
-    ///
-    /// # Errors
-    /// [`PlantError`] for an effect that no causal network has.
-    pub fn with_effects(
-        rig: &Rig,
-        effects: &[ActiveEffect],
-        conditions: &Conditions,
-    ) -> Result<Self, PlantError> {
-        let mut model = rig.model();
-        for effect in effects {
-            effect.apply(conditions, &mut model);
-        }
-        realise::check(&model.reference)?;
-        realise::check(&model.dut)?;
-        Ok(Self::of(rig, &model, conditions.time_s))
-    }
-
-    fn of(rig: &Rig, model: &Model, start_s: f64) -> Self {
+        let model = rig.model();
+        let start_s = rig.surroundings.time_s;
         let sampler =
-            |channel, sensing| Sampler::new(model, channel, sensing, rig.converter, start_s);
+            |channel, sensing| Sampler::new(&model, channel, sensing, rig.converter, start_s);
         Self {
-            simulation: Simulation::new(model, &rig.converter, start_s, rig.noise_seed),
+            simulation: Simulation::new(&model, &rig.converter, start_s, rig.noise_seed),
             samplers: [
                 sampler(&model.reference, &rig.reference),
                 sampler(&model.dut, &rig.dut),

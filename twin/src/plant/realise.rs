@@ -1,7 +1,7 @@
 //! Sections as causal networks.
 
 use super::network::{Network, Signal};
-use crate::model::{Channel, SecondOrder, Section};
+use crate::model::{SecondOrder, Section};
 
 /// Where differentiators stop, Hz: at 20 kHz what they add is 1 % short and 1 degree late.
 const DIFFERENTIATOR_HZ: f64 = 2e6;
@@ -11,30 +11,6 @@ const DIFFERENTIATOR_HZ: f64 = 2e6;
 const RELAXATIONS: i32 = 15;
 const LOWEST_RELAXATION_HZ: f64 = 0.1;
 const RELAXATIONS_PER_DECADE: f64 = 2.0;
-
-/// What a plant in time cannot do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum PlantError {
-    /// A constant imaginary factor.
-    #[error(
-        "coupling with a constant phase angle (quadrature) has no causal network; \
-         use in_phase or inverse_fx_s on a plant in time"
-    )]
-    Quadrature,
-}
-
-/// Whether all sections of a channel have a causal network.
-pub(super) fn check(channel: &Channel) -> Result<(), PlantError> {
-    let quadrature = |section: &Section| match section {
-        Section::Coupling { quadrature, .. } => *quadrature != 0.0,
-        _ => false,
-    };
-    let mut sections = channel.motion.iter().chain(&channel.response);
-    if sections.any(quadrature) {
-        return Err(PlantError::Quadrature);
-    }
-    Ok(())
-}
 
 /// Adds a section to `network`; `travel` is the table's, m.
 ///

@@ -9,16 +9,20 @@ mod draw;
 mod exciter;
 mod model;
 mod sensing;
+mod surroundings;
 mod validate;
 
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use crate::effects::ActiveEffect;
+
 pub use certificate::Certificate;
 pub use converter::{Amplifier, Converter};
 pub use exciter::Exciter;
 pub use sensing::Sensing;
+pub use surroundings::Surroundings;
 pub use validate::RigError;
 
 /// The rig of the demo, as text.
@@ -45,6 +49,12 @@ pub struct Rig {
     pub dut: Sensing,
     /// What is stated about the reference's own calibration.
     pub certificate: Certificate,
+    /// What this rig does beside, each as `NAME` or `NAME=PARAM:VALUE,PARAM:VALUE`; may be left out.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub effects: Vec<ActiveEffect>,
+    /// Under which conditions it works; may be left out.
+    #[serde(default, skip_serializing_if = "Surroundings::are_usual")]
+    pub surroundings: Surroundings,
 }
 
 impl Rig {
@@ -143,6 +153,32 @@ mod tests {
             let message = Rig::parse(&text, "my.toml").expect_err(name).to_string();
             assert!(
                 message.contains(name) && message.contains("my.toml"),
+                "{message}"
+            );
+        }
+    }
+
+    #[test]
+    fn effects_and_surroundings_are_read_and_refused_by_name() {
+        let effects = "effects = [\"suspension_cubic=k3_n_per_m3:1e7\", \"mains_pickup\"]\n";
+        let tilted = "\n[surroundings]\ntilt_deg = 90.0\n";
+        let text = format!("{effects}{STANDARD_RIG_TOML}{tilted}");
+        let rig = Rig::parse(&text, "my.toml").expect("valid");
+        assert_eq!(rig.effects.len(), 2);
+        assert_eq!(rig.model().coil.cubic_n_per_m3, 1e7);
+        let copy = Rig::parse(&rig.to_toml().expect("plain"), "copy").expect("own text");
+        assert_eq!(copy, rig);
+        for (from, to, hint) in [
+            ("mains_pickup", "mains_pick", "mains_pickup"),
+            ("k3_n_per_m3:1e7", "k3_n_per_m3:1e70", "must be from"),
+            ("mains_pickup", "crosstalk=quadrature:0.1", "quadrature"),
+            ("tilt_deg = 90", "tilt_deg = 900", "surroundings.tilt_deg"),
+        ] {
+            let message = Rig::parse(&text.replace(from, to), "my.toml")
+                .expect_err(to)
+                .to_string();
+            assert!(
+                message.contains(hint) && message.contains("my.toml"),
                 "{message}"
             );
         }

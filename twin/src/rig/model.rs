@@ -1,16 +1,25 @@
 //! The model of a rig: its linear elements, ready for effects.
 
 use super::{Rig, Sensing};
-use crate::model::{Channel, Model, SecondOrder, Section};
+use crate::model::{Channel, Conditions, Model, SecondOrder, Section};
 
 impl Rig {
-    /// The linear calibrator these values describe.
+    /// The calibrator these values describe, with its effects.
     pub fn model(&self) -> Model {
-        Model::new(
+        let mut model = Model::new(
             self.exciter.model(),
             self.reference.model(),
             self.dut.model(),
-        )
+        );
+        for effect in &self.effects {
+            effect.apply(&self.conditions(), &mut model);
+        }
+        model
+    }
+
+    /// The conditions under which it works.
+    pub fn conditions(&self) -> Conditions {
+        self.surroundings.conditions(self.exciter.payload_kg)
     }
 }
 

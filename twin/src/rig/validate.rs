@@ -35,6 +35,15 @@ pub enum RigError {
         /// The range in words.
         range: String,
     },
+    /// An effect that no rig in time has.
+    #[error(
+        "rig file {file}: coupling with a constant phase angle (quadrature) has no causal network; \
+         use in_phase or inverse_fx_s of crosstalk on a rig that runs in time"
+    )]
+    NotCausal {
+        /// File as it was named.
+        file: String,
+    },
 }
 
 /// A value and where it may lie.
@@ -80,12 +89,24 @@ impl Rig {
             self.reference.ranges("reference"),
             self.dut.ranges("dut"),
             self.certificate.ranges(),
+            self.surroundings.ranges(),
         ];
         parts
             .iter()
             .flatten()
             .try_for_each(|range| range.check(file))?;
-        self.check_orders(file)
+        self.check_orders(file)?;
+        self.check_causality(file)
+    }
+
+    fn check_causality(&self, file: &str) -> Result<(), RigError> {
+        let model = self.model();
+        if model.reference.is_causal() && model.dut.is_causal() {
+            return Ok(());
+        }
+        Err(RigError::NotCausal {
+            file: file.to_owned(),
+        })
     }
 
     /// A Butterworth filter is built from second-order sections.

@@ -14,7 +14,7 @@ use rigless::time::VirtualNanos;
 
 use super::Error;
 use super::log::{self, Log};
-use crate::board::{NucleoH743zi2, SerialLine};
+use crate::board::{FlashWatch, NucleoH743zi2, Pins, SerialLine};
 
 /// How often, in virtual time, the log is drained and a wait for serial bytes looks.
 const STEP_NS: u64 = 1_000_000;
@@ -35,6 +35,7 @@ struct Callbacks {
     goal: VirtualNanos,
     wake: bool,
     serial: SerialLine,
+    flash: FlashWatch,
     log_control: Option<u64>,
     log: Sender<Log>,
     hits: Sender<Hit>,
@@ -53,10 +54,14 @@ pub(super) struct CoreThread {
 impl Driver<NucleoH743zi2> for Callbacks {
     fn on_settled(
         &mut self,
-        _session: &mut Session<NucleoH743zi2>,
+        session: &mut Session<NucleoH743zi2>,
         _host: &mut dyn Host,
         settled: Settled,
     ) {
+        if let Some(sprung) = self.flash.take_sprung() {
+            self.goal = sprung;
+            session.run_until(sprung);
+        }
         if let Settled::Hit(hit) = settled {
             // Nobody listening means nobody asked: a watch left over from before.
             self.hits.send(hit).ok();
@@ -107,7 +112,7 @@ impl CoreThread {
     pub(super) fn start(
         board: NucleoH743zi2,
         images: Vec<Image>,
-        serial: SerialLine,
+        pins: &Pins,
         log_control: Option<u64>,
     ) -> Result<Self, Error> {
         let (commands, for_callbacks) = channel();
@@ -119,7 +124,8 @@ impl CoreThread {
             reached,
             goal: VirtualNanos(0),
             wake: false,
-            serial,
+            serial: pins.serial.clone(),
+            flash: pins.flash.clone(),
             log_control,
             log,
             hits,

@@ -7,14 +7,14 @@ use rigless::image::Image;
 use rigless::time::VirtualNanos;
 
 use super::core_thread::CoreThread;
-use super::memory::{RECORD_FLASH, RECORD_FLASH_BYTES};
+use super::memory::RECORD_FLASH_BYTES;
 use super::{Error, Firmware, Log, memory};
-use crate::board::{Analog, Leds, NucleoH743zi2, SerialLine};
+use crate::board::{FlashWatch, Leds, NucleoH743zi2, Pins, RECORD_FLASH, SerialLine};
 use crate::rig_port::{DRIVE_MID_CODE, RigPort};
 
 /// Symbol of the firmware's RTT control block.
 const LOG_CONTROL: &str = "_SEGGER_RTT";
-/// Longest virtual time of one power-on: the emulator's clock is 64 bit nanoseconds.
+/// Longest virtual time of one step: the emulator's clock is 64 bit nanoseconds.
 const FOREVER: Duration = Duration::from_secs(1 << 32);
 
 /// Something the firmware asked of the emulated part that no model answers for.
@@ -25,14 +25,13 @@ pub struct Gap(pub String);
 ///
 /// Time stands still between calls. The same image, rig and calls give the same run.
 pub struct Emulator {
-    core: CoreThread,
+    pub(super) core: CoreThread,
     firmware: Firmware,
-    analog: Analog,
-    serial: SerialLine,
+    pub(super) pins: Pins,
     log: Log,
-    /// Virtual time of earlier power-ons.
-    before: Duration,
-    power_ons: u64,
+    pub(super) power_ons: u64,
+    /// Virtual time at which the supply last came.
+    pub(super) powered_at: Duration,
 }
 
 impl std::fmt::Debug for Emulator {
@@ -65,17 +64,15 @@ impl Emulator {
         rig: Box<dyn RigPort>,
         flash: &[u8],
     ) -> Result<Self, Error> {
-        let analog = Analog::new(rig);
-        let serial = SerialLine::default();
-        let core = start(firmware, &analog, &serial, flash, 0)?;
+        let pins = Pins::with_rig(rig);
+        let core = start(firmware, &pins, flash)?;
         Ok(Self {
             core,
             firmware: firmware.clone(),
-            analog,
-            serial,
+            pins,
             log: Log::default(),
-            before: Duration::ZERO,
             power_ons: 1,
+            powered_at: Duration::ZERO,
         })
     }
 
@@ -95,26 +92,26 @@ impl Emulator {
     ///
     /// [`Error::Ended`] when the emulator fails.
     pub fn run_until_received(&mut self, limit: Duration) -> Result<bool, Error> {
-        if !self.serial.has_received() {
+        if !self.pins.serial.has_received() {
             let until = self.after(limit);
             self.run(until, true)?;
         }
-        Ok(self.serial.has_received())
+        Ok(self.pins.serial.has_received())
     }
 
     /// Virtual time since power-on.
     #[must_use]
     pub fn uptime(&self) -> Duration {
+        self.elapsed() - self.powered_at
+    }
+
+    /// Virtual time since the first power-on.
+    #[must_use]
+    pub fn elapsed(&self) -> Duration {
         Duration::from_nanos(self.core.stop().at.0)
     }
 
-    /// Virtual time of all power-ons together.
-    #[must_use]
-    pub fn elapsed(&self) -> Duration {
-        self.before + self.uptime()
-    }
-
-    /// Instructions executed since power-on.
+    /// Instructions executed since the first power-on.
     #[must_use]
     pub fn instructions(&self) -> u64 {
         self.core.stop().instruction_count
@@ -123,18 +120,18 @@ impl Emulator {
     /// The serial line: any thread may send and receive on it.
     #[must_use]
     pub fn serial(&self) -> &SerialLine {
-        &self.serial
+        &self.pins.serial
     }
 
     /// Queues `bytes` for the board.
     pub fn write_serial(&mut self, bytes: &[u8]) {
-        self.serial.send(bytes);
+        self.pins.serial.send(bytes);
     }
 
     /// Takes what the board has sent since the last call.
     #[must_use]
     pub fn read_serial(&mut self) -> Vec<u8> {
-        self.serial.receive()
+        self.pins.serial.receive()
     }
 
     /// What the firmware has logged since the first power-on.
@@ -166,27 +163,27 @@ impl Emulator {
     /// Code on the drive output at this instant.
     #[must_use]
     pub fn drive_code(&self) -> u16 {
-        self.analog.drive_code()
+        self.pins.analog.drive_code()
     }
 
     /// Sample pairs the converters have taken.
     #[must_use]
     pub fn sample_pairs(&self) -> u64 {
-        self.analog.samples()
+        self.pins.analog.samples()
     }
 
     /// How long the drive output has been at mid-scale without interruption, `None` while it is not.
     #[must_use]
     pub fn silent_for(&self) -> Option<Duration> {
-        let since = self.analog.silent_since()?;
-        debug_assert_eq!(self.analog.drive_code(), DRIVE_MID_CODE);
-        Some(self.uptime().saturating_sub(Duration::from_nanos(since.0)))
+        let since = self.pins.analog.silent_since()?;
+        debug_assert_eq!(self.pins.analog.drive_code(), DRIVE_MID_CODE);
+        Some(self.elapsed().saturating_sub(Duration::from_nanos(since.0)))
     }
 
     /// Puts another rig on the connectors at this instant and hands the old one back.
     pub fn replace_rig(&mut self, rig: Box<dyn RigPort>) -> Box<dyn RigPort> {
-        self.analog.advance(self.core.stop().at);
-        self.analog.replace_rig(rig)
+        self.pins.analog.advance(self.core.stop().at);
+        self.pins.analog.replace_rig(rig)
     }
 
     /// Pulls the reset pin: memory stays, the part starts afresh.
@@ -200,26 +197,10 @@ impl Emulator {
         })
     }
 
-    /// Switches the board off and on again: flash stays, RAM comes up with other content.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Ended`] when the emulator fails.
-    pub fn power_cycle(&mut self) -> Result<(), Error> {
-        let flash = self.record_flash()?;
-        self.analog.advance(self.core.stop().at);
-        self.before = self.elapsed();
-        self.serial.clear();
-        self.analog.restart_clock();
-        self.core = start(
-            &self.firmware,
-            &self.analog,
-            &self.serial,
-            &flash,
-            self.power_ons,
-        )?;
-        self.power_ons += 1;
-        Ok(())
+    /// Operations on the record flash, and the wear of its sectors.
+    #[must_use]
+    pub fn flash_watch(&self) -> &FlashWatch {
+        &self.pins.flash
     }
 
     /// Content of the record flash (bank 2).
@@ -233,7 +214,8 @@ impl Emulator {
             .map_err(|error| Error::Ended(error.to_string()))
     }
 
-    /// Restarts since power-on, with their cause, oldest first: a watchdog's reads `Model("IWDG")`.
+    /// Restarts since the first power-on, with their cause, oldest first: a watchdog's reads
+    /// `Model("IWDG")`, a supply that came back `PowerOn`.
     ///
     /// # Errors
     ///
@@ -324,7 +306,7 @@ impl Emulator {
     }
 
     fn after(&self, duration: Duration) -> VirtualNanos {
-        let until = self.uptime() + duration.min(FOREVER);
+        let until = self.elapsed() + duration.min(FOREVER);
         VirtualNanos(until.as_nanos() as u64)
     }
 
@@ -338,28 +320,24 @@ impl Emulator {
 }
 
 /// Builds the board and starts its core.
-fn start(
-    firmware: &Firmware,
-    analog: &Analog,
-    serial: &SerialLine,
-    flash: &[u8],
-    seed: u64,
-) -> Result<CoreThread, Error> {
+fn start(firmware: &Firmware, pins: &Pins, flash: &[u8]) -> Result<CoreThread, Error> {
     if flash.len() != RECORD_FLASH_BYTES {
         return Err(Error::FlashSize {
             expected: RECORD_FLASH_BYTES,
             found: flash.len(),
         });
     }
-    let board = NucleoH743zi2::new(analog.clone(), serial.clone())
-        .map_err(|error| Error::Ended(error.to_string()))?;
+    let ended = |error: &dyn std::fmt::Display| Error::Ended(error.to_string());
+    let board = NucleoH743zi2::new(pins.clone()).map_err(|error| ended(&error))?;
     let name = std::path::Path::new("record flash");
-    let records = Image::new(name, flash.to_vec(), Some(RECORD_FLASH))
-        .map_err(|error| Error::Ended(error.to_string()))?;
-    let images = vec![firmware.image().clone(), records];
+    let records = Image::new(name, flash.to_vec(), Some(RECORD_FLASH));
+    let images = vec![
+        firmware.image().clone(),
+        records.map_err(|error| ended(&error))?,
+    ];
     let log_control = firmware.symbol(LOG_CONTROL).ok();
-    let mut core = CoreThread::start(board, images, serial.clone(), log_control)?;
-    core.act(move |_, host, _| memory::scramble(host, seed))?
-        .map_err(|error| Error::Ended(error.to_string()))?;
+    let mut core = CoreThread::start(board, images, pins, log_control)?;
+    core.act(move |_, host, _| memory::scramble(host, 0))?
+        .map_err(|error| ended(&error))?;
     Ok(core)
 }

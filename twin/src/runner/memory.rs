@@ -3,10 +3,10 @@
 use rigless::emulator::{Error as EmulatorError, Host};
 use rigless::soc::Width;
 
-/// Flash bank 2: records and settings (`memory.x`).
-pub(super) const RECORD_FLASH: u64 = 0x0810_0000;
-/// Its size.
-pub(super) const RECORD_FLASH_BYTES: usize = 1 << 20;
+use crate::board::{SECTOR_BYTES, SECTORS};
+
+/// Size of the record flash.
+pub(super) const RECORD_FLASH_BYTES: usize = SECTORS * SECTOR_BYTES as usize;
 
 /// The memories that lose their content with the supply: DTCM, AXI SRAM, SRAM1 to SRAM4.
 const VOLATILE: [(u64, u64); 5] = [
@@ -40,15 +40,27 @@ pub(super) fn scramble(host: &mut dyn Host, seed: u64) -> Result<(), EmulatorErr
     let mut state = seed;
     for (base, size) in VOLATILE {
         for at in (base..base + size).step_by(8) {
-            state = splitmix(&mut state);
-            host.write(at, Width::W64, state)?;
+            host.write(at, Width::W64, splitmix(&mut state))?;
         }
     }
     Ok(())
 }
 
+/// Puts `bytes` into flash at `address`, a multiple of 8 both, as they are.
+pub(super) fn program(
+    host: &mut dyn Host,
+    address: u64,
+    bytes: &[u8],
+) -> Result<(), EmulatorError> {
+    let (words, _) = bytes.as_chunks();
+    for (at, word) in (address..).step_by(8).zip(words) {
+        host.program(at, Width::W64, u64::from_le_bytes(*word))?;
+    }
+    Ok(())
+}
+
 /// SplitMix64 (Steele, Lea and Flood 2014): the next number of a seeded sequence.
-fn splitmix(state: &mut u64) -> u64 {
+pub(super) fn splitmix(state: &mut u64) -> u64 {
     *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
     let mut mixed = *state;
     mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

@@ -16,6 +16,7 @@ mod firmware;
 mod log;
 mod memory;
 mod paced;
+mod power;
 #[cfg(unix)]
 mod pty_door;
 mod serial;
@@ -26,6 +27,7 @@ pub use error::Error;
 pub use firmware::Firmware;
 pub use log::Log;
 pub use paced::{Door, Pace, run_paced};
+pub use power::Torn;
 #[cfg(unix)]
 pub use pty_door::PtyDoor;
 pub use serial::{SharedEmulator, VirtualSerial};

@@ -15,7 +15,7 @@ use rigless::soc::stm32h743::generated::{self, rcc};
 use rigless::soc::{Layout, Peripheral, Width};
 use rigless::time::VirtualNanos;
 
-use super::{Analog, Part, SerialLine};
+use super::{Analog, Part, Pins};
 use crate::rig_port::{INPUT_CHANNELS, RigPort};
 
 /// What a recording rig was told: each stretch of constant drive, and when it was sampled.
@@ -77,8 +77,9 @@ struct Bench {
 impl Bench {
     fn new() -> Self {
         let told = Arc::new(Mutex::new(Told::default()));
-        let analog = Analog::new(Box::new(Recorder(told.clone())));
-        let part = Part::new(analog.clone(), SerialLine::default()).unwrap();
+        let pins = Pins::with_rig(Box::new(Recorder(told.clone())));
+        let analog = pins.analog.clone();
+        let part = Part::new(pins).unwrap();
         let mut bench = Self {
             part,
             ram: Ram(vec![0; 4096]),

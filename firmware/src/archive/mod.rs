@@ -1,0 +1,302 @@
+//! The archive: records and settings in NOR flash.
+//!
+//! `sequential-storage` keeps a queue of items over all sectors of the record
+//! area: it survives a power cut at any write, checks every item and uses the
+//! sectors in turn, so they wear alike. On top of it, this module keeps a
+//! directory in memory: a record is read from where it lies.
+//!
+//! | bytes of an item | content |
+//! |---|---|
+//! | 2 | u16 LE: [`RECORD_ITEM`] or [`STATE_ITEM`] |
+//! | n | [`stored`] record, or postcard [`State`] |
+//!
+//! A sector stands alone: records share settings only with a state item of
+//! their own sector, and a state item follows the first record of each. So
+//! erasing the oldest sector loses its own records and nothing else, and there
+//! are as many copies of the state as there are sectors in use.
+//!
+//! The area is a ring. A sector is only erased when the host has said that it
+//! keeps every record in it ([`Archive::release`]); otherwise the area is full
+//! and the next run is refused before it begins.
+
+mod located;
+mod reading;
+mod sector;
+mod state;
+mod writing;
+
+#[cfg(test)]
+mod tests;
+
+pub use located::LastAccess;
+pub use state::State;
+
+use calib_core::settings::Settings;
+use calib_protocol::message::Refusal;
+use calib_protocol::record::{Record, RecordSummary};
+use calib_protocol::stored::{self, settings_mark};
+use core::ops::Range;
+use embedded_storage_async::nor_flash::{NorFlash, ReadNorFlash};
+use heapless::Vec;
+use located::Located;
+use sector::Marked;
+use sequential_storage::cache::page_pointers::ArrayPagePointers;
+use sequential_storage::cache::page_states::ArrayPageStates;
+use sequential_storage::cache::{Cache, Uncached};
+use sequential_storage::queue::{QueueConfig, QueueStorage};
+
+/// Sectors of the record area.
+pub const SECTORS: usize = 8;
+/// Most records the directory holds: more than the shortest ones that fit.
+pub const MAX_RECORDS: usize = 3072;
+/// Longest item, and longest record as hosts get it: the most points with the
+/// fullest settings.
+pub const MAX_ITEM: usize = 24 * 1024;
+
+/// Mark of a record in its stored form, version 1.
+const RECORD_ITEM: u16 = 0x0001;
+/// Mark of a [`State`], version 1.
+const STATE_ITEM: u16 = 0x8001;
+/// Where the body of a record is put together: behind mark and head.
+const BODY_AT: usize = 2 + stored::MAX_HEAD;
+/// Bytes of a record that are neither points nor settings, at most.
+const LONGEST_HEAD: usize = 720;
+/// Bytes of settings, at most.
+const LONGEST_SETTINGS: usize = 1600;
+/// Bytes of a point, at most.
+const LONGEST_POINT: usize = 64;
+
+/// Where a record lies.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    id: u32,
+    address: u32,
+    length: u16,
+}
+
+/// Directory of all records, in rising running number.
+pub type Directory = Vec<Entry, MAX_RECORDS>;
+
+/// Memory of an archive, too large for a stack.
+pub struct Memory<'m> {
+    /// Every record.
+    pub directory: &'m mut Directory,
+    /// One item on its way from or to flash.
+    pub scratch: &'m mut [u8; MAX_ITEM],
+    /// The record to be stored.
+    pub record: &'m mut Record,
+    /// Where the flash was used last.
+    pub last_access: &'m LastAccess,
+}
+
+/// Why something could not be stored or read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ArchiveError {
+    /// No room: download records and release them.
+    Full,
+    /// The item is longer than [`MAX_ITEM`].
+    TooLong,
+    /// The flash failed, or did not hold what was written.
+    Flash,
+}
+
+impl From<ArchiveError> for Refusal {
+    fn from(error: ArchiveError) -> Self {
+        match error {
+            ArchiveError::Full => Self::StorageFull,
+            ArchiveError::TooLong | ArchiveError::Flash => Self::StorageFailed,
+        }
+    }
+}
+
+impl core::fmt::Display for ArchiveError {
+    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        formatter.write_str(match self {
+            Self::Full => "the record area is full",
+            Self::TooLong => "the record is too long to be stored",
+            Self::Flash => "the flash failed",
+        })
+    }
+}
+
+impl core::error::Error for ArchiveError {}
+
+impl<E> From<sequential_storage::Error<E>> for ArchiveError {
+    fn from(error: sequential_storage::Error<E>) -> Self {
+        match error {
+            sequential_storage::Error::FullStorage => Self::Full,
+            sequential_storage::Error::ItemTooBig => Self::TooLong,
+            _ => Self::Flash,
+        }
+    }
+}
+
+type PageCache = Cache<ArrayPageStates<SECTORS>, ArrayPagePointers<SECTORS>, Uncached>;
+
+/// Settings that a state item of a sector holds.
+#[derive(Clone, Copy, Debug)]
+struct KnownSettings {
+    sector: u32,
+    mark: u32,
+    address: u32,
+    length: u16,
+}
+
+/// Records and settings in flash.
+pub struct Archive<'m, F: NorFlash> {
+    queue: QueueStorage<Located<'m, Marked<F>>, PageCache>,
+    memory: Memory<'m>,
+    state: State,
+    known_settings: Vec<KnownSettings, 64>,
+    /// First byte behind the item written or found last; none yet: no sector.
+    end: Option<u32>,
+    /// Record whose full encoding is in the scratch memory, and its length.
+    unpacked: Option<(u32, u32)>,
+}
+
+impl<'m, F: NorFlash> Archive<'m, F> {
+    /// Reads the whole area once.
+    ///
+    /// `area` is in offsets of the flash and must be [`SECTORS`] whole sectors.
+    ///
+    /// # Errors
+    /// [`ArchiveError::Flash`] when the area cannot be read or repaired.
+    pub async fn open(
+        flash: F,
+        area: Range<u32>,
+        memory: Memory<'m>,
+    ) -> Result<Self, ArchiveError> {
+        let config = QueueConfig::try_new(area.clone()).map_err(|_| ArchiveError::Flash)?;
+        let cache = Cache::new(ArrayPageStates::new(), ArrayPagePointers::new(), Uncached);
+        let mut flash = Marked(flash);
+        let mended = sector::mend(&mut flash, area.clone()).await;
+        mended.map_err(|_| ArchiveError::Flash)?;
+        let flash = Located::new(flash, memory.last_access);
+        let mut archive = Self {
+            queue: QueueStorage::new(flash, config, cache),
+            memory,
+            state: State::default(),
+            known_settings: Vec::new(),
+            end: None,
+            unpacked: None,
+        };
+        archive.scan().await?;
+        Ok(archive)
+    }
+
+    async fn scan(&mut self) -> Result<(), ArchiveError> {
+        self.memory.directory.clear();
+        let mut items = self.queue.iter().await?;
+        while let Some(item) = items.next(self.memory.scratch).await? {
+            let address = self.memory.last_access.read();
+            let length = item.len() as u16;
+            self.end = Some(end_of::<F>(address, length));
+            match mark_of(&item) {
+                Some((RECORD_ITEM, body)) => {
+                    let Ok((head, body)) = stored::head(body) else {
+                        continue;
+                    };
+                    let Ok(RecordSummary { id, .. }) = head.summary(body) else {
+                        continue;
+                    };
+                    let sector = sector_of::<F>(address);
+                    let known = &self.known_settings;
+                    if !head.with_settings && !shares(known, sector, head.settings_mark) {
+                        // Its store was cut off before it came to its place.
+                        continue;
+                    }
+                    self.state.note_record(id, head.sha256);
+                    insert(
+                        self.memory.directory,
+                        Entry {
+                            id,
+                            address,
+                            length,
+                        },
+                    );
+                }
+                Some((STATE_ITEM, body)) => {
+                    let Some((state, settings)) = State::read(body) else {
+                        continue;
+                    };
+                    self.state.merge(state);
+                    let before = item.len() - settings.len();
+                    // Too many in one sector: records carry their own again.
+                    let _ = self.known_settings.push(KnownSettings {
+                        sector: sector_of::<F>(address),
+                        mark: settings_mark(settings),
+                        address: address + before as u32,
+                        length: settings.len() as u16,
+                    });
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The newest settings, if any were ever stored.
+    pub fn settings(&self) -> Option<&Settings> {
+        self.state.settings()
+    }
+
+    /// Running number the next record will have.
+    pub fn next_id(&self) -> u32 {
+        self.state.next_id()
+    }
+
+    /// Stored records.
+    pub fn len(&self) -> u32 {
+        self.memory.directory.len() as u32
+    }
+
+    /// Whether there is no record.
+    pub fn is_empty(&self) -> bool {
+        self.memory.directory.is_empty()
+    }
+}
+
+/// Reads bytes from any address: the flash is mapped into memory.
+async fn read<F: ReadNorFlash>(
+    flash: &mut F,
+    address: u32,
+    bytes: &mut [u8],
+) -> Result<(), ArchiveError> {
+    const { assert!(F::READ_SIZE == 1, "the archive reads single bytes") };
+    let read = flash.read(address, bytes).await;
+    read.map_err(|_| ArchiveError::Flash)
+}
+
+fn mark_of(item: &[u8]) -> Option<(u16, &[u8])> {
+    let (mark, body) = item.split_first_chunk::<2>()?;
+    Some((u16::from_le_bytes(*mark), body))
+}
+
+fn sector_of<F: NorFlash>(address: u32) -> u32 {
+    address / F::ERASE_SIZE as u32
+}
+
+/// First byte behind the item whose data begin at `address`.
+fn end_of<F: NorFlash>(address: u32, length: u16) -> u32 {
+    address + u32::from(length).next_multiple_of(F::WRITE_SIZE as u32)
+}
+
+fn shares(known: &[KnownSettings], sector: u32, mark: u32) -> bool {
+    let mut known = known.iter();
+    known.any(|known| known.sector == sector && known.mark == mark)
+}
+
+/// Adds an entry in its place; a record found again replaces the one before.
+fn insert(directory: &mut Directory, entry: Entry) {
+    match directory.binary_search_by_key(&entry.id, |entry| entry.id) {
+        Ok(index) => {
+            if let Some(before) = directory.get_mut(index) {
+                *before = entry;
+            }
+        }
+        // The directory holds more than the area; `store` checks as well.
+        Err(index) => {
+            let _ = directory.insert(index, entry);
+        }
+    }
+}

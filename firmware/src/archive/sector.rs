@@ -1,0 +1,137 @@
+//! Sector marks on flash whose words can be programmed only once.
+//!
+//! The queue marks a sector as begun by its first word and as closed by its
+//! last. It takes a mark that was cut off for no mark and would program the
+//! word again, which this flash forbids: its check bits are fixed by the first
+//! write (RM0433 Rev 8, 4.3.9). Here a mark is there as soon as any bit of it
+//! is, and is written once.
+//!
+//! An erase that was cut off can leave any part of a sector erased. [`mend`]
+//! finds what no finished operation leaves behind and erases it again:
+//!
+//! | first word | last word | between | |
+//! |---|---|---|---|
+//! | erased | erased | erased | free |
+//! | erased | any | any | erase was cut off |
+//! | marked | erased | any | in use; a second one just behind it: cut off |
+//! | marked | marked | any | closed |
+
+use core::ops::Range;
+use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
+
+/// Longest word that is handled.
+const MAX_WORD: usize = 32;
+
+/// `F` with marks that are never torn.
+pub(super) struct Marked<F>(pub(super) F);
+
+impl<F: NorFlash> Marked<F> {
+    /// Whether these bytes lie in the first or last word of a sector.
+    fn is_mark(offset: u32, length: usize) -> bool {
+        let within = offset as usize % F::ERASE_SIZE;
+        let in_first = within + length <= F::WRITE_SIZE;
+        let in_last = within >= F::ERASE_SIZE - F::WRITE_SIZE;
+        length <= F::WRITE_SIZE && (in_first || in_last)
+    }
+
+    /// Whether any bit of the word around `offset` is programmed.
+    async fn is_programmed(&mut self, offset: u32) -> Result<bool, F::Error> {
+        const { assert!(F::WRITE_SIZE <= MAX_WORD) };
+        let mut word = [0; MAX_WORD];
+        let word = word.split_at_mut(F::WRITE_SIZE).0;
+        let start = offset - offset % F::WRITE_SIZE as u32;
+        self.0.read(start, word).await?;
+        Ok(word.iter().any(|byte| *byte != 0xFF))
+    }
+}
+
+impl<F: ErrorType> ErrorType for Marked<F> {
+    type Error = F::Error;
+}
+
+impl<F: NorFlash> ReadNorFlash for Marked<F> {
+    const READ_SIZE: usize = F::READ_SIZE;
+
+    async fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), F::Error> {
+        if !Self::is_mark(offset, bytes.len()) {
+            return self.0.read(offset, bytes).await;
+        }
+        let programmed = self.is_programmed(offset).await?;
+        bytes.fill(if programmed { 0 } else { 0xFF });
+        Ok(())
+    }
+
+    fn capacity(&self) -> usize {
+        self.0.capacity()
+    }
+}
+
+impl<F: NorFlash> NorFlash for Marked<F> {
+    const WRITE_SIZE: usize = F::WRITE_SIZE;
+    const ERASE_SIZE: usize = F::ERASE_SIZE;
+
+    async fn erase(&mut self, from: u32, to: u32) -> Result<(), F::Error> {
+        self.0.erase(from, to).await
+    }
+
+    async fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), F::Error> {
+        if Self::is_mark(offset, bytes.len()) && self.is_programmed(offset).await? {
+            return Ok(());
+        }
+        self.0.write(offset, bytes).await
+    }
+}
+
+/// State of a sector by its marks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sector {
+    Free,
+    Torn,
+    InUse,
+    Closed,
+}
+
+/// Erases again what a power cut left half erased.
+pub(super) async fn mend<F: NorFlash>(
+    flash: &mut Marked<F>,
+    area: Range<u32>,
+) -> Result<(), F::Error> {
+    let size = F::ERASE_SIZE as u32;
+    let sectors = (area.end - area.start) / size;
+    let mut before = classify(flash, area.end - size).await?;
+    for sector in 0..sectors {
+        let start = area.start + sector * size;
+        let mut found = classify(flash, start).await?;
+        let doubled = found == Sector::InUse && before == Sector::InUse;
+        if doubled || found == Sector::Torn {
+            flash.erase(start, start + size).await?;
+            found = Sector::Free;
+        }
+        before = found;
+    }
+    Ok(())
+}
+
+async fn classify<F: NorFlash>(flash: &mut Marked<F>, start: u32) -> Result<Sector, F::Error> {
+    let size = F::ERASE_SIZE as u32;
+    let last = start + size - F::WRITE_SIZE as u32;
+    let begun = flash.is_programmed(start).await?;
+    let closed = flash.is_programmed(last).await?;
+    Ok(match (begun, closed) {
+        (true, true) => Sector::Closed,
+        (true, false) => Sector::InUse,
+        (false, false) if is_blank(flash, start..start + size).await? => Sector::Free,
+        (false, _) => Sector::Torn,
+    })
+}
+
+async fn is_blank<F: NorFlash>(flash: &mut Marked<F>, range: Range<u32>) -> Result<bool, F::Error> {
+    let mut bytes = [0; 256];
+    for start in range.step_by(bytes.len()) {
+        flash.0.read(start, &mut bytes).await?;
+        if bytes.iter().any(|byte| *byte != 0xFF) {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}

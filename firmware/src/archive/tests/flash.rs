@@ -1,0 +1,188 @@
+//! A strict NOR flash: what the real one forbids is an error here, and the
+//! power can fail in the middle of any word or erase.
+
+use embedded_storage_async::nor_flash::{
+    ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash,
+};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// Bytes that are programmed at once; they can be programmed once only, since
+/// the check bits of a flash word cannot be changed (RM0433 Rev 8, 4.3.9).
+pub(super) const WORD: usize = 32;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FlashError {
+    /// The power failed in this operation, or before.
+    PowerCut,
+    /// A word was programmed twice without an erase between.
+    Rewritten(u32),
+    /// Address or length is no multiple of a word or sector.
+    Alignment,
+    /// Outside of the flash.
+    Range,
+}
+
+impl NorFlashError for FlashError {
+    fn kind(&self) -> NorFlashErrorKind {
+        NorFlashErrorKind::Other
+    }
+}
+
+pub(super) struct Cells {
+    pub(super) bytes: Vec<u8>,
+    /// Whether each word was programmed since it was erased.
+    programmed: Vec<bool>,
+    /// Erases of each sector.
+    pub(super) erases: Vec<u32>,
+    /// Words and erases so far.
+    pub(super) operations: u64,
+    /// The operation in which the power fails.
+    pub(super) cut_at: Option<u64>,
+    random: u64,
+}
+
+/// The flash; copies are the same flash.
+#[derive(Clone)]
+pub(super) struct MockFlash<const SECTOR: usize>(pub(super) Rc<RefCell<Cells>>);
+
+impl<const SECTOR: usize> MockFlash<SECTOR> {
+    pub(super) fn erased(sectors: usize) -> Self {
+        Self(Rc::new(RefCell::new(Cells {
+            bytes: vec![0xFF; sectors * SECTOR],
+            programmed: vec![false; sectors * SECTOR / WORD],
+            erases: vec![0; sectors],
+            operations: 0,
+            cut_at: None,
+            random: 1,
+        })))
+    }
+
+    /// The same content in a flash of its own.
+    pub(super) fn duplicate(&self, seed: u64) -> Self {
+        let cells = self.0.borrow();
+        Self(Rc::new(RefCell::new(Cells {
+            bytes: cells.bytes.clone(),
+            programmed: cells.programmed.clone(),
+            erases: cells.erases.clone(),
+            operations: cells.operations,
+            cut_at: None,
+            random: seed,
+        })))
+    }
+}
+
+impl Cells {
+    /// SplitMix64 (Steele, Lea and Flood 2014).
+    fn random(&mut self) -> u64 {
+        self.random = self.random.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut mixed = self.random;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ (mixed >> 31)
+    }
+
+    /// Counts an operation; true when the power fails in it.
+    fn fails(&mut self) -> Result<bool, FlashError> {
+        self.operations += 1;
+        match self.cut_at {
+            Some(cut) if self.operations > cut => Err(FlashError::PowerCut),
+            Some(cut) => Ok(self.operations == cut),
+            None => Ok(false),
+        }
+    }
+
+    fn program(&mut self, word: usize, bytes: &[u8]) -> Result<(), FlashError> {
+        let fails = self.fails()?;
+        if self.programmed[word] {
+            return Err(FlashError::Rewritten((word * WORD) as u32));
+        }
+        self.programmed[word] = true;
+        for (at, byte) in bytes.iter().enumerate() {
+            // Torn: every bit that was to become 0 has or has not.
+            let missing = if fails { self.random() as u8 } else { 0 };
+            self.bytes[word * WORD + at] &= byte | missing;
+        }
+        if fails {
+            Err(FlashError::PowerCut)
+        } else {
+            Ok(())
+        }
+    }
+
+    fn erase(&mut self, sector: usize, size: usize) -> Result<(), FlashError> {
+        let fails = self.fails()?;
+        self.erases[sector] += 1;
+        let words = sector * size / WORD..(sector + 1) * size / WORD;
+        let middle = words.start + self.random() as usize % words.len();
+        let torn = if fails { Some(self.random() % 5) } else { None };
+        for word in words {
+            // Torn: nothing yet, all, the beginning, the end, or any bit.
+            let erased = match torn {
+                None | Some(1) => true,
+                Some(2) => word < middle,
+                Some(3) => word >= middle,
+                _ => false,
+            };
+            for at in word * WORD..(word + 1) * WORD {
+                let any = if torn == Some(4) {
+                    self.random() as u8
+                } else {
+                    0
+                };
+                self.bytes[at] |= if erased { 0xFF } else { any };
+            }
+            self.programmed[word] &= !erased;
+        }
+        if fails {
+            Err(FlashError::PowerCut)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+impl<const SECTOR: usize> ErrorType for MockFlash<SECTOR> {
+    type Error = FlashError;
+}
+
+impl<const SECTOR: usize> ReadNorFlash for MockFlash<SECTOR> {
+    const READ_SIZE: usize = 1;
+
+    async fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), FlashError> {
+        let cells = self.0.borrow();
+        let range = offset as usize..offset as usize + bytes.len();
+        bytes.copy_from_slice(cells.bytes.get(range).ok_or(FlashError::Range)?);
+        Ok(())
+    }
+
+    fn capacity(&self) -> usize {
+        self.0.borrow().bytes.len()
+    }
+}
+
+impl<const SECTOR: usize> NorFlash for MockFlash<SECTOR> {
+    const WRITE_SIZE: usize = WORD;
+    const ERASE_SIZE: usize = SECTOR;
+
+    async fn erase(&mut self, from: u32, to: u32) -> Result<(), FlashError> {
+        let (from, to) = (from as usize, to as usize);
+        if !from.is_multiple_of(SECTOR) || !to.is_multiple_of(SECTOR) {
+            return Err(FlashError::Alignment);
+        }
+        let mut cells = self.0.borrow_mut();
+        (from / SECTOR..to / SECTOR).try_for_each(|sector| cells.erase(sector, SECTOR))
+    }
+
+    async fn write(&mut self, offset: u32, bytes: &[u8]) -> Result<(), FlashError> {
+        let offset = offset as usize;
+        if !offset.is_multiple_of(WORD) || !bytes.len().is_multiple_of(WORD) {
+            return Err(FlashError::Alignment);
+        }
+        let mut cells = self.0.borrow_mut();
+        for (number, word) in bytes.chunks(WORD).enumerate() {
+            cells.program(offset / WORD + number, word)?;
+        }
+        Ok(())
+    }
+}

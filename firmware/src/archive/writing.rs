@@ -1,0 +1,226 @@
+//! Storing: records, settings, releases.
+
+use super::{
+    Archive, ArchiveError, BODY_AT, Entry, KnownSettings, LONGEST_HEAD, LONGEST_POINT,
+    LONGEST_SETTINGS, RECORD_ITEM, STATE_ITEM, end_of, insert, read, sector_of, shares,
+};
+use calib_core::settings::Settings;
+use calib_protocol::record::{self, Record};
+use calib_protocol::stored::{self, StoredHead, settings_mark};
+use core::ops::Range;
+use embedded_storage_async::nor_flash::NorFlash;
+
+impl<F: NorFlash> Archive<'_, F> {
+    /// Whether a record of so many points will find room.
+    ///
+    /// # Errors
+    /// [`ArchiveError::Full`] when not, so that nothing is measured in vain.
+    pub async fn check_room(&mut self, points: usize) -> Result<(), ArchiveError> {
+        let bytes = LONGEST_HEAD + LONGEST_SETTINGS + points * LONGEST_POINT;
+        let fit = self.queue.find_max_fit().await?;
+        let fits = fit.is_some_and(|largest| largest as usize >= bytes);
+        if !fits && !self.may_erase_next() || self.memory.directory.is_full() {
+            return Err(ArchiveError::Full);
+        }
+        Ok(())
+    }
+
+    /// The record to be stored next, with its number and its place in the
+    /// chain; the caller fills in the rest.
+    pub fn draft(&mut self) -> &mut Record {
+        self.unpacked = None;
+        let record = &mut *self.memory.record;
+        record.id = self.state.next_id();
+        record.previous_sha256 = self.state.last_sha256();
+        record
+    }
+
+    /// Stores the draft and reads it back.
+    ///
+    /// # Errors
+    /// See [`ArchiveError`]; the record is then not in the directory.
+    pub async fn store(&mut self) -> Result<(), ArchiveError> {
+        if self.memory.directory.is_full() {
+            return Err(ArchiveError::Full);
+        }
+        let (mut head, mut item) = self.pack(false)?;
+        if self.sector_has(head.settings_mark) {
+            let (short_head, short) = self.pack(true)?;
+            if self.fits(short.len()) {
+                (head, item) = (short_head, short);
+            } else {
+                self.pack(false)?;
+            }
+        }
+        let sector = self.sector();
+        let mut address = self.push(item.clone()).await?;
+        if !head.with_settings && self.sector() != sector {
+            // Remains of a cut-off write made it move on, away from the
+            // settings it shares.
+            (head, item) = self.pack(false)?;
+            address = self.push(item.clone()).await?;
+        }
+        let id = self.memory.record.id;
+        self.state.note_record(id, head.sha256);
+        let length = item.len() as u16;
+        insert(
+            self.memory.directory,
+            Entry {
+                id,
+                address,
+                length,
+            },
+        );
+        if head.with_settings {
+            let settings = &self.memory.record.settings;
+            if self.state.settings().is_none() {
+                self.state.set_settings(settings);
+            }
+            // The record is stored whatever becomes of this: without it, the
+            // next one carries its settings as well.
+            let _ = self.push_state().await;
+        }
+        Ok(())
+    }
+
+    /// Stores settings, twice: one damaged item never loses them.
+    ///
+    /// # Errors
+    /// See [`ArchiveError`]; the settings before stay in force.
+    pub async fn store_settings(&mut self, settings: &Settings) -> Result<(), ArchiveError> {
+        let before = self.state.clone();
+        self.state.set_settings(settings);
+        for _copy in 0..2 {
+            if let Err(error) = self.push_state().await {
+                self.state = before;
+                return Err(error);
+            }
+        }
+        Ok(())
+    }
+
+    /// Lets every record up to this running number make room when it is
+    /// needed: a host keeps them.
+    ///
+    /// # Errors
+    /// See [`ArchiveError`].
+    pub async fn release(&mut self, through: u32) -> Result<(), ArchiveError> {
+        self.state.release(through);
+        if self.state.settings().is_none() {
+            self.state.set_settings(&Settings::field_calibrator());
+        }
+        self.push_state().await
+    }
+
+    /// Puts the draft as an item into the scratch memory; where it lies.
+    fn pack(&mut self, share: bool) -> Result<(StoredHead, Range<usize>), ArchiveError> {
+        let too_long = |_| ArchiveError::TooLong;
+        let (front, body) = self.memory.scratch.split_at_mut(BODY_AT);
+        let length = record::encode(self.memory.record, body).map_err(|_| ArchiveError::TooLong)?;
+        let record = body.get(..length).ok_or(ArchiveError::TooLong)?;
+        let head = stored::head_of(record, !share).map_err(too_long)?;
+        stored::cut_out(&head, body).map_err(too_long)?;
+        let written = stored::write_head(&head, front).map_err(too_long)?;
+        let start = BODY_AT - written - 2;
+        front.copy_within(..written, start + 2);
+        let mark = front
+            .get_mut(start..start + 2)
+            .ok_or(ArchiveError::TooLong)?;
+        mark.copy_from_slice(&RECORD_ITEM.to_le_bytes());
+        Ok((head, start..BODY_AT + usize::from(head.body_bytes)))
+    }
+
+    async fn push_state(&mut self) -> Result<(), ArchiveError> {
+        self.unpacked = None;
+        let (kind, body) = self.memory.scratch.split_at_mut(2);
+        kind.copy_from_slice(&STATE_ITEM.to_le_bytes());
+        let (start, length) = self.state.write(body).ok_or(ArchiveError::TooLong)?;
+        let settings = body.get(start..length).ok_or(ArchiveError::TooLong)?;
+        let mark = settings_mark(settings);
+        let address = self.push(0..2 + length).await?;
+        let _ = self.known_settings.push(KnownSettings {
+            sector: sector_of::<F>(address),
+            mark,
+            address: address + 2 + start as u32,
+            length: (length - start) as u16,
+        });
+        Ok(())
+    }
+
+    /// Appends a range of the scratch memory as an item; where its bytes lie.
+    async fn push(&mut self, range: Range<usize>) -> Result<u32, ArchiveError> {
+        let item = self.memory.scratch.get(range.clone());
+        let item = item.ok_or(ArchiveError::TooLong)?;
+        let may_erase = self.may_erase_next();
+        let sector = self.sector();
+        self.memory.last_access.forget_writes();
+        self.queue.push(item, may_erase).await?;
+        let address = self.memory.last_access.longest_write();
+        if sector != Some(sector_of::<F>(address)) {
+            self.forget_sector(sector_of::<F>(address));
+        }
+        self.end = Some(end_of::<F>(address, range.len() as u16));
+        self.verify(address, range).await?;
+        Ok(address)
+    }
+
+    /// Drops what was in a sector that has been erased.
+    fn forget_sector(&mut self, sector: u32) {
+        let elsewhere = |address| sector_of::<F>(address) != sector;
+        self.memory
+            .directory
+            .retain(|entry| elsewhere(entry.address));
+        self.known_settings.retain(|known| elsewhere(known.address));
+    }
+
+    /// Compares flash with the scratch memory.
+    async fn verify(&mut self, address: u32, range: Range<usize>) -> Result<(), ArchiveError> {
+        let written = self.memory.scratch.get(range);
+        let written = written.ok_or(ArchiveError::TooLong)?;
+        let mut at = address;
+        for expected in written.chunks(64) {
+            let mut found = [0; 64];
+            let found = found.split_at_mut(expected.len()).0;
+            read(self.queue.flash(), at, found).await?;
+            if found != expected {
+                return Err(ArchiveError::Flash);
+            }
+            at += 64;
+        }
+        Ok(())
+    }
+
+    /// Sector of the last item.
+    fn sector(&self) -> Option<u32> {
+        self.end.map(|end| sector_of::<F>(end - 1))
+    }
+
+    /// Whether settings with this mark lie in the sector of the last item.
+    fn sector_has(&self, mark: u32) -> bool {
+        self.sector()
+            .is_some_and(|sector| shares(&self.known_settings, sector, mark))
+    }
+
+    /// Whether an item of this length finds room in the sector of the last.
+    fn fits(&self, length: usize) -> bool {
+        self.end.is_some_and(|end| {
+            let sector_end = (sector_of::<F>(end - 1) + 1) * F::ERASE_SIZE as u32;
+            let word = F::WRITE_SIZE as u32;
+            // Head of the item, and the word that closes the sector.
+            end_of::<F>(end + word, length as u16) + word <= sector_end
+        })
+    }
+
+    /// Whether the sector after that of the last item may be erased.
+    fn may_erase_next(&self) -> bool {
+        let range = self.queue.flash_range();
+        let sectors = sector_of::<F>(range.start)..sector_of::<F>(range.end);
+        let next = match self.sector() {
+            Some(sector) if sector + 1 < sectors.end => sector + 1,
+            _ => sectors.start,
+        };
+        let released = self.state.released();
+        let mut records = self.memory.directory.iter();
+        records.all(|entry| sector_of::<F>(entry.address) != next || entry.id <= released)
+    }
+}

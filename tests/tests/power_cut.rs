@@ -1,0 +1,72 @@
+//! The supply fails in a flash operation: the instrument comes back with all of the old or all of
+//! the new, and goes on.
+
+use calib_core::settings::Settings;
+use calib_protocol::frame::{MAX_FRAME, encode};
+use calib_protocol::message::Request;
+use calib_tests::bench::{Bench, Fault};
+use calib_twin::rig_port::ShortedInputs;
+use calib_twin::runner::Torn;
+use std::time::Duration;
+
+/// Longest time from a request to its last flash operation: the frame on the line, two sector erases.
+const BUSY: Duration = Duration::from_secs(5);
+/// From power-on until requests are heard.
+const BOOT: Duration = Duration::from_millis(200);
+/// How far into an operation the supply fails, in turn.
+const FRACTIONS: [f64; 3] = [0.02, 0.5, 0.98];
+
+/// Every so many operations one is cut: a boot takes a second of wall time, mostly the emulator's
+/// code generator. A number that is no multiple of three, so that every fraction meets every place.
+const STRIDE: usize = 5;
+
+/// Cuts the supply once in flash operations all along a write of settings.
+#[test]
+fn settings_are_the_old_or_the_new_wherever_the_supply_fails() -> Result<(), Fault> {
+    let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
+    let mut settings = bench.client.settings()?;
+    let operations = (1..).step_by(STRIDE);
+    for (nth, fraction) in operations.zip(FRACTIONS.into_iter().cycle()) {
+        let before = settings.blocks;
+        settings.blocks = if before == 10 { 12 } else { 10 };
+        let Some(torn) = cut_while_writing(&mut bench, &settings, nth, fraction)? else {
+            // The write has fewer operations than this: it is done.
+            assert_eq!(bench.client.settings()?, settings);
+            // Settings of some hundred bytes take several words of 32 each.
+            assert!(nth > 8, "only {nth} operations");
+            return Ok(());
+        };
+        assert_ne!(torn, Torn::Nothing, "operation {nth} at {fraction}");
+        bench.client.wait(BOOT)?;
+        let after = bench.client.settings()?;
+        assert!(
+            [before, settings.blocks].contains(&after.blocks),
+            "{torn:?}"
+        );
+        settings.blocks = after.blocks;
+        assert_eq!(after, settings, "{torn:?}: a mixture");
+    }
+    Err("a write of settings without an end".into())
+}
+
+/// Sends new settings and cuts the supply at `fraction` of flash operation `nth` from there, then
+/// restores it; `None` when there is no such operation.
+fn cut_while_writing(
+    bench: &mut Bench,
+    settings: &Settings,
+    nth: u64,
+    fraction: f64,
+) -> Result<Option<Torn>, Fault> {
+    let mut frame = [0; 1 + MAX_FRAME];
+    let request = Request::SettingsWrite(settings.clone());
+    let length = encode(0x7000, &request, &mut frame[1..]).map_err(|_| "too long a frame")?;
+    let mut board = bench.board();
+    let ordinal = board.flash_watch().operations() + nth;
+    board.write_serial(&frame[..=length]);
+    if !board.run_into_flash_operation(ordinal, fraction, BUSY)? {
+        return Ok(None);
+    }
+    let torn = board.cut_power()?;
+    board.restore_power()?;
+    Ok(Some(torn))
+}
