@@ -115,7 +115,7 @@ impl Runner {
         let result = as_stored(&result);
         state::RUN.lock(|run| {
             // As many results fit as points were asked for.
-            let _ = run.borrow_mut().results.push(as_stored(&result));
+            let _ = run.borrow_mut().results.push(result);
         });
         self.start_point(index + 1);
     }

@@ -11,6 +11,7 @@ use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
 };
 use calib_protocol::record::{self, Record, RecordSummary, RunLabels};
+use calib_protocol::stored_point::as_stored;
 use std::collections::BTreeMap;
 
 /// Looks at the status while a point is measured.
@@ -313,8 +314,9 @@ pub(crate) fn settings() -> Settings {
     }
 }
 
+/// A result as the firmware keeps it: what is stored comes back unchanged.
 pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResult {
-    PointResult {
+    as_stored(&PointResult {
         spec: calib_core::point::PointSpec {
             frequency_hz,
             acceleration_rms_ms2,
@@ -343,7 +345,7 @@ pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResul
         drive_peak_v: 1.0,
         settling_s: 0.5,
         overshoot_rel: 0.01,
-    }
+    })
 }
 
 pub(crate) fn record(id: u32, points: u16) -> Record {

@@ -7,9 +7,9 @@ use calib_host::{Error, session};
 use calib_protocol::message::Request;
 use std::fs;
 
-/// About 2.7 kB: three chunks.
+/// About 2.3 kB: three chunks.
 fn device() -> Device {
-    Device::with_record(3, 28)
+    Device::with_record(3, 48)
 }
 
 #[test]
@@ -21,7 +21,7 @@ fn a_record_arrives_as_it_was_stored() {
         seen.push(progress.done)
     })
     .expect("download");
-    assert_eq!(download.record, record(3, 28));
+    assert_eq!(download.record, record(3, 48));
     let stored = device.lock().expect("device").records[&3].clone();
     assert_eq!(fs::read(&download.path).expect("file"), stored);
     assert_eq!(seen, [1024, 2048, stored.len() as u32]);
@@ -52,7 +52,7 @@ fn a_download_cut_at_any_byte_is_resumed() {
         device.lock().expect("device").requests.clear();
         let download = session::download(&mut client(&device), 3, directory.path(), |_| ());
         let download = download.expect("resumed");
-        assert_eq!(download.record, record(3, 28), "cut at {position}");
+        assert_eq!(download.record, record(3, 48), "cut at {position}");
         assert!(download.resumed_at >= kept.min(total), "cut at {position}");
         let first = device.lock().expect("device").requests[0].clone();
         let offset = download.resumed_at as u32;
@@ -93,7 +93,7 @@ fn a_part_of_another_record_is_dropped() {
         let download = session::download(&mut client(&device), 3, directory.path(), |_| ());
         assert_eq!(
             download.expect("from the start").record,
-            record(3, 28),
+            record(3, 48),
             "{length}"
         );
     }
