@@ -49,6 +49,11 @@ impl Bench {
         Ok(Self { emulator, client })
     }
 
+    /// Puts another rig on the connectors of the running instrument.
+    pub fn mount(&mut self, rig: &Rig) {
+        let _ = self.board().replace_rig(Box::new(Plant::new(rig)));
+    }
+
     /// The board itself.
     pub fn board(&self) -> MutexGuard<'_, Emulator> {
         self.emulator.lock().unwrap_or_else(PoisonError::into_inner)

@@ -107,12 +107,15 @@ pub fn run(draws: u64, first_seed: u64, progress: impl Fn(u64) + Sync) -> Result
     let next = AtomicU64::new(0);
     let total = Mutex::new((Tally::default(), None));
     let work = || {
+        // One instrument sees many devices, as in life; booting it for each
+        // would take as long as the measurement.
+        let mut bench = None;
         loop {
             let draw = next.fetch_add(1, Ordering::Relaxed);
             if draw >= draws {
                 return;
             }
-            let outcome = one(first_seed + draw);
+            let outcome = one(&mut bench, first_seed + draw);
             let mut total = total
                 .lock()
                 .unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -138,11 +141,15 @@ pub fn run(draws: u64, first_seed: u64, progress: impl Fn(u64) + Sync) -> Result
     }
 }
 
-/// One calibration with known truth.
-fn one(seed: u64) -> Result<Tally, Fault> {
+/// One calibration with known truth, on the worker's instrument.
+fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
     let frequencies_hz = FREQUENCIES_HZ.map(f64::from);
     let draw = InfluenceDraw::new(&Rig::draw(seed), &frequencies_hz, &drawn_budget(), seed);
-    let mut bench = Bench::with_rig(&draw.rig)?;
+    let bench = match bench {
+        Some(bench) => bench,
+        None => bench.insert(Bench::with_rig(&draw.rig)?),
+    };
+    bench.mount(&draw.rig);
     bench.certify_reference(&draw.certificate)?;
     bench.adjust(|settings| settings.influences = stated_budget())?;
     let outcome = bench.run(&FREQUENCIES_HZ.map(|frequency_hz| point(frequency_hz, 10.0)))?;
