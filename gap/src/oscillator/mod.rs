@@ -165,7 +165,7 @@ fn answer(
             to: held.output.iter().fold(0.0, |m: f64, x| m.max(x.abs())),
             share,
             p_value: 0.0,
-            class: if last.fit.terms.iter().any(|t| *t == 1) {
+            class: if last.fit.terms.contains(&1) {
                 "odd and even"
             } else {
                 "odd"

@@ -88,7 +88,7 @@ pub(crate) fn simulate(values: &[f64; VALUES], interval_s: f64, input: &[f64]) -
     let delay = terms[5];
     for n in 0..input.len() {
         output.push(x - highpass * integral);
-        if !(x.abs() < 1e6) {
+        if x.is_nan() || x.abs() >= 1e6 {
             return None;
         }
         integral += x * interval_s;
