@@ -110,7 +110,18 @@ fn main() {
         }
         let bad = match stratum.as_str() {
             "null" | "off2u" => answer.verdict != calib_gap::Verdict::NoGap,
-            "withheld" => answer.verdict != calib_gap::Verdict::Unexplained,
+            "withheld" => {
+                answer.verdict != calib_gap::Verdict::Unexplained
+                    || !{
+                        let stage = calib_gap::effects()
+                            .iter()
+                            .find(|e| e.id == names[0])
+                            .unwrap()
+                            .stage
+                            .name();
+                        answer.r#where.iter().take(2).any(|w| w.stage == stage)
+                    }
+            }
             "ratio" => !answer
                 .causes
                 .iter()

@@ -122,7 +122,12 @@ fn diagnose_points(
     } else {
         examine(problem, best, &mut work)
     };
-    let verdict = verdict(&found, &left);
+    let mut verdict = verdict(&found, &left);
+    if matches!(verdict, Verdict::Explained | Verdict::Ambiguous)
+        && crate::tuning::cancels(problem, best)
+    {
+        verdict = Verdict::Unexplained;
+    }
     let gap = held_out(dataset, problem, validate, &limits, &found, verdict);
     let causes = causes(problem, &found, &mut work);
     let confusable = confusable(&causes, verdict);

@@ -15,6 +15,7 @@ mod oscillator;
 mod report;
 mod stability;
 mod stages;
+mod tuning;
 
 pub use answer::{Answer, Cause, DatasetSummary, Estimate, Verdict, Where};
 pub use diagnose::{Options, diagnose, diagnose_all};

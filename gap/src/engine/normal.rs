@@ -1,6 +1,6 @@
 //! Normal equations of sparse columns, and projection off a tangent space.
 
-use super::problem::{Column, Problem};
+use super::problem::{Column, Evaluation, Problem, is_phase, wrapped};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 impl Column {
@@ -119,4 +119,18 @@ pub(crate) fn gram(columns: &[Column], prior: &[f64]) -> DMatrix<f64> {
         matrix[(i, i)] += prior[i] + 1e-9 * (1.0 + matrix[(i, i)]);
     }
     matrix
+}
+
+/// Change of the weighted residual between two evaluations, weights of the first.
+pub(crate) fn difference(problem: &Problem, here: &Evaluation, there: &Evaluation) -> Vec<f64> {
+    (0..problem.len())
+        .map(|at| {
+            let mut change =
+                here.residual[at] / here.weight[at] - there.residual[at] / there.weight[at];
+            if is_phase(problem.slot_of(at)) {
+                change = wrapped(change);
+            }
+            change * here.weight[at]
+        })
+        .collect()
 }

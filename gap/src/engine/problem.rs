@@ -154,6 +154,13 @@ impl Problem {
         self.row_of.len()
     }
 
+    /// Slot of a datum.
+    pub(crate) fn slot_of(&self, datum: usize) -> usize {
+        (0..SLOTS)
+            .find(|s| self.slots[*s].contains(&datum))
+            .unwrap_or(SLOTS - 1)
+    }
+
     /// Stated standard uncertainty of a datum.
     pub(crate) fn uncertainty(&self, datum: usize) -> f64 {
         self.u[datum]
