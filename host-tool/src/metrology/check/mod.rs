@@ -3,15 +3,20 @@
 //! # Source
 //! ISO 16063-21:2003, Tables 1 to 6, clauses 4 and 7.
 
+mod linearity;
 mod report;
 mod requirements;
+mod rows;
 
 pub use report::report;
-pub use requirements::{Outcome, Requirement, requirements};
+pub use requirements::{Basis, Outcome, Requirement, requirements};
+pub use rows::Held;
 
 use crate::certificate::particulars::Particulars;
 use crate::certificate::{Certificate, Language};
+use crate::verdict_text;
 use calib_core::settings::Example;
+use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
 use serde::Serialize;
 
@@ -20,11 +25,29 @@ use serde::Serialize;
 pub struct Check {
     /// Which requirements were applied: 1 (laboratory) or 2 (field).
     pub example: u8,
-    /// Rows of Tables 1 to 6.
+    /// Rows of Tables 1 to 6, each with its worst point.
     pub requirements: Vec<Requirement>,
+    /// Every point against the rows that say something about it.
+    pub points: Vec<PointCheck>,
     /// What clause 7 asks to be reported and the record lacks.
     pub missing: Vec<Missing>,
     /// No requirement failed.
+    pub pass: bool,
+}
+
+/// A point judged.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PointCheck {
+    /// Nominal frequency, Hz.
+    pub frequency_hz: f64,
+    /// Set acceleration, m/s2 r.m.s.
+    pub acceleration_rms_ms2: f64,
+    /// The instrument's own verdict, in words.
+    pub verdict: String,
+    /// Rows of Tables 1 and 2; none for a refused point, whose numbers are no
+    /// results.
+    pub held: Vec<Held>,
+    /// The instrument passed it, and every row is fulfilled.
     pub pass: bool,
 }
 
@@ -50,8 +73,26 @@ pub fn check(record: &Record, particulars: &Particulars, example: Option<Example
             .iter()
             .all(|requirement| requirement.outcome != Outcome::Fail),
         requirements,
+        points: points(record, example),
         missing: missing(record, particulars),
     }
+}
+
+fn points(record: &Record, example: Example) -> Vec<PointCheck> {
+    let judged = record.points.iter().map(|point| {
+        let held = match point.verdict {
+            Verdict::Pass => rows::held(record, example, point),
+            Verdict::Refused(_) => Vec::new(),
+        };
+        PointCheck {
+            frequency_hz: f64::from(point.spec.frequency_hz),
+            acceleration_rms_ms2: f64::from(point.spec.acceleration_rms_ms2),
+            verdict: verdict_text::verdict(point.verdict),
+            pass: point.verdict == Verdict::Pass && held.iter().all(|row| row.pass),
+            held,
+        }
+    });
+    judged.collect()
 }
 
 fn missing(record: &Record, particulars: &Particulars) -> Vec<Missing> {
@@ -99,11 +140,52 @@ mod tests {
         assert_eq!(of(&check, distortion).outcome, Outcome::Fail);
         assert_eq!(of(&check, distortion).at_hz, Some(160.0));
         assert!(!check.pass);
+        assert!(check.points[0].pass && !check.points[1].pass);
         // A refused point has no result that could fail.
         record.points[1].verdict =
             calib_core::verdict::Verdict::Refused(calib_core::verdict::Reason::Distortion);
         let check = super::check(&record, &particulars, Some(Example::Example2));
         assert_eq!(of(&check, distortion).outcome, Outcome::Pass);
+    }
+
+    #[test]
+    fn limits_follow_frequency_and_example() {
+        let record = testing::record(&[160.0, 1600.0, 5000.0]);
+        let held = |example| {
+            let check = super::check(&record, &Particulars::default(), Some(example));
+            let limits = check.points.iter().map(|point| point.held[0].limit);
+            limits.map(|limit| limit.round()).collect::<Vec<_>>()
+        };
+        // Table 1, accelerometers, in percent.
+        assert_eq!(held(Example::Example1), [1.0, 2.0, 3.0]);
+        assert_eq!(held(Example::Example2), [3.0, 5.0, 10.0]);
+    }
+
+    #[test]
+    fn noise_counts_from_full_output() {
+        // 71.5 dB below 10.003 m/s2 r.m.s.; 200 m/s2 peak are 23.01 dB more.
+        let record = testing::record(&[160.0]);
+        let check = super::check(&record, &Particulars::default(), None);
+        let noise = of(&check, "hum and noise below full");
+        assert!(noise.worst.is_some_and(|db| (db - 94.51).abs() < 0.01));
+    }
+
+    #[test]
+    fn linearity_is_measured_by_several_levels_at_one_frequency() {
+        let mut record = testing::record(&[160.0, 160.0, 80.0]);
+        let linearity = |record: &Record| {
+            let check = super::check(record, &Particulars::default(), Some(Example::Example2));
+            of(&check, "voltage linearity").clone()
+        };
+        assert_eq!(linearity(&record).outcome, Outcome::NotMeasured);
+        // 0.2 % and 0.4 % between two levels; Table 3 allows 0.3 %.
+        record.points[1].spec.acceleration_rms_ms2 = 50.0;
+        record.points[1].sensitivity_v_per_ms2 *= 1.002;
+        assert_eq!(linearity(&record).outcome, Outcome::Pass);
+        record.points[1].sensitivity_v_per_ms2 *= 1.002;
+        let failed = linearity(&record);
+        assert_eq!(failed.outcome, Outcome::Fail);
+        assert!(failed.worst.is_some_and(|worst| (worst - 0.4).abs() < 0.01));
     }
 
     #[test]
@@ -116,7 +198,7 @@ mod tests {
                 .iter()
                 .any(|m| m.clause.contains("16063-21 7"))
         );
-        let unmeasured = of(&check, "transverse, rocking motion");
+        let unmeasured = of(&check, "frequency stability");
         assert_eq!(unmeasured.outcome, Outcome::NotMeasured);
         let report = super::report(&check);
         assert!(report.contains("not measured"), "{report}");

@@ -1,7 +1,13 @@
-//! Rows of Tables 1 to 6, each with the worst point of the record.
+//! Rows of Tables 1 to 6, each with the worst value the record holds.
 
+use super::linearity;
+use super::rows::{PER_POINT, Row, Side, percent};
+use calib_core::budget::Component;
 use calib_core::point::PointResult;
-use calib_core::requirements::VibrationGeneration;
+use calib_core::requirements::{
+    Environment, Instruments, ReferenceTransducer, SingleVoltmeter, VibrationGeneration,
+    transverse_at,
+};
 use calib_core::settings::Example;
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
@@ -19,10 +25,20 @@ pub enum Outcome {
     NotMeasured,
 }
 
+/// Where a value comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Basis {
+    /// Measured at the points of the record.
+    Measured,
+    /// Stated in the settings or labels of the record.
+    Stated,
+}
+
 /// One row of a table, judged.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Requirement {
-    /// Table of ISO 16063-21.
+    /// Table or clause of ISO 16063-21.
     pub table: &'static str,
     /// What is required.
     pub parameter: &'static str,
@@ -30,201 +46,203 @@ pub struct Requirement {
     pub unit: &'static str,
     /// Limit that applies where the worst value was found.
     pub limit: Option<f64>,
-    /// Worst value measured.
+    /// Worst value.
     pub worst: Option<f64>,
-    /// Frequency it was measured at, Hz.
+    /// Frequency it was found at, Hz.
     pub at_hz: Option<f64>,
+    /// Where the value comes from; none when there is none.
+    pub basis: Option<Basis>,
     /// Outcome.
     pub outcome: Outcome,
 }
 
-/// Whether values must stay below or above their limit.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Side {
-    AtMost,
-    AtLeast,
+impl Requirement {
+    /// A row without a value.
+    fn open(table: &'static str, parameter: &'static str, unit: &'static str, limit: f64) -> Self {
+        Self {
+            table,
+            parameter,
+            unit,
+            limit: Some(limit),
+            worst: None,
+            at_hz: None,
+            basis: None,
+            outcome: Outcome::NotMeasured,
+        }
+    }
+
+    /// The same row with a value, which must not exceed the limit.
+    fn holding(mut self, value: Option<f64>, at_hz: Option<f64>, basis: Basis) -> Self {
+        let (Some(value), Some(limit)) = (value, self.limit) else {
+            return self;
+        };
+        self.worst = Some(value);
+        self.at_hz = at_hz;
+        self.basis = Some(basis);
+        self.outcome = match Side::AtMost.fulfilled(value, limit) {
+            true => Outcome::Pass,
+            false => Outcome::Fail,
+        };
+        self
+    }
 }
 
-/// Judges the points that passed; a refused point has no valid numbers.
+/// Every row with its worst point; a refused point has no valid numbers.
 pub fn requirements(record: &Record, example: Example) -> Vec<Requirement> {
     let points: Vec<&PointResult> = record
         .points
         .iter()
         .filter(|point| point.verdict == Verdict::Pass)
         .collect();
-    let first = example == Example::Example1;
-    let pick = |one: f64, two: f64| if first { one } else { two };
-    let table2 = VibrationGeneration::of(example);
-    let rate = record.sample_rate_hz;
-    let row = |table, parameter, unit, side, judge: &dyn Fn(&PointResult) -> (f64, f64)| {
-        worst(table, parameter, unit, side, &points, judge)
-    };
-    let percent = |value: f32| 100.0 * f64::from(value);
-    let mut rows = vec![
-        row("1", "U of the magnitude", "%", Side::AtMost, &|p| {
-            (
-                percent(p.expanded_uncertainty_rel),
-                magnitude_limit(p.spec.frequency_hz, first),
-            )
-        }),
-        row("1", "U of the phase", "deg", Side::AtMost, &|p| {
-            (
-                f64::from(p.expanded_uncertainty_phase_rad).to_degrees(),
-                phase_limit(record, p.spec.frequency_hz, first),
-            )
-        }),
-        row("2", "frequency uncertainty", "%", Side::AtMost, &|p| {
-            let nominal = p.spec.frequency_hz;
-            let off = f64::from(p.tone.frequency_hz(rate)) / f64::from(nominal) - 1.0;
-            (100.0 * off.abs(), percent(table2.frequency_rel))
-        }),
-        row("2", "amplitude stability", "%", Side::AtMost, &|p| {
-            (
-                percent(p.amplitude_stability_rel),
-                percent(table2.amplitude_stability_rel),
-            )
-        }),
-        row("2", "total harmonic distortion", "%", Side::AtMost, &|p| {
-            (
-                percent(p.distortion_reference_rel),
-                percent(table2.distortion_at(p.spec.frequency_hz)),
-            )
-        }),
-        row(
-            "2",
-            "hum and noise below signal",
-            "dB",
-            Side::AtLeast,
-            &|p| {
-                (
-                    f64::from(p.signal_to_noise_reference_db),
-                    f64::from(table2.noise_at(p.spec.frequency_hz)),
-                )
-            },
-        ),
-    ];
-    rows.insert(2, reference_row(record, pick(0.5, 2.0)));
-    rows.extend(not_measured(&pick));
+    let mut rows: Vec<Requirement> = PER_POINT
+        .iter()
+        .map(|row| worst(row, record, example, &points))
+        .collect();
+    rows.extend(generation_rows(example));
+    rows.extend(surroundings_rows(record, example));
+    rows.extend(instrument_rows(record, example, &points));
+    rows.sort_by_key(|row| row.table);
     rows
 }
 
-/// Table 1, magnitude of accelerometers, percent.
-fn magnitude_limit(frequency_hz: f32, first: bool) -> f64 {
-    match (frequency_hz, first) {
-        (f, true) if f <= 1000.0 => 1.0,
-        (f, true) if f <= 2000.0 => 2.0,
-        (_, true) => 3.0,
-        (f, false) if f <= 1000.0 => 3.0,
-        (f, false) if f <= 2000.0 => 5.0,
-        (_, false) => 10.0,
-    }
-}
-
-/// Table 1, phase, degrees: tighter where the reference was calibrated.
-fn phase_limit(record: &Record, frequency_hz: f32, first: bool) -> f64 {
-    let at_reference = record
-        .settings
-        .reference
-        .points
+fn worst(row: &Row, record: &Record, example: Example, points: &[&PointResult]) -> Requirement {
+    let found = points
         .iter()
-        .any(|point| (point.frequency_hz / frequency_hz - 1.0).abs() < 1.0e-3);
-    match (at_reference, first) {
-        (true, true) => 1.0,
-        (true, false) => 3.0,
-        (false, true) => 2.5,
-        (false, false) => 5.0,
+        .filter_map(|point| {
+            let (value, limit) = (row.judge)(record, example, point)?;
+            Some((value, limit, f64::from(point.spec.frequency_hz)))
+        })
+        .max_by(|a, b| {
+            let excess = |one: &(f64, f64, f64)| row.side.excess(one.0, one.1);
+            excess(a).total_cmp(&excess(b))
+        });
+    let outcome = match found {
+        None => Outcome::NotMeasured,
+        Some((value, limit, _)) if row.side.fulfilled(value, limit) => Outcome::Pass,
+        Some(_) => Outcome::Fail,
+    };
+    Requirement {
+        table: row.table,
+        parameter: row.parameter,
+        unit: row.unit,
+        limit: found.map(|(_, limit, _)| limit),
+        worst: found.map(|(value, ..)| value),
+        at_hz: found.map(|(.., at_hz)| at_hz),
+        basis: found.map(|_| Basis::Measured),
+        outcome,
     }
 }
 
-/// 4.3: uncertainty of the reference at its own reference frequency.
-fn reference_row(record: &Record, limit: f64) -> Requirement {
-    let reference = record.settings.reference.points.iter().min_by(|a, b| {
+/// Rows of Table 2 that belong to the qualification of the exciter.
+fn generation_rows(example: Example) -> [Requirement; 3] {
+    let stability = VibrationGeneration::of(example).frequency_stability_rel;
+    let transverse = |parameter, frequency_hz| {
+        Requirement::open("2", parameter, "%", percent(transverse_at(frequency_hz)))
+    };
+    [
+        Requirement::open("2", "frequency stability", "%", percent(stability)),
+        transverse("transverse, to 1 kHz", 1_000.0),
+        transverse("transverse, above 1 kHz", 10_000.0),
+    ]
+}
+
+/// Clauses 4.2 and 4.3: room, and the reference at its reference frequency.
+fn surroundings_rows(record: &Record, example: Example) -> Vec<Requirement> {
+    let environment = Environment::of(example);
+    let reference = ReferenceTransducer::of(example);
+    let from_23 = record
+        .labels
+        .temperature_centi_c
+        .map(|hundredths| (f64::from(hundredths) / 100.0 - 23.0).abs());
+    let at_160 = record.settings.reference.points.iter().min_by(|a, b| {
         let distance = |f: f32| (f / 160.0).ln().abs();
         distance(a.frequency_hz).total_cmp(&distance(b.frequency_hz))
     });
-    let worst = reference.map(|point| 100.0 * f64::from(point.expanded_uncertainty_rel));
-    Requirement {
-        table: "4.3",
-        parameter: "reference transducer, k = 2",
-        unit: "%",
-        limit: Some(limit),
-        worst,
-        at_hz: reference.map(|point| f64::from(point.frequency_hz)),
-        outcome: match worst {
-            None => Outcome::NotMeasured,
-            Some(worst) if worst <= limit => Outcome::Pass,
-            Some(_) => Outcome::Fail,
-        },
-    }
-}
-
-fn worst(
-    table: &'static str,
-    parameter: &'static str,
-    unit: &'static str,
-    side: Side,
-    points: &[&PointResult],
-    judge: &dyn Fn(&PointResult) -> (f64, f64),
-) -> Requirement {
-    // The excess over the limit in its own direction; NaN counts as worst.
-    let excess = |value: f64, limit: f64| match side {
-        Side::AtMost => value / limit,
-        Side::AtLeast => limit - value,
-    };
-    let found = points
-        .iter()
-        .map(|point| (judge(point), f64::from(point.spec.frequency_hz)))
-        .max_by(|(a, _), (b, _)| excess(a.0, a.1).total_cmp(&excess(b.0, b.1)));
-    let Some(((value, limit), at_hz)) = found else {
-        return Requirement {
-            table,
-            parameter,
-            unit,
-            limit: None,
-            worst: None,
-            at_hz: None,
-            outcome: Outcome::NotMeasured,
-        };
-    };
-    let fulfilled = match side {
-        Side::AtMost => value <= limit * (1.0 + 1.0e-6),
-        Side::AtLeast => value >= limit - 1.0e-3,
-    };
-    Requirement {
-        table,
-        parameter,
-        unit,
-        limit: Some(limit),
-        worst: Some(value),
-        at_hz: Some(at_hz),
-        outcome: if fulfilled {
-            Outcome::Pass
-        } else {
-            Outcome::Fail
-        },
-    }
-}
-
-/// Rows a record cannot answer: they belong to the rig's own qualification.
-fn not_measured(pick: &dyn Fn(f64, f64) -> f64) -> Vec<Requirement> {
-    [
-        ("2", "frequency stability", "%", pick(0.1, 0.2)),
-        ("2", "transverse, rocking motion", "%", 10.0),
-        ("3", "voltage linearity", "%", pick(0.1, 0.3)),
-        ("3", "reference before and after", "%", pick(0.1, 0.3)),
-        ("4", "voltage ratio", "%", pick(0.2, 0.5)),
-        ("5", "distortion measurement", "%", 10.0),
-        ("6", "phase measurement", "deg", pick(0.2, 0.5)),
+    let at_hz = at_160.map(|point| f64::from(point.frequency_hz));
+    let magnitude = at_160.map(|point| percent(point.expanded_uncertainty_rel));
+    let phase = at_160.map(|point| f64::from(point.expanded_uncertainty_phase_rad).to_degrees());
+    let temperature_limit = f64::from(environment.temperature_half_width_c);
+    let phase_limit = f64::from(reference.expanded_uncertainty_phase_deg);
+    vec![
+        Requirement::open("4.2", "temperature, from 23", "degC", temperature_limit).holding(
+            from_23,
+            None,
+            Basis::Stated,
+        ),
+        Requirement::open(
+            "4.2",
+            "relative humidity",
+            "%",
+            percent(environment.humidity),
+        ),
+        Requirement::open(
+            "4.3",
+            "reference, U",
+            "%",
+            percent(reference.expanded_uncertainty_rel),
+        )
+        .holding(magnitude, at_hz, Basis::Stated),
+        Requirement::open("4.3", "reference, U of phase", "deg", phase_limit).holding(
+            phase,
+            at_hz,
+            Basis::Stated,
+        ),
     ]
-    .into_iter()
-    .map(|(table, parameter, unit, limit)| Requirement {
-        table,
-        parameter,
-        unit,
-        limit: Some(limit),
-        worst: None,
-        at_hz: None,
-        outcome: Outcome::NotMeasured,
-    })
-    .collect()
+}
+
+/// Tables 3 to 6: linearity from a linearity list, the others as the budget of
+/// the settings states them (row 3 of Tables A.1 and A.2, k = 2).
+fn instrument_rows(record: &Record, example: Example, points: &[&PointResult]) -> Vec<Requirement> {
+    let voltmeter = SingleVoltmeter::of(example);
+    let instruments = Instruments::of(example);
+    let linearity = linearity::worst(points);
+    let ratio = record.settings.influences.iter().find(|line| line.row == 3);
+    let expanded = |value: f32| {
+        ratio.map(|line| {
+            let row = calib_core::budget::Row::a1(3);
+            2.0 * f64::from(Component::new(row, value, line.distribution).contribution())
+        })
+    };
+    let ratio_percent = ratio
+        .and_then(|line| expanded(line.value_rel))
+        .map(|u| 100.0 * u);
+    let phase_deg = ratio
+        .and_then(|line| expanded(line.value_phase_rad))
+        .map(f64::to_degrees);
+    let phase_limit = f64::from(instruments.phase_deg);
+    vec![
+        Requirement::open(
+            "3",
+            "voltage linearity",
+            "%",
+            percent(voltmeter.linearity_rel),
+        )
+        .holding(
+            linearity.map(|found| 100.0 * found.deviation_rel),
+            linearity.map(|found| found.frequency_hz),
+            Basis::Measured,
+        ),
+        Requirement::open(
+            "3",
+            "reference before and after",
+            "%",
+            percent(voltmeter.repeat_rel),
+        ),
+        Requirement::open("4", "voltage ratio, U", "%", percent(instruments.ratio_rel)).holding(
+            ratio_percent,
+            None,
+            Basis::Stated,
+        ),
+        Requirement::open(
+            "5",
+            "distortion, of reading",
+            "%",
+            percent(instruments.distortion_of_reading_rel),
+        ),
+        Requirement::open("6", "phase measurement, U", "deg", phase_limit).holding(
+            phase_deg,
+            None,
+            Basis::Stated,
+        ),
+    ]
 }
