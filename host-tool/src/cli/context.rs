@@ -72,13 +72,23 @@ impl Context {
         }
     }
 
-    /// Prints a failure and its way out to standard error.
+    /// Prints a failure and its way out to standard error; with `--json` as one
+    /// JSON document, for programs.
     pub(crate) fn report(&self, error: &Error) {
+        let mut stderr = std::io::stderr();
+        if self.json {
+            let failure = serde_json::json!({
+                "error": error.to_string(),
+                "hint": error.hint(),
+                "exit_code": error.exit_code(),
+            });
+            let _ = writeln!(stderr, "{failure}");
+            return;
+        }
         let (red, cyan, plain) = match self.color {
             true => ("\x1b[1;31m", "\x1b[1;36m", "\x1b[0m"),
             false => ("", "", ""),
         };
-        let mut stderr = std::io::stderr();
         let _ = writeln!(stderr, "{red}error{plain}: {error}");
         if let Some(hint) = error.hint() {
             let _ = writeln!(stderr, " {cyan}hint{plain}: {hint}");

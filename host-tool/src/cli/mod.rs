@@ -22,6 +22,7 @@ mod points;
 mod predict;
 mod progress;
 mod records;
+mod release;
 mod run;
 mod settings;
 mod stop;
@@ -96,6 +97,8 @@ pub(crate) enum Command {
     Stop(stop::Stop),
     /// Records stored in the calibrator.
     Records(records::Records),
+    /// Lets records that were downloaded make room for new ones.
+    Release(release::Release),
     /// Downloads a stored record into a file.
     Download(download::Download),
     /// Writes the certificate of a record.
@@ -135,6 +138,7 @@ impl Command {
             Self::Settings(verb) => verb.run(context),
             Self::Stop(verb) => verb.run(context),
             Self::Records(verb) => verb.run(context),
+            Self::Release(verb) => verb.run(context),
             Self::Download(verb) => verb.run(context),
             Self::Certificate(verb) => verb.run(context),
             Self::Emulate(verb) => verb.run(context),

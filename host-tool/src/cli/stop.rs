@@ -3,16 +3,22 @@
 use super::Context;
 use calib_host::Result;
 use clap::Args;
+use serde::Serialize;
 
 /// `calib stop`.
 #[derive(Debug, Args)]
 pub(crate) struct Stop {}
 
+#[derive(Serialize)]
+struct Stopped {
+    stopped: bool,
+}
+
 impl Stop {
     /// Silences the exciter and ends the run, if there is one.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         context.connect()?.stop()?;
-        context.remark("the exciter is silent");
-        Ok(())
+        let stopped = Stopped { stopped: true };
+        context.print(&stopped, || "the exciter is silent".to_owned())
     }
 }

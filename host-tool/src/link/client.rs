@@ -165,6 +165,13 @@ impl Client {
         }
     }
 
+    /// Says that records up to `through` are kept by the host: the oldest make
+    /// room when the record area is full.
+    pub fn release(&mut self, through: u32) -> Result<()> {
+        let request = Request::Release { through };
+        self.done("to release records", &request, self.policy.flash_timeout)
+    }
+
     /// The settings in force.
     pub fn settings(&mut self) -> Result<Settings> {
         match self.ask("its settings", &Request::SettingsRead)? {

@@ -143,11 +143,13 @@ impl Refused {
     /// What the user can do about it.
     pub fn hint(&self) -> &str {
         match self.refusal {
-            Refusal::Busy => "wait for its end, or press the button on the instrument to stop it",
+            Refusal::Busy => {
+                "wait for its end, or stop it: `calib stop`, or the button on the instrument"
+            }
             Refusal::RecordNotFound => "`calib records` lists the stored records",
             Refusal::OffsetOutOfRange => "remove the .part file and download again",
             Refusal::StorageFull => {
-                "download the records, then erase them as docs/host-tool.md says"
+                "download the records, then `calib release ID` lets those up to ID make room"
             }
             Refusal::StorageFailed => {
                 "reset the instrument and repeat; if it happens again, the flash is worn out"

@@ -2,6 +2,7 @@
 
 use crate::device::Device;
 use crate::memory_link::{SharedDevice, shared};
+use calib_protocol::message::Request;
 use std::io::{Read, Write};
 use std::net::TcpListener;
 use std::path::Path;
@@ -177,4 +178,31 @@ fn the_help_lists_every_verb_and_the_exit_codes() {
     for words in ["devices", "download", "Exit codes:", "CALIB_DEVICE"] {
         assert!(help.contains(words), "{words}");
     }
+}
+
+#[test]
+fn stop_and_release_reach_the_device_and_say_so_in_json() {
+    let (device, address) = serve(Device::with_record(4, 1));
+    let go = |arguments: &[&str]| {
+        calib(
+            Path::new("."),
+            &[arguments, &["--json", "-d", &address]].concat(),
+        )
+    };
+    assert_eq!(json(&go(&["stop"]))["stopped"], true);
+    assert_eq!(json(&go(&["release", "4"]))["released_through"], 4);
+    let requests = device.lock().expect("device").requests.clone();
+    assert_eq!(requests.first(), Some(&Request::Stop));
+    assert_eq!(requests.last(), Some(&Request::Release { through: 4 }));
+}
+
+#[test]
+fn with_json_a_failure_is_one_document_on_standard_error() {
+    let (_, address) = serve(Device::new());
+    let output = calib(Path::new("."), &["download", "9", "--json", "-d", &address]);
+    assert!(output.stdout.is_empty());
+    let failure: serde_json::Value = serde_json::from_slice(&output.stderr).expect("a document");
+    assert_eq!(failure["exit_code"], 5);
+    let hint = failure["hint"].as_str().expect("a way out");
+    assert!(hint.contains("calib records"), "{failure}");
 }

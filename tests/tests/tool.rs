@@ -1,0 +1,297 @@
+//! The program `calib` with the shipping image: demo, emulated calibrator, Ctrl-C.
+#![cfg(unix)]
+
+use serde_json::Value;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdout, Command, Output, Stdio};
+use std::time::Duration;
+
+/// The program: what the environment names, else the one beside this test.
+fn tool() -> PathBuf {
+    if let Some(path) = std::env::var_os("CALIB_TOOL") {
+        return PathBuf::from(path);
+    }
+    let test = std::env::current_exe().expect("a path");
+    let release = test.ancestors().nth(2).expect("target/release/deps/test");
+    release.join("calib")
+}
+
+fn calib(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(tool());
+    command
+        .args(arguments)
+        .current_dir(folder)
+        .env_remove("CALIB_DEVICE")
+        .env("CALIB_STATE_DIR", folder.join("state"))
+        .env("NO_COLOR", "1");
+    command
+}
+
+fn output(folder: &Path, arguments: &[&str]) -> Output {
+    calib(folder, arguments).output().expect("calib starts")
+}
+
+fn json(folder: &Path, arguments: &[&str]) -> Value {
+    let output = output(folder, &[arguments, &["--json"]].concat());
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{arguments:?}: {errors}");
+    serde_json::from_slice(&output.stdout).expect("one JSON document")
+}
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, list) in [("one.csv", "160\n"), ("two.csv", "160\n1000\n")] {
+        let list = format!("frequency_hz\n{list}");
+        std::fs::write(folder.path().join(name), list).expect("list");
+    }
+    folder
+}
+
+fn interrupt(child: &Child) {
+    let pid = child.id().to_string();
+    let sent = Command::new("kill").args(["-INT", &pid]).status();
+    assert!(sent.expect("kill").success());
+}
+
+/// `calib emulate` in another process, switched off at the end.
+struct Emulated {
+    process: Child,
+    address: String,
+    _output: BufReader<ChildStdout>,
+}
+
+impl Emulated {
+    fn start(folder: &Path, arguments: &[&str]) -> Self {
+        let mut process = calib(folder, &[&["emulate", "--quiet"], arguments].concat())
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("calib starts");
+        let mut output = BufReader::new(process.stdout.take().expect("piped"));
+        let mut address = String::new();
+        output.read_line(&mut address).expect("an address");
+        Self {
+            process,
+            address: address.trim().to_owned(),
+            _output: output,
+        }
+    }
+
+    fn switch_off(mut self) {
+        interrupt(&self.process);
+        assert!(self.process.wait().expect("ends").success());
+    }
+}
+
+impl Drop for Emulated {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+/// Keys of `calib demo --json` in alphabetical order; others build on them.
+const DEMO_KEYS: [&str; 9] = [
+    "coverage_factor",
+    "expanded_uncertainty_percent",
+    "files",
+    "frequency_hz",
+    "phase_deg",
+    "points",
+    "sensitivity_v_per_ms2",
+    "truth_phase_deg",
+    "truth_v_per_ms2",
+];
+
+/// Keys of each of its points.
+const POINT_KEYS: [&str; 10] = [
+    "acceleration_ms2",
+    "coverage_factor",
+    "expanded_uncertainty_percent",
+    "frequency_hz",
+    "phase_deg",
+    "sensitivity_v_per_ms2",
+    "settling_s",
+    "truth_phase_deg",
+    "truth_v_per_ms2",
+    "verdict",
+];
+
+fn keys(value: &Value) -> Vec<&str> {
+    let mut keys: Vec<_> = value.as_object().expect("an object").keys().collect();
+    keys.sort();
+    keys.into_iter().map(String::as_str).collect()
+}
+
+#[test]
+fn the_demo_finds_the_truth_within_its_uncertainty() {
+    let folder = folder();
+    let demo = json(folder.path(), &["demo", "--seed", "2", "--out", "out"]);
+    let points = demo["points"].as_array().expect("points");
+    assert_eq!(points.len(), 28);
+    assert_eq!(keys(&demo), DEMO_KEYS);
+    assert_eq!(keys(&points[0]), POINT_KEYS);
+    for point in points.iter().chain([&demo]) {
+        let number = |name: &str| point[name].as_f64().expect("a number");
+        let deviation_rel = number("sensitivity_v_per_ms2") / number("truth_v_per_ms2") - 1.0;
+        let uncertainty_rel = number("expanded_uncertainty_percent") / 100.0;
+        assert!(deviation_rel.abs() <= uncertainty_rel, "{point}");
+        // A statement of 10 % would cover anything; the budget of the field
+        // calibrator is below one.
+        assert!(uncertainty_rel < 0.01 && number("coverage_factor") >= 1.9);
+        // Phase: the reference's 0.5 degrees and the board's share.
+        let phase_deg = number("phase_deg") - number("truth_phase_deg");
+        assert!(phase_deg.abs() < 1.0, "{point}");
+    }
+    for point in points {
+        assert_eq!(point["verdict"], "pass", "{point}");
+        // Settled on 10 m/s2 within 0.1 %.
+        let level = point["acceleration_ms2"].as_f64().expect("a level");
+        assert!((level / 10.0 - 1.0).abs() < 1e-3, "{point}");
+    }
+    assert_eq!(demo["frequency_hz"], 160.0);
+    // Another seed is another device: the standard one has 10 mV/(m/s2).
+    let truth = demo["truth_v_per_ms2"].as_f64().expect("truth");
+    assert!((truth / 0.01 - 1.0).abs() > 1e-3, "{truth}");
+    let files = demo["files"].as_array().expect("files");
+    assert_eq!(files.len(), 4, "record, CSV, JSON, HTML");
+    for file in files {
+        let path = folder.path().join(file.as_str().expect("a path"));
+        assert!(
+            std::fs::metadata(path).expect("written").len() > 500,
+            "{file}"
+        );
+    }
+}
+
+#[test]
+fn an_emulated_calibrator_is_used_over_tcp_and_keeps_its_records() {
+    let folder = folder();
+    let start = || Emulated::start(folder.path(), &["--tcp", "0", "--flash", "flash.bin"]);
+    let emulated = start();
+    let device = emulated.address.clone();
+    assert!(device.starts_with("tcp:127.0.0.1:"), "{device}");
+    let go = |arguments: &[&str]| json(folder.path(), &[arguments, &["-d", &device]].concat());
+    assert_eq!(go(&["info"])["records"], 0);
+    let run = go(&["run", "--points", "two.csv", "--serial", "A'1"]);
+    assert_eq!(run["record_id"], 1);
+    assert_eq!(run["state"], "Finished");
+    emulated.switch_off();
+
+    // Power off and on: what follows comes from flash.
+    let emulated = start();
+    let device = emulated.address.clone();
+    let go = |arguments: &[&str]| json(folder.path(), &[arguments, &["-d", &device]].concat());
+    assert_eq!(go(&["records"])[0]["dut_serial"], "A'1");
+    // What an interrupted download left is completed, not fetched again.
+    let whole = go(&["download", "1", "--out", "first"])["file"].clone();
+    let stored = std::fs::read(folder.path().join(whole.as_str().expect("path"))).expect("file");
+    let part = folder.path().join("record-00001.calibrec.part");
+    std::fs::write(&part, &stored[..777]).expect("part");
+    let download = go(&["download", "1"]);
+    assert_eq!(download["resumed_at"], 777);
+    let file = download["file"].as_str().expect("a path");
+    assert_eq!(
+        std::fs::read(folder.path().join(file)).expect("file"),
+        stored
+    );
+    let record = calib_protocol::record::decode(&stored).expect("a record");
+    assert_eq!(record.points.len(), 2);
+    certificates_agree(folder.path(), file, &device);
+    let missing = output(folder.path(), &["download", "7", "-d", &device]);
+    assert_eq!(missing.status.code(), Some(5));
+    assert!(String::from_utf8_lossy(&missing.stderr).contains("`calib records` lists"));
+}
+
+/// The certificate of a file and that of the record in the calibrator are one.
+fn certificates_agree(folder: &Path, file: &str, device: &str) {
+    let written = json(folder, &["certificate", file, "--out", "from-file"]);
+    let stored = ["certificate", "1", "--out", "from-device", "-d", device];
+    let again = json(folder, &stored);
+    let names = |value: &Value| -> Vec<PathBuf> {
+        let files = value["files"].as_array().expect("files");
+        let path = |file: &Value| folder.join(file.as_str().expect("a path"));
+        files.iter().map(path).collect()
+    };
+    let pairs: Vec<_> = names(&written).into_iter().zip(names(&again)).collect();
+    assert!(pairs.len() >= 3, "CSV, JSON and HTML: {written}");
+    for (one, other) in pairs {
+        let content = std::fs::read(&one).expect("written");
+        assert!(content.len() > 300, "{}", one.display());
+        assert_eq!(content, std::fs::read(&other).expect("written"));
+    }
+}
+
+#[test]
+fn a_pseudo_terminal_is_a_serial_port() {
+    let folder = folder();
+    let emulated = Emulated::start(folder.path(), &["--pty"]);
+    let device = emulated.address.as_str();
+    assert!(device.starts_with("/dev/"), "{device}");
+    let run = ["run", "--points", "one.csv", "-d", device];
+    let run = json(folder.path(), &run);
+    assert_eq!(run["points"].as_array().expect("points").len(), 1);
+    json(folder.path(), &["download", "1", "-d", device]);
+}
+
+#[test]
+fn interrupting_a_run_stops_it_and_keeps_what_was_measured() {
+    let folder = folder();
+    let emulated = Emulated::start(folder.path(), &["--tcp", "0"]);
+    let device = emulated.address.clone();
+    let mut run = calib(folder.path(), &["run", "-d", &device])
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("calib starts");
+    let mut errors = BufReader::new(run.stderr.take().expect("piped"));
+    // The first line says that the first point is measured.
+    let mut line = String::new();
+    errors.read_line(&mut line).expect("a line");
+    assert!(line.contains("160 Hz"), "{line}");
+    interrupt(&run);
+    let status = run.wait().expect("ends");
+    assert_eq!(status.code(), Some(7));
+    let records = json(folder.path(), &["records", "-d", &device]);
+    let points = records[0]["points"].as_u64().expect("points");
+    assert!((1..28).contains(&points), "{records}");
+    // Silent and ready: the next run begins at once.
+    let next = ["run", "--points", "one.csv", "-d", &device];
+    assert_eq!(json(folder.path(), &next)["record_id"], 2);
+}
+
+#[test]
+fn the_emulated_calibrator_of_a_user_remembers() {
+    let folder = folder();
+    let go = |arguments: &[&str]| json(folder.path(), &[arguments, &["-d", "emulated"]].concat());
+    go(&["run", "--points", "one.csv"]);
+    let records = go(&["records"]);
+    assert_eq!(records.as_array().expect("records").len(), 1);
+}
+
+#[test]
+fn without_an_image_the_way_to_one_is_named() {
+    let folder = folder();
+    let missing = calib(folder.path(), &["demo"])
+        .env("CALIB_FIRMWARE_ELF", folder.path().join("no.elf"))
+        .output()
+        .expect("calib starts");
+    assert_eq!(missing.status.code(), Some(6));
+    let message = String::from_utf8_lossy(&missing.stderr);
+    assert!(
+        message.contains("no.elf") && message.contains("./run demo"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_silent_port_is_given_up_in_seconds() {
+    let folder = folder();
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").expect("a port");
+    let device = format!("tcp:{}", listener.local_addr().expect("address"));
+    let start = std::time::Instant::now();
+    let output = output(folder.path(), &["info", "-d", &device]);
+    assert_eq!(output.status.code(), Some(3));
+    // Four attempts of one second.
+    assert!(start.elapsed() < Duration::from_secs(8));
+}
