@@ -41,10 +41,7 @@ fn stated(check: &Check) -> bool {
 }
 
 fn row(requirement: &Requirement) -> Vec<String> {
-    let number = |value: Option<f64>| match value {
-        Some(value) => format!("{} {}", significant(value, 2), requirement.unit),
-        None => "-".into(),
-    };
+    let number = |value: Option<f64>| value.map_or("-".into(), |value| significant(value, 2));
     let mark = match requirement.basis {
         Some(Basis::Stated) => "*",
         _ => "",
@@ -52,7 +49,7 @@ fn row(requirement: &Requirement) -> Vec<String> {
     vec![
         requirement.parameter.into(),
         requirement.table.into(),
-        number(requirement.limit),
+        format!("{} {}", number(requirement.limit), requirement.unit),
         format!("{}{mark}", number(requirement.worst)),
         match requirement.at_hz {
             Some(f) => format!("{} Hz", significant(f, 4)),
