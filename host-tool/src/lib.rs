@@ -10,6 +10,7 @@ pub mod demo;
 pub mod emulated;
 pub mod error;
 pub mod file;
+pub mod gap;
 pub mod link;
 pub mod metrology;
 pub mod session;

@@ -40,7 +40,7 @@ static JITTER: About = About {
         "ref_noise_v",
         "dut_noise_v",
     ],
-    confused_with: &[],
+    confused_with: &["ambient_vibration", "mains_pickup"],
     separate_by: "noise at the highest frequency and level",
 };
 static AMBIENT: About = About {

@@ -66,6 +66,8 @@ pub(crate) struct Balanced {
     pub(crate) stiffness: Complex64,
     /// Acceleration of orders 2..5 over the fundamental, phase relative to n times its phase.
     pub(crate) harmonics: [Complex64; 4],
+    /// Mean square of the orders above 5 over that of the fundamental.
+    pub(crate) remainder: f64,
     /// Whether the balance was reached.
     pub(crate) converged: bool,
 }
@@ -302,6 +304,7 @@ impl<'a> Work<'a> {
             admittance: state.current_1 / state.voltage[1],
             stiffness: state.force_1 / motion[1],
             harmonics: std::array::from_fn(|k| relative(k + 2)),
+            remainder: (6..=ORDERS).map(|n| relative(n).norm_sqr()).sum(),
             converged,
         }
     }

@@ -86,6 +86,7 @@ pub(crate) fn predict(
     let table = balanced.map_or([Complex64::ZERO; 4], |b| b.harmonics);
     let harmonics = Harmonics {
         table,
+        remainder: balanced.map_or(0.0, |b| b.remainder),
         row,
         effects,
         first,
@@ -232,6 +233,8 @@ fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) ->
 /// Harmonics of the table as the channels receive them.
 struct Harmonics<'a> {
     table: [Complex64; 4],
+    /// Mean square of what the table moves beyond them, over that of the fundamental.
+    remainder: f64,
     row: &'a Row,
     effects: &'a [Active<'a>],
     first: Transfer,
@@ -295,6 +298,12 @@ fn channels(
     let mut dut_peak_v = row.dut_peak_v * nominal.dut_gain * harmonics.first.dut.norm()
         / harmonics.first.reference.norm()
         / reference.gain;
+    for (channel, peak_v) in [(0, reference.peak_v), (1, dut_peak_v)] {
+        if harmonics.remainder > 0.0 && peak_v.is_finite() {
+            let mean_square_v2 = 0.5 * peak_v * peak_v * harmonics.remainder;
+            leave_noise_open(channel, mean_square_v2, nominal, out);
+        }
+    }
     if let (Some(mount), true) = (chain.mount, row.level_ms2.is_finite()) {
         let peak_ms2 = row.level_ms2 * SQRT_2 / reference.gain / harmonics.first.reference.norm();
         let spectrum = mount.spectrum(peak_ms2);

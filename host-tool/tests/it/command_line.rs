@@ -29,7 +29,7 @@ fn serve(device: Device) -> (SharedDevice, String) {
     (device, address)
 }
 
-fn calib(directory: &Path, arguments: &[&str]) -> Output {
+pub(crate) fn calib(directory: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_calib"))
         .args(arguments)
         .current_dir(directory)
@@ -39,11 +39,11 @@ fn calib(directory: &Path, arguments: &[&str]) -> Output {
         .expect("calib starts")
 }
 
-fn text(bytes: &[u8]) -> String {
+pub(crate) fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).expect("UTF-8")
 }
 
-fn json(output: &Output) -> serde_json::Value {
+pub(crate) fn json(output: &Output) -> serde_json::Value {
     assert!(output.status.success(), "{}", text(&output.stderr));
     serde_json::from_slice(&output.stdout).expect("one JSON document")
 }

@@ -4,6 +4,7 @@
 mod command_line;
 mod device;
 mod download;
+mod gap;
 mod hostile;
 mod link;
 mod memory_link;

@@ -1,16 +1,26 @@
 //! `calib gap diagnose`: one answer per dataset.
 
 use super::super::Context;
+use super::progress::Count;
 use super::{refused, text};
-use calib_gap::{Answer, Options, diagnose_all};
+use calib_gap::{Answer, GapError, Options, check_name, diagnose};
+use calib_host::gap::truth::Manifest;
 use calib_host::{Error, Result};
 use clap::Args;
-use std::path::PathBuf;
+use rayon::prelude::*;
+use serde_json::json;
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// Most answers in one report.
+const MOST_REPORTED: usize = 100;
 
 /// `calib gap diagnose`.
 #[derive(Debug, Args)]
 pub(crate) struct Diagnose {
-    /// Dataset folders (rig.toml with points.csv or record.csv).
+    /// Dataset folders (rig.toml with points.csv or record.csv), or sealed sets; several with --json give one line each.
     #[arg(required = true, value_name = "DATASET")]
     datasets: Vec<PathBuf>,
     /// Effects that must not be named.
@@ -27,37 +37,158 @@ pub(crate) struct Diagnose {
     report: Option<PathBuf>,
 }
 
+/// A dataset to be diagnosed, with what must not be named in it.
+struct Job {
+    folder: PathBuf,
+    without: Vec<String>,
+}
+
 impl Diagnose {
-    /// Diagnoses and prints; with several datasets JSON is an array.
+    /// Diagnoses and prints.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
+        for name in &self.without {
+            check_name(name).map_err(refused)?;
+        }
+        let jobs = self.jobs()?;
+        match (jobs.as_slice(), self.datasets.as_slice()) {
+            // A set of one is still a set.
+            ([job], [folder]) if job.folder == *folder => self.one(context, job),
+            _ => self.many(context, &jobs),
+        }
+    }
+
+    fn jobs(&self) -> Result<Vec<Job>> {
+        let mut jobs = Vec::new();
+        for folder in &self.datasets {
+            match Manifest::find(folder)? {
+                Some(manifest) => jobs.extend(manifest.cases.into_iter().map(|case| Job {
+                    folder: folder.join(case.name),
+                    without: [case.without, self.without.clone()].concat(),
+                })),
+                None => jobs.push(Job {
+                    folder: folder.clone(),
+                    without: self.without.clone(),
+                }),
+            }
+        }
+        Ok(jobs)
+    }
+
+    fn answer(&self, job: &Job) -> Result<Answer, GapError> {
         let options = Options {
-            without: self.without,
-            validate: self.validate,
+            without: job.without.clone(),
+            validate: self.validate.clone(),
             most_effects: usize::from(self.max_effects),
         };
-        let several = self.datasets.len() > 1;
-        let show = several && !context.quiet;
-        let answers = diagnose_all(&self.datasets, &options, |done, all| {
-            if show && (done % 10 == 0 || done == all) {
-                eprintln!("{done} of {all} datasets");
+        diagnose(&job.folder, &options)
+    }
+
+    fn one(&self, context: &Context, job: &Job) -> Result<()> {
+        let answer = self.answer(job).map_err(|e| unusable(&job.folder, e))?;
+        self.report(std::slice::from_ref(&answer))?;
+        context.print(&answer, || text::answer(&answer))
+    }
+
+    /// Diagnoses on all cores; each answer is printed as soon as those before it are.
+    fn many(&self, context: &Context, jobs: &[Job]) -> Result<()> {
+        let count = Count::new(context, "datasets");
+        let printer = Mutex::new(Printer::new(context.json, self.report.is_some()));
+        jobs.par_iter().enumerate().try_for_each(|(at, job)| {
+            let answer = self.answer(job);
+            let mut printer = printer.lock().unwrap_or_else(PoisonError::into_inner);
+            printer.take(at, job, answer)?;
+            count.show(printer.done, jobs.len());
+            Ok::<(), Error>(())
+        })?;
+        drop(count);
+        let printer = printer.into_inner().unwrap_or_else(PoisonError::into_inner);
+        self.report(&printer.kept)?;
+        match printer.unusable {
+            0 => Ok(()),
+            n => Err(Error::input(
+                format!("{n} of {} datasets", jobs.len()),
+                "could not be used; the answers above say why",
+                "repair them, or leave them out",
+            )),
+        }
+    }
+
+    fn report(&self, answers: &[Answer]) -> Result<()> {
+        let Some(path) = &self.report else {
+            return Ok(());
+        };
+        let page = calib_gap::report(answers);
+        std::fs::write(path, page).map_err(|e| Error::file("write", path, e))
+    }
+}
+
+/// A dataset that cannot be used, with its folder.
+fn unusable(folder: &Path, error: GapError) -> Error {
+    match refused(error) {
+        Error::Input {
+            place,
+            problem,
+            hint,
+        } if place == super::DATASET => Error::Input {
+            place: folder.display().to_string(),
+            problem,
+            hint,
+        },
+        other => other,
+    }
+}
+
+/// Prints answers in the order of the jobs.
+struct Printer {
+    json: bool,
+    keep: bool,
+    next: usize,
+    done: usize,
+    waiting: BTreeMap<usize, String>,
+    kept: Vec<Answer>,
+    unusable: usize,
+}
+
+impl Printer {
+    fn new(json: bool, keep: bool) -> Self {
+        Self {
+            json,
+            keep,
+            next: 0,
+            done: 0,
+            waiting: BTreeMap::new(),
+            kept: Vec::new(),
+            unusable: 0,
+        }
+    }
+
+    fn take(&mut self, at: usize, job: &Job, answer: Result<Answer, GapError>) -> Result<()> {
+        self.done += 1;
+        self.waiting.insert(at, self.text(job, &answer));
+        match answer {
+            Ok(answer) if self.keep && self.kept.len() < MOST_REPORTED => self.kept.push(answer),
+            Ok(_) => {}
+            Err(_) => self.unusable += 1,
+        }
+        while let Some(text) = self.waiting.remove(&self.next) {
+            let mut out = std::io::stdout().lock();
+            // `| head` is no failure, and the rest is not worth the work.
+            out.write_all(text.as_bytes())
+                .map_err(|e| Error::file("write", "standard output".as_ref(), e))?;
+            self.next += 1;
+        }
+        Ok(())
+    }
+
+    fn text(&self, job: &Job, answer: &Result<Answer, GapError>) -> String {
+        let line = match (answer, self.json) {
+            (Ok(answer), true) => serde_json::to_string(answer).unwrap_or_default(),
+            (Ok(answer), false) => format!("{}\n", text::answer(answer)),
+            (Err(error), true) => {
+                json!({ "dataset": { "path": job.folder }, "error": error.to_string() }).to_string()
             }
-        });
-        let answers = answers
-            .into_iter()
-            .collect::<Result<Vec<Answer>, _>>()
-            .map_err(refused)?;
-        if let Some(path) = &self.report {
-            let page = calib_gap::report(&answers);
-            std::fs::write(path, page).map_err(|e| Error::file("write", path, e))?;
-        }
-        match answers.as_slice() {
-            [one] => context.print(one, || text::answer(one)),
-            many => context.print(&many, || {
-                many.iter()
-                    .map(text::answer)
-                    .collect::<Vec<_>>()
-                    .join("\n\n")
-            }),
-        }
+            (Err(error), false) => format!("{}\n  error: {error}\n", job.folder.display()),
+        };
+        line + "\n"
     }
 }

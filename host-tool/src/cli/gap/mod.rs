@@ -1,7 +1,10 @@
 //! `calib gap`: where simulation and measurement differ, why, and what to do.
 
+mod challenge;
 mod diagnose;
 mod effects;
+mod progress;
+mod simulate;
 mod text;
 
 use super::Context;
@@ -22,6 +25,12 @@ enum Command {
     Diagnose(diagnose::Diagnose),
     /// Lists the library of effects, or describes one of them.
     Effects(effects::Effects),
+    /// Writes a dataset of known cause, from the digital twin.
+    Simulate(simulate::Simulate),
+    /// Writes a sealed set: datasets whose truth is locked away.
+    Challenge(challenge::Challenge),
+    /// Opens the truth of a sealed set and says what answers are worth.
+    Score(challenge::ScoreVerb),
 }
 
 impl Gap {
@@ -30,9 +39,15 @@ impl Gap {
         match self.command {
             Command::Diagnose(verb) => verb.run(context),
             Command::Effects(verb) => verb.run(context),
+            Command::Simulate(verb) => verb.run(context),
+            Command::Challenge(verb) => verb.run(context),
+            Command::Score(verb) => verb.run(context),
         }
     }
 }
+
+/// Place of an error that does not say which dataset it is about.
+const DATASET: &str = "dataset";
 
 /// An unusable dataset as an error of the tool.
 fn refused(error: GapError) -> Error {
@@ -42,7 +57,7 @@ fn refused(error: GapError) -> Error {
             hint: "see `calib gap --help`".into(),
         },
         other => Error::input(
-            "dataset",
+            DATASET,
             other.to_string(),
             "docs/gap.md describes the format of a dataset",
         ),

@@ -1,0 +1,159 @@
+//! `calib gap challenge` and `calib gap score`: sealed sets.
+
+use super::super::Context;
+use super::progress::Count;
+use calib_host::gap::challenge::challenge;
+use calib_host::gap::score::{Score, Share, read_answers, score};
+use calib_host::gap::strata::Stratum;
+use calib_host::gap::truth::{MANIFEST, Manifest, Truth};
+use calib_host::{Error, Result};
+use clap::Args;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// `calib gap challenge`.
+#[derive(Debug, Args)]
+pub(crate) struct Challenge {
+    /// Folder of the set; the truth goes beside it, into OUT-truth.json.
+    #[arg(value_name = "OUT")]
+    out: PathBuf,
+    /// Cases of each kind.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    cases: u32,
+    /// Seed the whole set follows from: whoever knows it knows the truth.
+    #[arg(long, value_name = "S")]
+    seed: u64,
+    /// Kinds of cases; all of them where none is given.
+    #[arg(long, value_enum, value_delimiter = ',')]
+    strata: Vec<Stratum>,
+}
+
+impl Challenge {
+    /// Makes and seals the set.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let strata = match self.strata.as_slice() {
+            [] => Stratum::all(),
+            some => some,
+        };
+        let count = Count::new(context, "datasets");
+        let sealed = challenge(
+            &self.out,
+            strata,
+            self.cases as usize,
+            self.seed,
+            |done, all| {
+                count.show(done, all);
+            },
+        )?;
+        drop(count);
+        context.print(&sealed, || {
+            format!(
+                "{} datasets in {}\ntruth in {}: keep it away from whoever answers\n\
+                 SHA-256 of the truth, to be published now: {}",
+                sealed.cases,
+                sealed.folder.display(),
+                sealed.truth.display(),
+                sealed.truth_sha256
+            )
+        })
+    }
+}
+
+/// `calib gap score`.
+#[derive(Debug, Args)]
+pub(crate) struct ScoreVerb {
+    /// Answers: what `calib gap diagnose --json` printed.
+    answers: PathBuf,
+    /// The truth of the set.
+    truth: PathBuf,
+    /// SHA-256 of the truth as it was published; default: that in the manifest of the set beside it.
+    #[arg(long, value_name = "HEX")]
+    sha256: Option<String>,
+}
+
+impl ScoreVerb {
+    /// Opens the truth and prints what the answers are worth.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let published = match self.sha256.clone() {
+            Some(sum) => sum,
+            None => published_beside(&self.truth)?,
+        };
+        let answers = read_answers(&self.answers)?;
+        let truth = Truth::open(&self.truth, &published)?;
+        let score = score(&answers, &truth)?;
+        context.print(&score, || table(&score))
+    }
+}
+
+fn published_beside(truth: &Path) -> Result<String> {
+    let missing = || Error::Usage {
+        problem: format!("there is no {MANIFEST} beside {}", truth.display()),
+        hint: "give the SHA-256 that was published with --sha256".into(),
+    };
+    let stem = truth.file_stem().unwrap_or_default().to_string_lossy();
+    let folder = truth.with_file_name(stem.strip_suffix("-truth").ok_or_else(missing)?);
+    let manifest = Manifest::find(&folder)?.ok_or_else(missing)?;
+    Ok(manifest.truth_sha256)
+}
+
+fn percent(share: Option<Share>) -> String {
+    share.map_or("-".to_owned(), |s| format!("{:.1}", 100.0 * s.share))
+}
+
+fn table(score: &Score) -> String {
+    let mut text = format!(
+        "{:<12} {:>5} {:>6} {:>8} {:>8} {:>8} {:>6} {:>8} {:>9} {:>6} {:>6}\n",
+        "in percent",
+        "cases",
+        "top-1",
+        "covered",
+        "false al",
+        "detected",
+        "wrong",
+        "unexpl.",
+        "ambiguous",
+        "stage",
+        "closed"
+    );
+    for (name, s) in &score.strata {
+        let closed = s
+            .median_closed
+            .map_or("-".to_owned(), |c| format!("{:.1}", 100.0 * c));
+        let _ = writeln!(
+            text,
+            "{name:<12} {:>5} {:>6} {:>8} {:>8} {:>8} {:>6} {:>8} {:>9} {:>6} {closed:>6}",
+            s.cases,
+            percent(s.top_1),
+            percent(s.truth_covered),
+            percent(s.false_alarm),
+            percent(s.detected),
+            percent(Some(s.confidently_wrong)),
+            percent(Some(s.unexplained)),
+            percent(Some(s.ambiguous)),
+            percent(s.stage_among_two),
+        );
+        if s.unanswered > 0 {
+            let _ = writeln!(text, "{:<12} {} without an answer", "", s.unanswered);
+        }
+    }
+    for s in &score.sizes {
+        let _ = writeln!(
+            text,
+            "size {:>4.0} .. {:>4.0} sigma: {:>3} cases, detected {:>5} %, named {:>5} %, best possible detection {:.1} %",
+            s.from_sigma,
+            s.to_sigma,
+            s.named.of,
+            percent(Some(s.detected)),
+            percent(Some(s.named)),
+            100.0 * s.best_possible
+        );
+    }
+    let number = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.3}"));
+    let _ = write!(
+        text,
+        "calibration error of probability {}, AUROC of none_of_these_p_value {}",
+        number(score.calibration_error),
+        number(score.auroc)
+    );
+    text
+}
