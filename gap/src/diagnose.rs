@@ -6,7 +6,7 @@ use crate::effects::list;
 use crate::engine::fit::{Fit, Linearised, Workspace};
 use crate::engine::holdout::{self, Gap, OBSERVABLES};
 use crate::engine::problem::{EXCITER_NAMES, Nuisance, Problem};
-use crate::engine::search::{Limits, Scored, Search, search};
+use crate::engine::search::{Limits, Scored, Search, search, search_from};
 use crate::engine::structure::{Structure, examine, two_sided};
 use crate::error::GapError;
 use rayon::prelude::*;
@@ -113,7 +113,11 @@ fn diagnose_points(
     summary: DatasetSummary,
 ) -> Answer {
     let limits = Limits::without(&options.without, options.most_effects);
-    let found = search(problem, &limits);
+    let other = validate.and_then(|v| Problem::from_dataset(&v.rig, &v.measured));
+    // The part is searched before the whole: what it finds may guide the whole, not the other way.
+    let (training, testing) = holdout::split(problem, &dataset.rig);
+    let part = other.is_none().then(|| search(&training, &limits));
+    let found = search_from(problem, &limits, part.as_ref().map(|p| (&training, p)));
     let mut work = Workspace::new(problem);
     let best = found.sets.first().map_or(&found.nominal, |s| &s.fit);
     let nominal_left = examine(problem, &found.nominal, &mut work);
@@ -128,7 +132,11 @@ fn diagnose_points(
     {
         verdict = Verdict::Unexplained;
     }
-    let gap = held_out(dataset, problem, validate, &limits, &found, verdict);
+    let gap = match (&other, &part) {
+        (Some(other), _) => holdout::score_on(problem, other, &found.nominal, best),
+        (None, Some(part)) => held_out(&training, &testing, part, verdict),
+        (None, None) => held_out(problem, problem, &found, verdict),
+    };
     let causes = causes(problem, &found, &mut work);
     let confusable = confusable(&causes, verdict);
     let next_measurement = next_measurement(verdict, &causes, &left, problem);
@@ -145,22 +153,13 @@ fn diagnose_points(
     }
 }
 
-fn held_out(
-    dataset: &Dataset,
-    problem: &Problem,
-    validate: Option<&Dataset>,
-    limits: &Limits,
-    found: &Search,
-    verdict: Verdict,
-) -> Gap {
-    let other = validate.and_then(|v| Problem::from_dataset(&v.rig, &v.measured));
-    match other {
-        Some(other) => {
-            let best = found.sets.first().map_or(&found.nominal, |s| &s.fit);
-            holdout::score_on(problem, &other, &found.nominal, best)
-        }
-        None => holdout::score(problem, &dataset.rig, limits, verdict != Verdict::NoGap),
-    }
+/// Scores what was chosen on part of the rows on the others.
+fn held_out(training: &Problem, testing: &Problem, part: &Search, verdict: Verdict) -> Gap {
+    let chosen = match part.sets.first() {
+        Some(best) if verdict != Verdict::NoGap => &best.fit,
+        _ => &part.nominal,
+    };
+    holdout::score_on(training, testing, &part.nominal, chosen)
 }
 
 fn verdict(found: &Search, left: &Structure) -> Verdict {

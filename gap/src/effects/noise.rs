@@ -4,8 +4,9 @@ use super::about::{About, Parameter, Stage};
 use super::start::{Start, ratios};
 use super::{Effect, Facts};
 use crate::model::chain::{Chain, Transfer};
+use crate::model::leakage::leaking;
 use crate::model::row::Row;
-use std::f64::consts::{PI, SQRT_2, TAU};
+use std::f64::consts::{SQRT_2, TAU};
 
 /// Mains lines in the channel of the device under test.
 pub(super) struct MainsPickup;
@@ -61,37 +62,6 @@ static AMBIENT_TONE: About = About {
     ..AMBIENT
 };
 
-/// Leaked power over line power at a distance in bins: the square of
-/// sin(pi x)/(pi x), beyond the first zero its mean over the unknown fraction of a bin.
-fn leaking(bins: f64) -> f64 {
-    let angle = PI * bins;
-    if bins.abs() >= 1.0 {
-        return 0.5 / (angle * angle);
-    }
-    let sinc = if angle.abs() < 1e-6 {
-        1.0
-    } else {
-        angle.sin() / angle
-    };
-    sinc.powi(2).max(0.05)
-}
-
-/// Mains lines that carry power; their amplitudes fall about as 1/n.
-const LINES: usize = 8;
-/// Sum of 1/n^2 over the lines.
-const LINE_POWER: f64 = 1.527_422;
-
-impl MainsPickup {
-    /// Power leaked into a frequency over the power of all lines.
-    fn leaked(row: &Row, frequency_hz: f64) -> f64 {
-        let lines = (1..=LINES).map(|n| {
-            let order = n as f64;
-            leaking((frequency_hz - order * row.mains_hz) / row.bin_hz) / (order * order)
-        });
-        lines.sum::<f64>() / LINE_POWER
-    }
-}
-
 impl Effect for MainsPickup {
     fn about(&self) -> &'static About {
         &MAINS
@@ -121,10 +91,9 @@ impl Effect for MainsPickup {
             return;
         }
         let relative = 0.5 * (p[0] * p[1] / rms_v).powi(2);
-        chain.leakage[0] += relative * Self::leaked(row, row.frequency_hz);
+        chain.leakage[0] += relative * row.mains_leak[0];
         for k in 0..4 {
-            chain.harmonic_leakage[1][k] +=
-                relative * Self::leaked(row, row.frequency_hz * (k + 2) as f64);
+            chain.harmonic_leakage[1][k] += relative * row.mains_leak[k + 1];
         }
     }
 }

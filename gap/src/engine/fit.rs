@@ -30,6 +30,11 @@ impl Effort {
         most_steps: 25,
         enough: 1e-3,
     };
+    /// Enough to see whether a set is within reach of the best.
+    pub(crate) const GLANCE: Self = Self {
+        most_steps: 5,
+        enough: 1.0,
+    };
 }
 
 impl Fit {
@@ -93,12 +98,15 @@ pub(crate) fn refine(
     fit
 }
 
+/// Accepted steps between renewals of the slopes of a nonlinear exciter.
+const RENEWAL: usize = 4;
+
 /// Damped Gauss-Newton steps until the objective stands still.
 fn descend(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspace) {
     let mut damping = 1e-3;
     let mut linear = Linearised::new(problem, fit, work);
     fit.objective = linear.evaluation.objective;
-    let mut small = 0;
+    let (mut small, mut accepted) = (0, 0);
     for _ in 0..effort.most_steps {
         let Some(step) = linear.step(problem, damping) else {
             damping *= 10.0;
@@ -117,7 +125,9 @@ fn descend(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspac
             if small == 2 {
                 break;
             }
-            linear = Linearised::new(problem, fit, work);
+            accepted += 1;
+            let lagging = (accepted % RENEWAL != 0).then_some(linear.columns);
+            linear = Linearised::with(problem, fit, lagging.as_deref(), work);
         } else {
             if damping > 1e6 {
                 break;
@@ -137,10 +147,22 @@ pub(crate) struct Linearised {
 
 impl Linearised {
     pub(crate) fn new(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Self {
+        Self::with(problem, fit, None, work)
+    }
+
+    /// The same with the nuisances' slopes of an earlier step, where new ones are expensive.
+    fn with(
+        problem: &Problem,
+        fit: &Fit,
+        lagging: Option<&[Column]>,
+        work: &mut Workspace,
+    ) -> Self {
         let (evaluation, mut columns) =
             problem.linearise(&fit.effects, &fit.theta, &mut work.memory);
-        if fit.effects.iter().any(|e| e.effect.bends()) {
-            bent_columns(problem, fit, &evaluation, &mut columns, work);
+        match lagging {
+            _ if !fit.effects.iter().any(|e| e.effect.bends()) => {}
+            Some(earlier) => columns.clone_from_slice(&earlier[..problem.free.len()]),
+            None => bent_columns(problem, fit, &evaluation, &mut columns, work),
         }
         let mut effects = fit.effects.clone();
         for at in 0..effects.len() {

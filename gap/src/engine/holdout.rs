@@ -2,7 +2,6 @@
 
 use super::fit::Fit;
 use super::problem::Problem;
-use super::search::{Limits, search};
 use crate::dataset::Rig;
 use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
 use serde::Serialize;
@@ -65,25 +64,12 @@ pub struct Gap {
     pub by_observable: BTreeMap<&'static str, ObservableGap>,
 }
 
-/// Chooses and fits on two thirds of the frequencies, scores on the rest.
-pub(crate) fn score(problem: &Problem, rig: &Rig, limits: &Limits, is_gap: bool) -> Gap {
+/// Rows to choose and fit on, and rows that take no part: every third frequency.
+pub(crate) fn split(problem: &Problem, rig: &Rig) -> (Problem, Problem) {
     let held = held_out(problem);
     let training = problem.subset(rig, &|row| !held[row]);
     let testing = problem.subset(rig, &|row| held[row]);
-    let limits = if is_gap {
-        limits.clone()
-    } else {
-        Limits {
-            most_effects: 0,
-            ..limits.clone()
-        }
-    };
-    let found = search(&training, &limits);
-    let chosen = found
-        .sets
-        .first()
-        .map_or_else(|| found.nominal.clone(), |s| s.fit.clone());
-    score_on(&training, &testing, &found.nominal, &chosen)
+    (training, testing)
 }
 
 /// Scores fits of one problem on another with the same rig.
@@ -171,17 +157,7 @@ struct Errors {
 }
 
 fn errors(training: &Problem, testing: &Problem, fit: &Fit) -> [Errors; 7] {
-    let theta: Vec<f64> = testing
-        .free
-        .iter()
-        .map(|f| {
-            training
-                .free
-                .iter()
-                .position(|g| g.kind == f.kind)
-                .map_or(0.0, |i| fit.theta[i])
-        })
-        .collect();
+    let theta = testing.translate(training, &fit.theta);
     let evaluation = testing.evaluate(&fit.effects, &theta, &mut testing.memory());
     let mut all = [Errors::default(); 7];
     for (errors, (_, from, to)) in all.iter_mut().zip(OBSERVABLES) {

@@ -149,6 +149,15 @@ impl Problem {
         Self::from_rows(rig, rows)
     }
 
+    /// Nuisance values of another problem with the same rig, in the order of this one.
+    pub(crate) fn translate(&self, other: &Self, theta: &[f64]) -> Vec<f64> {
+        let of = |free: &Free| {
+            let at = other.free.iter().position(|f| f.kind == free.kind);
+            at.map_or(0.0, |i| theta[i])
+        };
+        self.free.iter().map(of).collect()
+    }
+
     /// Number of data.
     pub(crate) fn len(&self) -> usize {
         self.row_of.len()

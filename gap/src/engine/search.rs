@@ -11,6 +11,16 @@ const PRIOR_OF_MORE: f64 = 0.5;
 const WORTH_REFINING: f64 = 5.0;
 /// Singles from which pairs are grown.
 const BASES: usize = 7;
+/// Difference in score, on part of the rows, above which a set is not tried on all of them.
+const SEEDED: f64 = 60.0;
+/// Least cost of one more effect in the score.
+const COST: f64 = 12.0;
+/// Difference in score above which a set is not worth listing.
+const COMPETING: f64 = 14.0;
+/// Objective above the best set of a size from which a set is not refined further.
+const OUT_OF_REACH: f64 = 60.0;
+/// The same as a share of what the best set gained.
+const REACH: f64 = 0.1;
 /// Pairs refined fully.
 const MOST_PAIRS: usize = 14;
 
@@ -63,6 +73,18 @@ struct Searcher<'a> {
 
 /// Fits nothing, singles and sets.
 pub(crate) fn search(problem: &Problem, limits: &Limits) -> Search {
+    search_from(problem, limits, None)
+}
+
+/// The same, from the sets that a search on part of the rows has found.
+///
+/// Sets that were out of reach there are not tried again; what only all rows
+/// show is found by screening from the best sets once more.
+pub(crate) fn search_from(
+    problem: &Problem,
+    limits: &Limits,
+    part: Option<(&Problem, &Search)>,
+) -> Search {
     let mut work = Workspace::new(problem);
     let nominal = refine(
         problem,
@@ -78,8 +100,9 @@ pub(crate) fn search(problem: &Problem, limits: &Limits) -> Search {
         work,
         found: Vec::new(),
     };
+    let seeded = part.is_some_and(|(of, search)| searcher.seed(of, search));
     if limits.most_effects > 0 {
-        searcher.singles(&nominal);
+        searcher.singles(&nominal, seeded);
     }
     for size in 2..=limits.most_effects {
         if !searcher.grow(size, nominal.objective) {
@@ -91,12 +114,67 @@ pub(crate) fn search(problem: &Problem, limits: &Limits) -> Search {
 }
 
 impl Searcher<'_> {
-    fn singles(&mut self, nominal: &Fit) {
+    /// Refines the sets that were within reach on part of the rows.
+    fn seed(&mut self, of: &Problem, search: &Search) -> bool {
+        let best = search.sets.first().map_or(0.0, |s| s.score);
+        let near = |s: &&Scored| !s.fit.effects.is_empty() && s.score < best + SEEDED;
+        for set in search.sets.iter().filter(near) {
+            let fit = refine(
+                self.problem,
+                set.fit.effects.clone(),
+                self.problem.translate(of, &set.fit.theta),
+                Effort::FULL,
+                &mut self.work,
+            );
+            if fit.objective < f64::MAX {
+                self.found.push(fit);
+            }
+        }
+        !self.found.is_empty()
+    }
+
+    fn singles(&mut self, nominal: &Fit, seeded: bool) {
         let promises = self.atoms.scan(self.problem, nominal, &mut self.work);
         let best = promises.first().map_or(0.0, |p| p.gain);
         let floor = WORTH_REFINING.max(0.02 * best);
-        for promise in chosen(&promises, 16, 4, floor) {
-            self.try_set(nominal, &promise, Effort::FULL);
+        let mut plans: Vec<(f64, Fit, Promise)> = chosen(&promises, 16, 4, floor)
+            .into_iter()
+            .filter(|p| {
+                !self
+                    .found
+                    .iter()
+                    .any(|f| f.effects.len() == 1 && f.has(p.entry))
+            })
+            .map(|p| (nominal.objective - p.gain, nominal.clone(), p))
+            .collect();
+        if seeded {
+            self.drop_hopeless(&mut plans, 1);
+        }
+        for (_, _, promise) in plans {
+            self.race(nominal, &promise, nominal.objective);
+        }
+    }
+
+    /// A few steps first; all steps only for a set that is within reach of the best of its size.
+    fn race(&mut self, base: &Fit, promise: &Promise, nominal: f64) {
+        let size = base.effects.len() + 1;
+        let best = self
+            .found
+            .iter()
+            .filter(|f| f.effects.len() == size)
+            .fold(nominal, |m, f| m.min(f.objective));
+        let objective = self.try_set(base, promise, Effort::GLANCE);
+        if objective < best + OUT_OF_REACH.max(REACH * (nominal - best))
+            && let Some(fit) = self.found.pop_if(|f| f.effects.len() == size)
+        {
+            let fit = refine(
+                self.problem,
+                fit.effects,
+                fit.theta,
+                Effort::FULL,
+                &mut self.work,
+            );
+            self.found.push(fit);
         }
     }
 
@@ -142,8 +220,13 @@ impl Searcher<'_> {
 
     /// Adds an effect to the best sets of the size below; false if nothing promises anything.
     fn grow(&mut self, size: usize, nominal: f64) -> bool {
-        let mut tried: Vec<Vec<usize>> = Vec::new();
-        let mut any = false;
+        let mut tried: Vec<Vec<usize>> = self
+            .found
+            .iter()
+            .filter(|f| f.effects.len() == size)
+            .map(entries)
+            .collect();
+        let mut any = !tried.is_empty();
         for round in 0..3 {
             let bases = if round == 0 {
                 self.bases(size - 1, nominal)
@@ -154,7 +237,7 @@ impl Searcher<'_> {
             for base in &bases {
                 let promises = self.atoms.scan(self.problem, base, &mut self.work);
                 for promise in chosen(&promises, 5, 2, 9.0) {
-                    let mut entries: Vec<usize> = base.effects.iter().map(|e| e.entry).collect();
+                    let mut entries = entries(base);
                     entries.push(promise.entry);
                     entries.sort_unstable();
                     if same_name(base, promise.entry) || tried.contains(&entries) {
@@ -163,31 +246,49 @@ impl Searcher<'_> {
                     plans.push((base.objective - promise.gain, base.clone(), promise));
                 }
             }
+            self.drop_hopeless(&mut plans, size);
             if plans.is_empty() {
                 break;
             }
             any = true;
             plans.sort_by(|a, b| a.0.total_cmp(&b.0));
-            self.refine_plans(plans, &mut tried);
+            self.refine_plans(plans, &mut tried, nominal);
         }
         any
     }
 
-    fn refine_plans(&mut self, plans: Vec<(f64, Fit, Promise)>, tried: &mut Vec<Vec<usize>>) {
+    fn refine_plans(
+        &mut self,
+        plans: Vec<(f64, Fit, Promise)>,
+        tried: &mut Vec<Vec<usize>>,
+        nominal: f64,
+    ) {
+        let before = tried.len();
         for (_, base, promise) in plans {
-            let mut entries: Vec<usize> = base.effects.iter().map(|e| e.entry).collect();
+            let mut entries = entries(&base);
             entries.push(promise.entry);
             entries.sort_unstable();
-            if tried.contains(&entries) || tried.len() > 3 * MOST_PAIRS {
+            if tried.contains(&entries) {
                 continue;
             }
-            if tried.len() % MOST_PAIRS == MOST_PAIRS - 1 {
-                tried.push(entries);
+            if tried.len() - before >= MOST_PAIRS {
                 break;
             }
             tried.push(entries);
-            self.try_set(&base, &promise, Effort::FULL);
+            self.race(&base, &promise, nominal);
         }
+    }
+
+    /// Drops plans that cannot compete even if they gain more than the screening promised.
+    fn drop_hopeless(&self, plans: &mut Vec<(f64, Fit, Promise)>, size: usize) {
+        let best = self
+            .found
+            .iter()
+            .map(|f| f.objective + COST * f.effects.len() as f64)
+            .fold(f64::INFINITY, f64::min);
+        plans.retain(|(predicted, _, promise)| {
+            predicted - 0.3 * promise.gain + COST * (size as f64) < best + COMPETING
+        });
     }
 
     /// Best sets of a size, and the best of each kind of observable.
@@ -250,6 +351,13 @@ fn kind(fit: &Fit) -> usize {
         Some(e) if e.effect.bends() || e.effect.about().id.starts_with("adc") => 1,
         _ => 0,
     }
+}
+
+/// Places in the library of the effects of a set, ascending.
+fn entries(fit: &Fit) -> Vec<usize> {
+    let mut entries: Vec<usize> = fit.effects.iter().map(|e| e.entry).collect();
+    entries.sort_unstable();
+    entries
 }
 
 fn same_name(base: &Fit, entry: usize) -> bool {

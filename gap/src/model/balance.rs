@@ -72,19 +72,24 @@ pub(crate) struct Balanced {
     pub(crate) converged: bool,
 }
 
-/// Cosine and sine of every order on the grid, each order contiguous.
+/// Points of the first quarter of the grid, both ends included, and zeros up to a multiple of four.
+const QUARTER: usize = 20;
+
+/// Cosine and sine of every order on the first quarter of the grid: the other
+/// quarters mirror it, with signs that depend on whether the order is even.
 struct Tables {
-    cos: [[f64; GRID]; ORDERS + 1],
-    sin: [[f64; GRID]; ORDERS + 1],
+    cos: [[f64; QUARTER]; ORDERS + 1],
+    sin: [[f64; QUARTER]; ORDERS + 1],
 }
 
 fn tables() -> &'static Tables {
     static TABLES: std::sync::OnceLock<Tables> = std::sync::OnceLock::new();
     TABLES.get_or_init(|| {
         let angle = |n: usize, i: usize| TAU * ((n * i) % GRID) as f64 / GRID as f64;
+        let inside = |i: usize| f64::from(u8::from(i <= GRID / 4));
         Tables {
-            cos: std::array::from_fn(|n| std::array::from_fn(|i| angle(n, i).cos())),
-            sin: std::array::from_fn(|n| std::array::from_fn(|i| angle(n, i).sin())),
+            cos: std::array::from_fn(|n| std::array::from_fn(|i| inside(i) * angle(n, i).cos())),
+            sin: std::array::from_fn(|n| std::array::from_fn(|i| inside(i) * angle(n, i).sin())),
         }
     })
 }
@@ -213,15 +218,22 @@ impl<'a> Work<'a> {
     /// Fourier coefficients of the sign of the velocity, from its two zeros.
     fn velocity_sign(&self, motion: &Motion) -> Motion {
         let zero = |mut angle: f64| {
-            for _ in 0..6 {
+            for _ in 0..8 {
                 let (mut value, mut slope) = (0.0, 0.0);
+                let turn = Complex64::from_polar(1.0, angle);
+                let mut turned = Complex64::ONE;
                 for (n, x) in motion.iter().enumerate().skip(1) {
                     let k = n as f64;
-                    let turned = x * Complex64::from_polar(k, k * angle);
-                    value -= turned.im;
-                    slope -= k * turned.re;
+                    turned *= turn;
+                    let velocity = x * turned * k;
+                    value -= velocity.im;
+                    slope -= k * velocity.re;
                 }
-                angle -= (value / slope).clamp(-0.3, 0.3);
+                let step = (value / slope).clamp(-0.3, 0.3);
+                angle -= step;
+                if step.abs() < 1e-12 {
+                    break;
+                }
             }
             angle
         };
@@ -229,11 +241,15 @@ impl<'a> Work<'a> {
         let (start, end) = (zero(0.0), zero(PI));
         let mut sign = [Complex64::ZERO; ORDERS + 1];
         sign[0] = Complex64::from((end - start) / PI - 1.0);
+        let (from, to) = (
+            Complex64::from_polar(1.0, -start),
+            Complex64::from_polar(1.0, -end),
+        );
+        let (mut at_start, mut at_end) = (Complex64::ONE, Complex64::ONE);
         for (n, s) in sign.iter_mut().enumerate().skip(1) {
-            let k = n as f64;
-            let difference =
-                Complex64::from_polar(1.0, -k * end) - Complex64::from_polar(1.0, -k * start);
-            *s = difference * Complex64::new(0.0, 2.0 / (PI * k));
+            at_start *= from;
+            at_end *= to;
+            *s = (at_end - at_start) * Complex64::new(0.0, 2.0 / (PI * n as f64));
         }
         sign
     }
@@ -267,10 +283,10 @@ impl<'a> Work<'a> {
             let response = self.impedance[n] * stiffness / bl + s * bl * self.exciter.emf_ratio;
             let move_by = (wanted[n] - state.voltage[n]) / response * damping;
             motion[n] += move_by;
-            largest = largest.max(move_by.norm() * (n * n) as f64);
+            largest = largest.max(move_by.norm_sqr() * (n * n * n * n) as f64);
         }
         motion[0].im = 0.0;
-        largest
+        largest.sqrt()
     }
 
     /// Harmonics the amplifier adds to the fundamental coil voltage (peak phasor).
@@ -310,35 +326,65 @@ impl<'a> Work<'a> {
     }
 }
 
+/// Values on the grid of a sum of harmonics.
 fn synthesize(orders: &Motion) -> [f64; GRID] {
     let t = tables();
-    let mut out = [orders[0].re; GRID];
-    for (n, c) in orders.iter().enumerate().skip(1) {
+    // Cosine and sine part of the even and of the odd orders.
+    let mut part = [[[0.0; QUARTER]; 2]; 2];
+    for (n, c) in orders.iter().enumerate() {
         if c.re == 0.0 && c.im == 0.0 {
             continue;
         }
-        for ((o, cos), sin) in out.iter_mut().zip(&t.cos[n]).zip(&t.sin[n]) {
-            *o += c.re * cos - c.im * sin;
+        let [cosine, sine] = &mut part[n % 2];
+        for i in 0..QUARTER {
+            cosine[i] += c.re * t.cos[n][i];
+            sine[i] -= c.im * t.sin[n][i];
         }
+    }
+    let [[even_c, even_s], [odd_c, odd_s]] = part;
+    let mut out = [0.0; GRID];
+    for i in 0..=GRID / 4 {
+        out[i] = even_c[i] + even_s[i] + odd_c[i] + odd_s[i];
+        out[GRID / 2 - i] = even_c[i] - even_s[i] - odd_c[i] + odd_s[i];
+        out[GRID / 2 + i] = even_c[i] + even_s[i] - odd_c[i] - odd_s[i];
+        out[(GRID - i) % GRID] = even_c[i] - even_s[i] + odd_c[i] - odd_s[i];
     }
     out
 }
 
+/// Harmonics of the values on the grid.
 fn analyse(signal: &[f64; GRID]) -> Motion {
     let t = tables();
+    let mut folded = [[[0.0; QUARTER]; 2]; 2];
+    for i in 0..=GRID / 4 {
+        let four = [
+            signal[i],
+            signal[GRID / 2 - i],
+            signal[GRID / 2 + i],
+            signal[(GRID - i) % GRID],
+        ];
+        // The ends of the quarter belong to two of the four points each.
+        let share = if i == 0 || i == GRID / 4 { 0.5 } else { 1.0 };
+        let [a, b, c, d] = four.map(|v| share * v);
+        folded[0][0][i] = a + b + c + d;
+        folded[0][1][i] = a - b + c - d;
+        folded[1][0][i] = a - b - c + d;
+        folded[1][1][i] = a + b - c - d;
+    }
     let mut orders = [Complex64::ZERO; ORDERS + 1];
-    for (n, c) in orders.iter_mut().enumerate() {
+    for (n, order) in orders.iter_mut().enumerate() {
         let scale = if n == 0 { 1.0 } else { 2.0 } / GRID as f64;
-        *c = Complex64::new(
-            scale * dot(signal, &t.cos[n]),
-            -scale * dot(signal, &t.sin[n]),
+        let [cosine, sine] = &folded[n % 2];
+        *order = Complex64::new(
+            scale * dot(cosine, &t.cos[n]),
+            -scale * dot(sine, &t.sin[n]),
         );
     }
     orders
 }
 
 /// Inner product in four lanes, so that the compiler may use vector instructions.
-fn dot(a: &[f64; GRID], b: &[f64; GRID]) -> f64 {
+fn dot(a: &[f64; QUARTER], b: &[f64; QUARTER]) -> f64 {
     let mut lanes = [0.0; 4];
     for (x, y) in a.as_chunks::<4>().0.iter().zip(b.as_chunks::<4>().0) {
         for lane in 0..4 {
@@ -346,4 +392,29 @@ fn dot(a: &[f64; GRID], b: &[f64; GRID]) -> f64 {
         }
     }
     lanes.iter().sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every order comes back, and its values are those of cosine and sine: rounding of 64 terms only.
+    #[test]
+    fn a_sum_of_harmonics_is_analysed_into_the_same_harmonics() {
+        let mut motion: Motion =
+            std::array::from_fn(|n| Complex64::new(1.0 / (n + 1) as f64, 0.3 - 0.1 * n as f64));
+        motion[0].im = 0.0;
+        let signal = synthesize(&motion);
+        for (i, value) in signal.iter().enumerate() {
+            let expected: f64 = motion
+                .iter()
+                .enumerate()
+                .map(|(n, c)| (c * Complex64::from_polar(1.0, TAU * (n * i) as f64 / 64.0)).re)
+                .sum();
+            assert!((value - expected).abs() < 1e-13, "{i}: {value} {expected}");
+        }
+        for (found, order) in analyse(&signal).iter().zip(&motion) {
+            assert!((found - order).norm() < 1e-14);
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! One point, prepared for the model: conditions and measured values by slot.
 
+use super::leakage::leaked_mains;
 use crate::dataset::{Harmonic, Point, Rig};
 use std::f64::consts::{SQRT_2, TAU};
 
@@ -49,8 +50,8 @@ pub(crate) struct Row {
     pub(crate) vertical: f64,
     pub(crate) payload_kg: f64,
     pub(crate) payload_stated: bool,
-    /// Mains frequency, in Hz.
-    pub(crate) mains_hz: f64,
+    /// Power that mains lines leak into orders 1..5 over their power; 0 where the block is unknown.
+    pub(crate) mains_leak: [f64; 5],
     /// Measured coil voltage, peak; NaN if unknown.
     pub(crate) coil_peak_v: f64,
     /// Held level, r.m.s., in m/s2; NaN if unknown.
@@ -103,7 +104,12 @@ impl Row {
             vertical: point.tilt_rad.unwrap_or(0.0).cos(),
             payload_kg: point.payload_kg.unwrap_or(0.0),
             payload_stated: point.payload_kg.is_some(),
-            mains_hz: rig.environment.mains_hz.unwrap_or(50.0),
+            mains_leak: std::array::from_fn(|k| {
+                let mains_hz = rig.environment.mains_hz.unwrap_or(50.0);
+                bin.map_or(0.0, |bin| {
+                    leaked_mains(point.frequency_hz * (k + 1) as f64, mains_hz, bin)
+                })
+            }),
             coil_peak_v: point.coil_v.map_or(f64::NAN, |v| v * SQRT_2),
             level_ms2: level.unwrap_or(f64::NAN),
             ref_peak_v: ref_v.map_or(f64::NAN, |v| v * SQRT_2),

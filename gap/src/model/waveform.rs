@@ -63,19 +63,50 @@ impl Characteristic {
         if !matches!(self, Self::Clip { .. }) {
             return self.divided(fundamental);
         }
-        if self.spectrum(fundamental).order[1] == fundamental {
+        if self.fundamental(fundamental) == fundamental {
             return fundamental;
         }
-        let (mut low, mut high) = (0.0, 50.0 * fundamental);
-        for _ in 0..48 {
-            let middle = 0.5 * (low + high);
-            if self.spectrum(middle).order[1] < fundamental {
-                low = middle
+        let (mut low, mut high) = (fundamental, 50.0 * fundamental);
+        if self.fundamental(high) <= fundamental {
+            return high;
+        }
+        // Regula falsi in the reciprocal of the input, in which saturation is nearly straight.
+        let (mut left, mut right) = (
+            self.fundamental(low) - fundamental,
+            self.fundamental(high) - fundamental,
+        );
+        let mut kept_low = None;
+        for _ in 0..60 {
+            let inverse = (right / low - left / high) / (right - left);
+            let middle = 1.0 / inverse;
+            let error = self.fundamental(middle) - fundamental;
+            if error.abs() <= 1e-14 * fundamental || (high - low) <= 1e-14 * low {
+                return middle;
+            }
+            if error < 0.0 {
+                (low, left) = (middle, error);
+                // The same end kept twice: pull it in (Illinois rule).
+                right *= if kept_low == Some(false) { 0.5 } else { 1.0 };
+                kept_low = Some(false);
             } else {
-                high = middle
+                (high, right) = (middle, error);
+                left *= if kept_low == Some(true) { 0.5 } else { 1.0 };
+                kept_low = Some(true);
             }
         }
         0.5 * (low + high)
+    }
+
+    /// Fundamental of the output, without the other orders.
+    fn fundamental(self, amplitude: f64) -> f64 {
+        match self {
+            Self::Polynomial { third, .. } => {
+                amplitude * (1.0 + 0.75 * third * amplitude * amplitude)
+            }
+            Self::DeadZone { threshold } => 2.0 * ramp(1, amplitude, threshold),
+            Self::Clip { threshold } => amplitude - 2.0 * ramp(1, amplitude, threshold),
+            Self::OneSided { threshold, .. } => amplitude - ramp(1, amplitude, threshold),
+        }
     }
 }
 
@@ -84,7 +115,7 @@ impl Characteristic {
     fn divided(self, fundamental: f64) -> f64 {
         let mut input = fundamental;
         for _ in 0..40 {
-            let output = self.spectrum(input).order[1];
+            let output = self.fundamental(input);
             if output <= 0.0 {
                 input *= 2.0;
                 continue;
