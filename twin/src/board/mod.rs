@@ -12,6 +12,7 @@
 //! | `dmamux` | request multiplexer |
 //! | `flash` | flash interface, watched: what a power cut leaves behind |
 //! | `iwdg` | watchdog |
+//! | `overdrive` | SYSCFG's switch to voltage scale 0 |
 //! | `serial_line` | USART3 to the virtual COM port |
 //! | `front_panel` | LEDs and button |
 //! | `memory_map`, `part`, `cortex_m7` | address map, the part as a whole, its core |
@@ -28,6 +29,7 @@ mod flash;
 mod front_panel;
 mod iwdg;
 mod memory_map;
+mod overdrive;
 mod part;
 mod serial_line;
 #[cfg(test)]

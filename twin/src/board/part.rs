@@ -2,9 +2,9 @@
 //!
 //! A part is a bus, which decodes an address to a slot, and a model for a slot. Ours is the
 //! emulator's, on our own bus ([`memory_map`]), with TIM6, DAC, ADC1, ADC2, their common block,
-//! DMAMUX1, the flash interface and IWDG answered by the models next door.
+//! DMAMUX1, the flash interface, SYSCFG and IWDG answered by the models next door.
 
-use rigless::device::{Device, ErasedDevice, ResetCause};
+use rigless::device::{Device, ErasedDevice, ResetCause, Told};
 use rigless::mcu::{Mcu, Operate};
 use rigless::soc::stm32h743::Stm32h743;
 use rigless::soc::stm32h743::generated::{dbgmcu, rcc, rtc};
@@ -18,6 +18,7 @@ use super::dmamux::Dmamux;
 use super::flash::WatchedFlash;
 use super::iwdg::Iwdg;
 use super::memory_map;
+use super::overdrive::{self, WatchedSyscfg};
 use super::tim6::{self, Tim6};
 use super::{HSE_HZ, Pins, SUPPLY_MV, USART3};
 
@@ -31,9 +32,10 @@ enum Own {
     Common,
     Flash,
     Iwdg,
+    Syscfg,
 }
 
-const OWN: [(&str, Own); 8] = [
+const OWN: [(&str, Own); 9] = [
     (tim6::NAME, Own::Tim6),
     (super::dac::NAME, Own::Dac),
     ("DMAMUX1", Own::Dmamux),
@@ -42,6 +44,7 @@ const OWN: [(&str, Own); 8] = [
     (adc::NAME, Own::Common),
     ("Flash", Own::Flash),
     ("IWDG", Own::Iwdg),
+    ("SYSCFG", Own::Syscfg),
 ];
 
 /// The part, out of reset, with the board's crystal, rail and serial line on its pins.
@@ -56,6 +59,7 @@ pub struct Part {
     common: Common,
     flash: WatchedFlash,
     iwdg: Iwdg,
+    syscfg: WatchedSyscfg,
     pins: Pins,
     own: Box<[Option<Own>]>,
     usart3_slot: usize,
@@ -88,6 +92,7 @@ impl Part {
             common: Common::new(pair),
             flash: WatchedFlash::new(pins.flash.clone()),
             iwdg: Iwdg::new(),
+            syscfg: WatchedSyscfg::default(),
             pins,
             own,
         };
@@ -146,7 +151,17 @@ impl Part {
         }
     }
 
-    fn register<L: rigless::soc::Layout>(&self, register: L, instance: &str) -> u64 {
+    /// Since when the regulator's overdrive has been on.
+    pub(super) fn overdrive_since(&self) -> Option<VirtualNanos> {
+        self.syscfg.overdrive_since()
+    }
+
+    /// Whether what a model told is answered by what the emulator's models cannot see.
+    pub(crate) fn explains(&self, told: &Told) -> bool {
+        overdrive::allows(self, told)
+    }
+
+    pub(super) fn register<L: rigless::soc::Layout>(&self, register: L, instance: &str) -> u64 {
         self.base
             .bus()
             .registers(instance)
@@ -219,6 +234,7 @@ impl Mcu for Part {
             Own::Common => &mut self.common,
             Own::Flash => &mut self.flash,
             Own::Iwdg => &mut self.iwdg,
+            Own::Syscfg => &mut self.syscfg,
         };
         (self.base.bus_mut(), Some(model))
     }

@@ -240,7 +240,8 @@ impl Emulator {
             let refused = refused.map(|(at, fault)| format!("refused at {at:#x}: {fault}"));
             let stored = session.unimplemented().iter();
             let stored = stored.map(|(at, gap)| format!("stored only at {at:#x}: {gap:x?}"));
-            let told = session.told();
+            let part = &session.board().part;
+            let told = session.told().filter(|told| !part.explains(told));
             let told =
                 told.map(|told| format!("{}.{}: {}", told.instance, told.register, told.reason));
             let unrouted = session.unrouted().iter();
