@@ -61,6 +61,14 @@ pub fn diagnose(folder: &Path, options: &Options) -> Result<Answer, GapError> {
         Measured::Points {
             points, columns, ..
         } => {
+            if matches!(
+                validate.as_ref().map(|v| &v.measured),
+                Some(Measured::Record(_))
+            ) {
+                return Err(GapError::Usage(
+                    "--validate needs points of a calibrator too".into(),
+                ));
+            }
             let problem = Problem::new(&dataset.rig, points);
             if problem.len() < 2 {
                 return Err(GapError::Table {

@@ -70,21 +70,79 @@ impl Dataset {
             Kind::Calibrator => "points.csv",
             Kind::Oscillator => "record.csv",
         });
-        let file = std::fs::File::open(&table).map_err(|e| GapError::file(&table, e))?;
-        let mut input = HashingReader {
+        let file = std::fs::File::open(&table).map_err(|e| without_table(&table, rig.kind, e))?;
+        let input = UnixLines(HashingReader {
             inner: std::io::BufReader::new(file),
             hash: &mut hash,
-        };
+        });
         let measured = match rig.kind {
-            Kind::Calibrator => points::read(&mut input)?,
-            Kind::Oscillator => Measured::Record(record::read(&mut input)?),
+            Kind::Calibrator => points::read(input)?,
+            Kind::Oscillator => Measured::Record(record::read(input)?),
         };
+        sampled_fast_enough(&rig, &measured)?;
         let sha256 = hash.finalize().iter().map(|b| format!("{b:02x}")).collect();
         Ok(Self {
             rig,
             measured,
             sha256,
         })
+    }
+}
+
+/// The table the rig speaks of is not there; perhaps the other one is.
+fn without_table(table: &Path, kind: Kind, source: std::io::Error) -> GapError {
+    let (kind, other) = match kind {
+        Kind::Calibrator => ("calibrator", "record.csv"),
+        Kind::Oscillator => ("oscillator", "points.csv"),
+    };
+    if table.with_file_name(other).exists() {
+        return GapError::Rig {
+            path: table.with_file_name("rig.toml"),
+            problem: format!(
+                "kind = \"{kind}\" contradicts the table {other} beside it; correct the kind"
+            ),
+        };
+    }
+    GapError::file(table, source)
+}
+
+/// No sampled system sees a component at or above half its sample rate.
+fn sampled_fast_enough(rig: &Rig, measured: &Measured) -> Result<(), GapError> {
+    let (Some(rate_hz), Measured::Points { points, .. }) = (rig.digitiser.sample_rate_hz, measured)
+    else {
+        return Ok(());
+    };
+    let highest_hz = points.iter().map(|p| p.frequency_hz).fold(0.0, f64::max);
+    if highest_hz < 0.5 * rate_hz {
+        return Ok(());
+    }
+    Err(GapError::Table {
+        file: "points.csv",
+        problem: format!(
+            "holds a point at {highest_hz} Hz, which digitiser.sample_rate_hz = {rate_hz} in rig.toml cannot see; \
+             correct one of them"
+        ),
+    })
+}
+
+/// Takes carriage returns away: a parser that meets them counts lines differently.
+struct UnixLines<R>(R);
+
+impl<R: std::io::Read> std::io::Read for UnixLines<R> {
+    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
+        loop {
+            let count = self.0.read(buffer)?;
+            let mut kept = 0;
+            for at in 0..count {
+                if buffer[at] != b'\r' {
+                    buffer[kept] = buffer[at];
+                    kept += 1;
+                }
+            }
+            if kept > 0 || count == 0 {
+                return Ok(kept);
+            }
+        }
     }
 }
 

@@ -8,9 +8,12 @@ use std::io::Read;
 
 const FILE: &str = "points.csv";
 
-/// Largest table that is read. A diagnosis keeps some hundred numbers per row;
-/// beyond this, repeated points are to be averaged first.
-pub(crate) const MOST_ROWS: usize = 100_000;
+/// Largest table that is read: a diagnosis keeps about 30 kB per row, and takes
+/// minutes beyond this.
+pub(crate) const MOST_ROWS: usize = 10_000;
+
+/// Relative distance at which a ratio and the quotient of its voltages are two different things.
+const RATIO_AGREES: f64 = 0.01;
 
 /// A harmonic relative to its fundamental; without a phase column only the amplitude is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -161,7 +164,7 @@ pub(super) fn read(input: impl Read) -> Result<Measured, GapError> {
     {
         if points.len() == MOST_ROWS {
             return Err(table(format!(
-                "more than {MOST_ROWS} rows; average repeated points first, then try again"
+                "more than {MOST_ROWS} rows; average points of the same run and conditions first"
             )));
         }
         let cells = Cells {
@@ -248,9 +251,11 @@ impl Layout {
                 column: name.clone(),
                 problem,
             };
-            let value: f64 = text
-                .parse()
-                .map_err(|_| cell(format!("\"{text}\" is not a number")))?;
+            let value: f64 = text.parse().map_err(|_| {
+                cell(format!(
+                    "\"{text}\" is not a number; the decimal mark is a point"
+                ))
+            })?;
             if !value.is_finite() {
                 return Err(cell(format!(
                     "\"{text}\" is not finite; leave the cell empty if nothing was measured"
@@ -284,7 +289,7 @@ impl Cells<'_> {
         self.get(name).map(f64::to_radians)
     }
 
-    fn missing(&self, column: &str, problem: String) -> GapError {
+    fn unusable(&self, column: &str, problem: String) -> GapError {
         GapError::Cell {
             file: FILE,
             line: self.line,
@@ -306,7 +311,7 @@ impl Cells<'_> {
     fn point(&self, run: usize) -> Result<Point, GapError> {
         let frequency_hz = self
             .get("frequency_hz")
-            .ok_or_else(|| self.missing("frequency_hz", "every row needs a frequency".into()))?;
+            .ok_or_else(|| self.unusable("frequency_hz", "every row needs a frequency".into()))?;
         let point = Point {
             frequency_hz,
             run,
@@ -338,7 +343,23 @@ impl Cells<'_> {
             u_dc_v: self.get("u_dc_v"),
         };
         self.check_uncertainties(&point)?;
+        self.check_ratio(&point)?;
         Ok(point)
+    }
+
+    /// A ratio stated twice must be one ratio.
+    fn check_ratio(&self, p: &Point) -> Result<(), GapError> {
+        let (Some(ratio), Some(dut_v), Some(ref_v)) = (p.ratio, p.dut_v, p.ref_v) else {
+            return Ok(());
+        };
+        let quotient = dut_v / ref_v;
+        if (ratio / quotient - 1.0).abs() > RATIO_AGREES {
+            return Err(self.unusable(
+                "ratio",
+                format!("{ratio} contradicts dut_v/ref_v = {quotient:.6}; give one of the two"),
+            ));
+        }
+        Ok(())
     }
 
     /// A value that takes part must say how good it is.
@@ -378,7 +399,7 @@ impl Cells<'_> {
         ];
         for (column, uncertainty, of, needed) in pairs {
             if needed && uncertainty.is_none() {
-                return Err(self.missing(
+                return Err(self.unusable(
                     column,
                     format!("{of} is given without its standard uncertainty; fill in {column}"),
                 ));

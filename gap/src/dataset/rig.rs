@@ -4,6 +4,9 @@ use crate::error::GapError;
 use serde::Deserialize;
 use std::path::Path;
 
+/// Uncertainty over value beyond which a statement says nothing.
+const LEAST_KNOWN: f64 = 10.0;
+
 /// A value and its standard uncertainty in the unit of the entry (0 = exact).
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, serde::Serialize)]
 #[serde(deny_unknown_fields)]
@@ -173,7 +176,8 @@ impl Rig {
             path: path.into(),
             problem,
         };
-        let rig: Self = toml::from_str(text).map_err(|e| problem(e.to_string()))?;
+        let rig: Self =
+            toml::from_str(text).map_err(|e| problem(e.to_string().trim_end().into()))?;
         rig.check().map_err(problem)?;
         Ok(rig)
     }
@@ -190,6 +194,12 @@ impl Rig {
                 return Err(format!(
                     "{name}: u {} must be zero (exact) or positive",
                     quantity.u
+                ));
+            }
+            if quantity.u > LEAST_KNOWN * quantity.value {
+                return Err(format!(
+                    "{name}: u {} is more than {LEAST_KNOWN} times the value {}; leave out what is not known",
+                    quantity.u, quantity.value
                 ));
             }
         }

@@ -55,10 +55,8 @@ pub struct Gap {
     /// Effects chosen on the other rows.
     pub chosen: Vec<&'static str>,
     /// Simulation error of a record in the unit of its output, r.m.s., before.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub rms_before: Option<f64>,
     /// The same, after.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub rms_after: Option<f64>,
     /// By observable.
     pub by_observable: BTreeMap<&'static str, ObservableGap>,

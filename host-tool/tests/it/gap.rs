@@ -41,11 +41,216 @@ fn a_simulated_effect_is_named_and_the_dataset_does_not_tell_it() {
         (value.expect("number") - 31e3).abs() < 5.0 * u.expect("number"),
         "{resonance}"
     );
+    every_field_is_there(&answer);
     let page = std::fs::read_to_string(path.join("a.html")).expect("written");
     assert!(page.contains("dut_resonance"));
     // Never over an existing dataset.
     let again = ["gap", "simulate", "standard", "--out", "a"];
     assert_eq!(calib(path, &again).status.code(), Some(6));
+}
+
+/// The shape that was promised; null where there is no such number.
+fn every_field_is_there(answer: &Value) {
+    let has = |value: &Value, fields: &[&str]| {
+        for field in fields {
+            assert!(value.get(field).is_some(), "{field} is missing in {value}");
+        }
+    };
+    has(answer, &["verdict", "where", "causes", "confusable"]);
+    has(answer, &["none_of_these_p_value", "next_measurement"]);
+    has(answer, &["gap", "nominal_parameters", "dataset"]);
+    has(&answer["where"][0], &["stage", "observable", "axis"]);
+    has(&answer["where"][0], &["from", "to", "share", "p_value"]);
+    has(&answer["causes"][0], &["probability", "delta_bic"]);
+    let sizes = ["before_percent", "after_percent", "floor_percent"];
+    let others = ["closed", "chi_before", "chi_after"];
+    let gap = &answer["gap"];
+    has(gap, &["held_out_rows", "by_observable"]);
+    for gap in [gap, &gap["by_observable"]["ratio"]] {
+        has(gap, &sizes);
+        has(gap, &others);
+    }
+    has(&answer["dataset"], &["rows", "columns_used", "sha256"]);
+    has(
+        &answer["nominal_parameters"]["stiffness_n_per_m"],
+        &["value", "u"],
+    );
+}
+
+/// What is done to a sound dataset, in which file, and what the error then says.
+type Damage = (
+    &'static str,
+    &'static str,
+    fn(&str) -> String,
+    &'static [&'static str],
+);
+
+/// Without the column, in a table of which no cell holds a comma.
+fn without(table: &str, column: &str) -> String {
+    let at = |line: &str| line.split(',').position(|name| name == column);
+    let at = table.lines().next().and_then(at).expect("the column");
+    let keep = |line: &str| {
+        let cells = line.split(',').enumerate();
+        let kept: Vec<&str> = cells.filter(|c| c.0 != at).map(|c| c.1).collect();
+        kept.join(",") + "\n"
+    };
+    table.lines().map(keep).collect()
+}
+
+/// With `text` for the first cell of line 7 (the frequency is not the first column).
+fn in_line_7(table: &str, column: &str, text: &str) -> String {
+    let header = table.lines().next().expect("a header");
+    let at = header.split(',').position(|name| name == column);
+    let mut lines: Vec<String> = table.lines().map(str::to_owned).collect();
+    let mut cells: Vec<&str> = lines[6].split(',').collect();
+    cells[at.expect("the column")] = text;
+    lines[6] = cells.join(",");
+    lines.join("\r\n")
+}
+
+const DAMAGES: &[Damage] = &[
+    (
+        "no unit column",
+        "points.csv",
+        |t| without(t, "u_ratio"),
+        &["points.csv, line 2, column u_ratio", "fill in u_ratio"],
+    ),
+    (
+        "no frequency",
+        "points.csv",
+        |t| without(t, "frequency_hz"),
+        &["points.csv", "frequency_hz is missing"],
+    ),
+    (
+        "not a number, lines ended as on Windows",
+        "points.csv",
+        |t| in_line_7(t, "ref_v", "NaN"),
+        &["points.csv, line 7, column ref_v", "leave the cell empty"],
+    ),
+    (
+        "decimal comma",
+        "points.csv",
+        |t| in_line_7(t, "dut_deg", "\"1,5\""),
+        &["line 7, column dut_deg", "the decimal mark is a point"],
+    ),
+    (
+        "frequency zero",
+        "points.csv",
+        |t| in_line_7(t, "frequency_hz", "0"),
+        &["line 7, column frequency_hz", "must be positive"],
+    ),
+    (
+        "one row",
+        "points.csv",
+        |t| t.lines().take(2).map(|l| l.to_owned() + "\n").collect(),
+        &["points.csv", "1 row(s)", "at least two"],
+    ),
+    (
+        "unknown column",
+        "points.csv",
+        |t| t.replacen("u_ratio", "u_ratoi", 1),
+        &["u_ratoi", "u_ratio"],
+    ),
+    (
+        "more rows than fit",
+        "points.csv",
+        |t| {
+            let (header, rows) = t.split_once('\n').expect("rows");
+            format!("{header}\n{}", rows.repeat(60))
+        },
+        &["points.csv", "more than 10000 rows", "average"],
+    ),
+    (
+        "negative stiffness",
+        "rig.toml",
+        |t| t.replace("8000.0", "-8000.0"),
+        &["rig.toml", "stiffness_n_per_m", "positive"],
+    ),
+    (
+        "an uncertainty that says nothing",
+        "rig.toml",
+        |t| t.replace("u = 400.0", "u = 400000.0"),
+        &["rig.toml", "stiffness_n_per_m", "leave out"],
+    ),
+    (
+        "a kind the table contradicts",
+        "rig.toml",
+        |t| t.replace("\"calibrator\"", "\"oscillator\""),
+        &["rig.toml", "contradicts the table points.csv"],
+    ),
+    (
+        "a sample rate the points contradict",
+        "rig.toml",
+        |t| t.replace("51200.0", "100.0"),
+        &["points.csv", "sample_rate_hz = 100"],
+    ),
+];
+
+#[test]
+fn a_bad_dataset_is_refused_with_file_place_and_remedy() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path();
+    simulate(path, "sound", &[]);
+    let read = |file: &str| std::fs::read_to_string(path.join("sound").join(file)).expect(file);
+    for (name, file, damage, says) in DAMAGES {
+        let folder = path.join(name);
+        std::fs::create_dir(&folder).expect("folder");
+        for other in ["rig.toml", "points.csv"] {
+            let content = read(other);
+            let damaged = if other == *file {
+                damage(&content)
+            } else {
+                content.clone()
+            };
+            assert!(other != *file || damaged != content, "{name}: no damage");
+            std::fs::write(folder.join(other), damaged).expect("written");
+        }
+        let output = calib(path, &["gap", "diagnose", name, "--json"]);
+        let error = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(6), "{name}: {error}");
+        assert!(output.stdout.is_empty() || error.is_empty(), "{name}");
+        for word in [*name].iter().chain(*says) {
+            assert!(error.contains(word), "{name}: {error}");
+        }
+    }
+}
+
+#[test]
+fn a_bad_dataset_among_many_has_its_line_and_fails_the_call_at_its_end() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path();
+    let quick = ["--columns", "ratio"];
+    simulate(path, "a", &quick);
+    simulate(path, "b", &[&quick[..], &["--seed", "1"]].concat());
+    let arguments = ["gap", "diagnose", "a", "missing", "b", "--json"];
+    let output = calib(
+        path,
+        &[
+            &arguments[..],
+            &[
+                "--max-effects",
+                "1",
+                "--validate",
+                "b",
+                "--without",
+                "dut_drift",
+            ],
+        ]
+        .concat(),
+    );
+    assert_eq!(output.status.code(), Some(6), "{}", text(&output.stderr));
+    let answers = lines(&output.stdout);
+    assert_eq!(answers.len(), 3);
+    assert_eq!(answers[0]["dataset"]["path"], "a");
+    let error = answers[1]["error"].as_str().expect("an error");
+    assert!(error.contains("rig.toml"), "{error}");
+    assert_eq!(answers[2]["dataset"]["path"], "b");
+    // All rows of the other dataset took no part.
+    assert_eq!(
+        answers[0]["gap"]["held_out_rows"],
+        answers[2]["dataset"]["rows"]
+    );
+    assert!(text(&output.stderr).contains("3 of 3 datasets"));
 }
 
 #[test]

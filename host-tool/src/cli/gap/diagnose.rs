@@ -2,7 +2,7 @@
 
 use super::super::Context;
 use super::progress::Count;
-use super::{refused, text};
+use super::{refused, text, unusable};
 use calib_gap::{Answer, GapError, Options, check_name, diagnose};
 use calib_host::gap::truth::Manifest;
 use calib_host::{Error, Result};
@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
 /// Most answers in one report.
@@ -119,22 +119,6 @@ impl Diagnose {
         };
         let page = calib_gap::report(answers);
         std::fs::write(path, page).map_err(|e| Error::file("write", path, e))
-    }
-}
-
-/// A dataset that cannot be used, with its folder.
-fn unusable(folder: &Path, error: GapError) -> Error {
-    match refused(error) {
-        Error::Input {
-            place,
-            problem,
-            hint,
-        } if place == super::DATASET => Error::Input {
-            place: folder.display().to_string(),
-            problem,
-            hint,
-        },
-        other => other,
     }
 }
 

@@ -11,6 +11,7 @@ use super::Context;
 use calib_gap::GapError;
 use calib_host::{Error, Result};
 use clap::{Args, Subcommand};
+use std::path::Path;
 
 /// `calib gap`.
 #[derive(Debug, Args)]
@@ -46,20 +47,27 @@ impl Gap {
     }
 }
 
-/// Place of an error that does not say which dataset it is about.
-const DATASET: &str = "dataset";
-
-/// An unusable dataset as an error of the tool.
+/// A misuse of the library of effects as an error of the tool.
 fn refused(error: GapError) -> Error {
-    match error {
-        GapError::UnknownEffect { .. } | GapError::Usage(_) => Error::Usage {
-            problem: error.to_string(),
-            hint: "see `calib gap --help`".into(),
-        },
-        other => Error::input(
-            DATASET,
-            other.to_string(),
-            "docs/gap.md describes the format of a dataset",
-        ),
-    }
+    unusable(Path::new("dataset"), error)
+}
+
+/// A dataset that cannot be used as an error of the tool.
+fn unusable(folder: &Path, error: GapError) -> Error {
+    let (place, problem) = match error {
+        GapError::UnknownEffect { .. } | GapError::Usage(_) => {
+            return Error::Usage {
+                problem: error.to_string(),
+                hint: "see `calib gap --help`".into(),
+            };
+        }
+        GapError::File { path, source } => (path, source.to_string()),
+        GapError::Rig { path, problem } => (path, problem),
+        other => (folder.to_owned(), other.to_string()),
+    };
+    Error::input(
+        place.display().to_string(),
+        problem,
+        "docs/gap.md describes the format of a dataset",
+    )
 }
