@@ -6,8 +6,9 @@ use crate::tone::{MAX_PERIOD_SAMPLES, Tone};
 /// that the inner loop runs long and the sums stay small.
 pub const MIN_FOLD_SAMPLES: u32 = 500;
 
-/// Most passes over a fold: each adds at most 32 768 to a 32-bit sum.
-pub const MAX_PASSES: u32 = 65_535;
+/// Most passes over a fold: each adds at most 65 535 to a sum, and sums stay
+/// below 2^31 so that their differences fit 32 bits.
+pub const MAX_PASSES: u32 = 32_767;
 
 /// Most fractional cycles, per cycle, of a block of the level loop.
 const MAX_CYCLE_ERROR_REL: f32 = 1.0e-3;
@@ -24,9 +25,9 @@ impl Block {
     /// Whole periods of `tone`, at least `min_samples` samples long.
     ///
     /// # Overflow
-    /// A sum takes one sample of at most 32 768 per pass and `passes` is at
-    /// most 65 535: `65 535 * 32 768 < 2^31`. With folds of 500 samples or
-    /// more the limit is 32.7 million samples, 655 s at 50 kS/s; longer
+    /// A sum takes one code of at most 65 535 per pass and `passes` is at most
+    /// 32 767: `65 535 * 32 767 < 2^31`. With folds of 500 samples or
+    /// more the limit is 16.4 million samples, 327 s at 50 kS/s; longer
     /// requests give that longest block.
     pub fn measuring(tone: Tone, min_samples: u32) -> Self {
         let period = u32::from(tone.period_samples).max(1);

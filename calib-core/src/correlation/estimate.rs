@@ -1,7 +1,7 @@
 //! From the integer fold to complex amplitudes and residual noise.
 
 use super::block::Block;
-use super::fold::FoldSum;
+use super::fold::{Energy, FoldSum, SQUARE_STRIDE};
 use super::sums::Sums;
 use crate::phase::PhaseWalk;
 use crate::tone::Tone;
@@ -26,7 +26,9 @@ pub struct ChannelEstimate {
     pub harmonics: [Complex32; HARMONICS - 1],
     /// Root mean square of what mean, fundamental and harmonics leave.
     pub residual_rms: f32,
-    /// True when a sample reached an end of the converter's range.
+    /// True when samples reached an end of the converter's range: in every
+    /// period at the same place, as a signal that is too large does, or as a
+    /// spike far beyond the rest of the signal.
     pub clipped: bool,
 }
 
@@ -89,6 +91,21 @@ pub struct PairEstimate {
     pub dut: ChannelEstimate,
 }
 
+/// Code of 0 V.
+const MID_CODE: i64 = 32_768;
+
+/// Highest code.
+const LAST_CODE: u32 = 65_535;
+
+/// How far a sample at an end of the range is at least from a signal that stays
+/// within half of the range, less one code for rounding.
+const SPIKE_CODES: f32 = 16_383.0;
+
+/// How far a spike stands out of what else the fit leaves: in normal noise, one
+/// of 1e15 places does. A spike in a fold of n places stands out by sqrt(n),
+/// at least 22 times.
+const SPIKE_FACTOR: f32 = 8.0;
+
 /// Complex amplitudes of harmonics 1 to 5.
 type Spectrum = [Complex32; HARMONICS];
 
@@ -98,28 +115,28 @@ type Spectrum = [Complex32; HARMONICS];
 /// Amplitude 1e-6 relative and phase 1e-6 rad at full scale, for 10 ms as for
 /// 10 s: test `full_scale_signals_agree_with_an_f64_oracle`. The residual is
 /// the sum of two parts that are formed without cancellation, see
-/// [`spread_within_places`] and [`residual_energy`]; test
+/// [`spread_within_places`] and [`rests`]; test
 /// `noise_far_below_the_signal_is_measured`.
 pub(super) fn estimate(
     block: Block,
     start_index: u32,
     fold: &[FoldSum],
-    squares: [i64; 2],
-    clipped: [bool; 2],
+    energy: Energy,
 ) -> PairEstimate {
     let means = [mean_code(fold, 0), mean_code(fold, 1)];
     let walk = PhaseWalk::new(block.tone(), start_index);
     let (spectra, offsets) = correlate(walk, fold, means, block);
-    let fit_energy = residual_energy(walk, fold, means, block, &spectra, offsets);
+    let rests = rests(walk, fold, means, block, &spectra, offsets);
     let channel = |index: usize| {
         let [amplitude, harmonics @ ..] = spectra[index];
-        let within = spread_within_places(fold, index, squares[index], block.passes());
+        let within = spread_within_places(fold, index, energy, block.passes());
         ChannelEstimate {
             amplitude,
-            mean: means[index] as f32 / block.passes() as f32 + offsets[index],
+            mean: mean_of_sample(means[index], block.passes()) + offsets[index],
             harmonics,
-            residual_rms: libm::sqrtf((within + fit_energy[index]) / block.samples() as f32),
-            clipped: clipped[index],
+            residual_rms: libm::sqrtf((within + rests[index].energy) / block.samples() as f32),
+            clipped: stays_at_an_end(fold, index, block.passes())
+                || rests[index].has_spike(block.passes()),
         }
     };
     PairEstimate {
@@ -131,17 +148,35 @@ pub(super) fn estimate(
 
 /// Rounded mean of a channel's sums: subtracting it in integers keeps a large
 /// offset out of the f32 sums.
-fn mean_code(fold: &[FoldSum], channel: usize) -> i32 {
-    let sum: i64 = fold.iter().map(|sums| i64::from(sums[channel])).sum();
-    (sum / fold.len().max(1) as i64) as i32
+fn mean_code(fold: &[FoldSum], channel: usize) -> u32 {
+    let sum: u64 = fold
+        .iter()
+        .map(|sum| u64::from(sum.channels()[channel]))
+        .sum();
+    (sum / fold.len().max(1) as u64) as u32
+}
+
+/// Mean of a sample about mid-scale, from the mean of the sums.
+fn mean_of_sample(mean: u32, passes: u32) -> f32 {
+    (i64::from(mean) - MID_CODE * i64::from(passes)) as f32 / passes as f32
+}
+
+/// True when some place held the first or the last code in every pass.
+fn stays_at_an_end(fold: &[FoldSum], channel: usize, passes: u32) -> bool {
+    let top = LAST_CODE * passes;
+    let mut sums = fold.iter().map(|sum| sum.channels()[channel]);
+    sums.any(|sum| sum == 0 || sum == top)
 }
 
 /// Sums of a place, free of the mean, in codes per sample.
 #[inline]
-fn centred(sums: FoldSum, means: [i32; 2], per_pass: f32) -> [f32; 2] {
+fn centred(sum: FoldSum, means: [u32; 2], per_pass: f32) -> [f32; 2] {
+    let [reference, dut] = sum.channels();
+    // Sums stay below 2^31, see `MAX_PASSES`: their difference fits.
+    let difference = |sum: u32, mean: u32| sum.wrapping_sub(mean) as i32 as f32;
     [
-        sums[0].wrapping_sub(means[0]) as f32 * per_pass,
-        sums[1].wrapping_sub(means[1]) as f32 * per_pass,
+        difference(reference, means[0]) * per_pass,
+        difference(dut, means[1]) * per_pass,
     ]
 }
 
@@ -164,7 +199,7 @@ fn usable_harmonics(tone: Tone) -> usize {
 fn correlate(
     mut walk: PhaseWalk,
     fold: &[FoldSum],
-    means: [i32; 2],
+    means: [u32; 2],
     block: Block,
 ) -> ([Spectrum; 2], [f32; 2]) {
     let per_pass = 1.0 / block.passes() as f32;
@@ -216,42 +251,83 @@ fn without_leakage(seen: Complex32, leakage: Complex32) -> Complex32 {
     (seen - seen.conj() * leakage) / (1.0 - leakage.norm_sqr())
 }
 
-/// Energy of the difference between the averaged period and the fit, times the
-/// passes: the part of the residual that repeats in every period.
-fn residual_energy(
+/// What the fit leaves of a channel's averaged period.
+#[derive(Clone, Copy, Default)]
+struct Rest {
+    /// Its energy times the passes: the part of the residual that repeats in
+    /// every period.
+    energy: f32,
+    /// Its largest square, codes squared.
+    largest_square: f32,
+    /// Its mean square, codes squared.
+    mean_square: f32,
+}
+
+impl Rest {
+    /// True when one place stands out as a lone sample at an end of the range
+    /// does: by half the range when its passes are summed again, and by eight
+    /// times what all places leave.
+    ///
+    /// The signal around a spike must stay within half of the range. In a larger
+    /// one a lone clipped sample is off by less than the signal itself, and
+    /// shows in the residual.
+    fn has_spike(self, passes: u32) -> bool {
+        let summed = SPIKE_CODES / passes as f32;
+        self.largest_square >= summed * summed
+            && self.largest_square >= SPIKE_FACTOR * SPIKE_FACTOR * self.mean_square
+    }
+}
+
+/// What mean, fundamental and harmonics leave of both averaged periods.
+fn rests(
     mut walk: PhaseWalk,
     fold: &[FoldSum],
-    means: [i32; 2],
+    means: [u32; 2],
     block: Block,
     spectra: &[Spectrum; 2],
     offsets: [f32; 2],
-) -> [f32; 2] {
+) -> [Rest; 2] {
     let per_pass = 1.0 / block.passes() as f32;
     let mut sums = Sums::<2>::new();
+    let mut largest = [0.0_f32; 2];
     for &place in fold {
         let phasors = harmonic_phasors(walk.next_cos_sin());
         let values = centred(place, means, per_pass);
-        let rest = |channel: usize| {
+        let square = |channel: usize| {
             let fit = spectra[channel].iter().zip(&phasors);
             let fitted: f32 = fit.map(|(a, p)| a.re * p.re - a.im * p.im).sum();
             let rest = values[channel] - offsets[channel] - fitted;
             rest * rest
         };
-        sums.add([rest(0), rest(1)]);
+        let squares = [square(0), square(1)];
+        for (largest, square) in largest.iter_mut().zip(squares) {
+            *largest = largest.max(square);
+        }
+        sums.add(squares);
     }
-    sums.total().map(|energy| energy * block.passes() as f32)
+    let total = sums.total();
+    [0, 1].map(|channel| Rest {
+        energy: total[channel] * block.passes() as f32,
+        largest_square: largest[channel],
+        mean_square: total[channel] / fold.len().max(1) as f32,
+    })
 }
 
 /// Energy of the samples about the average of their own place: the part of
-/// the residual that differs from period to period.
+/// the residual that differs from period to period, estimated for all places
+/// from those whose squares were summed.
 ///
 /// `sum x^2 - sum F^2 / passes` is formed in 128-bit integers: exact, so
 /// nothing is lost when the signal is a million times the noise.
-fn spread_within_places(fold: &[FoldSum], channel: usize, squares: i64, passes: u32) -> f32 {
-    let folded: i128 = fold
-        .iter()
-        .map(|sums| i128::from(i64::from(sums[channel]) * i64::from(sums[channel])))
-        .sum();
-    let spread = i128::from(squares) * i128::from(passes) - folded;
-    spread.max(0) as f32 / passes as f32
+fn spread_within_places(fold: &[FoldSum], channel: usize, energy: Energy, passes: u32) -> f32 {
+    let middle = MID_CODE * i64::from(passes);
+    let (mut folded, mut places) = (0_i128, 0_u32);
+    for sums in fold.iter().step_by(SQUARE_STRIDE) {
+        let sum = i128::from(i64::from(sums.channels()[channel]) - middle);
+        folded += sum * sum;
+        places += 1;
+    }
+    let spread = i128::from(energy.squares[channel]) * i128::from(passes) - folded;
+    let all = fold.len() as f32 / places.max(1) as f32;
+    spread.max(0) as f32 / passes as f32 * all
 }

@@ -7,14 +7,38 @@ use crate::tone::MAX_PERIOD_SAMPLES;
 /// Turns a pair in offset binary (`ADC2 << 16 | ADC1`) into two signed halves.
 const OFFSET: u32 = 0x8000_8000;
 
-/// Pairs between two looks at the energy, see [`Correlator::push`].
-const RUN: usize = 64;
+/// Of so many places of the fold, one has its squares summed. A prime that
+/// divides no period of the preferred frequencies, so that the squared places
+/// are spread evenly over the cycle however often it repeats in the fold; test
+/// `squared_places_are_spread_over_the_cycle`.
+pub(super) const SQUARE_STRIDE: usize = 13;
 
-/// No run with less energy than one full-scale sample can hold a clipped one.
-const CLIP_ENERGY: i64 = 32_767 * 32_767;
+/// Pairs folded without a look at the end: whole buffers and the usual folds are
+/// multiples of it.
+const GROUP: usize = 20;
 
-/// Sums of a fold: reference and device under test at each place of a period.
-pub type FoldSum = [i32; 2];
+/// Sums of a place of the period in offset binary as the converter gives it: the
+/// reference in the low word, the device under test in the high word, each below
+/// 2^31. One word of 64 bits, since the core moves those at once.
+#[derive(Clone, Copy, Default)]
+pub struct FoldSum(u64);
+
+impl FoldSum {
+    /// Reference and device under test.
+    #[inline(always)]
+    pub fn channels(self) -> [u32; 2] {
+        [self.0 as u32, (self.0 >> 32) as u32]
+    }
+
+    /// Adds both halves of a pair.
+    #[inline(always)]
+    fn add(&mut self, pair: u32) {
+        let [reference, dut] = self.channels();
+        let reference = reference.wrapping_add(pair & 0xFFFF);
+        let dut = dut.wrapping_add(pair >> 16);
+        self.0 = u64::from(reference) | (u64::from(dut) << 32);
+    }
+}
 
 /// Room for the longest fold; 96 KB, all zero at the start.
 pub struct FoldMemory([FoldSum; MAX_PERIOD_SAMPLES as usize]);
@@ -22,7 +46,7 @@ pub struct FoldMemory([FoldSum; MAX_PERIOD_SAMPLES as usize]);
 impl FoldMemory {
     /// Empty memory, for a static.
     pub const fn new() -> Self {
-        Self([[0; 2]; MAX_PERIOD_SAMPLES as usize])
+        Self([FoldSum(0); MAX_PERIOD_SAMPLES as usize])
     }
 }
 
@@ -32,18 +56,31 @@ impl Default for FoldMemory {
     }
 }
 
+/// Energy of a stretch of samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Energy {
+    /// Sums of squares of both channels about mid-scale, codes squared, exact.
+    pub squares: [u64; 2],
+    /// Samples in those sums.
+    pub samples: u32,
+}
+
 /// Streams sample pairs into one block after another.
 ///
 /// The low half of a pair is the reference, the high half the device under
 /// test, both 16 bit offset binary.
+///
+/// Squares, which tell how much the samples scatter from period to period, are
+/// summed at every 13th place: the scatter of so many samples is known well
+/// enough from some hundred of them. Nothing else is sampled; mean, amplitudes
+/// and what repeats in every period come from the sums of all samples.
 pub struct Correlator<'m> {
     fold: &'m mut [FoldSum],
     block: Block,
     start_index: u32,
     taken: u32,
     place: usize,
-    squares: [i64; 2],
-    clipped: [bool; 2],
+    energy: Energy,
 }
 
 impl<'m> Correlator<'m> {
@@ -56,8 +93,7 @@ impl<'m> Correlator<'m> {
             start_index,
             taken: 0,
             place: 0,
-            squares: [0; 2],
-            clipped: [false; 2],
+            energy: Energy::default(),
         };
         correlator.start(block, start_index);
         correlator
@@ -72,13 +108,12 @@ impl<'m> Correlator<'m> {
         self.fold
             .iter_mut()
             .take(length)
-            .for_each(|sum| *sum = [0; 2]);
+            .for_each(|sum| *sum = FoldSum::default());
         self.block = block;
         self.start_index = start_index;
         self.taken = 0;
         self.place = 0;
-        self.squares = [0; 2];
-        self.clipped = [false; 2];
+        self.energy = Energy::default();
     }
 
     /// Shape of the block in work.
@@ -98,23 +133,20 @@ impl<'m> Correlator<'m> {
 
     /// Adds pairs, at most as many as the block still needs; returns how many.
     ///
-    /// Clipping costs nothing while the signals are moderate: a run of 64
-    /// pairs is searched for clipped samples only when its energy is at least
-    /// that of one sample at full scale (an r.m.s. of 12.5 % of full scale).
-    ///
     /// # Timing
     /// `./run bench` counts the instructions per pair on the Cortex-M7.
     pub fn push(&mut self, pairs: &[u32]) -> usize {
         let wanted = pairs.len().min(self.remaining() as usize);
         let mut rest = pairs.get(..wanted).unwrap_or(pairs);
         while !rest.is_empty() {
-            let fold = self
-                .fold
-                .get_mut(self.place..self.block.fold_samples().into());
-            let Some(fold) = fold else { break };
-            let length = fold.len().min(rest.len());
-            let (now, later) = rest.split_at(length);
-            fold_pass(now, fold, &mut self.squares, &mut self.clipped);
+            let to_end = usize::from(self.block.fold_samples()) - self.place;
+            let (run, later) = rest.split_at(to_end.min(rest.len()));
+            let length = run.len();
+            let Some(sums) = self.fold.get_mut(self.place..self.place + length) else {
+                break;
+            };
+            fold_run(run, sums);
+            self.energy.add(run, self.place);
             self.place += length;
             if self.place == usize::from(self.block.fold_samples()) {
                 self.place = 0;
@@ -125,14 +157,9 @@ impl<'m> Correlator<'m> {
         wanted
     }
 
-    /// Sum of squares of both channels so far, in codes squared, exact.
-    pub fn squares(&self) -> [i64; 2] {
-        self.squares
-    }
-
-    /// True for each channel that reached an end of the converter's range.
-    pub fn clipped(&self) -> [bool; 2] {
-        self.clipped
+    /// Energy of the squared places so far.
+    pub fn energy(&self) -> Energy {
+        self.energy
     }
 
     /// Complex amplitudes, mean, harmonics and residual of a full block.
@@ -144,75 +171,70 @@ impl<'m> Correlator<'m> {
     pub fn estimate(&self) -> Option<PairEstimate> {
         let length = usize::from(self.block.fold_samples());
         let fold = self.fold.get(..length)?;
-        self.is_complete().then(|| {
-            estimate(
-                self.block,
-                self.start_index,
-                fold,
-                self.squares,
-                self.clipped,
-            )
-        })
+        self.is_complete()
+            .then(|| estimate(self.block, self.start_index, fold, self.energy))
     }
 }
 
-/// Adds `pairs` to the sums at the same places, run by run.
-fn fold_pass(pairs: &[u32], fold: &mut [FoldSum], squares: &mut [i64; 2], clipped: &mut [bool; 2]) {
-    for (run, sums) in pairs.chunks(RUN).zip(fold.chunks_mut(RUN)) {
-        let energy = fold_run(run, sums);
-        if energy.iter().any(|&e| e >= CLIP_ENERGY) {
-            search_clipped(run, clipped);
+impl Energy {
+    /// Adds the squares of a run that begins at `place`.
+    #[inline(never)]
+    fn add(&mut self, pairs: &[u32], place: usize) {
+        let skipped = (SQUARE_STRIDE - place % SQUARE_STRIDE) % SQUARE_STRIDE;
+        let mut energy = *self;
+        for &pair in pairs.iter().skip(skipped).step_by(SQUARE_STRIDE) {
+            let [reference, dut] = squares(pair);
+            energy.squares[0] = energy.squares[0].wrapping_add(u64::from(reference));
+            energy.squares[1] = energy.squares[1].wrapping_add(u64::from(dut));
+            energy.samples = energy.samples.wrapping_add(1);
         }
-        squares[0] = squares[0].wrapping_add(energy[0]);
-        squares[1] = squares[1].wrapping_add(energy[1]);
+        *self = energy;
     }
-}
 
-/// Adds one run and returns its sums of squares.
-///
-/// Eight pairs at a time: on the Cortex-M7 a pair becomes half an LDRD, EOR,
-/// LDRD, SXTAH, ADD with ASR, STRD, SMLALBB and SMLALTT.
-#[inline(never)]
-fn fold_run(pairs: &[u32], fold: &mut [FoldSum]) -> [i64; 2] {
-    let mut energy = [0_i64; 2];
-    let (pair_groups, pair_rest) = pairs.as_chunks::<8>();
-    let (sum_groups, sum_rest) = fold.as_chunks_mut::<8>();
-    for (group, sums) in pair_groups.iter().zip(sum_groups.iter_mut()) {
-        for (&pair, sum) in group.iter().zip(sums) {
-            add_pair(pair, sum, &mut energy);
+    /// Mean square of a channel about mid-scale, codes squared; 0 of nothing.
+    pub fn mean_square(&self, channel: usize) -> f32 {
+        let sum = self.squares.get(channel).copied().unwrap_or_default();
+        sum as f32 / self.samples.max(1) as f32
+    }
+
+    /// What was added since `earlier`.
+    pub fn since(self, earlier: Self) -> Self {
+        Self {
+            squares: [
+                self.squares[0].wrapping_sub(earlier.squares[0]),
+                self.squares[1].wrapping_sub(earlier.squares[1]),
+            ],
+            samples: self.samples.wrapping_sub(earlier.samples),
         }
     }
-    // What is left is shorter than a group in `pairs`; in `fold` it follows
-    // the groups that were used.
-    let used = pair_groups.len();
-    let tail = sum_groups
-        .get_mut(used)
-        .map_or(sum_rest, |group| group.as_mut_slice());
-    for (&pair, sum) in pair_rest.iter().zip(tail) {
-        add_pair(pair, sum, &mut energy);
-    }
-    energy
 }
 
-/// One pair: both halves signed, added to their sums and squared.
+/// Squares of both halves about mid-scale, each at most 2^30.
 #[inline(always)]
-fn add_pair(pair: u32, sum: &mut FoldSum, energy: &mut [i64; 2]) {
+fn squares(pair: u32) -> [u32; 2] {
     let signed = pair ^ OFFSET;
     let reference = i32::from(signed as i16);
     let dut = (signed as i32) >> 16;
-    sum[0] = sum[0].wrapping_add(reference);
-    sum[1] = sum[1].wrapping_add(dut);
-    energy[0] = energy[0].wrapping_add(i64::from(reference.wrapping_mul(reference)));
-    energy[1] = energy[1].wrapping_add(i64::from(dut.wrapping_mul(dut)));
+    [
+        reference.wrapping_mul(reference) as u32,
+        dut.wrapping_mul(dut) as u32,
+    ]
 }
 
-/// Marks the channels that show the first or the last code.
-#[cold]
+/// Adds both halves of each pair to the sums of its place.
+///
+/// On the Cortex-M7 a pair is a load of the pair, a load of both sums, UXTAH, ADD
+/// with LSR, and a store of both sums.
 #[inline(never)]
-fn search_clipped(pairs: &[u32], clipped: &mut [bool; 2]) {
-    for &pair in pairs {
-        let (reference, dut) = (pair & 0xFFFF, pair >> 16);
-        clipped[0] |= reference == 0 || reference == 0xFFFF;
-        clipped[1] |= dut == 0 || dut == 0xFFFF;
+fn fold_run(pairs: &[u32], fold: &mut [FoldSum]) {
+    let (pair_groups, pair_rest) = pairs.as_chunks::<GROUP>();
+    let (whole, rest) = fold.split_at_mut(fold.len().min(pairs.len() - pair_rest.len()));
+    for (pairs, sums) in pair_groups.iter().zip(whole.as_chunks_mut::<GROUP>().0) {
+        for (&pair, sum) in pairs.iter().zip(sums) {
+            sum.add(pair);
+        }
+    }
+    for (&pair, sum) in pair_rest.iter().zip(rest) {
+        sum.add(pair);
     }
 }

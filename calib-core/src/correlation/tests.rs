@@ -176,9 +176,9 @@ fn ten_seconds_are_as_accurate_as_ten_milliseconds() {
 fn sums_cannot_overflow_in_the_longest_block() {
     for nominal_hz in PREFERRED_HZ {
         let block = Block::measuring(tone(nominal_hz), u32::MAX);
-        // 32 768 is the largest magnitude of a sample.
-        assert!(i64::from(block.passes()) * 32_768 <= i64::from(i32::MAX));
-        // 10 s fit with room: 65 535 passes of at least 500 samples.
+        // 65 535 is the highest code; below 2^31 differences fit as well.
+        assert!(u64::from(block.passes()) * 65_535 <= i32::MAX as u64);
+        // 10 s fit with room: 32 767 passes of at least 500 samples.
         assert!(block.samples() >= 500_000);
     }
 }
@@ -241,7 +241,7 @@ fn whole_cycles_do_not_leak() {
 fn noise_far_below_the_signal_is_measured() {
     // 0.5 codes r.m.s. under 32 000 codes peak are 93 dB. Rounding to codes
     // adds 1/12 of a code squared. The residual of n samples scatters by
-    // 1 / sqrt(2 n), 0.3 % here; 4 sigma.
+    // 1 / sqrt(2 n); every 13th of 50 000 samples gives 1.14 %; 4 sigma.
     for nominal_hz in [20.0, 31.5, 160.0, 3150.0] {
         let tone = tone(nominal_hz);
         let block = Block::measuring(tone, 50_000);
@@ -250,7 +250,7 @@ fn noise_far_below_the_signal_is_measured() {
         let expected = (0.25_f64 + 1.0 / 12.0).sqrt();
         let residual = f64::from(estimate.reference.residual_rms);
         assert!(
-            (residual / expected - 1.0).abs() < 0.013,
+            (residual / expected - 1.0).abs() < 0.046,
             "{nominal_hz}: {residual}"
         );
     }
@@ -312,6 +312,30 @@ fn the_variance_is_that_of_the_cramer_rao_bound() {
 }
 
 #[test]
+fn a_signal_beyond_the_range_is_clipped_in_its_channel() {
+    for nominal_hz in PREFERRED_HZ {
+        let tone = tone(nominal_hz);
+        // With five samples a period, the one nearest the peak is at least
+        // cos(36 degrees) = 0.81 of it.
+        let large = Signal {
+            peak: 33_000.0 / 0.8,
+            ..PLAIN
+        };
+        for block in [Block::control(tone), Block::measuring(tone, 5_000)] {
+            for (signals, clipped) in [
+                ([large, PLAIN], [true, false]),
+                ([PLAIN, large], [false, true]),
+            ] {
+                let pairs = pairs(tone, signals, 0, block.samples(), 3.0);
+                let estimate = correlate(block, 0, &pairs);
+                let seen = [estimate.reference.clipped, estimate.dut.clipped];
+                assert_eq!(seen, clipped, "{nominal_hz} Hz");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_single_clipped_sample_is_found_in_its_channel() {
     let tone = tone(160.0);
     let block = Block::measuring(tone, 5_000);
@@ -335,6 +359,30 @@ fn a_single_clipped_sample_is_found_in_its_channel() {
             assert_eq!(estimate.reference.clipped, reference, "{place}");
             assert_eq!(estimate.dut.clipped, dut, "{place}");
         }
+    }
+}
+
+#[test]
+fn noise_is_not_taken_for_clipping() {
+    // Noise that makes the sums of a place scatter far beyond half the range,
+    // by 5 000 sqrt(8) and 2 000 sqrt(800), without one that stands out.
+    for (peak, noise, samples) in [(900.0, 5_000.0, 5_000), (9_000.0, 2_000.0, 500_000)] {
+        let tone = tone(160.0);
+        let block = Block::measuring(tone, samples);
+        let signal = Signal { peak, ..PLAIN };
+        let pairs = pairs(tone, [signal, signal], 0, block.samples(), noise);
+        let estimate = correlate(block, 0, &pairs);
+        assert!(!estimate.reference.clipped && !estimate.dut.clipped);
+    }
+}
+
+#[test]
+fn squared_places_are_spread_over_the_cycle() {
+    // Were the stride a divisor of the period, noise that comes with the slope
+    // or the size of the signal would be judged at some of its places alone.
+    for nominal_hz in PREFERRED_HZ {
+        let period = usize::from(tone(nominal_hz).period_samples);
+        assert!(!period.is_multiple_of(fold::SQUARE_STRIDE), "{nominal_hz}");
     }
 }
 

@@ -5,7 +5,7 @@ use super::scatter::Scatter;
 use crate::budget::{TypeA, point_budget};
 use crate::control::level_loop::OVERLOAD_REL;
 use crate::control::{Level, LevelLoop, LevelState, Next, full_output_peak_ms2};
-use crate::correlation::{Block, Correlator, FoldMemory, PairEstimate};
+use crate::correlation::{Block, Correlator, Energy, FoldMemory, PairEstimate};
 use crate::generator::{Command, Drive, ramp_samples};
 use crate::point::{PointResult, PointSpec};
 use crate::polarity::Polarity;
@@ -274,13 +274,13 @@ impl<'m> Sequencer<'m> {
 
     /// Feeds the correlator; at the end of a block, decides what follows.
     fn correlate<'p>(&mut self, pairs: &'p [u32]) -> &'p [u32] {
-        let [before, _] = self.correlator.squares();
+        let before = self.correlator.energy();
         let taken = self.correlator.push(pairs);
-        let [after, _] = self.correlator.squares();
+        let energy = self.correlator.energy().since(before);
         let period = u32::from(self.correlator.block().tone().period_samples);
         self.index = (self.index + taken as u32) % period;
         self.elapsed = self.elapsed.saturating_add(taken as u32);
-        if self.overloaded((after - before) as f32 / taken.max(1) as f32, taken) {
+        if self.overloaded(energy, taken) {
             self.refuse(Reason::Overload);
         } else if self.correlator.is_complete() {
             self.block_ended();
@@ -290,11 +290,11 @@ impl<'m> Sequencer<'m> {
 
     /// True when a stretch of at least 5 ms has more energy than the set level
     /// allows at any place of a cycle: stops a runaway before its block ends.
-    fn overloaded(&self, mean_square: f32, taken: usize) -> bool {
+    fn overloaded(&self, energy: Energy, taken: usize) -> bool {
         let long_enough = taken as f32 >= 0.005 * self.timing.sample_rate_hz;
         match (self.plan, self.reference_mean) {
             (Some(plan), Some(mean)) if long_enough => {
-                mean_square - mean * mean > plan.overload_square
+                energy.mean_square(0) - mean * mean > plan.overload_square
             }
             _ => false,
         }
