@@ -46,6 +46,12 @@ pub(crate) trait Effect: Sync {
         start.scaled(amplitudes[0])
     }
 
+    /// More starts around the best one, for effects that only scatter: first other
+    /// sizes (round 0), then other details.
+    fn around(&self, _best: &[f64], _round: usize, _facts: &Facts) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
+
     /// Acts on exciter, amplifier, digitiser and noise of a row.
     fn chain(&self, _parameters: &[f64], _row: &Row, _chain: &mut Chain) {}
 
@@ -149,10 +155,12 @@ pub(crate) fn library() -> &'static [&'static dyn Effect] {
         &timing::Crosstalk::Resistive,
         &timing::ChannelSkew,
         &timing::ClockOffset,
-        &noise::MainsPickup,
+        &noise::MainsPickup::Fundamental,
+        &noise::MainsPickup::Everywhere,
         &noise::SamplingJitter,
         &noise::AmbientVibration::Broadband,
-        &noise::AmbientVibration::Tone,
+        &noise::AmbientVibration::ToneNearby,
+        &noise::AmbientVibration::ToneEverywhere,
         &adc::Adc::CUBIC_REF,
         &adc::Adc::CUBIC_DUT,
         &adc::Adc::QUADRATIC_REF,

@@ -9,13 +9,22 @@ use crate::model::row::Row;
 use std::f64::consts::{SQRT_2, TAU};
 
 /// Mains lines in the channel of the device under test.
-pub(super) struct MainsPickup;
+///
+/// How far the lines leak depends on the window of the instrument: into the
+/// fundamental alone, or into every component that is computed alike.
+pub(super) enum MainsPickup {
+    Fundamental,
+    Everywhere,
+}
 /// Scatter of the sampling instants.
 pub(super) struct SamplingJitter;
 /// Motion of the base.
 pub(super) enum AmbientVibration {
     Broadband,
-    Tone,
+    /// A tone that leaks into fundamentals within a bin.
+    ToneNearby,
+    /// A tone that leaks into all components, however far.
+    ToneEverywhere,
 }
 
 static MAINS: About = About {
@@ -62,6 +71,9 @@ static AMBIENT_TONE: About = About {
     ..AMBIENT
 };
 
+/// Factors on the size of the best of the coarse starts.
+const FINE: [f64; 7] = [0.75, 0.82, 0.9, 1.0, 1.1, 1.21, 1.33];
+
 impl Effect for MainsPickup {
     fn about(&self) -> &'static About {
         &MAINS
@@ -74,15 +86,19 @@ impl Effect for MainsPickup {
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let largest = 0.3 * facts.largest_peak_v[1].max(10.0 * facts.noise_v);
-        let shares: &[f64] = if facts.ratio && facts.block_known {
-            &[0.0, 0.5, 1.0]
-        } else {
-            &[0.0]
-        };
         ratios(0.1 * facts.noise_v.max(1e-6), largest, 24)
             .into_iter()
-            .flat_map(|v| shares.iter().map(move |s| Start::shape(vec![v, *s])))
+            .map(|v| Start::shape(vec![v, 0.0]))
             .collect()
+    }
+    fn around(&self, best: &[f64], round: usize, facts: &Facts) -> Vec<Vec<f64>> {
+        match round {
+            0 => FINE.map(|factor| vec![best[0] * factor, best[1]]).into(),
+            _ if !(facts.ratio && facts.block_known) => Vec::new(),
+            _ => [0.1, 0.3, 0.6, 1.0]
+                .map(|share| vec![best[0], share])
+                .into(),
+        }
     }
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
         chain.noise_v2[1] += p[0] * p[0];
@@ -90,10 +106,14 @@ impl Effect for MainsPickup {
         if !row.bin_hz.is_finite() || !rms_v.is_finite() || p[1] == 0.0 {
             return;
         }
-        let relative = 0.5 * (p[0] * p[1] / rms_v).powi(2);
+        let power_v2 = (p[0] * p[1]).powi(2);
+        let relative = 0.5 * power_v2 / (rms_v * rms_v);
         chain.leakage[0] += relative * row.mains_leak[0];
-        for k in 0..4 {
-            chain.harmonic_leakage[1][k] += relative * row.mains_leak[k + 1];
+        if matches!(self, Self::Everywhere) {
+            for k in 0..4 {
+                chain.harmonic_leakage[1][k] += relative * row.mains_leak[k + 1];
+            }
+            chain.dc_leakage_v2[1] += power_v2 * row.mains_leak_dc;
         }
     }
 }
@@ -114,6 +134,12 @@ impl Effect for SamplingJitter {
             .into_iter()
             .map(|v| Start::shape(vec![v]))
             .collect()
+    }
+    fn around(&self, best: &[f64], round: usize, _facts: &Facts) -> Vec<Vec<f64>> {
+        if round > 0 {
+            return Vec::new();
+        }
+        FINE.map(|factor| vec![best[0] * factor]).into()
     }
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
         let share = 1.0 - (-(row.omega * p[0]).powi(2)).exp();
@@ -145,7 +171,7 @@ impl Effect for AmbientVibration {
         let noise = facts.level_known && (facts.ref_noise || facts.dut_noise);
         match self {
             Self::Broadband => noise,
-            Self::Tone => {
+            Self::ToneNearby | Self::ToneEverywhere => {
                 facts.drive && facts.level_known && facts.block_known && facts.lowest_hz < 40.0
             }
         }
@@ -155,32 +181,31 @@ impl Effect for AmbientVibration {
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let smallest = 0.1 * facts.noise_v.max(1e-6) * facts.ms2_per_v[0];
-        let sizes = ratios(smallest, 3e4 * smallest, 20);
-        match self {
-            Self::Broadband => sizes.into_iter().map(|s| Start::shape(vec![s])).collect(),
-            Self::Tone => {
-                let mut tones: Vec<f64> = facts
-                    .frequencies_hz
-                    .iter()
-                    .copied()
-                    .filter(|f| *f < 40.0)
-                    .collect();
-                tones.truncate(10);
-                let one = |size: f64, tone: f64| {
-                    [0.3, 1.0].map(|part| Start::shape(vec![size, size * part, tone]))
-                };
-                sizes
-                    .into_iter()
-                    .step_by(3)
-                    .flat_map(|s| {
-                        tones
-                            .iter()
-                            .flat_map(move |t| one(s, *t))
-                            .collect::<Vec<_>>()
-                    })
-                    .collect()
-            }
+        ratios(smallest, 3e4 * smallest, 20)
+            .into_iter()
+            .map(|size| match self {
+                Self::Broadband => Start::shape(vec![size]),
+                _ => Start::shape(vec![size, 0.1 * size, facts.lowest_hz.clamp(0.5, 45.0)]),
+            })
+            .collect()
+    }
+    fn around(&self, best: &[f64], round: usize, facts: &Facts) -> Vec<Vec<f64>> {
+        if round == 0 {
+            let sized = |factor: f64| {
+                let mut parameters = best.to_vec();
+                parameters[0] *= factor;
+                parameters
+            };
+            return FINE.map(sized).into();
         }
+        if matches!(self, Self::Broadband) {
+            return Vec::new();
+        }
+        let near = facts.frequencies_hz.iter().filter(|f| **f < 40.0);
+        let tones = near.take(12).flat_map(|tone| {
+            [0.03, 0.1, 0.3, 1.0].map(|part| vec![best[0], best[0] * part, *tone])
+        });
+        tones.collect()
     }
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
         let v_per_ms2 =
@@ -190,17 +215,32 @@ impl Effect for AmbientVibration {
                 *power += (p[0] * v).powi(2);
             }
         }
-        if let (Self::Tone, true) = (self, row.bin_hz.is_finite()) {
-            let bins = (row.frequency_hz - p[2]) / row.bin_hz;
-            let share = leaking(bins);
-            chain.leakage[1] += 0.5 * (p[1] / row.level_ms2).powi(2) * share;
-            if bins.abs() < 1.0 {
-                // Near the tone part of it counts as fundamental, not as noise.
-                chain
-                    .noise_open
-                    .iter_mut()
-                    .for_each(|o| *o += 0.5 * (p[1] / p[0]).min(1.0));
+        if matches!(self, Self::Broadband) || !row.bin_hz.is_finite() {
+            return;
+        }
+        let everywhere = matches!(self, Self::ToneEverywhere);
+        let bins = |order: f64| (order * row.frequency_hz - p[2]) / row.bin_hz;
+        let relative = 0.5 * (p[1] / row.level_ms2).powi(2);
+        if everywhere || bins(1.0).abs() < 1.0 {
+            chain.leakage[1] += relative * leaking(bins(1.0));
+        }
+        if everywhere {
+            for k in 0..4 {
+                let share = relative * leaking(bins((k + 2) as f64));
+                chain.harmonic_leakage[0][k] += share;
+                chain.harmonic_leakage[1][k] += share;
             }
+            for (power, v) in chain.dc_leakage_v2.iter_mut().zip(v_per_ms2) {
+                *power += (p[1] * v).powi(2) * leaking(bins(0.0));
+            }
+        }
+        if everywhere && bins(1.0).abs() < 1.0 {
+            // What a component takes of the tone is not left as noise.
+            let taken = leaking(bins(1.0)) * p[1].min(p[0]).powi(2);
+            for (power, v) in chain.noise_v2.iter_mut().zip(v_per_ms2) {
+                *power -= taken * v * v;
+            }
+            chain.noise_open.iter_mut().for_each(|o| *o += 0.02);
         }
     }
 }

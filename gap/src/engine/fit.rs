@@ -86,7 +86,12 @@ pub(crate) fn refine(
     descend(problem, &mut fit, effort, work);
     if fit.effects.iter().any(|e| e.effect.opens()) {
         // Slopes see the mean, the search sees the scatter: each moves the other's optimum.
-        for round in 0..3 {
+        let rounds = if effort.most_steps < Effort::FULL.most_steps {
+            1
+        } else {
+            3
+        };
+        for round in 0..rounds {
             let before = fit.objective;
             polish(problem, &mut fit, round, work);
             descend(problem, &mut fit, effort, work);
@@ -98,6 +103,8 @@ pub(crate) fn refine(
     fit
 }
 
+/// Change of all data, in standard deviations, that a small step of a parameter must exceed.
+const STANDS_STILL: f64 = 1e-9;
 /// Accepted steps between renewals of the slopes of a nonlinear exciter.
 const RENEWAL: usize = 4;
 
@@ -173,7 +180,10 @@ impl Linearised {
                 work.spare.clone_from(&work.memory);
                 let there = problem.evaluate(&effects, &fit.theta, &mut work.spare);
                 effects[at].parameters[index] = original;
-                columns.push(column(problem, &evaluation, &there, step));
+                let slope = column(problem, &evaluation, &there, step);
+                // What only rounding moves would be moved without bounds.
+                let moves = slope.norm2() * step * step > STANDS_STILL * STANDS_STILL;
+                columns.push(if moves { slope } else { Column::default() });
             }
         }
         let mut prior: Vec<f64> = problem

@@ -4,7 +4,7 @@ use crate::dataset::{Exciter, Measurand, Measured, Point, Rig};
 use crate::effects::{Active, Facts};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::predict::{Memory, Nominal, Prediction, predict};
-use crate::model::row::{CURRENT, DRIVE, NOISE, RATIO, REF_HARMONICS, Row, SLOTS};
+use crate::model::row::{CURRENT, DC, DRIVE, NOISE, RATIO, REF_HARMONICS, Row, SLOTS};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
@@ -360,6 +360,8 @@ impl Problem {
                         part(REF_HARMONICS + 8 * channel + 2 * k + half, 0.0, open);
                     }
                 }
+                let open = after.dc_leakage_v2[channel] - before.dc_leakage_v2[channel];
+                part(DC + channel, 0.0, open);
                 let at = self.place[index][NOISE + channel];
                 if at != ABSENT {
                     let at = at as usize;

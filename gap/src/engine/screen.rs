@@ -111,25 +111,29 @@ impl Atoms {
         best: &mut [Option<Promise>],
     ) {
         let base = problem.scatter_base(&fit.effects, &fit.theta);
-        for (entry, parameters) in &self.scattering {
-            if fit.has(*entry) {
-                continue;
+        let promise = |entry: usize, parameters: Vec<f64>| {
+            let added = active(entry, parameters.clone());
+            Promise {
+                entry,
+                gain: problem.scatter_gain(&base, &added, evaluation, &fit.theta),
+                parameters,
+                group: 2,
             }
-            let gain = problem.scatter_gain(
-                &base,
-                &active(*entry, parameters.clone()),
-                evaluation,
-                &fit.theta,
-            );
-            keep(
-                best,
-                Promise {
-                    entry: *entry,
-                    gain,
-                    parameters: parameters.clone(),
-                    group: 2,
-                },
-            );
+        };
+        for (entry, parameters) in &self.scattering {
+            if !fit.has(*entry) {
+                keep(best, promise(*entry, parameters.clone()));
+            }
+        }
+        for (entry, effect) in library().iter().enumerate() {
+            for round in 0..2 {
+                let Some(coarse) = best[entry].as_ref().filter(|_| effect.scatters()) else {
+                    continue;
+                };
+                for parameters in effect.around(&coarse.parameters.clone(), round, &problem.facts) {
+                    keep(best, promise(entry, parameters));
+                }
+            }
         }
     }
 }

@@ -11,6 +11,8 @@ const PRIOR_OF_MORE: f64 = 0.5;
 const WORTH_REFINING: f64 = 5.0;
 /// Singles from which pairs are grown.
 const BASES: usize = 7;
+/// Share of a promise by which the truth may exceed it.
+const SLACK: f64 = 0.1;
 /// Difference in score, on part of the rows, above which a set is not tried on all of them.
 const SEEDED: f64 = 60.0;
 /// Least cost of one more effect in the score.
@@ -20,7 +22,7 @@ const COMPETING: f64 = 14.0;
 /// Objective above the best set of a size from which a set is not refined further.
 const OUT_OF_REACH: f64 = 60.0;
 /// The same as a share of what the best set gained.
-const REACH: f64 = 0.1;
+const REACH: f64 = 0.02;
 /// Pairs refined fully.
 const MOST_PAIRS: usize = 14;
 
@@ -287,7 +289,7 @@ impl Searcher<'_> {
             .map(|f| f.objective + COST * f.effects.len() as f64)
             .fold(f64::INFINITY, f64::min);
         plans.retain(|(predicted, _, promise)| {
-            predicted - 0.3 * promise.gain + COST * (size as f64) < best + COMPETING
+            predicted - SLACK * promise.gain + COST * (size as f64) < best + COMPETING
         });
     }
 

@@ -37,6 +37,8 @@ pub(crate) struct Chain {
     pub(crate) leakage: [f64; 2],
     /// The same for relative harmonics 2..5 of reference and device under test.
     pub(crate) harmonic_leakage: [[f64; 4]; 2],
+    /// Variance of the d.c. values by leakage, in V^2.
+    pub(crate) dc_leakage_v2: [f64; 2],
 }
 
 impl Default for Chain {
@@ -57,6 +59,7 @@ impl Default for Chain {
             noise_open: [0.0; 2],
             leakage: [0.0; 2],
             harmonic_leakage: [[0.0; 4]; 2],
+            dc_leakage_v2: [0.0; 2],
         }
     }
 }

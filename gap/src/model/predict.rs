@@ -77,9 +77,8 @@ pub(crate) fn predict(
     };
     let reference = ReferenceInput::new(row, &chain);
     let motion = nominal.exciter.map(|values| {
-        let level = reference.input_ms2(row)
-            / (first.reference * first.table).norm()
-            / nominal.reference_gain;
+        let level =
+            reference.input_ms2(row) / size(first.reference * first.table) / nominal.reference_gain;
         drive(row, &values, &chain, level, memory)
     });
     let balanced = motion.as_ref().and_then(|m| m.balanced);
@@ -92,7 +91,7 @@ pub(crate) fn predict(
         first,
     };
     let (ref_gain, dut_gain) = channels(row, nominal, &chain, &reference, &harmonics, &mut out);
-    let ratio = (first.dut / first.reference * dut_gain / ref_gain).ln();
+    let ratio = ln(first.dut / first.reference * dut_gain / ref_gain);
     put(&mut out, RATIO, ratio + nominal.ratio_ln);
     if let Some(motion) = motion {
         let per_v = motion.linear.acceleration_per_v
@@ -100,14 +99,24 @@ pub(crate) fn predict(
             * first.reference
             * first.drive
             * ref_gain;
-        put(&mut out, DRIVE, per_v.ln() + nominal.drive_ln);
-        put(&mut out, CURRENT, motion.linear.admittance.ln());
+        put(&mut out, DRIVE, ln(per_v) + nominal.drive_ln);
+        put(&mut out, CURRENT, ln(motion.linear.admittance));
         out.slopes = Some((motion.linear.drive_slope, motion.linear.current_slope));
         out.diverged = motion.balanced.is_some_and(|b| !b.converged);
     }
     noise(nominal, &chain, &mut out);
     leakage(row, &chain, &mut out);
     out
+}
+
+/// Logarithm without the care for overflow that the library's takes: no value here is near it.
+fn ln(value: Complex64) -> Complex64 {
+    Complex64::new(0.5 * value.norm_sqr().ln(), value.im.atan2(value.re))
+}
+
+/// Size of a value, likewise.
+fn size(value: Complex64) -> f64 {
+    value.norm_sqr().sqrt()
 }
 
 fn put(out: &mut Prediction, slot: usize, value: Complex64) {
@@ -280,8 +289,8 @@ impl Harmonics<'_> {
 
 /// Response at order n relative to the fundamental, phase relative to n times its phase.
 fn carried(at_order: Complex64, at_first: Complex64, n: u32) -> Complex64 {
-    let size = at_first.norm();
-    at_order / size * (at_first / size).powu(n).conj()
+    let first = size(at_first);
+    at_order / first * (at_first / first).powu(n).conj()
 }
 
 /// Fills harmonics and d.c.; returns the complex gains of both channels.
@@ -295,8 +304,8 @@ fn channels(
 ) -> (f64, f64) {
     let [mut in_ref, mut in_dut] = harmonics.received();
     let mut dut_gain = 1.0;
-    let mut dut_peak_v = row.dut_peak_v * nominal.dut_gain * harmonics.first.dut.norm()
-        / harmonics.first.reference.norm()
+    let mut dut_peak_v = row.dut_peak_v * nominal.dut_gain * size(harmonics.first.dut)
+        / size(harmonics.first.reference)
         / reference.gain;
     for (channel, peak_v) in [(0, reference.peak_v), (1, dut_peak_v)] {
         if harmonics.remainder > 0.0 && peak_v.is_finite() {
@@ -305,7 +314,7 @@ fn channels(
         }
     }
     if let (Some(mount), true) = (chain.mount, row.level_ms2.is_finite()) {
-        let peak_ms2 = row.level_ms2 * SQRT_2 / reference.gain / harmonics.first.reference.norm();
+        let peak_ms2 = row.level_ms2 * SQRT_2 / reference.gain / size(harmonics.first.reference);
         let spectrum = mount.spectrum(peak_ms2);
         dut_gain *= spectrum.order[1] / peak_ms2;
         let relative = std::array::from_fn(|k| spectrum.order[k + 2] / spectrum.order[1]);
@@ -405,6 +414,9 @@ fn leakage(row: &Row, chain: &Chain, out: &mut Prediction) {
                 out.open[slot + 2 * k + part] += chain.harmonic_leakage[channel][k];
             }
         }
+    }
+    for (channel, v2) in chain.dc_leakage_v2.iter().enumerate() {
+        out.open[DC + channel] += v2;
     }
     for slot in 0..SLOTS {
         if row.u[slot].is_infinite() {

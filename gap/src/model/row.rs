@@ -52,6 +52,8 @@ pub(crate) struct Row {
     pub(crate) payload_stated: bool,
     /// Power that mains lines leak into orders 1..5 over their power; 0 where the block is unknown.
     pub(crate) mains_leak: [f64; 5],
+    /// The same for d.c.
+    pub(crate) mains_leak_dc: f64,
     /// Measured coil voltage, peak; NaN if unknown.
     pub(crate) coil_peak_v: f64,
     /// Held level, r.m.s., in m/s2; NaN if unknown.
@@ -92,6 +94,8 @@ impl Row {
             .digitiser
             .sample_rate_hz
             .and_then(|rate| Some(rate / rig.digitiser.block_samples?));
+        let mains_hz = rig.environment.mains_hz.unwrap_or(50.0);
+        let leaked = |hz: f64| bin.map_or(0.0, |bin| leaked_mains(hz, mains_hz, bin));
         let mut row = Self {
             frequency_hz: point.frequency_hz,
             omega: TAU * point.frequency_hz,
@@ -104,12 +108,8 @@ impl Row {
             vertical: point.tilt_rad.unwrap_or(0.0).cos(),
             payload_kg: point.payload_kg.unwrap_or(0.0),
             payload_stated: point.payload_kg.is_some(),
-            mains_leak: std::array::from_fn(|k| {
-                let mains_hz = rig.environment.mains_hz.unwrap_or(50.0);
-                bin.map_or(0.0, |bin| {
-                    leaked_mains(point.frequency_hz * (k + 1) as f64, mains_hz, bin)
-                })
-            }),
+            mains_leak: std::array::from_fn(|k| leaked(point.frequency_hz * (k + 1) as f64)),
+            mains_leak_dc: leaked(0.0),
             coil_peak_v: point.coil_v.map_or(f64::NAN, |v| v * SQRT_2),
             level_ms2: level.unwrap_or(f64::NAN),
             ref_peak_v: ref_v.map_or(f64::NAN, |v| v * SQRT_2),
