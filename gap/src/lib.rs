@@ -18,7 +18,7 @@ mod stages;
 mod tuning;
 
 pub use answer::{Answer, Cause, DatasetSummary, Estimate, Verdict, Where};
-pub use diagnose::{Options, diagnose, diagnose_all};
+pub use diagnose::{Options, diagnose, diagnose_all, misfit};
 pub use effects::{
     About, NEVER_IDENTIFIABLE, Parameter, Scale, Stage, check_name, list as effects,
 };

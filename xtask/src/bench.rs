@@ -20,6 +20,12 @@ const BENCHES: &[Bench] = &[
         what: "share of simulated calibrations whose U (k = 2) contains the truth",
     },
     Bench {
+        name: "gap",
+        package: "calib-gap",
+        example: "bench_gap",
+        what: "sealed sets: how often the diagnosis is right, by stratum",
+    },
+    Bench {
         name: "monte-carlo",
         package: "calib-host",
         example: "bench_monte_carlo",

@@ -234,7 +234,8 @@ impl Atom {
                 matrix[(i, j)] -= loads[i].dot(&loads[j]);
             }
             // A direction that the nuisances can take over completely promises nothing.
-            if matrix[(i, i)] < 1e-6 * self.columns[i].norm2() {
+            // (One that they take over against their priors does: the priors are the evidence.)
+            if matrix[(i, i)] < 1e-11 * self.columns[i].norm2() {
                 return None;
             }
         }

@@ -32,6 +32,8 @@ pub(crate) struct Search {
     pub(crate) nominal: Fit,
     /// Every refined set, best variant of each name, by score.
     pub(crate) sets: Vec<Scored>,
+    /// All refined fits, those that a subset does better included.
+    pub(crate) every: Vec<Fit>,
 }
 
 /// A refined set with its score, -2 ln of the (unnormalised) posterior probability.
@@ -53,6 +55,18 @@ pub(crate) struct Limits {
 }
 
 impl Limits {
+    /// Only the given names, all of them at a time.
+    pub(crate) fn only(names: &[&str]) -> Self {
+        let allowed = library()
+            .iter()
+            .map(|e| names.contains(&e.about().id))
+            .collect();
+        Self {
+            allowed,
+            most_effects: names.len(),
+        }
+    }
+
     /// The whole library without the given names.
     pub(crate) fn without(names: &[String], most_effects: usize) -> Self {
         let allowed = library()
@@ -111,8 +125,13 @@ pub(crate) fn search_from(
             break;
         }
     }
-    let sets = score(problem, &nominal, searcher.found, &limits.allowed);
-    Search { nominal, sets }
+    let every = searcher.found;
+    let sets = score(problem, &nominal, every.clone(), &limits.allowed);
+    Search {
+        nominal,
+        sets,
+        every,
+    }
 }
 
 impl Searcher<'_> {

@@ -166,3 +166,29 @@ pub(crate) fn add(t: &mut Truth, name: &str, r: &mut Random) {
         other => panic!("no case for {other}"),
     }
 }
+
+/// Makes the effects smaller by a factor: amplitudes shrink, corners and modes move away.
+pub(crate) fn shrink(t: &mut Truth, factor: f64) {
+    for (key, value) in &mut t.e {
+        match *key {
+            "dut_resonance.f" | "reference_resonance.f" => *value /= factor.sqrt(),
+            "dut_lowpass_1.f" | "dut_lowpass_2.f" | "mount_compliance.k" => *value /= factor,
+            "lossy_inductance.n" => *value = 1.0 - (1.0 - *value) * factor,
+            "adc_clipping.ref" | "adc_clipping.dut" => *value += 0.15 * (1.0 - factor),
+            "amplifier_clipping.v" => *value += 2.0 * (1.0 - factor),
+            "loose_mount.t" => *value += 60.0 * (1.0 - factor),
+            key if is_shape(key) => {}
+            _ => *value *= factor,
+        }
+    }
+}
+
+/// Parameters that say where or how an effect acts, not how much.
+fn is_shape(key: &str) -> bool {
+    let (_, parameter) = key.split_once('.').unwrap_or((key, ""));
+    matches!(parameter, "q" | "beta" | "f1" | "side" | "tau" | "z")
+        || matches!(
+            key,
+            "transverse_motion.f" | "armature_mode.f" | "ambient_vibration.f"
+        )
+}

@@ -1,0 +1,200 @@
+//! One sealed case: drawn, written, diagnosed, compared with the truth.
+
+use super::sealed::random::Random;
+use super::sealed::{cases, design, rig};
+use calib_gap::{Answer, GapError, Options, Verdict, diagnose, effects, misfit};
+use std::fmt;
+use std::path::Path;
+
+/// Effects that a ratio over frequency, rotation, payload, temperature and time can show.
+const SEEN_IN_RATIO: [&str; 20] = [
+    "dut_resonance",
+    "reference_resonance",
+    "mount_compliance",
+    "relative_motion",
+    "transverse_motion",
+    "base_strain",
+    "gravity_tilt",
+    "dut_frequency_slope",
+    "dut_temperature",
+    "reference_temperature",
+    "reference_drift",
+    "dut_drift",
+    "dut_highpass",
+    "reference_highpass",
+    "dut_lowpass_1",
+    "dut_lowpass_2",
+    "averaging_window",
+    "crosstalk",
+    "channel_skew",
+    "clock_offset",
+];
+
+/// What came out of a case.
+pub(super) struct Outcome {
+    pub(super) index: u64,
+    pub(super) truth: Vec<&'static str>,
+    pub(super) answer: Answer,
+    /// Processor time of the diagnosis, in s.
+    pub(super) time_s: f64,
+    /// Size in standard deviations of the whole dataset, with the true form known.
+    pub(super) sigma: f64,
+    /// What the best substitute leaves, in the same unit (stratum `withheld`).
+    pub(super) left_sigma: f64,
+}
+
+impl Outcome {
+    /// Place of the true set among the causes, and its probability.
+    pub(super) fn place(&self) -> Option<(usize, f64)> {
+        let same = |effects: &[&str]| {
+            effects.len() == self.truth.len() && self.truth.iter().all(|t| effects.contains(t))
+        };
+        let at = self.answer.causes.iter().position(|c| same(&c.effects))?;
+        Some((at, self.answer.causes[at].probability))
+    }
+
+    /// Whether the stage of the (first) true effect is among the first two places.
+    pub(super) fn stage_found(&self) -> bool {
+        let truth = effects()
+            .into_iter()
+            .find(|e| Some(&e.id) == self.truth.first());
+        let first_two = self.answer.r#where.iter().take(2);
+        truth.is_some_and(|t| first_two.into_iter().any(|w| w.stage == t.stage.name()))
+    }
+
+    pub(super) fn is(&self, verdict: Verdict) -> bool {
+        self.answer.verdict == verdict
+    }
+}
+
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let a = &self.answer;
+        let causes: Vec<String> = a
+            .causes
+            .iter()
+            .take(5)
+            .map(|c| format!("{}:{:.3}", c.effects.join("+"), c.probability))
+            .collect();
+        let stages: Vec<&str> = a.r#where.iter().map(|w| w.stage).collect();
+        write!(
+            f,
+            "{} {} {:?} p={:.2e} sigma={:.1} left={:.1} top={} stage={} chi={:.2}>{:.2} closed={:.3} {:.2}s [{}] {}",
+            self.index,
+            self.truth.join("+"),
+            a.verdict,
+            a.none_of_these_p_value,
+            self.sigma,
+            self.left_sigma,
+            self.place().is_some_and(|p| p.0 == 0),
+            self.stage_found(),
+            a.gap.chi_before,
+            a.gap.chi_after,
+            a.gap.closed.unwrap_or(f64::NAN),
+            self.time_s,
+            causes.join(" "),
+            stages.join(",")
+        )
+    }
+}
+
+/// Processor time of this thread (Linux), in s.
+fn processor_s() -> f64 {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    let nanoseconds = text.split_whitespace().next();
+    nanoseconds
+        .and_then(|t| t.parse::<f64>().ok())
+        .unwrap_or(0.0)
+        * 1e-9
+}
+
+fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
+    let all: Vec<&'static str> = cases::NAMES.iter().chain(&cases::EXTRA).copied().collect();
+    let turn = |list: &[&'static str]| vec![list[index as usize % list.len()]];
+    match stratum {
+        "null" | "off2u" => Vec::new(),
+        "ratio" => turn(&SEEN_IN_RATIO),
+        "pairs" => {
+            let first = all[random.below(all.len())];
+            loop {
+                let second = all[random.below(all.len())];
+                let converters = first.starts_with("adc") && second.starts_with("adc");
+                if second != first && !converters {
+                    return vec![first, second];
+                }
+            }
+        }
+        _ => turn(&all),
+    }
+}
+
+/// Draws, diagnoses and scores a case.
+pub(super) fn run(stratum: &str, index: u64, seed: u64) -> Result<Outcome, GapError> {
+    let mut random = Random::new(seed.wrapping_mul(1_000_003).wrapping_add(index));
+    let truth = names(stratum, index, &mut random);
+    let ratio_only = stratum == "ratio";
+    let rows = if ratio_only {
+        design::ratio_only(&mut random)
+    } else {
+        design::full(&mut random)
+    };
+    let mut drawn = rig::honest(&mut random);
+    for name in &truth {
+        cases::add(&mut drawn, name, &mut random);
+    }
+    if stratum == "off2u" {
+        for (value, (_, nominal, u)) in drawn.coil.iter_mut().zip(rig::NOMINAL) {
+            *value = nominal + 2.0 * u * random.sign();
+        }
+    }
+    if stratum == "size" {
+        // From invisible to the usual size, over three decades.
+        let factor = random.log_between(1e-3, 1.0);
+        cases::shrink(&mut drawn, factor);
+    }
+    let written = rig::write(&drawn, &rows, &rig::GOOD, !ratio_only, &mut random);
+    let folder = std::env::temp_dir()
+        .join("calib-bench-gap")
+        .join(format!("{}-{stratum}-{index}", std::process::id()));
+    let write = || {
+        std::fs::create_dir_all(&folder)?;
+        std::fs::write(folder.join("points.csv"), &written.points)?;
+        std::fs::write(folder.join("rig.toml"), &written.rig)
+    };
+    write().map_err(|source| GapError::Usage(source.to_string()))?;
+    let outcome = diagnosed(stratum, index, truth, &folder);
+    if std::env::var_os("CALIB_BENCH_KEEP").is_none() {
+        let _ = std::fs::remove_dir_all(&folder);
+    }
+    outcome
+}
+
+fn diagnosed(
+    stratum: &str,
+    index: u64,
+    truth: Vec<&'static str>,
+    folder: &Path,
+) -> Result<Outcome, GapError> {
+    let mut options = Options::default();
+    if stratum == "withheld" {
+        options.without = truth.iter().map(ToString::to_string).collect();
+    }
+    let start = processor_s();
+    let answer = diagnose(folder, &options)?;
+    let time_s = processor_s() - start;
+    let known = misfit(folder, &truth)?;
+    let root = |difference: f64| difference.max(0.0).sqrt();
+    let sigma = root(misfit(folder, &[])? - known);
+    let left_sigma = match answer.causes.first() {
+        Some(best) if stratum == "withheld" => root(misfit(folder, &best.effects)? - known),
+        _ => sigma,
+    };
+    Ok(Outcome {
+        index,
+        truth,
+        answer,
+        time_s,
+        sigma,
+        left_sigma,
+    })
+}
