@@ -1,6 +1,7 @@
 //! The answer of a diagnosis, as it is written to JSON.
 
 use crate::engine::holdout::Gap;
+use crate::pictures::Pictures;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -97,4 +98,7 @@ pub struct Answer {
     pub nominal_parameters: BTreeMap<&'static str, Estimate>,
     /// What was read.
     pub dataset: DatasetSummary,
+    /// What a report draws; no part of the JSON.
+    #[serde(skip)]
+    pub pictures: Pictures,
 }

@@ -12,6 +12,7 @@ mod engine;
 mod error;
 mod model;
 mod oscillator;
+mod pictures;
 mod report;
 mod stability;
 mod stages;
@@ -24,4 +25,5 @@ pub use effects::{
 };
 pub use engine::holdout::{Gap, ObservableGap};
 pub use error::GapError;
+pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 pub use report::report;

@@ -133,7 +133,7 @@ pub(crate) fn score_on(training: &Problem, testing: &Problem, nominal: &Fit, cho
 }
 
 /// Every third frequency; every third row where there are few frequencies.
-fn held_out(problem: &Problem) -> Vec<bool> {
+pub(crate) fn held_out(problem: &Problem) -> Vec<bool> {
     let frequencies = &problem.facts.frequencies_hz;
     if frequencies.len() < 9 {
         return (0..problem.rows.len()).map(|i| i % 3 == 1).collect();

@@ -193,8 +193,8 @@ fn explains(fit: &Fitted, record: &Record) -> bool {
     fit.square < 0.3 * record.output.iter().map(|x| x * x).sum::<f64>()
 }
 
-/// Simulation error on another record: only the state at its start is fitted.
-pub(crate) fn validation_error(fit: &Fitted, record: &Record) -> Option<(f64, usize)> {
+/// Simulation errors on another record: only the state at its start is fitted.
+pub(crate) fn validation(fit: &Fitted, record: &Record) -> Option<Vec<f64>> {
     let head = Record {
         interval_s: record.interval_s,
         input: record.input[..record.input.len().min(400)].to_vec(),
@@ -231,11 +231,12 @@ pub(crate) fn validation_error(fit: &Fitted, record: &Record) -> Option<(f64, us
         values[4] += step[0];
         values[5] += step[1];
     }
-    let left = residual(&values, record)?;
-    Some((
-        (left.iter().map(|r| r * r).sum::<f64>() / left.len() as f64).sqrt(),
-        left.len(),
-    ))
+    residual(&values, record)
+}
+
+/// Root mean square.
+pub(crate) fn rms(values: &[f64]) -> f64 {
+    (values.iter().map(|r| r * r).sum::<f64>() / values.len() as f64).sqrt()
 }
 
 /// Every term that may be added.

@@ -8,7 +8,8 @@ use crate::dataset::{Dataset, Measured, Record};
 use crate::diagnose::Options;
 use crate::engine::holdout::{Gap, ObservableGap};
 use crate::error::GapError;
-use fit::{Fitted, all_terms, fitted_part, linear, refine, validation_error};
+use crate::pictures::{Pictures, Trace};
+use fit::{Fitted, SETTLING, all_terms, fitted_part, linear, refine, rms, validation};
 use model::{LINEAR, TERMS};
 use std::collections::BTreeMap;
 
@@ -134,8 +135,8 @@ fn answer(
     steps: &[Step],
 ) -> Option<Answer> {
     let (nominal, last) = (&steps[0].fit, &steps[steps.len() - 1]);
-    let (before, rows) = validation_error(nominal, held)?;
-    let (after, _) = validation_error(&last.fit, held)?;
+    let left = [validation(nominal, held)?, validation(&last.fit, held)?];
+    let (before, after, rows) = (rms(&left[0]), rms(&left[1]), left[0].len());
     let floor = noise_floor(held);
     let size = (held.output.iter().map(|x| x * x).sum::<f64>() / held.output.len() as f64).sqrt();
     let percent = |e: f64| 100.0 * e / size;
@@ -195,6 +196,26 @@ fn answer(
             columns_used: vec!["time_s".into(), "input".into(), "output".into()],
             sha256: dataset.sha256.clone(),
         },
+        pictures: trace(held, left),
+    })
+}
+
+/// Samples of a stretch that is drawn.
+const MOST_DRAWN: usize = 4000;
+
+fn trace(held: &Record, [before, after]: [Vec<f64>; 2]) -> Pictures {
+    // The stretch in which the linear simulation errs most.
+    let parts = before.chunks(MOST_DRAWN).map(rms).enumerate();
+    let worst = parts.max_by(|a, b| a.1.total_cmp(&b.1));
+    let from = worst.map_or(0, |w| w.0) * MOST_DRAWN;
+    let drawn = |values: &[f64]| -> Vec<f64> {
+        values.iter().skip(from).take(MOST_DRAWN).copied().collect()
+    };
+    Pictures::Record(Trace {
+        interval_s: held.interval_s,
+        measured: drawn(held.output.get(SETTLING..).unwrap_or_default()),
+        before: drawn(&before),
+        after: drawn(&after),
     })
 }
 

@@ -43,7 +43,11 @@ fn a_simulated_effect_is_named_and_the_dataset_does_not_tell_it() {
     );
     every_field_is_there(&answer);
     let page = std::fs::read_to_string(path.join("a.html")).expect("written");
-    assert!(page.contains("dut_resonance"));
+    for part in ["has a resonance", "Where", "Which", "How far", "What next"] {
+        assert!(page.contains(part), "{part}");
+    }
+    // One file, whole: nothing is fetched from elsewhere.
+    assert!(!page.contains("http") && !page.contains("<script") && !page.contains("src="));
     // Never over an existing dataset.
     let again = ["gap", "simulate", "standard", "--out", "a"];
     assert_eq!(calib(path, &again).status.code(), Some(6));

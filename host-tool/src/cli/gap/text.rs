@@ -28,12 +28,14 @@ pub(super) fn answer(answer: &Answer) -> String {
             cause.effects.join(" + "),
             cause.probability
         );
-        for (name, estimate) in cause.parameters.values().flatten() {
-            let _ = writeln!(
-                text,
-                "            {name} = {:.6e}  (u = {:.1e})",
-                estimate.value, estimate.u
-            );
+        for (effect, estimates) in &cause.parameters {
+            for (name, estimate) in estimates {
+                let _ = writeln!(
+                    text,
+                    "            {effect}: {name} = {:.6e}  (u = {:.1e})",
+                    estimate.value, estimate.u
+                );
+            }
         }
     }
     for place in &answer.r#where {

@@ -1,0 +1,115 @@
+//! What a report draws: every difference between measurement and simulation.
+
+use crate::engine::fit::Fit;
+use crate::engine::holdout;
+use crate::engine::problem::Problem;
+
+/// Differences of a dataset, before and after the best set of effects is added.
+#[derive(Debug, Clone)]
+pub enum Pictures {
+    /// Of sine points.
+    Points(Residuals),
+    /// Of a record over time.
+    Record(Trace),
+}
+
+/// Differences at sine points.
+#[derive(Debug, Clone)]
+pub struct Residuals {
+    /// Conditions of each row.
+    pub rows: Vec<Conditions>,
+    /// One entry per datum.
+    pub data: Vec<Datum>,
+}
+
+/// Under which conditions a row was measured; NaN where it was not stated.
+#[derive(Debug, Clone, Copy)]
+pub struct Conditions {
+    /// Excitation frequency.
+    pub frequency_hz: f64,
+    /// Level, r.m.s.
+    pub level_ms2: f64,
+    /// Index of the run.
+    pub run: usize,
+    /// Since the first point.
+    pub time_s: f64,
+    /// Above the reference temperature.
+    pub warmer_k: f64,
+    /// Rotation of the device under test.
+    pub rotation_deg: f64,
+    /// Angle between the axis of motion and the vertical.
+    pub tilt_deg: f64,
+    /// Mass on the armature.
+    pub payload_kg: f64,
+    /// Took no part in choosing or fitting what the answer scores.
+    pub held_out: bool,
+}
+
+/// One measured value beside the simulation: relative for responses and noise
+/// (logarithms), rad for phases, V for d.c., 1 for harmonics.
+#[derive(Debug, Clone, Copy)]
+pub struct Datum {
+    /// Index of the row.
+    pub row: usize,
+    /// Which of the 26 values of a row, in the order of `model::row`.
+    pub slot: usize,
+    /// Measured minus nominal simulation.
+    pub before: f64,
+    /// Measured minus simulation with the best set of effects.
+    pub after: f64,
+    /// Standard uncertainty of the measured value.
+    pub u: f64,
+    /// The same with the scatter that the effects leave open.
+    pub u_after: f64,
+}
+
+/// A held-out stretch of a record.
+#[derive(Debug, Clone)]
+pub struct Trace {
+    /// Sampling interval.
+    pub interval_s: f64,
+    /// Measured output.
+    pub measured: Vec<f64>,
+    /// Measured minus linear simulation.
+    pub before: Vec<f64>,
+    /// Measured minus simulation with the named terms.
+    pub after: Vec<f64>,
+}
+
+/// Differences that two fits of one problem leave.
+pub(crate) fn residuals(problem: &Problem, nominal: &Fit, best: &Fit) -> Pictures {
+    let of = |fit: &Fit| problem.evaluate(&fit.effects, &fit.theta, &mut problem.memory());
+    let (before, after) = (of(nominal), of(best));
+    let mut data = Vec::with_capacity(problem.len());
+    for (slot, range) in problem.slots.iter().enumerate() {
+        data.extend(range.clone().map(|at| Datum {
+            row: problem.row_of[at],
+            slot,
+            before: before.residual[at] / before.weight[at],
+            after: after.residual[at] / after.weight[at],
+            u: problem.uncertainty(at),
+            u_after: 1.0 / after.weight[at],
+        }));
+    }
+    Pictures::Points(Residuals {
+        rows: conditions(problem),
+        data,
+    })
+}
+
+fn conditions(problem: &Problem) -> Vec<Conditions> {
+    let held = holdout::held_out(problem);
+    let rows = problem.rows.iter().zip(held);
+    rows.map(|(row, held_out)| Conditions {
+        frequency_hz: row.frequency_hz,
+        level_ms2: row.level_ms2,
+        run: row.run,
+        time_s: row.time_s,
+        warmer_k: row.warmer_k,
+        rotation_deg: row.rotation.1.atan2(row.rotation.0).to_degrees().round(),
+        tilt_deg: row.vertical.clamp(-1.0, 1.0).acos().to_degrees().round(),
+        payload_kg: row.payload_kg,
+        held_out,
+    })
+    .collect()
+}

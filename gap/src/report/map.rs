@@ -1,0 +1,244 @@
+//! Maps of the residual: over frequency and level, and over each condition.
+//!
+//! A cell holds the root mean square of difference over uncertainty: about 1
+//! is noise. The number is printed in the cell, so colour is not needed.
+
+use super::{escape, short};
+use crate::pictures::{Conditions, Datum, Residuals};
+use std::fmt::Write;
+
+/// Names of what is mapped, with the slots of `model::row` they hold.
+const GROUPS: [(&str, usize, usize); 10] = [
+    ("ratio", 0, 1),
+    ("ratio, phase", 1, 2),
+    ("drive", 2, 3),
+    ("drive, phase", 3, 4),
+    ("current", 4, 5),
+    ("current, phase", 5, 6),
+    ("harmonics, reference", 6, 14),
+    ("harmonics, device", 14, 22),
+    ("d.c.", 22, 24),
+    ("noise", 24, 26),
+];
+/// Upper ends of the colour classes, in standard uncertainties.
+const CLASSES: [f64; 5] = [1.5, 3.0, 6.0, 15.0, 50.0];
+const FREQUENCY_BINS: usize = 12;
+const LEVEL_BINS: usize = 6;
+
+/// Values of a map by row and column; none where nothing was measured.
+struct Map {
+    title: &'static str,
+    columns: Vec<String>,
+    rows: Vec<(String, Vec<Option<f64>>)>,
+}
+
+/// Writes all maps, each before and after.
+pub(super) fn maps(page: &mut String, residuals: &Residuals) {
+    page.push_str("<h2>Where: maps of what is left</h2><p>Each number is the difference between measurement and simulation in units of the measurement's uncertainty: about 1 is noise, 10 is a clear difference. Left: the simulation as it is. Right: with the most probable cause added.</p>");
+    legend(page);
+    let builders: [fn(&Residuals, Side) -> Option<Map>; 3] =
+        [by_observable, by_level, by_condition];
+    for build in builders {
+        if let (Some(before), Some(after)) = (
+            build(residuals, |d| d.before / d.u),
+            build(residuals, |d| d.after / d.u_after),
+        ) {
+            let _ = write!(page, "<h3>{}</h3><div class=pair>", before.title);
+            draw(page, &before, "as it is");
+            draw(page, &after, "with the cause added");
+            page.push_str("</div>");
+        }
+    }
+}
+
+/// Difference over uncertainty, before or after.
+type Side = fn(&Datum) -> f64;
+
+/// Root mean square of the data that belong to each column.
+fn line<'a>(
+    data: impl Iterator<Item = &'a Datum>,
+    side: Side,
+    columns: usize,
+    column: impl Fn(&Datum) -> Option<usize>,
+) -> Vec<Option<f64>> {
+    let mut sums = vec![(0.0, 0.0); columns];
+    for datum in data {
+        if let Some(sum) = column(datum).and_then(|at| sums.get_mut(at)) {
+            sum.0 += side(datum).powi(2);
+            sum.1 += 1.0;
+        }
+    }
+    let root = |(sum, count): (f64, f64)| (count > 0.0).then(|| (sum / count).sqrt());
+    sums.into_iter().map(root).collect()
+}
+
+/// Logarithmic bins.
+struct Bins {
+    edges: Vec<f64>,
+}
+
+impl Bins {
+    fn new(values: impl Iterator<Item = f64>, most: usize) -> Option<Self> {
+        let finite = values.filter(|v| v.is_finite() && *v > 0.0);
+        let (low, high) = finite.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+        (high > 0.0).then(|| {
+            let count = if high > 1.01 * low { most } else { 1 };
+            let step = (high / low).powf(1.0 / count as f64);
+            let edges = (0..=count).map(|at| low * step.powi(at as i32));
+            Self {
+                edges: edges.collect(),
+            }
+        })
+    }
+
+    fn count(&self) -> usize {
+        self.edges.len() - 1
+    }
+
+    fn of(&self, value: f64) -> Option<usize> {
+        let above = self.edges[1..].iter().position(|edge| value < *edge);
+        value.is_finite().then(|| above.unwrap_or(self.count() - 1))
+    }
+
+    fn names(&self, unit: &str) -> Vec<String> {
+        let name = |pair: &[f64]| format!("{}..{}{unit}", short(pair[0]), short(pair[1]));
+        self.edges.windows(2).map(name).collect()
+    }
+}
+
+fn by_observable(residuals: &Residuals, side: Side) -> Option<Map> {
+    let bins = frequencies(residuals)?;
+    let column = |datum: &Datum| bins.of(residuals.rows[datum.row].frequency_hz);
+    let rows = GROUPS.iter().map(|(name, from, to)| {
+        let data = residuals.data.iter();
+        let inside = data.filter(|d| (*from..*to).contains(&d.slot));
+        ((*name).to_owned(), line(inside, side, bins.count(), column))
+    });
+    Some(Map {
+        title: "What shows it, over frequency",
+        columns: bins.names(" Hz"),
+        rows: rows
+            .filter(|row| row.1.iter().any(Option::is_some))
+            .collect(),
+    })
+}
+
+fn frequencies(residuals: &Residuals) -> Option<Bins> {
+    Bins::new(
+        residuals.rows.iter().map(|r| r.frequency_hz),
+        FREQUENCY_BINS,
+    )
+}
+
+fn by_level(residuals: &Residuals, side: Side) -> Option<Map> {
+    let bins = frequencies(residuals)?;
+    let levels = Bins::new(residuals.rows.iter().map(|r| r.level_ms2), LEVEL_BINS)?;
+    let column = |datum: &Datum| bins.of(residuals.rows[datum.row].frequency_hz);
+    let names = levels.names(" m/s\u{b2}");
+    let rows = names.into_iter().enumerate().rev().map(|(at, name)| {
+        let of_level = |d: &&Datum| levels.of(residuals.rows[d.row].level_ms2) == Some(at);
+        let data = residuals.data.iter().filter(of_level);
+        (name, line(data, side, bins.count(), column))
+    });
+    (levels.count() > 1).then(|| Map {
+        title: "At which level, over frequency",
+        columns: bins.names(" Hz"),
+        rows: rows.collect(),
+    })
+}
+
+/// Condition in words, with the value that tells its rows apart.
+type Condition = (&'static str, &'static str, fn(&Conditions) -> f64);
+
+const CONDITIONS: [Condition; 6] = [
+    ("run", "", |r| r.run as f64 + 1.0),
+    ("rotation", "\u{b0}", |r| r.rotation_deg),
+    ("tilt", "\u{b0}", |r| r.tilt_deg),
+    ("payload", " kg", |r| r.payload_kg),
+    ("temperature", " K above reference", |r| {
+        (2.0 * r.warmer_k).round() / 2.0
+    }),
+    ("time", " min", |r| (r.time_s / 600.0).floor() * 10.0),
+];
+/// Most values of a condition that are listed.
+const MOST_VALUES: usize = 8;
+
+fn by_condition(residuals: &Residuals, side: Side) -> Option<Map> {
+    let mut rows = Vec::new();
+    for (name, unit, value) in CONDITIONS {
+        let mut values: Vec<f64> = residuals.rows.iter().map(value).collect();
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        if values.len() < 2 {
+            continue;
+        }
+        let groups = values.chunks(values.len().div_ceil(MOST_VALUES));
+        for group in groups {
+            let (first, last) = (group[0], group[group.len() - 1]);
+            let inside = |d: &&Datum| (first..=last).contains(&value(&residuals.rows[d.row]));
+            let data = residuals.data.iter().filter(inside);
+            let column = |d: &Datum| GROUPS.iter().position(|g| (g.1..g.2).contains(&d.slot));
+            let range = if first == last {
+                short(first)
+            } else {
+                format!("{}..{}", short(first), short(last))
+            };
+            rows.push((
+                format!("{name} {range}{unit}"),
+                line(data, side, GROUPS.len(), column),
+            ));
+        }
+    }
+    (!rows.is_empty()).then(|| Map {
+        title: "Under which condition",
+        columns: GROUPS.iter().map(|g| g.0.to_owned()).collect(),
+        rows,
+    })
+}
+
+fn class_of(chi: f64) -> usize {
+    CLASSES
+        .iter()
+        .position(|end| chi <= *end)
+        .unwrap_or(CLASSES.len())
+}
+
+fn draw(page: &mut String, map: &Map, caption: &str) {
+    let _ = write!(
+        page,
+        "<table class=map><caption>{caption}</caption><tr><th>"
+    );
+    for column in &map.columns {
+        let _ = write!(page, "<th><span>{}</span>", escape(column));
+    }
+    page.push_str("</tr>");
+    for (name, cells) in &map.rows {
+        let _ = write!(page, "<tr><th>{}", escape(name));
+        for cell in cells {
+            let _ = match cell {
+                Some(chi) => write!(page, "<td class=c{}>{}", class_of(*chi), count(*chi)),
+                None => write!(page, "<td>"),
+            };
+        }
+        page.push_str("</tr>");
+    }
+    page.push_str("</table>");
+}
+
+/// At most four characters.
+fn count(chi: f64) -> String {
+    match chi {
+        c if c < 9.95 => format!("{c:.1}"),
+        c if c < 9999.5 => format!("{c:.0}"),
+        c => format!("{c:.0e}"),
+    }
+}
+
+fn legend(page: &mut String) {
+    page.push_str("<p class=legend>");
+    let names = ["up to 1.5: noise", "3", "6", "15", "50", "more"];
+    for (class, name) in names.iter().enumerate() {
+        let _ = write!(page, "<span class=c{class}>{name}</span>");
+    }
+    page.push_str("</p>");
+}
