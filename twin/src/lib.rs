@@ -12,6 +12,7 @@
 //! - [`rig_port`]: the seam between plant and board.
 //! - [`board`]: the emulated NUCLEO-H743ZI2.
 //! - [`runner`]: runs an image on the board, step by step or paced.
+//! - [`usb_host`]: a USB host for the board.
 //!
 //! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
 
@@ -27,5 +28,6 @@ pub mod rig;
 pub mod rig_port;
 pub mod runner;
 pub mod steady;
+pub mod usb_host;
 
 pub use nalgebra::Complex;

@@ -7,7 +7,8 @@
 //! - Requests (trigger and DMA lines) reach only the models that need them. Every listener is
 //!   called for every request, and at 50 000 triggers a second that decides the speed.
 //! - The two converter pairs' common block runs on two clocks and raises the pair's interrupt.
-//! - The clock blocks of the USB cores end before the FIFOs, which the vendor's file covers up.
+//! - The full-speed USB core answers in a window of its own (`usb`): the vendor's file has some of its
+//!   endpoints at wrong offsets and its FIFOs covered up.
 
 use rigless::cpu::armv7m;
 use rigless::soc::stm32h743::peripherals::{adc, exti, flash, otg, pwr, rcc, rng, syscfg, tim};
@@ -86,8 +87,8 @@ const REQUEST_READERS: [&str; 7] = [
     "ADC3",
 ];
 
-/// Size of a USB core's clock block: `PCGCCTL` at 0xE00 alone. The FIFOs start at 0x1000.
-const USB_CLOCK_BLOCK: u64 = 0x200;
+/// Where the vendor's blocks of the full-speed USB core go, an address nothing answers at.
+const ASIDE: u64 = 0x0400_0000;
 
 /// Size of a USB core's device block: to the end of OUT endpoint 8 (RM0433 Rev 9, section 57.14).
 const USB_DEVICE_BLOCK: u64 = 0x420;
@@ -127,8 +128,8 @@ fn corrected(mut peripheral: Peripheral) -> Peripheral {
     if let Some(&(_, lines)) = INTERRUPTS.iter().find(|(name, _)| *name == peripheral.name) {
         peripheral.interrupts = lines;
     }
-    if peripheral.name.ends_with("_PWRCLK") {
-        peripheral.size = USB_CLOCK_BLOCK;
+    if peripheral.name.starts_with("OTG2_HS_") {
+        peripheral.base += ASIDE;
     }
     peripheral
 }

@@ -14,6 +14,7 @@
 //! | `iwdg` | watchdog |
 //! | `overdrive` | SYSCFG's switch to voltage scale 0 |
 //! | `serial_line` | USART3 to the virtual COM port |
+//! | `usb` | OTG FS in device mode, and the host's end of its cable |
 //! | `front_panel` | LEDs and button |
 //! | `memory_map`, `part`, `cortex_m7` | address map, the part as a whole, its core |
 //!
@@ -35,6 +36,7 @@ mod serial_line;
 #[cfg(test)]
 mod tests;
 mod tim6;
+pub mod usb;
 
 use rigless::machine::{Board, Target};
 use rigless::mcu::Mcu;
@@ -50,6 +52,7 @@ pub use flash::{
 pub use front_panel::Leds;
 pub use part::Part;
 pub use serial_line::SerialLine;
+use usb::UsbPort;
 
 /// The clock ST-LINK feeds the part's oscillator pin (UM2407, section 6.8.1).
 const HSE_HZ: u64 = 8_000_000;
@@ -70,6 +73,8 @@ pub struct Pins {
     pub serial: SerialLine,
     /// A view of the record flash's operations.
     pub flash: FlashWatch,
+    /// The USB connector.
+    pub usb: UsbPort,
 }
 
 impl Pins {
@@ -80,6 +85,7 @@ impl Pins {
             analog: Analog::new(rig),
             serial: SerialLine::default(),
             flash: FlashWatch::default(),
+            usb: UsbPort::default(),
         }
     }
 }

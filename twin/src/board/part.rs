@@ -20,6 +20,7 @@ use super::iwdg::Iwdg;
 use super::memory_map;
 use super::overdrive::{self, WatchedSyscfg};
 use super::tim6::{self, Tim6};
+use super::usb::UsbWindow;
 use super::{HSE_HZ, Pins, SUPPLY_MV, USART3};
 
 /// Our own models, and how a slot finds its own.
@@ -33,6 +34,7 @@ enum Own {
     Flash,
     Iwdg,
     Syscfg,
+    Usb,
 }
 
 const OWN: [(&str, Own); 9] = [
@@ -60,6 +62,8 @@ pub struct Part {
     flash: WatchedFlash,
     iwdg: Iwdg,
     syscfg: WatchedSyscfg,
+    usb: UsbWindow,
+    usb_slot: usize,
     pins: Pins,
     own: Box<[Option<Own>]>,
     usart3_slot: usize,
@@ -74,7 +78,9 @@ impl Part {
     pub(super) fn new(pins: Pins) -> Result<Self, Error> {
         let mut base = Stm32h743::new()?;
         *base.bus_mut() = memory_map::bus()?;
+        let (usb_slot, usb) = UsbWindow::add_to(base.bus_mut(), pins.usb.clone())?;
         let mut own = vec![None; base.bus().slots().len()].into_boxed_slice();
+        own[usb_slot] = Some(Own::Usb);
         for (instance, model) in OWN {
             own[base.bus().slot(instance)?] = Some(model);
         }
@@ -93,6 +99,8 @@ impl Part {
             flash: WatchedFlash::new(pins.flash.clone()),
             iwdg: Iwdg::new(),
             syscfg: WatchedSyscfg::default(),
+            usb,
+            usb_slot,
             pins,
             own,
         };
@@ -168,6 +176,14 @@ impl Part {
             .map_or(0, |registers| registers.get(register))
     }
 
+    fn poll_slot(&mut self, slot: usize, now: VirtualNanos) {
+        let (bus, model) = self.split(slot);
+        if let Some(model) = model {
+            let (registers, mut context) = bus.drive(now, slot);
+            model.poll(registers, &mut context);
+        }
+    }
+
     /// Cuts the supply of the part, or gives it back, when the run goes on.
     pub(crate) fn power(&mut self, at: VirtualNanos, on: bool) {
         let slot = self.usart3_slot;
@@ -202,6 +218,7 @@ impl Mcu for Part {
             self.inherit(&mut fresh, cause);
         }
         self.pins.flash.abandon();
+        self.pins.usb.part_reset();
         // PA4 floats from here on, until a firmware enables the converter again.
         let analog = self.pins.analog.clone();
         analog.drive(crate::rig_port::DRIVE_MID_CODE, at);
@@ -209,16 +226,13 @@ impl Mcu for Part {
     }
 
     fn poll(&mut self, now: VirtualNanos) {
-        // USART3 is the only instance with something outside that speaks on its own, and this is
-        // called at every stop.
-        if !self.pins.serial.is_sending() {
-            return;
+        // Two instances have something outside that speaks on its own, and this is called at every
+        // stop: ask them only when it has.
+        if self.pins.serial.is_sending() {
+            self.poll_slot(self.usart3_slot, now);
         }
-        let slot = self.usart3_slot;
-        let (bus, model) = self.base.split(slot);
-        if let Some(model) = model {
-            let (registers, mut context) = bus.drive(now, slot);
-            model.poll(registers, &mut context);
+        if self.pins.usb.has_news() {
+            self.poll_slot(self.usb_slot, now);
         }
     }
 
@@ -235,6 +249,7 @@ impl Mcu for Part {
             Own::Flash => &mut self.flash,
             Own::Iwdg => &mut self.iwdg,
             Own::Syscfg => &mut self.syscfg,
+            Own::Usb => &mut self.usb,
         };
         (self.base.bus_mut(), Some(model))
     }

@@ -9,6 +9,7 @@ use rigless::time::VirtualNanos;
 use super::core_thread::CoreThread;
 use super::memory::RECORD_FLASH_BYTES;
 use super::{Error, Firmware, Log, memory};
+use crate::board::usb::UsbPort;
 use crate::board::{FlashWatch, Leds, NucleoH743zi2, Pins, RECORD_FLASH, SerialLine};
 use crate::rig_port::{DRIVE_MID_CODE, RigPort};
 
@@ -121,6 +122,12 @@ impl Emulator {
     #[must_use]
     pub fn serial(&self) -> &SerialLine {
         &self.pins.serial
+    }
+
+    /// The USB connector.
+    #[must_use]
+    pub fn usb(&self) -> &UsbPort {
+        &self.pins.usb
     }
 
     /// Queues `bytes` for the board.
