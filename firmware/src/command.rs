@@ -31,6 +31,8 @@ pub struct RecordPage {
 // Both ends are in this crate and run on one executor: no `Send` is needed.
 #[allow(async_fn_in_trait)]
 pub trait Instrument {
+    /// Whether this host may ask for this now ([`crate::session`]).
+    fn admit(&mut self, request: &Request) -> Result<(), Refusal>;
     /// Identity and health.
     fn info(&mut self) -> Info;
     /// What is going on.
@@ -64,6 +66,7 @@ async fn carry_out(
     request: Request,
     instrument: &mut impl Instrument,
 ) -> Result<Response, Refusal> {
+    instrument.admit(&request)?;
     Ok(match request {
         Request::Info => Response::Info(instrument.info()),
         Request::Status => Response::Status(instrument.status()),

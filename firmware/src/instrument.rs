@@ -6,18 +6,32 @@ use crate::tasks::store::SharedArchive;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_firmware::command::{Instrument, RecordPage, RecordPart};
+use calib_firmware::session::LinkName;
 use calib_protocol::frame::PROTOCOL_VERSION;
-use calib_protocol::message::{Info, Refusal, RunSpec, RunState, Status};
+use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, Status};
 use embassy_time::Instant;
 
-/// One host's view; copies share everything behind it.
-#[derive(Clone)]
+/// One host's view; all share everything behind it.
+#[derive(Clone, Copy)]
 pub(crate) struct Calibrator {
+    pub(crate) link: LinkName,
     pub(crate) identity: &'static Identity,
     pub(crate) archive: &'static SharedArchive,
 }
 
+impl Calibrator {
+    /// The host has gone.
+    pub(crate) fn leave(&self) {
+        state::with_session(|session| session.leave(self.link));
+    }
+}
+
 impl Instrument for Calibrator {
+    fn admit(&mut self, request: &Request) -> Result<(), Refusal> {
+        let now_ms = Instant::now().as_millis();
+        state::with_session(|session| session.admit(self.link, request, now_ms))
+    }
+
     fn info(&mut self) -> Info {
         let identity = self.identity;
         Info {

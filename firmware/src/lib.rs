@@ -1,5 +1,5 @@
-//! The parts of the firmware that know no hardware: what a request does, how
-//! a link is served, how the journal lies in flash. They run on the host too,
+//! The parts of the firmware that know no hardware: what a request does, who
+//! may ask for it, how a link is served, how the journal lies in flash. They run on the host too,
 //! where their tests are.
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
@@ -7,3 +7,4 @@
 pub mod archive;
 pub mod command;
 pub mod link;
+pub mod session;

@@ -25,15 +25,30 @@ pub enum Aftermath {
 pub struct Link {
     receiver: Receiver,
     answer: [u8; MAX_FRAME],
-    last_start: Option<Start>,
+    last_start: Start,
 }
 
-/// A start that was accepted: its frame, and the record it will have.
+/// A start that was accepted: its frame, and the record it will have, which is
+/// never number 0.
 #[derive(Clone, Copy)]
 struct Start {
     sequence: u16,
     checksum: u32,
     record_id: u32,
+}
+
+impl Start {
+    /// None yet.
+    const NONE: Self = Self {
+        sequence: 0,
+        checksum: 0,
+        record_id: 0,
+    };
+
+    /// Whether a frame is the one of this start.
+    fn is(&self, sequence: u16, checksum: u32) -> bool {
+        self.record_id != 0 && (self.sequence, self.checksum) == (sequence, checksum)
+    }
 }
 
 impl Default for Link {
@@ -43,12 +58,13 @@ impl Default for Link {
 }
 
 impl Link {
-    /// A link on which nothing came yet.
+    /// A link on which nothing came yet: all zero, so that it may lie in
+    /// memory that is cleared at the start.
     pub const fn new() -> Self {
         Self {
             receiver: Receiver::new(),
             answer: [0; MAX_FRAME],
-            last_start: None,
+            last_start: Start::NONE,
         }
     }
 
@@ -67,25 +83,25 @@ impl Link {
         let frame = Frame::check(self.receiver.push(byte)?).ok()?;
         let (sequence, checksum) = (frame.sequence, frame.checksum);
         let request = frame.message::<Request>();
-        let aftermath = match request {
-            Ok(Request::Reset) => Aftermath::Reset,
-            _ => Aftermath::None,
-        };
-        let again = self
-            .last_start
-            .filter(|start| (start.sequence, start.checksum) == (sequence, checksum));
-        let response = match (request, again) {
-            (Ok(_), Some(Start { record_id, .. })) => Response::Started { record_id },
-            (Ok(request), None) => command::answer(request, instrument).await,
-            (Err(_), _) => Response::Refused(Refusal::Unknown),
+        let resets = matches!(request, Ok(Request::Reset));
+        let response = match request {
+            Ok(_) if self.last_start.is(sequence, checksum) => Response::Started {
+                record_id: self.last_start.record_id,
+            },
+            Ok(request) => command::answer(request, instrument).await,
+            Err(_) => Response::Refused(Refusal::Unknown),
         };
         if let Response::Started { record_id } = response {
-            self.last_start = Some(Start {
+            self.last_start = Start {
                 sequence,
                 checksum,
                 record_id,
-            });
+            };
         }
+        let aftermath = match response {
+            Response::Done if resets => Aftermath::Reset,
+            _ => Aftermath::None,
+        };
         let length = encode(sequence, &response, &mut self.answer)?;
         Some((self.answer.get(..length)?, aftermath))
     }
@@ -120,6 +136,12 @@ mod tests {
     }
 
     impl Instrument for Busy {
+        fn admit(&mut self, request: &Request) -> Result<(), Refusal> {
+            match request {
+                Request::Reset if self.starts > 0 => Err(Refusal::OtherHost),
+                _ => Ok(()),
+            }
+        }
         fn info(&mut self) -> Info {
             unreachable!("not asked here")
         }
@@ -167,6 +189,15 @@ mod tests {
 
     /// Sends a request and returns the answer; nothing here ever waits.
     fn ask(link: &mut Link, busy: &mut Busy, sequence: u16, request: &Request) -> Response {
+        exchange(link, busy, sequence, request).0
+    }
+
+    fn exchange(
+        link: &mut Link,
+        busy: &mut Busy,
+        sequence: u16,
+        request: &Request,
+    ) -> (Response, Aftermath) {
         let mut buffer = vec![0; MAX_FRAME];
         let length = frame::encode(sequence, request, &mut buffer).expect("fits");
         for byte in &buffer[..length] {
@@ -175,11 +206,11 @@ mod tests {
             let Poll::Ready(answer) = polled else {
                 panic!("nothing here waits");
             };
-            if let Some((bytes, _)) = answer {
+            if let Some((bytes, aftermath)) = answer {
                 let mut bytes = bytes[..bytes.len() - 1].to_vec();
                 let frame = Frame::check(&mut bytes).expect("whole");
                 assert_eq!(frame.sequence, sequence);
-                return frame.message().expect("a response");
+                return (frame.message().expect("a response"), aftermath);
             }
         }
         panic!("a whole frame is answered");
@@ -197,6 +228,17 @@ mod tests {
         ask(&mut link, &mut busy, 10, &Request::Stop);
         assert_eq!(ask(&mut link, &mut busy, 9, &start()), started);
         assert_eq!(busy.starts, 1);
+    }
+
+    #[test]
+    fn only_a_reset_that_is_granted_resets() {
+        let (mut link, mut busy) = (Link::new(), Busy::default());
+        let granted = exchange(&mut link, &mut busy, 1, &Request::Reset);
+        assert_eq!(granted, (Response::Done, Aftermath::Reset));
+        ask(&mut link, &mut busy, 2, &start());
+        let refused = exchange(&mut link, &mut busy, 3, &Request::Reset);
+        let other = Response::Refused(Refusal::OtherHost);
+        assert_eq!(refused, (other, Aftermath::None));
     }
 
     #[test]

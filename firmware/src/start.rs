@@ -1,6 +1,6 @@
 //! From reset to running tasks.
 
-use crate::board::{Board, RecordFlash, axi_static};
+use crate::board::{Board, RecordFlash, axi_static, usb_port};
 use crate::identity::Identity;
 use crate::instrument::Calibrator;
 use crate::state;
@@ -8,6 +8,7 @@ use crate::tasks::acquire::Block;
 use crate::tasks::store::SharedArchive;
 use crate::tasks::{acquire, drive, link, measure, store, supervise};
 use calib_firmware::archive::{Directory, LastAccess, MAX_ITEM, Memory};
+use calib_firmware::session::LinkName;
 use calib_protocol::record::Record;
 use embassy_executor::{InterruptExecutor, Spawner};
 use embassy_stm32::interrupt::{self, InterruptExt, Priority};
@@ -51,7 +52,12 @@ pub(crate) async fn start(spawner: Spawner) {
     }
 
     let archive = open_archive(board.flash).await;
-    let instrument = Calibrator { identity, archive };
+    let instrument = |link| Calibrator {
+        link,
+        identity,
+        archive,
+    };
+    let (usb_device, usb_port) = usb_port(board.usb, identity.serial.as_str());
 
     static BLOCKS: ConstStaticCell<[Block; 2]> = ConstStaticCell::new([Block::EMPTY; 2]);
     static CHANNEL: StaticCell<BlockChannel> = StaticCell::new();
@@ -66,10 +72,11 @@ pub(crate) async fn start(spawner: Spawner) {
     converter.spawn(drive::drive(board.exciter).unwrap());
     metrology.spawn(measure::measure(receiver).unwrap());
     spawner.spawn(store::store(archive, identity).unwrap());
-    spawner.spawn(link::link(board.port, board.port_buffers, instrument.clone()).unwrap());
-    spawner.spawn(
-        supervise::supervise(board.lamps, board.button, board.watchdog, instrument).unwrap(),
-    );
+    let serial = instrument(LinkName::Serial);
+    spawner.spawn(link::serial_link(board.port, board.port_buffers, serial).unwrap());
+    let usb = instrument(LinkName::Usb);
+    spawner.spawn(link::usb_link(usb_device, usb_port, usb).unwrap());
+    spawner.spawn(supervise::supervise(board.lamps, board.button, board.watchdog, serial).unwrap());
     // Last: from here on blocks come and must find their tasks.
     board.sample_clock.start();
 }

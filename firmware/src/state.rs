@@ -2,6 +2,7 @@
 
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
+use calib_firmware::session::Session;
 use calib_protocol::message::{RunSpec, RunState, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
 use core::cell::{Cell, RefCell};
@@ -40,6 +41,19 @@ pub(crate) fn update_status(change: impl FnOnce(&mut Status)) {
     });
 }
 
+static SESSION: CriticalSectionMutex<Cell<Session>> =
+    CriticalSectionMutex::new(Cell::new(Session::free()));
+
+/// Looks at the session, and changes it.
+pub(crate) fn with_session<T>(look: impl FnOnce(&mut Session) -> T) -> T {
+    SESSION.lock(|cell| {
+        let mut session = cell.get();
+        let result = look(&mut session);
+        cell.set(session);
+        result
+    })
+}
+
 /// Labels of a run nobody described, as a constant.
 pub(crate) const NO_LABELS: RunLabels = RunLabels {
     unix_time_s: 0,
@@ -61,6 +75,10 @@ pub(crate) struct Run {
 }
 
 /// The running or last run.
+// Note(unsafe): in AXI SRAM, for the stack needs the room. The section is
+// cleared before the first task runs, and this value is all zero: empty
+// vectors and strings, false, no temperature.
+#[unsafe(link_section = ".axisram")]
 pub(crate) static RUN: CriticalSectionMutex<RefCell<Run>> =
     CriticalSectionMutex::new(RefCell::new(Run {
         spec: RunSpec {

@@ -1,4 +1,4 @@
-//! Where a calibrator is, as typed: a serial port, `tcp:HOST:PORT`, `emulated`.
+//! Where a calibrator is, as typed: a serial port, `tcp:HOST:PORT`, `emulated`, `emulated-usb`.
 
 use crate::Result;
 use crate::emulated::KeptBoard;
@@ -13,8 +13,10 @@ pub enum Address {
     Serial(String),
     /// Host and port, `HOST:PORT`.
     Tcp(String),
-    /// The emulated calibrator of this user.
+    /// The emulated calibrator of this user, over its serial line.
     Emulated,
+    /// The same, over its USB port.
+    EmulatedUsb,
 }
 
 impl Address {
@@ -28,6 +30,7 @@ impl Address {
             Self::Serial(port) => Box::new(SerialTransport::open(port)?),
             Self::Tcp(peer) => Box::new(TcpTransport::connect(peer)?),
             Self::Emulated => Box::new(KeptBoard::power_on()?),
+            Self::EmulatedUsb => Box::new(KeptBoard::power_on_with_usb()?),
         })
     }
 }
@@ -39,6 +42,7 @@ impl FromStr for Address {
         Ok(match text.strip_prefix("tcp:") {
             Some(peer) => Self::Tcp(peer.to_owned()),
             None if text == "emulated" => Self::Emulated,
+            None if text == "emulated-usb" => Self::EmulatedUsb,
             None => Self::Serial(text.to_owned()),
         })
     }
@@ -50,6 +54,7 @@ impl fmt::Display for Address {
             Self::Serial(port) => formatter.write_str(port),
             Self::Tcp(peer) => write!(formatter, "tcp:{peer}"),
             Self::Emulated => formatter.write_str("emulated"),
+            Self::EmulatedUsb => formatter.write_str("emulated-usb"),
         }
     }
 }
@@ -59,12 +64,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_three_forms_are_told_apart_and_printed_as_typed() {
+    fn the_forms_are_told_apart_and_printed_as_typed() {
         for (text, address) in [
             ("/dev/ttyACM0", Address::Serial("/dev/ttyACM0".into())),
             ("COM3", Address::Serial("COM3".into())),
             ("tcp:localhost:4000", Address::Tcp("localhost:4000".into())),
             ("emulated", Address::Emulated),
+            ("emulated-usb", Address::EmulatedUsb),
             ("tcp:[::1]:4000", Address::Tcp("[::1]:4000".into())),
         ] {
             let parsed: Address = text.parse().expect("infallible");

@@ -151,6 +151,9 @@ pub enum Refusal {
     Settings,
     /// The frame was whole but is no message of this protocol version.
     Unknown,
+    /// The host on the other link holds the session: it alone may start,
+    /// reset, release and write settings until it has gone or been quiet.
+    OtherHost,
 }
 
 /// A run to be measured.

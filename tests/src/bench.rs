@@ -59,6 +59,11 @@ impl Bench {
         self.emulator.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// The board, to be shared with another host.
+    pub fn shared(&self) -> SharedEmulator {
+        Arc::clone(&self.emulator)
+    }
+
     /// Tells the instrument what is certified about its reference, as a
     /// laboratory would after the reference came back from calibration.
     ///

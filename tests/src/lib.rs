@@ -5,5 +5,6 @@
 //! result on every machine.
 
 pub mod bench;
+pub mod capture;
 pub mod coverage;
 pub mod judge;

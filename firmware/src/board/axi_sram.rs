@@ -8,6 +8,7 @@
 
 use calib_core::correlation::FoldMemory;
 use calib_firmware::archive::Directory;
+use calib_firmware::link::Link;
 
 unsafe extern "C" {
     static mut __axisram_start: u32;
@@ -39,7 +40,8 @@ pub(crate) unsafe trait AllZero {
     const ZERO: Self;
 }
 
-// Note(unsafe): numbers; sums of zero; a vector of length zero.
+// Note(unsafe): numbers; sums of zero; a vector of length zero; a link on which
+// nothing came.
 unsafe impl<const N: usize> AllZero for [u8; N] {
     const ZERO: Self = [0; N];
 }
@@ -54,6 +56,9 @@ unsafe impl AllZero for FoldMemory {
 }
 unsafe impl AllZero for Directory {
     const ZERO: Self = Directory::new();
+}
+unsafe impl AllZero for Link {
+    const ZERO: Self = Link::new();
 }
 
 /// Declares a static in AXI SRAM, to be taken once.

@@ -3,7 +3,7 @@
 use embassy_stm32::Config;
 use embassy_stm32::rcc::{
     AHBPrescaler, APBPrescaler, Hse, HseMode, Pll, PllDiv, PllMul, PllPreDiv, PllSource, Sysclk,
-    VoltageScale,
+    VoltageScale, mux,
 };
 use embassy_stm32::time::Hertz;
 
@@ -39,5 +39,7 @@ pub(crate) fn config() -> Config {
     rcc.apb2_pre = APBPrescaler::DIV2;
     rcc.apb3_pre = APBPrescaler::DIV2;
     rcc.apb4_pre = APBPrescaler::DIV2;
+    // 960 MHz / 20: what full-speed USB wants, as exact as the crystal.
+    rcc.mux.usbsel = mux::Usbsel::PLL1_Q;
     config
 }

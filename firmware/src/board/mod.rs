@@ -7,6 +7,7 @@
 //! | exciter | DAC1 channel 1 | PA4 | DMA1 stream 1 |
 //! | sample clock | TIM6 | | |
 //! | host link | USART3 | PD8 (TX), PD9 (RX) | DMA1 streams 2, 3 |
+//! | host link | OTG FS | PA11 (D-), PA12 (D+), PA9 (VBUS) | |
 //! | LEDs | GPIO | PB0 green, PE1 yellow, PB14 red | |
 //! | button | GPIO | PC13, active high | |
 //! | records | FLASH bank 2 | | |
@@ -19,11 +20,13 @@ mod clocks;
 mod digitiser;
 mod exciter;
 mod sample_clock;
+mod usb;
 
 pub(crate) use axi_sram::{AllZero, axi_static};
 pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser};
 pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
 pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
+pub(crate) use usb::{PACKET_BYTES, UsbDriver, UsbParts, UsbPort, run as run_usb, usb_port};
 
 use digitiser::DigitiserParts;
 use embassy_stm32::flash::{self, Flash};
@@ -39,6 +42,7 @@ bind_interrupts!(
     pub struct Irqs {
         FLASH => flash::InterruptHandler;
         USART3 => usart::InterruptHandler<peripherals::USART3>;
+        OTG_FS => embassy_stm32::usb::InterruptHandler<peripherals::USB_OTG_FS>;
         DMA1_STREAM0 => dma::InterruptHandler<peripherals::DMA1_CH0>;
         DMA1_STREAM1 => dma::InterruptHandler<peripherals::DMA1_CH1>;
         DMA1_STREAM2 => dma::InterruptHandler<peripherals::DMA1_CH2>;
@@ -89,6 +93,7 @@ pub(crate) struct Board {
     pub(crate) button: Input<'static>,
     pub(crate) port: Port,
     pub(crate) port_buffers: PortBuffers,
+    pub(crate) usb: UsbParts,
     pub(crate) digitiser: Digitiser,
     pub(crate) exciter: Exciter,
     pub(crate) sample_clock: SampleClock,
@@ -134,6 +139,12 @@ impl Board {
             port_buffers: PortBuffers {
                 receive: RECEIVE.take(),
                 transmit: TRANSMIT.take(),
+            },
+            usb: UsbParts {
+                otg: p.USB_OTG_FS,
+                d_plus: p.PA12,
+                d_minus: p.PA11,
+                _vbus: p.PA9,
             },
             digitiser: digitiser.await.expect("converters"),
             exciter,

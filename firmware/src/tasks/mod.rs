@@ -6,7 +6,7 @@
 //! | drive | converter | drive commands | DMA ring of the DAC |
 //! | measure | metrology | blocks, orders | drive commands, results |
 //! | store | thread | ended runs | archive |
-//! | link | thread | bytes of a host | answers |
+//! | serial_link, usb_link | thread | bytes of a host | answers |
 //! | supervise | thread | button, heartbeats | lamps, orders, watchdog |
 //!
 //! The converter executor interrupts the metrology executor, which interrupts

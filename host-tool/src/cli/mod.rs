@@ -66,7 +66,8 @@ pub(crate) struct GlobalOptions {
     /// Machine-readable output: one JSON document on standard output.
     #[arg(long, global = true)]
     pub(crate) json: bool,
-    /// The calibrator: a serial port, `tcp:HOST:PORT`, or `emulated`.
+    /// The calibrator: a serial port, `tcp:HOST:PORT`, `emulated`, or
+    /// `emulated-usb`.
     #[arg(
         long,
         short,

@@ -1,17 +1,17 @@
 //! The emulated calibrator that remembers, as hardware does.
 
 use super::EmulatedBoard;
-use crate::link::{EmulatedTransport, Transport};
+use crate::link::Transport;
 use crate::{Error, Result, file};
 use calib_twin::rig::Rig;
 use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// The emulated calibrator of `--device emulated`: its records and settings
+/// The emulated calibrator of `--device emulated` and `emulated-usb`: its records and settings
 /// outlive the process, in a file of the user's.
 pub struct KeptBoard {
-    link: EmulatedTransport,
+    link: Box<dyn Transport>,
     board: EmulatedBoard,
     flash_file: PathBuf,
 }
@@ -22,6 +22,20 @@ impl KeptBoard {
     /// # Errors
     /// As [`EmulatedBoard::power_on`]; [`Error::File`].
     pub fn power_on() -> Result<Self> {
+        Self::power_on_and(|board| Ok(Box::new(board.link())))
+    }
+
+    /// The same with a USB cable instead of the serial line.
+    ///
+    /// # Errors
+    /// As [`Self::power_on`], and when the USB port does not come up.
+    pub fn power_on_with_usb() -> Result<Self> {
+        Self::power_on_and(|board| Ok(Box::new(board.usb_link()?)))
+    }
+
+    fn power_on_and(
+        connect: impl FnOnce(&EmulatedBoard) -> Result<Box<dyn Transport>>,
+    ) -> Result<Self> {
         let flash_file = flash_file();
         let rig = Rig::standard();
         let board = match std::fs::read(&flash_file) {
@@ -32,7 +46,7 @@ impl KeptBoard {
             Err(error) => return Err(Error::file("read", &flash_file, error)),
         };
         Ok(Self {
-            link: board.link(),
+            link: connect(&board)?,
             board,
             flash_file,
         })

@@ -9,7 +9,7 @@ mod settings;
 pub use kept::KeptBoard;
 pub use settings::settings_for;
 
-use crate::link::{Client, EmulatedTransport};
+use crate::link::{Client, EmulatedTransport, EmulatedUsbTransport};
 use crate::{Error, Result};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
@@ -70,6 +70,21 @@ impl EmulatedBoard {
     /// A link to the board's serial port.
     pub fn link(&self) -> EmulatedTransport {
         EmulatedTransport::new(Arc::clone(&self.emulator))
+    }
+
+    /// Plugs a cable into the board's USB port.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when no serial port shows itself there.
+    pub fn usb_link(&self) -> Result<EmulatedUsbTransport> {
+        let link = EmulatedUsbTransport::plug_in(Arc::clone(&self.emulator));
+        link.map_err(|error| {
+            Error::input(
+                "emulated USB port",
+                error.to_string(),
+                "`--device emulated` uses the serial line instead",
+            )
+        })
     }
 
     /// The board itself, for who wants to press its button or cut its power.

@@ -130,6 +130,7 @@ fn reason(refusal: Refusal) -> &'static str {
         Refusal::PointList => "the point list is empty or holds a value that is no positive number",
         Refusal::Settings => "a setting is outside its range; nothing was changed",
         Refusal::Unknown => "it does not know this request",
+        Refusal::OtherHost => "the host on its other link holds the session",
         _ => "for a reason this tool does not know",
     }
 }
@@ -156,6 +157,9 @@ impl Refused {
             }
             Refusal::PointList => "correct the point list",
             Refusal::Settings => "correct the settings",
+            Refusal::OtherHost => {
+                "end the program that uses the other port, wait five seconds and repeat"
+            }
             _ => "compare `calib info` with `calib version`, and update the older one",
         }
     }

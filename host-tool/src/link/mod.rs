@@ -1,7 +1,7 @@
 //! The link to a calibrator: transport, requests and answers.
 //!
 //! ```text
-//!                 Transport (serial | tcp | emulated | any other)
+//!                 Transport (serial | tcp | emulated, over either link | any other)
 //!                       |
 //!                    Client: request -> answer with the same sequence number
 //!                       |            retries, resynchronisation, typed errors
@@ -13,6 +13,7 @@
 
 mod client;
 mod emulated;
+mod emulated_usb;
 mod error;
 mod exchange;
 pub mod port;
@@ -22,6 +23,7 @@ mod transport;
 
 pub use client::{Chunk, Client, RetryPolicy};
 pub use emulated::EmulatedTransport;
+pub use emulated_usb::EmulatedUsbTransport;
 pub use error::{LinkError, ProtocolError, Refused};
 pub use serial::SerialTransport;
 pub use tcp::TcpTransport;
