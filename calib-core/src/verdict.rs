@@ -57,6 +57,13 @@ pub enum Reason {
     TooFewAverages,
     /// Coherence below 0.98 with broadband excitation (4.4, Note 1).
     LowCoherence,
+    /// The level does not follow the drive as it did before: the reference
+    /// drifts, is loose or has failed, or the amplifier gives no more. More
+    /// drive could go too far.
+    LevelNotFollowing,
+    /// The device under test distorts more than the motion it is given:
+    /// saturated, loose or striking something.
+    DutDistortion,
 }
 
 impl Reason {
@@ -64,7 +71,11 @@ impl Reason {
     pub fn ends_run(self) -> bool {
         matches!(
             self,
-            Self::ReferenceDead | Self::Overload | Self::Overrun | Self::Stopped
+            Self::ReferenceDead
+                | Self::LevelNotFollowing
+                | Self::Overload
+                | Self::Overrun
+                | Self::Stopped
         )
     }
 }

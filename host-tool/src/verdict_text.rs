@@ -32,6 +32,10 @@ pub fn reason(reason: Reason) -> &'static str {
         Reason::BudgetInvalid => "the uncertainty budget makes no sense here",
         Reason::TooFewAverages => "too few spectra were averaged",
         Reason::LowCoherence => "the coherence is below 0.98",
+        Reason::LevelNotFollowing => {
+            "the level does not follow the drive: reference, cable or amplifier"
+        }
+        Reason::DutDistortion => "the device under test distorts",
         _ => "for a reason this tool does not know",
     }
 }

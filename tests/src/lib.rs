@@ -8,3 +8,4 @@ pub mod bench;
 pub mod capture;
 pub mod coverage;
 pub mod judge;
+pub mod witness;

@@ -3,6 +3,7 @@
 //! - [`rig`]: the parameters of a simulated calibrator, read from a file or drawn by seed.
 //! - [`model`]: what a calibrator is made of, with everything effects may change.
 //! - [`effects`]: what real calibrators do beside, one file each.
+//! - [`faults`]: what happens to them on site, from an instant on.
 //! - [`steady`]: a model at one frequency once all has settled.
 //! - [`oscillator`]: a single oscillator in time.
 //! - [`dataset`]: gap datasets of known cause.
@@ -19,6 +20,7 @@
 pub mod board;
 pub mod dataset;
 pub mod effects;
+pub mod faults;
 pub mod influence;
 pub mod model;
 pub mod oracle;

@@ -1,6 +1,6 @@
 //! The amplitude loop: one step per block of constant drive.
 
-use super::limits::check_level;
+use super::limits::{check_level, full_output_peak_ms2};
 use crate::settings::Limits;
 use crate::verdict::Reason;
 
@@ -9,6 +9,10 @@ const PROBE_REL: f32 = 0.005;
 /// Drive up to which an exciter that shows nothing is driven, relative to the
 /// limit: one that is only weak would show a twentieth of its level there.
 const SEARCH_REL: f32 = 0.05;
+/// The same relative to the drive an exciter needs for the set level whose
+/// limits of drive and acceleration belong together: with a dead reference the
+/// table must not do what nobody sees.
+const SEARCH_LEVEL_REL: f32 = 0.5;
 /// Level relative to the set one below which nothing is seen.
 const NOTHING_REL: f32 = 0.002;
 /// Growth of the drive while nothing, or not enough, is seen.
@@ -40,12 +44,16 @@ const MAX_WAITS: u8 = 8;
 const MAX_BLOCKS: u16 = 60;
 /// Protective abort, relative to the set level.
 pub const OVERLOAD_REL: f32 = 1.5;
+/// Level, relative to the set one, that the drive may be raised to by the
+/// highest gain seen: a reference that lost its signal asks for more for ever.
+const TRUSTED_REL: f32 = 1.45;
 
 /// Set level and limits of one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LevelLoop {
     set_peak_ms2: f32,
     drive_limit_peak_v: f32,
+    search_limit_peak_v: f32,
 }
 
 /// Level of one block.
@@ -81,6 +89,8 @@ pub struct LevelState {
     waits: u8,
     blocks: u16,
     highest_peak_ms2: f32,
+    /// Highest level per drive of any block with little noise, m/s2 per V.
+    highest_gain: f32,
 }
 
 impl LevelState {
@@ -96,6 +106,7 @@ impl LevelState {
             waits: 0,
             blocks: 0,
             highest_peak_ms2: 0.0,
+            highest_gain: 0.0,
         }
     }
 
@@ -131,9 +142,11 @@ impl LevelLoop {
     /// The limit the set level exceeds; nothing may be driven then.
     pub fn new(limits: &Limits, frequency_hz: f32, set_peak_ms2: f32) -> Result<Self, Reason> {
         check_level(limits, frequency_hz, set_peak_ms2)?;
+        let share = SEARCH_LEVEL_REL * set_peak_ms2 / full_output_peak_ms2(limits, frequency_hz);
         Ok(Self {
             set_peak_ms2,
             drive_limit_peak_v: limits.drive_peak_v,
+            search_limit_peak_v: share.clamp(PROBE_REL, SEARCH_REL) * limits.drive_peak_v,
         })
     }
 
@@ -156,6 +169,9 @@ impl LevelLoop {
         state.highest_peak_ms2 = state.highest_peak_ms2.max(level.peak_ms2);
         if !(level.peak_ms2 <= OVERLOAD_REL * self.set_peak_ms2) {
             return Next::Failed(Reason::Overload);
+        }
+        if level.noise_ms2 <= PROBE_NOISE_REL * level.peak_ms2 {
+            state.highest_gain = state.highest_gain.max(level.peak_ms2 / state.drive_peak_v);
         }
         if state.blocks > MAX_BLOCKS {
             return Next::Failed(Reason::NotSettled);
@@ -193,7 +209,7 @@ impl LevelLoop {
     }
 
     fn probe(&self, state: &mut LevelState, level: Level) -> Next {
-        let search_limit_peak_v = SEARCH_REL * self.drive_limit_peak_v;
+        let search_limit_peak_v = self.search_limit_peak_v;
         let nothing = level.peak_ms2 < 5.0 * level.noise_ms2
             || level.peak_ms2 < NOTHING_REL * self.set_peak_ms2;
         if nothing && state.drive_peak_v >= search_limit_peak_v {
@@ -247,6 +263,11 @@ impl LevelLoop {
         if at_limit && !(wanted_peak_v < self.drive_limit_peak_v) {
             return Next::Failed(Reason::DriveLimit);
         }
+        let drive_peak_v = wanted_peak_v.min(self.drive_limit_peak_v);
+        let raised = drive_peak_v > state.drive_peak_v;
+        if raised && state.highest_gain * drive_peak_v > TRUSTED_REL * self.set_peak_ms2 {
+            return Next::Failed(Reason::LevelNotFollowing);
+        }
         self.change(state, wanted_peak_v, stage)
     }
 
@@ -276,5 +297,85 @@ fn exponent(state: &LevelState, level: Level) -> f32 {
         exponent.clamp(LEAST_EXPONENT, GREATEST_EXPONENT)
     } else {
         state.exponent
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIMITS: Limits = Limits {
+        drive_peak_v: 10.0,
+        acceleration_peak_ms2: 200.0,
+        velocity_peak_ms: 1.0,
+        displacement_peak_m: 0.005,
+    };
+    const SET_PEAK_MS2: f32 = 14.0;
+    const GAIN: f32 = 18.0;
+
+    /// Runs the loop on an exciter of constant gain whose reference shows
+    /// `shown(block)` of what there is; how it ended, and the highest true
+    /// level on the way.
+    fn run(shown: impl Fn(u16) -> f32) -> (Next, f32) {
+        let level_loop = LevelLoop::new(&LIMITS, 160.0, SET_PEAK_MS2).expect("within limits");
+        let mut state = level_loop.start();
+        let mut highest = 0.0_f32;
+        for block in 0..=MAX_BLOCKS {
+            let truth = GAIN * state.drive_peak_v();
+            highest = highest.max(truth);
+            let level = Level {
+                peak_ms2: truth * shown(block),
+                noise_ms2: 1.0e-4,
+            };
+            match level_loop.step(&mut state, level) {
+                Next::Hold | Next::Drive(_) => {}
+                end => return (end, highest),
+            }
+        }
+        panic!("the loop gives up by itself");
+    }
+
+    #[test]
+    fn a_healthy_reference_is_trusted() {
+        assert_eq!(run(|_| 1.0).0, Next::Settled);
+        // A fifth less from the approach on: as far as springs bend.
+        let (end, highest) = run(|block| if block < 2 { 1.0 } else { 0.8 });
+        assert_eq!(end, Next::Settled);
+        assert!(highest <= 1.26 * SET_PEAK_MS2);
+    }
+
+    #[test]
+    fn no_reference_that_fails_makes_the_table_run_away() {
+        for from in 1..12 {
+            for percent in 0..100 {
+                let left = percent as f32 / 100.0;
+                let (end, highest) = run(|block| if block < from { 1.0 } else { left });
+                assert!(
+                    highest <= 1.5 * SET_PEAK_MS2,
+                    "{left} from block {from}: {highest}, {end:?}"
+                );
+            }
+        }
+        // And one that fades block by block, slowly or fast.
+        for percent in 1..50 {
+            let kept = 1.0 - percent as f32 / 100.0;
+            let (end, highest) = run(|block| libm::powf(kept, f32::from(block)));
+            assert!(highest <= 1.5 * SET_PEAK_MS2, "{kept}: {highest}, {end:?}");
+        }
+    }
+
+    #[test]
+    fn a_reference_that_dies_after_the_approach_is_named() {
+        let (end, _) = run(|block| if block < 3 { 1.0 } else { 0.0 });
+        assert_eq!(end, Next::Failed(Reason::LevelNotFollowing));
+    }
+
+    #[test]
+    fn a_dead_reference_is_not_searched_with_more_than_half_of_the_level() {
+        // By hand: 14 of the 200 m/s2 the exciter can do are 7 %, half of that
+        // is 3.5 % of 10 V: 0.35 V, which move this table by 6.3 m/s2.
+        let (end, highest) = run(|_| 0.0);
+        assert_eq!(end, Next::Failed(Reason::ReferenceDead));
+        assert!((highest - 6.3).abs() < 0.01, "{highest}");
     }
 }

@@ -8,6 +8,12 @@ use crate::verdict::{Reason, Verdict};
 /// is more than a third of its signal and cannot be called a disturbance.
 const MIN_DUT_SIGNAL_TO_NOISE_DB: f32 = 10.0;
 
+/// Distortion of the device under test beyond that of the motion: its response
+/// may rise towards the harmonics by a half, and 3 % are a clear overload. A sine
+/// clipped that much has lost 2 % of its fundamental.
+const DUT_DISTORTION_FACTOR: f32 = 1.5;
+const DUT_DISTORTION_REL: f32 = 0.03;
+
 /// What the checks look at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
@@ -19,9 +25,11 @@ pub struct Measured {
     pub clipped: bool,
     /// Total harmonic distortion of the acceleration, 1.
     pub distortion_rel: f32,
+    /// Total harmonic distortion of the device under test, 1.
+    pub dut_distortion_rel: f32,
     /// Residual of the reference below the exciter's full output, dB.
     pub noise_below_full_db: f32,
-    /// Signal to residual of the device under test, dB.
+    /// Signal to residual of the device under test in its worst block, dB.
     pub dut_signal_to_noise_db: f32,
     /// Largest relative change of the amplitude while measuring.
     pub amplitude_stability_rel: f32,
@@ -50,6 +58,11 @@ pub fn judge(example: Example, measured: &Measured) -> Verdict {
             Reason::Distortion,
         ),
         (
+            measured.dut_distortion_rel
+                <= DUT_DISTORTION_FACTOR * measured.distortion_rel + DUT_DISTORTION_REL,
+            Reason::DutDistortion,
+        ),
+        (
             measured.noise_below_full_db >= table.noise_at(frequency_hz)
                 && measured.dut_signal_to_noise_db >= MIN_DUT_SIGNAL_TO_NOISE_DB,
             Reason::SignalToNoise,
@@ -68,6 +81,7 @@ mod tests {
         frequency_deviation_rel: 0.0,
         clipped: false,
         distortion_rel: 0.01,
+        dut_distortion_rel: 0.01,
         noise_below_full_db: 60.0,
         dut_signal_to_noise_db: 50.0,
         amplitude_stability_rel: 0.0005,
@@ -97,6 +111,11 @@ mod tests {
             noise_below_full_db: value,
             ..GOOD
         };
+        // 1.5 times the 1 % of the motion and 3 % are 4.5 %.
+        let saturated = |value| Measured {
+            dut_distortion_rel: value,
+            ..GOOD
+        };
         let cases = [
             (Example1, GOOD, None),
             (Example1, stability(0.0011), Some(Reason::AmplitudeUnstable)),
@@ -110,6 +129,8 @@ mod tests {
             (Example2, noise(160.0, 41.0), None),
             (Example1, noise(8.0, 21.0), None),
             (Example2, noise(8.0, 9.0), Some(Reason::SignalToNoise)),
+            (Example2, saturated(0.044), None),
+            (Example2, saturated(0.046), Some(Reason::DutDistortion)),
         ];
         for (example, measured, expected) in cases {
             assert_eq!(reason(example, measured), expected, "{measured:?}");

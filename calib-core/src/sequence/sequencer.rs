@@ -13,7 +13,7 @@ use crate::reference::ReferenceSensitivity;
 use crate::settings::Settings;
 use crate::tone::Tone;
 use crate::verdict::{Reason, Verdict};
-use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
+use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};
 
 /// Shortest measuring block, s.
 const MEASURING_BLOCK_S: f32 = 0.1;
@@ -78,8 +78,10 @@ struct Plan {
     tone: Tone,
     reference: ReferenceSensitivity,
     level_loop: LevelLoop,
-    /// Mean square of a buffer, in codes, that no wanted level can reach.
+    /// Mean square of whole cycles, in codes, that no wanted level can reach.
     overload_square: f32,
+    /// Angle of the tone per sample, rad.
+    angle_rad: f32,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -106,6 +108,8 @@ struct Gathered {
     distortion_square: [f32; 2],
     signal_square: [f32; 2],
     residual_square: [f32; 2],
+    /// Residual over signal of the device's worst block, squared.
+    dut_worst_square: f32,
     clipped: bool,
 }
 
@@ -268,7 +272,8 @@ impl<'m> Sequencer<'m> {
             tone,
             reference,
             level_loop,
-            overload_square: overload_peak * overload_peak,
+            overload_square: 0.5 * overload_peak * overload_peak,
+            angle_rad: TAU * frequency_hz / rate_hz,
         })
     }
 
@@ -290,11 +295,18 @@ impl<'m> Sequencer<'m> {
 
     /// True when a stretch of at least 5 ms has more energy than the set level
     /// allows at any place of a cycle: stops a runaway before its block ends.
+    ///
+    /// # Equation
+    /// The mean of `A^2 sin^2` over an angle `b` is at most
+    /// `A^2/2 (1 + min(1, 1/b))`, wherever it begins. Of places that happen to
+    /// be all at the crest it is `A^2`, still below the bound at 1.06 times the
+    /// set level.
     fn overloaded(&self, energy: Energy, taken: usize) -> bool {
         let long_enough = taken as f32 >= 0.005 * self.timing.sample_rate_hz;
         match (self.plan, self.reference_mean) {
             (Some(plan), Some(mean)) if long_enough => {
-                energy.mean_square(0) - mean * mean > plan.overload_square
+                let place = 1.0 + (1.0 / (plan.angle_rad * taken as f32)).min(1.0);
+                energy.mean_square(0) - mean * mean > place * plan.overload_square
             }
             _ => false,
         }
@@ -442,8 +454,9 @@ impl<'m> Sequencer<'m> {
             frequency_deviation_rel: frequency_hz / plan.spec.frequency_hz - 1.0,
             clipped: self.gathered.clipped,
             distortion_rel: self.gathered.distortion_rel(0),
+            dut_distortion_rel: self.gathered.distortion_rel(1),
             noise_below_full_db: self.gathered.signal_to_noise_db(0) + headroom_db,
-            dut_signal_to_noise_db: self.gathered.signal_to_noise_db(1),
+            dut_signal_to_noise_db: self.gathered.dut_worst_signal_to_noise_db(),
             amplitude_stability_rel: self.gathered.stability_rel(),
         }
     }
@@ -533,6 +546,16 @@ impl Gathered {
             self.residual_square[channel] += seen.residual_rms * seen.residual_rms;
             self.clipped |= seen.clipped;
         }
+        // A signal of zero makes this infinite, or no number: it does not pass.
+        let signal_square = 0.5 * dut.amplitude.norm_sqr();
+        let square = dut.residual_rms * dut.residual_rms / signal_square;
+        self.dut_worst_square = self.dut_worst_square.max(square);
+    }
+
+    /// Of the worst block: one with half of its signal missing must not hide
+    /// behind the others.
+    fn dut_worst_signal_to_noise_db(&self) -> f32 {
+        -10.0 * libm::log10f(self.dut_worst_square.max(1.0e-20))
     }
 
     fn blocks(&self) -> f32 {

@@ -22,7 +22,12 @@ axi_static!(RING: [u16; 2 * BLOCK_PAIRS]);
 /// The drive output with its DMA ring.
 pub(crate) struct Exciter {
     ring: WritableRingBuffer<'static, u16>,
+    /// The memory of the ring, for [`Exciter::hush`].
+    memory: *mut u16,
 }
+
+// Note(unsafe): the pointer is to a static that this value alone writes.
+unsafe impl Send for Exciter {}
 
 /// What the exciter is made of.
 pub(crate) struct ExciterParts {
@@ -60,8 +65,11 @@ impl Exciter {
         let target = registers.dhr12r(CHANNEL).as_ptr().cast::<u16>();
         let buffer = RING.take();
         buffer.fill(MID_SCALE);
-        // Note(unsafe): the data holding register takes halfwords.
+        let memory = buffer.as_mut_ptr();
+        // Note(unsafe): the data holding register takes halfwords; the memory
+        // is a static, and both the ring and `hush` only write it volatile.
         let mut ring = unsafe {
+            let buffer = core::slice::from_raw_parts_mut(memory, 2 * BLOCK_PAIRS);
             WritableRingBuffer::new(channel, request, target, buffer, TransferOptions::default())
         };
         ring.start();
@@ -70,7 +78,7 @@ impl Exciter {
             w.set_ten(CHANNEL, true);
             w.set_dmaen(CHANNEL, true);
         });
-        Self { ring }
+        Self { ring, memory }
     }
 
     /// Queues one block of codes behind the one being played.
@@ -83,6 +91,19 @@ impl Exciter {
             .await
             .map(drop)
             .map_err(|_| Late)
+    }
+
+    /// Brings the output to rest within two samples: whatever is queued
+    /// becomes silence.
+    ///
+    /// # Timing
+    /// 1000 writes of a halfword: some 10 us.
+    pub(crate) fn hush(&mut self) {
+        for place in 0..2 * BLOCK_PAIRS {
+            // Note(unsafe): inside the ring. The DMA may read either value of
+            // a place being written; both are codes.
+            unsafe { self.memory.add(place).write_volatile(MID_SCALE) };
+        }
     }
 }
 

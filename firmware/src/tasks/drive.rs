@@ -2,10 +2,12 @@
 //!
 //! Measuring commands the drive anew with every block. Without a command in
 //! time the exciter goes silent by itself: a hung measurement does not leave
-//! a tone on the table.
+//! a tone on the table. And a mute does not wait for the blocks in the ring:
+//! it overwrites them.
 
 use crate::board::{BLOCK_PAIRS, Exciter, MID_SCALE};
 use calib_core::generator::{Command, Generator};
+use embassy_futures::select::{Either, select};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
 use embassy_time::{Duration, with_timeout};
@@ -21,6 +23,9 @@ pub(crate) struct DriveOrder {
 
 /// The order for the next block.
 pub(crate) static COMMAND: Signal<CriticalSectionRawMutex, DriveOrder> = Signal::new();
+
+/// Silence now, whatever is queued; the order that says so follows.
+pub(crate) static SILENCE: Signal<CriticalSectionRawMutex, ()> = Signal::new();
 
 /// The ring runs dry two blocks, 20 ms, after a block was written: until then
 /// the next one must be there, be it a tone or silence. A measurement may take
@@ -45,19 +50,36 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
                 full_scale_peak_v = order.full_scale_peak_v;
                 generator = Generator::new(full_scale_peak_v, SEED);
             }
-            generator.apply(order.command);
+            if order.command == Command::Mute {
+                silence(&mut exciter, &mut generator);
+            } else {
+                generator.apply(order.command);
+            }
         } else {
             if !generator.is_silent() {
                 defmt::error!("no drive command in time: silent");
             }
-            generator.mute();
+            silence(&mut exciter, &mut generator);
             // From now on the ring alone sets the pace.
             patience = Duration::from_ticks(0);
         }
         generator.fill(&mut codes);
-        if exciter.play(&codes).await.is_err() {
-            defmt::warn!("drive written late");
-            generator.mute();
+        match select(SILENCE.wait(), exciter.play(&codes)).await {
+            Either::First(()) => silence(&mut exciter, &mut generator),
+            Either::Second(Ok(())) => {}
+            Either::Second(Err(_)) => {
+                defmt::warn!("drive written late");
+                silence(&mut exciter, &mut generator);
+            }
         }
     }
+}
+
+/// Rest now: nothing more is generated, and nothing queued is played.
+fn silence(exciter: &mut Exciter, generator: &mut Generator) {
+    SILENCE.reset();
+    if !generator.is_silent() {
+        exciter.hush();
+    }
+    generator.mute();
 }

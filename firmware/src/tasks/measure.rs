@@ -3,11 +3,12 @@
 use crate::board::{BLOCK_PAIRS, SAMPLE_RATE_HZ, axi_static};
 use crate::state::{self, Order};
 use crate::tasks::acquire::Block;
-use crate::tasks::drive::{COMMAND, DriveOrder};
+use crate::tasks::drive::{COMMAND, DriveOrder, SILENCE};
 use calib_core::correlation::FoldMemory;
+use calib_core::generator::Command;
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::sequence::{Activity, Sequencer, Timing};
-use calib_core::verdict::Reason;
+use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::message::RunState;
 use calib_protocol::stored_point::as_stored;
 use core::sync::atomic::Ordering;
@@ -33,6 +34,7 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
         sequencer: Sequencer::new(fold, TIMING, settings),
         running: None,
         stopping: false,
+        playing: false,
     };
     loop {
         let block = blocks.receive().await;
@@ -47,10 +49,7 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
         if let Some(result) = result {
             runner.finish_point(result);
         }
-        COMMAND.signal(DriveOrder {
-            command: runner.sequencer.command(),
-            full_scale_peak_v: runner.full_scale_peak_v,
-        });
+        runner.command_drive();
         runner.show();
         state::MEASURE_ALIVE.fetch_add(1, Ordering::Relaxed);
     }
@@ -63,9 +62,24 @@ struct Runner {
     /// Index of the point in work.
     running: Option<usize>,
     stopping: bool,
+    /// The drive was last told to play.
+    playing: bool,
 }
 
 impl Runner {
+    /// Tells the drive what the core wants; a mute also stops what is queued.
+    fn command_drive(&mut self) {
+        let command = self.sequencer.command();
+        if command == Command::Mute && core::mem::take(&mut self.playing) {
+            SILENCE.signal(());
+        }
+        self.playing = command != Command::Mute;
+        COMMAND.signal(DriveOrder {
+            command,
+            full_scale_peak_v: self.full_scale_peak_v,
+        });
+    }
+
     fn obey(&mut self, order: Order) {
         match (order, self.running) {
             (Order::Start, None) => self.start_run(),
@@ -111,6 +125,9 @@ impl Runner {
             result.acceleration_rms_ms2
         );
         let Some(index) = self.running else { return };
+        if let Verdict::Refused(reason) = result.verdict {
+            self.stopping |= reason.ends_run();
+        }
         // The same numbers now as in the record later.
         let result = as_stored(&result);
         state::RUN.lock(|run| {

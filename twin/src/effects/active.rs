@@ -13,8 +13,8 @@ use crate::oscillator::Oscillator;
 /// An effect at work.
 #[derive(Clone)]
 pub struct ActiveEffect<A: 'static = CalibratorAction> {
-    effect: &'static Effect<A>,
-    values: Vec<f64>,
+    pub(super) effect: &'static Effect<A>,
+    pub(super) values: Vec<f64>,
 }
 
 /// Why an effect was not accepted.
@@ -221,6 +221,7 @@ mod tests {
     fn every_effect_is_written_and_read_back_with_usual_values_in_bounds() {
         hold_for::<CalibratorAction>();
         hold_for::<OscillatorAction>();
+        hold_for::<super::super::fault::FaultAction>();
     }
 
     #[test]

@@ -31,6 +31,7 @@ mod dut_lowpass_1;
 mod dut_lowpass_2;
 mod dut_resonance;
 mod dut_temperature;
+pub mod fault;
 mod force_factor_droop;
 mod gravity_tilt;
 mod loose_mount;

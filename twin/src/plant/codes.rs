@@ -29,6 +29,11 @@ pub(super) fn input_code(converter: &Converter, volt: f64) -> u16 {
     }
 }
 
+/// Volts of `code`.
+pub(super) fn input_v(converter: &Converter, code: u16) -> f64 {
+    (f64::from(code) - INPUT_MID_CODE) * (converter.input_full_scale_peak_v / INPUT_MID_CODE)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -59,6 +64,9 @@ mod tests {
             (f64::INFINITY, 65_535),
         ] {
             assert_eq!(input_code(&converter, volt), code, "{volt}");
+        }
+        for code in [0, 1, 32_768, 40_000, u16::MAX] {
+            assert_eq!(input_code(&converter, input_v(&converter, code)), code);
         }
     }
 }

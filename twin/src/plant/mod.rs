@@ -23,9 +23,11 @@ mod wiring;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use self::codes::drive_v;
+use self::codes::{drive_v, input_code, input_v};
 use self::sampler::{Sampled, Sampler};
 use self::simulation::Simulation;
+use crate::faults::{BodyFault, Faults};
+use crate::model::Model;
 use crate::rig::Rig;
 use crate::rig_port::{INPUT_CHANNELS, RigPort};
 
@@ -40,6 +42,9 @@ pub struct Plant {
     simulation: Simulation,
     samplers: [Sampler; INPUT_CHANNELS],
     noise: ChaCha8Rng,
+    /// What happens to it, and the body as it is by now.
+    faults: Faults,
+    model: Model,
 }
 
 impl Plant {
@@ -48,6 +53,10 @@ impl Plant {
     pub fn new(rig: &Rig) -> Self {
         let model = rig.model();
         let start_s = rig.surroundings.time_s;
+        let mut faults = Faults::default();
+        for fault in &rig.faults {
+            fault.add_to(&mut faults);
+        }
         let sampler =
             |channel, sensing| Sampler::new(&model, channel, sensing, rig.converter, start_s);
         Self {
@@ -58,6 +67,8 @@ impl Plant {
             ],
             noise: ChaCha8Rng::seed_from_u64(rig.noise_seed),
             rig: rig.clone(),
+            faults,
+            model,
         }
     }
 
@@ -93,7 +104,44 @@ impl Plant {
 
     /// As [`RigPort::hold`] with the voltage of an ideal drive converter.
     pub fn hold_volt(&mut self, drive_v: f64, duration_ns: u64) {
-        self.simulation.hold(drive_v, duration_ns);
+        let elapsed_s = self.simulation.elapsed_s();
+        self.change_body(elapsed_s);
+        let coil_v = self.faults.drive_v(drive_v, elapsed_s);
+        self.simulation.hold(coil_v, duration_ns);
+        for fault in &self.faults.body {
+            if let &BodyFault::Stop {
+                travel_m,
+                restitution,
+            } = fault
+            {
+                self.simulation.stop_at(travel_m, restitution);
+            }
+        }
+    }
+
+    /// The body becomes another one where a fault is due.
+    fn change_body(&mut self, elapsed_s: f64) {
+        let due = |fault: &BodyFault| fault.at_s().is_some_and(|at_s| elapsed_s >= at_s);
+        let Some(index) = self.faults.body.iter().position(due) else {
+            return;
+        };
+        let fault = self.faults.body.remove(index);
+        fault.change(&mut self.model, self.rig.exciter.payload_kg);
+        let rig = &self.rig;
+        let start_s = rig.surroundings.time_s;
+        let mut changed = Simulation::new(&self.model, &rig.converter, start_s, rig.noise_seed);
+        changed.succeed(&self.simulation);
+        self.simulation = changed;
+    }
+
+    /// What the faults of a channel make of its code.
+    fn faulty_code(&self, channel: usize, code: u16, elapsed_s: f64) -> u16 {
+        let faults = &self.faults.channels[channel];
+        if faults.is_none() {
+            return code;
+        }
+        let volt = faults.volt(input_v(&self.rig.converter, code), elapsed_s);
+        input_code(&self.rig.converter, volt)
     }
 }
 
@@ -118,6 +166,7 @@ impl RigPort for Plant {
                 face_m2s4: simulation.face_m2s4(channel),
             };
             *code = sampler.code(sampled, elapsed_s, &mut self.noise);
+            *code = self.faulty_code(channel, *code, elapsed_s);
         }
         codes
     }

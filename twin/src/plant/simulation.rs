@@ -60,6 +60,8 @@ pub(super) struct Simulation {
     ambient_noise: ChaCha8Rng,
     elapsed_ns: u64,
     sample_ns: u64,
+    /// Acceleration of a blow, to be felt during the next hold, m/s2.
+    blow_ms2: f64,
 }
 
 impl Simulation {
@@ -93,12 +95,46 @@ impl Simulation {
             ambient_noise: ChaCha8Rng::seed_from_u64(seed.wrapping_add(0x5EED)),
             elapsed_ns: 0,
             sample_ns,
+            blow_ms2: 0.0,
         }
+    }
+
+    /// Goes on from where `before` is: the same network, some of its values others.
+    pub(super) fn succeed(&mut self, before: &Self) {
+        self.stepper.restore(&before.stepper.clone_state());
+        if let (Some(nonlinear), Some(before)) = (&mut self.nonlinear, &before.nonlinear) {
+            nonlinear.terms = before.terms;
+        }
+        self.levels = before.levels;
+        self.ambient_noise = before.ambient_noise.clone();
+        self.elapsed_ns = before.elapsed_ns;
+    }
+
+    /// Turns the armature back where it moves outward beyond `travel_m`, with `restitution` of its
+    /// velocity; both transducers feel the blow over the next sample period.
+    pub(super) fn stop_at(&mut self, travel_m: f64, restitution: f64) {
+        let Instant {
+            travel_m: at_m,
+            velocity_ms,
+            ..
+        } = self.instant();
+        if at_m.abs() < travel_m || at_m * velocity_ms <= 0.0 {
+            return;
+        }
+        // The velocity is a state of its own.
+        let Some(&(column, factor)) = self.taps.velocity.first() else {
+            return;
+        };
+        let back_ms = -restitution * velocity_ms;
+        self.stepper.set_state(column, back_ms / factor);
+        self.blow_ms2 = (back_ms - velocity_ms) / (self.sample_ns as f64 * 1e-9);
     }
 
     /// Advances by `duration_ns` with the drive constant.
     pub(super) fn hold(&mut self, drive_v: f64, duration_ns: u64) {
         self.stepper.set_input(DRIVE_INPUT, drive_v);
+        self.stepper
+            .set_input(BASE_INPUT, std::mem::take(&mut self.blow_ms2));
         self.shake();
         match self.nonlinear.take() {
             None => self.stepper.advance(duration_ns),

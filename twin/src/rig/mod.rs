@@ -17,6 +17,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use crate::effects::ActiveEffect;
+use crate::effects::fault::ActiveFault;
 
 pub use certificate::Certificate;
 pub use converter::{Amplifier, Converter};
@@ -52,6 +53,9 @@ pub struct Rig {
     /// What this rig does beside, each as `NAME` or `NAME=PARAM:VALUE,PARAM:VALUE`; may be left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<ActiveEffect>,
+    /// What happens to it, in the same form; may be left out.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub faults: Vec<ActiveFault>,
     /// Under which conditions it works; may be left out.
     #[serde(default, skip_serializing_if = "Surroundings::are_usual")]
     pub surroundings: Surroundings,

@@ -1,0 +1,118 @@
+//! Faults that happen on site end in a named verdict, a silent exciter and a record, and never in a
+//! table that runs away. The scenarios are the files in `scenarios/site`.
+
+use calib_core::verdict::Verdict;
+use calib_protocol::message::RunState;
+use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::witness::Witness;
+use calib_twin::rig::Rig;
+use serde::Deserialize;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Acceleration that no fault may make the loop exceed, relative to the set level.
+const HIGHEST_REL: f64 = 1.5;
+
+/// A fault and what must come of it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Scenario {
+    what: String,
+    frequency_hz: f32,
+    level_ms2: f32,
+    effects: Vec<String>,
+    faults: Vec<String>,
+    /// Name of the reason, or `Pass`; more than one where chance decides.
+    verdicts: Vec<String>,
+    /// Highest acceleration of the table, relative to the set level.
+    #[serde(default = "usual_highest_rel")]
+    highest_rel: f64,
+    /// How long it may be above 1.5 times the set level, ms.
+    #[serde(default)]
+    above_for_ms: f64,
+}
+
+fn usual_highest_rel() -> f64 {
+    HIGHEST_REL
+}
+
+#[test]
+fn every_fault_ends_in_its_verdict_silence_and_a_record() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let mut failures = Vec::new();
+    let files = scenario_files()?;
+    assert!(files.len() >= 20, "{} scenarios", files.len());
+    for (index, file) in files.iter().enumerate() {
+        let scenario: Scenario = toml::from_str(&std::fs::read_to_string(file)?)
+            .map_err(|error| format!("{}: {error}", file.display()))?;
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        for failure in carry_out(&mut bench, &scenario, index as u32 + 1)? {
+            failures.push(format!("{name} ({}): {failure}", scenario.what));
+        }
+    }
+    assert!(failures.is_empty(), "\n{}", failures.join("\n"));
+    Ok(())
+}
+
+/// Runs one point and says what was not as it must be.
+fn carry_out(bench: &mut Bench, scenario: &Scenario, record_id: u32) -> Result<Vec<String>, Fault> {
+    let mut rig = Rig::standard();
+    for effect in &scenario.effects {
+        rig.effects.push(effect.parse()?);
+    }
+    for fault in &scenario.faults {
+        rig.faults.push(fault.parse()?);
+    }
+    let set_peak_ms2 = f64::from(scenario.level_ms2) * std::f64::consts::SQRT_2;
+    let (witness, seen) = Witness::new(&rig, HIGHEST_REL * set_peak_ms2);
+    drop(bench.board().replace_rig(Box::new(witness)));
+    let outcome = bench.run(&[point(scenario.frequency_hz, scenario.level_ms2)])?;
+    let mut failures = Vec::new();
+    let mut check = |holds: bool, failure: String| {
+        if !holds {
+            failures.push(failure);
+        }
+    };
+    let result = outcome.points.first().ok_or("no result")?;
+    let verdict = match result.verdict {
+        Verdict::Pass => "Pass".to_owned(),
+        Verdict::Refused(reason) => format!("{reason:?}"),
+    };
+    check(
+        scenario.verdicts.contains(&verdict),
+        format!("verdict {verdict}"),
+    );
+    check(outcome.state != RunState::Failed, "not stored".into());
+    check(outcome.record_id == record_id, "another record".into());
+    let seen = seen.take();
+    let highest_rel = seen.highest_ms2 / set_peak_ms2;
+    println!(
+        "{verdict:<20} {highest_rel:>8.2} of the set level, above 1.5 for {:.1} ms: {}",
+        seen.above_for_ms, scenario.what
+    );
+    check(
+        highest_rel <= scenario.highest_rel,
+        format!("the table reached {highest_rel:.2} of the set level"),
+    );
+    check(
+        seen.above_for_ms <= scenario.above_for_ms,
+        format!("above 1.5 of the set level for {:.1} ms", seen.above_for_ms),
+    );
+    bench.expect_silence(Duration::from_millis(100))?;
+    let refused = bench.client.records()?.last().map(|record| record.refused);
+    check(
+        refused == Some(u16::from(verdict != "Pass")),
+        "the record does not say so".into(),
+    );
+    check(bench.client.status()?.overruns == 0, "samples lost".into());
+    Ok(failures)
+}
+
+fn scenario_files() -> Result<Vec<PathBuf>, Fault> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/site");
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder)?
+        .map(|entry| entry.map(|entry| entry.path()))
+        .collect::<Result<_, _>>()?;
+    files.sort();
+    Ok(files)
+}
