@@ -31,6 +31,18 @@ const BENCHES: &[Bench] = &[
         example: "bench_monte_carlo",
         what: "propagation of distributions on one core, beside numpy",
     },
+    Bench {
+        name: "speed",
+        package: "calib-tests",
+        example: "bench_speed",
+        what: "emulator, correlation on this computer, image size, settling",
+    },
+    Bench {
+        name: "target",
+        package: "calib-tests",
+        example: "bench_target",
+        what: "instructions and times on the Cortex-M7, beside idsp and the limits",
+    },
 ];
 
 /// Runs one benchmark, or all of them.
@@ -47,6 +59,8 @@ pub(crate) fn run(arguments: &[String]) -> Result<()> {
         bail!("no such benchmark; there are\n{}", known.join("\n"));
     }
     let image = elf::build()?;
+    let sizes = elf::totals(&image)?.map(|size| size.to_string()).join(" ");
+    let kernels = elf::build_package("calib-kernels")?;
     demo::build_tool()?;
     let interpreter = python::interpreter()?;
     let folder = target_dir().join("bench");
@@ -60,6 +74,8 @@ pub(crate) fn run(arguments: &[String]) -> Result<()> {
             .args(arguments.iter().skip(1));
         command
             .env("CALIB_FIRMWARE_ELF", &image)
+            .env("CALIB_KERNELS_ELF", &kernels)
+            .env("CALIB_IMAGE_BYTES", &sizes)
             .env("CALIB_TOOL", demo::tool());
         command.env(
             "CALIB_BENCH_JSON",

@@ -2,7 +2,7 @@
 
 use crate::shell::{cargo, root, run, target_dir};
 use anyhow::{Context, Result};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const TARGET: &str = "thumbv7em-none-eabihf";
@@ -12,6 +12,11 @@ const PACKAGE: &str = "calib-firmware";
 /// Builds the image and returns its path.
 pub(crate) fn build() -> Result<PathBuf> {
     eprintln!("building the firmware image ...");
+    build_package(PACKAGE)
+}
+
+/// Builds a program for the board as the image is built, and returns its path.
+pub(crate) fn build_package(package: &str) -> Result<PathBuf> {
     let mut command = if std::env::var("CALIB_ELF_TOOLCHAIN").as_deref() == Ok("debian") {
         debian_cargo()
     } else {
@@ -19,19 +24,19 @@ pub(crate) fn build() -> Result<PathBuf> {
     };
     command.args([
         "--package",
-        PACKAGE,
+        package,
         "--profile",
         PROFILE,
         "--target",
         TARGET,
     ]);
     run(&mut command)?;
-    Ok(path())
+    Ok(path(package))
 }
 
-/// Where the image lies once it is built.
-pub(crate) fn path() -> PathBuf {
-    target_dir().join(TARGET).join(PROFILE).join(PACKAGE)
+/// Where a program for the board lies once it is built.
+fn path(package: &str) -> PathBuf {
+    target_dir().join(TARGET).join(PROFILE).join(package)
 }
 
 /// Debian's compiler has no library for the board: it builds core from source
@@ -52,6 +57,8 @@ fn debian_cargo() -> Command {
 pub(crate) fn print_size() -> Result<()> {
     let path = build()?;
     let bytes = std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
+    let [text, data, bss] = totals(&path)?;
+    println!("text {text}, data {data}, bss {bss} bytes\n");
     println!("{:<18} {:>10} {:>12}", "section", "bytes", "address");
     for section in sections(&bytes).context("the image is no 32-bit little-endian ELF file")? {
         println!(
@@ -62,15 +69,36 @@ pub(crate) fn print_size() -> Result<()> {
     Ok(())
 }
 
+/// Bytes of the image at `path` as text (flash alone), data (flash and RAM) and
+/// bss (RAM alone).
+pub(crate) fn totals(path: &Path) -> Result<[u32; 3]> {
+    let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
+    let mut totals = [0; 3];
+    for section in sections(&bytes).context("the image is no 32-bit little-endian ELF file")? {
+        let kind = match (section.writable, section.stored) {
+            (false, _) => 0,
+            (true, true) => 1,
+            (true, false) => 2,
+        };
+        totals[kind] += section.size;
+    }
+    Ok(totals)
+}
+
 struct Section {
     name: String,
     address: u32,
     size: u32,
+    writable: bool,
+    /// Its content is part of the image.
+    stored: bool,
 }
 
 /// Sections that take memory on the board (flag ALLOC).
 fn sections(elf: &[u8]) -> Option<Vec<Section>> {
+    const WRITE: u32 = 1;
     const ALLOC: u32 = 2;
+    const NOBITS: u32 = 8;
     let word = |at: usize| Some(u32::from_le_bytes(elf.get(at..at + 4)?.try_into().ok()?));
     let half = |at: usize| Some(u16::from_le_bytes(elf.get(at..at + 2)?.try_into().ok()?));
     if elf.get(..5)? != b"\x7fELF\x01" {
@@ -92,6 +120,8 @@ fn sections(elf: &[u8]) -> Option<Vec<Section>> {
                 name,
                 address: word(at + 0xc)?,
                 size,
+                writable: flags & WRITE != 0,
+                stored: word(at + 4)? != NOBITS,
             });
         }
     }

@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
-use rigless::emulator::{HitKind, Watch};
 use rigless::image::Image;
 use rigless::time::VirtualNanos;
 
 use super::core_thread::CoreThread;
 use super::memory::RECORD_FLASH_BYTES;
+use super::passages::{Mark, Passages};
 use super::{Error, Firmware, Log, memory};
 use crate::board::usb::UsbPort;
 use crate::board::{FlashWatch, Leds, NucleoH743zi2, Pins, RECORD_FLASH, SerialLine};
@@ -263,43 +263,38 @@ impl Emulator {
         })
     }
 
-    /// Runs for `duration` and counts instructions between each arrival at the address `from` and the
-    /// next arrival at `to`: how often, and how many in all, interrupts taken meanwhile included.
+    /// Runs for `duration` and looks at the way of the program from each time it is at `from` to the
+    /// next time it is at `to`. Interrupts taken on the way count as part of it.
     ///
     /// # Errors
     ///
     /// [`Error::Ended`] when the emulator fails.
-    pub fn count_between(
+    pub fn watch_passages(
         &mut self,
-        from: u64,
-        to: u64,
+        from: Mark,
+        to: Mark,
         duration: Duration,
-    ) -> Result<(u64, u64), Error> {
-        let watches = [Watch::Instruction(from), Watch::Instruction(to)];
+    ) -> Result<Passages, Error> {
+        let watches = [from, to].map(Mark::watch);
         self.core.act(move |session, host, _| {
             watches.into_iter().for_each(|watch| session.watch(watch));
             session.settle_watches(host);
         })?;
         self.core.hits().for_each(drop);
-        self.run_for(duration)?;
-        let (mut entered, mut passes, mut instructions) = (None, 0, 0);
-        for hit in self
-            .core
-            .hits()
-            .filter(|hit| hit.kind == HitKind::Instruction)
-        {
-            if hit.address == from {
-                entered = Some(hit.instruction_count);
-            } else if let Some(start) = entered.take() {
-                passes += 1;
-                instructions += hit.instruction_count - start;
+        let ran = self.run_for(duration);
+        let mut passages = Passages::default();
+        for hit in self.core.hits() {
+            if from.is_hit(&hit) {
+                passages.enter(&hit);
+            } else if to.is_hit(&hit) {
+                passages.leave(&hit);
             }
         }
         self.core.act(move |session, host, _| {
             watches.into_iter().for_each(|watch| session.unwatch(watch));
             session.settle_watches(host);
         })?;
-        Ok((passes, instructions))
+        ran.map(|()| passages)
     }
 
     /// Reads `length` bytes of the board's memory.

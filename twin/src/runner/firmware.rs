@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use object::{Object, ObjectSymbol};
 use rigless::cpu::armv7m::code_address;
 use rigless::image::Image;
 use rigless::symbols::Symbols;
@@ -78,6 +79,24 @@ impl Firmware {
             .ok()
             .and_then(|symbols| symbols.get(name).ok())
             .ok_or_else(|| Error::NoSymbol(name.to_owned()))
+    }
+
+    /// Address of a function or variable of the Rust program by the end of its path, such as
+    /// `["state", "MEASURE_ALIVE"]`.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoSymbol`] when the image has no such name.
+    pub fn symbol_at_path(&self, path: &[&str]) -> Result<u64, Error> {
+        // In Rust's mangling (v0) each part of a path is its length and its name.
+        let parts = path.iter().map(|part| format!("{}{part}", part.len()));
+        let ending: String = parts.collect();
+        let missing = || Error::NoSymbol(path.join("::"));
+        let file = object::File::parse(self.image.bytes()).map_err(|_| missing())?;
+        file.symbols()
+            .find(|symbol| symbol.name().is_ok_and(|name| name.ends_with(&ending)))
+            .map(|symbol| code_address(symbol.address()))
+            .ok_or_else(missing)
     }
 
     pub(super) fn image(&self) -> &Image {

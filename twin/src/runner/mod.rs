@@ -7,6 +7,7 @@
 //!   host software runs against the board in one process.
 //! - [`run_paced`]: the same board at the pace of the wall, with [`Door`]s for programs in other
 //!   processes: a TCP port ([`TcpDoor`]) and, where there are any, a pseudo terminal (`PtyDoor`).
+//! - [`Mark`], [`Passages`]: how many instructions a program takes from here to there.
 //! - [`Log`]: what the firmware logs over RTT.
 
 mod core_thread;
@@ -16,6 +17,7 @@ mod firmware;
 mod log;
 mod memory;
 mod paced;
+mod passages;
 mod power;
 #[cfg(unix)]
 mod pty_door;
@@ -27,6 +29,7 @@ pub use error::Error;
 pub use firmware::Firmware;
 pub use log::Log;
 pub use paced::{Door, Pace, run_paced};
+pub use passages::{Mark, Passages};
 pub use power::Torn;
 #[cfg(unix)]
 pub use pty_door::PtyDoor;

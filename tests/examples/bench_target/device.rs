@@ -1,0 +1,180 @@
+//! The shipping image at work.
+
+use crate::row::Row;
+use calib_host::link::{Client, EmulatedTransport, RetryPolicy};
+use calib_host::session;
+use calib_protocol::message::{RunSpec, RunState};
+use calib_protocol::record::RunLabels;
+use calib_tests::bench::{Bench, Fault};
+use calib_twin::plant::Plant;
+use calib_twin::rig::Rig;
+use calib_twin::runner::{Emulator, Firmware, Mark, Passages};
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+/// Clock of the core, cycles per second.
+const CLOCK_HZ: f64 = 480.0e6;
+/// Pairs per second.
+const RATE_HZ: f64 = 50_000.0;
+/// Bytes per second of 115 200 baud with start and stop bit.
+const LINE_BYTES_PER_S: f64 = 11_520.0;
+/// A flash word of 32 bytes takes 0.1 ms typically (DS12110 Rev 11, table 140).
+const WORD_S: f64 = 1.0e-4;
+const WORD_BYTES: f64 = 32.0;
+/// Watched part of the run: 20 Hz to 31.5 Hz, with the longest folds. Watching
+/// slows the emulator down.
+const WATCHED: Duration = Duration::from_secs(8);
+/// Time between two half buffers.
+const BUFFER: Duration = Duration::from_millis(10);
+
+/// Measures everything that needs the whole image.
+pub(crate) fn measure() -> Result<Vec<Row>, Fault> {
+    let mut rows = vec![boot()?];
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let idle = cycles_per_pair(&bench, Duration::from_secs(1))?;
+    let (busy, latency) = run(&mut bench)?;
+    let share = |instructions: f64| 100.0 * instructions * RATE_HZ / CLOCK_HZ;
+    let milliseconds = |instructions: u64| 1000.0 * instructions as f64 / CLOCK_HZ;
+    rows.push(Row::new("whole image at rest", idle, "instr/pair"));
+    rows.push(Row::new("whole image, default list", busy, "instr/pair"));
+    rows.push(
+        Row::new("the same, share of the core", share(busy), "%").limit(15.0, "aim: at most"),
+    );
+    rows.push(
+        Row::new(
+            "half buffer to loop update, worst",
+            milliseconds(latency.most_instructions),
+            "ms",
+        )
+        .limit(
+            BUFFER.as_secs_f64() * 1000.0,
+            format!(
+                "aim: within the next buffer; {} instructions, {} buffers",
+                latency.most_instructions, latency.count
+            ),
+        ),
+    );
+    rows.extend(storing(&mut bench)?);
+    rows.extend(download(&mut bench)?);
+    Ok(rows)
+}
+
+/// From power to the first answer over the serial line.
+fn boot() -> Result<Row, Fault> {
+    let firmware = Firmware::shipping()?;
+    let rig = Box::new(Plant::new(&Rig::standard()));
+    let emulator = Arc::new(Mutex::new(Emulator::power_on(&firmware, rig)?));
+    let transport = Box::new(EmulatedTransport::new(emulator.clone()));
+    // An answer takes some 10 ms on the line; an unanswered question is repeated.
+    let policy = RetryPolicy {
+        attempts: 1,
+        answer_timeout: Duration::from_millis(20),
+        ..RetryPolicy::default()
+    };
+    let mut client = Client::with_policy(transport, policy);
+    while client.info().is_err() {}
+    let board = emulator.lock().map_err(|_| "the emulator failed")?;
+    let milliseconds = board.elapsed().as_secs_f64() * 1000.0;
+    let note = "aim: below; power to first answer over USART3";
+    Ok(Row::new("boot to ready", milliseconds, "ms").limit(300.0, note))
+}
+
+/// Instructions executed per sample pair over `duration`.
+fn cycles_per_pair(bench: &Bench, duration: Duration) -> Result<f64, Fault> {
+    let mut board = bench.board();
+    let (instructions, pairs) = (board.instructions(), board.sample_pairs());
+    board.run_for(duration)?;
+    let instructions = board.instructions() - instructions;
+    Ok(instructions as f64 / (board.sample_pairs() - pairs) as f64)
+}
+
+/// The default list: instructions per pair, and the way from a buffer's
+/// interrupt to the command it ends in.
+fn run(bench: &mut Bench) -> Result<(f64, Passages), Fault> {
+    let firmware = Firmware::shipping()?;
+    // The controller's interrupt for the converters, and what the measuring task
+    // counts up once the command for the drive is out.
+    let from = Mark::Arrival(firmware.symbol("DMA1_STREAM0")?);
+    let to = Mark::Write(firmware.symbol_at_path(&["state", "MEASURE_ALIVE"])?);
+    start(bench)?;
+    let (instructions, pairs) = counters(bench);
+    let passages = bench.board().watch_passages(from, to, WATCHED)?;
+    while running(bench)? {
+        bench.client.wait(Duration::from_millis(50))?;
+    }
+    let (instructions_after, pairs_after) = counters(bench);
+    let per_pair = (instructions_after - instructions) as f64 / (pairs_after - pairs) as f64;
+    Ok((per_pair, passages))
+}
+
+fn counters(bench: &Bench) -> (u64, u64) {
+    let board = bench.board();
+    (board.instructions(), board.sample_pairs())
+}
+
+fn start(bench: &mut Bench) -> Result<(), Fault> {
+    let points = session::default_points(10.0);
+    bench.client.start(RunSpec {
+        points: points.into_iter().collect(),
+        labels: RunLabels::default(),
+    })?;
+    bench.client.wait(Duration::from_millis(100))?;
+    Ok(())
+}
+
+fn running(bench: &mut Bench) -> Result<bool, Fault> {
+    let state = bench.client.status()?.state;
+    Ok(matches!(state, RunState::Settling | RunState::Measuring))
+}
+
+/// Time the flash is at work for a record of the default list.
+fn storing(bench: &mut Bench) -> Result<Vec<Row>, Fault> {
+    let operations = |bench: &Bench| bench.board().flash_watch().operations();
+    let step = Duration::from_micros(200);
+    let before = operations(bench);
+    while operations(bench) == before {
+        bench.client.wait(step)?;
+    }
+    let first = bench.board().elapsed();
+    let mut last = (first, operations(bench));
+    while bench.board().elapsed() - last.0 < Duration::from_millis(50) {
+        bench.client.wait(step)?;
+        let now = operations(bench);
+        if now > last.1 {
+            last = (bench.board().elapsed(), now);
+        }
+    }
+    let bytes = record_bytes(bench)?;
+    let limit = (bytes / WORD_BYTES).ceil() * WORD_S * 1000.0;
+    let words = last.1 - before;
+    let note = format!("{bytes} bytes take {words} flash words of 32 bytes at 0.1 ms");
+    let milliseconds = (last.0 - first + step).as_secs_f64() * 1000.0;
+    Ok(vec![
+        Row::new("flash time of a record of 28 points", milliseconds, "ms").limit(limit, note),
+    ])
+}
+
+fn record_bytes(bench: &mut Bench) -> Result<f64, Fault> {
+    while bench.client.status()?.state == RunState::Storing {
+        bench.client.wait(Duration::from_millis(10))?;
+    }
+    let records = bench.client.records()?;
+    let record = records.last().ok_or("nothing was stored")?;
+    Ok(f64::from(record.bytes))
+}
+
+/// Bytes of records per second over USART3.
+fn download(bench: &mut Bench) -> Result<Vec<Row>, Fault> {
+    let id = bench.client.records()?.last().ok_or("nothing stored")?.id;
+    let folder = std::env::temp_dir().join(format!("calib-bench-{}", std::process::id()));
+    let start = bench.board().elapsed();
+    let download = session::download(&mut bench.client, id, &folder, |_| ())?;
+    let seconds = (bench.board().elapsed() - start).as_secs_f64();
+    std::fs::remove_dir_all(&folder)?;
+    let rate = download.bytes as f64 / seconds;
+    let note = "115 200 baud 8N1, without frames and requests";
+    Ok(vec![
+        Row::new("record bytes over USART3", rate, "bytes/s").limit(LINE_BYTES_PER_S, note),
+        Row::new("500 such records over USART3", 500.0 * seconds, "s"),
+    ])
+}

@@ -1,0 +1,22 @@
+//! What the work costs on the target: `./run bench target`.
+//!
+//! Instructions are counted in the emulator, which knows neither caches, wait
+//! states nor dual issue. Shares and times at 480 MHz take one cycle for each
+//! instruction: the Cortex-M7 issues up to two, and waits for memory now and then.
+
+mod device;
+mod kernels;
+mod row;
+
+use calib_tests::bench::Fault;
+use row::Row;
+
+fn main() -> Result<(), Fault> {
+    let mut rows = kernels::measure()?;
+    rows.extend(device::measure()?);
+    Row::print(&rows);
+    if let Some(path) = std::env::var_os("CALIB_BENCH_JSON") {
+        std::fs::write(path, serde_json::to_string_pretty(&Row::json(&rows))?)?;
+    }
+    Ok(())
+}
