@@ -203,15 +203,13 @@ fn correlate(
     block: Block,
 ) -> ([Spectrum; 2], [f32; 2]) {
     let per_pass = 1.0 / block.passes() as f32;
-    // Per channel: five cosine sums, five sine sums, one plain sum; and the
-    // mean of exp(-2j phase), by which the fundamental leaks into itself.
-    let mut sums = Sums::<24>::new();
+    // Per channel: five cosine sums, five sine sums, one plain sum.
+    let mut sums = Sums::<22>::new();
+    let start = walk;
     for &place in fold {
         let phasors = harmonic_phasors(walk.next_cos_sin());
         let values = centred(place, means, per_pass);
-        let mut terms = [0.0; 24];
-        terms[22] = phasors[1].re;
-        terms[23] = -phasors[1].im;
+        let mut terms = [0.0; 22];
         for (value, half) in values.into_iter().zip(terms.as_chunks_mut::<11>().0) {
             for (phasor, pair) in phasors.iter().zip(half.as_chunks_mut::<2>().0) {
                 pair[0] = value * phasor.re;
@@ -232,17 +230,28 @@ fn correlate(
         }
         spectrum
     };
-    let (reference, rest) = total.split_at(11);
-    let (dut, leak) = rest.split_at(11);
+    let (reference, dut) = total.split_at(11);
     let offsets = [0.5 * scale * reference[10], 0.5 * scale * dut[10]];
     let mut spectra = [spectrum(reference), spectrum(dut)];
     if !block.is_exact() {
-        let leakage = Complex32::new(leak[0], leak[1]) * (0.5 * scale);
+        let leakage = leakage(start, fold.len());
         spectra
             .iter_mut()
             .for_each(|s| s[0] = without_leakage(s[0], leakage));
     }
     (spectra, offsets)
+}
+
+/// Mean of `exp(-2j phase)` over `places`, by which the fundamental leaks into
+/// itself.
+fn leakage(mut walk: PhaseWalk, places: usize) -> Complex32 {
+    let mut sums = Sums::<2>::new();
+    for _ in 0..places {
+        let [_, second, ..] = harmonic_phasors(walk.next_cos_sin());
+        sums.add([second.re, -second.im]);
+    }
+    let [re, im] = sums.total();
+    Complex32::new(re, im) / places.max(1) as f32
 }
 
 /// The amplitude behind `seen = A + conj(A) leakage`: the normal equations of
@@ -289,7 +298,9 @@ fn rests(
 ) -> [Rest; 2] {
     let per_pass = 1.0 / block.passes() as f32;
     let mut sums = Sums::<2>::new();
-    let mut largest = [0.0_f32; 2];
+    // As bits: squares are never negative, and the bits of such numbers are in the
+    // order of the numbers. What is not a number comes out largest of all.
+    let mut largest = [0_u32; 2];
     for &place in fold {
         let phasors = harmonic_phasors(walk.next_cos_sin());
         let values = centred(place, means, per_pass);
@@ -301,14 +312,14 @@ fn rests(
         };
         let squares = [square(0), square(1)];
         for (largest, square) in largest.iter_mut().zip(squares) {
-            *largest = largest.max(square);
+            *largest = (*largest).max(square.to_bits());
         }
         sums.add(squares);
     }
     let total = sums.total();
     [0, 1].map(|channel| Rest {
         energy: total[channel] * block.passes() as f32,
-        largest_square: largest[channel],
+        largest_square: f32::from_bits(largest[channel]),
         mean_square: total[channel] / fold.len().max(1) as f32,
     })
 }

@@ -1,7 +1,7 @@
 //! The shipping image at work.
 
 use crate::row::Row;
-use calib_host::link::{Client, EmulatedTransport, RetryPolicy};
+use calib_host::link::{Client, EmulatedTransport, EmulatedUsbTransport, RetryPolicy};
 use calib_host::session;
 use calib_protocol::message::{RunSpec, RunState};
 use calib_protocol::record::RunLabels;
@@ -18,6 +18,9 @@ const CLOCK_HZ: f64 = 480.0e6;
 const RATE_HZ: f64 = 50_000.0;
 /// Bytes per second of 115 200 baud with start and stop bit.
 const LINE_BYTES_PER_S: f64 = 11_520.0;
+/// Bytes per second of full-speed bulk transfers: 19 packets of 64 bytes in a
+/// frame of 1 ms (USB 2.0, table 5-9).
+const USB_BYTES_PER_S: f64 = 1.216e6;
 /// A flash word of 32 bytes takes 0.1 ms typically (DS12110 Rev 11, table 140).
 const WORD_S: f64 = 1.0e-4;
 const WORD_BYTES: f64 = 32.0;
@@ -163,18 +166,32 @@ fn record_bytes(bench: &mut Bench) -> Result<f64, Fault> {
     Ok(f64::from(record.bytes))
 }
 
-/// Bytes of records per second over USART3.
+/// Bytes of records per second over either link.
 fn download(bench: &mut Bench) -> Result<Vec<Row>, Fault> {
     let id = bench.client.records()?.last().ok_or("nothing stored")?.id;
-    let folder = std::env::temp_dir().join(format!("calib-bench-{}", std::process::id()));
-    let start = bench.board().elapsed();
-    let download = session::download(&mut bench.client, id, &folder, |_| ())?;
-    let seconds = (bench.board().elapsed() - start).as_secs_f64();
-    std::fs::remove_dir_all(&folder)?;
-    let rate = download.bytes as f64 / seconds;
-    let note = "115 200 baud 8N1, without frames and requests";
+    let shared = bench.shared();
+    let (rate, seconds) = fetch(bench, None, id)?;
+    let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(shared)?));
+    let (usb_rate, usb_seconds) = fetch(bench, Some(&mut usb), id)?;
     Ok(vec![
-        Row::new("record bytes over USART3", rate, "bytes/s").limit(LINE_BYTES_PER_S, note),
+        Row::new("record bytes over USART3", rate, "bytes/s").limit(
+            LINE_BYTES_PER_S,
+            "115 200 baud 8N1, without frames and requests",
+        ),
         Row::new("500 such records over USART3", 500.0 * seconds, "s"),
+        Row::new("record bytes over USB", usb_rate, "bytes/s")
+            .limit(USB_BYTES_PER_S, "19 bulk packets of 64 bytes in 1 ms"),
+        Row::new("500 such records over USB", 500.0 * usb_seconds, "s").limit(5.0, "aim: below"),
     ])
+}
+
+/// Downloads record `id` over `client`, or else over the serial line: bytes per
+/// second, and seconds.
+fn fetch(bench: &mut Bench, client: Option<&mut Client>, id: u32) -> Result<(f64, f64), Fault> {
+    let folder = tempfile::tempdir()?;
+    let start = bench.board().elapsed();
+    let client = client.unwrap_or(&mut bench.client);
+    let download = session::download(client, id, folder.path(), |_| ())?;
+    let seconds = (bench.board().elapsed() - start).as_secs_f64();
+    Ok((download.bytes as f64 / seconds, seconds))
 }
