@@ -18,6 +18,7 @@ pub mod consecutive;
 pub mod control;
 pub mod correlation;
 pub mod generator;
+pub mod output;
 pub mod phase;
 pub mod point;
 pub mod points;

@@ -14,6 +14,19 @@ pub struct PointSpec {
     pub acceleration_rms_ms2: f32,
 }
 
+/// How the exciter is driven (4.4, Note 1).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum ExcitationKind {
+    /// One tone after another.
+    #[default]
+    SingleSine,
+    /// All lines of the band at once, the same record every time.
+    Multisine,
+    /// Noise that repeats with the record, drawn anew for each average.
+    Random,
+}
+
 /// One measured calibration point.
 ///
 /// Amplitudes are r.m.s.; uncertainties are standard uncertainties unless the
@@ -65,6 +78,12 @@ pub struct PointResult {
     pub settling_s: f32,
     /// Largest excess of the amplitude over the set level while settling, 1.
     pub overshoot_rel: f32,
+    /// Coherence of both channels with broadband excitation, 0 to 1; none with
+    /// a single sine. Where there is one, level and acceleration are the total
+    /// r.m.s. of the band (5.1), and distortion, stability and overshoot are
+    /// not measured; signal to noise is what the coherence says of both
+    /// channels together.
+    pub coherence: Option<f32>,
 }
 
 impl PointResult {
@@ -99,6 +118,7 @@ impl PointResult {
             drive_peak_v: 0.0,
             settling_s: 0.0,
             overshoot_rel: 0.0,
+            coherence: None,
         }
     }
 }

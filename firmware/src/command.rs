@@ -3,7 +3,7 @@
 //! Every request that can be read gets exactly one answer; what is done lies
 //! behind [`Instrument`], which the tasks implement on the board.
 
-use calib_core::point::{PointResult, PointSpec};
+use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
 use calib_protocol::message::{Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, Status};
 use calib_protocol::record::RecordSummary;
@@ -75,7 +75,7 @@ async fn carry_out(
             result: instrument.point(index),
         },
         Request::Start(spec) => {
-            check_points(&spec.points)?;
+            check_points(&spec)?;
             let record_id = instrument.start(spec).await?;
             Response::Started { record_id }
         }
@@ -110,13 +110,20 @@ async fn carry_out(
     })
 }
 
-/// Whether every value of a list is finite and positive, and there is one.
-fn check_points(points: &[PointSpec]) -> Result<(), Refusal> {
+/// Whether every value of a list is finite and positive, and there is one; a
+/// broadband run has one level.
+fn check_points(spec: &RunSpec) -> Result<(), Refusal> {
     let usable = |value: f32| value.is_finite() && value > 0.0;
+    let points = &spec.points;
+    let level = points.first().map(|point| point.acceleration_rms_ms2);
+    let one_level = spec.excitation == ExcitationKind::SingleSine
+        || points
+            .iter()
+            .all(|point| Some(point.acceleration_rms_ms2) == level);
     let all = points
         .iter()
         .all(|point| usable(point.frequency_hz) && usable(point.acceleration_rms_ms2));
-    if points.is_empty() || !all {
+    if points.is_empty() || !all || !one_level {
         return Err(Refusal::PointList);
     }
     Ok(())

@@ -121,7 +121,7 @@ fn encode(sequence: u16, response: &Response, buffer: &mut [u8]) -> Option<usize
 mod tests {
     use super::*;
     use crate::command::{RecordPage, RecordPart};
-    use calib_core::point::{PointResult, PointSpec};
+    use calib_core::point::{ExcitationKind, PointResult, PointSpec};
     use calib_core::settings::Settings;
     use calib_protocol::message::{Info, RunSpec, Status};
     use calib_protocol::record::RunLabels;
@@ -183,6 +183,7 @@ mod tests {
         };
         Request::Start(RunSpec {
             points: [point].into_iter().collect(),
+            excitation: ExcitationKind::SingleSine,
             labels: RunLabels::default(),
         })
     }

@@ -1,6 +1,6 @@
 //! What tasks know of each other: short copies under a critical section.
 
-use calib_core::point::PointResult;
+use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
 use calib_firmware::session::Session;
 use calib_protocol::message::{RunSpec, RunState, Status};
@@ -83,6 +83,7 @@ pub(crate) static RUN: CriticalSectionMutex<RefCell<Run>> =
     CriticalSectionMutex::new(RefCell::new(Run {
         spec: RunSpec {
             points: Vec::new(),
+            excitation: ExcitationKind::SingleSine,
             labels: NO_LABELS,
         },
         results: Vec::new(),

@@ -15,7 +15,7 @@
 //! | `Release` | `Done` or `Refused` | record/release |
 
 use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
-use calib_core::point::{PointResult, PointSpec};
+use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
 use heapless::{String, Vec};
 use serde::{Deserialize, Serialize};
@@ -145,7 +145,8 @@ pub enum Refusal {
     StorageFull,
     /// The flash reported an error.
     StorageFailed,
-    /// The list is empty, or a value in it is not finite and positive.
+    /// The list is empty, a value in it is not finite and positive, or a
+    /// broadband run has points of different levels.
     PointList,
     /// A setting is outside its range; nothing was changed.
     Settings,
@@ -161,6 +162,9 @@ pub enum Refusal {
 pub struct RunSpec {
     /// Points in the order they are measured.
     pub points: Vec<PointSpec, MAX_POINTS>,
+    /// Tone after tone, or all at once; then all points have one level, the
+    /// total r.m.s. of the band from the lowest to the highest of them.
+    pub excitation: ExcitationKind,
     /// What the record should say about the run.
     pub labels: RunLabels,
 }

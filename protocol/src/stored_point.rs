@@ -94,7 +94,8 @@ struct StoredPoint {
     level: Round,
     tone: Tone,
     verdict: Verdict,
-    /// Bit 0: inverted. Bit 1: the coverage factor is 2.
+    /// Bit 0: inverted. Bit 1: the coverage factor is 2. Bit 2: a broadband
+    /// point, which has no distortion; in its place is one less the coherence.
     flags: u8,
     coverage_factor: Option<[u8; 3]>,
     acceleration: i32,
@@ -115,7 +116,9 @@ fn diagnostics(point: &PointResult) -> [f32; DIAGNOSTICS] {
         point.repeatability_phase_rad,
         point.effective_degrees_of_freedom,
         point.distortion_reference_rel,
-        point.distortion_dut_rel,
+        point
+            .coherence
+            .map_or(point.distortion_dut_rel, |coherence| 1.0 - coherence),
         point.signal_to_noise_reference_db,
         point.signal_to_noise_dut_db,
         point.amplitude_stability_rel,
@@ -135,7 +138,9 @@ impl From<&PointResult> for StoredPoint {
             level: point.spec.acceleration_rms_ms2.into(),
             tone: point.tone,
             verdict: point.verdict,
-            flags: u8::from(point.inverted) | u8::from(k_is_two) << 1,
+            flags: u8::from(point.inverted)
+                | u8::from(k_is_two) << 1
+                | u8::from(point.coherence.is_some()) << 2,
             coverage_factor: (!k_is_two).then(|| Upper::from(point.coverage_factor).0),
             acceleration: round(reached * LEVEL_PARTS),
             sensitivity: point.sensitivity_v_per_ms2.to_le_bytes(),
@@ -163,7 +168,7 @@ impl From<StoredPoint> for PointResult {
             repeatability_phase_rad,
             effective_degrees_of_freedom,
             distortion_reference_rel,
-            distortion_dut_rel,
+            distortion_or_incoherence,
             signal_to_noise_reference_db,
             signal_to_noise_dut_db,
             amplitude_stability_rel,
@@ -171,6 +176,10 @@ impl From<StoredPoint> for PointResult {
             settling_s,
             overshoot_rel,
         ] = stored.diagnostics.map(|bytes| Upper(bytes).into());
+        let (distortion_dut_rel, coherence) = match stored.flags & 4 {
+            0 => (distortion_or_incoherence, None),
+            _ => (0.0, Some(1.0 - distortion_or_incoherence)),
+        };
         Self {
             spec: PointSpec {
                 frequency_hz: stored.frequency.into(),
@@ -199,6 +208,7 @@ impl From<StoredPoint> for PointResult {
             drive_peak_v,
             settling_s,
             overshoot_rel,
+            coherence,
         }
     }
 }
@@ -297,6 +307,7 @@ mod tests {
             drive_peak_v: 1.107,
             settling_s: 0.3568,
             overshoot_rel: 0.0123,
+            coherence: None,
             ..PointResult::refused(
                 PointSpec {
                     frequency_hz: 63.0,
@@ -353,6 +364,18 @@ mod tests {
                 close(value, expected, 2.0_f64.powi(-8));
             }
         }
+    }
+
+    #[test]
+    fn coherence_is_kept_where_there_is_one() {
+        let mut before = point();
+        before.coherence = Some(0.998_7);
+        let after = as_stored(&before).coherence.expect("kept");
+        // The incoherence keeps 8 bits.
+        close(1.0 - after, 1.0 - 0.998_7, 2.0_f64.powi(-8));
+        let once = as_stored(&before);
+        assert_eq!(as_stored(&once), once);
+        assert_eq!(as_stored(&point()).coherence, None);
     }
 
     #[test]

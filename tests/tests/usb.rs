@@ -1,6 +1,7 @@
 //! The shipping firmware over USB: set up by a host, used by the host tool,
 //! disturbed in every way a cable and a host can.
 
+use calib_core::point::ExcitationKind;
 use calib_host::link::{Client, EmulatedUsbTransport};
 use calib_host::{Error, session};
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
@@ -339,6 +340,7 @@ fn one_of_two_hosts_holds_the_session() -> Result<(), Fault> {
     expect_other_host(bench.client.reset());
     expect_other_host(bench.client.start(RunSpec {
         points: [point(160.0, 10.0)].into_iter().collect(),
+        excitation: ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     }));
     // The other host may read, and stop what moves.

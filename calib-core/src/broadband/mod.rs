@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | [`excitation`] | one period of a multisine, or of noise that repeats |
+//! | [`player`] | the period as codes, again and again |
 //! | [`spectra`] | averaged cross spectra, H1 response and coherence |
 //!
 //! Both excitations repeat with the record, so no window is needed and nothing
@@ -10,10 +11,12 @@
 //! remains the default; this is the quick look at many frequencies at once.
 
 pub mod excitation;
+pub mod player;
 pub mod spectra;
 
 pub use excitation::{Excitation, Phases};
-pub use spectra::{CrossSpectra, Response, ResponseError, SpectraMemory};
+pub use player::{BroadbandDrive, PeriodMemory, Player};
+pub use spectra::{CrossSpectra, LEAST_AVERAGES, Response, ResponseError, SpectraMemory};
 
 /// Samples of one record: 12.2 Hz between lines at 50 kS/s.
 pub const RECORD_SAMPLES: usize = 4096;

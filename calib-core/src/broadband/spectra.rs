@@ -127,22 +127,48 @@ impl<'m> CrossSpectra<'m> {
         self.averages
     }
 
-    /// Takes pairs in offset binary, reference in the low half.
-    pub fn push(&mut self, pairs: &[u32]) {
-        let mut rest = pairs;
-        while !rest.is_empty() {
-            let room = RECORD_SAMPLES - self.filled;
-            let (now, later) = rest.split_at(room.min(rest.len()));
-            let slots = self.memory.record.iter_mut().skip(self.filled);
-            for (slot, &pair) in slots.zip(now) {
-                *slot = Complex32::new(centred(pair & 0xFFFF), centred(pair >> 16));
-            }
-            self.filled += now.len();
-            if self.filled == RECORD_SAMPLES {
-                self.average();
-            }
-            rest = later;
+    /// Forgets everything.
+    pub fn restart(&mut self) {
+        self.memory.lines.fill(NO_LINE);
+        self.filled = 0;
+        self.averages = 0;
+    }
+
+    /// Takes pairs in offset binary, reference in the low half, at most to the
+    /// end of the record in work; returns how many were taken.
+    pub fn push(&mut self, pairs: &[u32]) -> usize {
+        let room = RECORD_SAMPLES - self.filled;
+        let taken = room.min(pairs.len());
+        let slots = self.memory.record.iter_mut().skip(self.filled);
+        for (slot, &pair) in slots.zip(pairs.iter().take(taken)) {
+            *slot = Complex32::new(centred(pair & 0xFFFF), centred(pair >> 16));
         }
+        self.filled += taken;
+        if self.filled == RECORD_SAMPLES {
+            self.average();
+        }
+        taken
+    }
+
+    /// True at the end of a record.
+    pub fn is_at_end_of_record(&self) -> bool {
+        self.filled == 0 && self.averages > 0
+    }
+
+    /// Mean square of the reference at a line, codes squared: of a sine of
+    /// amplitude `a`, `a^2 / 2`.
+    pub fn reference_mean_square(&self, line: usize) -> f32 {
+        let square = self.memory.lines.get(line).map_or(0.0, |l| l.reference);
+        let samples = RECORD_SAMPLES as f32;
+        2.0 * square / (samples * samples * self.averages.max(1) as f32)
+    }
+
+    /// Coherence of a line, 0 to 1; 0 where nothing was seen.
+    pub fn coherence(&self, line: usize) -> f32 {
+        let seen = self.memory.lines.get(line).map_or(0.0, |line| {
+            line.cross.norm_sqr() / (line.reference * line.dut)
+        });
+        if seen >= 0.0 { seen.min(1.0) } else { 0.0 }
     }
 
     /// Transforms the record and adds its spectra.
@@ -173,17 +199,16 @@ impl<'m> CrossSpectra<'m> {
     ///
     /// # Errors
     /// [`ResponseError`]: the line is refused.
-    pub fn response(&self, line: usize) -> Result<Response, ResponseError> {
-        let seen = self.memory.lines.get(line).filter(|_| line > 0);
+    pub fn response(&self, index: usize) -> Result<Response, ResponseError> {
+        let seen = self.memory.lines.get(index).filter(|_| index > 0);
         let line = seen.ok_or(ResponseError::Line)?;
         if self.averages < LEAST_AVERAGES {
             return Err(ResponseError::Averages(self.averages));
         }
-        let coherence = line.cross.norm_sqr() / (line.reference * line.dut);
-        if !(coherence >= LEAST_COHERENCE) {
+        let coherence = self.coherence(index);
+        if coherence < LEAST_COHERENCE {
             return Err(ResponseError::Coherence);
         }
-        let coherence = coherence.min(1.0);
         let spread = (1.0 - coherence) / (2.0 * self.averages as f32 * coherence);
         Ok(Response {
             ratio: line.cross / line.reference,
@@ -251,7 +276,11 @@ mod tests {
                 })
                 .collect();
             for piece in pairs.chunks(700) {
-                spectra.push(piece);
+                let mut rest = piece;
+                while !rest.is_empty() {
+                    let taken = spectra.push(rest);
+                    rest = &rest[taken..];
+                }
             }
         }
         spectra

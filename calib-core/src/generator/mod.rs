@@ -23,16 +23,6 @@ const MAX_CODE: f32 = 4095.0;
 /// Shortest ramp from one amplitude to the next, in samples (10 ms).
 pub const MIN_RAMP_SAMPLES: u16 = 500;
 
-/// What the exciter is to do.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Command {
-    /// Play this, ramping from what is played now.
-    Play(Drive),
-    /// Silence at once.
-    Mute,
-}
-
 /// What the exciter is to play.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -103,14 +93,6 @@ impl Generator {
         } else {
             self.pending = Some(drive);
             self.ramp_to(0.0);
-        }
-    }
-
-    /// Carries out a command of the sequencer.
-    pub fn apply(&mut self, command: Command) {
-        match command {
-            Command::Play(drive) => self.set(drive),
-            Command::Mute => self.mute(),
         }
     }
 

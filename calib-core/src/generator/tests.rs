@@ -74,10 +74,10 @@ fn silence_is_mid_scale() {
         tone: tone(160.0),
         peak_v: 5.0,
     };
-    generator.apply(Command::Play(drive));
+    generator.set(drive);
     generator.fill(&mut codes);
     assert!(!generator.is_silent());
-    generator.apply(Command::Mute);
+    generator.mute();
     generator.fill(&mut codes);
     assert!(generator.is_silent() && codes.iter().all(|code| *code == MID_CODE));
 }

@@ -9,6 +9,8 @@
 //!                 any fault: mute, the reason becomes the verdict
 //! ```
 //!
+//! A broadband run (4.4, Note 1) has all its points in one [`Survey`].
+//!
 //! A task hands over every buffer of sample pairs and passes
 //! [`Sequencer::command`] on to the generator. Nothing here knows of time
 //! but by counting samples.
@@ -16,9 +18,13 @@
 mod checks;
 mod scatter;
 mod sequencer;
+mod survey;
+#[cfg(test)]
+mod survey_tests;
 #[cfg(test)]
 mod tests;
 
 pub use checks::{Measured, judge};
 pub use scatter::Scatter;
 pub use sequencer::{Activity, Progress, Sequencer, Timing};
+pub use survey::{Survey, SurveyRequest};

@@ -6,7 +6,8 @@ use crate::budget::{TypeA, point_budget};
 use crate::control::level_loop::OVERLOAD_REL;
 use crate::control::{Level, LevelLoop, LevelState, Next, full_output_peak_ms2};
 use crate::correlation::{Block, Correlator, Energy, FoldMemory, PairEstimate};
-use crate::generator::{Command, Drive, ramp_samples};
+use crate::generator::{Drive, ramp_samples};
+use crate::output::Command;
 use crate::point::{PointResult, PointSpec};
 use crate::polarity::Polarity;
 use crate::reference::ReferenceSensitivity;
@@ -244,7 +245,7 @@ impl<'m> Sequencer<'m> {
             acceleration_rms_ms2: self.last_level_peak_ms2 * FRAC_1_SQRT_2,
             drive_peak_v: match self.command {
                 Command::Play(drive) => drive.peak_v,
-                Command::Mute => 0.0,
+                Command::PlayBroadband(_) | Command::Mute => 0.0,
             },
         }
     }

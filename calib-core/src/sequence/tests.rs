@@ -3,6 +3,7 @@
 use super::*;
 use crate::correlation::FoldMemory;
 use crate::generator::Generator;
+use crate::output::Command;
 use crate::point::{PointResult, PointSpec};
 use crate::points::default_points;
 use crate::settings::Settings;
@@ -15,7 +16,7 @@ const HALF: usize = 250;
 
 /// A second-order section by the bilinear transform.
 #[derive(Clone, Copy)]
-struct Section {
+pub(super) struct Section {
     b: [f64; 3],
     a: [f64; 2],
     z: [f64; 2],
@@ -48,7 +49,7 @@ impl Section {
     }
 
     /// Magnitude and phase at a frequency.
-    fn response(&self, frequency_hz: f64) -> (f64, f64) {
+    pub(super) fn response(&self, frequency_hz: f64) -> (f64, f64) {
         let w = std::f64::consts::TAU * frequency_hz / RATE_HZ;
         let poly = |c: [f64; 3]| {
             let re = c[0] + c[1] * w.cos() + c[2] * (2.0 * w).cos();
@@ -61,29 +62,29 @@ impl Section {
 }
 
 /// Exciter on a suspension with a structural resonance, two transducers.
-struct Plant {
+pub(super) struct Plant {
     suspension: Section,
     resonance: Section,
-    dut: Section,
+    pub(super) dut: Section,
     /// m/s2 per volt well above the suspension.
-    gain: f64,
+    pub(super) gain: f64,
     /// Relative rise of the gain at 14 m/s2: 3/4 of it for the fundamental.
     hardening: f64,
-    noise_codes: f64,
+    pub(super) noise_codes: f64,
     /// Further noise of the device under test.
-    dut_noise_codes: f64,
+    pub(super) dut_noise_codes: f64,
     offset_codes: f64,
-    reference_works: bool,
+    pub(super) reference_works: bool,
     dut_works: bool,
-    dut_v_per_ms2: f64,
+    pub(super) dut_v_per_ms2: f64,
     random: u64,
-    peak_ms2: f64,
+    pub(super) peak_ms2: f64,
 }
 
 const TAU: f64 = std::f64::consts::TAU;
 
 impl Plant {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         let (w0, w1, wd) = (TAU * 12.0, TAU * 3200.0, TAU * 28_000.0);
         Self {
             // Acceleration of a mass on a spring: s^2 / (s^2 + w0/q s + w0^2),
@@ -122,7 +123,7 @@ impl Plant {
         code.round().clamp(0.0, 65_535.0) as u32
     }
 
-    fn step(&mut self, dac: u16) -> u32 {
+    pub(super) fn step(&mut self, dac: u16) -> u32 {
         let volt = (f64::from(dac) - 2048.0) / 2048.0 * 10.0;
         let linear = self.gain * self.suspension.step(self.resonance.step(volt));
         let bent = (linear / 14.0).clamp(-1.6, 1.6);
@@ -164,6 +165,13 @@ impl<'m> Rig<'m> {
         }
     }
 
+    fn obey(&mut self) {
+        match self.sequencer.command() {
+            Command::Play(drive) => self.generator.set(drive),
+            _ => self.generator.mute(),
+        }
+    }
+
     /// One buffer: out of the plant, through the sequencer, into the queue.
     fn turn(&mut self) -> Option<PointResult> {
         let mut codes = vec![0; HALF];
@@ -172,7 +180,7 @@ impl<'m> Rig<'m> {
         let playing = self.waiting.pop_front().expect("just pushed");
         let pairs: Vec<u32> = playing.iter().map(|&dac| self.plant.step(dac)).collect();
         let result = self.sequencer.feed(&pairs);
-        self.generator.apply(self.sequencer.command());
+        self.obey();
         result
     }
 
@@ -181,7 +189,7 @@ impl<'m> Rig<'m> {
             frequency_hz,
             acceleration_rms_ms2,
         });
-        self.generator.apply(self.sequencer.command());
+        self.obey();
         for _ in 0..4000 {
             if let Some(result) = self.turn() {
                 return result;
@@ -342,7 +350,7 @@ fn a_runaway_is_muted_within_two_blocks() {
         frequency_hz: 160.0,
         acceleration_rms_ms2: 10.0,
     });
-    rig.generator.apply(rig.sequencer.command());
+    rig.obey();
     while rig.sequencer.progress().activity != Activity::Measuring {
         assert_eq!(rig.turn(), None);
     }
@@ -368,12 +376,12 @@ fn an_interrupted_point_is_muted_at_once() {
             frequency_hz: 160.0,
             acceleration_rms_ms2: 10.0,
         });
-        rig.generator.apply(rig.sequencer.command());
+        rig.obey();
         for _ in 0..20 {
             assert_eq!(rig.turn(), None);
         }
         rig.sequencer.interrupt(reason);
-        rig.generator.apply(rig.sequencer.command());
+        rig.obey();
         assert!(rig.generator.is_silent());
         let result = (0..100).find_map(|_| rig.turn()).expect("a result");
         assert_eq!(result.verdict, Verdict::Refused(reason));

@@ -6,6 +6,7 @@
 //! `.axisram` is zero, which also sets the memory's check bits (ECC). So only
 //! values that are all zero may be declared there: see [`AllZero`].
 
+use calib_core::broadband::{PeriodMemory, SpectraMemory};
 use calib_core::correlation::FoldMemory;
 use calib_firmware::archive::Directory;
 use calib_firmware::link::Link;
@@ -53,6 +54,12 @@ unsafe impl<const N: usize> AllZero for [u32; N] {
 }
 unsafe impl AllZero for FoldMemory {
     const ZERO: Self = FoldMemory::new();
+}
+unsafe impl AllZero for SpectraMemory {
+    const ZERO: Self = SpectraMemory::new();
+}
+unsafe impl AllZero for PeriodMemory {
+    const ZERO: Self = PeriodMemory::new();
 }
 unsafe impl AllZero for Directory {
     const ZERO: Self = Directory::new();

@@ -5,8 +5,9 @@
 //! a tone on the table. And a mute does not wait for the blocks in the ring:
 //! it overwrites them.
 
-use crate::board::{BLOCK_PAIRS, Exciter, MID_SCALE};
-use calib_core::generator::{Command, Generator};
+use crate::board::{BLOCK_PAIRS, Exciter, MID_SCALE, axi_static};
+use calib_core::broadband::PeriodMemory;
+use calib_core::output::{Command, Output};
 use embassy_futures::select::{Either, select};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
@@ -38,8 +39,9 @@ const SEED: u32 = 1;
 /// Plays what it is told.
 #[embassy_executor::task]
 pub(crate) async fn drive(mut exciter: Exciter) -> ! {
+    axi_static!(PERIOD: PeriodMemory);
     let mut full_scale_peak_v = 0.0;
-    let mut generator = Generator::new(f32::INFINITY, SEED);
+    let mut output = Output::new(PERIOD.take(), f32::INFINITY, SEED);
     let mut codes = [MID_SCALE; BLOCK_PAIRS];
     let mut patience = PATIENCE;
     loop {
@@ -48,38 +50,38 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
             // The scale only changes between runs, in silence.
             if order.full_scale_peak_v != full_scale_peak_v {
                 full_scale_peak_v = order.full_scale_peak_v;
-                generator = Generator::new(full_scale_peak_v, SEED);
+                output.scale(full_scale_peak_v);
             }
             if order.command == Command::Mute {
-                silence(&mut exciter, &mut generator);
+                silence(&mut exciter, &mut output);
             } else {
-                generator.apply(order.command);
+                output.apply(order.command);
             }
         } else {
-            if !generator.is_silent() {
+            if !output.is_silent() {
                 defmt::error!("no drive command in time: silent");
             }
-            silence(&mut exciter, &mut generator);
+            silence(&mut exciter, &mut output);
             // From now on the ring alone sets the pace.
             patience = Duration::from_ticks(0);
         }
-        generator.fill(&mut codes);
+        output.fill(&mut codes);
         match select(SILENCE.wait(), exciter.play(&codes)).await {
-            Either::First(()) => silence(&mut exciter, &mut generator),
+            Either::First(()) => silence(&mut exciter, &mut output),
             Either::Second(Ok(())) => {}
             Either::Second(Err(_)) => {
                 defmt::warn!("drive written late");
-                silence(&mut exciter, &mut generator);
+                silence(&mut exciter, &mut output);
             }
         }
     }
 }
 
 /// Rest now: nothing more is generated, and nothing queued is played.
-fn silence(exciter: &mut Exciter, generator: &mut Generator) {
+fn silence(exciter: &mut Exciter, output: &mut Output<'_>) {
     SILENCE.reset();
-    if !generator.is_silent() {
+    if !output.is_silent() {
         exciter.hush();
     }
-    generator.mute();
+    output.mute();
 }

@@ -4,10 +4,11 @@ use crate::board::{BLOCK_PAIRS, SAMPLE_RATE_HZ, axi_static};
 use crate::state::{self, Order};
 use crate::tasks::acquire::Block;
 use crate::tasks::drive::{COMMAND, DriveOrder, SILENCE};
+use calib_core::broadband::SpectraMemory;
 use calib_core::correlation::FoldMemory;
-use calib_core::generator::Command;
-use calib_core::point::{PointResult, PointSpec};
-use calib_core::sequence::{Activity, Sequencer, Timing};
+use calib_core::output::Command;
+use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::sequence::{Activity, Sequencer, Survey, SurveyRequest, Timing};
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::message::RunState;
 use calib_protocol::stored_point::as_stored;
@@ -27,11 +28,14 @@ const TIMING: Timing = Timing {
 #[embassy_executor::task]
 pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMutex, Block>) -> ! {
     axi_static!(FOLD: FoldMemory);
+    axi_static!(SPECTRA: SpectraMemory);
     let fold = FOLD.take();
     let settings = state::settings();
     let mut runner = Runner {
         full_scale_peak_v: settings.drive_full_scale_peak_v,
+        survey: Survey::new(SPECTRA.take(), TIMING, settings.clone()),
         sequencer: Sequencer::new(fold, TIMING, settings),
+        broadband: false,
         running: None,
         stopping: false,
         playing: false,
@@ -42,9 +46,9 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
             runner.obey(order);
         }
         if block.gap {
-            runner.sequencer.interrupt(Reason::Overrun);
+            runner.interrupt(Reason::Overrun);
         }
-        let result = runner.sequencer.feed(&block.pairs);
+        let result = runner.feed(&block.pairs);
         blocks.receive_done();
         if let Some(result) = result {
             runner.finish_point(result);
@@ -55,9 +59,12 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
     }
 }
 
-/// Walks the sequencer through the points of a run.
+/// Walks the sequencer, or a survey, through the points of a run.
 struct Runner {
     sequencer: Sequencer<'static>,
+    survey: Survey<'static>,
+    /// The run is a survey.
+    broadband: bool,
     full_scale_peak_v: f32,
     /// Index of the point in work.
     running: Option<usize>,
@@ -69,7 +76,7 @@ struct Runner {
 impl Runner {
     /// Tells the drive what the core wants; a mute also stops what is queued.
     fn command_drive(&mut self) {
-        let command = self.sequencer.command();
+        let command = self.command();
         if command == Command::Mute && core::mem::take(&mut self.playing) {
             SILENCE.signal(());
         }
@@ -85,7 +92,7 @@ impl Runner {
             (Order::Start, None) => self.start_run(),
             (Order::Stop, Some(_)) => {
                 self.stopping = true;
-                self.sequencer.interrupt(Reason::Stopped);
+                self.interrupt(Reason::Stopped);
             }
             (Order::Start, Some(_)) | (Order::Stop, None) => {}
         }
@@ -96,8 +103,42 @@ impl Runner {
         defmt::info!("run begins");
         self.full_scale_peak_v = settings.drive_full_scale_peak_v;
         self.stopping = false;
-        self.sequencer.start_run(settings);
+        match survey_request() {
+            Some(request) => {
+                self.broadband = true;
+                self.survey.start(settings, request);
+            }
+            None => {
+                self.broadband = false;
+                self.sequencer.start_run(settings);
+            }
+        }
         self.start_point(0);
+    }
+
+    /// Ends what is in work with this reason.
+    fn interrupt(&mut self, reason: Reason) {
+        match self.broadband {
+            true => self.survey.interrupt(reason),
+            false => self.sequencer.interrupt(reason),
+        }
+    }
+
+    /// Hands pairs on. A survey that is over gives one result with every block.
+    fn feed(&mut self, pairs: &[u32]) -> Option<PointResult> {
+        if !self.broadband {
+            return self.sequencer.feed(pairs);
+        }
+        let over = self.survey.feed(pairs);
+        let spec = self.running.and_then(point)?;
+        over.then(|| self.survey.result(spec))
+    }
+
+    fn command(&self) -> Command {
+        match self.broadband {
+            true => self.survey.command(),
+            false => self.sequencer.command(),
+        }
     }
 
     /// Begins point `index`, or ends the run when there is none.
@@ -105,7 +146,9 @@ impl Runner {
         match point(index) {
             Some(spec) if !self.stopping => {
                 self.running = Some(index);
-                self.sequencer.start_point(spec);
+                if !self.broadband {
+                    self.sequencer.start_point(spec);
+                }
                 state::update_status(|status| {
                     status.point = index as u16;
                     status.frequency_hz = spec.frequency_hz;
@@ -154,7 +197,10 @@ impl Runner {
         if self.running.is_none() {
             return state::update_status(|status| status.drive_peak_v = 0.0);
         }
-        let progress = self.sequencer.progress();
+        let progress = match self.broadband {
+            true => self.survey.progress(),
+            false => self.sequencer.progress(),
+        };
         state::update_status(|status| {
             status.state = match progress.activity {
                 Activity::Idle | Activity::Settling => RunState::Settling,
@@ -166,6 +212,23 @@ impl Runner {
             status.blocks = progress.blocks;
         });
     }
+}
+
+/// What a broadband run is asked for; none for single sines.
+fn survey_request() -> Option<SurveyRequest> {
+    state::RUN.lock(|run| {
+        let run = run.borrow();
+        let points = &run.spec.points;
+        let first = points.first()?;
+        let band = |(low, high): (f32, f32), point: &PointSpec| {
+            (low.min(point.frequency_hz), high.max(point.frequency_hz))
+        };
+        (run.spec.excitation != ExcitationKind::SingleSine).then(|| SurveyRequest {
+            band_hz: points.iter().fold((f32::INFINITY, 0.0), band),
+            acceleration_rms_ms2: first.acceleration_rms_ms2,
+            kind: run.spec.excitation,
+        })
+    })
 }
 
 fn point(index: usize) -> Option<PointSpec> {

@@ -3,6 +3,7 @@
 use crate::board::{Lamps, Watchdog};
 use crate::instrument::Calibrator;
 use crate::state::{self, Order};
+use calib_core::point::ExcitationKind;
 use calib_core::points::default_points;
 use calib_core::verdict::Verdict;
 use calib_firmware::command::Instrument;
@@ -76,6 +77,7 @@ async fn on_button(instrument: &mut Calibrator) {
     }
     let run = RunSpec {
         points: default_points().into_iter().collect(),
+        excitation: ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     };
     if let Err(refusal) = instrument.start(run).await {

@@ -6,6 +6,7 @@
 use super::from_record::{day, decimal, run_day};
 use super::model::{Entry, Section, Value};
 use super::particulars::{Adjustment, Contact, Particulars, Place};
+use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
 
 /// Key, clause, value.
@@ -196,15 +197,36 @@ fn calibration(record: &Record, particulars: &Particulars) -> Section {
                 "",
                 Some(Value::Number(f64::from(settings.blocks), 0, "")),
             ),
-            ("excitation", "", phrase("excitation.sine", &[])),
+            ("excitation", "", excitation(record)),
             ("quantity", "ISO 16063-21 7 e", phrase("quantity.rms", &[])),
-            (
-                "coherence",
-                "ISO 16063-21 7 e",
-                phrase("coherence.sine", &[]),
-            ),
+            ("coherence", "ISO 16063-21 7 e", coherence(record)),
         ],
     )
+}
+
+fn excitation(record: &Record) -> Option<Value> {
+    match lowest_coherence(record) {
+        None => phrase("excitation.sine", &[]),
+        Some(_) => phrase("excitation.broadband", &[]),
+    }
+}
+
+/// That of the worst point that passed.
+fn coherence(record: &Record) -> Option<Value> {
+    match lowest_coherence(record) {
+        None => phrase("coherence.sine", &[]),
+        Some(lowest) => Some(Value::Number(lowest, 4, "")),
+    }
+}
+
+fn lowest_coherence(record: &Record) -> Option<f64> {
+    let passed = record
+        .points
+        .iter()
+        .filter(|point| point.verdict == Verdict::Pass);
+    passed
+        .filter_map(|point| point.coherence.map(f64::from))
+        .reduce(f64::min)
 }
 
 fn place(particulars: &Particulars) -> Option<Value> {

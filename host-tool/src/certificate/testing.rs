@@ -162,6 +162,7 @@ pub(crate) fn point(frequency_hz: f32) -> PointResult {
         drive_peak_v: 0.8,
         settling_s: 0.21,
         overshoot_rel: 0.01,
+        coherence: None,
     }
 }
 

@@ -8,6 +8,7 @@ mod budget;
 mod certificate;
 mod check;
 mod context;
+mod convert;
 mod demo;
 mod devices;
 mod download;
@@ -24,6 +25,7 @@ mod progress;
 mod records;
 mod release;
 mod run;
+mod sensitivity;
 mod settings;
 mod stop;
 mod table;
@@ -112,6 +114,10 @@ pub(crate) enum Command {
     Gap(gap::Gap),
     /// Identifies the model of an accelerometer (ISO 16063-43).
     Identify(identify::Identify),
+    /// Converts a sensitivity to acceleration, velocity or displacement (clause 6).
+    Convert(convert::Convert),
+    /// Sensitivity from readings: comparison, consecutive, calibrator (clause 6).
+    Sensitivity(sensitivity::Sensitivity),
     /// Converts between acceleration, velocity and displacement (Annex C).
     Nomogram(nomogram::Nomogram),
     /// Phase by comparison with the uncertainty of ISO 5347-9.
@@ -146,6 +152,8 @@ impl Command {
             Self::Budget(verb) => verb.run(context),
             Self::Gap(verb) => verb.run(context),
             Self::Identify(verb) => verb.run(context),
+            Self::Convert(verb) => verb.run(context),
+            Self::Sensitivity(verb) => verb.run(context),
             Self::Nomogram(verb) => verb.run(context),
             Self::Phase(verb) => verb.run(context),
             Self::Points(verb) => verb.run(context),

@@ -1,14 +1,14 @@
 //! `calib run`: measures a point list.
 
 use super::{Context, progress::RunProgress, text, time};
-use calib_core::point::{PointResult, PointSpec};
+use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::verdict::Verdict;
 use calib_host::link::Client;
 use calib_host::session::{self, Outcome};
 use calib_host::{Error, Result};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -24,6 +24,11 @@ pub(crate) struct Run {
     /// Set acceleration of points that state none, m/s2 r.m.s.
     #[arg(long, short, default_value_t = 10.0, value_name = "MS2")]
     level: f32,
+    /// How the exciter is driven (ISO 16063-21, 4.4 Note 1). Broadband: all
+    /// points at once, moved to the lines of a record of 4096 samples; the level
+    /// is the total r.m.s. of the band.
+    #[arg(long, value_enum, default_value_t = Excitation::SingleSine)]
+    excitation: Excitation,
     /// Device under test: manufacturer and model.
     #[arg(long, value_name = "TEXT", default_value = "")]
     model: String,
@@ -41,6 +46,27 @@ pub(crate) struct Run {
     mounting: String,
 }
 
+/// Names of [`ExcitationKind`] on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Excitation {
+    /// One tone after another.
+    SingleSine,
+    /// All lines at once, the same record 64 times.
+    Multisine,
+    /// Periodic noise, 64 different records.
+    Random,
+}
+
+impl From<Excitation> for ExcitationKind {
+    fn from(excitation: Excitation) -> Self {
+        match excitation {
+            Excitation::SingleSine => Self::SingleSine,
+            Excitation::Multisine => Self::Multisine,
+            Excitation::Random => Self::Random,
+        }
+    }
+}
+
 #[derive(Serialize)]
 struct RunResult<'a> {
     record_id: u32,
@@ -51,11 +77,15 @@ struct RunResult<'a> {
 impl Run {
     /// Measures, follows, and says how it ended.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let points = self.points()?;
+        let mut points = self.points()?;
         let labels = self.labels()?;
         let mut client = context.connect()?;
-        client.info()?;
-        let outcome = measure(context, &mut client, &points, labels)?;
+        let info = client.info()?;
+        let excitation = ExcitationKind::from(self.excitation);
+        if excitation != ExcitationKind::SingleSine {
+            points = session::on_lines(&points, info.sample_rate_hz)?;
+        }
+        let outcome = measure(context, &mut client, &points, excitation, labels)?;
         let result = RunResult {
             record_id: outcome.record_id,
             state: outcome.state,
@@ -124,11 +154,12 @@ fn measure(
     context: &Context,
     client: &mut Client,
     points: &[PointSpec],
+    excitation: ExcitationKind,
     labels: RunLabels,
 ) -> Result<Outcome> {
     let stop = stop_on_interrupt();
     let mut progress = RunProgress::new(context);
-    session::run(client, points, labels, |state| {
+    session::run_excited(client, points, excitation, labels, |state| {
         progress.show(state, points);
         stop()
     })

@@ -12,6 +12,7 @@
 //! | [`linking`] | degrees of equivalence, linked comparisons | EURAMET.AUV.V-K3 |
 //! | [`oscillator`] | the mass-spring-damper model | ISO 16063-43 7.1 |
 //! | [`phase5347`] | phase by comparison | ISO 5347-9 |
+//! | [`sensitivity`] | sensitivity from readings, conversions | ISO 16063-21 clause 6 |
 //! | [`nomogram`] | acceleration, velocity, displacement | ISO 16063-21 Annex C |
 //! | [`lists`], [`line_fit`] | point and linearity lists, straight lines | ISO 16063-21 5, GUM H.3 |
 //! | [`check`] | a record against Tables 1 to 6 and clause 7 | ISO 16063-21 |
@@ -36,6 +37,7 @@ pub mod oscillator;
 pub mod phase5347;
 pub mod predict;
 pub mod record;
+pub mod sensitivity;
 pub mod shock;
 pub mod statistics;
 pub mod text;

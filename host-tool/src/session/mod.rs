@@ -1,9 +1,11 @@
 //! What is done with a calibrator over its link: run, follow, download.
 
+mod broadband;
 mod download;
 mod points;
 mod run;
 
+pub use broadband::on_lines;
 pub use download::{Download, Progress as DownloadProgress, download, download_with};
 pub use points::{default_points, read_points};
-pub use run::{Outcome, Progress, follow, run};
+pub use run::{Outcome, Progress, follow, run, run_excited};

@@ -2,7 +2,7 @@
 
 use crate::link::Client;
 use crate::{Error, Result};
-use calib_core::point::{PointResult, PointSpec};
+use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_protocol::message::{RunSpec, RunState, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
 use heapless::Vec as FixedVec;
@@ -50,6 +50,21 @@ pub fn run(
     labels: RunLabels,
     observe: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Outcome> {
+    run_excited(client, points, ExcitationKind::SingleSine, labels, observe)
+}
+
+/// [`run`] with another excitation than tone after tone; broadband lists come
+/// from [`super::on_lines`].
+///
+/// # Errors
+/// As [`run`].
+pub fn run_excited(
+    client: &mut Client,
+    points: &[PointSpec],
+    excitation: ExcitationKind,
+    labels: RunLabels,
+    observe: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
+) -> Result<Outcome> {
     let list: FixedVec<PointSpec, MAX_POINTS> = FixedVec::from_slice(points).map_err(|_| {
         Error::input(
             "point list",
@@ -62,6 +77,7 @@ pub fn run(
     })?;
     let record_id = client.start(RunSpec {
         points: list,
+        excitation,
         labels,
     })?;
     follow(client, record_id, points, observe)

@@ -345,6 +345,7 @@ pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResul
         drive_peak_v: 1.0,
         settling_s: 0.5,
         overshoot_rel: 0.01,
+        coherence: None,
     })
 }
 

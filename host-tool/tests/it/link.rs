@@ -2,7 +2,7 @@
 
 use crate::device::{Device, record, settings};
 use crate::memory_link::{Direction, Fault, MemoryLink, SharedDevice, client, shared};
-use calib_core::point::PointSpec;
+use calib_core::point::{ExcitationKind, PointSpec};
 use calib_host::link::{Client, LinkError, ProtocolError, Transport};
 use calib_host::{Error, Result};
 use calib_protocol::message::{Refusal, RunSpec};
@@ -18,6 +18,7 @@ fn conversation(client: &mut Client) -> Result<String> {
     };
     let spec = RunSpec {
         points: [point, point].into_iter().collect(),
+        excitation: ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     };
     let mut heard = vec![

@@ -119,6 +119,7 @@ fn start(bench: &mut Bench) -> Result<(), Fault> {
     let points = session::default_points(10.0);
     bench.client.start(RunSpec {
         points: points.into_iter().collect(),
+        excitation: calib_core::point::ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     })?;
     bench.client.wait(Duration::from_millis(100))?;

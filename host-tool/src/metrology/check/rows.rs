@@ -65,6 +65,12 @@ pub(super) fn percent(value: f32) -> f64 {
     100.0 * f64::from(value)
 }
 
+/// A point of a single sine; broadband runs do not measure distortion, noise and
+/// stability apart from the signal (4.4, Note 1).
+fn sine(point: &PointResult) -> Option<()> {
+    point.coherence.is_none().then_some(())
+}
+
 /// Rows of Tables 1 and 2 that a measured point answers.
 pub(super) const PER_POINT: [Row; 6] = [
     Row {
@@ -106,6 +112,7 @@ pub(super) const PER_POINT: [Row; 6] = [
         side: Side::AtMost,
         judge: |_, example, p| {
             let limit = VibrationGeneration::of(example).amplitude_stability_rel;
+            sine(p)?;
             Some((percent(p.amplitude_stability_rel), percent(limit)))
         },
     },
@@ -116,6 +123,7 @@ pub(super) const PER_POINT: [Row; 6] = [
         side: Side::AtMost,
         judge: |_, example, p| {
             let limit = VibrationGeneration::of(example).distortion_at(p.spec.frequency_hz);
+            sine(p)?;
             Some((percent(p.distortion_reference_rel), percent(limit)))
         },
     },
@@ -126,6 +134,7 @@ pub(super) const PER_POINT: [Row; 6] = [
         side: Side::AtLeast,
         judge: |record, example, p| {
             let limit = VibrationGeneration::of(example).noise_at(p.spec.frequency_hz);
+            sine(p)?;
             Some((below_full_output_db(record, p), f64::from(limit)))
         },
     },
