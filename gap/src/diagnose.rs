@@ -259,12 +259,13 @@ fn parameters(
     for active in &fit.effects {
         let about = active.effect.about();
         let mut values = BTreeMap::new();
-        for (parameter, &value) in about.parameters.iter().zip(&active.parameters) {
+        let of = about.parameters.iter().zip(&active.unit);
+        for ((parameter, unit), &value) in of.zip(&active.parameters) {
             let step = covariance.as_ref().map_or(f64::NAN, |c| c[(at, at)].sqrt());
             let scale = if parameter.scale == crate::effects::Scale::Log {
                 value
             } else {
-                1.0
+                *unit
             };
             // A parameter the data do not move is known no better than its bounds.
             let u = (step * scale).min(parameter.upper - parameter.lower);

@@ -98,6 +98,8 @@ pub(crate) struct Active<'a> {
     pub(crate) entry: usize,
     pub(crate) effect: &'a dyn Effect,
     pub(crate) parameters: Vec<f64>,
+    /// Size of a usual step of each parameter, so that all slopes are of one order.
+    pub(crate) unit: Vec<f64>,
 }
 
 impl Active<'_> {

@@ -110,7 +110,7 @@ const RENEWAL: usize = 4;
 
 /// Damped Gauss-Newton steps until the objective stands still.
 fn descend(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspace) {
-    let mut damping = 1e-3;
+    let mut damping = 1e-4;
     let mut linear = Linearised::new(problem, fit, work);
     fit.objective = linear.evaluation.objective;
     let (mut small, mut accepted) = (0, 0);
@@ -278,25 +278,23 @@ fn nudged(active: &Active<'_>, index: usize) -> (f64, f64) {
     let (there, step) = match parameter.scale {
         Scale::Log => (value * 1.0005, 0.0005_f64.ln_1p()),
         Scale::Linear => {
-            let size = if value == 0.0 {
-                1e-6 * (parameter.upper - parameter.lower).min(1.0)
-            } else {
-                1e-4 * value
-            };
-            (value + size, size)
+            let unit = active.unit[index];
+            let size = 1e-4 * value.abs().max(unit);
+            (value + size, size / unit)
         }
     };
     if there > parameter.upper {
         match parameter.scale {
             Scale::Log => (value / 1.0005, -step),
-            Scale::Linear => (value - step, -step),
+            Scale::Linear => (value - step * active.unit[index], -step),
         }
     } else {
         (there, step)
     }
 }
 
-fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
+/// A fit after a step in internal units.
+pub(crate) fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
     let mut trial = fit.clone();
     let nuisances = problem.free.len();
     for (theta, (free, change)) in trial
@@ -304,19 +302,16 @@ fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
         .iter_mut()
         .zip(problem.free.iter().zip(step.iter()))
     {
-        let bound = if free.bounded { 3.0 } else { 200.0 };
+        let bound = if free.bounded { 10.0 } else { 200.0 };
         *theta += change.clamp(-bound, bound);
     }
     let mut at = nuisances;
     for active in &mut trial.effects {
-        for (value, parameter) in active
-            .parameters
-            .iter_mut()
-            .zip(active.effect.about().parameters)
-        {
+        let of = active.effect.about().parameters.iter().zip(&active.unit);
+        for (value, (parameter, unit)) in active.parameters.iter_mut().zip(of) {
             match parameter.scale {
                 Scale::Log => *value *= step[at].clamp(-1.0, 1.0).exp(),
-                Scale::Linear => *value += step[at],
+                Scale::Linear => *value += step[at] * unit,
             }
             at += 1;
         }

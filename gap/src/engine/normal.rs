@@ -37,7 +37,7 @@ impl Column {
                 .zip(&b[range.clone()])
                 .map(|(a, b)| (b - a) * scale)
                 .collect();
-            if values.iter().any(|v| v.abs() > 1e-9) {
+            if values.iter().any(|v| v.abs() > 1e-11 * scale.abs()) {
                 parts.push((slot, values));
             }
         }
@@ -82,6 +82,14 @@ impl Tangent {
         inner
     }
 
+    /// L'^-1 v: the parameters that a load stands for.
+    pub(crate) fn unload(&self, mut load: DVector<f64>) -> DVector<f64> {
+        self.factor
+            .l_dirty()
+            .tr_solve_lower_triangular_mut(&mut load);
+        load
+    }
+
     /// Data without what the parameters take over.
     pub(crate) fn reduce(&self, problem: &Problem, data: &[f64]) -> Vec<f64> {
         let gradient = DVector::from_iterator(
@@ -116,7 +124,8 @@ pub(crate) fn gram(columns: &[Column], prior: &[f64]) -> DMatrix<f64> {
             matrix[(i, j)] = value;
             matrix[(j, i)] = value;
         }
-        matrix[(i, i)] += prior[i] + 1e-9 * (1.0 + matrix[(i, i)]);
+        let own = matrix[(i, i)];
+        matrix[(i, i)] += prior[i] + if own > 0.0 { 1e-9 * own } else { 1.0 };
     }
     matrix
 }

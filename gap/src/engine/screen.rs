@@ -3,7 +3,7 @@
 use super::fit::{Fit, Linearised, Workspace};
 use super::normal::{Tangent, gram};
 use super::problem::{Column, Evaluation, Problem, wrapped};
-use crate::effects::{Active, Effect, Start, library};
+use crate::effects::{Active, Effect, Parameter, Scale, Start, library};
 use crate::model::chain::Transfer;
 use crate::model::row::{DC, DRIVE, RATIO, REF_HARMONICS};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -21,6 +21,8 @@ pub(crate) struct Promise {
     pub(crate) entry: usize,
     pub(crate) gain: f64,
     pub(crate) parameters: Vec<f64>,
+    /// Step of the nuisances and of the effects already there that goes with it.
+    pub(crate) shift: Option<DVector<f64>>,
     /// Group of observables in which the gain lies: response, harmonics and d.c., noise.
     pub(crate) group: usize,
 }
@@ -117,6 +119,7 @@ impl Atoms {
                 entry,
                 gain: problem.scatter_gain(&base, &added, evaluation, &fit.theta),
                 parameters,
+                shift: None,
                 group: 2,
             }
         };
@@ -147,9 +150,17 @@ fn keep(best: &mut [Option<Promise>], promise: Promise) {
 
 /// An entry of the library with values.
 pub(crate) fn active(entry: usize, parameters: Vec<f64>) -> Active<'static> {
+    let effect = library()[entry];
+    let unit = |(value, about): (&f64, &Parameter)| match about.scale {
+        Scale::Log => 1.0,
+        Scale::Linear if *value != 0.0 => value.abs(),
+        Scale::Linear => 1e-3 * (about.upper - about.lower).min(1.0),
+    };
+    let unit = parameters.iter().zip(effect.about().parameters).map(unit);
     Active {
         entry,
-        effect: library()[entry],
+        effect,
+        unit: unit.collect(),
         parameters,
     }
 }
@@ -255,10 +266,15 @@ impl Atom {
         let gain =
             2.0 * amplitude.dot(&vector) - (amplitude.transpose() * &matrix * &amplitude)[(0, 0)];
         let parameters = effect.combine(&self.start, amplitude.as_slice());
+        let mut taken = DVector::zeros(tangent.columns.len());
+        for (load, size) in loads.iter().zip(amplitude.iter()) {
+            taken.axpy(-size, load, 1.0);
+        }
         Some(Promise {
             entry: self.entry,
             gain,
             parameters,
+            shift: Some(tangent.unload(taken)),
             group: self.group(),
         })
     }

@@ -1,6 +1,6 @@
 //! Which set of effects: none, singles, pairs, with their probabilities.
 
-use super::fit::{Effort, Fit, Workspace, refine};
+use super::fit::{Effort, Fit, Workspace, moved, refine};
 use super::problem::Problem;
 use super::screen::{Atoms, Promise, active};
 use crate::effects::library;
@@ -199,12 +199,34 @@ impl Searcher<'_> {
         }
     }
 
+    /// The base moved to where the screening expects it beside the new effect, if that is an improvement.
+    fn shifted(&mut self, base: &Fit, promise: &Promise) -> Fit {
+        let Some(shift) = &promise.shift else {
+            return base.clone();
+        };
+        let there = moved(self.problem, base, shift);
+        let mut objective = |base: &Fit| {
+            let mut effects = base.effects.clone();
+            effects.push(active(promise.entry, promise.parameters.clone()));
+            let memory = &mut self.work.memory;
+            self.problem
+                .evaluate(&effects, &base.theta, memory)
+                .objective
+        };
+        if objective(&there) < objective(base) {
+            there
+        } else {
+            base.clone()
+        }
+    }
+
     fn try_set(&mut self, base: &Fit, promise: &Promise, effort: Effort) -> f64 {
+        let base = self.shifted(base, promise);
         let mut effects = base.effects.clone();
         effects.push(active(promise.entry, promise.parameters.clone()));
         let mut fit = refine(
             self.problem,
-            effects.clone(),
+            effects,
             base.theta.clone(),
             effort,
             &mut self.work,
