@@ -188,14 +188,16 @@ impl Searcher<'_> {
         if objective < best + OUT_OF_REACH.max(REACH * (nominal - best))
             && let Some(fit) = self.found.pop_if(|f| f.effects.len() == size)
         {
-            let fit = refine(
+            let start = fit.clone();
+            let further = refine(
                 self.problem,
                 fit.effects,
                 fit.theta,
                 Effort::FULL,
                 &mut self.work,
             );
-            self.found.push(fit);
+            let better = further.objective < start.objective;
+            self.found.push(if better { further } else { start });
         }
     }
 

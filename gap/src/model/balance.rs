@@ -111,18 +111,16 @@ pub(crate) fn balance(
     }
     motion[1] = Complex64::from(travel);
     let work = Work::new(exciter, bend, omega);
-    let mut converged = false;
-    let mut state = work.voltages(motion);
-    for step in 0..MOST_CORRECTIONS {
-        let size = work.correct(motion, &state, if step < 25 { 1.0 } else { 0.5 });
-        state = work.voltages(motion);
-        if size < TOLERANCE * travel.abs() {
-            converged = true;
-            break;
-        }
-        if !size.is_finite() {
-            break;
-        }
+    let remembers = motion
+        .iter()
+        .enumerate()
+        .any(|(n, m)| n != 1 && *m != Complex64::ZERO);
+    let (mut state, mut converged) = work.settle(motion);
+    if !converged && remembers {
+        // The remembered motion may lie in the basin of a parameter far away.
+        *motion = [Complex64::ZERO; ORDERS + 1];
+        motion[1] = Complex64::from(travel);
+        (state, converged) = work.settle(motion);
     }
     work.result(motion, &state, acceleration_peak_ms2, converged)
 }
@@ -157,6 +155,23 @@ impl<'a> Work<'a> {
             impedance,
             stiffness,
         }
+    }
+
+    /// Corrects the motion until the balance holds; whether it does.
+    fn settle(&self, motion: &mut Motion) -> (State, bool) {
+        let travel = motion[1].re.abs();
+        let mut state = self.voltages(motion);
+        for step in 0..MOST_CORRECTIONS {
+            let size = self.correct(motion, &state, if step < 25 { 1.0 } else { 0.5 });
+            state = self.voltages(motion);
+            if size < TOLERANCE * travel {
+                return (state, true);
+            }
+            if !size.is_finite() {
+                break;
+            }
+        }
+        (state, false)
     }
 
     /// Coil voltage that the assumed motion needs.

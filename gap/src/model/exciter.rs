@@ -26,6 +26,15 @@ pub(crate) struct Exciter {
     pub(crate) inductance_exponent: f64,
 }
 
+/// What does not belong to the exciter itself but moves with it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Added {
+    /// Payload and unknown mass, in kg.
+    pub(crate) mass_kg: f64,
+    /// Damping beyond that of the suspension, in N s/m.
+    pub(crate) damping_ns_per_m: f64,
+}
+
 /// Responses to the coil voltage at one frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Linear {
@@ -65,18 +74,19 @@ impl Exciter {
     }
 
     /// Responses at one frequency. `stiffness` replaces [`Exciter::dynamic_stiffness`]
-    /// where a nonlinear suspension has changed it.
-    pub(crate) fn linear(&self, omega: f64, payload_kg: f64, stiffness: Complex64) -> Linear {
+    /// where a nonlinear suspension has changed it. The slopes hold for what is the exciter's
+    /// own: mass and damping without the part that is `added` to it.
+    pub(crate) fn linear(&self, omega: f64, added: Added, stiffness: Complex64) -> Linear {
         let s = Complex64::new(0.0, omega);
         let bl = self.force_factor_n_per_a;
         let z = self.impedance(omega);
         let coupling = s * bl * bl * self.emf_ratio;
         let denominator = stiffness * z + coupling;
-        let mass = s * s * (self.mass_kg - payload_kg);
+        let mass = s * s * (self.mass_kg - added.mass_kg);
         let own = [
             mass,
             Complex64::from(self.stiffness_n_per_m),
-            s * self.damping_ns_per_m,
+            s * (self.damping_ns_per_m - added.damping_ns_per_m),
         ];
         let electric = [
             -coupling * 2.0 / denominator,
@@ -121,22 +131,29 @@ mod tests {
     /// Central differences with a relative step of 1e-5: error about 1e-9.
     #[test]
     fn slopes_agree_with_differences() {
-        let (omega, payload) = (900.0, 0.03);
+        let omega = 900.0;
+        let added = Added {
+            mass_kg: 0.03,
+            damping_ns_per_m: 1.2,
+        };
         let nominal = exciter();
-        let linear = nominal.linear(omega, payload, nominal.dynamic_stiffness(omega));
+        let linear = nominal.linear(omega, added, nominal.dynamic_stiffness(omega));
         let step = 1e-5;
         for i in 0..6 {
             let moved = |sign: f64| {
                 let (mut e, factor) = (nominal, 1.0 + sign * step);
                 match i {
-                    0 => e.mass_kg = payload + (e.mass_kg - payload) * factor,
+                    0 => e.mass_kg = added.mass_kg + (e.mass_kg - added.mass_kg) * factor,
                     1 => e.stiffness_n_per_m *= factor,
-                    2 => e.damping_ns_per_m *= factor,
+                    2 => {
+                        e.damping_ns_per_m +=
+                            (e.damping_ns_per_m - added.damping_ns_per_m) * (factor - 1.0)
+                    }
                     3 => e.force_factor_n_per_a *= factor,
                     4 => e.resistance_ohm *= factor,
                     _ => e.inductance_h *= factor,
                 }
-                e.linear(omega, payload, e.dynamic_stiffness(omega))
+                e.linear(omega, added, e.dynamic_stiffness(omega))
             };
             let (up, down) = (moved(1.0), moved(-1.0));
             let drive = (up.acceleration_per_v.ln() - down.acceleration_per_v.ln()) / (2.0 * step);

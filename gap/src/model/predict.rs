@@ -2,7 +2,7 @@
 
 use super::balance::{Balanced, Motion, ORDERS, balance};
 use super::chain::{Chain, Transfer};
-use super::exciter::{Exciter, Linear};
+use super::exciter::{Added, Exciter, Linear};
 use super::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, Row, SLOTS};
 use crate::effects::Active;
 use num_complex::Complex64;
@@ -187,14 +187,17 @@ fn drive(
         emf_ratio: chain.emf,
         inductance_exponent: chain.inductance_exponent,
     };
-    let fixed_kg = row.payload_kg + chain.mass_kg;
+    let added = Added {
+        mass_kg: row.payload_kg + chain.mass_kg,
+        damping_ns_per_m: chain.damping_ns_per_m,
+    };
     let mut stiffness = exciter.dynamic_stiffness(row.omega);
     if chain.bend.is_linear()
         || !level_ms2.is_finite()
         || is_negligible(row, &exciter, chain, level_ms2)
     {
         return Drive {
-            linear: exciter.linear(row.omega, fixed_kg, stiffness),
+            linear: exciter.linear(row.omega, added, stiffness),
             balanced: None,
         };
     }
@@ -206,7 +209,7 @@ fn drive(
         &mut memory.motion,
     );
     stiffness = balanced.stiffness;
-    let mut linear = exciter.linear(row.omega, fixed_kg, stiffness);
+    let mut linear = exciter.linear(row.omega, added, stiffness);
     linear.acceleration_per_v = balanced.acceleration_per_v;
     linear.admittance = balanced.admittance;
     Drive {
@@ -224,7 +227,7 @@ fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) ->
     if let Some(threshold) = bend.clip_v {
         let stiffness = exciter.dynamic_stiffness(row.omega);
         let per_v = exciter
-            .linear(row.omega, 0.0, stiffness)
+            .linear(row.omega, Added::default(), stiffness)
             .acceleration_per_v
             .norm();
         if level_ms2 * SQRT_2 / per_v > 0.75 * threshold {
