@@ -28,14 +28,14 @@ fn main() -> Result<(), calib_tests::bench::Fault> {
     );
     println!(
         "{} refused; {:.0} s",
-        tally.refused,
+        tally.refused.len(),
         start.elapsed().as_secs_f64()
     );
     if let Some(path) = std::env::var_os("CALIB_BENCH_JSON") {
         let json = serde_json::json!({
             "draws": draws,
             "points": tally.points,
-            "refused": tally.refused,
+            "refused": tally.refused.len(),
             "magnitude_percent": tally.magnitude_percent(),
             "phase_percent": tally.phase_percent(),
         });

@@ -10,8 +10,8 @@ use calib_core::settings::{Distribution as Stated, Influence as StatedInfluence}
 use calib_core::verdict::Verdict;
 use calib_twin::influence::{Distribution as Drawn, Influence, InfluenceDraw};
 use calib_twin::rig::Rig;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// Frequencies of a draw, Hz: all but the last have an exact tone at 50 kS/s.
 const FREQUENCIES_HZ: [f32; 3] = [80.0, 160.0, 2000.0];
@@ -66,13 +66,19 @@ impl Kind {
     }
 }
 
+/// Draws that share an instrument, one after the other. A whole number of them
+/// is a worker's turn, so that what an instrument saw before a draw depends on
+/// no core and no clock.
+const TURN: u64 = 10;
+
 /// How often the stated interval contained the truth.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     /// Points that passed their checks.
     pub points: u64,
-    /// Points refused: they state nothing, so they count for nothing.
-    pub refused: u64,
+    /// Points refused (seed, frequency in Hz, why): they state nothing, so they
+    /// count for nothing.
+    pub refused: Vec<(u64, u32, Verdict)>,
     /// Points whose magnitude was inside.
     pub magnitude: u64,
     /// Points whose phase was inside.
@@ -92,7 +98,7 @@ impl Tally {
 
     fn add(&mut self, other: Self) {
         self.points += other.points;
-        self.refused += other.refused;
+        self.refused.extend(other.refused);
         self.magnitude += other.magnitude;
         self.phase += other.phase;
     }
@@ -105,25 +111,26 @@ impl Tally {
 /// The first draw that could not be carried out.
 pub fn run(draws: u64, first_seed: u64, progress: impl Fn(u64) + Sync) -> Result<Tally, Fault> {
     let next = AtomicU64::new(0);
+    let done = AtomicU64::new(0);
     let total = Mutex::new((Tally::default(), None));
     let work = || {
-        // One instrument sees many devices, as in life; booting it for each
-        // would take as long as the measurement.
-        let mut bench = None;
         loop {
-            let draw = next.fetch_add(1, Ordering::Relaxed);
-            if draw >= draws {
+            let first = TURN * next.fetch_add(1, Ordering::Relaxed);
+            if first >= draws {
                 return;
             }
-            let outcome = one(&mut bench, first_seed + draw);
-            let mut total = total
-                .lock()
-                .unwrap_or_else(std::sync::PoisonError::into_inner);
-            match outcome {
-                Ok(tally) => total.0.add(tally),
-                Err(fault) => total.1 = total.1.take().or(Some(fault)),
+            // One instrument sees many devices, as in life; booting it for each
+            // would take as long as the measurement.
+            let mut bench = None;
+            for draw in first..draws.min(first + TURN) {
+                let outcome = one(&mut bench, first_seed + draw);
+                let mut total = total.lock().unwrap_or_else(PoisonError::into_inner);
+                match outcome {
+                    Ok(tally) => total.0.add(tally),
+                    Err(fault) => total.1 = total.1.take().or(Some(fault)),
+                }
+                progress(1 + done.fetch_add(1, Ordering::Relaxed));
             }
-            progress(draw + 1);
         }
     };
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
@@ -132,10 +139,7 @@ pub fn run(draws: u64, first_seed: u64, progress: impl Fn(u64) + Sync) -> Result
             scope.spawn(work);
         }
     });
-    match total
-        .into_inner()
-        .unwrap_or_else(std::sync::PoisonError::into_inner)
-    {
+    match total.into_inner().unwrap_or_else(PoisonError::into_inner) {
         (_, Some(fault)) => Err(fault),
         (tally, None) => Ok(tally),
     }
@@ -156,7 +160,8 @@ fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
     let mut tally = Tally::default();
     for (result, frequency_hz) in outcome.points.iter().zip(frequencies_hz) {
         if result.verdict != Verdict::Pass {
-            tally.refused += 1;
+            let refusal = (seed, frequency_hz.round() as u32, result.verdict);
+            tally.refused.push(refusal);
             continue;
         }
         let deviation = from_truth(result, draw.truth(frequency_hz));
