@@ -5,8 +5,10 @@
 #![forbid(unsafe_code)]
 
 mod address;
+pub mod bench;
 pub mod certificate;
 pub mod demo;
+pub mod doctor;
 pub mod emulated;
 pub mod error;
 pub mod file;
@@ -14,6 +16,8 @@ pub mod gap;
 pub mod link;
 pub mod metrology;
 pub mod session;
+pub mod teds;
+pub mod terminal;
 pub mod verdict_text;
 
 pub use address::Address;

@@ -23,6 +23,7 @@ fn calib(folder: &Path, arguments: &[&str]) -> Command {
         .args(arguments)
         .current_dir(folder)
         .env_remove("CALIB_DEVICE")
+        .env("CALIB_BENCH", folder.join("no-bench.sqlite"))
         .env("CALIB_STATE_DIR", folder.join("state"))
         .env("NO_COLOR", "1");
     command

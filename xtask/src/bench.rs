@@ -32,6 +32,12 @@ const BENCHES: &[Bench] = &[
         what: "propagation of distributions on one core, beside numpy",
     },
     Bench {
+        name: "records",
+        package: "calib-host",
+        example: "bench_records",
+        what: "10 000 records in the bench listed and filtered; start of the tool",
+    },
+    Bench {
         name: "speed",
         package: "calib-tests",
         example: "bench_speed",

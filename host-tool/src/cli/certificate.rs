@@ -1,12 +1,13 @@
 //! `calib certificate RECORD`: the certificate of a downloaded or stored record.
 
-use super::Context;
-use calib_host::certificate::{self, Format};
-use calib_host::{Error, Result, session};
-use calib_protocol::record::Record;
+use super::{Context, source, time};
+use calib_host::bench::{Bench, Issue};
+use calib_host::certificate::{self, Certificate, Format, Particulars};
+use calib_host::{Error, Result};
+use calib_protocol::record::{self, Record, Sha256Sum};
 use clap::Args;
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// `calib certificate RECORD`.
 #[derive(Debug, Args)]
@@ -33,10 +34,19 @@ struct Written {
 }
 
 impl CertificateVerb {
-    /// Writes the files; none appears when one of them cannot be written.
+    /// Writes the files; none appears when one of them cannot be written. With a
+    /// bench of records they are entered there, and none is written if another
+    /// one of that number was issued.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let record = self.find(context)?;
+        let record = source::find(context, &self.record, &self.out)?;
+        let mut bench = context.bench_if_there()?;
+        if let Some(bench) = &bench {
+            self.may_issue(bench, &record)?;
+        }
         let files = certificate::write(&record, &self.format, &self.out)?;
+        if let Some(bench) = &mut bench {
+            self.enter(bench, &record, &files)?;
+        }
         let text = || {
             files
                 .iter()
@@ -51,27 +61,61 @@ impl CertificateVerb {
         )
     }
 
-    fn find(&self, context: &Context) -> Result<Record> {
-        let path = Path::new(&self.record);
-        match self.record.parse::<u32>() {
-            Ok(id) if !path.exists() => {
-                let mut client = context.connect()?;
-                client.info()?;
-                Ok(session::download(&mut client, id, &self.out, |_| ())?.record)
-            }
-            _ => read(path),
+    /// The files are made in a folder of their own, to know their sums.
+    fn may_issue(&self, bench: &Bench, record: &Record) -> Result<()> {
+        let folder = tempfile::tempdir()
+            .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
+        let files = certificate::write(record, &self.format, folder.path())?;
+        let contents = contents(&files)?;
+        let number = number(record);
+        for issue in self.issues(&number, record, &files, &contents) {
+            bench.may_issue(&issue)?;
         }
+        Ok(())
+    }
+
+    fn enter(&self, bench: &mut Bench, record: &Record, files: &[PathBuf]) -> Result<()> {
+        let contents = contents(files)?;
+        let number = number(record);
+        let issues: Vec<_> = self.issues(&number, record, files, &contents).collect();
+        let now = i64::try_from(time::unix_time_s()).unwrap_or(0);
+        bench.issue(&issues, now)
+    }
+
+    /// Files are in the order of the formats.
+    fn issues<'a>(
+        &'a self,
+        number: &'a str,
+        record: &Record,
+        files: &'a [PathBuf],
+        contents: &'a [Vec<u8>],
+    ) -> impl Iterator<Item = Issue<'a>> {
+        let record = digest(record);
+        let files = files.iter().zip(contents);
+        let issue = move |(format, (file, content)): (&Format, (&'a PathBuf, &'a Vec<u8>))| Issue {
+            certificate: number,
+            format: format.name(),
+            file: file.to_str().unwrap_or_default(),
+            content,
+            record,
+        };
+        self.format.iter().zip(files).map(issue)
     }
 }
 
-/// Reads a downloaded record.
-fn read(path: &Path) -> Result<Record> {
-    let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-    calib_protocol::record::decode(&bytes).map_err(|error| {
-        Error::input(
-            path.display().to_string(),
-            error.to_string(),
-            "download it again with `calib download ID`",
-        )
-    })
+fn contents(files: &[PathBuf]) -> Result<Vec<Vec<u8>>> {
+    let read =
+        |file: &PathBuf| std::fs::read(file).map_err(|error| Error::file("read", file, error));
+    files.iter().map(read).collect()
+}
+
+fn number(record: &Record) -> String {
+    Certificate::from_record(record, &Particulars::default()).number
+}
+
+/// Sum of the record's stored form, which is the same however it came here.
+fn digest(record: &Record) -> Sha256Sum {
+    let mut buffer = vec![0; 64 * 1024];
+    let length = record::encode(record, &mut buffer).unwrap_or(0);
+    record::digest(&buffer[..length])
 }

@@ -5,6 +5,7 @@ use calib_host::link::{Client, port};
 use calib_host::{Address, Error, Result};
 use serde::Serialize;
 use std::io::{IsTerminal, Write};
+use std::path::PathBuf;
 
 /// Output switches and the address of the device.
 pub(crate) struct Context {
@@ -14,6 +15,8 @@ pub(crate) struct Context {
     pub(crate) quiet: bool,
     /// `--device`, or `CALIB_DEVICE`.
     pub(crate) device: Option<String>,
+    /// `--bench`, or `CALIB_BENCH`.
+    pub(crate) bench: Option<PathBuf>,
     /// Colour and moving progress are welcome on standard error.
     pub(crate) color: bool,
 }
@@ -26,6 +29,7 @@ impl Context {
             json: options.json,
             quiet: options.quiet,
             device: options.device.clone(),
+            bench: options.bench.clone(),
             color: !no_color && std::io::stderr().is_terminal(),
         }
     }

@@ -4,13 +4,16 @@
 //! `run(self, context) -> Result<()>`. Data goes to standard output (tables,
 //! or JSON with `--json`), everything else to standard error.
 
+mod bench;
 mod budget;
 mod certificate;
 mod check;
+mod completions;
 mod context;
 mod convert;
 mod demo;
 mod devices;
+mod doctor;
 mod download;
 mod emulate;
 mod gap;
@@ -27,6 +30,8 @@ mod release;
 mod run;
 mod sensitivity;
 mod settings;
+mod show;
+mod source;
 mod stop;
 mod table;
 mod text;
@@ -37,6 +42,7 @@ pub(crate) use context::Context;
 
 use calib_host::Result;
 use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
 
 /// Exit codes, printed at the end of `calib --help`.
 const EXIT_CODES: &str = "\
@@ -78,6 +84,9 @@ pub(crate) struct GlobalOptions {
         value_name = "ADDRESS"
     )]
     pub(crate) device: Option<String>,
+    /// The bench of records; default: one of this user's.
+    #[arg(long, global = true, env = "CALIB_BENCH", value_name = "FILE")]
+    pub(crate) bench: Option<PathBuf>,
     /// No progress and no remarks; errors are still printed.
     #[arg(long, short, global = true)]
     pub(crate) quiet: bool,
@@ -104,6 +113,8 @@ pub(crate) enum Command {
     Release(release::Release),
     /// Downloads a stored record into a file.
     Download(download::Download),
+    /// Draws a record in the terminal: S over f with U.
+    Show(show::Show),
     /// Writes the certificate of a record.
     Certificate(certificate::CertificateVerb),
     /// An emulated calibrator that other programs use like hardware.
@@ -130,6 +141,20 @@ pub(crate) enum Command {
     Predict(predict::Predict),
     /// Links comparisons, judges degrees of equivalence.
     Link(link::Link),
+    /// Sensors of the bench of records.
+    Sensors(bench::Sensors),
+    /// Drift of a sensor over the years, with U.
+    History(bench::History),
+    /// Records, certificates, instruments and operators that are kept.
+    Bench(bench::BenchVerb),
+    /// The bench of records for other programs.
+    Export(bench::Export),
+    /// Finds what keeps this computer from talking to a calibrator.
+    Doctor(doctor::Doctor),
+    /// Prints the completion script of a shell.
+    Completions(completions::Completions),
+    /// Writes the man pages.
+    Man(completions::Man),
     /// Versions of the tool, the protocol and the stored records.
     Version(version::Version),
 }
@@ -147,6 +172,7 @@ impl Command {
             Self::Records(verb) => verb.run(context),
             Self::Release(verb) => verb.run(context),
             Self::Download(verb) => verb.run(context),
+            Self::Show(verb) => verb.run(context),
             Self::Certificate(verb) => verb.run(context),
             Self::Emulate(verb) => verb.run(context),
             Self::Budget(verb) => verb.run(context),
@@ -160,6 +186,13 @@ impl Command {
             Self::Check(verb) => verb.run(context),
             Self::Predict(verb) => verb.run(context),
             Self::Link(verb) => verb.run(context),
+            Self::Sensors(verb) => verb.run(context),
+            Self::History(verb) => verb.run(context),
+            Self::Bench(verb) => verb.run(context),
+            Self::Export(verb) => verb.run(context),
+            Self::Doctor(verb) => verb.run(context),
+            Self::Completions(verb) => verb.run(context),
+            Self::Man(verb) => verb.run(context),
             Self::Version(verb) => verb.run(context),
         }
     }

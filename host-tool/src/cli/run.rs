@@ -1,8 +1,9 @@
 //! `calib run`: measures a point list.
 
-use super::{Context, progress::RunProgress, text, time};
+use super::{Context, bench, progress::RunProgress, text, time};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::verdict::Verdict;
+use calib_host::bench::{Kept, Sensor};
 use calib_host::link::Client;
 use calib_host::session::{self, Outcome};
 use calib_host::{Error, Result};
@@ -29,6 +30,10 @@ pub(crate) struct Run {
     /// is the total r.m.s. of the band.
     #[arg(long, value_enum, default_value_t = Excitation::SingleSine)]
     excitation: Excitation,
+    /// Device under test, by its serial number in the bench of records: model and
+    /// mounting are known there.
+    #[arg(long, value_name = "SERIAL", conflicts_with_all = ["model", "serial"])]
+    sensor: Option<String>,
     /// Device under test: manufacturer and model.
     #[arg(long, value_name = "TEXT", default_value = "")]
     model: String,
@@ -36,7 +41,7 @@ pub(crate) struct Run {
     #[arg(long, value_name = "TEXT", default_value = "")]
     serial: String,
     /// Who calibrates.
-    #[arg(long, value_name = "NAME", default_value = "")]
+    #[arg(long, value_name = "NAME", default_value = "", env = "CALIB_OPERATOR")]
     operator: String,
     /// Temperature of the transducer, degrees Celsius.
     #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true)]
@@ -69,6 +74,7 @@ impl From<Excitation> for ExcitationKind {
 
 #[derive(Serialize)]
 struct RunResult<'a> {
+    bench_record: Option<i64>,
     record_id: u32,
     state: RunState,
     points: &'a [PointResult],
@@ -78,7 +84,7 @@ impl Run {
     /// Measures, follows, and says how it ended.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let mut points = self.points()?;
-        let labels = self.labels()?;
+        let labels = self.labels(context)?;
         let mut client = context.connect()?;
         let info = client.info()?;
         let excitation = ExcitationKind::from(self.excitation);
@@ -86,19 +92,21 @@ impl Run {
             points = session::on_lines(&points, info.sample_rate_hz)?;
         }
         let outcome = measure(context, &mut client, &points, excitation, labels)?;
+        let kept = keep(context, &mut client, &outcome)?;
         let result = RunResult {
+            bench_record: kept,
             record_id: outcome.record_id,
             state: outcome.state,
             points: &outcome.points,
         };
         context.print(&result, || {
             let lines: Vec<_> = outcome.points.iter().map(text::point_line).collect();
-            format!(
-                "{}\nrecord {}: calib download {}",
-                lines.join("\n"),
-                outcome.record_id,
-                outcome.record_id
-            )
+            let id = outcome.record_id;
+            let next = match kept {
+                Some(kept) => format!("kept in the bench as record {kept}"),
+                None => format!("calib download {id}"),
+            };
+            format!("{}\nrecord {id}: {next}", lines.join("\n"))
         })?;
         judge(&outcome, points.len())
     }
@@ -116,7 +124,18 @@ impl Run {
         }
     }
 
-    fn labels(&self) -> Result<RunLabels> {
+    fn labels(&self, context: &Context) -> Result<RunLabels> {
+        let sensor = self.sensor.as_deref();
+        let sensor = sensor.map(|serial| bench::find_sensor(context, serial));
+        let sensor = sensor.transpose()?.unwrap_or_else(|| Sensor {
+            serial: self.serial.clone(),
+            model: self.model.clone(),
+            ..Sensor::default()
+        });
+        let mounting = match self.mounting.as_str() {
+            "" => sensor.mounting.as_deref().unwrap_or_default(),
+            stated => stated,
+        };
         let temperature_centi_c = match self.temperature {
             None => None,
             Some(celsius) if celsius.abs() <= 300.0 => Some((100.0 * celsius).round() as i16),
@@ -124,13 +143,29 @@ impl Run {
         };
         Ok(RunLabels {
             unix_time_s: time::unix_time_s(),
-            dut_model: label("--model", &self.model)?,
-            dut_serial: label("--serial", &self.serial)?,
+            dut_model: label("--model", &sensor.name())?,
+            dut_serial: label("--serial", &sensor.serial)?,
             operator: label("--operator", &self.operator)?,
             temperature_centi_c,
-            mounting: label("--mounting", &self.mounting)?,
+            mounting: label("--mounting", mounting)?,
         })
     }
+}
+
+/// Keeps the record in the bench, if this user has one.
+fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Option<i64>> {
+    let stored = outcome.state != RunState::Failed;
+    let Some(mut bench) = context.bench_if_there()?.filter(|_| stored) else {
+        return Ok(None);
+    };
+    let folder =
+        tempfile::tempdir().map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
+    let download = session::download(client, outcome.record_id, folder.path(), |_| ())?;
+    let bytes = std::fs::read(&download.path)
+        .map_err(|error| Error::file("read", &download.path, error))?;
+    Ok(Some(match bench.keep(&bytes)? {
+        Kept::Added(id) | Kept::Known(id) => id,
+    }))
 }
 
 fn usage(option: &str, problem: &str) -> Error {

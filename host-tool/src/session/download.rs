@@ -68,7 +68,10 @@ pub fn download_with(
     let path = directory.join(format!("record-{id:05}.calibrec"));
     let mut part = Part::open(path.with_extension("calibrec.part"))?;
     let resumed_at = part.bytes.len();
-    part.fetch(client, id, &mut progress)?;
+    if let Err(error) = part.fetch(client, id, &mut progress) {
+        part.drop_if_empty();
+        return Err(error);
+    }
     let checked = record::check(&part.bytes);
     if resumed_at > 0 && matches!(checked, Err(RecordError::Checksum | RecordError::Length)) {
         // What was left may belong to another instrument: once from the start.
@@ -125,6 +128,13 @@ impl Part {
             .read_to_end(&mut bytes)
             .map_err(|error| Error::file("read", &path, error))?;
         Ok(Self { path, file, bytes })
+    }
+
+    /// What holds nothing helps nobody to go on.
+    fn drop_if_empty(&self) {
+        if self.bytes.is_empty() {
+            let _ = std::fs::remove_file(&self.path);
+        }
     }
 
     fn restart(&mut self) -> Result<()> {

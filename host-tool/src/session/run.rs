@@ -65,6 +65,20 @@ pub fn run_excited(
     labels: RunLabels,
     observe: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Outcome> {
+    let record_id = begin(client, points, excitation, labels)?;
+    follow(client, record_id, points, observe)
+}
+
+/// Starts a run and returns the running number its record will have.
+///
+/// # Errors
+/// As [`run`].
+pub fn begin(
+    client: &mut Client,
+    points: &[PointSpec],
+    excitation: ExcitationKind,
+    labels: RunLabels,
+) -> Result<u32> {
     let list: FixedVec<PointSpec, MAX_POINTS> = FixedVec::from_slice(points).map_err(|_| {
         Error::input(
             "point list",
@@ -75,12 +89,11 @@ pub fn run_excited(
             "split the list",
         )
     })?;
-    let record_id = client.start(RunSpec {
+    client.start(RunSpec {
         points: list,
         excitation,
         labels,
-    })?;
-    follow(client, record_id, points, observe)
+    })
 }
 
 /// Follows a run that has been started, also by somebody else.

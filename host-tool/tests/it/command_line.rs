@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// Serves `device` at a free port of this computer and returns its address.
-fn serve(device: Device) -> (SharedDevice, String) {
+pub(crate) fn serve(device: Device) -> (SharedDevice, String) {
     let device = shared(device);
     let listener = TcpListener::bind("127.0.0.1:0").expect("a free port");
     let address = format!("tcp:{}", listener.local_addr().expect("address"));
@@ -34,6 +34,8 @@ pub(crate) fn calib(directory: &Path, arguments: &[&str]) -> Output {
         .args(arguments)
         .current_dir(directory)
         .env_remove("CALIB_DEVICE")
+        // No test touches the bench of who runs it.
+        .env("CALIB_BENCH", directory.join("no-bench.sqlite"))
         .env("NO_COLOR", "1")
         .output()
         .expect("calib starts")
@@ -205,4 +207,68 @@ fn with_json_a_failure_is_one_document_on_standard_error() {
     assert_eq!(failure["exit_code"], 5);
     let hint = failure["hint"].as_str().expect("a way out");
     assert!(hint.contains("calib records"), "{failure}");
+}
+
+#[test]
+fn a_record_is_drawn_within_80_columns() {
+    let directory = tempfile::tempdir().expect("directory");
+    let (_, address) = serve(Device::with_record(3, 31));
+    let show = ["show", "3", "-d", &address];
+    let shown = text(&calib(directory.path(), &show).stdout);
+    assert!(
+        shown.lines().all(|line| line.chars().count() <= 80),
+        "{shown}"
+    );
+    // One mark a point, as far as columns differ, and one line a point.
+    assert!(shown.matches('●').count() > 5, "{shown}");
+    assert_eq!(shown.matches("pass").count(), 31, "{shown}");
+    let file = ["show", "record-00003.calibrec", "--json"];
+    let document = json(&calib(directory.path(), &file));
+    assert_eq!(document["points"].as_array().expect("points").len(), 31);
+}
+
+#[test]
+fn completions_and_man_pages_know_every_verb() {
+    let directory = tempfile::tempdir().expect("directory");
+    let go = |arguments: &[&str]| calib(directory.path(), arguments);
+    for shell in ["bash", "zsh", "fish"] {
+        let script = text(&go(&["completions", shell]).stdout);
+        for verb in ["certificate", "doctor", "download"] {
+            assert!(script.contains(verb), "{shell}: {verb}");
+        }
+    }
+    let pages = json(&go(&["man", "--out", "pages", "--json"]));
+    let pages = pages["files"].as_array().expect("files").len();
+    // One for the tool, and at least one for each verb of the help.
+    assert!(pages > 20, "{pages}");
+    let page = std::fs::read_to_string(directory.path().join("pages/calib-download.1"));
+    assert!(page.expect("a page").contains(".TH calib-download 1"));
+}
+
+#[test]
+fn the_doctor_names_what_is_wrong_and_the_way_out() {
+    let directory = tempfile::tempdir().expect("directory");
+    let (device, address) = serve(Device::new());
+    let go = |device: &str| calib(directory.path(), &["doctor", "--json", "-d", device]);
+    let states = |output: &Output| -> Vec<(String, String)> {
+        let findings: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        let findings = findings.as_array().expect("findings").clone();
+        let word = |value: &serde_json::Value| value.as_str().expect("a word").to_owned();
+        let pair = |f: &serde_json::Value| (word(&f["check"]), word(&f["state"]));
+        findings.iter().map(pair).collect()
+    };
+    let well = go(&address);
+    assert!(well.status.success(), "{}", text(&well.stdout));
+    for check in ["clock", "ports", "link"] {
+        let good = (check.to_owned(), "good".to_owned());
+        assert!(states(&well).contains(&good), "{}", text(&well.stdout));
+    }
+    device.lock().expect("device").protocol_version = 9;
+    let other = go(&address);
+    assert_eq!(other.status.code(), Some(7));
+    assert!(states(&other).contains(&("versions".to_owned(), "failed".to_owned())));
+    let gone = go("/dev/no-such-port");
+    assert_eq!(gone.status.code(), Some(7));
+    assert!(states(&gone).contains(&("rights".to_owned(), "failed".to_owned())));
+    assert!(text(&gone.stdout).contains("calib devices"));
 }

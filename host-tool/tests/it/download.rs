@@ -136,3 +136,13 @@ fn an_existing_file_with_another_content_is_kept() {
     assert!(matches!(error, Error::Input { .. }), "{error}");
     assert_eq!(fs::read(&path).expect("file"), b"mine");
 }
+
+#[test]
+fn a_record_that_is_not_there_leaves_nothing() {
+    let directory = tempfile::tempdir().expect("directory");
+    let device = shared(device());
+    let error =
+        session::download(&mut client(&device), 9, directory.path(), |_| ()).expect_err("no 9");
+    assert_eq!(error.exit_code(), 5);
+    assert_eq!(fs::read_dir(directory.path()).expect("list").count(), 0);
+}

@@ -1,6 +1,7 @@
 //! The host tool against a calibrator in memory: a device that speaks the real
 //! protocol over a link that can damage, lose and add any byte.
 
+mod bench;
 mod command_line;
 mod device;
 mod download;
@@ -8,4 +9,5 @@ mod gap;
 mod hostile;
 mod link;
 mod memory_link;
+mod python;
 mod run;

@@ -1,0 +1,31 @@
+//! The bench of records: what a laboratory keeps, in one SQLite file.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `store` | opening, versions of the form, errors in words |
+//! | `schema.sql` | the tables |
+//! | `sensors` | devices under test: what nobody wants to type twice |
+//! | `records` | records as downloaded, with what lists and drift need |
+//! | `certificates` | what was issued: numbered, never changed |
+//! | `people` | operators and instruments, as records name them |
+//! | `history` | drift of one sensor with its uncertainty |
+//! | `inspect` | every sum and number checked again |
+//! | `table`, `parquet` | the whole bench for other programs |
+
+mod certificates;
+mod history;
+mod inspect;
+mod parquet;
+mod people;
+mod records;
+mod sensors;
+mod store;
+mod table;
+
+pub use certificates::{Issue, Issued};
+pub use history::{History, Result as HistoryResult};
+pub use parquet::export;
+pub use people::{Instrument, Operator};
+pub use records::{Filter, Kept, Listed};
+pub use sensors::Sensor;
+pub use store::{Bench, default_path};

@@ -1,0 +1,230 @@
+//! `calib bench`: what is kept, and whether it is whole.
+
+use super::sensors::cut;
+use crate::cli::{Context, table::Table, time};
+use calib_host::bench::{Bench, Filter, Instrument, Issued, Kept, Listed, Operator};
+use calib_host::{Error, Result, file};
+use clap::{Args, Subcommand};
+use jiff::{civil::Date, tz::TimeZone};
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// `calib bench`.
+#[derive(Debug, Args)]
+pub(crate) struct BenchVerb {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// Keeps downloaded records.
+    Add {
+        /// Files of downloaded records.
+        #[arg(required = true)]
+        files: Vec<PathBuf>,
+    },
+    /// Records, newest first.
+    Records {
+        /// Only those of this sensor.
+        #[arg(long, value_name = "SERIAL")]
+        sensor: Option<String>,
+        /// Only those measured on this day or later, UTC.
+        #[arg(long, value_name = "DAY")]
+        from: Option<Date>,
+        /// Only those measured before this day, UTC.
+        #[arg(long, value_name = "DAY")]
+        before: Option<Date>,
+    },
+    /// Writes a record into a file, as it was downloaded.
+    Get {
+        /// Number of the record in the bench.
+        id: i64,
+        /// The file.
+        #[arg(long, short, value_name = "FILE")]
+        out: PathBuf,
+    },
+    /// Certificates in the order they were issued.
+    Certificates,
+    /// Instruments, with the references of their last records.
+    Instruments,
+    /// Who is named on records.
+    Operators,
+    /// Checks every sum and number again.
+    Check,
+}
+
+#[derive(Serialize)]
+struct Added {
+    file: PathBuf,
+    record: i64,
+    new: bool,
+}
+
+#[derive(Serialize)]
+struct Written {
+    file: PathBuf,
+}
+
+impl BenchVerb {
+    /// Carries it out.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let bench = context.bench()?;
+        match self.what {
+            What::Add { files } => add(context, bench, files),
+            What::Records {
+                sensor,
+                from,
+                before,
+            } => {
+                let records = bench.records(&Filter {
+                    sensor,
+                    from_s: from.map(midnight_s).transpose()?,
+                    before_s: before.map(midnight_s).transpose()?,
+                })?;
+                context.print(&records, || record_table(&records))
+            }
+            What::Get { id, out } => {
+                file::create(&out, &bench.record(id)?)?;
+                let written = Written { file: out };
+                context.print(&written, || written.file.display().to_string())
+            }
+            What::Certificates => {
+                let issued = bench.certificates()?;
+                context.print(&issued, || certificate_table(&issued))
+            }
+            What::Instruments => {
+                let instruments = bench.instruments()?;
+                context.print(&instruments, || instrument_table(&instruments))
+            }
+            What::Operators => {
+                let operators = bench.operators()?;
+                context.print(&operators, || operator_table(&operators))
+            }
+            What::Check => check(context, &bench),
+        }
+    }
+}
+
+fn midnight_s(day: Date) -> Result<i64> {
+    let midnight = day.to_zoned(TimeZone::UTC).map_err(|error| Error::Usage {
+        problem: format!("{day}: {error}"),
+        hint: "a day looks like 2026-11-20".to_owned(),
+    })?;
+    Ok(midnight.timestamp().as_second())
+}
+
+fn add(context: &Context, mut bench: Bench, files: Vec<PathBuf>) -> Result<()> {
+    let mut added = Vec::new();
+    for path in files {
+        let bytes = std::fs::read(&path).map_err(|error| Error::file("read", &path, error))?;
+        let kept = bench.keep(&bytes).map_err(|error| match error {
+            Error::Input { problem, hint, .. } => {
+                Error::input(path.display().to_string(), problem, hint)
+            }
+            other => other,
+        })?;
+        let (record, new) = match kept {
+            Kept::Added(id) => (id, true),
+            Kept::Known(id) => (id, false),
+        };
+        added.push(Added {
+            file: path,
+            record,
+            new,
+        });
+    }
+    context.print(&added, || {
+        let line = |added: &Added| {
+            let known = if added.new { "" } else { ", was there already" };
+            format!("{}: record {}{known}\n", added.file.display(), added.record)
+        };
+        added.iter().map(line).collect()
+    })
+}
+
+fn check(context: &Context, bench: &Bench) -> Result<()> {
+    let wrong = bench.inspect()?;
+    context.print(&wrong, || match wrong.is_empty() {
+        true => "every record and number is as it was entered".to_owned(),
+        false => wrong.join("\n"),
+    })?;
+    match wrong.len() {
+        0 => Ok(()),
+        count => Err(Error::NotPassed(format!("{count} entries are damaged"))),
+    }
+}
+
+fn when(unix_time_s: i64) -> String {
+    time::date_and_minute(u64::try_from(unix_time_s).unwrap_or(0))
+}
+
+fn record_table(records: &[Listed]) -> String {
+    let mut table = Table::new(&[
+        "id",
+        "measured",
+        "sensor",
+        "points",
+        "refused",
+        "f/Hz",
+        "mV/(m/s2)",
+        "U/%",
+    ]);
+    let number = |value: Option<f64>, factor: f64, decimals: usize| {
+        value.map_or(String::new(), |v| format!("{:.decimals$}", factor * v))
+    };
+    for record in records {
+        table.row([
+            record.id.to_string(),
+            when(record.unix_time_s),
+            cut(&record.sensor_serial, 16),
+            record.points.to_string(),
+            record.refused.to_string(),
+            record
+                .reference_frequency_hz
+                .map_or(String::new(), |hz| hz.to_string()),
+            number(record.sensitivity_v_per_ms2, 1000.0, 4),
+            number(record.expanded_uncertainty_rel, 100.0, 2),
+        ]);
+    }
+    table.to_string()
+}
+
+fn certificate_table(issued: &[Issued]) -> String {
+    let mut table = Table::new(&["no.", "issued", "certificate", "form", "SHA-256"]);
+    for certificate in issued {
+        table.row([
+            certificate.number.to_string(),
+            when(certificate.issued_s),
+            cut(&certificate.certificate, 32),
+            certificate.format.clone(),
+            certificate.sha256.chars().take(12).collect(),
+        ]);
+    }
+    table.to_string()
+}
+
+fn instrument_table(instruments: &[Instrument]) -> String {
+    let mut table = Table::new(&["instrument", "reference", "certificate", "due"]);
+    for instrument in instruments {
+        table.row([
+            cut(&instrument.serial, 24),
+            cut(&instrument.reference_serial, 16),
+            cut(&instrument.reference_certificate, 20),
+            instrument.due_day.clone().unwrap_or_default(),
+        ]);
+    }
+    table.to_string()
+}
+
+fn operator_table(operators: &[Operator]) -> String {
+    let mut table = Table::new(&["operator", "first", "last"]);
+    for operator in operators {
+        table.row([
+            cut(&operator.name, 40),
+            when(operator.first_s),
+            when(operator.last_s),
+        ]);
+    }
+    table.to_string()
+}

@@ -1,0 +1,74 @@
+//! `calib history SERIAL`: drift over the years beside the uncertainty.
+
+use crate::cli::{Context, table::Table, time};
+use calib_host::bench::History as Drift;
+use calib_host::{Error, Result};
+use clap::Args;
+
+/// Columns and rows of the plot.
+const SIZE: (usize, usize) = (80, 12);
+
+/// `calib history SERIAL`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+A change between two calibrations that is larger than both expanded uncertainties is marked, and
+the exit code is 7.")]
+pub(crate) struct History {
+    /// Serial number of the sensor.
+    serial: String,
+    /// Frequency to compare at, Hz.
+    #[arg(long, value_name = "HZ", default_value_t = 160.0)]
+    frequency: f64,
+}
+
+impl History {
+    /// Draws the drift and warns where it exceeds the uncertainty.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let history = context.bench()?.history(&self.serial, self.frequency)?;
+        if history.results.is_empty() {
+            return Err(Error::input(
+                format!("sensor {}", self.serial),
+                format!(
+                    "no record of it holds a passed point at {} Hz",
+                    self.frequency
+                ),
+                "`calib bench records` lists what is kept",
+            ));
+        }
+        context.print(&history, || text(&history))?;
+        let exceeded = history
+            .results
+            .iter()
+            .filter(|result| result.drift_exceeds_uncertainty);
+        match exceeded.count() {
+            0 => Ok(()),
+            count => Err(Error::NotPassed(format!(
+                "the sensor changed by more than the uncertainty, {count} times"
+            ))),
+        }
+    }
+}
+
+fn text(history: &Drift) -> String {
+    let mut table = Table::new(&["measured", "record", "mV/(m/s2)", "U/%", "drift/%", ""]);
+    for result in &history.results {
+        let drift = result.drift_rel;
+        table.row([
+            time::date_and_minute(u64::try_from(result.unix_time_s).unwrap_or(0)),
+            result.record.to_string(),
+            format!("{:.5}", 1000.0 * result.sensitivity_v_per_ms2),
+            format!("{:.2}", 100.0 * result.expanded_uncertainty_rel),
+            drift.map_or(String::new(), |drift| format!("{:+.2}", 100.0 * drift)),
+            match result.drift_exceeds_uncertainty {
+                true => "more than U".to_owned(),
+                false => String::new(),
+            },
+        ]);
+    }
+    format!(
+        "{} at {} Hz, change from the first in %, bars are U\n{}\n{table}",
+        history.sensor,
+        history.frequency_hz,
+        history.drawn(SIZE.0, SIZE.1)
+    )
+}

@@ -1,0 +1,225 @@
+//! `calib sensors`: devices under test, typed once.
+
+use crate::cli::{Context, table::Table};
+use calib_host::bench::Sensor;
+use calib_host::{Error, Result, teds};
+use clap::{Args, Subcommand};
+use std::path::PathBuf;
+
+/// `calib sensors`.
+#[derive(Debug, Args)]
+pub(crate) struct Sensors {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// Sensors of the bench.
+    List {
+        /// Only those whose serial number, maker, model or owner holds this.
+        #[arg(default_value = "")]
+        text: String,
+    },
+    /// Everything about one sensor.
+    Show {
+        /// Serial number.
+        serial: String,
+    },
+    /// Adds a sensor.
+    Add {
+        /// Serial number.
+        #[arg(long)]
+        serial: String,
+        #[command(flatten)]
+        about: About,
+    },
+    /// Changes what is stated; the rest stays.
+    Change {
+        /// Serial number.
+        serial: String,
+        #[command(flatten)]
+        about: About,
+    },
+    /// Adds a sensor from a virtual TEDS (IEEE 1451.4, template 25).
+    Import {
+        /// The TEDS: its bytes, or hexadecimal digits.
+        #[arg(long, value_name = "FILE")]
+        teds: PathBuf,
+        /// Serial number; default: that of the TEDS.
+        #[arg(long)]
+        serial: Option<String>,
+        #[command(flatten)]
+        about: About,
+    },
+}
+
+/// What may be stated about a sensor.
+#[derive(Debug, Args)]
+struct About {
+    /// Manufacturer.
+    #[arg(long, value_name = "TEXT")]
+    manufacturer: Option<String>,
+    /// Model.
+    #[arg(long, value_name = "TEXT")]
+    model: Option<String>,
+    /// Nominal sensitivity, mV/(m/s2).
+    #[arg(long, value_name = "MV")]
+    sensitivity: Option<f64>,
+    /// Measuring range, m/s2 peak.
+    #[arg(long, value_name = "MS2")]
+    range: Option<f64>,
+    /// Whether it has IEPE electronics.
+    #[arg(long, value_name = "true|false")]
+    iepe: Option<bool>,
+    /// How it is mounted for calibration.
+    #[arg(long, value_name = "TEXT")]
+    mounting: Option<String>,
+    /// Who it belongs to.
+    #[arg(long, value_name = "NAME")]
+    owner: Option<String>,
+    /// Day the next calibration is due, such as 2027-11-20.
+    #[arg(long, value_name = "DAY")]
+    due: Option<String>,
+}
+
+impl About {
+    /// The sensor with what is stated here in place of what it had.
+    fn onto(self, sensor: Sensor) -> Sensor {
+        Sensor {
+            manufacturer: self.manufacturer.unwrap_or(sensor.manufacturer),
+            model: self.model.unwrap_or(sensor.model),
+            sensitivity_v_per_ms2: self
+                .sensitivity
+                .map(|mv| mv / 1000.0)
+                .or(sensor.sensitivity_v_per_ms2),
+            range_ms2: self.range.or(sensor.range_ms2),
+            iepe: self.iepe.or(sensor.iepe),
+            mounting: self.mounting.or(sensor.mounting),
+            owner: self.owner.or(sensor.owner),
+            due_day: self.due.or(sensor.due_day),
+            ..sensor
+        }
+    }
+}
+
+impl Sensors {
+    /// Carries it out.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let bench = context.bench()?;
+        let sensor = match self.what {
+            What::List { text } => {
+                let sensors = bench.sensors(&text)?;
+                return context.print(&sensors, || table(&sensors));
+            }
+            What::Show { serial } => bench.known_sensor(&serial)?,
+            What::Add { serial, about } => {
+                let sensor = about.onto(with_serial(serial));
+                bench.add_sensor(&sensor)?;
+                sensor
+            }
+            What::Change { serial, about } => {
+                let sensor = about.onto(bench.known_sensor(&serial)?);
+                bench.put_sensor(&sensor)?;
+                sensor
+            }
+            What::Import {
+                teds,
+                serial,
+                about,
+            } => {
+                let (read, bytes) = teds::read(&teds)?;
+                let sensor = about.onto(from_teds(&read, bytes, serial));
+                bench.add_sensor(&sensor)?;
+                sensor
+            }
+        };
+        context.print(&sensor, || text(&sensor))
+    }
+}
+
+fn with_serial(serial: String) -> Sensor {
+    Sensor {
+        serial,
+        ..Sensor::default()
+    }
+}
+
+/// Numbers of maker and model stay numbers: their lists are not public.
+fn from_teds(read: &teds::Accelerometer, bytes: Vec<u8>, serial: Option<String>) -> Sensor {
+    let basic = &read.basic;
+    Sensor {
+        manufacturer: format!("IEEE 1451.4 manufacturer {}", basic.manufacturer_id),
+        model: format!(
+            "{} {}{}",
+            basic.model_number, basic.version_letter, basic.version_number
+        ),
+        sensitivity_v_per_ms2: read.sensitivity_v_per_ms2,
+        // Template 25 is for constant current supply alone.
+        iepe: Some(true),
+        due_day: read.due().map(|day| day.to_string()),
+        teds: Some(bytes),
+        ..with_serial(serial.unwrap_or_else(|| basic.serial_number.to_string()))
+    }
+}
+
+fn table(sensors: &[Sensor]) -> String {
+    let mut table = Table::new(&["serial", "sensor", "mV/(m/s2)", "due", "owner"]);
+    for sensor in sensors {
+        table.row([
+            cut(&sensor.serial, 16),
+            cut(&sensor.name(), 26),
+            millivolt(sensor),
+            sensor.due_day.clone().unwrap_or_default(),
+            cut(sensor.owner.as_deref().unwrap_or_default(), 12),
+        ]);
+    }
+    table.to_string()
+}
+
+fn millivolt(sensor: &Sensor) -> String {
+    let shown = |v: f64| format!("{:.5}", 1000.0 * v);
+    sensor.sensitivity_v_per_ms2.map(shown).unwrap_or_default()
+}
+
+/// The first letters, so that a table fits 80 columns.
+pub(super) fn cut(text: &str, letters: usize) -> String {
+    match text.chars().count() > letters {
+        true => text.chars().take(letters - 1).chain(['…']).collect(),
+        false => text.to_owned(),
+    }
+}
+
+fn text(sensor: &Sensor) -> String {
+    let stated = |value: &Option<String>| value.clone().unwrap_or_else(|| "not stated".to_owned());
+    let number = |value: Option<f64>| stated(&value.map(|value| value.to_string()));
+    let iepe = sensor.iepe.map(|iepe| if iepe { "yes" } else { "no" });
+    format!(
+        "serial number  {}\nsensor         {}\nsensitivity    {} mV/(m/s2)\n\
+         range          {} m/s2 peak\nIEPE           {}\nmounting       {}\n\
+         owner          {}\ndue            {}\n",
+        sensor.serial,
+        sensor.name(),
+        stated(&sensor.sensitivity_v_per_ms2.map(|_| millivolt(sensor))),
+        number(sensor.range_ms2),
+        iepe.unwrap_or("not stated"),
+        stated(&sensor.mounting),
+        stated(&sensor.owner),
+        stated(&sensor.due_day),
+    )
+}
+
+/// The sensor of this serial number, for a run.
+///
+/// # Errors
+/// [`Error::Input`] when there is no bench, or it has no such sensor.
+pub(crate) fn find(context: &Context, serial: &str) -> Result<Sensor> {
+    match context.bench_if_there()? {
+        Some(bench) => bench.known_sensor(serial),
+        None => Err(Error::input(
+            format!("sensor {serial}"),
+            "there is no bench of records yet",
+            "`calib sensors add` makes one",
+        )),
+    }
+}

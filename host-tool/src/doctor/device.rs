@@ -1,0 +1,83 @@
+//! The calibrator's own answers: link, versions, health.
+
+use super::{Finding, State};
+use crate::link::Client;
+use crate::{Address, Error, Result};
+use calib_protocol::frame::PROTOCOL_VERSION;
+use calib_protocol::message::Info;
+use std::time::Duration;
+
+/// Requests of the link check: a bad cable shows within them.
+const REQUESTS: u32 = 20;
+
+pub(super) fn check(address: &Address) -> Vec<Finding> {
+    match ask(address) {
+        Ok((info, repetitions)) => vec![link(address, repetitions), versions(&info), health(&info)],
+        Err(error) => vec![unreachable(&error)],
+    }
+}
+
+fn ask(address: &Address) -> Result<(Info, u64)> {
+    let mut client = Client::new(address.open()?);
+    let info = client.info()?;
+    for _ in 0..REQUESTS {
+        client.status()?;
+        client.wait(Duration::from_millis(5))?;
+    }
+    Ok((info, client.repetitions()))
+}
+
+fn unreachable(error: &Error) -> Finding {
+    let check = match error {
+        Error::Protocol(_) => "versions",
+        _ => "link",
+    };
+    Finding::new(check, State::Failed, error.to_string())
+        .with_remedy(error.hint().unwrap_or_default())
+}
+
+fn link(address: &Address, repetitions: u64) -> Finding {
+    match repetitions {
+        0 => Finding::new(
+            "link",
+            State::Good,
+            format!("{address} answered {} of {} requests", REQUESTS, REQUESTS),
+        ),
+        count => Finding::new(
+            "link",
+            State::Warning,
+            format!("{address}: {count} of {REQUESTS} requests had to be repeated"),
+        )
+        .with_remedy("check the cable, and keep it away from the power amplifier"),
+    }
+}
+
+fn versions(info: &Info) -> Finding {
+    let text = format!(
+        "firmware {} ({}), protocol {}; this tool {}, protocol {PROTOCOL_VERSION}",
+        info.firmware_version,
+        info.git_hash,
+        info.protocol_version,
+        env!("CARGO_PKG_VERSION"),
+    );
+    match info.firmware_version.as_str() == env!("CARGO_PKG_VERSION") {
+        true => Finding::new("versions", State::Good, text),
+        false => Finding::new("versions", State::Warning, text)
+            .with_remedy("they understand each other; one release for both is better"),
+    }
+}
+
+fn health(info: &Info) -> Finding {
+    match &info.last_panic {
+        None => Finding::new(
+            "health",
+            State::Good,
+            format!(
+                "{} records, last start by {:?}",
+                info.records, info.reset_cause
+            ),
+        ),
+        Some(panic) => Finding::new("health", State::Warning, format!("last panic: {panic}"))
+            .with_remedy("report it, with the firmware version; the next record carries it too"),
+    }
+}

@@ -1,0 +1,116 @@
+//! A record on one screen: the response with U, and the table of its points.
+
+use super::plot::{Horizontal, Mark, draw};
+use crate::certificate::Certificate;
+use crate::certificate::model::{Point, PointValues};
+use crate::verdict_text;
+use calib_core::point::PointResult;
+use calib_protocol::record::Record;
+use std::fmt::Write;
+
+/// Rows of the plot.
+const ROWS: usize = 14;
+
+/// The record in words, as a plot and as a table, `width` columns wide.
+pub fn show(record: &Record, certificate: &Certificate, width: usize) -> String {
+    let mut text = heading(record, certificate);
+    text += &response(certificate, width);
+    text.push('\n');
+    text += "   f/Hz   a/(m/s2)  S/(mV/(m/s2))    U/%    phase/deg  verdict\n";
+    for point in &certificate.points {
+        let measured = record.points.iter().find(|measured| is(point, measured));
+        text += &line(point, measured);
+    }
+    text
+}
+
+fn heading(record: &Record, certificate: &Certificate) -> String {
+    let labels = &record.labels;
+    let mut text = format!(
+        "record {} of {}, {}\n",
+        record.id,
+        record.instrument_serial,
+        certificate
+            .day
+            .map_or("day not known".to_owned(), |day| day.to_string())
+    );
+    let sensor = [labels.dut_model.as_str(), labels.dut_serial.as_str()].join(" ");
+    let sensor = sensor.trim();
+    let _ = writeln!(
+        text,
+        "sensor {}",
+        if sensor.is_empty() {
+            "not stated"
+        } else {
+            sensor
+        }
+    );
+    if !record.complete {
+        text += "stopped before its end\n";
+    }
+    text
+}
+
+/// Deviation from the sensitivity at the reference point, in percent.
+fn response(certificate: &Certificate, width: usize) -> String {
+    let Some((point, reference)) = certificate.reference_result() else {
+        return "no point passed: there is nothing to draw\n".to_owned();
+    };
+    let marks: Vec<Mark> = certificate
+        .points
+        .iter()
+        .filter_map(|point| mark(point, reference.sensitivity_v_per_ms2))
+        .collect();
+    format!(
+        "S({} Hz) = {:.5} mV/(m/s2), U = {:.2} % (k = {:.2})\n\n\
+         deviation from it in %, bars are U\n{}",
+        point.nominal_frequency_hz,
+        1000.0 * reference.sensitivity_v_per_ms2,
+        reference.expanded_uncertainty_percent,
+        reference.coverage_factor,
+        draw(&marks, Horizontal::Frequency, width, ROWS)
+    )
+}
+
+fn mark(point: &Point, reference_v_per_ms2: f64) -> Option<Mark> {
+    let values = point.outcome.as_ref().ok()?;
+    let relative = values.sensitivity_v_per_ms2 / reference_v_per_ms2;
+    Some(Mark {
+        position: point.nominal_frequency_hz,
+        value: 100.0 * (relative - 1.0),
+        half_width: values.expanded_uncertainty_percent * relative,
+    })
+}
+
+/// True when the certificate's point was made of this result.
+fn is(point: &Point, measured: &PointResult) -> bool {
+    let same = |a: f64, b: f32| (a / f64::from(b) - 1.0).abs() < 1e-5;
+    same(point.nominal_frequency_hz, measured.spec.frequency_hz)
+        && same(
+            point.nominal_acceleration_ms2,
+            measured.spec.acceleration_rms_ms2,
+        )
+}
+
+fn line(point: &Point, measured: Option<&PointResult>) -> String {
+    let frequency = point.nominal_frequency_hz;
+    let verdict = measured.map_or_else(String::new, |m| verdict_text::verdict(m.verdict));
+    match &point.outcome {
+        Ok(values) => format!(
+            "{frequency:>7}  {:>9.3}  {:>13.5}  {:>5.2}  {:>11.3}  {verdict}\n",
+            point.acceleration_ms2,
+            1000.0 * values.sensitivity_v_per_ms2,
+            values.expanded_uncertainty_percent,
+            phase_deg(values),
+        ),
+        Err(_) => format!("{frequency:>7}  {verdict}\n"),
+    }
+}
+
+/// No "-0.000".
+fn phase_deg(values: &PointValues) -> f64 {
+    match values.phase_deg.abs() < 0.000_5 {
+        true => 0.0,
+        false => values.phase_deg,
+    }
+}

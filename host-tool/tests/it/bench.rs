@@ -1,0 +1,357 @@
+//! The bench of records: kept, listed, issued, exported, damaged.
+
+use crate::command_line::{calib, json, serve, text};
+use crate::device::{Device, record};
+use crate::python;
+use calib_host::bench::{Bench, Filter, Issue, Kept, Sensor, export};
+use calib_protocol::record::{Record, digest, encode};
+use std::path::Path;
+
+/// A year of 365.25 days, s.
+const YEAR_S: u64 = 31_557_600;
+
+fn bytes(record: &Record) -> Vec<u8> {
+    let mut bytes = vec![0; 64 * 1024];
+    let length = encode(record, &mut bytes).expect("fits");
+    bytes.truncate(length);
+    bytes
+}
+
+/// Record `id` of a sensor, `years` later, with another sensitivity.
+fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
+    let mut record = record(id, 3);
+    record.labels.unix_time_s += years * YEAR_S;
+    record.labels.dut_serial = sensor.try_into().expect("short");
+    record.labels.operator = "N. N.".try_into().expect("short");
+    for point in &mut record.points {
+        point.sensitivity_v_per_ms2 *= factor;
+    }
+    bytes(&record)
+}
+
+fn bench(folder: &Path) -> Bench {
+    Bench::open(&folder.join("bench.sqlite")).expect("a bench")
+}
+
+#[test]
+fn a_record_is_kept_once_and_comes_back_byte_for_byte() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut bench = bench(folder.path());
+    let (one, two) = (later(1, "A", 0, 1.0), later(2, "B", 1, 1.0));
+    let Kept::Added(id) = bench.keep(&one).expect("kept") else {
+        panic!("it is new");
+    };
+    assert_eq!(bench.keep(&one).expect("known"), Kept::Known(id));
+    bench.keep(&two).expect("kept");
+    assert_eq!(bench.record(id).expect("there"), one);
+    assert_eq!(bench.record(99).expect_err("none").exit_code(), 6);
+    let serials = |filter: &Filter| -> Vec<String> {
+        let records = bench.records(filter).expect("a list");
+        records.into_iter().map(|r| r.sensor_serial).collect()
+    };
+    assert_eq!(serials(&Filter::default()), ["B", "A"], "newest first");
+    let of = |sensor: &str| Filter {
+        sensor: Some(sensor.to_owned()),
+        ..Filter::default()
+    };
+    assert_eq!(serials(&of("A")), ["A"]);
+    assert!(serials(&of("a' OR 1=1 --")).is_empty());
+    let time_s = record(1, 0).labels.unix_time_s as i64;
+    let before = Filter {
+        before_s: Some(time_s + 1),
+        ..Filter::default()
+    };
+    assert_eq!(serials(&before), ["A"]);
+    assert_eq!(bench.operators().expect("operators")[0].name, "N. N.");
+    assert_eq!(bench.instruments().expect("instruments")[0].serial, "MEM-1");
+    let nonsense = bench.keep(b"no record").expect_err("refused");
+    assert_eq!(nonsense.exit_code(), 6);
+    assert_eq!(bench.inspect().expect("readable"), Vec::<String>::new());
+}
+
+#[test]
+fn a_flipped_bit_in_a_record_or_in_the_list_is_found() {
+    let folder = tempfile::tempdir().expect("folder");
+    let path = folder.path().join("bench.sqlite");
+    let content = later(1, "needle-in-the-list", 0, 1.0);
+    bench(folder.path()).keep(&content).expect("kept");
+    let whole = std::fs::read(&path).expect("file");
+    let places = |needle: &[u8]| -> Vec<usize> {
+        let windows = whole.windows(needle.len()).enumerate();
+        windows
+            .filter(|(_, w)| *w == needle)
+            .map(|(at, _)| at)
+            .collect()
+    };
+    // In the middle of the record's bytes, and in the serial number of the list.
+    let in_record = places(&content[..200])[0] + 190;
+    let name = places(b"needle-in-the-list");
+    let in_list = *name
+        .iter()
+        .find(|at| !(in_record - 190..in_record + 10).contains(at))
+        .expect("also in the list");
+    for place in [in_record, in_list] {
+        let mut damaged = whole.clone();
+        damaged[place] ^= 1;
+        std::fs::write(&path, &damaged).expect("written");
+        let bench = Bench::open(&path).expect("the file is one still");
+        let wrong = bench.inspect().expect("readable");
+        assert!(!wrong.is_empty(), "byte {place}");
+    }
+    let mut damaged = whole;
+    damaged[in_record] ^= 1;
+    std::fs::write(&path, &damaged).expect("written");
+    let error = Bench::open(&path)
+        .expect("bench")
+        .record(1)
+        .expect_err("damaged");
+    assert!(error.to_string().contains("SHA-256"), "{error}");
+}
+
+#[test]
+fn an_issued_certificate_is_never_changed() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut bench = bench(folder.path());
+    let issue = |content: &'static [u8], format: &'static str| Issue {
+        certificate: "C-1",
+        format,
+        file: "c.csv",
+        content,
+        record: digest(b"record"),
+    };
+    bench.issue(&[issue(b"one", "csv")], 10).expect("issued");
+    bench.issue(&[issue(b"one", "csv")], 20).expect("the same");
+    let error = bench.issue(&[issue(b"x", "html"), issue(b"two", "csv")], 30);
+    let error = error.expect_err("another content");
+    assert!(error.hint().expect("way out").contains("number"), "{error}");
+    bench
+        .issue(&[issue(b"two", "json")], 40)
+        .expect("another form");
+    let issued = bench.certificates().expect("list");
+    let line = |n: usize| {
+        (
+            issued[n].number,
+            issued[n].format.as_str(),
+            issued[n].issued_s,
+        )
+    };
+    assert_eq!(
+        (issued.len(), line(0), line(1)),
+        (2, (1, "csv", 10), (2, "json", 40))
+    );
+    // printf one | sha256sum
+    assert!(issued[0].sha256.starts_with("7692c3ad3540bb80"));
+    let raw = rusqlite::Connection::open(bench.path()).expect("the file");
+    for change in [
+        "DELETE FROM certificates",
+        "UPDATE certificates SET file = 'x'",
+    ] {
+        let error = raw.execute(change, []).expect_err(change);
+        assert!(error.to_string().contains("issued certificate"), "{error}");
+    }
+}
+
+#[test]
+fn a_sensor_of_any_name_is_found_again() {
+    let folder = tempfile::tempdir().expect("folder");
+    let bench = bench(folder.path());
+    let sensor = Sensor {
+        serial: "O'Neill \u{1f4a5} \"1\"; --".to_owned(),
+        manufacturer: "Müller & Söhne".to_owned(),
+        sensitivity_v_per_ms2: Some(0.01),
+        ..Sensor::default()
+    };
+    bench.add_sensor(&sensor).expect("added");
+    assert_eq!(
+        bench.sensor(&sensor.serial).expect("found"),
+        Some(sensor.clone())
+    );
+    assert_eq!(bench.sensors("o'neill").expect("list").len(), 1);
+    assert_eq!(bench.add_sensor(&sensor).expect_err("twice").exit_code(), 6);
+    for wrong in [
+        Sensor {
+            serial: " ".to_owned(),
+            ..Sensor::default()
+        },
+        Sensor {
+            sensitivity_v_per_ms2: Some(f64::NAN),
+            ..sensor.clone()
+        },
+        Sensor {
+            due_day: Some("soon".to_owned()),
+            ..sensor
+        },
+    ] {
+        assert_eq!(
+            bench.put_sensor(&wrong).expect_err("refused").exit_code(),
+            2
+        );
+    }
+}
+
+#[test]
+fn the_export_is_read_by_duckdb_as_it_was_kept() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut bench = bench(folder.path());
+    for years in 0..3 {
+        let id = years as u32 + 1;
+        bench
+            .keep(&later(id, "D'1", years, 1.0 + 0.01 * years as f32))
+            .expect("kept");
+    }
+    let sensor = Sensor {
+        serial: "D'1".to_owned(),
+        iepe: Some(true),
+        ..Sensor::default()
+    };
+    bench.add_sensor(&sensor).expect("added");
+    let data = folder.path().join("data");
+    let files = export(&bench, &data).expect("exported");
+    assert!(files.iter().all(|file| file.is_file()));
+    let again = export(&bench, &data).expect_err("not over another");
+    assert_eq!(again.exit_code(), 6);
+    let script = "
+import duckdb, json, sys
+d = sys.argv[1]
+points = f\"read_parquet('{d}/points/*/*.parquet', hive_partitioning = true)\"
+print(json.dumps({
+    'years': duckdb.sql(f'select distinct year from {points} order by 1').fetchall(),
+    'sum': duckdb.sql(f'select count(*), sum(sensitivity_v_per_ms2) from {points}').fetchone(),
+    'time_ms': duckdb.sql(f'select epoch_ms(min(time)) from {points}').fetchone()[0],
+    'sensor': duckdb.sql(f\"select serial, iepe, owner from '{d}/sensors/*.parquet'\").fetchone(),
+}))";
+    let Some(output) = python::run(script, &[&data]) else {
+        return;
+    };
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let read: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(read["years"], serde_json::json!([[2026], [2027], [2028]]));
+    assert_eq!(read["sum"][0], 9);
+    // Three points each of 0.01 V/(m/s2) times 1, 1.01 and 1.02; stored in f32.
+    let sum = read["sum"][1].as_f64().expect("a sum");
+    assert!((sum / 0.0909 - 1.0).abs() < 1e-4, "{sum}");
+    let time_s = record(1, 0).labels.unix_time_s;
+    assert_eq!(read["time_ms"], 1000 * time_s);
+    assert_eq!(read["sensor"], serde_json::json!(["D'1", true, null]));
+}
+
+#[test]
+fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (_, address) = serve(Device::new());
+    let path = folder.path().join("points.csv");
+    std::fs::write(path, "frequency_hz\n80\n160\n").expect("list");
+    let bench = ["--bench", "bench.sqlite", "--device", &address];
+    let go = |arguments: &[&str]| calib(folder.path(), &[arguments, &bench].concat());
+    let run = ["run", "--sensor", "S'1", "--points", "points.csv", "--json"];
+    let early = go(&run);
+    assert_eq!(early.status.code(), Some(6));
+    assert!(text(&early.stderr).contains("calib sensors add"));
+    let add = [
+        "sensors",
+        "add",
+        "--serial",
+        "S'1",
+        "--manufacturer",
+        "Maker",
+    ];
+    let more = [
+        "--model",
+        "M 1",
+        "--sensitivity",
+        "10",
+        "--mounting",
+        "stud, 2 N m",
+    ];
+    assert!(go(&[&add[..], &more].concat()).status.success());
+    let change = ["sensors", "change", "S'1", "--owner", "Plant 3"];
+    assert!(go(&change).status.success());
+    assert_eq!(json(&go(&run))["bench_record"], 1);
+    assert_eq!(json(&go(&run))["bench_record"], 2);
+    let records = json(&go(&["bench", "records", "--sensor", "S'1", "--json"]));
+    assert_eq!(records[0]["sensor_model"], "Maker M 1");
+    let file = ["bench", "get", "1", "--out", "one.calibrec"];
+    assert!(go(&file).status.success());
+    let kept = std::fs::read(folder.path().join("one.calibrec")).expect("file");
+    let kept = calib_protocol::record::decode(&kept).expect("a record");
+    assert_eq!(kept.labels.mounting.as_str(), "stud, 2 N m");
+    let certificate = ["certificate", "one.calibrec", "--out", "c", "--json"];
+    let files = json(&go(&certificate))["files"]
+        .as_array()
+        .expect("files")
+        .len();
+    let issued = json(&go(&["bench", "certificates", "--json"]));
+    assert_eq!(issued.as_array().expect("certificates").len(), files);
+    for verb in [
+        &["history", "S'1"][..],
+        &["sensors", "list"],
+        &["bench", "records"],
+        &["bench", "certificates"],
+        &["bench", "instruments"],
+    ] {
+        let shown = go(verb);
+        assert!(shown.status.success(), "{verb:?}: {}", text(&shown.stderr));
+        let shown = text(&shown.stdout);
+        assert!(shown.lines().count() > 1, "{verb:?}");
+        assert!(
+            shown.lines().all(|line| line.chars().count() <= 80),
+            "{shown}"
+        );
+    }
+    assert!(go(&["bench", "check"]).status.success());
+}
+
+#[test]
+fn a_sensor_that_changed_by_more_than_u_is_reported() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut bench = bench(folder.path());
+    for (id, (years, factor)) in [(0, 1.0), (1, 1.005), (2, 1.03)].into_iter().enumerate() {
+        bench
+            .keep(&later(id as u32 + 1, "D", years, factor))
+            .expect("kept");
+    }
+    // The points of these records are at 20, 21 and 22 Hz, with U = 1 %.
+    let history = [
+        "history",
+        "D",
+        "--frequency",
+        "20",
+        "--bench",
+        "bench.sqlite",
+    ];
+    let output = calib(folder.path(), &history);
+    assert_eq!(output.status.code(), Some(7));
+    let shown = text(&output.stdout);
+    assert_eq!(shown.matches("more than U").count(), 1, "{shown}");
+    assert!(
+        shown.contains("2027") && shown.matches('●').count() == 3,
+        "{shown}"
+    );
+    let json = calib(folder.path(), &[&history[..], &["--json"]].concat());
+    let read: serde_json::Value = serde_json::from_slice(&json.stdout).expect("JSON");
+    // 1.03 / 1.005 - 1 = 2.49 %; sensitivities are stored with 16 bits.
+    let drift = read["results"][2]["drift_rel"].as_f64().expect("drift");
+    assert!((drift - 0.024_876).abs() < 1e-4, "{drift}");
+}
+
+#[test]
+fn a_virtual_teds_becomes_a_sensor() {
+    let folder = tempfile::tempdir().expect("folder");
+    // Packed by an independent few lines of Python: manufacturer 21, model 4507 B3,
+    // serial number 30000, template 25, sensitivity code 33017 (0.01 V/(m/s2)),
+    // calibrated 2025-05-19 for 365 days.
+    std::fs::write(folder.path().join("a.ted"), TEDS).expect("file");
+    let bench = ["--bench", "b.sqlite", "--json"];
+    let import = ["sensors", "import", "--teds", "a.ted", "--model", "4507-B"];
+    let sensor = json(&calib(folder.path(), &[&import[..], &bench].concat()));
+    assert_eq!(sensor["serial"], "30000");
+    assert_eq!(sensor["model"], "4507-B");
+    assert_eq!(sensor["due_day"], "2026-05-19");
+    let sensitivity = sensor["sensitivity_v_per_ms2"].as_f64().expect("stated");
+    // Half a step of the code is 0.015 %.
+    assert!((sensitivity / 0.01 - 1.0).abs() < 1.6e-4);
+    let twice = calib(folder.path(), &[&import[..], &bench].concat());
+    assert_eq!(twice.status.code(), Some(6));
+}
+
+const TEDS: &str = "15c066440c30750064900f08658a2c84380962b4c50100";
