@@ -196,7 +196,7 @@ fn held_out(training: &Problem, testing: &Problem, part: &Search, verdict: Verdi
     holdout::score_on(training, testing, &part.nominal, chosen)
 }
 
-fn verdict(found: &Search, left: &Structure) -> Verdict {
+pub(crate) fn verdict(found: &Search, left: &Structure) -> Verdict {
     let Some(best) = found.sets.first() else {
         return Verdict::NoGap;
     };

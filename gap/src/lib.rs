@@ -13,6 +13,7 @@ mod error;
 mod model;
 mod oscillator;
 mod pictures;
+mod plan;
 mod report;
 mod stability;
 mod stages;
@@ -26,4 +27,5 @@ pub use effects::{
 pub use engine::holdout::{Gap, ObservableGap};
 pub use error::GapError;
 pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};
+pub use plan::{ENOUGH_SIGMA, Measurement, Pair, Plan, plan};
 pub use report::report;

@@ -387,3 +387,42 @@ fn a_sealed_set_is_answered_in_one_call_and_opened_only_with_its_own_truth() {
     // Never over an existing set.
     assert_eq!(calib(path, &arguments).status.code(), Some(6));
 }
+
+#[test]
+fn a_plan_asks_for_the_drive_where_the_ratio_cannot_tell_whose_drift_it_is() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path();
+    let more = ["--effect", "dut_drift", "--columns", "ratio"];
+    simulate(path, "a", &[&more[..], &["--seed", "3"]].concat());
+    let plan = json(&calib(path, &["gap", "plan", "a", "--json", "--most", "6"]));
+    let pairs = plan["pairs"].as_array().expect("pairs");
+    let confounded = |p: &&Value| {
+        let names = [&p["one"][0], &p["other"][0]];
+        names.contains(&&"dut_drift".into()) && names.contains(&&"reference_drift".into())
+    };
+    let pair = pairs.iter().find(confounded).expect("both are possible");
+    let sigma = |name: &str| pair[name].as_f64().expect("sigma");
+    // 1 + b t and 1/(1 - b t) differ in second order only: (0.037)^2 over 2e-4
+    // of which a slope and a gain take most away.
+    assert!(sigma("sigma_now") < 3.0, "{pair}");
+    assert!(sigma("sigma_after") > 5.0, "{pair}");
+    let asks = |m: &Value| m["extra_columns"].to_string().contains("coil_v");
+    let measurements = plan["measurements"].as_array().expect("measurements");
+    assert!(measurements.iter().any(asks), "{plan}");
+}
+
+#[test]
+fn a_plan_of_a_rig_detects_what_it_can_from_few_points() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path();
+    let plan = json(&calib(path, &["gap", "plan", "standard", "--json"]));
+    assert!(plan["verdict"].is_null());
+    let points = plan["measurements"].as_array().expect("measurements").len();
+    assert!((5..=24).contains(&points), "{points} points");
+    let pairs = plan["pairs"].as_array().expect("pairs");
+    let told = |p: &&Value| p["sigma_after"].as_f64() >= Some(5.0);
+    // Two of three; the rest are equal to first order, such as skew and crosstalk.
+    assert!(3 * pairs.iter().filter(told).count() > 2 * pairs.len());
+    let oscillator = calib(path, &["gap", "plan", "oscillator"]);
+    assert_eq!(oscillator.status.code(), Some(6));
+}

@@ -3,6 +3,7 @@
 mod challenge;
 mod diagnose;
 mod effects;
+mod plan;
 mod progress;
 mod simulate;
 mod text;
@@ -26,6 +27,8 @@ enum Command {
     Diagnose(diagnose::Diagnose),
     /// Lists the library of effects, or describes one of them.
     Effects(effects::Effects),
+    /// Finds the measurements that best separate what is still possible.
+    Plan(plan::PlanVerb),
     /// Writes a dataset of known cause, from the digital twin.
     Simulate(simulate::Simulate),
     /// Writes a sealed set: datasets whose truth is locked away.
@@ -40,6 +43,7 @@ impl Gap {
         match self.command {
             Command::Diagnose(verb) => verb.run(context),
             Command::Effects(verb) => verb.run(context),
+            Command::Plan(verb) => verb.run(context),
             Command::Simulate(verb) => verb.run(context),
             Command::Challenge(verb) => verb.run(context),
             Command::Score(verb) => verb.run(context),

@@ -1,0 +1,171 @@
+//! What is still possible: sets of effects as the data leave them, or any effect.
+
+use crate::answer::Verdict;
+use crate::effects::{Active, Start, library};
+use crate::engine::fit::{Fit, Workspace};
+use crate::engine::normal::difference;
+use crate::engine::problem::Problem;
+use crate::engine::screen::active;
+use crate::engine::search::{Limits, search};
+use crate::engine::structure::examine;
+use rayon::prelude::*;
+
+/// Probability above which a set is still possible.
+const POSSIBLE: f64 = 0.01;
+/// Sets of a dataset that are compared.
+const MOST_SETS: usize = 6;
+/// Size of an effect that is to be told from others, in sigma over all points in reach.
+const SIZE_SIGMA: f64 = 100.0;
+
+/// A set that is taken for true, and one that is refitted; both are fits of one problem.
+pub(super) struct Pairs<'a> {
+    pub(super) of: &'a Problem,
+    pub(super) list: Vec<(Fit, Fit)>,
+}
+
+/// What a dataset leaves possible; where it shows no gap, any effect too small for it.
+pub(super) fn of_data<'a>(
+    problem: &'a Problem,
+    reach: &'a Problem,
+) -> (Option<Verdict>, Pairs<'a>) {
+    let found = search(problem, &Limits::without(&[], 2));
+    let best = found.sets.first().map_or(&found.nominal, |s| &s.fit);
+    let left = examine(problem, best, &mut Workspace::new(problem));
+    let verdict = crate::diagnose::verdict(&found, &left);
+    if verdict == Verdict::NoGap {
+        return (Some(verdict), of_library(reach));
+    }
+    let mut sets: Vec<Fit> = found
+        .sets
+        .iter()
+        .filter(|s| s.probability > POSSIBLE && !s.fit.effects.is_empty())
+        .map(|s| s.fit.clone())
+        .take(MOST_SETS)
+        .collect();
+    let undecided = sets.len() > 1;
+    if !undecided {
+        // One set leads: it is to be confirmed against the next best.
+        let mut rest: Vec<&Fit> = found.every.iter().filter(|f| rivals(f, best)).collect();
+        rest.sort_by(|a, b| a.objective.total_cmp(&b.objective));
+        for fit in rest {
+            if sets.len() < MOST_SETS / 2 && sets.iter().all(|s| s.names() != fit.names()) {
+                sets.push(fit.clone());
+            }
+        }
+    }
+    let mut pairs = Vec::new();
+    let leaders = if undecided { sets.len() } else { 1 };
+    for (at, one) in sets.iter().enumerate().take(leaders) {
+        for other in &sets[at + 1..] {
+            pairs.push((one.clone(), other.clone()));
+        }
+    }
+    let pairs = Pairs {
+        of: problem,
+        list: pairs,
+    };
+    (Some(verdict), pairs)
+}
+
+fn rivals(fit: &Fit, best: &Fit) -> bool {
+    let names = fit.names();
+    !fit.effects.is_empty() && !best.names().iter().all(|n| names.contains(n))
+}
+
+/// Every effect against nothing, and against what it is confused with.
+pub(super) fn of_library(reach: &Problem) -> Pairs<'_> {
+    let nothing = bare(reach, Vec::new());
+    let entries: Vec<usize> = (0..library().len())
+        .filter(|e| library()[*e].applies(&reach.facts))
+        .collect();
+    let signatures: Vec<Signature> = entries
+        .par_iter()
+        .flat_map_iter(|entry| signatures(reach, &nothing, *entry))
+        .collect();
+    let mut names: Vec<&str> = entries.iter().map(|e| library()[*e].about().id).collect();
+    names.dedup();
+    let mut pairs = Vec::new();
+    for name in names {
+        let Some(one) = largest(&signatures, name) else {
+            continue;
+        };
+        pairs.push((one.fit.clone(), nothing.clone()));
+        for other in library()[one.entry].about().confused_with {
+            if let Some(rival) = most_alike(&signatures, one, other) {
+                pairs.push((one.fit.clone(), rival.fit.clone()));
+            }
+        }
+    }
+    Pairs {
+        of: reach,
+        list: pairs,
+    }
+}
+
+/// An effect at one start, sized, with what it changes.
+struct Signature {
+    entry: usize,
+    fit: Fit,
+    change: Vec<f64>,
+    size: f64,
+}
+
+fn bare(problem: &Problem, effects: Vec<Active<'static>>) -> Fit {
+    Fit {
+        effects,
+        theta: vec![0.0; problem.free.len()],
+        objective: 0.0,
+    }
+}
+
+fn signatures(reach: &Problem, nothing: &Fit, entry: usize) -> Vec<Signature> {
+    let here = reach.evaluate(&[], &nothing.theta, &mut reach.memory());
+    let starts = library()[entry].starts(&reach.facts);
+    let of = |parameters: Vec<f64>| {
+        let mut effect = active(entry, parameters);
+        let bounds = effect.effect.about().parameters;
+        for (value, bound) in effect.parameters.iter_mut().zip(bounds) {
+            *value = value.clamp(bound.lower, bound.upper);
+        }
+        let fit = bare(reach, vec![effect]);
+        let there = reach.evaluate(&fit.effects, &fit.theta, &mut reach.memory());
+        let change = difference(reach, &here, &there);
+        let size = change.iter().map(|c| c * c).sum::<f64>().sqrt();
+        Signature {
+            entry,
+            fit,
+            change,
+            size,
+        }
+    };
+    let sized = |start: &Start| {
+        let first = of(start.members[0].clone());
+        match start.amplitude {
+            Some(_) if first.size > 0.0 => of(start.scaled(SIZE_SIGMA / first.size)),
+            _ => first,
+        }
+    };
+    let usable = |s: &Signature| s.size.is_finite() && s.size > 1.0;
+    starts.iter().map(sized).filter(usable).collect()
+}
+
+fn name(signature: &Signature) -> &'static str {
+    library()[signature.entry].about().id
+}
+
+/// The start of an effect whose size is nearest to the usual one.
+fn largest<'a>(all: &'a [Signature], id: &str) -> Option<&'a Signature> {
+    let off = |s: &Signature| (s.size / SIZE_SIGMA).ln().abs();
+    let of_name = all.iter().filter(|s| name(s) == id);
+    of_name.min_by(|a, b| off(a).total_cmp(&off(b)))
+}
+
+/// The start of an effect that looks most like another one.
+fn most_alike<'a>(all: &'a [Signature], one: &Signature, id: &str) -> Option<&'a Signature> {
+    let alike = |s: &Signature| {
+        let product: f64 = s.change.iter().zip(&one.change).map(|(a, b)| a * b).sum();
+        product.abs() / (s.size * one.size)
+    };
+    let of_name = all.iter().filter(|s| name(s) == id);
+    of_name.max_by(|a, b| alike(a).total_cmp(&alike(b)))
+}
