@@ -2,9 +2,9 @@
 
 use crate::answer::Verdict;
 use crate::effects::Stage;
-use crate::engine::problem::Problem;
+use crate::engine::problem::{Nuisance, Problem};
 use crate::engine::search::Search;
-use crate::engine::structure::Structure;
+use crate::engine::structure::{BANDS, Outcome, Structure};
 use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
 use std::collections::BTreeMap;
 
@@ -17,23 +17,22 @@ pub(crate) fn rank(
     verdict: Verdict,
 ) -> Vec<(Stage, f64)> {
     let by_effects = by_effects(found);
-    let by_class = by_class(problem, nominal);
+    let stretched = stretched(problem, found);
+    let by_class = by_class(problem, nominal, stretched);
     let mut order: Vec<Stage> = Vec::new();
-    let best = found.sets.first();
-    if let Some(best) = best {
-        order.extend(best.fit.effects.iter().map(|e| e.effect.about().stage));
-    }
+    let named = found
+        .sets
+        .first()
+        .into_iter()
+        .flat_map(|best| &best.fit.effects);
+    let named: Vec<Stage> = named.map(|e| e.effect.about().stage).collect();
     if verdict == Verdict::Unexplained {
-        let remaining = self::by_class(problem, left);
-        let leading = if best.is_some_and(|b| b.fit.effects.is_empty()) {
-            by_class.first()
-        } else {
-            remaining.first()
-        };
-        let at = usize::from(!order.is_empty());
-        order.truncate(1);
-        order.extend(leading.map(|s| s.0));
-        let _ = at;
+        // What was named is a substitute: the gap itself speaks first.
+        order.extend(by_class.iter().take(2).map(|s| s.0));
+        order.extend(&named);
+        order.extend(self::by_class(problem, left, 0.0).first().map(|s| s.0));
+    } else {
+        order.extend(&named);
     }
     order.extend(by_effects.iter().map(|s| s.0));
     order.extend(by_class.iter().map(|s| s.0));
@@ -80,54 +79,199 @@ fn along(structure: &Structure, from: usize, to: usize, axis: &str) -> f64 {
     chosen.fold(0.0_f64, |m, o| m.max(o.z * o.z))
 }
 
-/// Stages suggested by the observables and axes alone: what remains when no effect fits.
-fn by_class(problem: &Problem, s: &Structure) -> Vec<(Stage, f64)> {
-    let mut votes: BTreeMap<Stage, f64> = BTreeMap::new();
-    let mut vote = |stage, weight: f64| *votes.entry(stage).or_insert(0.0) += weight;
-    let [ratio, drive, current] = [(RATIO, DRIVE), (DRIVE, CURRENT), (CURRENT, REF_HARMONICS)]
-        .map(|(a, b)| excess(problem, s, a, b));
-    let [ref_h, dut_h] = [(REF_HARMONICS, DUT_HARMONICS), (DUT_HARMONICS, DC)]
-        .map(|(a, b)| excess(problem, s, a, b));
-    let [ref_n, dut_n] =
-        [(NOISE, NOISE + 1), (NOISE + 1, SLOTS)].map(|(a, b)| excess(problem, s, a, b));
-    vote(Stage::Exciter, current);
-    if drive > 0.0 {
-        let reference = drive.min(ratio);
-        vote(Stage::Exciter, drive - reference);
-        vote(Stage::Reference, reference);
-    }
-    let common = ref_h.min(dut_h);
-    vote(Stage::Exciter, common);
-    vote(Stage::Amplifier, 0.9 * common);
-    vote(Stage::Digitiser, (ref_h - common) + 0.6 * (dut_h - common));
-    vote(Stage::Mount, 0.4 * (dut_h - common));
-    let base = ref_n.min(dut_n);
-    let grows = along(s, NOISE, SLOTS, "frequency_hz") > 30.0;
-    vote(
-        if grows {
-            Stage::Digitiser
-        } else {
-            Stage::Environment
-        },
-        base,
+/// How far beyond three of their uncertainties the exciter's values were stretched, squared.
+fn stretched(problem: &Problem, found: &Search) -> f64 {
+    let values = problem.free.iter().zip(&found.nominal.theta);
+    let exciter = values.filter(|(free, _)| matches!(free.kind, Nuisance::Exciter(_)));
+    exciter.map(|(_, t)| (t * t - 9.0).max(0.0)).sum()
+}
+
+/// Stages suggested by the observables and axes alone, with the chi-square that speaks for each.
+fn by_class(problem: &Problem, s: &Structure, stretched: f64) -> Vec<(Stage, f64)> {
+    let of = |from: usize, to: usize| excess(problem, s, from, to);
+    let (ratio, drive, current) = (
+        of(RATIO, DRIVE),
+        of(DRIVE, CURRENT),
+        of(CURRENT, REF_HARMONICS),
     );
-    vote(Stage::Conditioning, dut_n - base);
-    let mounted = along(s, RATIO, DRIVE, "rotation_deg").max(along(s, RATIO, DRIVE, "payload_kg"));
-    let slow = along(s, RATIO, DRIVE, "temperature_c").max(along(s, RATIO, DRIVE, "time_s"));
-    let plain = along(s, RATIO, DRIVE, "frequency_hz");
-    let sum = mounted + slow + plain;
-    if ratio > 0.0 && sum > 0.0 {
-        vote(Stage::Mount, ratio * mounted / sum);
-        vote(Stage::Dut, ratio * (slow + 0.5 * plain) / sum);
-        vote(Stage::Conditioning, 0.4 * ratio * plain / sum);
-        if along(s, RATIO + 1, DRIVE, "frequency_hz") > along(s, RATIO, RATIO + 1, "frequency_hz") {
-            vote(Stage::Digitiser, 0.5 * ratio * plain / sum);
-            vote(Stage::Conditioning, 0.5 * ratio * plain / sum);
+    let harmonics = [of(REF_HARMONICS, DUT_HARMONICS), of(DUT_HARMONICS, DC)];
+    let noise = [of(NOISE, NOISE + 1), of(NOISE + 1, SLOTS)];
+    let direct = of(DC, NOISE);
+    let mirrored = ratio.min(drive) > 0.2 * ratio && mirror(s) < -0.6;
+    let mut classes: Vec<(f64, [Stage; 2])> = vec![
+        (
+            harmonics[0].max(harmonics[1]) + direct,
+            distorted(problem, s, harmonics),
+        ),
+        (0.5 * noise[0].max(noise[1]), noisy(s, noise)),
+        (stretched, [Stage::Exciter, Stage::Amplifier]),
+    ];
+    if mirrored {
+        classes.push((ratio + drive, of_the_reference(s)));
+        classes.push((current, [Stage::Exciter, Stage::Amplifier]));
+    } else {
+        classes.push((ratio, of_the_ratio(s)));
+        classes.push((drive + current, driven(s, drive, current)));
+    }
+    classes.retain(|c| c.0 > 0.0);
+    if classes.is_empty() {
+        // Nothing is left in the data, so the nuisances were stretched: they are the exciter's.
+        return vec![(Stage::Exciter, 1.0), (Stage::Reference, 0.5)];
+    }
+    classes.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut list: Vec<(Stage, f64)> = Vec::new();
+    for (weight, stages) in classes {
+        for stage in stages {
+            if !list.iter().any(|l| l.0 == stage) {
+                list.push((stage, weight));
+            }
         }
     }
-    let mut list: Vec<_> = votes.into_iter().filter(|(_, v)| *v > 0.0).collect();
-    list.sort_by(|a, b| b.1.total_cmp(&a.1));
     list
+}
+
+/// Correlation of what ratio and drive show over the same shapes: -1 for the reference, which is in both.
+fn mirror(s: &Structure) -> f64 {
+    let (mut product, mut first, mut second) = (0.0, 0.0, 0.0);
+    for a in s.outcomes.iter().filter(|o| o.slot < DRIVE) {
+        let same = |b: &&Outcome| b.slot == a.slot + DRIVE && b.shape == a.shape;
+        if let Some(b) = s.outcomes.iter().find(same) {
+            product += a.z * b.z;
+            first += a.z * a.z;
+            second += b.z * b.z;
+        }
+    }
+    product / (first * second).sqrt().max(1e-300)
+}
+
+/// Whether the strongest band of a slot lies in the lower half of the frequencies.
+fn is_low(s: &Structure, slots: std::ops::Range<usize>) -> bool {
+    let bands = s
+        .outcomes
+        .iter()
+        .filter(|o| slots.contains(&o.slot) && o.axis == "frequency_hz");
+    // The bands come last among the shapes of a slot, in ascending order.
+    let last = bands.clone().map(|o| o.shape).max().unwrap_or(0);
+    let strongest = bands
+        .filter(|o| o.shape + BANDS > last)
+        .max_by(|a, b| a.z.abs().total_cmp(&b.z.abs()));
+    strongest.is_some_and(|o| o.shape + BANDS / 2 <= last)
+}
+
+fn of_the_reference(s: &Structure) -> [Stage; 2] {
+    let slow = along(s, RATIO, DRIVE, "temperature_c").max(along(s, RATIO, DRIVE, "time_s"));
+    let plain = along(s, RATIO, DRIVE, "frequency_hz");
+    if slow > plain {
+        [Stage::Reference, Stage::Dut]
+    } else if is_low(s, RATIO..DRIVE) {
+        [Stage::Conditioning, Stage::Reference]
+    } else {
+        [Stage::Reference, Stage::Conditioning]
+    }
+}
+
+fn of_the_ratio(s: &Structure) -> [Stage; 2] {
+    let plain = along(s, RATIO, DRIVE, "frequency_hz");
+    let [payload, rotation, warm, time, level] = [
+        "payload_kg",
+        "rotation_deg",
+        "temperature_c",
+        "time_s",
+        "acceleration_ms2",
+    ]
+    .map(|axis| along(s, RATIO, DRIVE, axis));
+    let phase = along(s, RATIO + 1, DRIVE, "frequency_hz");
+    let size = along(s, RATIO, RATIO + 1, "frequency_hz");
+    let most = [plain, payload, rotation, warm, time, level]
+        .into_iter()
+        .fold(0.0, f64::max);
+    if most == rotation || payload > 0.9 * most && payload > 1.05 * plain {
+        [Stage::Mount, Stage::Dut]
+    } else if along(s, RATIO + 1, DRIVE, "time_s") > plain {
+        [Stage::Digitiser, Stage::Conditioning]
+    } else if most == warm || most == time {
+        [Stage::Dut, Stage::Reference]
+    } else if most == level {
+        [Stage::Dut, Stage::Digitiser]
+    } else if is_low(s, RATIO..DRIVE) {
+        if phase > 0.05 * size {
+            [Stage::Conditioning, Stage::Mount]
+        } else {
+            [Stage::Mount, Stage::Dut]
+        }
+    } else if phase > 15.0 * size {
+        [Stage::Digitiser, Stage::Conditioning]
+    } else if phase > 0.3 * size {
+        [Stage::Conditioning, Stage::Digitiser]
+    } else if payload > 0.5 * plain {
+        [Stage::Mount, Stage::Dut]
+    } else {
+        [Stage::Dut, Stage::Conditioning]
+    }
+}
+
+fn driven(s: &Structure, drive: f64, current: f64) -> [Stage; 2] {
+    let slow = along(s, DRIVE, CURRENT, "time_s");
+    if current < 0.02 * drive && slow > along(s, DRIVE, CURRENT, "frequency_hz") {
+        [Stage::Amplifier, Stage::Exciter]
+    } else {
+        [Stage::Exciter, Stage::Amplifier]
+    }
+}
+
+fn distorted(problem: &Problem, s: &Structure, [reference, dut]: [f64; 2]) -> [Stage; 2] {
+    let parity = |offset: usize| {
+        let orders = [DUT_HARMONICS + offset, DUT_HARMONICS + offset + 4];
+        orders
+            .iter()
+            .map(|o| excess(problem, s, *o, o + 2))
+            .sum::<f64>()
+    };
+    let (even, odd) = (parity(0), parity(2));
+    if reference.min(dut) > 0.05 * reference.max(dut) {
+        [Stage::Exciter, Stage::Amplifier]
+    } else if dut > reference && even.min(odd) > 0.02 * even.max(odd) {
+        [Stage::Mount, Stage::Digitiser]
+    } else if dut > reference {
+        [Stage::Digitiser, Stage::Dut]
+    } else {
+        [Stage::Digitiser, Stage::Conditioning]
+    }
+}
+
+fn noisy(s: &Structure, [reference, dut]: [f64; 2]) -> [Stage; 2] {
+    let grows =
+        along(s, NOISE, SLOTS, "frequency_hz").max(along(s, NOISE, SLOTS, "acceleration_ms2"));
+    let z2 = s
+        .outcomes
+        .iter()
+        .filter(|o| o.slot >= NOISE)
+        .map(|o| o.z * o.z);
+    let most = z2.fold(0.0, f64::max);
+    if reference < 0.05 * dut {
+        [Stage::Conditioning, Stage::Mount]
+    } else if grows >= 0.5 * most && level_counts(s) {
+        [Stage::Digitiser, Stage::Environment]
+    } else {
+        [Stage::Environment, Stage::Digitiser]
+    }
+}
+
+/// Whether the noise grows with the level: jitter does, motion of the base does not.
+fn level_counts(s: &Structure) -> bool {
+    let first = |o: &&Outcome| o.slot >= NOISE && o.axis == "frequency_hz";
+    let plain = s
+        .outcomes
+        .iter()
+        .filter(first)
+        .fold(0.0_f64, |m, o| m.max(o.z.abs()));
+    let level = |o: &&Outcome| o.slot >= NOISE && o.axis == "acceleration_ms2";
+    let level = s
+        .outcomes
+        .iter()
+        .filter(level)
+        .fold(0.0_f64, |m, o| m.max(o.z.abs()));
+    level > 0.8 * plain
 }
 
 /// The strongest test in the observables of a stage: slot, axis, deviate.

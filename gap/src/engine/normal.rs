@@ -90,8 +90,8 @@ impl Tangent {
         load
     }
 
-    /// Data without what the parameters take over.
-    pub(crate) fn reduce(&self, problem: &Problem, data: &[f64]) -> Vec<f64> {
+    /// Data without what the parameters take over, and the values they take.
+    pub(crate) fn reduce(&self, problem: &Problem, data: &[f64]) -> (Vec<f64>, DVector<f64>) {
         let gradient = DVector::from_iterator(
             self.columns.len(),
             self.columns.iter().map(|c| c.dot_data(problem, data)),
@@ -105,7 +105,7 @@ impl Tangent {
                 }
             }
         }
-        left
+        (left, solution)
     }
 
     /// Covariance matrix of the parameters.

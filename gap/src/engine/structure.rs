@@ -2,19 +2,23 @@
 
 use super::fit::{Fit, Linearised, Workspace};
 use super::normal::Tangent;
-use super::problem::{Column, Problem};
+use super::problem::{Column, Evaluation, Problem};
 use crate::model::row::{NOISE, REF_HARMONICS, Row, SLOTS};
 
 /// Draws of pure noise that calibrate the tests.
 const DRAWS: usize = 60;
+/// Effective number of open data that a test of them needs.
+const FEWEST_OPEN: f64 = 12.0;
 /// Bands of the tests for local structure.
-const BANDS: usize = 14;
+pub(crate) const BANDS: usize = 14;
 
 /// One test of the residual and its outcome.
 #[derive(Debug, Clone)]
 pub(crate) struct Outcome {
     pub(crate) slot: usize,
     pub(crate) axis: &'static str,
+    /// Number of the shape within its slot: the same in all response slots.
+    pub(crate) shape: usize,
     /// Standard normal deviate.
     pub(crate) z: f64,
 }
@@ -32,6 +36,7 @@ pub(crate) struct Structure {
 struct Test {
     slot: usize,
     axis: &'static str,
+    shape: usize,
     column: Column,
 }
 
@@ -70,7 +75,23 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
             .map(|&i| tests[i].column.dot_data(problem, left) / norms[i].sqrt())
             .collect()
     };
-    let here = fit_scores(&scores(&left), &left, problem, &tangent);
+    // A nuisance with a prior is estimated with the variance 1 - c about that prior.
+    let covariance = tangent.covariance();
+    let pulls = |values: &mut dyn Iterator<Item = f64>| -> f64 {
+        let pulled = values.zip(&bounded).enumerate().filter(|(_, (_, b))| **b);
+        pulled.fold(0.0, |most, (i, (value, _))| {
+            let known = 1.0 - covariance[(i, i)];
+            if known > 0.1 {
+                most.max(value.abs() / known.sqrt())
+            } else {
+                most
+            }
+        })
+    };
+    let open = OpenData::new(problem, &evaluation, &tests);
+    let pull =
+        pulls(&mut fit.theta.iter().copied()).max(open.largest(problem, &evaluation.residual));
+    let here = fit_scores(&scores(&left), &left, problem, &tangent).min(two_sided(pull));
     let mut exceed = 0.0;
     let mut draw = Gauss::new(0x9e37_79b9_7f4a_7c15);
     for _ in 0..DRAWS {
@@ -83,8 +104,9 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
                 }
             }
         }
-        let reduced = tangent.reduce(problem, &noise);
-        let p = fit_scores(&scores(&reduced), &reduced, problem, &tangent);
+        let (reduced, values) = tangent.reduce(problem, &noise);
+        let pull = pulls(&mut values.iter().copied()).max(open.largest(problem, &noise));
+        let p = fit_scores(&scores(&reduced), &reduced, problem, &tangent).min(two_sided(pull));
         exceed -= (1.0 - p).max(1e-300).ln();
     }
     let effective = DRAWS as f64 / exceed.max(1e-9);
@@ -96,6 +118,7 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
         .map(|(&i, z)| Outcome {
             slot: tests[i].slot,
             axis: tests[i].axis,
+            shape: tests[i].shape,
             z,
         })
         .collect();
@@ -103,6 +126,60 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
         outcomes,
         p_value,
         residual: evaluation.residual,
+    }
+}
+
+/// Tests of data whose scatter an effect leaves open: they may scatter, but not follow a pattern.
+struct OpenData<'a> {
+    tests: Vec<&'a Test>,
+    /// Whether half of a datum's variance or more is open.
+    open: Vec<bool>,
+}
+
+impl<'a> OpenData<'a> {
+    fn new(problem: &Problem, evaluation: &Evaluation, tests: &'a [Test]) -> Self {
+        let open: Vec<bool> = evaluation
+            .weight
+            .iter()
+            .enumerate()
+            .map(|(at, w)| w * problem.uncertainty(at) < 0.7)
+            .collect();
+        let covers = |test: &&Test| {
+            let slot = &test.column.parts[0];
+            let inside = slot.1.iter().zip(&open[problem.slots[slot.0].clone()]);
+            let (mut square, mut fourth) = (0.0, 0.0);
+            for (v, _) in inside.filter(|(_, open)| **open) {
+                square += v * v;
+                fourth += v.powi(4);
+            }
+            // How the noise itself is left open is a matter of shape: no pattern is asked of it.
+            slot.0 < NOISE && square * square > FEWEST_OPEN * fourth
+        };
+        let tests = if open.iter().any(|o| *o) {
+            tests.iter().filter(covers).collect()
+        } else {
+            Vec::new()
+        };
+        Self { tests, open }
+    }
+
+    /// Largest deviate over the tests, the scatter taken from the data themselves.
+    fn largest(&self, problem: &Problem, residual: &[f64]) -> f64 {
+        self.tests.iter().fold(0.0, |most: f64, test| {
+            let (slot, values) = &test.column.parts[0];
+            let range = problem.slots[*slot].clone();
+            let inside = values
+                .iter()
+                .zip(&residual[range.clone()])
+                .zip(&self.open[range]);
+            let (mut sum, mut square) = (0.0, 0.0);
+            for ((v, r), _) in inside.filter(|(_, open)| **open) {
+                sum += v * r;
+                square += v * v * (r * r).max(0.25);
+            }
+            // Divided by its own scatter: a wrong guess of the open size does not matter.
+            most.max(sum.abs() / square.sqrt().max(1e-300) * 0.9)
+        })
     }
 }
 
@@ -159,6 +236,7 @@ fn battery(problem: &Problem) -> Vec<Test> {
         }
     };
     let mut tests = Vec::new();
+    let mut shape_of = [0; SLOTS];
     let mut add = |slot: usize, axis: &'static str, shape: &dyn Fn(&Row) -> f64| {
         let range = problem.slots[slot].clone();
         if range.is_empty() {
@@ -167,10 +245,12 @@ fn battery(problem: &Problem) -> Vec<Test> {
         let values: Vec<f64> = range
             .map(|at| finite(shape(&problem.rows[problem.row_of[at]])))
             .collect();
+        shape_of[slot] += 1;
         if values.iter().any(|v| *v != 0.0) {
             tests.push(Test {
                 slot,
                 axis,
+                shape: shape_of[slot],
                 column: Column {
                     parts: vec![(slot, values)],
                 },

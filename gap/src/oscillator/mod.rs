@@ -19,6 +19,14 @@ use std::collections::BTreeMap;
 /// model error is not white. A term counts if it lowers the simulation error by 5 %.
 const WORTH_NAMING: f64 = 0.1;
 
+/// Difference of squared errors below which two terms do equally well: what is
+/// left is model error, not noise, and favours none of them.
+const AS_GOOD: f64 = 0.05;
+
+/// 2 ln of the odds of a leading term against a later one, or one with a kink:
+/// forces of a real oscillator expand in powers first.
+const ODDS_OF_LEADING: f64 = 4.6;
+
 /// Names of the terms.
 pub(crate) fn names() -> Vec<&'static str> {
     TERMS.iter().map(|t| t.name).collect()
@@ -105,6 +113,7 @@ fn grow(record: &Record, start: Fitted, options: &Options) -> Vec<Step> {
             })
             .collect();
         tried.sort_by(|a, b| a.square.total_cmp(&b.square));
+        prefer_first_of_equals(&mut tried);
         let Some(best) = tried
             .first()
             .filter(|b| b.square < base.square * (1.0 - WORTH_NAMING))
@@ -120,6 +129,17 @@ fn grow(record: &Record, start: Fitted, options: &Options) -> Vec<Step> {
         });
     }
     steps
+}
+
+/// Moves a leading term, the first in library order, of those that do as well as the best to the front.
+fn prefer_first_of_equals(tried: &mut [Fitted]) {
+    let Some(best) = tried.first().map(|t| t.square) else {
+        return;
+    };
+    let equals = tried.partition_point(|t| t.square < best * (1.0 + AS_GOOD));
+    let key = |fit: &Fitted| fit.terms.last().map(|t| (!TERMS[*t].leading, *t));
+    let first = (0..equals).min_by_key(|i| key(&tried[*i]));
+    tried[..=first.unwrap_or(0)].rotate_right(1);
 }
 
 fn names_of(fit: &Fitted) -> Vec<&'static str> {
@@ -240,12 +260,17 @@ fn causes(steps: &[Step], part: &Record) -> Vec<Cause> {
     let count = part.output.len() as f64;
     // Simulation errors are correlated over about a period of the resonance and the
     // smallest error is model error: the samples count as many times less.
-    let score = |f: &Fitted| 0.02 * count * (f.square / count).ln();
     let same: Vec<&Fitted> = last
         .tried
         .iter()
         .filter(|f| f.terms.len() == last.fit.terms.len())
         .collect();
+    let least = same.iter().map(|f| f.square).fold(f64::INFINITY, f64::min);
+    let score = |f: &Fitted| {
+        let square = f.square.max(least * (1.0 + AS_GOOD));
+        let leading = f.terms.iter().all(|t| TERMS[*t].leading);
+        0.02 * count * (square / count).ln() + if leading { 0.0 } else { ODDS_OF_LEADING }
+    };
     let best = same.iter().map(|f| score(f)).fold(f64::INFINITY, f64::min);
     let total: f64 = same.iter().map(|f| (-0.5 * (score(f) - best)).exp()).sum();
     let mut list: Vec<Cause> = same
