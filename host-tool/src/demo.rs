@@ -4,7 +4,7 @@
 //! not send to hardware, and the board is reset between measuring and
 //! downloading, so the certificate comes from what flash kept.
 
-use crate::certificate::{self, Format, Options};
+use crate::certificate::{self, Format, Options, Particulars};
 use crate::emulated::{EmulatedBoard, settings_for};
 use crate::file::Existing;
 use crate::link::Client;
@@ -120,6 +120,7 @@ pub fn run(
     // A demo may be shown twice.
     let options = Options {
         existing: Existing::Replace,
+        particulars: laboratory()?,
         ..Options::default()
     };
     let mut files = vec![download.path];
@@ -136,6 +137,26 @@ pub fn run(
 fn step(observe: &mut impl FnMut(&Event<'_>) -> ControlFlow<()>, what: &'static str) {
     let _ = observe(&Event::Step(what));
 }
+
+/// What the demo states beside the record; the rest is printed as missing.
+fn laboratory() -> Result<Particulars> {
+    toml::from_str(LABORATORY).map_err(|error| {
+        let hint = "report this as a defect";
+        Error::input("laboratory of the demo", error.message(), hint)
+    })
+}
+
+const LABORATORY: &str = "\
+[laboratory]
+name = 'calib demo, simulated'
+city = 'Braunschweig'
+country = 'DE'
+[calibration]
+place = 'laboratory'
+adjustment = 'reported_only'
+[mounting]
+orientation = 'vertical'
+";
 
 fn labels(seed: u64, unix_time_s: u64) -> RunLabels {
     RunLabels {

@@ -7,6 +7,7 @@
 mod address;
 pub mod bench;
 pub mod certificate;
+pub mod decision;
 pub mod demo;
 pub mod doctor;
 pub mod emulated;

@@ -49,6 +49,12 @@ const BENCHES: &[Bench] = &[
         example: "bench_target",
         what: "instructions and times on the Cortex-M7, beside idsp and the limits",
     },
+    Bench {
+        name: "certificate",
+        package: "calib-host",
+        example: "bench_certificate",
+        what: "time for the certificate set of a record with 31 points",
+    },
 ];
 
 /// Runs one benchmark, or all of them.

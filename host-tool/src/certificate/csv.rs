@@ -7,10 +7,11 @@
 
 use super::model::{Certificate, Point, PointValues};
 use super::words::Language;
+use crate::decision::Assessment;
 use crate::{Error, Result};
 
 /// Headings of the columns; fixed, so that scripts can rely on them.
-const COLUMNS: [&str; 24] = [
+const COLUMNS: [&str; 32] = [
     "certificate",
     "dut_model",
     "dut_serial",
@@ -35,6 +36,14 @@ const COLUMNS: [&str; 24] = [
     "settling_s",
     "verdict",
     "reason",
+    "conformity",
+    "lower_limit_mv_per_ms2",
+    "upper_limit_mv_per_ms2",
+    "false_accept_percent",
+    "false_reject_percent",
+    "as_found_sensitivity_mv_per_ms2",
+    "as_found_expanded_uncertainty_percent",
+    "change_percent",
 ];
 
 /// The table as CSV.
@@ -54,8 +63,9 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
     writer
         .write_record(COLUMNS)
         .map_err(|e| broken(e.to_string()))?;
-    for point in &certificate.points {
-        let row = row(certificate, point, language);
+    for (point, found) in certificate.pairs() {
+        let mut row = row(certificate, point, language);
+        row.extend(as_found(point, found, language));
         writer
             .write_record(row)
             .map_err(|e| broken(e.to_string()))?;
@@ -98,7 +108,42 @@ fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<Stri
     ]);
     let (verdict, reason) = super::json::verdict(point);
     row.extend([verdict.to_owned(), reason.unwrap_or_default().to_owned()]);
+    let judged = point.values().and_then(|values| values.assessment);
+    row.extend(judged.map_or_else(Default::default, |judged| judgement(&judged, language)));
     row
+}
+
+/// Statement, limits and risks of a judged point.
+fn judgement(judged: &Assessment, language: Language) -> [String; 5] {
+    let number = |value: f64| decimal_sign(format!("{value}"), language);
+    let percent = |probability: Option<f64>| {
+        probability
+            .map(|p| decimal_sign(format!("{:.4}", 100.0 * p), language))
+            .unwrap_or_default()
+    };
+    [
+        judged.conformity.name().to_owned(),
+        number(1000.0 * judged.tolerance.lower),
+        number(1000.0 * judged.tolerance.upper),
+        percent(judged.false_accept),
+        percent(judged.false_reject),
+    ]
+}
+
+/// Sensitivity and U before an adjustment, and the change since.
+fn as_found(left: &Point, found: Option<&Point>, language: Language) -> [String; 3] {
+    let Some(values) = found.and_then(Point::values) else {
+        return Default::default();
+    };
+    let fixed = |value: f64, decimals: usize| decimal_sign(format!("{value:.decimals$}"), language);
+    let (uncertainty, decimals) = values.printed_uncertainty_percent;
+    let printed = values.printed_mv_per_ms2;
+    let change = super::adjustment::change_percent(found, left);
+    [
+        fixed(printed.value, printed.decimals),
+        fixed(uncertainty, decimals),
+        change.map(|c| fixed(c, decimals)).unwrap_or_default(),
+    ]
 }
 
 /// Results as printed: what is on paper and what is in the file is one number.

@@ -1,11 +1,11 @@
 //! From a decoded record to the certificate: the only place that computes.
 
-use super::budget;
 use super::model::{Certificate, Refusal, Remark, STANDARD_GRAVITY_MS2, Severity, Value};
 use super::model::{Point, PointValues};
 use super::particulars::Particulars;
 use super::rounding::{Rounded, round_uncertainty};
 use super::sections::sections;
+use super::{budget, conformity};
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
@@ -24,10 +24,7 @@ impl Certificate {
             let (a, b) = (key(a), key(b));
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        let mut points: Vec<Point> = measured
-            .iter()
-            .map(|p| point(p, record.sample_rate_hz))
-            .collect();
+        let mut points: Vec<Point> = measured.iter().map(|p| point(p, record)).collect();
         let reference = reference_point(&points);
         state_deviations(&mut points, reference);
         let mut certificate = Self {
@@ -39,9 +36,12 @@ impl Certificate {
             reference,
             points,
             budget: None,
+            decision: None,
             remarks: Vec::new(),
+            as_found: None,
         };
         certificate.remarks = remarks(record, &certificate);
+        conformity::attach(&mut certificate);
         if let Some(index) = reference {
             budget::attach(&mut certificate, record, measured[index]);
         }
@@ -59,14 +59,13 @@ fn number(record: &Record, particulars: &Particulars) -> String {
     stated.unwrap_or_else(|| format!("{}-{:06}", record.instrument_serial, record.id))
 }
 
-fn point(result: &PointResult, sample_rate_hz: f32) -> Point {
+fn point(result: &PointResult, record: &Record) -> Point {
     Point {
         nominal_frequency_hz: decimal(result.spec.frequency_hz),
-        frequency_hz: f64::from(result.tone.cycles) * f64::from(sample_rate_hz)
-            / f64::from(result.tone.period_samples),
+        frequency_hz: played_hz(result, record.sample_rate_hz),
         nominal_acceleration_ms2: decimal(result.spec.acceleration_rms_ms2),
         acceleration_ms2: decimal(result.acceleration_rms_ms2),
-        outcome: outcome(result),
+        outcome: outcome(result, record),
         distortion_percent: percent(result.distortion_dut_rel),
         distortion_reference_percent: percent(result.distortion_reference_rel),
         signal_to_noise_db: decimal(result.signal_to_noise_dut_db),
@@ -79,19 +78,28 @@ fn point(result: &PointResult, sample_rate_hz: f32) -> Point {
     }
 }
 
+/// The frequency that was played; the nominal one when no tone was found.
+fn played_hz(result: &PointResult, sample_rate_hz: f32) -> f64 {
+    let (cycles, period) = (result.tone.cycles, result.tone.period_samples);
+    if cycles == 0 || period == 0 {
+        return decimal(result.spec.frequency_hz);
+    }
+    f64::from(cycles) * f64::from(sample_rate_hz) / f64::from(period)
+}
+
 fn percent(relative: f32) -> f64 {
     f64::from(relative) * 100.0
 }
 
-fn outcome(result: &PointResult) -> Result<PointValues, Refusal> {
+fn outcome(result: &PointResult, record: &Record) -> Result<PointValues, Refusal> {
     match result.verdict {
         Verdict::Refused(reason) => Err(Refusal(format!("{reason:?}"))),
         // A result without a valid U is none, whatever the verdict says.
-        Verdict::Pass => values(result).ok_or_else(|| Refusal("NotReportable".to_owned())),
+        Verdict::Pass => values(result, record).ok_or_else(|| Refusal("NotReportable".to_owned())),
     }
 }
 
-fn values(result: &PointResult) -> Option<PointValues> {
+fn values(result: &PointResult, record: &Record) -> Option<PointValues> {
     let sensitivity_v_per_ms2 = decimal(result.sensitivity_v_per_ms2);
     let relative = f64::from(result.expanded_uncertainty_rel);
     let phase_deg = f64::from(result.phase_rad).to_degrees();
@@ -111,8 +119,10 @@ fn values(result: &PointResult) -> Option<PointValues> {
         effective_degrees_of_freedom: decimal(result.effective_degrees_of_freedom),
         phase_deg,
         expanded_uncertainty_phase_deg: phase_u_deg,
+        coverage_factor_phase: budget::coverage_factor_phase(record, result),
         deviation_percent: None,
         deviation_db: None,
+        assessment: None,
         printed_mv_per_ms2: in_mv(1.0)?,
         printed_mv_per_g: in_mv(STANDARD_GRAVITY_MS2)?,
         printed_phase_deg: Rounded::new(phase_deg, phase_u_deg),
@@ -216,15 +226,26 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
     {
         say(Severity::Error, "reference_overdue", vec![Value::Day(due)]);
     }
-    let passed = certificate
-        .points
-        .iter()
-        .filter_map(|p| p.outcome.as_ref().ok());
-    if passed
-        .clone()
-        .any(|values| (values.coverage_factor - 2.0).abs() > 0.005)
+    for (name, due) in other_due_days(&certificate.particulars) {
+        if run_day(record).is_some_and(|run| due < run) {
+            let values = vec![Value::Text(name), Value::Day(due)];
+            say(Severity::Error, "equipment_overdue", values);
+        }
+    }
+    if certificate
+        .results()
+        .any(|(_, values)| (values.coverage_factor - 2.0).abs() > 0.005)
     {
         say(Severity::Note, "coverage_factor", vec![]);
     }
     remarks
+}
+
+/// What was used beside the reference, and when its calibration is due.
+fn other_due_days(particulars: &Particulars) -> Vec<(String, Date)> {
+    let of = |used: &super::particulars::Equipment| Some((used.name.clone(), used.due?));
+    let others = particulars.equipment.iter().filter_map(of);
+    let calibrator = particulars.calibrator.due;
+    let calibrator = calibrator.map(|due| ("calibrator".to_owned(), due));
+    calibrator.into_iter().chain(others).collect()
 }

@@ -38,13 +38,37 @@ pub fn document(certificate: &Certificate, language: Language) -> Value {
         "points".into(),
         certificate.points.iter().map(point).collect(),
     );
+    let conformity = certificate.conformity().map(|conformity| conformity.name());
+    document.insert("conformity".into(), json!(conformity));
     document.insert(
         "budget".into(),
         certificate.budget.as_ref().map_or(Value::Null, budget),
     );
+    document.insert("as_found".into(), as_found(certificate));
     let remarks = certificate.remarks.iter().map(|r| remark(r, language));
     document.insert("remarks".into(), remarks.collect());
     Value::Object(document)
+}
+
+/// The certificate as found, and the change of each point since.
+fn as_found(certificate: &Certificate) -> Value {
+    let Some(found) = certificate.as_found.as_deref() else {
+        return Value::Null;
+    };
+    let pair = |(left, found): (&Point, Option<&Point>)| {
+        json!({
+            "frequency_hz": left.nominal_frequency_hz,
+            "acceleration_ms2": left.nominal_acceleration_ms2,
+            "change_percent": super::adjustment::change_percent(found, left),
+        })
+    };
+    json!({
+        "certificate": found.number,
+        "date": found.day.map(|day| day.to_string()),
+        "conformity": found.conformity().map(|conformity| conformity.name()),
+        "points": found.points.iter().map(point).collect::<Vec<_>>(),
+        "pairs": certificate.pairs().map(pair).collect::<Vec<_>>(),
+    })
 }
 
 fn statements(section: &Section, language: Language) -> Value {
@@ -80,6 +104,7 @@ fn snake_case(name: &str) -> String {
 fn point(point: &Point) -> Value {
     let (verdict, reason) = verdict(point);
     let values = point.outcome.as_ref().ok();
+    let assessment = values.and_then(|v| v.assessment);
     let of = |f: fn(&super::model::PointValues) -> f64| values.map(f);
     json!({
         "frequency_hz": point.nominal_frequency_hz,
@@ -96,6 +121,11 @@ fn point(point: &Point) -> Value {
         "expanded_uncertainty_phase_deg": of(|v| v.expanded_uncertainty_phase_deg),
         "deviation_percent": values.and_then(|v| v.deviation_percent),
         "deviation_db": values.and_then(|v| v.deviation_db),
+        "conformity": assessment.map(|a| a.conformity.name()),
+        "lower_limit_v_per_ms2": assessment.map(|a| a.tolerance.lower),
+        "upper_limit_v_per_ms2": assessment.map(|a| a.tolerance.upper),
+        "false_accept_percent": assessment.and_then(|a| a.false_accept).map(|p| 100.0 * p),
+        "false_reject_percent": assessment.and_then(|a| a.false_reject).map(|p| 100.0 * p),
         "printed_mv_per_ms2": values.map(|v| v.printed_mv_per_ms2),
         "printed_mv_per_g": values.map(|v| v.printed_mv_per_g),
         "printed_phase_deg": values.and_then(|v| v.printed_phase_deg),

@@ -5,29 +5,45 @@
 //! | `from_record` | the one place that computes: record to [`Certificate`] |
 //! | `sections` | statements, each with the clause that asks for it |
 //! | [`particulars`] | what a TOML file states and no record knows |
+//! | `adjustment` | what was found before an adjustment, beside what was left |
 //! | `budget` | the budget at the reference point, recomputed and compared |
+//! | `conformity` | judgement of the results by a decision rule |
 //! | `rounding` | two digits of U, the value to the same digit |
 //! | `present` | [`Certificate`] to strings in a language |
-//! | `plot` | frequency response as SVG |
-//! | `csv`, `json`, `html` | one format each |
+//! | `plot`, `band` | frequency response and tolerance as SVG |
+//! | `csv`, `json`, `html`, `pdf`, `dcc`, `uff` | one format each |
 //! | `output` | files that are never half-written |
 
+mod adjustment;
+mod band;
 mod budget;
+mod conformity;
 mod csv;
+mod dcc;
 mod from_record;
 mod html;
 mod json;
 pub mod model;
 mod output;
 pub mod particulars;
+mod pdf;
 mod plot;
 mod present;
+#[cfg(test)]
+pub(crate) mod python;
 pub mod rounding;
 mod sections;
 #[cfg(test)]
 pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_dcc;
+#[cfg(test)]
+mod tests_pdf;
+#[cfg(test)]
+mod tests_uff;
+mod uff;
 mod words;
 
 pub use crate::file::Existing;
@@ -51,18 +67,42 @@ pub enum Format {
     Json,
     /// Self-contained page for people.
     Html,
+    /// Digital calibration certificate 3.3.0, XML.
+    Dcc,
+    /// PDF/A-3b with the digital calibration certificate inside.
+    Pdf,
+    /// Universal file, dataset 58.
+    Uff,
 }
 
 impl Format {
     /// Every format there is, in the order they are written.
-    pub const ALL: [Self; 3] = [Self::Csv, Self::Json, Self::Html];
+    pub const ALL: [Self; 6] = [
+        Self::Csv,
+        Self::Json,
+        Self::Html,
+        Self::Dcc,
+        Self::Pdf,
+        Self::Uff,
+    ];
 
-    /// Name on the command line, and extension of the file.
+    /// Extension of the file.
+    fn extension(self) -> &'static str {
+        match self {
+            Self::Dcc => "dcc.xml",
+            other => other.name(),
+        }
+    }
+
+    /// Name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Csv => "csv",
             Self::Json => "json",
             Self::Html => "html",
+            Self::Dcc => "dcc",
+            Self::Pdf => "pdf",
+            Self::Uff => "uff",
         }
     }
 }
@@ -84,6 +124,8 @@ pub struct Options {
     pub particulars: Particulars,
     /// What happens to files of the same name with other content.
     pub existing: Existing,
+    /// Record from before an adjustment, when `record` is from after it.
+    pub as_found: Option<Record>,
 }
 
 /// Writes the certificate of `record` in `formats` into `out_dir`, in English;
@@ -109,14 +151,74 @@ pub fn write_with(
     out_dir: &Path,
     options: &Options,
 ) -> Result<Vec<PathBuf>> {
-    let certificate = Certificate::from_record(record, &options.particulars);
+    prepare(record, formats, options)?.write(out_dir, options.existing)
+}
+
+/// The files of a certificate before they are written.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    /// Number of the certificate.
+    pub number: String,
+    /// Its files, in the order of the formats asked for.
+    pub files: Vec<File>,
+    /// What strict readers will miss, and the way out.
+    pub lack: Option<&'static str>,
+}
+
+/// A file of a certificate.
+#[derive(Clone, Debug)]
+pub struct File {
+    /// Its form.
+    pub format: Format,
+    /// Its name, made of the number of the certificate.
+    pub name: String,
+    /// Its content.
+    pub content: Vec<u8>,
+}
+
+/// Makes the files of a certificate in memory.
+///
+/// # Errors
+/// [`crate::Error::Input`] when something stated makes no sense or a template
+/// does not render, [`crate::Error::File`] when a template cannot be read.
+pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result<Prepared> {
+    let mut certificate = Certificate::from_record(record, &options.particulars);
+    if let Some(found) = &options.as_found {
+        adjustment::attach(&mut certificate, record, found)?;
+    }
     let language = options.particulars.language.unwrap_or_default();
     let file = |format: &Format| {
-        let content = render(&certificate, *format, language)?;
-        Ok((file_name(&certificate, *format), content))
+        Ok(File {
+            format: *format,
+            name: file_name(&certificate, *format),
+            content: render(&certificate, *format, language)?,
+        })
     };
-    let files: Result<Vec<_>> = formats.iter().map(file).collect();
-    output::write_all(out_dir, &files?, options.existing)
+    let files: Result<Vec<File>> = formats.iter().map(file).collect();
+    let dcc = formats.contains(&Format::Dcc) || formats.contains(&Format::Pdf);
+    Ok(Prepared {
+        files: files?,
+        lack: dcc.then(|| dcc::missing(&certificate)).flatten(),
+        number: certificate.number,
+    })
+}
+
+impl Prepared {
+    /// Where the files will be.
+    pub fn paths(&self, out_dir: &Path) -> Vec<PathBuf> {
+        let path = |file: &File| out_dir.join(&file.name);
+        self.files.iter().map(path).collect()
+    }
+
+    /// Writes the files: all of them appear, complete, or none does.
+    ///
+    /// # Errors
+    /// As [`write`].
+    pub fn write(&self, out_dir: &Path, existing: Existing) -> Result<Vec<PathBuf>> {
+        let pair = |file: &File| (file.name.clone(), file.content.clone());
+        let files: Vec<_> = self.files.iter().map(pair).collect();
+        output::write_all(out_dir, &files, existing)
+    }
 }
 
 /// One format of a certificate, as bytes.
@@ -128,6 +230,13 @@ pub fn render(certificate: &Certificate, format: Format, language: Language) -> 
         Format::Csv => csv::render(certificate, language),
         Format::Json => json::render(certificate, language),
         Format::Html => html::render(&Presented::new(certificate, language)),
+        Format::Dcc => dcc::render(certificate, language),
+        Format::Pdf => pdf::render(
+            certificate,
+            &Presented::new(certificate, language),
+            language,
+        ),
+        Format::Uff => Ok(uff::render(certificate)),
     }
 }
 
@@ -141,5 +250,5 @@ fn file_name(certificate: &Certificate, format: Format) -> String {
         }
     };
     let stem: String = certificate.number.chars().map(safe).collect();
-    format!("certificate-{stem}.{}", format.name())
+    format!("certificate-{stem}.{}", format.extension())
 }

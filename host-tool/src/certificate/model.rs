@@ -10,6 +10,7 @@
 
 use super::particulars::Particulars;
 use super::rounding::Rounded;
+use crate::decision::{Assessment, Conformity, Decision};
 use jiff::civil::Date;
 use serde::Serialize;
 
@@ -35,8 +36,12 @@ pub struct Certificate {
     pub points: Vec<Point>,
     /// Budget at the reference point.
     pub budget: Option<Budget>,
+    /// Specification and rule the results are judged by.
+    pub decision: Option<Decision>,
     /// What a reader must know beside the numbers.
     pub remarks: Vec<Remark>,
+    /// What was found before an adjustment, when this is from after it.
+    pub as_found: Option<Box<Certificate>>,
 }
 
 impl Certificate {
@@ -44,6 +49,34 @@ impl Certificate {
     pub fn reference_result(&self) -> Option<(&Point, &PointValues)> {
         let point = self.points.get(self.reference?)?;
         Some((point, point.outcome.as_ref().ok()?))
+    }
+
+    /// Results of the points that passed their checks.
+    pub fn results(&self) -> impl Iterator<Item = (&Point, &PointValues)> {
+        let result = |point| Some((point, Point::values(point)?));
+        self.points.iter().filter_map(result)
+    }
+
+    /// The statement about the whole object: the worst of all judged points.
+    /// `None` when nothing is judged, or when a point has no result.
+    pub fn conformity(&self) -> Option<Conformity> {
+        if self.points.iter().any(|point| point.outcome.is_err()) {
+            return None;
+        }
+        let judged = self.results().filter_map(|(_, values)| values.assessment);
+        judged.map(|assessment| assessment.conformity).max()
+    }
+
+    /// Points beside those of the same frequency and level as found.
+    pub fn pairs(&self) -> impl Iterator<Item = (&Point, Option<&Point>)> {
+        let found = self.as_found.as_deref();
+        self.points.iter().map(move |left| {
+            let same = |p: &&Point| {
+                p.nominal_frequency_hz == left.nominal_frequency_hz
+                    && p.nominal_acceleration_ms2 == left.nominal_acceleration_ms2
+            };
+            (left, found.and_then(|found| found.points.iter().find(same)))
+        })
     }
 
     /// A statement by section and key.
@@ -87,6 +120,8 @@ pub enum Value {
     Exact(f64, &'static str),
     /// A day.
     Day(Date),
+    /// Several statements.
+    List(Vec<Value>),
 }
 
 /// One calibration point.
@@ -122,6 +157,13 @@ pub struct Point {
     pub settling_s: f64,
 }
 
+impl Point {
+    /// Results, if the point passed its checks.
+    pub fn values(&self) -> Option<&PointValues> {
+        self.outcome.as_ref().ok()
+    }
+}
+
 /// Why a point has no result: the name of a reason, as in `reason.<name>`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Refusal(pub String);
@@ -139,12 +181,16 @@ pub struct PointValues {
     pub effective_degrees_of_freedom: f64,
     /// Phase, degrees, not rounded.
     pub phase_deg: f64,
+    /// Coverage factor of the phase, where its budget gives the stated U.
+    pub coverage_factor_phase: Option<f64>,
     /// Expanded uncertainty of the phase, degrees, not rounded.
     pub expanded_uncertainty_phase_deg: f64,
     /// Deviation from the reference point, %, not rounded.
     pub deviation_percent: Option<f64>,
     /// Deviation from the reference point, dB, not rounded.
     pub deviation_db: Option<f64>,
+    /// Judgement by the decision rule, V/(m/s2), where something is specified.
+    pub assessment: Option<Assessment>,
     /// Sensitivity and U in mV/(m/s2), as printed.
     pub printed_mv_per_ms2: Rounded,
     /// Sensitivity and U in mV/g, as printed.

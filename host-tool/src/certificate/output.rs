@@ -2,6 +2,7 @@
 
 use crate::file::{self, Existing};
 use crate::{Error, Result};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Writes `files` (name, content) into `folder`, creating it if necessary.
@@ -27,12 +28,39 @@ pub(crate) fn write_all(
         staged.push((file::temporary(&path, content)?, path));
     }
     let mut written = Vec::with_capacity(staged.len());
+    let mut new = Vec::new();
     for (temporary, path) in staged {
-        let renamed = temporary.persist(&path);
-        renamed.map_err(|e| Error::file("write", &path, e.error))?;
+        match name(temporary, &path, existing) {
+            Ok(true) => new.push(path.clone()),
+            Ok(false) => (),
+            Err(error) => {
+                // All or none: those of this set that were not there before go.
+                new.iter().for_each(|path| drop(std::fs::remove_file(path)));
+                return Err(error);
+            }
+        }
         written.push(path);
     }
     Ok(written)
+}
+
+/// Gives a file its name; false when a file of that name was there before.
+fn name(temporary: tempfile::NamedTempFile, path: &Path, existing: Existing) -> Result<bool> {
+    let failed = |error| Error::file("write", path, error);
+    if existing == Existing::Replace {
+        let old = path.exists();
+        let renamed = temporary.persist(path).map_err(|e| failed(e.error));
+        return renamed.map(|_| !old);
+    }
+    match temporary.persist_noclobber(path) {
+        Ok(_) => Ok(true),
+        Err(error) if error.error.kind() == ErrorKind::AlreadyExists => {
+            // Another program may have come first.
+            let ours = std::fs::read(error.file.path()).map_err(failed)?;
+            may_be_written(path, &ours, existing).map(|()| false)
+        }
+        Err(error) => Err(failed(error.error)),
+    }
 }
 
 fn may_be_written(path: &Path, content: &[u8], existing: Existing) -> Result<()> {

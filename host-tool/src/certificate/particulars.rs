@@ -20,7 +20,7 @@
 //! ```
 
 use super::words::Language;
-use crate::{Error, Result};
+use crate::{Error, Result, decision};
 use jiff::civil::Date;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -45,6 +45,12 @@ pub struct Particulars {
     pub mounting: Mounting,
     /// Settings of the object's amplifier (clause 7 d).
     pub amplifier: Amplifier,
+    /// Calibration of the calibrator itself (clause 7).
+    pub calibrator: Calibrator,
+    /// Other instruments that were used (clause 7).
+    pub equipment: Vec<Equipment>,
+    /// Tolerance and decision rule (7.8.6).
+    pub decision: Option<decision::Request>,
     /// Texts of the laboratory.
     pub texts: Texts,
     /// Layout of the printed certificate.
@@ -190,6 +196,33 @@ pub struct Amplifier {
     pub slope_db_per_octave: Option<f64>,
 }
 
+/// Calibration of the calibrator's own electronics.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct Calibrator {
+    /// Its certificate.
+    pub certificate: Option<String>,
+    /// Day its calibration is due.
+    #[serde(deserialize_with = "day")]
+    pub due: Option<Date>,
+}
+
+/// An instrument that was used beside calibrator and reference.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Equipment {
+    /// What it is: "thermometer".
+    pub name: String,
+    /// Serial or inventory number.
+    pub serial: String,
+    /// Its certificate.
+    #[serde(default)]
+    pub certificate: Option<String>,
+    /// Day its calibration is due.
+    #[serde(default, deserialize_with = "day")]
+    pub due: Option<Date>,
+}
+
 /// Texts of the laboratory.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
@@ -230,6 +263,10 @@ impl Particulars {
             let mut table: toml::Table =
                 toml::from_str(&text).map_err(|e| located(path, &text, &e))?;
             own.layout.check(path)?;
+            if let Some(Err(problem)) = own.decision.as_ref().map(decision::Request::build) {
+                let place = path.display().to_string();
+                return Err(Error::input(place, problem, "correct the [decision] part"));
+            }
             anchor(&mut table, path);
             merge(&mut merged, table);
         }
@@ -285,7 +322,7 @@ fn located(path: &Path, text: &str, error: &toml::de::Error) -> Error {
     Error::input(
         format!("{}:{line}", path.display()),
         error.message(),
-        "docs/certificates.md lists every item of this file",
+        "docs/certificate.md lists every item of this file",
     )
 }
 
@@ -364,5 +401,22 @@ mod tests {
         );
         let error = Particulars::read(&[path]).expect_err("colour");
         assert!(error.to_string().contains("colour"), "{error}");
+    }
+
+    #[test]
+    fn the_documented_file_states_everything_there_is() {
+        let path =
+            Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/certificate/laboratory.toml");
+        let read = Particulars::read(&[path]).expect("valid");
+        let record = crate::certificate::testing::record(&[160.0]);
+        let certificate = crate::certificate::Certificate::from_record(&record, &read);
+        assert_eq!(certificate.remarks, []);
+        let entries = certificate.sections.iter().flat_map(|s| &s.entries);
+        let missing: Vec<_> = entries
+            .filter(|e| e.value.is_none())
+            .map(|e| e.key)
+            .collect();
+        assert_eq!(missing, [""; 0]);
+        assert!(read.layout.logo.is_some_and(|logo| logo.exists()));
     }
 }

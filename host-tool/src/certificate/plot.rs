@@ -5,6 +5,7 @@
 //! on paper; the drawing therefore carries, hidden, the finer ticks that a
 //! reader may zoom to, and the page's script moves and shows what is there.
 
+use super::band;
 use super::model::{Certificate, Point};
 use super::words::Language;
 use std::fmt::Write;
@@ -21,7 +22,7 @@ const STYLE: &str = "\
 .plot text{font:11px 'Liberation Sans','Helvetica Neue',Arial,sans-serif;fill:#333}\
 .plot .grid{stroke:#d9dde2;stroke-width:1}.plot .minor{stroke:#eef0f2;stroke-width:1}\
 .plot .frame{fill:none;stroke:#555;stroke-width:1}.plot .line{fill:none;stroke:#1f5fa8;stroke-width:1.6}\
-.plot .bar{stroke:#1f5fa8;stroke-width:1.2;fill:none}.plot .dot{fill:#1f5fa8}\
+.plot .band{fill:#2e7d32;fill-opacity:.09}.plot .limit{fill:none;stroke:#2e7d32;stroke-width:1.1;stroke-dasharray:6 3}.plot .own{stroke-width:2;stroke-dasharray:none}.plot .bar{stroke:#1f5fa8;stroke-width:1.2;fill:none}.plot .dot{fill:#1f5fa8}\
 .plot .reference{fill:#fff;stroke:#1f5fa8;stroke-width:2}.plot .refused{stroke:#b3261e;stroke-width:1.8}\
 .plot .mid{text-anchor:middle}.plot .end{text-anchor:end}.plot .fine{display:none}";
 
@@ -40,16 +41,36 @@ struct Axis {
     high: f64,
 }
 
+/// The tolerance in the unit of a plot.
+#[derive(Default)]
+struct Tolerance {
+    /// Areas: frequency, lower, upper limit.
+    areas: Vec<Vec<(f64, f64, f64)>>,
+    /// Limits at the reference point alone.
+    at_reference: Option<(f64, f64, f64)>,
+}
+
 /// Sensitivity in mV/(m/s2) with the deviation from the reference point.
 pub(super) fn sensitivity(certificate: &Certificate, language: Language) -> String {
     let marks = marks(certificate, language, |values| {
         let value = values.sensitivity_v_per_ms2 * 1000.0;
         Some((value, value * values.expanded_uncertainty_percent / 100.0))
     });
+    let (low_hz, high_hz) = frequency_range(certificate.points.iter().map(|p| p.frequency_hz));
+    let in_mv = |(hz, limits): band::Place| (hz, 1000.0 * limits.lower, 1000.0 * limits.upper);
+    let areas = band::areas(certificate, low_hz, high_hz);
+    let tolerance = Tolerance {
+        areas: areas
+            .into_iter()
+            .map(|area| area.into_iter().map(in_mv).collect())
+            .collect(),
+        at_reference: band::at_reference(certificate).map(in_mv),
+    };
     let reference = certificate
         .reference_result()
         .map(|(_, v)| v.sensitivity_v_per_ms2 * 1000.0);
-    draw(certificate, &marks, language, "plot.sensitivity", reference)
+    let label = "plot.sensitivity";
+    draw(certificate, &marks, &tolerance, language, label, reference)
 }
 
 /// Phase in degrees.
@@ -57,7 +78,15 @@ pub(super) fn phase(certificate: &Certificate, language: Language) -> String {
     let marks = marks(certificate, language, |values| {
         Some((values.phase_deg, values.printed_phase_deg?.uncertainty))
     });
-    draw(certificate, &marks, language, "plot.phase", None)
+    let tolerance = Tolerance::default();
+    draw(
+        certificate,
+        &marks,
+        &tolerance,
+        language,
+        "plot.phase",
+        None,
+    )
 }
 
 fn marks(
@@ -93,13 +122,14 @@ fn marks(
 fn draw(
     certificate: &Certificate,
     marks: &[Mark],
+    tolerance: &Tolerance,
     language: Language,
     label: &str,
     reference: Option<f64>,
 ) -> String {
     let frequencies = certificate.points.iter().map(|p| p.frequency_hz);
     let (low_hz, high_hz) = frequency_range(frequencies);
-    let axis = value_axis(marks);
+    let axis = value_axis(marks, tolerance);
     let x = |hz: f64| LEFT + (hz / low_hz).ln() / (high_hz / low_hz).ln() * (RIGHT - LEFT);
     let y = |value: f64| BOTTOM - (value - axis.low) / (axis.high - axis.low) * (BOTTOM - TOP);
     let area = label.replace('.', "-");
@@ -110,6 +140,7 @@ fn draw(
         deviation_ticks(&mut svg, &axis, reference, y, language);
     }
     let _ = write!(svg, "<g clip-path='url(#{area})'>");
+    draw_tolerance(&mut svg, tolerance, &x, &y);
     line(&mut svg, marks, &x, &y);
     for mark in marks {
         draw_mark(
@@ -159,10 +190,13 @@ fn frequency_range(frequencies: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 /// The values with their bars and some air.
-fn value_axis(marks: &[Mark]) -> Axis {
-    let ends = marks
+fn value_axis(marks: &[Mark], tolerance: &Tolerance) -> Axis {
+    let bars = marks
         .iter()
         .flat_map(|m| [m.value - m.half_bar, m.value + m.half_bar]);
+    let limits = tolerance.areas.iter().flatten();
+    let limits = limits.chain(&tolerance.at_reference);
+    let ends = bars.chain(limits.flat_map(|(_, low, high)| [*low, *high]));
     let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
         (l.min(v), h.max(v))
     });
@@ -290,16 +324,48 @@ fn deviation_ticks(
     );
 }
 
-fn line(svg: &mut String, marks: &[Mark], x: &impl Fn(f64) -> f64, y: &impl Fn(f64) -> f64) {
-    let mut points = String::new();
-    for mark in marks {
-        let _ = write!(points, "{:.2},{:.2} ", x(mark.frequency_hz), y(mark.value));
+/// The tolerance as areas with dashed edges, and as two short lines where the
+/// reference point has limits of its own.
+fn draw_tolerance(
+    svg: &mut String,
+    tolerance: &Tolerance,
+    x: &impl Fn(f64) -> f64,
+    y: &impl Fn(f64) -> f64,
+) {
+    for area in &tolerance.areas {
+        let edge = |of: fn(&(f64, f64, f64)) -> f64| {
+            let places = area
+                .iter()
+                .map(|p| format!("{:.2},{:.2}", x(p.0), y(of(p))));
+            places.collect::<Vec<_>>()
+        };
+        let (lower, upper) = (edge(|p| p.1), edge(|p| p.2));
+        let back = lower.iter().rev().cloned();
+        let outline: Vec<String> = upper.iter().cloned().chain(back).collect();
+        polyline(svg, "polygon", "band", &outline);
+        polyline(svg, "polyline", "limit", &lower);
+        polyline(svg, "polyline", "limit", &upper);
     }
-    let points = points.trim_end();
+    if let Some((hz, lower, upper)) = tolerance.at_reference {
+        for limit in [lower, upper] {
+            let at = |half: f64| format!("{:.2},{:.2}", x(hz) + half, y(limit));
+            polyline(svg, "polyline", "limit own", &[at(-9.0), at(9.0)]);
+        }
+    }
+}
+
+fn polyline(svg: &mut String, element: &str, class: &str, places: &[String]) {
+    let places = places.join(" ");
     let _ = write!(
         svg,
-        "<polyline class='line' data-points='{points}' points='{points}'/>"
+        "<{element} class='{class}' data-points='{places}' points='{places}'/>"
     );
+}
+
+fn line(svg: &mut String, marks: &[Mark], x: &impl Fn(f64) -> f64, y: &impl Fn(f64) -> f64) {
+    let place = |mark: &Mark| format!("{:.2},{:.2}", x(mark.frequency_hz), y(mark.value));
+    let places: Vec<String> = marks.iter().map(place).collect();
+    polyline(svg, "polyline", "line", &places);
 }
 
 fn draw_mark(svg: &mut String, mark: &Mark, x: f64, y: f64, bar_end: f64) {
@@ -369,7 +435,7 @@ mod tests {
             reference: true,
             title: String::new(),
         };
-        let axis = value_axis(&[mark]);
+        let axis = value_axis(&[mark], &Tolerance::default());
         assert!(axis.low < 10.0 && 10.0 < axis.high);
     }
 }

@@ -21,6 +21,14 @@ pub struct Presented {
     pub sections: Vec<PresentedSection>,
     /// The table over frequency.
     pub table: Table,
+    /// The statement of conformity, and its name for colours.
+    pub conformity: Option<(String, String)>,
+    /// Texts of the laboratory above the results.
+    pub introduction: Vec<String>,
+    /// Texts of the laboratory at the end.
+    pub closing: Vec<String>,
+    /// Results before and after an adjustment, and a note on them.
+    pub as_found: Option<(Table, String)>,
     /// The budget at the reference point.
     pub budget: Option<PresentedBudget>,
     /// Remarks, most serious first.
@@ -57,8 +65,19 @@ pub struct PresentedSection {
     pub key: &'static str,
     /// Its heading.
     pub title: String,
-    /// Label and statement; `None` is missing.
-    pub entries: Vec<(String, Option<String>)>,
+    /// Statements in the order they are printed.
+    pub entries: Vec<PresentedEntry>,
+}
+
+/// One statement.
+#[derive(Clone, Debug, Serialize)]
+pub struct PresentedEntry {
+    /// Key within the section.
+    pub key: &'static str,
+    /// What is stated, in words.
+    pub label: String,
+    /// The statement; `None` is missing.
+    pub value: Option<String>,
 }
 
 /// A table of strings.
@@ -123,6 +142,10 @@ impl Presented {
                 .map(|s| section(s, language))
                 .collect(),
             table: table(certificate, language),
+            conformity: conformity(certificate, language),
+            introduction: certificate.particulars.texts.introduction.clone(),
+            closing: certificate.particulars.texts.closing.clone(),
+            as_found: as_found(certificate, language),
             budget: certificate.budget.as_ref().map(|b| budget(b, language)),
             remarks: certificate
                 .remarks
@@ -148,6 +171,10 @@ pub(super) fn value(value: &Value, language: Language) -> String {
         }
         Value::Exact(number, unit) => with_unit(language.shortest(*number), unit),
         Value::Day(day) => day.to_string(),
+        Value::List(values) => {
+            let words: Vec<String> = values.iter().map(|v| self::value(v, language)).collect();
+            words.join("; ")
+        }
     }
 }
 
@@ -161,10 +188,13 @@ fn with_unit(number: String, unit: &str) -> String {
 
 fn section(section: &Section, language: Language) -> PresentedSection {
     let entries = section.entries.iter().map(|entry| {
-        let label = language
-            .word(&format!("{}.{}", section.key, entry.key))
-            .to_owned();
-        (label, entry.value.as_ref().map(|v| value(v, language)))
+        let label = format!("{}.{}", section.key, entry.key);
+        let label = language.word(&label);
+        PresentedEntry {
+            key: entry.key,
+            label: label.to_owned(),
+            value: entry.value.as_ref().map(|v| value(v, language)),
+        }
     });
     PresentedSection {
         key: section.key,
@@ -175,15 +205,31 @@ fn section(section: &Section, language: Language) -> PresentedSection {
     }
 }
 
-fn remark(remark: &Remark, language: Language) -> PresentedRemark {
+/// A remark as a sentence.
+pub(super) fn remark_text(remark: &Remark, language: Language) -> String {
     let values: Vec<String> = remark.values.iter().map(|v| value(v, language)).collect();
     let values: Vec<&str> = values.iter().map(String::as_str).collect();
+    language.phrase(&format!("remark.{}", remark.key), &values)
+}
+
+fn remark(remark: &Remark, language: Language) -> PresentedRemark {
     let severity = format!("severity.{:?}", remark.severity).to_lowercase();
     PresentedRemark {
         severity: remark.severity,
         label: language.word(&severity).to_owned(),
-        text: language.phrase(&format!("remark.{}", remark.key), &values),
+        text: remark_text(remark, language),
     }
+}
+
+fn conformity(certificate: &Certificate, language: Language) -> Option<(String, String)> {
+    certificate.decision.as_ref()?;
+    let name = certificate
+        .conformity()
+        .map_or("none", |conformity| conformity.name());
+    Some((
+        language.word(&format!("conformity.{name}")).to_owned(),
+        name.to_owned(),
+    ))
 }
 
 /// Degrees of freedom: whole numbers, truncated as GUM G.4.1 does.
@@ -316,10 +362,13 @@ const fn column(
     }
 }
 
+/// Printed where there is no number.
+const DASH: &str = "\u{2013}";
+
 /// A result, or a dash where there is none.
 fn cell(point: &Point, of: impl Fn(&PointValues) -> Option<String>) -> String {
     let values = point.outcome.as_ref().ok();
-    values.and_then(of).unwrap_or_else(|| "\u{2013}".to_owned())
+    values.and_then(of).unwrap_or_else(|| DASH.to_owned())
 }
 
 fn value_of(rounded: &super::rounding::Rounded, language: Language) -> String {
@@ -328,7 +377,12 @@ fn value_of(rounded: &super::rounding::Rounded, language: Language) -> String {
 
 fn verdict(point: &Point, language: Language) -> String {
     match &point.outcome {
-        Ok(_) => language.word("verdict.pass").to_owned(),
+        Ok(values) => match values.assessment {
+            Some(judged) => language
+                .word(&format!("conformity.{}", judged.conformity.name()))
+                .to_owned(),
+            None => language.word("verdict.pass").to_owned(),
+        },
         Err(refusal) => {
             let reason = language.word(&format!("reason.{}", refusal.0)).to_owned();
             format!("{}: {reason}", language.word("verdict.refused"))
@@ -363,6 +417,67 @@ fn table(certificate: &Certificate, language: Language) -> Table {
         columns: columns.iter().map(heading).collect(),
         rows: certificate.points.iter().enumerate().map(row).collect(),
     }
+}
+
+/// Results before and after an adjustment, side by side.
+fn as_found(certificate: &Certificate, language: Language) -> Option<(Table, String)> {
+    let found = certificate.as_found.as_deref()?;
+    let heading = |key: &str, unit: &str| {
+        let word = language.word(&format!("column.{key}")).to_owned();
+        (word, unit.to_owned())
+    };
+    let mut columns = vec![
+        heading("frequency", "Hz"),
+        heading("acceleration", "m/s²"),
+        heading("as_found", "mV/(m/s²)"),
+        heading("uncertainty", "%"),
+        heading("as_left", "mV/(m/s²)"),
+        heading("uncertainty", "%"),
+        heading("change", "%"),
+    ];
+    if certificate.decision.is_some() {
+        columns.extend([
+            heading("conformity_found", ""),
+            heading("conformity_left", ""),
+        ]);
+    }
+    let row = |(index, (left, found)): (usize, (&Point, Option<&Point>))| {
+        let mut cells = vec![
+            language.shortest(left.nominal_frequency_hz),
+            language.shortest(left.nominal_acceleration_ms2),
+        ];
+        cells.extend(found.map_or([DASH.to_owned(), DASH.to_owned()], |p| state(p, language)));
+        cells.extend(state(left, language));
+        cells.push(cell(left, |values| {
+            let change = super::adjustment::change_percent(found, left)?;
+            Some(language.number(change, values.printed_uncertainty_percent.1))
+        }));
+        if certificate.decision.is_some() {
+            cells.push(found.map_or(DASH.to_owned(), |p| verdict(p, language)));
+            cells.push(verdict(left, language));
+        }
+        Row {
+            cells,
+            refused: left.outcome.is_err(),
+            reference: certificate.reference == Some(index),
+        }
+    };
+    let rows = certificate.pairs().enumerate().map(row).collect();
+    let day = found.day.map_or(DASH.to_owned(), |day| day.to_string());
+    let note = language.phrase("as_found.note", &[&found.number, &day]);
+    Some((Table { columns, rows }, note))
+}
+
+/// Sensitivity and U of a point.
+fn state(point: &Point, language: Language) -> [String; 2] {
+    let uncertainty = |values: &PointValues| {
+        let (percent, decimals) = values.printed_uncertainty_percent;
+        Some(language.number(percent, decimals))
+    };
+    [
+        cell(point, |v| Some(value_of(&v.printed_mv_per_ms2, language))),
+        cell(point, uncertainty),
+    ]
 }
 
 fn budget(budget: &Budget, language: Language) -> PresentedBudget {

@@ -3,9 +3,9 @@
 //! Everything ISO 16063-21 clause 7 and ISO/IEC 17025 7.8.2.1 and 7.8.4.1 ask
 //! for has a line here; a line without a value is printed as missing.
 
-use super::from_record::{day, decimal, run_day};
+use super::from_record::{day, run_day};
 use super::model::{Entry, Section, Value};
-use super::particulars::{Adjustment, Contact, Particulars, Place};
+use super::particulars::{Adjustment, Contact, Equipment, Particulars, Place};
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
 
@@ -307,8 +307,9 @@ fn mounting(record: &Record, particulars: &Particulars) -> Section {
 fn amplifier(record: &Record, particulars: &Particulars) -> Section {
     let settings = &record.settings;
     let stated = &particulars.amplifier;
-    // f64 before scaling: 152.587890625 uV is exact, its f32 product is not.
-    let scale = |volt_per_code: f32| exact(Some(decimal(volt_per_code) * 1.0e6), "µV");
+    // The seven digits an f32 holds.
+    let digits = |value: f64| format!("{value:.6e}").parse().ok();
+    let scale = |volt_per_code: f32| exact(digits(f64::from(volt_per_code) * 1.0e6), "µV");
     section(
         "amplifier",
         vec![
@@ -341,7 +342,7 @@ fn amplifier(record: &Record, particulars: &Particulars) -> Section {
 
 fn equipment(record: &Record, particulars: &Particulars) -> Section {
     let reference = &record.settings.reference;
-    section(
+    let mut section = section(
         "equipment",
         vec![
             (
@@ -350,6 +351,16 @@ fn equipment(record: &Record, particulars: &Particulars) -> Section {
                 text(&record.instrument_serial),
             ),
             ("firmware", "", text(&record.firmware)),
+            (
+                "instrument_certificate",
+                "ISO/IEC 17025 7.8.4.1 c",
+                said(&particulars.calibrator.certificate),
+            ),
+            (
+                "instrument_due",
+                "ISO 16063-21 7",
+                particulars.calibrator.due.map(Value::Day),
+            ),
             ("reference", "ISO 16063-21 7", text(&reference.serial)),
             (
                 "reference_certificate",
@@ -369,8 +380,39 @@ fn equipment(record: &Record, particulars: &Particulars) -> Section {
             (
                 "traceability",
                 "ISO/IEC 17025 7.8.4.1 c",
-                said(&particulars.texts.traceability),
+                said(&particulars.texts.traceability).or_else(|| traceability(record)),
             ),
         ],
-    )
+    );
+    // What was not used is not missing.
+    if !particulars.equipment.is_empty() {
+        let list = particulars.equipment.iter().map(instrument).collect();
+        section.entries.push(Entry {
+            key: "others",
+            clause: "ISO 16063-21 7",
+            value: Some(Value::List(list)),
+        });
+    }
+    section
+}
+
+/// Traceability through the reference, if it has a certificate.
+fn traceability(record: &Record) -> Option<Value> {
+    let reference = &record.settings.reference;
+    let due = day(reference.due_day).map_or("\u{2013}".to_owned(), |due| due.to_string());
+    text(&reference.certificate)?;
+    let values = [
+        reference.serial.to_string(),
+        reference.certificate.to_string(),
+        due,
+    ];
+    phrase("statement.traceability", &values)
+}
+
+fn instrument(used: &Equipment) -> Value {
+    let dash = || "\u{2013}".to_owned();
+    let due = used.due.map_or_else(dash, |due| due.to_string());
+    let certificate = used.certificate.clone().unwrap_or_else(dash);
+    let values = vec![used.name.clone(), used.serial.clone(), certificate, due];
+    Value::Phrase("equipment.item".to_owned(), values)
 }

@@ -6,14 +6,13 @@ use super::{Format, Language, Particulars, render, write};
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::Record;
 
+fn bytes(record: &Record, format: Format, language: Language) -> Vec<u8> {
+    let certificate = Certificate::from_record(record, &Particulars::default());
+    render(&certificate, format, language).expect("renders")
+}
+
 fn rendered(record: &Record, format: Format, language: Language) -> String {
-    let bytes = render(
-        &Certificate::from_record(record, &Particulars::default()),
-        format,
-        language,
-    )
-    .expect("renders");
-    String::from_utf8(bytes).expect("UTF-8")
+    String::from_utf8(bytes(record, format, language)).expect("UTF-8")
 }
 
 fn rows(csv: &str, delimiter: u8) -> Vec<std::collections::HashMap<String, String>> {
@@ -31,7 +30,7 @@ fn the_reference_point_is_160_hz_and_states_its_uncertainty() {
     assert_eq!(point.nominal_frequency_hz, 160.0);
     // 10.2 mV/(m/s2) raised by 1/(1 - (160/32000)^2) = 2.5e-5: 10.20026.
     // U = 2 sqrt(0.25^2 + (0.25^2+0.2^2+0.05^2+0.15^2+0.36^2)/3 + 0.015^2) %
-    //   = 2 sqrt(0.0625 + 0.2571/3 + 0.000225) = 0.7703 %, 0.0786 mV/(m/s2).
+    //   = 2 sqrt(0.0625 + 0.2571/3 + 0.000225) = 0.7705 %, 0.0786 mV/(m/s2).
     let printed = values.printed_mv_per_ms2;
     assert_eq!(
         (printed.value, printed.uncertainty, printed.decimals),
@@ -184,7 +183,7 @@ fn one_point_and_two_hundred_points_render() {
     let many: Vec<f32> = (0..200).map(|n| 20.0 * 1.03_f32.powi(n)).collect();
     for frequencies in [&[160.0][..], &many] {
         for format in Format::ALL {
-            let output = rendered(&record(frequencies), format, Language::De);
+            let output = bytes(&record(frequencies), format, Language::De);
             assert!(!output.is_empty());
         }
         let html = rendered(&record(frequencies), Format::Html, Language::En);
@@ -290,20 +289,21 @@ fn files_are_named_after_the_certificate_and_complete() {
         [
             "certificate-___x_y-000017.csv",
             "certificate-___x_y-000017.json",
-            "certificate-___x_y-000017.html"
+            "certificate-___x_y-000017.html",
+            "certificate-___x_y-000017.dcc.xml",
+            "certificate-___x_y-000017.pdf",
+            "certificate-___x_y-000017.uff"
         ]
     );
-    assert_eq!(std::fs::read_dir(&out).expect("folder").count(), 3);
+    assert_eq!(std::fs::read_dir(&out).expect("folder").count(), 6);
 }
 
 #[test]
 fn the_same_record_gives_the_same_bytes() {
     let record = record(&THIRD_OCTAVES_HZ);
     for format in Format::ALL {
-        assert_eq!(
-            rendered(&record, format, Language::En),
-            rendered(&record, format, Language::En)
-        );
+        let once = bytes(&record, format, Language::En);
+        assert!(once == bytes(&record, format, Language::En), "{format:?}");
     }
     assert_ne!(
         point(160.0).sensitivity_v_per_ms2,
@@ -327,4 +327,73 @@ fn a_diagnostic_that_is_no_number_is_left_empty() {
     );
     let html = rendered(&record, Format::Html, Language::En);
     assert!(!html.contains("NaN") && !html.contains(">inf<"));
+}
+
+#[test]
+fn the_budget_adds_up_to_the_stated_uncertainty() {
+    let certificate = Certificate::from_record(&record(&[160.0]), &Particulars::default());
+    assert_eq!(certificate.remarks, []);
+    let budget = certificate.budget.expect("a budget");
+    // Rows 1, 2, 3, 8, 10, 11 and 18; the sum is worked out in
+    // `the_reference_point_is_160_hz_and_states_its_uncertainty`.
+    let rows: Vec<u8> = budget.rows.iter().map(|row| row.row).collect();
+    assert_eq!(rows, [1, 2, 3, 8, 10, 11, 18]);
+    let sum: f64 = budget
+        .rows
+        .iter()
+        .map(|row| row.contribution_percent.powi(2))
+        .sum();
+    assert!((2.0 * sum.sqrt() / 0.770_52 - 1.0).abs() < 1.0e-4);
+    assert!((budget.expanded_percent / 0.770_52 - 1.0).abs() < 1.0e-4);
+    // 0.36 % rectangular is 0.208 %.
+    assert!((budget.rows[5].contribution_percent - 0.207_85).abs() < 1.0e-5);
+}
+
+#[test]
+fn a_stored_uncertainty_that_the_settings_do_not_give_is_an_error() {
+    let mut record = record(&[160.0]);
+    record.points[0].expanded_uncertainty_rel *= 0.9;
+    let html = rendered(&record, Format::Html, Language::En);
+    assert!(html.contains("Do not use this certificate"));
+    assert!(
+        html.contains("U = 0.7705 %, the record states 0.6935 %"),
+        "{html}"
+    );
+}
+
+#[test]
+fn a_record_that_was_stored_still_agrees_with_its_settings() {
+    let mut record = record(&[160.0]);
+    // Repeatability dominates: what rounding in a record does to U is largest.
+    record.points[0].repeatability_rel = 0.010_03;
+    let rest = 0.25e-2_f64.powi(2) + 0.2571e-4 / 3.0;
+    let combined = (rest + 0.010_03_f64.powi(2)).sqrt();
+    // 19 degrees of freedom over the fourth power of the share: 23.8; the
+    // factor is then 2.0649 (Student, 95 %), not needed to a digit here.
+    record.points[0].expanded_uncertainty_rel = (2.0 * combined) as f32;
+    let exact = Certificate::from_record(&record, &Particulars::default());
+    let budget = exact.budget.expect("a budget");
+    record.points[0].expanded_uncertainty_rel = (budget.expanded_percent / 100.0) as f32;
+    let mut buffer = vec![0; 8192];
+    let length = calib_protocol::record::encode(&record, &mut buffer).expect("fits");
+    let stored = calib_protocol::record::decode(&buffer[..length]).expect("a record");
+    assert_ne!(stored.points[0].repeatability_rel, 0.010_03);
+    let certificate = Certificate::from_record(&stored, &Particulars::default());
+    let keys: Vec<_> = certificate.remarks.iter().map(|r| r.key).collect();
+    assert!(!keys.contains(&"budget_mismatch"), "{keys:?}");
+    assert!(
+        certificate.points[0]
+            .values()
+            .expect("passed")
+            .coverage_factor_phase
+            .is_some()
+    );
+}
+
+#[test]
+fn a_reference_table_that_does_not_reach_the_point_is_an_error() {
+    let mut record = record(&[160.0]);
+    record.settings.reference.points.truncate(1);
+    let html = rendered(&record, Format::Html, Language::En);
+    assert!(html.contains("does not reach 160 Hz"), "{html}");
 }

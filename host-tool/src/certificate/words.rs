@@ -89,6 +89,18 @@ impl Language {
     }
 }
 
+impl std::str::FromStr for Language {
+    type Err = String;
+
+    fn from_str(code: &str) -> Result<Self, String> {
+        let language = Self::ALL
+            .into_iter()
+            .find(|language| language.code() == code);
+        let known = Self::ALL.map(Self::code).join(", ");
+        language.ok_or_else(|| format!("no language '{code}'; there are {known}"))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

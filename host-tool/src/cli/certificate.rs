@@ -1,9 +1,9 @@
 //! `calib certificate RECORD`: the certificate of a downloaded or stored record.
 
 use super::{Context, source, time};
-use calib_host::bench::{Bench, Issue};
-use calib_host::certificate::{self, Certificate, Format, Particulars};
-use calib_host::{Error, Result};
+use calib_host::Result;
+use calib_host::bench::Issue;
+use calib_host::certificate::{self, Existing, Format, Language, Options, Particulars, Prepared};
 use calib_protocol::record::{self, Record, Sha256Sum};
 use clap::Args;
 use serde::Serialize;
@@ -18,14 +18,24 @@ pub(crate) struct CertificateVerb {
     /// Directory for the files.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
-    /// Formats, separated by commas.
+    /// Formats, separated by commas: pdf, dcc, html, csv, json, uff.
     #[arg(
         long,
         value_delimiter = ',',
         value_name = "FORMAT",
-        default_value = "csv,json,html"
+        default_value = "pdf,dcc,html,csv,json"
     )]
     format: Vec<Format>,
+    /// Language: en or de; else that of the particulars, else English.
+    #[arg(long, short, value_name = "LANGUAGE")]
+    language: Option<Language>,
+    /// TOML file with laboratory, customer, conditions ...; may be given again,
+    /// and what a later one states wins.
+    #[arg(long, short, value_name = "FILE")]
+    particulars: Vec<PathBuf>,
+    /// File of the record from before an adjustment; RECORD is then from after it.
+    #[arg(long, value_name = "FILE")]
+    as_found: Option<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -39,78 +49,53 @@ impl CertificateVerb {
     /// one of that number was issued.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let record = source::find(context, &self.record, &self.out)?;
+        let options = self.options()?;
+        let prepared = certificate::prepare(&record, &self.format, &options)?;
         let mut bench = context.bench_if_there()?;
         if let Some(bench) = &bench {
-            self.may_issue(bench, &record)?;
+            let files = prepared.paths(&self.out);
+            for issue in issues(&prepared, &record, &files) {
+                bench.may_issue(&issue)?;
+            }
         }
-        let files = certificate::write(&record, &self.format, &self.out)?;
+        // What was issued is never overwritten.
+        let files = prepared.write(&self.out, Existing::Keep)?;
         if let Some(bench) = &mut bench {
-            self.enter(bench, &record, &files)?;
+            let now = i64::try_from(time::unix_time_s()).unwrap_or(0);
+            bench.issue(&issues(&prepared, &record, &files), now)?;
         }
-        let text = || {
-            files
-                .iter()
-                .map(|file| format!("{}\n", file.display()))
-                .collect()
-        };
-        context.print(
-            &Written {
-                files: files.clone(),
-            },
-            text,
-        )
-    }
-
-    /// The files are made in a folder of their own, to know their sums.
-    fn may_issue(&self, bench: &Bench, record: &Record) -> Result<()> {
-        let folder = tempfile::tempdir()
-            .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
-        let files = certificate::write(record, &self.format, folder.path())?;
-        let contents = contents(&files)?;
-        let number = number(record);
-        for issue in self.issues(&number, record, &files, &contents) {
-            bench.may_issue(&issue)?;
+        if let Some(lack) = prepared.lack {
+            context.remark(lack);
         }
-        Ok(())
-    }
-
-    fn enter(&self, bench: &mut Bench, record: &Record, files: &[PathBuf]) -> Result<()> {
-        let contents = contents(files)?;
-        let number = number(record);
-        let issues: Vec<_> = self.issues(&number, record, files, &contents).collect();
-        let now = i64::try_from(time::unix_time_s()).unwrap_or(0);
-        bench.issue(&issues, now)
-    }
-
-    /// Files are in the order of the formats.
-    fn issues<'a>(
-        &'a self,
-        number: &'a str,
-        record: &Record,
-        files: &'a [PathBuf],
-        contents: &'a [Vec<u8>],
-    ) -> impl Iterator<Item = Issue<'a>> {
-        let record = digest(record);
-        let files = files.iter().zip(contents);
-        let issue = move |(format, (file, content)): (&Format, (&'a PathBuf, &'a Vec<u8>))| Issue {
-            certificate: number,
-            format: format.name(),
-            file: file.to_str().unwrap_or_default(),
-            content,
-            record,
+        let text = || files.iter().map(|f| format!("{}\n", f.display())).collect();
+        let written = Written {
+            files: files.clone(),
         };
-        self.format.iter().zip(files).map(issue)
+        context.print(&written, text)
+    }
+
+    fn options(&self) -> Result<Options> {
+        let mut particulars = Particulars::read(&self.particulars)?;
+        particulars.language = self.language.or(particulars.language);
+        Ok(Options {
+            particulars,
+            existing: Existing::Keep,
+            as_found: self.as_found.as_deref().map(source::read).transpose()?,
+        })
     }
 }
 
-fn contents(files: &[PathBuf]) -> Result<Vec<Vec<u8>>> {
-    let read =
-        |file: &PathBuf| std::fs::read(file).map_err(|error| Error::file("read", file, error));
-    files.iter().map(read).collect()
-}
-
-fn number(record: &Record) -> String {
-    Certificate::from_record(record, &Particulars::default()).number
+/// What the bench of records is to enter.
+fn issues<'a>(prepared: &'a Prepared, record: &Record, paths: &'a [PathBuf]) -> Vec<Issue<'a>> {
+    let record = digest(record);
+    let issue = |(file, path): (&'a certificate::File, &'a PathBuf)| Issue {
+        certificate: &prepared.number,
+        format: file.format.name(),
+        file: path.to_str().unwrap_or_default(),
+        content: &file.content,
+        record,
+    };
+    prepared.files.iter().zip(paths).map(issue).collect()
 }
 
 /// Sum of the record's stored form, which is the same however it came here.

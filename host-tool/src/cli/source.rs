@@ -2,7 +2,7 @@
 
 use super::Context;
 use calib_host::{Error, Result, session};
-use calib_protocol::record::{self, Record};
+use calib_protocol::record::{self, RECORD_VERSION, Record, RecordError};
 use std::path::Path;
 
 /// The record of this file or, when the name is a number and no file, the one of
@@ -20,13 +20,15 @@ pub(super) fn find(context: &Context, name: &str, out: &Path) -> Result<Record> 
 }
 
 /// Reads a downloaded record.
-fn read(path: &Path) -> Result<Record> {
+pub(super) fn read(path: &Path) -> Result<Record> {
     let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
     record::decode(&bytes).map_err(|error| {
-        Error::input(
-            path.display().to_string(),
-            error.to_string(),
-            "download it again with `calib download ID`",
-        )
+        let hint = match error {
+            RecordError::Version { found } if found > RECORD_VERSION => {
+                "install a newer calib: this one is older than the record"
+            }
+            _ => "download it again with `calib download ID`",
+        };
+        Error::input(path.display().to_string(), error.to_string(), hint)
     })
 }

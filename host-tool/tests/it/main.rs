@@ -2,6 +2,7 @@
 //! protocol over a link that can damage, lose and add any byte.
 
 mod bench;
+mod certificate;
 mod command_line;
 mod device;
 mod download;
@@ -11,3 +12,5 @@ mod link;
 mod memory_link;
 mod python;
 mod run;
+#[path = "../../src/certificate/testing.rs"]
+mod sample;

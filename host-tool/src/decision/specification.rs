@@ -1,0 +1,240 @@
+//! What is tolerated: bands over frequency around a nominal or the reference.
+
+use super::Request;
+use super::rule::Limits;
+use serde::Deserialize;
+
+/// What a tolerance refers to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Base {
+    /// The nominal sensitivity.
+    Nominal,
+    /// The sensitivity measured at the reference point.
+    Reference,
+}
+
+/// A tolerance over a range of frequencies.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Band {
+    /// Lowest frequency, Hz.
+    pub from_hz: f64,
+    /// Highest frequency, Hz.
+    pub to_hz: f64,
+    /// What the tolerance refers to.
+    pub base: Base,
+    /// Lower limit, %, such as -5.
+    pub lower_percent: f64,
+    /// Upper limit, %, such as 5.
+    pub upper_percent: f64,
+    /// True when only the reference point is judged by it.
+    #[serde(default)]
+    pub reference_point_only: bool,
+}
+
+/// A named set of bands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Specification {
+    /// Name as printed.
+    pub name: String,
+    /// Nominal sensitivity, V/(m/s2).
+    pub nominal_v_per_ms2: Option<f64>,
+    /// Bands; where several apply, all must be met.
+    pub bands: Vec<Band>,
+}
+
+/// A sensor of API 670: 100 mV/g within 5 % at the reference point, response
+/// within 3 dB of it from 10 Hz to 10 kHz.
+const API_670_MV_PER_G: f64 = 100.0;
+
+impl Specification {
+    pub(super) fn build(request: &Request) -> Result<Self, String> {
+        let mut nominal = request.nominal_v_per_ms2();
+        let (name, bands) = match request.specification.as_str() {
+            "" => return Err("decision.specification: say api670, nominal, relative, or a name of your own with [[decision.band]]".to_owned()),
+            "api670" => {
+                let per_g = Request { nominal_mv_per_g: Some(API_670_MV_PER_G), ..Request::default() };
+                nominal = nominal.or(per_g.nominal_v_per_ms2());
+                ("API 670".to_owned(), api_670().to_vec())
+            }
+            "nominal" => {
+                let percent = tolerance(request)?;
+                (format!("nominal \u{b1} {percent} %"), vec![everywhere(Base::Nominal, percent)])
+            }
+            "relative" => {
+                let percent = tolerance(request)?;
+                (format!("\u{b1} {percent} % relative to the reference point"), vec![everywhere(Base::Reference, percent)])
+            }
+            own => (own.to_owned(), request.bands.clone()),
+        };
+        let specification = Self {
+            name,
+            nominal_v_per_ms2: nominal,
+            bands,
+        };
+        specification.check()?;
+        Ok(specification)
+    }
+
+    fn check(&self) -> Result<(), String> {
+        if self.bands.is_empty() {
+            return Err(format!(
+                "decision: '{}' has no [[decision.band]]; presets are api670, nominal, relative",
+                self.name
+            ));
+        }
+        for (index, band) in self.bands.iter().enumerate() {
+            let ordered = band.from_hz > 0.0
+                && band.from_hz <= band.to_hz
+                && band.lower_percent < band.upper_percent
+                && band.lower_percent > -100.0
+                && band.upper_percent.is_finite();
+            if !ordered {
+                return Err(format!(
+                    "decision.band {}: needs 0 < from_hz <= to_hz and -100 < lower_percent < upper_percent",
+                    index + 1
+                ));
+            }
+        }
+        let nominal = self.bands.iter().any(|band| band.base == Base::Nominal);
+        match self.nominal_v_per_ms2 {
+            None if nominal => {
+                Err("decision: state nominal_mv_per_g or nominal_mv_per_ms2".to_owned())
+            }
+            Some(value) if !(value.is_finite() && value > 0.0) => {
+                Err("decision: the nominal sensitivity must be positive".to_owned())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Limits of the sensitivity, V/(m/s2), at a frequency; `None` where
+    /// nothing is specified.
+    pub fn limits(
+        &self,
+        frequency_hz: f64,
+        reference_v_per_ms2: f64,
+        at_reference_point: bool,
+    ) -> Option<Limits> {
+        let applies = |band: &&Band| {
+            // A nominal 10 Hz is played within 0.01 % of it.
+            let inside = (band.from_hz * 0.999..=band.to_hz * 1.001).contains(&frequency_hz);
+            inside && (at_reference_point || !band.reference_point_only)
+        };
+        let limits = self.bands.iter().filter(applies).map(|band| {
+            let base = match band.base {
+                Base::Nominal => self.nominal_v_per_ms2.unwrap_or(f64::NAN),
+                Base::Reference => reference_v_per_ms2,
+            };
+            Limits {
+                lower: base * (1.0 + band.lower_percent / 100.0),
+                upper: base * (1.0 + band.upper_percent / 100.0),
+            }
+        });
+        limits.reduce(|a, b| Limits {
+            lower: a.lower.max(b.lower),
+            upper: a.upper.min(b.upper),
+        })
+    }
+}
+
+fn tolerance(request: &Request) -> Result<f64, String> {
+    let percent = request
+        .tolerance_percent
+        .ok_or("decision: state tolerance_percent")?;
+    match percent > 0.0 && percent < 100.0 {
+        true => Ok(percent),
+        false => Err(format!(
+            "decision.tolerance_percent: {percent} is not between 0 and 100"
+        )),
+    }
+}
+
+fn everywhere(base: Base, percent: f64) -> Band {
+    Band {
+        from_hz: f64::MIN_POSITIVE,
+        to_hz: f64::MAX / 2.0,
+        base,
+        lower_percent: -percent,
+        upper_percent: percent,
+        reference_point_only: false,
+    }
+}
+
+fn api_670() -> [Band; 2] {
+    let three_db = |sign: f64| 100.0 * (10.0_f64.powf(sign * 3.0 / 20.0) - 1.0);
+    [
+        Band {
+            reference_point_only: true,
+            ..everywhere(Base::Nominal, 5.0)
+        },
+        Band {
+            from_hz: 10.0,
+            to_hz: 10_000.0,
+            base: Base::Reference,
+            lower_percent: three_db(-1.0),
+            upper_percent: three_db(1.0),
+            reference_point_only: false,
+        },
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn request(text: &str) -> Request {
+        toml::from_str(text).expect("TOML")
+    }
+
+    #[test]
+    fn api_670_is_tight_at_the_reference_point_and_wide_elsewhere() {
+        let decision = request("specification = 'api670'").build().expect("preset");
+        let nominal = 0.1 / 9.806_65;
+        let at = decision
+            .specification
+            .limits(160.0, nominal, true)
+            .expect("specified");
+        assert!(
+            (at.lower / nominal - 0.95).abs() < 1e-12 && (at.upper / nominal - 1.05).abs() < 1e-12
+        );
+        // 3 dB: factors 0.70795 and 1.41254.
+        let far = decision
+            .specification
+            .limits(10_000.0, nominal, false)
+            .expect("specified");
+        assert!((far.lower / nominal - 0.707_946).abs() < 1e-6);
+        assert!((far.upper / nominal - 1.412_538).abs() < 1e-6);
+        assert_eq!(
+            decision.specification.limits(12_500.0, nominal, false),
+            None
+        );
+    }
+
+    #[test]
+    fn what_makes_no_sense_is_refused_with_the_way_out() {
+        let cases = [
+            ("", "api670"),
+            ("specification = 'nominal'", "tolerance_percent"),
+            (
+                "specification = 'nominal'\ntolerance_percent = 5",
+                "nominal_mv_per_g",
+            ),
+            ("specification = 'mine'", "[[decision.band]]"),
+            ("specification = 'relative'\ntolerance_percent = -5", "-5"),
+            (
+                "specification = 'relative'\ntolerance_percent = 5\nrule = 'max_false_accept'",
+                "max_false_accept_percent",
+            ),
+            (
+                "specification = 'mine'\n[[band]]\nfrom_hz = 100\nto_hz = 10\nbase = 'reference'\nlower_percent = -5\nupper_percent = 5",
+                "band 1",
+            ),
+        ];
+        for (text, named) in cases {
+            let problem = request(text).build().expect_err(text);
+            assert!(problem.contains(named), "{problem}");
+        }
+    }
+}

@@ -1,0 +1,235 @@
+//! `calib certificate` as a technician or a laboratory meets it: from a file
+//! to files, and every way that can go wrong.
+
+use crate::sample;
+use calib_protocol::record::Record;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn calib(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_calib"))
+        .args(arguments)
+        .current_dir(folder)
+        .env("NO_COLOR", "1")
+        .output()
+        .expect("calib starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+/// A folder with `record.bin`.
+fn folder(record: &Record) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("folder");
+    std::fs::write(folder.path().join("record.bin"), encoded(record)).expect("written");
+    folder
+}
+
+fn encoded(record: &Record) -> Vec<u8> {
+    let mut buffer = vec![0; 64 * 1024];
+    let length = calib_protocol::record::encode(record, &mut buffer).expect("fits");
+    buffer.truncate(length);
+    buffer
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten();
+    let name = |entry: std::io::Result<std::fs::DirEntry>| {
+        entry
+            .expect("entry")
+            .file_name()
+            .to_string_lossy()
+            .into_owned()
+    };
+    let mut names: Vec<_> = entries.map(name).collect();
+    names.sort();
+    names
+}
+
+const ALL: [&str; 6] = [
+    "certificate",
+    "record.bin",
+    "--out",
+    "out",
+    "--format",
+    "pdf,dcc,html,csv,json,uff",
+];
+
+#[test]
+fn a_stored_record_gives_every_form_and_the_same_bytes_again() {
+    let folder = folder(&sample::record(&sample::THIRD_OCTAVES_HZ));
+    let output = calib(folder.path(), &ALL);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let out = folder.path().join("out");
+    let stem = "certificate-CAL-0042-000017";
+    let expected = ["csv", "dcc.xml", "html", "json", "pdf", "uff"].map(|e| format!("{stem}.{e}"));
+    assert_eq!(names(&out), expected);
+    assert_eq!(text(&output.stdout).lines().count(), 6);
+    // Again: the same bytes are no other certificate.
+    assert!(calib(folder.path(), &ALL).status.success());
+    let pdf = std::fs::read(out.join(format!("{stem}.pdf"))).expect("read");
+    assert!(pdf.starts_with(b"%PDF-1.7"));
+}
+
+#[test]
+fn a_certificate_that_was_issued_is_not_overwritten() {
+    let folder = folder(&sample::record(&[160.0]));
+    assert!(calib(folder.path(), &ALL).status.success());
+    let issued = folder.path().join("out/certificate-CAL-0042-000017.pdf");
+    let before = std::fs::read(&issued).expect("issued");
+    std::fs::write(
+        folder.path().join("lab.toml"),
+        "[laboratory]\nname = 'Another'\n",
+    )
+    .expect("written");
+    let output = calib(
+        folder.path(),
+        &[&ALL[..], &["--particulars", "lab.toml"]].concat(),
+    );
+    assert_eq!(output.status.code(), Some(6), "{}", text(&output.stderr));
+    assert!(
+        text(&output.stderr).contains("not overwritten"),
+        "{}",
+        text(&output.stderr)
+    );
+    assert_eq!(std::fs::read(&issued).expect("issued"), before);
+    assert_eq!(names(&folder.path().join("out")).len(), 6);
+}
+
+#[test]
+fn what_is_no_record_is_refused_with_the_way_out() {
+    let whole = encoded(&sample::record(&[160.0, 1000.0]));
+    let mut newer = whole.clone();
+    newer[0] += 1;
+    let end = newer.len() - 4;
+    let sum = calib_protocol::frame::CRC.checksum(&newer[..end]);
+    newer[end..].copy_from_slice(&sum.to_le_bytes());
+    let mut flipped = whole.clone();
+    flipped[whole.len() / 2] ^= 0x10;
+    let cases = [
+        (newer, "record version 2", "install a newer calib"),
+        (flipped, "checksum", "download it again"),
+        (
+            whole[..whole.len() - 9].to_vec(),
+            "checksum",
+            "download it again",
+        ),
+        (vec![], "length", "download it again"),
+        (
+            b"frequency_hz,level\n160,10\n".to_vec(),
+            "checksum",
+            "download it again",
+        ),
+    ];
+    for (bytes, problem, hint) in cases {
+        let folder = tempfile::tempdir().expect("folder");
+        std::fs::write(folder.path().join("record.bin"), bytes).expect("written");
+        let output = calib(folder.path(), &ALL);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(6), "{said}");
+        assert!(
+            said.contains("record.bin") && said.contains(problem) && said.contains(hint),
+            "{said}"
+        );
+        assert!(names(&folder.path().join("out")).is_empty());
+    }
+}
+
+#[test]
+fn a_template_that_does_not_compile_names_its_line_and_leaves_nothing() {
+    let folder = folder(&sample::record(&[160.0]));
+    let write = |name: &str, content: &str| {
+        std::fs::write(folder.path().join(name), content).expect("written");
+    };
+    write("lab.toml", "[layout]\ntemplate = 'ours.typ'\n");
+    write("ours.typ", "= Title\n\n#unknown\n");
+    let output = calib(
+        folder.path(),
+        &[&ALL[..], &["--particulars", "lab.toml"]].concat(),
+    );
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(6), "{said}");
+    assert!(
+        said.contains("ours.typ:3") && said.contains("unknown"),
+        "{said}"
+    );
+    assert!(names(&folder.path().join("out")).is_empty());
+}
+
+#[test]
+fn names_with_apostrophes_and_emoji_and_numbers_that_are_none_go_through() {
+    let mut record = sample::record(&[80.0, 160.0, 1000.0]);
+    record.labels.dut_model = sample::text("O'Brien \"#1\" <b> 🎛 $x$");
+    record.points[0].sensitivity_v_per_ms2 = f32::NAN;
+    record.points[2].signal_to_noise_dut_db = f32::NAN;
+    let folder = folder(&record);
+    let output = calib(folder.path(), &ALL);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let read = |name: &str| {
+        let path = folder
+            .path()
+            .join("out")
+            .join(format!("certificate-CAL-0042-000017.{name}"));
+        text(&std::fs::read(path).expect("read"))
+    };
+    assert!(read("json").contains("O'Brien \\\"#1\\\" <b> 🎛 $x$"));
+    assert!(read("html").contains("&lt;b&gt; 🎛"));
+    assert!(read("dcc.xml").contains("&lt;b&gt; 🎛"));
+    for form in ["json", "html", "csv", "dcc.xml", "uff"] {
+        assert!(!read(form).contains("NaN"), "{form}");
+    }
+}
+
+#[test]
+fn as_found_and_as_left_need_one_object() {
+    let left = sample::record(&[80.0, 160.0]);
+    let mut found = left.clone();
+    found.id = 16;
+    let folder = folder(&left);
+    let write = |record: &Record| {
+        std::fs::write(folder.path().join("found.bin"), encoded(record)).expect("written");
+        calib(
+            folder.path(),
+            &[&ALL[..], &["--as-found", "found.bin"]].concat(),
+        )
+    };
+    found.labels.dut_serial = sample::text("another");
+    let output = write(&found);
+    assert_eq!(output.status.code(), Some(6), "{}", text(&output.stderr));
+    found.labels.dut_serial = left.labels.dut_serial.clone();
+    let output = write(&found);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+}
+
+/// A disk that is full is a file that takes no more: the limit of the shell on
+/// the size of files gives the same error in the middle of a file.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_leaves_nothing_half_written() {
+    let folder = folder(&sample::record(&sample::THIRD_OCTAVES_HZ));
+    // 8 blocks of 512 bytes: enough for the CSV, not for the PDF.
+    let script = format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {}", ALL.join(" "));
+    let output = Command::new("sh")
+        .args(["-c", &script, env!("CARGO_BIN_EXE_calib")])
+        .current_dir(folder.path())
+        .output()
+        .expect("sh starts");
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("certificate-CAL-0042-000017"), "{said}");
+    assert!(names(&folder.path().join("out")).is_empty());
+    // The list of files goes to a full device: said, not a panic.
+    let script = format!("exec \"$0\" {} > /dev/full", ALL.join(" "));
+    let output = Command::new("sh")
+        .args(["-c", &script, env!("CARGO_BIN_EXE_calib")])
+        .current_dir(folder.path())
+        .output()
+        .expect("sh starts");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        text(&output.stderr).contains("standard output"),
+        "{}",
+        text(&output.stderr)
+    );
+}
