@@ -26,6 +26,9 @@ fn main() -> Result<(), calib_tests::bench::Fault> {
         tally.points,
         tally.phase_percent()
     );
+    for (seed, frequency_hz, verdict) in &tally.refused {
+        println!("refused: draw {seed} at {frequency_hz} Hz, {verdict:?}");
+    }
     println!(
         "{} refused; {:.0} s",
         tally.refused.len(),
