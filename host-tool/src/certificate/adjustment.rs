@@ -41,7 +41,7 @@ pub(super) fn attach(certificate: &mut Certificate, left: &Record, found: &Recor
     Ok(())
 }
 
-/// Says that both are given, unless the laboratory said something itself.
+/// Says that both are given, whatever was stated of one of them.
 fn state(certificate: &mut Certificate) {
     let calibration = certificate
         .sections
@@ -50,8 +50,7 @@ fn state(certificate: &mut Certificate) {
     let adjustment = |entry: &&mut Entry| entry.key == "adjustment";
     let entry = calibration.and_then(|section| section.entries.iter_mut().find(adjustment));
     if let Some(entry) = entry {
-        let pair = Value::Phrase("adjustment.pair".to_owned(), vec![]);
-        entry.value.get_or_insert(pair);
+        entry.value = Some(Value::Phrase("adjustment.pair".to_owned(), vec![]));
     }
 }
 

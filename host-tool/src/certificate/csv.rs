@@ -11,7 +11,7 @@ use crate::decision::Assessment;
 use crate::{Error, Result};
 
 /// Headings of the columns; fixed, so that scripts can rely on them.
-const COLUMNS: [&str; 32] = [
+const COLUMNS: [&str; 33] = [
     "certificate",
     "dut_model",
     "dut_serial",
@@ -44,6 +44,7 @@ const COLUMNS: [&str; 32] = [
     "as_found_sensitivity_mv_per_ms2",
     "as_found_expanded_uncertainty_percent",
     "change_percent",
+    "coherence",
 ];
 
 /// The table as CSV.
@@ -66,6 +67,8 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
     for (point, found) in certificate.pairs() {
         let mut row = row(certificate, point, language);
         row.extend(as_found(point, found, language));
+        let coherence = point.coherence.map(|c| format!("{c:.4}"));
+        row.push(decimal_sign(coherence.unwrap_or_default(), language));
         writer
             .write_record(row)
             .map_err(|e| broken(e.to_string()))?;

@@ -70,6 +70,7 @@ fn point(result: &PointResult, record: &Record) -> Point {
         distortion_reference_percent: percent(result.distortion_reference_rel),
         signal_to_noise_db: decimal(result.signal_to_noise_dut_db),
         signal_to_noise_reference_db: decimal(result.signal_to_noise_reference_db),
+        coherence: result.coherence.map(f64::from),
         repeatability_percent: percent(result.repeatability_rel),
         amplitude_stability_percent: percent(result.amplitude_stability_rel),
         blocks: result.blocks,

@@ -124,6 +124,7 @@ fn point(point: &Point) -> Value {
         "conformity": assessment.map(|a| a.conformity.name()),
         "lower_limit_v_per_ms2": assessment.map(|a| a.tolerance.lower),
         "upper_limit_v_per_ms2": assessment.map(|a| a.tolerance.upper),
+        "coherence": point.coherence,
         "false_accept_percent": assessment.and_then(|a| a.false_accept).map(|p| 100.0 * p),
         "false_reject_percent": assessment.and_then(|a| a.false_reject).map(|p| 100.0 * p),
         "printed_mv_per_ms2": values.map(|v| v.printed_mv_per_ms2),

@@ -145,6 +145,8 @@ pub struct Point {
     pub signal_to_noise_db: f64,
     /// Signal to residual noise of the reference channel, dB.
     pub signal_to_noise_reference_db: f64,
+    /// Coherence, if the excitation was broadband.
+    pub coherence: Option<f64>,
     /// Relative experimental standard deviation of the mean, %.
     pub repeatability_percent: f64,
     /// Largest change of the acceleration amplitude while measuring, %.

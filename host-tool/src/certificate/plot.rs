@@ -176,7 +176,8 @@ fn open(label: &str, area: &str) -> String {
     )
 }
 
-/// The frequencies with some air, and never less than a tenth of an octave.
+/// The frequencies with some air, and never less than a factor of five: that
+/// has two labels at least.
 fn frequency_range(frequencies: impl Iterator<Item = f64>) -> (f64, f64) {
     let usable = frequencies.filter(|hz| hz.is_finite() && *hz > 0.0);
     let (low, high) = usable.fold((f64::INFINITY, 0.0_f64), |(low, high), hz| {
@@ -185,7 +186,8 @@ fn frequency_range(frequencies: impl Iterator<Item = f64>) -> (f64, f64) {
     if high <= 0.0 {
         return (10.0, 1000.0);
     }
-    let air = (high / low).powf(0.03).max(1.3);
+    let span = high / low;
+    let air = span.powf(0.03).max(1.3).max((5.0 / span).sqrt());
     (low / air, high * air)
 }
 

@@ -295,7 +295,7 @@ pub(super) struct Column {
 }
 
 /// Every column there is, in the order of the built-in layout.
-pub(super) const COLUMNS: [Column; 13] = [
+pub(super) const COLUMNS: [Column; 14] = [
     column("frequency", "frequency", "Hz", |p, l| {
         l.shortest(p.nominal_frequency_hz)
     }),
@@ -345,6 +345,9 @@ pub(super) const COLUMNS: [Column; 13] = [
     column("signal_to_noise", "signal_to_noise", "dB", |p, l| {
         l.number(p.signal_to_noise_db, 0)
     }),
+    column("coherence", "coherence", "", |p, l| {
+        p.coherence.map_or(DASH.to_owned(), |c| l.number(c, 4))
+    }),
     column("verdict", "verdict", "", verdict),
 ];
 
@@ -392,8 +395,12 @@ fn verdict(point: &Point, language: Language) -> String {
 
 fn table(certificate: &Certificate, language: Language) -> Table {
     let wanted = &certificate.particulars.layout.columns;
+    let broadband = certificate.points.iter().any(|p| p.coherence.is_some());
     let columns: Vec<&Column> = match wanted.is_empty() {
-        true => COLUMNS.iter().collect(),
+        true => COLUMNS
+            .iter()
+            .filter(|column| column.name != "coherence" || broadband)
+            .collect(),
         false => wanted
             .iter()
             .filter_map(|name| COLUMNS.iter().find(|c| c.name == name))

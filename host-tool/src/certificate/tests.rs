@@ -145,6 +145,18 @@ fn a_refused_point_has_a_reason_and_no_result() {
 }
 
 #[test]
+fn coherence_has_a_column_when_it_was_measured() {
+    let mut record = record(&[160.0, 1000.0]);
+    let page = rendered(&record, Format::Html, Language::En);
+    assert!(!page.contains("<th scope=\"col\">Coherence</th>"));
+    record.points[1].coherence = Some(0.9975);
+    let page = rendered(&record, Format::Html, Language::De);
+    assert!(page.contains("<th scope=\"col\">Kohärenz</th>") && page.contains("<td>0,9975</td>"));
+    let csv = rendered(&record, Format::Csv, Language::En);
+    assert_eq!(rows(&csv, b',')[1]["coherence"], "0.9975");
+}
+
+#[test]
 fn every_reason_has_words_in_every_language() {
     // Reasons are numbered without gaps, so postcard bytes 0, 1, 2 ... are all.
     let reasons: Vec<Reason> = (0..=u8::MAX)
