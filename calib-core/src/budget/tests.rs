@@ -208,18 +208,35 @@ fn full_correlation_is_the_bound_of_the_sum() {
 type Printed = (&'static str, &'static str);
 
 /// EA-4/02 M:2022, supplements with a normal result, unit as printed there.
-fn supplements() -> [(&'static str, std::vec::Vec<Component<'static>>, Printed); 6] {
+fn supplements() -> [(&'static str, std::vec::Vec<Component<'static>>, Printed); 7] {
     let known = |u: f32| standard(u, f32::INFINITY);
     let triangular = |half_width: f32| line(half_width, Distribution::Triangular);
     let scaled = |component: Component<'static>, c: f32| component.with_sensitivity_coefficient(c);
-    // S6; S7 prints 0.0019 where S6 has 0.0020. All as standard uncertainties.
-    let power_sensor = |comparator: f32| {
-        [
-            9.0e-3, 2.5e-3, 1.1e-3, 2.0e-2, 1.7e-3, 3.0e-4, 3.0e-4, comparator, 2.0e-3,
-        ]
-        .map(known)
-        .to_vec()
-    };
+    // The rows of S7 as rounded in its table.
+    let tabulated = [
+        9.0e-3, 2.5e-3, 1.1e-3, 2.0e-2, 1.7e-3, 3.0e-4, 3.0e-4, 2.0e-3, 2.0e-3,
+    ];
+    // And from its statements: readings 30.033, 30.058, 30.018, 30.052 dB,
+    // U = 0.005, limits 0.002, 0.003 and twice 0.0005, mismatch 0.02, zeros
+    // twice 0.002.
+    let root = 3.0_f32.sqrt();
+    let stated = [
+        9.132_1e-3,
+        2.5e-3,
+        2.0e-3 / root,
+        2.0e-2,
+        3.0e-3 / root,
+        5.0e-4 / root,
+        5.0e-4 / root,
+        2.0e-3,
+        2.0e-3,
+    ];
+    // S6: calibration factor 0.956 x 0.97597 = 0.93302 with limits of the
+    // mismatch 0.0008, 0.014, 0.0008 and 0.0168 (u-shaped), U of the reference
+    // 0.011, drift within 0.002, power ratio 0.00142, readings 0.9772, 0.9671,
+    // 0.9836 with u = 0.0048029.
+    let u_shaped = |limit: f32| line(limit, Distribution::UShaped);
+    let (p, k_x) = (0.975_967, 0.933_024);
     [
         // 8.95 as printed, though 15 / sqrt(3) is 8.66.
         (
@@ -276,9 +293,28 @@ fn supplements() -> [(&'static str, std::vec::Vec<Component<'static>>, Printed);
             .to_vec(),
             ("0.641", "1.3"),
         ),
-        ("S6", power_sensor(2.0e-3), ("0.0224", "0.045")),
-        // 0.0224 is printed; the rounded lines at hand give 0.02234.
-        ("S7", power_sensor(1.9e-3), ("0.022", "0.045")),
+        (
+            "S6",
+            [
+                scaled(line(0.011, TWO), p),
+                scaled(line(0.002, RECTANGULAR), p),
+                scaled(u_shaped(0.000_8), k_x),
+                scaled(u_shaped(0.014), -k_x),
+                scaled(u_shaped(0.000_8), -k_x),
+                scaled(u_shaped(0.016_8), k_x),
+                scaled(known(0.001_42), k_x),
+                scaled(known(0.000_142), k_x),
+                scaled(standard(0.004_802_9, 2.0), 0.956),
+            ]
+            .to_vec(),
+            ("0.0162", "0.032"),
+        ),
+        ("S7", stated.map(known).to_vec(), ("0.0224", "0.045")),
+        (
+            "S7, as tabulated",
+            tabulated.map(known).to_vec(),
+            ("0.0224", "0.045"),
+        ),
     ]
 }
 
@@ -311,8 +347,8 @@ fn weights_by_welch_and_satterthwaite() {
 
 #[test]
 fn humidity_of_ea_4_02_is_a_trapezoid_too() {
-    // S11: u = 0.164 degrees, k = 1.81 printed; its edge of 0.43 gives 1.80 by
-    // its own formula; U = 0.3.
+    // S11: u = 0.164 degrees, U = 0.3. 1.81 is printed for k; its edge of 0.43
+    // gives 1.796 by its own formula, the exact law of all inputs 1.83.
     let printed = [0.015, 0.010, 0.023, 0.029, 0.058, 0.144, 0.029, 0.017];
     let root = 3.0_f32.sqrt();
     let budget = budget(printed.map(|u| line(u * root, RECTANGULAR)));
@@ -343,24 +379,37 @@ fn a_dominant_rectangle_has_its_own_factor() {
 
 #[test]
 fn two_dominant_rectangles_make_a_trapezoid() {
-    // EA-4/02 S10: u = 0.033 mm, two rectangles of 0.029 and 0.0144 mm
-    // dominate, k = 1.83, U = 0.06 mm; the edge 0.333 gives 1.839.
-    let root = 3.0_f32.sqrt();
-    let budget = budget([
-        line(0.029 * root, RECTANGULAR),
-        line(0.0145 * root, RECTANGULAR),
-        standard(0.006, f32::INFINITY),
-    ]);
-    let result = budget
+    // EA-4/02 S10: half-widths of 25 and 50 um, k = 1.83. Its u = 33 um is the
+    // sum of the rounded 15 and 29 um; U = 0.06 mm by either.
+    let of = |resolution: f32, mechanical: f32| {
+        budget([
+            line(mechanical, RECTANGULAR),
+            line(resolution, RECTANGULAR),
+            standard(0.46, f32::INFINITY),
+            standard(1.15, f32::INFINITY).with_sensitivity_coefficient(1.7),
+        ])
         .expand(CoverageRule::Probability(0.95))
-        .expect("valid");
+        .expect("valid")
+    };
+    let root = 3.0_f32.sqrt();
+    let rounded = of(15.0 * root, 29.0 * root);
+    assert_eq!(format!("{:.0}", rounded.standard_uncertainty), "33");
+    assert_eq!(
+        format!("{:.2}", rounded.expanded_uncertainty / 1.0e3),
+        "0.06"
+    );
+    let result = of(25.0, 50.0);
+    assert_eq!(format!("{:.2}", result.coverage.factor), "1.83");
     let Shape::Trapezoidal { edge } = result.coverage.shape else {
         panic!("{result:?}");
     };
     close(edge, 1.0 / 3.0, 1.0e-6);
     // (1 - sqrt(0.05 * 8/9)) / sqrt((10/9) / 6) = 0.789181 / 0.430331 = 1.8339.
     close(result.coverage.factor, 1.833_9, 3.0e-5);
-    assert_eq!(format!("{:.2}", result.expanded_uncertainty), "0.06");
+    assert_eq!(
+        format!("{:.2}", result.expanded_uncertainty / 1.0e3),
+        "0.06"
+    );
 }
 
 #[test]
@@ -375,18 +424,20 @@ fn limits_of_the_trapezoid_are_rectangle_and_triangle() {
 }
 
 #[test]
-fn hardness_of_ea_4_02_needs_students_factor() {
-    // S12: u = 9.10e-4 relative, 10.4 degrees of freedom, k = 2.28.
-    let random = 7.4e-4_f32;
-    let rest = (9.1e-4_f32.powi(2) - random.powi(2)).sqrt();
-    // Degrees of the random part that give 10.4 by Welch-Satterthwaite.
-    let dof = 10.4 * (random / 9.1e-4).powi(4);
-    let budget = budget([standard(random, dof), standard(rest, f32::INFINITY)]);
+fn the_water_meter_of_ea_4_02_needs_students_factor() {
+    // S12, household water meter: 0.60e-3 of three readings and 0.68e-3 give
+    // u = 9.1e-4 with 10.4 degrees of freedom, k = 2.28, U = 2e-3.
+    let budget = budget([standard(0.60e-3, 2.0), standard(0.68e-3, f32::INFINITY)]);
     let result = budget
         .expand(CoverageRule::Probability(PROBABILITY_K2))
         .expect("valid");
-    close(result.effective_degrees_of_freedom, 10.4, 1.0e-4);
+    assert_eq!(format!("{:.1e}", result.standard_uncertainty), "9.1e-4");
+    assert_eq!(
+        format!("{:.1}", result.effective_degrees_of_freedom),
+        "10.4"
+    );
     assert_eq!(format!("{:.2}", result.coverage.factor), "2.28");
+    assert_eq!(format!("{:.0e}", result.expanded_uncertainty), "2e-3");
 }
 
 #[test]

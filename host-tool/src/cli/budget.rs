@@ -1,10 +1,11 @@
 //! `calib budget`: evaluates an uncertainty budget.
 
 use super::Context;
+use calib_core::budget::Table;
 use calib_host::metrology::budget::{self, Budget, Evaluation};
 use calib_host::metrology::monte_carlo::{self, Comparison, Options, Plan};
-use calib_host::{Result, file};
-use clap::Args;
+use calib_host::{Error, Result, file};
+use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -33,7 +34,11 @@ See docs/metrology/budget.md for the rest: phase budgets, two stages, models.";
 #[command(after_help = FORM)]
 pub(crate) struct BudgetVerb {
     /// Budget to evaluate (TOML).
-    file: PathBuf,
+    #[arg(required_unless_present = "template")]
+    file: Option<PathBuf>,
+    /// Print an empty budget with every row of a table of Annex A.
+    #[arg(long, value_enum, value_name = "TABLE", conflicts_with = "file")]
+    template: Option<Template>,
     /// Also propagate the distributions and judge the first-order result.
     #[arg(long)]
     monte_carlo: bool,
@@ -48,6 +53,30 @@ pub(crate) struct BudgetVerb {
     chart: Option<PathBuf>,
 }
 
+/// Tables of ISO 16063-21 Annex A on the command line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Template {
+    /// Magnitude at calibration conditions.
+    A1,
+    /// Phase at calibration conditions.
+    A2,
+    /// Magnitude over the complete frequency and amplitude range.
+    A3,
+    /// Phase over the complete frequency and amplitude range.
+    A4,
+}
+
+impl From<Template> for Table {
+    fn from(template: Template) -> Self {
+        match template {
+            Template::A1 => Self::A1,
+            Template::A2 => Self::A2,
+            Template::A3 => Self::A3,
+            Template::A4 => Self::A4,
+        }
+    }
+}
+
 #[derive(Serialize)]
 struct Output {
     #[serde(flatten)]
@@ -59,7 +88,16 @@ struct Output {
 impl BudgetVerb {
     /// Evaluates and prints.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let budget = budget::load(&self.file)?;
+        if let Some(template) = self.template {
+            let template = budget::template(template.into());
+            return context.print(&template, || template.to_toml());
+        }
+        // The command line demands one of the two.
+        let path = self.file.as_deref().ok_or_else(|| Error::Usage {
+            problem: "a budget file is missing".to_owned(),
+            hint: "name a file, or use --template a1".to_owned(),
+        })?;
+        let budget = budget::load(path)?;
         let evaluation = budget::evaluate(&budget);
         let monte_carlo = self
             .monte_carlo

@@ -16,6 +16,7 @@ mod coverage;
 mod evaluate;
 mod file;
 mod report;
+mod template;
 pub mod type_a;
 
 pub use chart::contribution_chart;
@@ -25,6 +26,7 @@ pub use coverage::{CoverageBasis, CoverageFactor, CoverageRule, trapezoidal_fact
 pub use evaluate::{EvaluatedComponent, Evaluation, Improvement, evaluate};
 pub use file::{load, parse};
 pub use report::report;
+pub use template::{Template, TemplateRow, template};
 
 /// What the numbers of a budget are: relative in percent, or angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -202,6 +202,12 @@ mod tests {
         assert_eq!(unmeasured.outcome, Outcome::NotMeasured);
         let report = super::report(&check);
         assert!(report.contains("not measured"), "{report}");
+        // The worked example of the page, line by line.
+        let page = include_str!("../../../../docs/metrology/points.md");
+        let block = page.split("```\n  parameter").nth(1).unwrap_or("");
+        for line in block.split("```").next().unwrap_or("").lines().skip(1) {
+            assert!(report.contains(line), "{line}\n{report}");
+        }
         assert!(
             report.lines().all(|line| line.chars().count() <= 80),
             "{report}"

@@ -25,6 +25,7 @@ use calib_core::consecutive::Consecutive;
 use calib_core::points::{REFERENCE_HZ, deviation};
 use calib_core::polarity::Polarity;
 use calib_core::settings::Example;
+use calib_core::verdict::Reason;
 use num_complex::Complex32;
 use serde::Serialize;
 
@@ -81,7 +82,7 @@ pub struct PointSensitivity {
     /// Change of the reference between its readings, percent.
     pub drift_percent: Option<f32>,
     /// Half-width of what the drift may have left, percent: a rectangular
-    /// component of the budget (row 10 or 3 of Table A.1).
+    /// component of the budget (row 3 of Table A.1).
     pub drift_half_width_percent: Option<f32>,
     /// Deviation of the magnitude from the reference point, percent.
     pub deviation_percent: Option<f32>,
@@ -144,6 +145,10 @@ fn sensitivity(reading: &Reading, with_phase: bool, example: Example) -> PointSe
         deviation_deg: None,
         verdict: match value {
             Ok(_) => "pass".into(),
+            // The sequence knows the amplitude by its reference alone.
+            Err(Reason::AmplitudeUnstable) => {
+                "refused: the reference moved by more than Table 3 allows".into()
+            }
             Err(reason) => format!("refused: {}", verdict_text::reason(reason)),
         },
     }

@@ -23,12 +23,16 @@ pub fn report(points: &[PointSensitivity], unit: &str, remarks: &[String]) -> St
     if points.iter().any(|point| point.inverted) {
         text.push_str("\ninverted: the output falls with positive motion (Annex B)\n");
     }
+    for point in points.iter().filter(|point| point.sensitivity.is_none()) {
+        let line = format!("{} Hz {}", point.frequency_hz, point.verdict);
+        text.push_str(&format!("\n{}", wrap(&line, 0)));
+    }
     if points.iter().any(|point| point.drift_percent.is_some()) {
         text.push_str(&format!(
             "\n{}",
             wrap(
-                "Half of each drift is the half-width of a rectangular component \
-                 (rows 3 and 18 of Table A.1).",
+                "Half of each drift is the half-width of a rectangular component of \
+                 the budget (row 3 of Table A.1).",
                 0
             )
         ));
@@ -52,9 +56,10 @@ fn row(point: &PointSensitivity) -> Vec<String> {
         places(point.deviation_percent, 3),
         places(point.deviation_db, 4),
         places(point.drift_percent, 3),
-        match point.inverted {
-            true => format!("{}, inverted", point.verdict),
-            false => point.verdict.clone(),
+        match (point.sensitivity, point.inverted) {
+            (None, _) => "refused".into(),
+            (_, true) => "inverted".into(),
+            (_, false) => "pass".into(),
         },
     ]
 }

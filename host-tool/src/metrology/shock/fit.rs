@@ -1,29 +1,14 @@
-//! Weighted least squares on the ratio of the spectra.
-//!
-//! The vector v of (23) and the coefficients mu of a polynomial in
-//! `s_n = i K tan(w_n T / 2)` describe the same discrete model:
-//! v1 = mu1 + K mu2 + K^2 mu3, v2 = 2 mu1 - 2 K^2 mu3,
-//! v3 = mu1 - K mu2 + K^2 mu3. The fit uses mu, because at high sample rates
-//! the columns of (25) are almost equal and lose half of the digits.
+//! A shock record to parameters, test and warnings.
 
+use super::solve::{continuous, solve, spread};
+use super::spectra::{Range, advance, bins, from_spectrum, range, spectrum};
 use crate::metrology::discrete::{Discrete, Mapping};
 use crate::metrology::oscillator::Oscillator;
 use crate::metrology::record::{TimeRecord, without_offset};
 use crate::metrology::statistics;
 use crate::{Error, Result};
-use nalgebra::{Complex, Matrix2x3, Matrix3, Vector2, Vector3};
-use rustfft::FftPlanner;
+use nalgebra::Vector3;
 use serde::Serialize;
-use std::f64::consts::{PI, TAU};
-
-/// Frequencies used, Hz.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Range {
-    /// Lowest bin.
-    pub from_hz: f64,
-    /// Highest bin.
-    pub to_hz: f64,
-}
 
 /// Result of a shock identification.
 #[derive(Clone, Debug, Serialize)]
@@ -91,9 +76,6 @@ pub struct Choice {
     /// measuring chains are known to have, s (8.2).
     pub input_delay_s: f64,
 }
-
-/// Share of its maximum to which the input's spectrum may fall by default.
-const USABLE: f64 = 0.1;
 
 /// Identifies the model from a record with input and output.
 ///
@@ -168,149 +150,11 @@ pub fn identify(record: &TimeRecord, choice: &Choice) -> Result<ShockIdentificat
         warnings: Vec::new(),
     };
     if oscillator.delta > 0.0 {
-        let mut aligned = a.clone();
-        rustfft::FftPlanner::new()
-            .plan_fft_inverse(aligned.len())
-            .process(&mut aligned);
-        let scale = 1.0 / aligned.len() as f64;
-        let aligned: Vec<f64> = aligned.iter().map(|value| value.re * scale).collect();
+        let aligned = from_spectrum(&a);
         compare(&mut result, &output, &discrete.respond(&aligned));
     }
     advise(&mut result);
     Ok(result)
-}
-
-fn spectrum(values: &[f64]) -> Vec<Complex<f64>> {
-    let mut buffer: Vec<Complex<f64>> = values.iter().map(|&v| Complex::new(v, 0.0)).collect();
-    FftPlanner::new()
-        .plan_fft_forward(buffer.len())
-        .process(&mut buffer);
-    buffer
-}
-
-/// Undoes a delay of so many samples.
-fn advance(spectrum: &mut [Complex<f64>], samples: f64) {
-    let count = spectrum.len();
-    for (n, bin) in spectrum.iter_mut().enumerate() {
-        // The upper half are negative frequencies; Nyquist stays real.
-        let signed = match (2 * n).cmp(&count) {
-            std::cmp::Ordering::Less => n as f64,
-            std::cmp::Ordering::Equal => 0.0,
-            std::cmp::Ordering::Greater => n as f64 - count as f64,
-        };
-        *bin *= Complex::from_polar(1.0, TAU * signed * samples / count as f64);
-    }
-}
-
-/// Bins in the range asked for; bin n lies at n/(N T). Bin 0 is left out, as
-/// for a.c.-coupled amplifiers (7.3.1).
-fn bins(a: &[Complex<f64>], sample_rate_hz: f64, choice: &Choice) -> Result<Vec<usize>> {
-    let spacing_hz = sample_rate_hz / a.len() as f64;
-    let half = &a[1..a.len() / 2];
-    let largest = half.iter().map(|bin| bin.norm()).fold(0.0, f64::max);
-    let usable = half
-        .iter()
-        .rposition(|bin| bin.norm() >= USABLE * largest)
-        .map_or(0, |index| index + 1);
-    let bin_of = |f: f64| (f / spacing_hz).round().max(1.0) as usize;
-    let first = choice.from_hz.map_or(1, bin_of);
-    let last = choice.to_hz.map_or(usable, bin_of).min(half.len());
-    match last >= first + 2 {
-        true => Ok((first..=last).collect()),
-        false => Err(Error::input(
-            "record",
-            format!(
-                "only {} usable bins of {spacing_hz:.1} Hz",
-                (last + 1).saturating_sub(first)
-            ),
-            "give a longer record, or a wider range with --from-hz and --to-hz",
-        )),
-    }
-}
-
-fn range(bins: &[usize], count: usize, sample_rate_hz: f64) -> Range {
-    let hz = |bin: Option<&usize>| bin.map_or(0.0, |&n| n as f64 * sample_rate_hz / count as f64);
-    Range {
-        from_hz: hz(bins.first()),
-        to_hz: hz(bins.last()),
-    }
-}
-
-/// mu, its covariance for u0 = 1, and the weighted sum of squares for u0 = 1.
-///
-/// With (27), dividing the residual of G = A/X by u(G) = u0/|X| leaves
-/// |A - X (mu1 + mu2 s + mu3 s^2)|^2 / u0^2.
-fn solve(
-    a: &[Complex<f64>],
-    x: &[Complex<f64>],
-    bins: &[usize],
-    sample_rate_hz: f64,
-) -> Option<(Vector3<f64>, Matrix3<f64>, f64)> {
-    let s = |n: usize| 2.0 * sample_rate_hz * (PI * n as f64 / a.len() as f64).tan();
-    let scale = bins.iter().map(|&n| s(n)).sum::<f64>() / bins.len() as f64;
-    let rows: Vec<(Matrix2x3<f64>, Vector2<f64>)> = bins
-        .iter()
-        .map(|&n| {
-            let w = s(n) / scale;
-            let columns = [x[n], x[n] * Complex::new(0.0, w), x[n] * -(w * w)];
-            (
-                Matrix2x3::from_fn(|row, column| match row {
-                    0 => columns[column].re,
-                    _ => columns[column].im,
-                }),
-                Vector2::new(a[n].re, a[n].im),
-            )
-        })
-        .collect();
-    let normal: Matrix3<f64> = rows.iter().map(|(d, _)| d.transpose() * d).sum();
-    let right: Vector3<f64> = rows.iter().map(|(d, y)| d.transpose() * y).sum();
-    let inverse = normal.try_inverse()?;
-    let scaled = inverse * right;
-    let squares = rows
-        .iter()
-        .map(|(d, y)| (y - d * scaled).norm_squared())
-        .sum();
-    let unit = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0 / scale, 1.0 / (scale * scale)));
-    Some((unit * scaled, unit * inverse * unit, squares))
-}
-
-/// Continuous-time parameters of mu found with K = 2/T. Pre-warping maps the
-/// same filter to another resonance: `w0 = (2/T) atan(w0' T/2)`.
-fn continuous(mu: &Vector3<f64>, sample_rate_hz: f64, mapping: Mapping) -> Option<Oscillator> {
-    let plain = Oscillator::from_inverse(mu)?;
-    let f0_hz = match mapping {
-        Mapping::Bilinear => plain.f0_hz,
-        Mapping::BilinearPrewarped => {
-            let half = TAU * plain.f0_hz / (2.0 * sample_rate_hz);
-            2.0 * sample_rate_hz * half.atan() / TAU
-        }
-    };
-    Some(Oscillator { f0_hz, ..plain })
-}
-
-/// Standard uncertainties of all parameters and the correlation of the first
-/// three, to first order with central differences.
-fn spread(
-    mu: &Vector3<f64>,
-    covariance: &Matrix3<f64>,
-    all: impl Fn(&Vector3<f64>) -> [f64; 6],
-) -> ([f64; 6], [[f64; 3]; 3]) {
-    let mut gradient = [[0.0; 3]; 6];
-    for column in 0..3 {
-        let step = (0.01 * covariance[(column, column)].sqrt()).max(1e-9 * mu[column].abs());
-        let (mut above, mut below) = (*mu, *mu);
-        above[column] += step;
-        below[column] -= step;
-        for (row, (high, low)) in gradient.iter_mut().zip(all(&above).iter().zip(all(&below))) {
-            row[column] = (high - low) / (2.0 * step);
-        }
-    }
-    let g = |row: usize| Vector3::from(gradient[row]);
-    let covariance_of = |a: usize, b: usize| g(a).dot(&(covariance * g(b)));
-    let u: [f64; 6] = std::array::from_fn(|row| covariance_of(row, row).max(0.0).sqrt());
-    let correlation =
-        std::array::from_fn(|a| std::array::from_fn(|b| covariance_of(a, b) / (u[a] * u[b])));
-    (u, correlation)
 }
 
 fn peak_of(values: &[f64]) -> f64 {

@@ -6,7 +6,10 @@
 mod chart;
 mod fit;
 mod report;
+mod solve;
+mod spectra;
 
 pub use chart::simulation_chart;
-pub use fit::{Choice, Range, ShockIdentification, identify};
+pub use fit::{Choice, ShockIdentification, identify};
 pub use report::report;
+pub use spectra::Range;

@@ -1,7 +1,5 @@
 //! Shock identification and prediction on synthetic and measured records.
 
-mod shared;
-
 use calib_host::metrology::discrete::{Discrete, Mapping};
 use calib_host::metrology::input::Source;
 use calib_host::metrology::monte_carlo::Lanes;
@@ -142,7 +140,7 @@ fn the_erratum_of_formula_34_is_right() {
 
 #[test]
 fn the_ptb_shock_agrees_with_the_sine_fit() {
-    let Some(path) = shared::path("data/ptb_accelerometer_shock/record.csv") else {
+    let Some(path) = crate::shared::path("data/ptb_accelerometer_shock/record.csv") else {
         return;
     };
     let record = record::read(Source::read(&path).expect("file")).expect("record");

@@ -1,182 +1,31 @@
-//! The budget file: TOML a person writes by hand.
+//! One `[[component]]` of a budget file.
 
-use super::correlation::first_negative_eigenvalue;
-use super::{
-    Budget, Coefficient, Component, Correlation, CoverageRule, Distribution, Model, Unit, evaluate,
-};
+use super::load_stage;
 use crate::Result;
+use crate::metrology::budget::{Component, Distribution, Unit, evaluate};
 use crate::metrology::input::{self, Number, Source, Text};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
-use toml::{Spanned, Value};
+use toml::Spanned;
 
 /// Budgets inside budgets: Note 1 of Table A.1 needs one, a chain a few more.
 const MAX_STAGES: usize = 8;
 
-/// Remedy of everything the TOML reader itself refuses.
-const KEYS: &str = "known keys: measurand, unit, model, coverage_factor or \
-coverage_probability, degrees_of_freedom_rounding, [[component]] with label, value, \
-distribution, k, divisor, shape, sensitivity_coefficient, degrees_of_freedom, budget, \
-and [[correlation]] with a, b, r; see docs/metrology/budget.md";
-
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct BudgetFile {
-    measurand: Option<String>,
-    unit: Option<Text>,
-    model: Option<Text>,
-    coverage_factor: Option<Number>,
-    coverage_probability: Option<Number>,
-    degrees_of_freedom_rounding: Option<Text>,
-    #[serde(default)]
-    component: Vec<Spanned<ComponentTable>>,
-    #[serde(default)]
-    correlation: Vec<Spanned<CorrelationTable>>,
+pub(super) struct ComponentTable {
+    pub(super) label: Text,
+    pub(super) value: Option<Number>,
+    pub(super) distribution: Option<Text>,
+    pub(super) k: Option<Number>,
+    pub(super) divisor: Option<Number>,
+    pub(super) shape: Option<Text>,
+    pub(super) sensitivity_coefficient: Option<Number>,
+    pub(super) degrees_of_freedom: Option<Number>,
+    pub(super) budget: Option<Text>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ComponentTable {
-    label: Text,
-    value: Option<Number>,
-    distribution: Option<Text>,
-    k: Option<Number>,
-    divisor: Option<Number>,
-    shape: Option<Text>,
-    sensitivity_coefficient: Option<Number>,
-    degrees_of_freedom: Option<Number>,
-    budget: Option<Text>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct CorrelationTable {
-    a: Spanned<Value>,
-    b: Spanned<Value>,
-    r: Number,
-}
-
-/// Reads a budget file; a component's `budget` key names a file beside it.
-///
-/// # Errors
-/// Every fault with file, line and remedy.
-pub fn load(path: &Path) -> Result<Budget> {
-    load_stage(path, &mut Vec::new())
-}
-
-/// Reads a budget from text.
-///
-/// # Errors
-/// As [`load`].
-pub fn parse(source: &Source) -> Result<Budget> {
-    parse_stage(source, &mut Vec::new())
-}
-
-fn load_stage(path: &Path, stages: &mut Vec<PathBuf>) -> Result<Budget> {
-    parse_stage(&Source::read(path)?, stages)
-}
-
-fn parse_stage(source: &Source, stages: &mut Vec<PathBuf>) -> Result<Budget> {
-    let file: BudgetFile = source.parse_toml(KEYS)?;
-    let mut remarks = Vec::new();
-    let unit = unit(source, &file)?;
-    let mut components = Vec::new();
-    for table in &file.component {
-        let component = component(source, table, unit, stages, &mut remarks)?;
-        check_label(source, &table.get_ref().label, &components)?;
-        components.push(component);
-    }
-    check_something(source, &components)?;
-    let correlations = correlations(source, &file.correlation, &components)?;
-    Ok(Budget {
-        measurand: file
-            .measurand
-            .clone()
-            .unwrap_or_else(|| "not stated".into()),
-        unit,
-        model: model(source, &file, unit)?,
-        coverage: coverage(source, &file)?,
-        truncate_degrees_of_freedom: truncation(source, &file)?,
-        components,
-        correlations,
-        remarks,
-    })
-}
-
-fn unit(source: &Source, file: &BudgetFile) -> Result<Unit> {
-    let Some(text) = &file.unit else {
-        return Ok(Unit::Percent);
-    };
-    match text.get_ref().as_str() {
-        "percent" | "%" => Ok(Unit::Percent),
-        "deg" | "degree" | "degrees" => Ok(Unit::Degree),
-        other => Err(source.at(
-            &text.span(),
-            format!("unit '{other}' is not known"),
-            "write \"percent\" (magnitude) or \"deg\" (phase)",
-        )),
-    }
-}
-
-fn model(source: &Source, file: &BudgetFile, unit: Unit) -> Result<Model> {
-    let Some(text) = &file.model else {
-        return Ok(match unit {
-            Unit::Percent => Model::Product,
-            Unit::Degree => Model::Sum,
-        });
-    };
-    match text.get_ref().as_str() {
-        "product" => Ok(Model::Product),
-        "sum" => Ok(Model::Sum),
-        other => Err(source.at(
-            &text.span(),
-            format!("model '{other}' is not known"),
-            "write \"product\" (relative budgets) or \"sum\"",
-        )),
-    }
-}
-
-fn coverage(source: &Source, file: &BudgetFile) -> Result<CoverageRule> {
-    match (&file.coverage_factor, &file.coverage_probability) {
-        (None, None) => Ok(CoverageRule::Default),
-        (Some(factor), None) => {
-            input::positive(source, "coverage_factor", factor).map(CoverageRule::Factor)
-        }
-        (None, Some(number)) => {
-            let probability = input::positive(source, "coverage_probability", number)?;
-            match probability < 1.0 {
-                true => Ok(CoverageRule::Probability(probability)),
-                false => Err(source.at(
-                    &number.span(),
-                    format!("coverage_probability = {probability} is not below 1"),
-                    "write 95 % as 0.95",
-                )),
-            }
-        }
-        (Some(_), Some(second)) => Err(source.at(
-            &second.span(),
-            "coverage_factor and coverage_probability are both stated",
-            "state one of them; the other follows from it",
-        )),
-    }
-}
-
-fn truncation(source: &Source, file: &BudgetFile) -> Result<bool> {
-    let Some(text) = &file.degrees_of_freedom_rounding else {
-        return Ok(false);
-    };
-    match text.get_ref().as_str() {
-        "none" => Ok(false),
-        "down" => Ok(true),
-        other => Err(source.at(
-            &text.span(),
-            format!("degrees_of_freedom_rounding '{other}' is not known"),
-            "write \"none\" (interpolate, GUM G.4.1) or \"down\" (EA-4/02 Annex E)",
-        )),
-    }
-}
-
-fn component(
+pub(super) fn component(
     source: &Source,
     table: &Spanned<ComponentTable>,
     unit: Unit,
@@ -445,7 +294,7 @@ fn staged(
     })
 }
 
-fn check_label(source: &Source, label: &Text, earlier: &[Component]) -> Result<()> {
+pub(super) fn check_label(source: &Source, label: &Text, earlier: &[Component]) -> Result<()> {
     let name = label.get_ref().trim();
     let problem = match name {
         "" => "a component has an empty label".to_owned(),
@@ -455,116 +304,4 @@ fn check_label(source: &Source, label: &Text, earlier: &[Component]) -> Result<(
         _ => return Ok(()),
     };
     Err(source.at(&label.span(), problem, "give each component its own label"))
-}
-
-fn check_something(source: &Source, components: &[Component]) -> Result<()> {
-    if components.is_empty() {
-        return Err(source.at_line(
-            1,
-            "the budget has no component",
-            "add [[component]] tables with label, value and distribution",
-        ));
-    }
-    if components
-        .iter()
-        .all(|component| component.signed_contribution() == 0.0)
-    {
-        return Err(source.at_line(
-            1,
-            "every contribution is zero",
-            "state the value of at least one component in percent",
-        ));
-    }
-    Ok(())
-}
-
-fn correlations(
-    source: &Source,
-    tables: &[Spanned<CorrelationTable>],
-    components: &[Component],
-) -> Result<Vec<Correlation>> {
-    let mut all: Vec<Correlation> = Vec::new();
-    for table in tables {
-        let correlation = correlation(source, table.get_ref(), components)?;
-        let pair = |other: &Correlation| {
-            let (a, b) = (other.a.min(other.b), other.a.max(other.b));
-            (a, b)
-                == (
-                    correlation.a.min(correlation.b),
-                    correlation.a.max(correlation.b),
-                )
-        };
-        if all.iter().any(pair) {
-            return Err(source.at(
-                &table.get_ref().a.span(),
-                "this pair of components is correlated twice",
-                "keep one [[correlation]] for each pair",
-            ));
-        }
-        all.push(correlation);
-    }
-    match first_negative_eigenvalue(components.len(), &all) {
-        None => Ok(all),
-        Some(lowest) => Err(source.at(
-            &tables.last().map_or(0..0, |table| table.get_ref().r.span()),
-            format!(
-                "the correlation matrix is not positive semidefinite: \
-                 smallest eigenvalue {lowest:.3}"
-            ),
-            "no quantities can be correlated like this; reduce the coefficients \
-             or correct a sign",
-        )),
-    }
-}
-
-fn correlation(
-    source: &Source,
-    table: &CorrelationTable,
-    components: &[Component],
-) -> Result<Correlation> {
-    let a = index_of(source, &table.a, components)?;
-    let b = index_of(source, &table.b, components)?;
-    if a == b {
-        return Err(source.at(
-            &table.b.span(),
-            "a component is correlated with itself",
-            "name two different components",
-        ));
-    }
-    if let Value::String(text) = table.r.get_ref()
-        && text == "unknown"
-    {
-        let coefficient = Coefficient::Unknown;
-        return Ok(Correlation { a, b, coefficient });
-    }
-    let r = input::finite(source, "r", &table.r)?;
-    if r.abs() > 1.0 {
-        return Err(source.at(
-            &table.r.span(),
-            format!("r = {r} is outside -1 .. 1"),
-            "write a correlation coefficient, or \"unknown\" for the bound of D.4",
-        ));
-    }
-    let coefficient = Coefficient::Known(r);
-    Ok(Correlation { a, b, coefficient })
-}
-
-fn index_of(source: &Source, key: &Spanned<Value>, components: &[Component]) -> Result<usize> {
-    let found = match key.get_ref() {
-        Value::String(label) => components
-            .iter()
-            .position(|component| component.label == label.trim()),
-        Value::Integer(number) => usize::try_from(*number)
-            .ok()
-            .and_then(|number| number.checked_sub(1))
-            .filter(|index| *index < components.len()),
-        _ => None,
-    };
-    found.ok_or_else(|| {
-        source.at(
-            &key.span(),
-            format!("no component is called {}", key.get_ref()),
-            "write the label of a component, or its number from 1",
-        )
-    })
 }

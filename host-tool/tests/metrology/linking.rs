@@ -1,7 +1,5 @@
 //! Linked comparisons: published table, known truth, faults.
 
-mod shared;
-
 use calib_host::metrology::input::Source;
 use calib_host::metrology::linking::{self, OnFailure, judge, link};
 use calib_host::metrology::monte_carlo::Lanes;
@@ -9,7 +7,7 @@ use std::path::Path;
 
 #[test]
 fn the_published_table_flags_whom_the_report_names() {
-    let Some(path) = shared::path("data/euramet_auv_v_k3_doe.csv") else {
+    let Some(path) = crate::shared::path("data/euramet_auv_v_k3_doe.csv") else {
         return;
     };
     let table = linking::read_table(Source::read(&path).expect("file")).expect("table");

@@ -1,7 +1,5 @@
 //! Identification from sinusoidal data against independent fits and known truth.
 
-mod shared;
-
 use calib_host::metrology::identify::{self, Identification, Points, Weighting};
 use calib_host::metrology::input::Source;
 use calib_host::metrology::monte_carlo::Lanes;
@@ -44,7 +42,7 @@ fn table(oscillator: &Oscillator, errors: Option<&mut Lanes>) -> String {
 
 #[test]
 fn the_ptb_accelerometer_is_identified_and_rejected() {
-    let Some(path) = shared::path("data/ptb_accelerometer_sine/points.csv") else {
+    let Some(path) = crate::shared::path("data/ptb_accelerometer_sine/points.csv") else {
         return;
     };
     let points = identify::read(Source::read(&path).expect("file")).expect("points");
