@@ -378,11 +378,6 @@ fn a_record_that_was_stored_still_agrees_with_its_settings() {
     let mut record = record(&[160.0]);
     // Repeatability dominates: what rounding in a record does to U is largest.
     record.points[0].repeatability_rel = 0.010_03;
-    let rest = 0.25e-2_f64.powi(2) + 0.2571e-4 / 3.0;
-    let combined = (rest + 0.010_03_f64.powi(2)).sqrt();
-    // 19 degrees of freedom over the fourth power of the share: 23.8; the
-    // factor is then 2.0649 (Student, 95 %), not needed to a digit here.
-    record.points[0].expanded_uncertainty_rel = (2.0 * combined) as f32;
     let exact = Certificate::from_record(&record, &Particulars::default());
     let budget = exact.budget.expect("a budget");
     record.points[0].expanded_uncertainty_rel = (budget.expanded_percent / 100.0) as f32;

@@ -29,10 +29,14 @@ pub(crate) struct CertificateVerb {
     /// Language: en or de; else that of the particulars, else English.
     #[arg(long, short, value_name = "LANGUAGE")]
     language: Option<Language>,
-    /// TOML file with laboratory, customer, conditions ...; may be given again,
-    /// and what a later one states wins.
+    /// TOML file with customer, conditions ...; may be given again, and what a
+    /// later one states wins. That of the laboratory comes first.
     #[arg(long, short, value_name = "FILE")]
     particulars: Vec<PathBuf>,
+    /// TOML file of the laboratory, read before --particulars [default:
+    /// calib/laboratory.toml in the user's configuration directory, if there].
+    #[arg(long, env = "CALIB_LABORATORY", value_name = "FILE")]
+    laboratory: Option<PathBuf>,
     /// File of the record from before an adjustment; RECORD is then from after it.
     #[arg(long, value_name = "FILE")]
     as_found: Option<PathBuf>,
@@ -75,7 +79,14 @@ impl CertificateVerb {
     }
 
     fn options(&self) -> Result<Options> {
-        let mut particulars = Particulars::read(&self.particulars)?;
+        let own = || dirs::config_dir().map(|folder| folder.join("calib/laboratory.toml"));
+        let laboratory = self.laboratory.clone();
+        let laboratory = laboratory.or_else(|| own().filter(|path| path.exists()));
+        let files: Vec<PathBuf> = laboratory
+            .into_iter()
+            .chain(self.particulars.clone())
+            .collect();
+        let mut particulars = Particulars::read(&files)?;
         particulars.language = self.language.or(particulars.language);
         Ok(Options {
             particulars,

@@ -11,6 +11,9 @@ fn calib(folder: &Path, arguments: &[&str]) -> Output {
         .args(arguments)
         .current_dir(folder)
         .env("NO_COLOR", "1")
+        // What the developer keeps stays out of the test.
+        .env("XDG_CONFIG_HOME", folder.join("config"))
+        .env_remove("CALIB_LABORATORY")
         .output()
         .expect("calib starts")
 }
@@ -200,6 +203,36 @@ fn as_found_and_as_left_need_one_object() {
     found.labels.dut_serial = left.labels.dut_serial.clone();
     let output = write(&found);
     assert!(output.status.success(), "{}", text(&output.stderr));
+}
+
+// Elsewhere the configuration directory does not follow the environment.
+#[cfg(target_os = "linux")]
+#[test]
+fn the_file_of_the_laboratory_is_read_without_being_named() {
+    let folder = folder(&sample::record(&[160.0]));
+    let config = folder.path().join("config/calib");
+    std::fs::create_dir_all(&config).expect("folder");
+    let house = "language = 'de'\n[laboratory]\nname = 'Haus'\ncity = 'Ort'\ncountry = 'DE'\n";
+    std::fs::write(config.join("laboratory.toml"), house).expect("written");
+    std::fs::write(
+        folder.path().join("job.toml"),
+        "[laboratory]\ncity = 'Feld'\n",
+    )
+    .expect("written");
+    let arguments = [
+        "certificate",
+        "record.bin",
+        "--format",
+        "json",
+        "-p",
+        "job.toml",
+    ];
+    let output = calib(folder.path(), &arguments);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let json = std::fs::read(folder.path().join("certificate-CAL-0042-000017.json")).expect("read");
+    let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
+    assert_eq!(json["laboratory"]["name"], "Haus, Feld, DE");
+    assert_eq!(json["language"], "de");
 }
 
 /// A disk that is full is a file that takes no more: the limit of the shell on
