@@ -1,11 +1,17 @@
-//! Prints the answer for one dataset as JSON: `diagnose DATASET [VALIDATE]`.
+//! Prints the answer for one dataset as JSON: `diagnose DATASET [VALIDATE|-] [WITHOUT,...]`.
 fn main() {
-    let a: Vec<std::path::PathBuf> = std::env::args_os().skip(1).map(Into::into).collect();
+    let a: Vec<String> = std::env::args().skip(1).collect();
+    let Some(dataset) = a.first() else {
+        eprintln!("usage: diagnose DATASET [VALIDATE|-] [WITHOUT,...]");
+        return;
+    };
+    let without = a.get(2).map_or("", String::as_str).split(',');
     let options = calib_gap::Options {
-        validate: a.get(1).cloned(),
+        validate: a.get(1).filter(|v| *v != "-").map(Into::into),
+        without: without.filter(|n| !n.is_empty()).map(Into::into).collect(),
         ..Default::default()
     };
-    match calib_gap::diagnose(&a[0], &options) {
+    match calib_gap::diagnose(dataset.as_ref(), &options) {
         Ok(answer) => println!(
             "{}",
             serde_json::to_string_pretty(&answer).unwrap_or_default()

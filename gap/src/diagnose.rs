@@ -171,7 +171,7 @@ fn diagnose_points(
         (None, None) => held_out(problem, problem, &found, verdict),
     };
     let causes = causes(problem, &found, &mut work);
-    let confusable = confusable(&causes, verdict);
+    let confusable = confusable(&causes, verdict, problem);
     let next_measurement = next_measurement(verdict, &causes, &left, problem);
     Answer {
         verdict,
@@ -311,16 +311,23 @@ fn nominal_parameters(
     all
 }
 
-fn confusable(causes: &[Cause], verdict: Verdict) -> Vec<Vec<String>> {
+/// Sets that the data hardly separate, and effects that no data of this kind can.
+fn confusable(causes: &[Cause], verdict: Verdict, problem: &Problem) -> Vec<Vec<String>> {
     let name = |c: &Cause| c.effects.join("+");
-    match (verdict, causes.split_first()) {
-        (Verdict::NoGap, _) | (_, None) => Vec::new(),
-        (_, Some((first, rest))) => rest
-            .iter()
-            .filter(|c| c.probability > 0.05)
-            .map(|c| vec![name(first), name(c)])
-            .collect(),
+    let (first, rest) = match (verdict, causes.split_first()) {
+        (Verdict::NoGap, _) | (_, None) => return Vec::new(),
+        (_, Some(split)) => split,
+    };
+    let mut pairs: Vec<Vec<String>> = rest
+        .iter()
+        .filter(|c| c.probability > 0.05)
+        .map(|c| vec![name(first), name(c)])
+        .collect();
+    if problem.facts.drive && !problem.facts.current {
+        // Bl^2/R and the damping of the suspension only ever act as a sum on the drive.
+        pairs.push(vec!["mechanical_damping".into(), "back_emf".into()]);
     }
+    pairs
 }
 
 fn next_measurement(

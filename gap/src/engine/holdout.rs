@@ -121,7 +121,15 @@ pub(crate) fn score_on(training: &Problem, testing: &Problem, nominal: &Fit, cho
         before_percent: percent(pooled[0]),
         after_percent: percent(pooled[1]),
         floor_percent: percent(pooled[2]),
-        closed: (weights > 0.0).then(|| closed / weights),
+        closed: if weights > 0.0 {
+            Some(closed / weights)
+        } else if !chosen.effects.is_empty() && pooled[0] > pooled[2] {
+            // No observable stands out of its noise by itself: what all of them together show.
+            let [before, after, floor] = [pooled[0], pooled[1], pooled[2]].map(percent);
+            Some(((before - after) / (before - floor)).clamp(-9.0, 1.0))
+        } else {
+            None
+        },
         chi_before: (chi[0] / chi[2].max(1.0)).sqrt(),
         chi_after: (chi[1] / chi[2].max(1.0)).sqrt(),
         held_out_rows: testing.rows.len(),

@@ -15,6 +15,8 @@ const BASES: usize = 7;
 const SLACK: f64 = 0.1;
 /// Difference in score, on part of the rows, above which a set is not tried on all of them.
 const SEEDED: f64 = 60.0;
+/// Difference of score by which an earlier entry of the library is preferred.
+const TIE: f64 = 1e-4;
 /// Least cost of one more effect in the score.
 const COST: f64 = 12.0;
 /// Difference in score above which a set is not worth listing.
@@ -441,7 +443,9 @@ fn score(problem: &Problem, nominal: &Fit, found: Vec<Fit>, allowed: &[bool]) ->
         .chain(found)
         .map(|fit| {
             let bic = fit.objective + per_parameter * fit.parameter_count() as f64;
-            let score = bic + per_name * fit.effects.len() as f64;
+            // Equals come in the order of the library.
+            let order: usize = fit.effects.iter().map(|e| e.entry).sum();
+            let score = bic + per_name * fit.effects.len() as f64 + TIE * order as f64;
             Scored {
                 fit,
                 bic,

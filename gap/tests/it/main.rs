@@ -1,0 +1,11 @@
+//! The diagnosis as a whole: on sealed sets, and on measured data.
+
+#[path = "../../examples/bench_gap/case.rs"]
+#[allow(dead_code)]
+mod case;
+mod real_data;
+#[path = "../sealed/mod.rs"]
+#[allow(dead_code)]
+mod sealed;
+mod sealed_rates;
+mod shared_data;

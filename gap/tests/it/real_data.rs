@@ -1,0 +1,92 @@
+//! What is known about measured data, found again.
+
+use super::shared_data::dataset;
+use calib_gap::{Answer, Options, Verdict, diagnose};
+use std::path::PathBuf;
+
+fn answer(folder: &PathBuf, validate: Option<PathBuf>) -> Answer {
+    let options = Options {
+        validate,
+        ..Options::default()
+    };
+    diagnose(folder, &options).expect("the dataset is good")
+}
+
+fn has(answer: &Answer, effect: &str) -> bool {
+    answer.causes.iter().any(|c| c.effects.contains(&effect))
+}
+
+/// The source states 6.96 mV (multisine) and 14.4 mV (arrow) for the linear
+/// model and a cubic with a weak quadratic spring for the circuit; published
+/// black boxes reach 0.26 mV. Bounds: those of the project's issue.
+#[test]
+fn the_silver_box_has_a_cubic_and_a_quadratic_spring() {
+    let Some(fit) = dataset("silverbox_fit") else {
+        return;
+    };
+    for (held, linear_v, most_v) in [("multisine", 6.96e-3, 0.32e-3), ("arrow", 14.4e-3, 0.42e-3)] {
+        let answer = answer(&fit, dataset(&format!("silverbox_{held}")));
+        let (before, after) = (answer.gap.rms_before, answer.gap.rms_after);
+        let (before, after) = (before.unwrap_or(0.0), after.unwrap_or(1.0));
+        // Fitted on another part of the record than the source's: within 3 %.
+        assert!((before / linear_v - 1.0).abs() < 0.03, "{held}: {before} V");
+        assert!(after <= most_v, "{held}: {after} V");
+        let expected = ["cubic_stiffness", "quadratic_stiffness"];
+        assert_eq!(answer.causes[0].effects, expected, "{held}");
+    }
+}
+
+/// A rigid mass with an ideal inductance misses by 12 % where all six values
+/// are free; the voltage alone cannot tell damping from back-EMF.
+#[test]
+fn the_shaker_has_a_lossy_inductance() {
+    let Some(folder) = dataset("shaker_drive") else {
+        return;
+    };
+    let answer = answer(&folder, None);
+    assert!(answer.causes[0].effects.contains(&"lossy_inductance"));
+    let damping = vec!["mechanical_damping".to_owned(), "back_emf".to_owned()];
+    assert!(
+        answer.confusable.contains(&damping),
+        "{:?}",
+        answer.confusable
+    );
+    assert!(answer.gap.before_percent > 5.0, "{:?}", answer.gap);
+    assert!(answer.gap.after_percent <= 2.5, "{:?}", answer.gap);
+}
+
+/// The published fit has its resonance at 51 436.9 Hz; the bumps between 9 and
+/// 20 kHz are no effect of the library.
+#[test]
+fn one_resonance_does_not_explain_all_of_a_calibration_of_an_accelerometer() {
+    let Some(folder) = dataset("ptb_accelerometer_sine") else {
+        return;
+    };
+    let answer = answer(&folder, None);
+    assert_eq!(answer.verdict, Verdict::Unexplained);
+    let resonance = answer
+        .causes
+        .iter()
+        .find(|c| c.effects == ["dut_resonance"]);
+    let resonance = resonance.expect("the resonance is among the causes");
+    let at = resonance.parameters["dut_resonance"]["resonance_hz"].value;
+    // Weighted by the stated uncertainties, which the published fit was not: 5 %.
+    assert!((at / 51_436.9 - 1.0).abs() < 0.05, "{at} Hz");
+}
+
+/// Seed of the comparison: consistent above 0.2 Hz only. Without phase and with
+/// one rotation, a tilt and the reference's high-pass are the same 1/f^2.
+#[test]
+fn a_rise_at_low_frequency_is_ambiguous_without_phase() {
+    let Some(folder) = dataset("cmi_low_frequency") else {
+        return;
+    };
+    let answer = answer(&folder, None);
+    assert_eq!(answer.verdict, Verdict::Ambiguous);
+    assert!(has(&answer, "gravity_tilt") && has(&answer, "reference_highpass"));
+    assert!(
+        answer.gap.closed.is_some_and(|closed| closed > 0.9),
+        "{:?}",
+        answer.gap
+    );
+}

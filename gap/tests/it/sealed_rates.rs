@@ -1,0 +1,92 @@
+//! The main rates, on as many sealed cases as a few seconds allow.
+//!
+//! The larger sets are those of the benchmark `gap`.
+
+use super::case::{Outcome, run};
+use calib_gap::Verdict;
+
+/// Seed of these cases only.
+const SEED: u64 = 77_001;
+
+fn outcomes(stratum: &str, cases: impl Iterator<Item = u64>) -> Vec<Outcome> {
+    cases
+        .map(|index| run(stratum, index, SEED).expect("a sealed case is a good dataset"))
+        .collect()
+}
+
+/// Most misses that a diagnosis with the given rate makes with a probability above 1 %.
+fn most_misses(cases: usize, miss_rate: f64) -> usize {
+    let mut term = (1.0 - miss_rate).powi(cases as i32);
+    let (mut sum, mut misses) = (term, 0);
+    while 1.0 - sum > 0.01 {
+        misses += 1;
+        term *= (cases + 1 - misses) as f64 / misses as f64 * miss_rate / (1.0 - miss_rate);
+        sum += term;
+    }
+    misses
+}
+
+fn check(what: &str, outcomes: &[&Outcome], miss_rate: f64, right: impl Fn(&Outcome) -> bool) {
+    let missed: Vec<String> = outcomes
+        .iter()
+        .filter(|o| !right(o))
+        .map(ToString::to_string)
+        .collect();
+    let most = most_misses(outcomes.len(), miss_rate);
+    assert!(
+        missed.len() <= most,
+        "{what}: more than {most} of {}\n{}",
+        outcomes.len(),
+        missed.join("\n")
+    );
+}
+
+fn named(outcome: &Outcome) -> bool {
+    outcome.place().is_some_and(|place| place.0 == 0)
+}
+
+#[test]
+fn a_binomial_bound_is_that_of_the_tables() {
+    // 21 cases at 2 %: 0.654, 0.280, 0.057 for 0, 1, 2 misses; 0.8 % beyond.
+    assert_eq!(most_misses(21, 0.02), 2);
+    // 12 cases at 1 %: 0.886, 0.107; 0.6 % beyond.
+    assert_eq!(most_misses(12, 0.01), 1);
+}
+
+#[test]
+fn an_honest_rig_raises_no_alarm() {
+    let outcomes = outcomes("null", 0..8);
+    let off = self::outcomes("off2u", 0..4);
+    let all: Vec<&Outcome> = outcomes.iter().chain(&off).collect();
+    check("alarms", &all, 0.01, |o| o.is(Verdict::NoGap));
+}
+
+#[test]
+fn single_effects_are_named() {
+    // Every second name of the library.
+    let outcomes = outcomes("single", (0..42).step_by(2));
+    let visible: Vec<&Outcome> = outcomes.iter().filter(|o| o.sigma > 6.0).collect();
+    assert!(
+        visible.len() > 15,
+        "too few visible cases: {}",
+        visible.len()
+    );
+    check("not named first", &visible, 0.02, named);
+}
+
+#[test]
+fn pairs_are_named() {
+    let outcomes = outcomes("pairs", 0..8);
+    let visible: Vec<&Outcome> = outcomes.iter().filter(|o| o.sigma > 6.0).collect();
+    check("not both named", &visible, 0.08, named);
+}
+
+#[test]
+fn an_effect_missing_from_the_library_is_not_forced_onto_another() {
+    let outcomes = outcomes("withheld", (0..42).step_by(4));
+    let left: Vec<&Outcome> = outcomes.iter().filter(|o| o.left_sigma > 3.0).collect();
+    assert!(left.len() > 5, "too few cases: {}", left.len());
+    check("not unexplained", &left, 0.05, |o| {
+        o.is(Verdict::Unexplained)
+    });
+}
