@@ -2,9 +2,9 @@
 
 use super::shared_data::dataset;
 use calib_gap::{Answer, Options, Verdict, diagnose};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-fn answer(folder: &PathBuf, validate: Option<PathBuf>) -> Answer {
+fn answer(folder: &Path, validate: Option<PathBuf>) -> Answer {
     let options = Options {
         validate,
         ..Options::default()
