@@ -155,7 +155,7 @@ fn the_demo_finds_the_truth_within_its_uncertainty() {
     let truth = demo["truth_v_per_ms2"].as_f64().expect("truth");
     assert!((truth / 0.01 - 1.0).abs() > 1e-3, "{truth}");
     let files = demo["files"].as_array().expect("files");
-    assert_eq!(files.len(), 4, "record, CSV, JSON, HTML");
+    assert_eq!(files.len(), 7, "record, CSV, JSON, HTML, DCC, PDF, UFF");
     for file in files {
         let path = folder.path().join(file.as_str().expect("a path"));
         assert!(
