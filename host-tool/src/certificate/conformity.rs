@@ -1,6 +1,7 @@
 //! Judges the results of a certificate by specification and rule.
 
 use super::model::{Certificate, Entry, Remark, Section, Severity, Value};
+use crate::decision::specification::Name;
 use crate::decision::{Assessment, Decision, Rule, assess};
 
 /// Judges every point that has a result, if a decision is asked for, and adds
@@ -74,7 +75,7 @@ fn statement(certificate: &Certificate, decision: &Decision) -> Section {
         (
             "specification",
             "ISO/IEC 17025 7.8.6.2 b",
-            Some(Value::Text(decision.specification.name.clone())),
+            Some(specification(&decision.specification.name)),
         ),
         (
             "nominal",
@@ -106,22 +107,32 @@ fn statement(certificate: &Certificate, decision: &Decision) -> Section {
     }
 }
 
+fn specification(name: &Name) -> Value {
+    let with =
+        |key: &str, percent: f64| Value::Phrase(key.to_owned(), vec![Value::Exact(percent, "%")]);
+    match name {
+        Name::Own(name) => Value::Text(name.clone()),
+        Name::Nominal(percent) => with("specification.nominal", *percent),
+        Name::Relative(percent) => with("specification.relative", *percent),
+    }
+}
+
 fn rule(rule: Rule) -> Value {
     match rule {
         Rule::Simple => Value::Phrase("rule.simple".to_owned(), vec![]),
         Rule::GuardBand => Value::Phrase("rule.guard_band".to_owned(), vec![]),
         Rule::MaxFalseAccept(most) => {
+            // What was typed, not what became of it in binary.
             let percent = (most * 1.0e8).round() / 1.0e6;
-            Value::Phrase(
-                "rule.max_false_accept".to_owned(),
-                vec![percent.to_string()],
-            )
+            let values = vec![Value::Exact(percent, "%")];
+            Value::Phrase("rule.max_false_accept".to_owned(), values)
         }
     }
 }
 
 fn applies_to(certificate: &Certificate, judged: usize) -> Value {
-    let counts = vec![judged.to_string(), certificate.points.len().to_string()];
+    let count = |n: usize| Value::Number(n as f64, 0, "");
+    let counts = vec![count(judged), count(certificate.points.len())];
     Value::Phrase("decision.points".to_owned(), counts)
 }
 

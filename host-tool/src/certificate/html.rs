@@ -19,9 +19,12 @@ pub(super) fn render(presented: &Presented) -> Result<Vec<u8>> {
     let page = environment
         .template_from_named_str("page.html", TEMPLATE)
         .and_then(|template| {
-            template.render(
-                context! { c => Value::from(Serde(presented)), style => STYLE, script => SCRIPT },
-            )
+            template.render(context! {
+                c => Value::from(Serde(presented)),
+                style => STYLE,
+                script => SCRIPT,
+                paper => paper(presented),
+            })
         });
     page.map(String::into_bytes).map_err(|error| {
         let line = error
@@ -34,4 +37,35 @@ pub(super) fn render(presented: &Presented) -> Result<Vec<u8>> {
             "correct the template",
         )
     })
+}
+
+/// Number of the certificate and "page n of m" on every printed page.
+fn paper(presented: &Presented) -> String {
+    let word = |key: &str| css(presented.words.get(key).map_or("", String::as_str));
+    format!(
+        "@page {{ @bottom-left {{ content: {}; }} @bottom-right {{ content: {} \" \" counter(page) \" \" {} \" \" counter(pages); }} }}",
+        css(&presented.number),
+        word("page"),
+        word("of"),
+    )
+}
+
+/// A string of CSS: everything but letters and figures escaped.
+fn css(text: &str) -> String {
+    let escaped = |c: char| match c.is_ascii_alphanumeric() {
+        true => c.to_string(),
+        false => format!("\\{:x} ", u32::from(c)),
+    };
+    format!("\"{}\"", text.chars().map(escaped).collect::<String>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::css;
+
+    #[test]
+    fn a_string_of_css_cannot_be_left() {
+        assert_eq!(css("A-1"), "\"A\\2d 1\"");
+        assert_eq!(css("\"</style>"), "\"\\22 \\3c \\2f style\\3e \"");
+    }
 }

@@ -58,13 +58,13 @@ impl Certificate {
     }
 
     /// The statement about the whole object: the worst of all judged points.
-    /// `None` when nothing is judged, or when a point has no result.
+    /// `None` when nothing is judged, or when a point without a result keeps
+    /// the others from passing the object; a failure stays one.
     pub fn conformity(&self) -> Option<Conformity> {
-        if self.points.iter().any(|point| point.outcome.is_err()) {
-            return None;
-        }
         let judged = self.results().filter_map(|(_, values)| values.assessment);
-        judged.map(|assessment| assessment.conformity).max()
+        let worst = judged.map(|assessment| assessment.conformity).max()?;
+        let whole = self.points.iter().all(|point| point.outcome.is_ok());
+        (whole || worst == Conformity::Fail).then_some(worst)
     }
 
     /// Points beside those of the same frequency and level as found.
@@ -113,7 +113,7 @@ pub enum Value {
     /// Words of the operator or the instrument.
     Text(String),
     /// A message key and its values.
-    Phrase(String, Vec<String>),
+    Phrase(String, Vec<Value>),
     /// A number, its decimals and its unit.
     Number(f64, usize, &'static str),
     /// A number as it was given, and its unit.

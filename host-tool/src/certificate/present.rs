@@ -163,6 +163,7 @@ pub(super) fn value(value: &Value, language: Language) -> String {
     match value {
         Value::Text(text) => text.clone(),
         Value::Phrase(key, values) => {
+            let values: Vec<String> = values.iter().map(|v| self::value(v, language)).collect();
             let values: Vec<&str> = values.iter().map(String::as_str).collect();
             language.phrase(key, &values)
         }

@@ -44,7 +44,8 @@ fn said(words: &Option<String>) -> Option<Value> {
 }
 
 fn phrase(key: impl Into<String>, values: &[String]) -> Option<Value> {
-    Some(Value::Phrase(key.into(), values.to_vec()))
+    let values = values.iter().cloned().map(Value::Text).collect();
+    Some(Value::Phrase(key.into(), values))
 }
 
 fn exact(number: Option<f64>, unit: &'static str) -> Option<Value> {
@@ -413,6 +414,7 @@ fn instrument(used: &Equipment) -> Value {
     let dash = || "\u{2013}".to_owned();
     let due = used.due.map_or_else(dash, |due| due.to_string());
     let certificate = used.certificate.clone().unwrap_or_else(dash);
-    let values = vec![used.name.clone(), used.serial.clone(), certificate, due];
+    let values = [used.name.clone(), used.serial.clone(), certificate, due];
+    let values = values.map(Value::Text).to_vec();
     Value::Phrase("equipment.item".to_owned(), values)
 }

@@ -3,6 +3,7 @@
 use super::model::{Certificate, Value};
 use super::testing::{SENSITIVITY_V_PER_MS2, THIRD_OCTAVES_HZ, point, record, text, truth};
 use super::{Format, Language, Particulars, render, write};
+use crate::decision::Conformity;
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::Record;
 
@@ -142,6 +143,38 @@ fn a_refused_point_has_a_reason_and_no_result() {
     let html = rendered(&record, Format::Html, Language::En);
     assert!(html.contains("refused: signal too small over noise"));
     assert!(html.contains("1 of 2 points were refused"));
+}
+
+#[test]
+fn a_failure_stays_one_when_another_point_was_refused() {
+    let decided = |text: &str, refused: bool| {
+        let particulars: Particulars = toml::from_str(text).expect("TOML");
+        let mut record = record(&[160.0, 1000.0]);
+        if refused {
+            record.points[1].verdict = Verdict::Refused(Reason::Distortion);
+        }
+        Certificate::from_record(&record, &particulars)
+    };
+    // 10.2 mV/(m/s2) against 9 within 5 % fails, against 10 within 5 % passes.
+    let nominal = |mv: f64| {
+        format!(
+            "[decision]\nspecification = 'nominal'\ntolerance_percent = 5.5\nnominal_mv_per_ms2 = {mv}"
+        )
+    };
+    assert_eq!(
+        decided(&nominal(9.0), true).conformity(),
+        Some(Conformity::Fail)
+    );
+    assert_eq!(
+        decided(&nominal(10.0), false).conformity(),
+        Some(Conformity::Pass)
+    );
+    assert_eq!(decided(&nominal(10.0), true).conformity(), None);
+    // Numbers in statements follow the language, too.
+    let certificate = decided(&nominal(10.0), false);
+    let page = render(&certificate, Format::Html, Language::De).expect("renders");
+    let page = String::from_utf8(page).expect("UTF-8");
+    assert!(page.contains("Nennwert ± 5,5\u{a0}%"));
 }
 
 #[test]

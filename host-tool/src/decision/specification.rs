@@ -33,11 +33,22 @@ pub struct Band {
     pub reference_point_only: bool,
 }
 
+/// Name of a specification.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Name {
+    /// In words that are the same in every language.
+    Own(String),
+    /// Plus or minus percent of the nominal sensitivity.
+    Nominal(f64),
+    /// Plus or minus percent of the sensitivity at the reference point.
+    Relative(f64),
+}
+
 /// A named set of bands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Specification {
-    /// Name as printed.
-    pub name: String,
+    /// Its name.
+    pub name: Name,
     /// Nominal sensitivity, V/(m/s2).
     pub nominal_v_per_ms2: Option<f64>,
     /// Bands; where several apply, all must be met.
@@ -56,17 +67,17 @@ impl Specification {
             "api670" => {
                 let per_g = Request { nominal_mv_per_g: Some(API_670_MV_PER_G), ..Request::default() };
                 nominal = nominal.or(per_g.nominal_v_per_ms2());
-                ("API 670".to_owned(), api_670().to_vec())
+                (Name::Own("API 670".to_owned()), api_670().to_vec())
             }
             "nominal" => {
                 let percent = tolerance(request)?;
-                (format!("nominal \u{b1} {percent} %"), vec![everywhere(Base::Nominal, percent)])
+                (Name::Nominal(percent), vec![everywhere(Base::Nominal, percent)])
             }
             "relative" => {
                 let percent = tolerance(request)?;
-                (format!("\u{b1} {percent} % relative to the reference point"), vec![everywhere(Base::Reference, percent)])
+                (Name::Relative(percent), vec![everywhere(Base::Reference, percent)])
             }
-            own => (own.to_owned(), request.bands.clone()),
+            own => (Name::Own(own.to_owned()), request.bands.clone()),
         };
         let specification = Self {
             name,
@@ -79,9 +90,13 @@ impl Specification {
 
     fn check(&self) -> Result<(), String> {
         if self.bands.is_empty() {
+            // Presets have bands.
+            let name = match &self.name {
+                Name::Own(name) => name.as_str(),
+                Name::Nominal(_) | Name::Relative(_) => "",
+            };
             return Err(format!(
-                "decision: '{}' has no [[decision.band]]; presets are api670, nominal, relative",
-                self.name
+                "decision: '{name}' has no [[decision.band]]; presets are api670, nominal, relative"
             ));
         }
         for (index, band) in self.bands.iter().enumerate() {
