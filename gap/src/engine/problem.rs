@@ -279,17 +279,51 @@ impl Problem {
             objective: self.prior(theta),
             diverged: 0,
         };
+        let mut remainders = Remainders::default();
         self.predictions(effects, theta, memory, |index, prediction| {
             evaluation.diverged += usize::from(prediction.diverged);
             self.compare(index, prediction, &mut evaluation);
+            self.compare_remainder(index, prediction, &evaluation, &mut remainders);
             visit(index, prediction);
         });
+        remainders.settle(&mut evaluation);
         // A balance that fails on many rows is no description of them.
         evaluation.objective += 1e3 * evaluation.diverged as f64;
         if !evaluation.objective.is_finite() {
             evaluation.objective = f64::MAX;
         }
         evaluation
+    }
+
+    /// What the noise would be with the harmonics above 5 in it.
+    fn compare_remainder(
+        &self,
+        index: usize,
+        prediction: &Prediction,
+        evaluation: &Evaluation,
+        remainders: &mut Remainders,
+    ) {
+        for channel in 0..2 {
+            let at = self.place[index][NOISE + channel];
+            let power = prediction.noise_power_v2[channel];
+            let added = prediction.remainder_v2[channel];
+            if at == ABSENT || power <= 0.0 || added <= 1e-9 * power {
+                continue;
+            }
+            let at = at as usize;
+            let rise = 0.5 * (1.0 + added / power).ln();
+            let difference = self.measured[at] - prediction.value[NOISE + channel] - rise;
+            let open = prediction.open[NOISE + channel]
+                + (prediction.remainder_open[channel] * rise).powi(2);
+            let u = self.u[at];
+            let ratio = 1.0 + open / (u * u);
+            let weight = 1.0 / (u * ratio.sqrt());
+            let before = evaluation.residual[at];
+            let plain = 1.0 / (u * evaluation.weight[at]).powi(2);
+            remainders.data.push((at, difference * weight, weight));
+            remainders.gain +=
+                before * before + plain.ln() - (difference * weight).powi(2) - ratio.ln();
+        }
     }
 
     /// Noise and openness of each row as a set of effects leaves them.
@@ -483,6 +517,29 @@ impl Problem {
             parts: parts
                 .map(|s| (*s, vec![0.0; self.slots[*s].len()]))
                 .collect(),
+        }
+    }
+}
+
+/// Noise with the harmonics above 5 in it, for all rows at once.
+///
+/// "What is left" after harmonics 2..5 holds the higher ones; an instrument
+/// that takes its noise between the harmonics leaves them out. It is one or the
+/// other for a whole dataset, so the better of the two speaks.
+#[derive(Default)]
+struct Remainders {
+    data: Vec<(usize, f64, f64)>,
+    gain: f64,
+}
+
+impl Remainders {
+    fn settle(self, evaluation: &mut Evaluation) {
+        if self.gain > 0.0 {
+            for (at, residual, weight) in self.data {
+                evaluation.residual[at] = residual;
+                evaluation.weight[at] = weight;
+            }
+            evaluation.objective -= self.gain;
         }
     }
 }

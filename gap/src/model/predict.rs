@@ -33,6 +33,12 @@ pub(crate) struct Prediction {
     pub(crate) open: [f64; SLOTS],
     /// Slopes of drive and current against the six exciter values, relative.
     pub(crate) slopes: Option<([Complex64; 6], [Complex64; 6])>,
+    /// Mean square of the harmonics above 5 in each channel, in V^2.
+    pub(crate) remainder_v2: [f64; 2],
+    /// Share of it that is not known better.
+    pub(crate) remainder_open: [f64; 2],
+    /// Noise power of each channel without it, in V^2.
+    pub(crate) noise_power_v2: [f64; 2],
     /// Share of the healthy noise in the noise power of each channel.
     pub(crate) noise_share: [f64; 2],
     /// The balance of a nonlinear exciter was not reached.
@@ -72,6 +78,9 @@ pub(crate) fn predict(
         value: [0.0; SLOTS],
         open: [0.0; SLOTS],
         slopes: None,
+        remainder_v2: [0.0; 2],
+        remainder_open: [0.0; 2],
+        noise_power_v2: [0.0; 2],
         noise_share: [1.0; 2],
         diverged: false,
     };
@@ -313,7 +322,9 @@ fn channels(
     for (channel, peak_v) in [(0, reference.peak_v), (1, dut_peak_v)] {
         if harmonics.remainder > 0.0 && peak_v.is_finite() {
             let mean_square_v2 = 0.5 * peak_v * peak_v * harmonics.remainder;
-            leave_noise_open(channel, mean_square_v2, nominal, out);
+            out.remainder_v2[channel] += mean_square_v2;
+            // Orders above those of the balance, and how the channels carry them, stay open.
+            out.remainder_open[channel] = 0.2;
         }
     }
     if let (Some(mount), true) = (chain.mount, row.level_ms2.is_finite()) {
@@ -325,12 +336,7 @@ fn channels(
             *sum += added;
         }
         let v_per_ms2 = dut_peak_v / peak_ms2;
-        leave_noise_open(
-            1,
-            spectrum.remainder_mean_square * v_per_ms2 * v_per_ms2,
-            nominal,
-            out,
-        );
+        out.remainder_v2[1] += spectrum.remainder_mean_square * v_per_ms2 * v_per_ms2;
         dut_peak_v *= dut_gain;
     }
     for (sum, added) in in_dut
@@ -342,12 +348,12 @@ fn channels(
     let mut ref_gain = 1.0;
     if let Some(spectrum) = &reference.spectrum {
         ref_gain = reference.gain;
-        digitise(0, spectrum, reference.peak_v, &mut in_ref, nominal, out);
+        digitise(0, spectrum, reference.peak_v, &mut in_ref, out);
     }
     if let (Some(adc), true) = (chain.dut_adc, dut_peak_v.is_finite()) {
         let spectrum = adc.spectrum(dut_peak_v);
         dut_gain *= spectrum.order[1] / dut_peak_v;
-        digitise(1, &spectrum, dut_peak_v, &mut in_dut, nominal, out);
+        digitise(1, &spectrum, dut_peak_v, &mut in_dut, out);
     }
     write_harmonics(row, REF_HARMONICS, &in_ref, out);
     write_harmonics(row, DUT_HARMONICS, &in_dut, out);
@@ -360,7 +366,6 @@ fn digitise(
     spectrum: &super::waveform::Spectrum,
     peak_v: f64,
     harmonics: &mut [Complex64; 4],
-    nominal: &Nominal,
     out: &mut Prediction,
 ) {
     let gain = spectrum.order[1] / peak_v;
@@ -368,17 +373,7 @@ fn digitise(
         *h = *h / gain + spectrum.order[k + 2] / spectrum.order[1];
     }
     out.value[DC + channel] += spectrum.order[0];
-    leave_noise_open(channel, spectrum.remainder_mean_square, nominal, out);
-}
-
-/// Harmonics above 5 are part of "what is left", unless the instrument's noise
-/// figure excludes them: the noise may lie anywhere between.
-fn leave_noise_open(channel: usize, mean_square_v2: f64, nominal: &Nominal, out: &mut Prediction) {
-    let power = nominal.noise_v[channel] * nominal.noise_v[channel];
-    if power > 0.0 && mean_square_v2 > 0.0 {
-        let rise = 0.5 * (1.0 + mean_square_v2 / power).ln();
-        out.open[NOISE + channel] += rise * rise;
-    }
+    out.remainder_v2[channel] += spectrum.remainder_mean_square;
 }
 
 fn write_harmonics(row: &Row, slot: usize, harmonics: &[Complex64; 4], out: &mut Prediction) {
@@ -400,6 +395,7 @@ fn noise(nominal: &Nominal, chain: &Chain, out: &mut Prediction) {
         let power = healthy + chain.noise_v2[channel];
         if power > 0.0 {
             out.value[NOISE + channel] = 0.5 * power.ln();
+            out.noise_power_v2[channel] = power;
             out.noise_share[channel] = healthy / power;
         }
         out.open[NOISE + channel] += chain.noise_open[channel] * chain.noise_open[channel];

@@ -5,8 +5,6 @@
 
 /// Harmonics that are reported one by one: d.c., fundamental and 2..5.
 pub(crate) const REPORTED: usize = 6;
-/// Highest order that is summed into what remains.
-const HIGHEST: usize = 24;
 
 /// A static characteristic of one channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +31,7 @@ pub(crate) struct Spectrum {
 impl Characteristic {
     /// Output spectrum for a cosine of the given peak amplitude.
     pub(crate) fn spectrum(self, amplitude: f64) -> Spectrum {
-        let mut orders = [0.0; HIGHEST];
+        let mut orders = [0.0; REPORTED];
         orders[1] = amplitude;
         match self {
             Self::Polynomial { second, third } => polynomial(&mut orders, amplitude, second, third),
@@ -46,12 +44,28 @@ impl Characteristic {
                 one_side(&mut orders, amplitude, threshold, upper)
             }
         }
-        let mut order = [0.0; REPORTED];
-        order.copy_from_slice(&orders[..REPORTED]);
-        let remainder_mean_square = orders[REPORTED..].iter().map(|c| c * c / 2.0).sum();
+        let reported: f64 = orders[1..].iter().map(|c| c * c / 2.0).sum();
+        let all = self.mean_square(amplitude);
         Spectrum {
-            order,
-            remainder_mean_square,
+            order: orders,
+            remainder_mean_square: (all - orders[0] * orders[0] - reported).max(0.0),
+        }
+    }
+
+    /// Mean square of the output for a cosine: all orders at once (Parseval).
+    fn mean_square(self, amplitude: f64) -> f64 {
+        let own = amplitude * amplitude / 2.0;
+        match self {
+            Self::Polynomial { .. } => 0.0,
+            Self::DeadZone { threshold } => 2.0 * ramp_squares(amplitude, threshold).0,
+            Self::Clip { threshold } => {
+                let (square, mixed) = ramp_squares(amplitude, threshold);
+                own - 4.0 * mixed + 2.0 * square
+            }
+            Self::OneSided { threshold, .. } => {
+                let (square, mixed) = ramp_squares(amplitude, threshold);
+                own - 2.0 * mixed + square
+            }
         }
     }
 
@@ -131,24 +145,36 @@ impl Characteristic {
     }
 }
 
-fn polynomial(orders: &mut [f64; HIGHEST], a: f64, second: f64, third: f64) {
+fn polynomial(orders: &mut [f64; REPORTED], a: f64, second: f64, third: f64) {
     orders[0] += second * a * a / 2.0;
     orders[1] += 0.75 * third * a * a * a;
     orders[2] += second * a * a / 2.0;
     orders[3] += third * a * a * a / 4.0;
 }
 
-fn both_sides(orders: &mut [f64; HIGHEST], amplitude: f64, threshold: f64, sign: f64) {
+fn both_sides(orders: &mut [f64; REPORTED], amplitude: f64, threshold: f64, sign: f64) {
     for (n, order) in orders.iter_mut().enumerate().filter(|(n, _)| n % 2 == 1) {
         *order += sign * 2.0 * ramp(n, amplitude, threshold);
     }
 }
 
-fn one_side(orders: &mut [f64; HIGHEST], amplitude: f64, threshold: f64, upper: bool) {
+fn one_side(orders: &mut [f64; REPORTED], amplitude: f64, threshold: f64, upper: bool) {
     for (n, order) in orders.iter_mut().enumerate() {
         let lower = if n % 2 == 0 { 1.0 } else { -1.0 };
         *order += if upper { -1.0 } else { lower } * ramp(n, amplitude, threshold);
     }
+}
+
+/// Means of r^2 and of A cos(t) r, for r = max(A cos(t) - b, 0).
+fn ramp_squares(amplitude: f64, b: f64) -> (f64, f64) {
+    if b >= amplitude {
+        return (0.0, 0.0);
+    }
+    let t = (b / amplitude).max(-1.0).acos();
+    let own = amplitude * amplitude * (t / 2.0 + (2.0 * t).sin() / 4.0);
+    let linear = amplitude * b * t.sin();
+    let pi = std::f64::consts::PI;
+    ((own - 2.0 * linear + b * b * t) / pi, (own - linear) / pi)
 }
 
 /// Coefficient n of max(A cos(t) - b, 0).
@@ -225,6 +251,17 @@ mod tests {
         ];
         for (characteristic, function) in cases {
             let spectrum = characteristic.spectrum(amplitude);
+            let mean = |k: usize| {
+                let c = (std::f64::consts::TAU * (k as f64 + 0.5) / 20_000.0).cos();
+                function(amplitude * c).powi(2) / 20_000.0
+            };
+            let all: f64 = (0..20_000).map(mean).sum();
+            let orders: f64 = spectrum.order[1..].iter().map(|c| c * c / 2.0).sum();
+            let left = all - spectrum.order[0].powi(2) - orders;
+            assert!(
+                (spectrum.remainder_mean_square - left).abs() < 1e-6,
+                "{characteristic:?}"
+            );
             for (n, &order) in spectrum.order.iter().enumerate() {
                 let expected = by_sampling(|c| function(amplitude * c), n);
                 assert!(
