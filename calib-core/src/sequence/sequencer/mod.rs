@@ -1,10 +1,11 @@
 //! The state machine of a point.
 
-use super::checks::{Measured, judge};
-use super::scatter::Scatter;
-use crate::budget::{TypeA, point_budget};
+mod gathered;
+mod result;
+
+use super::checks::judge;
 use crate::control::level_loop::OVERLOAD_REL;
-use crate::control::{Level, LevelLoop, LevelState, Next, full_output_peak_ms2};
+use crate::control::{Level, LevelLoop, LevelState, Next};
 use crate::correlation::{Block, Correlator, Energy, FoldMemory, PairEstimate};
 use crate::generator::{Drive, ramp_samples};
 use crate::output::Command;
@@ -15,6 +16,7 @@ use crate::settings::Settings;
 use crate::tone::Tone;
 use crate::verdict::{Reason, Verdict};
 use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};
+use gathered::Gathered;
 
 /// Shortest measuring block, s.
 const MEASURING_BLOCK_S: f32 = 0.1;
@@ -97,21 +99,6 @@ enum Stage {
         left: u32,
         result: PointResult,
     },
-}
-
-/// Everything gathered over the measuring blocks.
-#[derive(Clone, Copy, Debug, Default)]
-struct Gathered {
-    ratio: Scatter,
-    level_sum: f32,
-    level_lowest: f32,
-    level_highest: f32,
-    distortion_square: [f32; 2],
-    signal_square: [f32; 2],
-    residual_square: [f32; 2],
-    /// Residual over signal of the device's worst block, squared.
-    dut_worst_square: f32,
-    clipped: bool,
 }
 
 /// Runs points one after another; see the module for the course of a point.
@@ -441,148 +428,5 @@ impl<'m> Sequencer<'m> {
     fn end(&mut self, plan: &Plan, result: PointResult) {
         let left = self.timing.latency_samples + u32::from(ramp_samples(plan.tone));
         self.stage = Stage::Silencing { left, result };
-    }
-
-    fn measured(&self, plan: &Plan) -> Measured {
-        let rate_hz = self.timing.sample_rate_hz;
-        let frequency_hz = plan.tone.frequency_hz(rate_hz);
-        let full_rms_ms2 =
-            full_output_peak_ms2(&self.settings.limits, frequency_hz) * FRAC_1_SQRT_2;
-        let mean_rms_ms2 = self.gathered.mean_level_peak() * FRAC_1_SQRT_2;
-        let headroom_db = 20.0 * libm::log10f(full_rms_ms2 / mean_rms_ms2);
-        Measured {
-            frequency_hz: plan.spec.frequency_hz,
-            frequency_deviation_rel: frequency_hz / plan.spec.frequency_hz - 1.0,
-            clipped: self.gathered.clipped,
-            distortion_rel: self.gathered.distortion_rel(0),
-            dut_distortion_rel: self.gathered.distortion_rel(1),
-            noise_below_full_db: self.gathered.signal_to_noise_db(0) + headroom_db,
-            dut_signal_to_noise_db: self.gathered.dut_worst_signal_to_noise_db(),
-            amplitude_stability_rel: self.gathered.stability_rel(),
-        }
-    }
-
-    /// Sensitivity, uncertainty and diagnostics of what was gathered.
-    fn result(&mut self, plan: &Plan, verdict: Verdict) -> PointResult {
-        let gathered = self.gathered;
-        let mut result = PointResult::refused(plan.spec, Some(plan.tone), Reason::Stopped);
-        result.verdict = verdict;
-        self.describe_drive(plan, &mut result);
-        if gathered.ratio.count() < 2 {
-            return result;
-        }
-        let scale = self.settings.dut_input.volt_per_code
-            / self.settings.reference_input.volt_per_code
-            * plan.reference.sensitivity_v_per_ms2;
-        let sensitivity = gathered.ratio.mean() * scale;
-        let (phase_rad, inverted) = self
-            .polarity
-            .split(sensitivity.arg() + plan.reference.phase_rad);
-        let (repeatability_rel, repeatability_phase_rad) =
-            gathered.ratio.standard_deviations_of_mean();
-        result.acceleration_rms_ms2 = gathered.mean_level_peak() * FRAC_1_SQRT_2;
-        result.sensitivity_v_per_ms2 = sensitivity.norm();
-        result.phase_rad = phase_rad;
-        result.inverted = inverted;
-        result.repeatability_rel = repeatability_rel;
-        result.repeatability_phase_rad = repeatability_phase_rad;
-        result.blocks = gathered.ratio.count();
-        result.distortion_reference_rel = gathered.distortion_rel(0);
-        result.distortion_dut_rel = gathered.distortion_rel(1);
-        result.signal_to_noise_reference_db = gathered.signal_to_noise_db(0);
-        result.signal_to_noise_dut_db = gathered.signal_to_noise_db(1);
-        result.amplitude_stability_rel = gathered.stability_rel();
-        self.state_uncertainty(plan, &mut result);
-        result
-    }
-
-    fn describe_drive(&self, plan: &Plan, result: &mut PointResult) {
-        let settling = if self.settling_samples > 0 {
-            self.settling_samples
-        } else {
-            self.elapsed
-        };
-        let set = plan.level_loop.set_peak_ms2();
-        result.acceleration_rms_ms2 = self.last_level_peak_ms2 * FRAC_1_SQRT_2;
-        result.drive_peak_v = self.level.drive_peak_v();
-        result.settling_s = settling as f32 / self.timing.sample_rate_hz;
-        result.overshoot_rel = (self.level.highest_peak_ms2() / set - 1.0).max(0.0);
-    }
-
-    /// Fills in the budget's numbers; a budget that makes no sense refuses.
-    fn state_uncertainty(&self, plan: &Plan, result: &mut PointResult) {
-        let type_a = TypeA {
-            repeatability_rel: result.repeatability_rel,
-            repeatability_phase_rad: result.repeatability_phase_rad,
-            blocks: result.blocks,
-        };
-        let budget = point_budget(&self.settings, &plan.reference, type_a);
-        match budget.and_then(|budget| budget.expand()) {
-            Ok((magnitude, phase)) => {
-                result.expanded_uncertainty_rel = magnitude.expanded_uncertainty;
-                result.coverage_factor = magnitude.coverage.factor;
-                result.effective_degrees_of_freedom = magnitude.effective_degrees_of_freedom;
-                result.expanded_uncertainty_phase_rad = phase.expanded_uncertainty;
-            }
-            Err(_) => result.verdict = Verdict::Refused(Reason::BudgetInvalid),
-        }
-    }
-}
-
-impl Gathered {
-    fn add(&mut self, level_peak_ms2: f32, estimate: &PairEstimate) {
-        let (reference, dut) = (&estimate.reference, &estimate.dut);
-        if self.ratio.count() == 0 {
-            self.level_lowest = level_peak_ms2;
-            self.level_highest = level_peak_ms2;
-        }
-        self.ratio.add(dut.amplitude / reference.amplitude);
-        self.level_sum += level_peak_ms2;
-        self.level_lowest = self.level_lowest.min(level_peak_ms2);
-        self.level_highest = self.level_highest.max(level_peak_ms2);
-        for (channel, seen) in [reference, dut].into_iter().enumerate() {
-            let distortion = seen.distortion_rel();
-            self.distortion_square[channel] += distortion * distortion;
-            self.signal_square[channel] += 0.5 * seen.amplitude.norm_sqr();
-            self.residual_square[channel] += seen.residual_rms * seen.residual_rms;
-            self.clipped |= seen.clipped;
-        }
-        // A signal of zero makes this infinite, or no number: it does not pass.
-        let signal_square = 0.5 * dut.amplitude.norm_sqr();
-        let square = dut.residual_rms * dut.residual_rms / signal_square;
-        self.dut_worst_square = self.dut_worst_square.max(square);
-    }
-
-    /// Of the worst block: one with half of its signal missing must not hide
-    /// behind the others.
-    fn dut_worst_signal_to_noise_db(&self) -> f32 {
-        -10.0 * libm::log10f(self.dut_worst_square.max(1.0e-20))
-    }
-
-    fn blocks(&self) -> f32 {
-        f32::from(self.ratio.count().max(1))
-    }
-
-    fn mean_level_peak(&self) -> f32 {
-        self.level_sum / self.blocks()
-    }
-
-    fn stability_rel(&self) -> f32 {
-        (self.level_highest - self.level_lowest) / self.mean_level_peak()
-    }
-
-    fn distortion_rel(&self, channel: usize) -> f32 {
-        libm::sqrtf(self.distortion_square[channel] / self.blocks())
-    }
-
-    /// dB, limited to 200 for signals without any residual.
-    fn signal_to_noise_db(&self, channel: usize) -> f32 {
-        let (signal, residual) = (self.signal_square[channel], self.residual_square[channel]);
-        let least = signal * 1.0e-20;
-        if signal > 0.0 {
-            10.0 * libm::log10f(signal / residual.max(least))
-        } else {
-            0.0
-        }
     }
 }

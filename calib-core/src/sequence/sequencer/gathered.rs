@@ -1,0 +1,77 @@
+//! What the measuring blocks of a point add up to.
+
+use crate::correlation::PairEstimate;
+use crate::sequence::scatter::Scatter;
+
+/// Everything gathered over the measuring blocks.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Gathered {
+    pub(super) ratio: Scatter,
+    pub(super) level_sum: f32,
+    pub(super) level_lowest: f32,
+    pub(super) level_highest: f32,
+    pub(super) distortion_square: [f32; 2],
+    pub(super) signal_square: [f32; 2],
+    pub(super) residual_square: [f32; 2],
+    /// Residual over signal of the device's worst block, squared.
+    pub(super) dut_worst_square: f32,
+    pub(super) clipped: bool,
+}
+
+impl Gathered {
+    pub(super) fn add(&mut self, level_peak_ms2: f32, estimate: &PairEstimate) {
+        let (reference, dut) = (&estimate.reference, &estimate.dut);
+        if self.ratio.count() == 0 {
+            self.level_lowest = level_peak_ms2;
+            self.level_highest = level_peak_ms2;
+        }
+        self.ratio.add(dut.amplitude / reference.amplitude);
+        self.level_sum += level_peak_ms2;
+        self.level_lowest = self.level_lowest.min(level_peak_ms2);
+        self.level_highest = self.level_highest.max(level_peak_ms2);
+        for (channel, seen) in [reference, dut].into_iter().enumerate() {
+            let distortion = seen.distortion_rel();
+            self.distortion_square[channel] += distortion * distortion;
+            self.signal_square[channel] += 0.5 * seen.amplitude.norm_sqr();
+            self.residual_square[channel] += seen.residual_rms * seen.residual_rms;
+            self.clipped |= seen.clipped;
+        }
+        // A signal of zero makes this infinite, or no number: it does not pass.
+        let signal_square = 0.5 * dut.amplitude.norm_sqr();
+        let square = dut.residual_rms * dut.residual_rms / signal_square;
+        self.dut_worst_square = self.dut_worst_square.max(square);
+    }
+
+    /// Of the worst block: one with half of its signal missing must not hide
+    /// behind the others.
+    pub(super) fn dut_worst_signal_to_noise_db(&self) -> f32 {
+        -10.0 * libm::log10f(self.dut_worst_square.max(1.0e-20))
+    }
+
+    pub(super) fn blocks(&self) -> f32 {
+        f32::from(self.ratio.count().max(1))
+    }
+
+    pub(super) fn mean_level_peak(&self) -> f32 {
+        self.level_sum / self.blocks()
+    }
+
+    pub(super) fn stability_rel(&self) -> f32 {
+        (self.level_highest - self.level_lowest) / self.mean_level_peak()
+    }
+
+    pub(super) fn distortion_rel(&self, channel: usize) -> f32 {
+        libm::sqrtf(self.distortion_square[channel] / self.blocks())
+    }
+
+    /// dB, limited to 200 for signals without any residual.
+    pub(super) fn signal_to_noise_db(&self, channel: usize) -> f32 {
+        let (signal, residual) = (self.signal_square[channel], self.residual_square[channel]);
+        let least = signal * 1.0e-20;
+        if signal > 0.0 {
+            10.0 * libm::log10f(signal / residual.max(least))
+        } else {
+            0.0
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! From what was gathered to the result of a point.
+
+use super::{Plan, Sequencer};
+use crate::budget::{TypeA, point_budget};
+use crate::control::full_output_peak_ms2;
+use crate::point::PointResult;
+use crate::sequence::checks::Measured;
+use crate::verdict::{Reason, Verdict};
+use core::f32::consts::FRAC_1_SQRT_2;
+
+impl Sequencer<'_> {
+    pub(super) fn measured(&self, plan: &Plan) -> Measured {
+        let rate_hz = self.timing.sample_rate_hz;
+        let frequency_hz = plan.tone.frequency_hz(rate_hz);
+        let full_rms_ms2 =
+            full_output_peak_ms2(&self.settings.limits, frequency_hz) * FRAC_1_SQRT_2;
+        let mean_rms_ms2 = self.gathered.mean_level_peak() * FRAC_1_SQRT_2;
+        let headroom_db = 20.0 * libm::log10f(full_rms_ms2 / mean_rms_ms2);
+        Measured {
+            frequency_hz: plan.spec.frequency_hz,
+            frequency_deviation_rel: frequency_hz / plan.spec.frequency_hz - 1.0,
+            clipped: self.gathered.clipped,
+            distortion_rel: self.gathered.distortion_rel(0),
+            dut_distortion_rel: self.gathered.distortion_rel(1),
+            noise_below_full_db: self.gathered.signal_to_noise_db(0) + headroom_db,
+            dut_signal_to_noise_db: self.gathered.dut_worst_signal_to_noise_db(),
+            amplitude_stability_rel: self.gathered.stability_rel(),
+        }
+    }
+
+    /// Sensitivity, uncertainty and diagnostics of what was gathered.
+    pub(super) fn result(&mut self, plan: &Plan, verdict: Verdict) -> PointResult {
+        let gathered = self.gathered;
+        let mut result = PointResult::refused(plan.spec, Some(plan.tone), Reason::Stopped);
+        result.verdict = verdict;
+        self.describe_drive(plan, &mut result);
+        if gathered.ratio.count() < 2 {
+            return result;
+        }
+        let scale = self.settings.dut_input.volt_per_code
+            / self.settings.reference_input.volt_per_code
+            * plan.reference.sensitivity_v_per_ms2;
+        let sensitivity = gathered.ratio.mean() * scale;
+        let (phase_rad, inverted) = self
+            .polarity
+            .split(sensitivity.arg() + plan.reference.phase_rad);
+        let (repeatability_rel, repeatability_phase_rad) =
+            gathered.ratio.standard_deviations_of_mean();
+        result.acceleration_rms_ms2 = gathered.mean_level_peak() * FRAC_1_SQRT_2;
+        result.sensitivity_v_per_ms2 = sensitivity.norm();
+        result.phase_rad = phase_rad;
+        result.inverted = inverted;
+        result.repeatability_rel = repeatability_rel;
+        result.repeatability_phase_rad = repeatability_phase_rad;
+        result.blocks = gathered.ratio.count();
+        result.distortion_reference_rel = gathered.distortion_rel(0);
+        result.distortion_dut_rel = gathered.distortion_rel(1);
+        result.signal_to_noise_reference_db = gathered.signal_to_noise_db(0);
+        result.signal_to_noise_dut_db = gathered.signal_to_noise_db(1);
+        result.amplitude_stability_rel = gathered.stability_rel();
+        self.state_uncertainty(plan, &mut result);
+        result
+    }
+
+    fn describe_drive(&self, plan: &Plan, result: &mut PointResult) {
+        let settling = if self.settling_samples > 0 {
+            self.settling_samples
+        } else {
+            self.elapsed
+        };
+        let set = plan.level_loop.set_peak_ms2();
+        result.acceleration_rms_ms2 = self.last_level_peak_ms2 * FRAC_1_SQRT_2;
+        result.drive_peak_v = self.level.drive_peak_v();
+        result.settling_s = settling as f32 / self.timing.sample_rate_hz;
+        result.overshoot_rel = (self.level.highest_peak_ms2() / set - 1.0).max(0.0);
+    }
+
+    /// Fills in the budget's numbers; a budget that makes no sense refuses.
+    fn state_uncertainty(&self, plan: &Plan, result: &mut PointResult) {
+        let type_a = TypeA {
+            repeatability_rel: result.repeatability_rel,
+            repeatability_phase_rad: result.repeatability_phase_rad,
+            blocks: result.blocks,
+        };
+        let budget = point_budget(&self.settings, &plan.reference, type_a);
+        match budget.and_then(|budget| budget.expand()) {
+            Ok((magnitude, phase)) => {
+                result.expanded_uncertainty_rel = magnitude.expanded_uncertainty;
+                result.coverage_factor = magnitude.coverage.factor;
+                result.effective_degrees_of_freedom = magnitude.effective_degrees_of_freedom;
+                result.expanded_uncertainty_phase_rad = phase.expanded_uncertainty;
+            }
+            Err(_) => result.verdict = Verdict::Refused(Reason::BudgetInvalid),
+        }
+    }
+}
