@@ -1,4 +1,4 @@
-//! Sealed sets: how often the diagnosis is right, by stratum. `bench_gap [STRATUM [CASES [SEED [CASE]]]]`
+//! Sealed sets: how often the diagnosis is right, by stratum. `bench_gap [STRATUM,... [CASES [SEED [CASE]]]]`
 //!
 //! The cases come from a generator that shares nothing with the engine: it
 //! integrates nothing and balances nothing the way the engine does, but solves
@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut lines = String::new();
     let mut all = Vec::new();
     for (stratum, usual) in STRATA {
-        if wanted != "all" && wanted != stratum {
+        if wanted != "all" && !wanted.split(',').any(|w| w == stratum) {
             continue;
         }
         let indices: Vec<u64> = match number(3) {

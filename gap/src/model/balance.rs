@@ -8,7 +8,7 @@
 //! response (with the mean stiffness of the suspension) until that holds.
 
 use super::exciter::Exciter;
-use super::waveform::Characteristic;
+use super::waveform::{Characteristic, clipped_order};
 use num_complex::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -312,10 +312,10 @@ impl<'a> Work<'a> {
             let clip = Characteristic::Clip { threshold };
             let size = fundamental.norm();
             if size > 0.75 * threshold {
-                let spectrum = clip.spectrum(clip.input_for(size));
+                let input = clip.input_for(size);
                 let turn = fundamental / size;
-                for n in [3, 5] {
-                    wanted[n] += turn.powu(n as u32) * spectrum.order[n];
+                for n in (3..=ORDERS).step_by(2) {
+                    wanted[n] += turn.powu(n as u32) * clipped_order(n, input, threshold);
                 }
             }
         }

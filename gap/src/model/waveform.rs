@@ -165,6 +165,11 @@ fn one_side(orders: &mut [f64; REPORTED], amplitude: f64, threshold: f64, upper:
     }
 }
 
+/// Coefficient of an odd order of a cosine that saturates on both sides.
+pub(crate) fn clipped_order(n: usize, amplitude: f64, threshold: f64) -> f64 {
+    -2.0 * ramp(n, amplitude, threshold)
+}
+
 /// Means of r^2 and of A cos(t) r, for r = max(A cos(t) - b, 0).
 fn ramp_squares(amplitude: f64, b: f64) -> (f64, f64) {
     if b >= amplitude {
