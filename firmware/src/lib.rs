@@ -7,4 +7,5 @@
 pub mod archive;
 pub mod command;
 pub mod link;
+pub mod scpi;
 pub mod session;

@@ -7,8 +7,19 @@
 //! A host whose answer got lost sends its frame again. That is harmless for
 //! every request but a start: the start last accepted is recognised by its
 //! frame and answered again, not carried out again.
+//!
+//! Lines of text ([`crate::scpi`]) share the stream. The first byte tells: a host
+//! of frames sends a zero before each, a line begins with a printable letter.
+//!
+//! | since the last end | next byte | then |
+//! |---|---|---|
+//! | nothing | printable, white space | a line, up to LF |
+//! | nothing | zero, any other | a frame, up to a zero |
+//! | a line | LF | the line is carried out |
+//! | a line | zero | it was a frame whose zero got lost, or noise: its checksum decides |
 
 use crate::command::{self, Instrument};
+use crate::scpi::Console;
 use calib_protocol::frame::{self, Frame, FrameError, MAX_FRAME, Receiver};
 use calib_protocol::message::{Refusal, Request, Response};
 
@@ -21,8 +32,27 @@ pub enum Aftermath {
     Reset,
 }
 
+/// What came since the last end of a frame or line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+enum Begun {
+    Nothing = 0,
+    /// Only zeros.
+    Zeros = 1,
+    Frame = 2,
+    Line = 3,
+}
+
+/// What a byte ended.
+enum End {
+    Nothing,
+    Frame,
+    Line,
+}
+
 /// One link's memory: the frame being received and the one being sent.
 pub struct Link {
+    begun: Begun,
     receiver: Receiver,
     answer: [u8; MAX_FRAME],
     last_start: Start,
@@ -62,25 +92,79 @@ impl Link {
     /// memory that is cleared at the start.
     pub const fn new() -> Self {
         Self {
+            begun: Begun::Nothing,
             receiver: Receiver::new(),
             answer: [0; MAX_FRAME],
             last_start: Start::NONE,
         }
     }
 
-    /// Forgets a half-received frame, when bytes were lost or the host left.
-    pub fn forget(&mut self) {
-        self.receiver = Receiver::new();
+    /// Forgets a half-received frame or line, when bytes were lost or the host left.
+    pub fn forget(&mut self, console: &mut Console) {
+        self.receiver.clear();
+        console.forget();
+        self.begun = Begun::Nothing;
     }
 
-    /// Takes one byte; at the end of a readable frame, carries it out and
+    /// True in the middle of a frame or line: what does not go on soon never will.
+    pub fn is_receiving(&self) -> bool {
+        self.begun != Begun::Nothing
+    }
+
+    /// Takes one byte; at the end of a readable frame or line, carries it out and
     /// returns the bytes of the answer.
     pub async fn push(
         &mut self,
         byte: u8,
+        console: &mut Console,
         instrument: &mut impl Instrument,
     ) -> Option<(&[u8], Aftermath)> {
-        let frame = Frame::check(self.receiver.push(byte)?).ok()?;
+        match self.take(byte, console) {
+            End::Nothing => None,
+            End::Frame => self.frame(instrument).await,
+            End::Line => {
+                let length = console.end(instrument, &mut self.answer).await?;
+                Some((self.answer.get(..length)?, Aftermath::None))
+            }
+        }
+    }
+
+    /// Puts a byte where it belongs, and says what it ended.
+    fn take(&mut self, byte: u8, console: &mut Console) -> End {
+        if self.begun == Begun::Nothing {
+            self.begun = match byte {
+                b' '..=b'~' | b'\t' | b'\r' | b'\n' => Begun::Line,
+                _ => Begun::Zeros,
+            };
+        }
+        let whole = self.receiver.push(byte).is_some();
+        match (self.begun, byte) {
+            (Begun::Line, b'\n') => {
+                self.receiver.clear();
+                self.begun = Begun::Nothing;
+                return End::Line;
+            }
+            (Begun::Line, 0) => {
+                console.forget();
+                // This zero may begin the next frame as well as end this one.
+                self.begun = Begun::Zeros;
+            }
+            (Begun::Line, _) => console.push(byte),
+            (Begun::Frame, 0) => self.begun = Begun::Nothing,
+            (Begun::Zeros, 0) | (Begun::Nothing, _) => {}
+            (Begun::Zeros | Begun::Frame, _) => self.begun = Begun::Frame,
+        }
+        match whole {
+            true => End::Frame,
+            false => End::Nothing,
+        }
+    }
+
+    /// Carries out the frame that is whole in the receiver.
+    async fn frame(&mut self, instrument: &mut impl Instrument) -> Option<(&[u8], Aftermath)> {
+        let frame = Frame::check(self.receiver.whole()?).ok()?;
+        // Its zero was its end and no beginning.
+        self.begun = Begun::Nothing;
         let (sequence, checksum) = (frame.sequence, frame.checksum);
         let request = frame.message::<Request>();
         let resets = matches!(request, Ok(Request::Reset));
@@ -199,10 +283,10 @@ mod tests {
         sequence: u16,
         request: &Request,
     ) -> (Response, Aftermath) {
-        let mut buffer = vec![0; MAX_FRAME];
+        let (mut buffer, mut console) = (vec![0; MAX_FRAME], Console::new());
         let length = frame::encode(sequence, request, &mut buffer).expect("fits");
         for byte in &buffer[..length] {
-            let future = pin!(link.push(*byte, busy));
+            let future = pin!(link.push(*byte, &mut console, busy));
             let polled = future.poll(&mut Context::from_waker(Waker::noop()));
             let Poll::Ready(answer) = polled else {
                 panic!("nothing here waits");

@@ -204,7 +204,12 @@ impl Receiver {
             return None;
         }
         self.complete = true;
-        if self.overlong || self.length == 0 {
+        self.whole()
+    }
+
+    /// The frame that the last byte ended, if it ended one.
+    pub fn whole(&mut self) -> Option<&mut [u8]> {
+        if !self.complete || self.overlong || self.length == 0 {
             return None;
         }
         self.buffer.get_mut(..self.length)

@@ -296,3 +296,102 @@ fn a_silent_port_is_given_up_in_seconds() {
     // Four attempts of one second.
     assert!(start.elapsed() < Duration::from_secs(8));
 }
+
+/// What a laboratory's own script does, with the drivers it has: no line of ours.
+const SCPI_SCRIPT: &str = r#"
+import json, sys, pyvisa
+manager = pyvisa.ResourceManager('@py')
+calibrator = manager.open_resource(
+    sys.argv[1], read_termination='\n', write_termination='\n', timeout=30000)
+heard = {'identity': calibrator.query('*IDN?')}
+calibrator.write('*RST;*CLS')
+calibrator.write('CONF:FREQ 160 Hz')
+calibrator.write('CONF:ACC 10')
+calibrator.write('INIT')
+heard['complete'] = calibrator.query('*OPC?')
+heard['sensitivity'] = calibrator.query_ascii_values('FETC:SENS?')[0]
+heard['phase'] = calibrator.query_ascii_values('FETC:PHAS?')[0]
+heard['uncertainty'] = calibrator.query_ascii_values('FETC:UNC?')[0]
+heard['verdict'] = calibrator.query('FETC:VERD?')
+heard['catalogue'] = calibrator.query('MMEM:CAT?')
+heard['error'] = calibrator.query('SYST:ERR?')
+heard['events'] = calibrator.query('*ESR?')
+calibrator.write('NO:SUCH:THING')
+heard['mistake'] = calibrator.query('SYST:ERR?')
+heard['self_test'] = calibrator.query('*TST?')
+heard['version'] = calibrator.query('SYST:VERS?')
+print(json.dumps(heard))
+"#;
+
+/// What PyVISA hears at a resource, if there is a Python that has it.
+fn pyvisa(resource: &str) -> Option<Value> {
+    let Some(python) = std::env::var_os("CALIB_PYTHON") else {
+        assert!(std::env::var_os("CI").is_none(), "CALIB_PYTHON is not set");
+        println!("CALIB_PYTHON is not set: PyVISA is not tried");
+        return None;
+    };
+    let script = ["-c", SCPI_SCRIPT, resource];
+    let output = Command::new(python).args(script).output().expect("starts");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{errors}");
+    Some(serde_json::from_slice(&output.stdout).expect("one JSON document"))
+}
+
+/// One calibration by text, and its record by frames over the same link.
+fn scpi_agrees_with_the_record(arguments: &[&str], resource: impl Fn(&str) -> String) {
+    let folder = folder();
+    let emulated = Emulated::start(folder.path(), arguments);
+    let device = emulated.address.clone();
+    let Some(heard) = pyvisa(&resource(&device)) else {
+        return;
+    };
+    let words = |key: &str| heard[key].as_str().expect("text").to_owned();
+    let identity = words("identity");
+    assert!(identity.starts_with("calib,Field Vibration Calibrator,"));
+    assert_eq!(identity.split(',').count(), 4, "{identity}");
+    assert_eq!(
+        (words("complete"), words("verdict")),
+        ("1".into(), "PASS".into())
+    );
+    assert!(words("catalogue").contains("\"1,BIN,"), "{heard}");
+    assert_eq!(words("error"), "0,\"No error\"");
+    assert_eq!(words("events"), "0");
+    assert!(words("mistake").starts_with("-113,"), "{heard}");
+    assert_eq!(
+        (words("self_test"), words("version")),
+        ("0".into(), "1999.0".into())
+    );
+    let download = json(folder.path(), &["download", "1", "-d", &device]);
+    let file = folder
+        .path()
+        .join(download["file"].as_str().expect("a path"));
+    let record = calib_protocol::record::decode(&std::fs::read(file).expect("file"));
+    let point = record.expect("a record").points[0];
+    let number = |key: &str| heard[key].as_f64().expect("a number");
+    let sensitivity = f64::from(point.sensitivity_v_per_ms2);
+    // A record keeps the sensitivity with at least 16 bits.
+    assert!(
+        (number("sensitivity") / sensitivity - 1.0).abs() < 2e-5,
+        "{heard}"
+    );
+    let phase_deg = f64::from(point.phase_rad).to_degrees();
+    assert!((number("phase") - phase_deg).abs() < 0.01, "{heard}");
+    let uncertainty = sensitivity * f64::from(point.expanded_uncertainty_rel);
+    assert!(
+        (number("uncertainty") / uncertainty - 1.0).abs() < 1e-3,
+        "{heard}"
+    );
+}
+
+#[test]
+fn pyvisa_calibrates_over_tcp() {
+    scpi_agrees_with_the_record(&["--tcp", "0"], |device| {
+        let port = device.rsplit(':').next().expect("a port");
+        format!("TCPIP::127.0.0.1::{port}::SOCKET")
+    });
+}
+
+#[test]
+fn pyvisa_calibrates_over_a_serial_port() {
+    scpi_agrees_with_the_record(&["--pty"], |device| format!("ASRL{device}::INSTR"));
+}

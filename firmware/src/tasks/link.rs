@@ -3,7 +3,10 @@
 use crate::board::{PACKET_BYTES, Port, PortBuffers, UsbDriver, UsbPort, axi_static, run_usb};
 use crate::instrument::Calibrator;
 use calib_firmware::link::{Aftermath, Link};
+use calib_firmware::scpi::Console;
 use embassy_futures::join::join;
+use embassy_stm32::mode::Async;
+use embassy_stm32::usart::UartTx;
 use embassy_time::{Duration, Timer, with_timeout};
 use embassy_usb::UsbDevice;
 use embassy_usb::class::cdc_acm::Sender;
@@ -11,6 +14,26 @@ use embassy_usb::class::cdc_acm::Sender;
 /// Longest a USB host may leave a packet lying. One that opens the port and
 /// never reads loses its answers and holds up nobody.
 const HOST_PATIENCE: Duration = Duration::from_secs(1);
+
+/// Silence in the middle of a frame or line after which its sender is gone. At
+/// 115 200 baud bytes follow each other within 0.1 ms; a busy computer's driver
+/// may pause for some 100 ms.
+const SENDER_GONE: Duration = Duration::from_secs(2);
+
+/// Time between two looks at a run whose end a host waits for.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// Wait for a byte when nothing else is to be done.
+const IDLE: Duration = Duration::from_secs(3600);
+
+/// How long to wait for the next byte.
+fn patience(link: &Link, console: &Console) -> Duration {
+    match (console.awaits_end(), link.is_receiving()) {
+        (true, _) => LOOK,
+        (false, true) => SENDER_GONE,
+        (false, false) => IDLE,
+    }
+}
 
 /// Serves USART3, the virtual COM port of the ST-LINK, for ever.
 #[embassy_executor::task]
@@ -21,27 +44,46 @@ pub(crate) async fn serial_link(port: Port, buffers: PortBuffers, mut instrument
     let (mut output, input) = port.split();
     let mut input = input.into_ring_buffered(buffers.receive);
     let mut bytes = [0; 64];
+    let mut console = Console::new();
     loop {
-        let Ok(count) = input.read(&mut bytes).await else {
+        let patience = patience(link, &console);
+        let count = match with_timeout(patience, input.read(&mut bytes)).await {
+            Ok(Ok(count)) => count,
             // Bytes were lost: what was begun can never be whole.
-            link.forget();
-            continue;
+            Ok(Err(_)) => {
+                link.forget(&mut console);
+                continue;
+            }
+            Err(_) => {
+                if let Some(answer) = console.poll(&mut instrument) {
+                    send(&mut output, buffers.transmit, answer).await;
+                } else if patience == SENDER_GONE {
+                    link.forget(&mut console);
+                }
+                continue;
+            }
         };
         for byte in bytes.iter().take(count) {
-            let Some((answer, aftermath)) = link.push(*byte, &mut instrument).await else {
+            let pushed = link.push(*byte, &mut console, &mut instrument).await;
+            let Some((answer, aftermath)) = pushed else {
                 continue;
             };
-            for part in answer.chunks(buffers.transmit.len()) {
-                let Some(staged) = buffers.transmit.get_mut(..part.len()) else {
-                    continue;
-                };
-                staged.copy_from_slice(part);
-                let _ = output.write(staged).await;
-            }
+            send(&mut output, buffers.transmit, answer).await;
             if aftermath == Aftermath::Reset {
                 reset().await;
             }
         }
+    }
+}
+
+/// Sends bytes by way of the memory DMA can read.
+async fn send(output: &mut UartTx<'static, Async>, staging: &mut [u8], answer: &[u8]) {
+    for part in answer.chunks(staging.len()) {
+        let Some(staged) = staging.get_mut(..part.len()) else {
+            continue;
+        };
+        staged.copy_from_slice(part);
+        let _ = output.write(staged).await;
     }
 }
 
@@ -67,11 +109,26 @@ async fn serve_usb(port: UsbPort, mut instrument: Calibrator) -> ! {
         broken_off: false,
     };
     let mut packet = [0; PACKET_BYTES];
+    let mut console = Console::new();
     loop {
         input.wait_connection().await;
-        while let Ok(count) = input.read_packet(&mut packet).await {
+        loop {
+            let patience = patience(link, &console);
+            let count = match with_timeout(patience, input.read_packet(&mut packet)).await {
+                Ok(Ok(count)) => count,
+                Ok(Err(_)) => break,
+                Err(_) => {
+                    if let Some(answer) = console.poll(&mut instrument) {
+                        output.send(answer).await;
+                    } else if patience == SENDER_GONE {
+                        link.forget(&mut console);
+                    }
+                    continue;
+                }
+            };
             for byte in packet.iter().take(count) {
-                let Some((answer, aftermath)) = link.push(*byte, &mut instrument).await else {
+                let pushed = link.push(*byte, &mut console, &mut instrument).await;
+                let Some((answer, aftermath)) = pushed else {
                     continue;
                 };
                 output.send(answer).await;
@@ -81,7 +138,7 @@ async fn serve_usb(port: UsbPort, mut instrument: Calibrator) -> ! {
             }
         }
         // The cable is out, or the host has switched the device off.
-        link.forget();
+        link.forget(&mut console);
         instrument.leave();
     }
 }

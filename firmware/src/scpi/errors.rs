@@ -1,0 +1,125 @@
+//! The error queue and the event register.
+
+use heapless::Deque;
+
+/// Errors of SCPI-99 that this instrument reports.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i16)]
+pub enum ScpiError {
+    /// No error.
+    None = 0,
+    /// A parameter is no number.
+    DataType = -104,
+    /// More than the command takes.
+    ParameterNotAllowed = -108,
+    /// Less than the command takes.
+    MissingParameter = -109,
+    /// No such command.
+    UndefinedHeader = -113,
+    /// A host at the other link holds the session.
+    OtherHost = -203,
+    /// A run is going on.
+    InitIgnored = -213,
+    /// A number outside its range.
+    DataOutOfRange = -222,
+    /// The answer has no room.
+    TooMuchData = -223,
+    /// No result: nothing was measured since the last change, or not yet.
+    DataStale = -230,
+    /// The point was refused; `FETCh:VERDict?` has the reason.
+    PointRefused = -300,
+    /// The record area failed.
+    StorageFault = -320,
+    /// The record area is full.
+    OutOfMemory = -321,
+    /// More errors than the queue holds.
+    QueueOverflow = -350,
+    /// A line longer than the buffer.
+    InputOverrun = -363,
+}
+
+impl ScpiError {
+    /// Number of the error.
+    pub fn code(self) -> i16 {
+        self as i16
+    }
+
+    /// Its text.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::None => "No error",
+            Self::DataType => "Data type error",
+            Self::ParameterNotAllowed => "Parameter not allowed",
+            Self::MissingParameter => "Missing parameter",
+            Self::UndefinedHeader => "Undefined header",
+            Self::OtherHost => "Command protected;a host at the other link holds the session",
+            Self::InitIgnored => "Init ignored;a run is going on",
+            Self::DataOutOfRange => "Data out of range",
+            Self::TooMuchData => "Too much data",
+            Self::DataStale => "Data corrupt or stale;INIT, then wait with *OPC?",
+            Self::PointRefused => "Device-specific error;point refused, see FETC:VERD?",
+            Self::StorageFault => "Storage fault",
+            Self::OutOfMemory => "Out of memory;release downloaded records",
+            Self::QueueOverflow => "Queue overflow",
+            Self::InputOverrun => "Input buffer overrun",
+        }
+    }
+
+    /// Its bit of the standard event register: command, execution, device.
+    fn event(self) -> u8 {
+        match self.code() {
+            -199..=-100 => 32,
+            -299..=-200 => 16,
+            -399..=-300 => 8,
+            _ => 0,
+        }
+    }
+}
+
+/// Bit of the event register: power came on.
+const POWER_ON: u8 = 128;
+/// Bit of the event register: the operation is complete.
+const COMPLETE: u8 = 1;
+
+/// Errors not yet asked for, and the events since they were last asked for.
+pub(super) struct Status {
+    errors: Deque<ScpiError, 8>,
+    events: u8,
+}
+
+impl Status {
+    pub(super) const fn new() -> Self {
+        Self {
+            errors: Deque::new(),
+            events: POWER_ON,
+        }
+    }
+
+    /// A new error; the last place of a full queue says that it overflowed.
+    pub(super) fn push(&mut self, error: ScpiError) {
+        self.events |= error.event();
+        if self.errors.push_back(error).is_err() {
+            self.errors.pop_back();
+            let _ = self.errors.push_back(ScpiError::QueueOverflow);
+        }
+    }
+
+    /// The oldest error, or none.
+    pub(super) fn pop(&mut self) -> ScpiError {
+        self.errors.pop_front().unwrap_or(ScpiError::None)
+    }
+
+    pub(super) fn operation_complete(&mut self) {
+        self.events |= COMPLETE;
+    }
+
+    /// The event register, which is empty afterwards.
+    pub(super) fn take_events(&mut self) -> u8 {
+        core::mem::take(&mut self.events)
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.errors.clear();
+        self.events = 0;
+    }
+}

@@ -1,0 +1,333 @@
+//! Lines as a controller sends them, through the link.
+
+use super::Console;
+use crate::command::{Instrument, RecordPage, RecordPart};
+use crate::link;
+use calib_core::point::PointResult;
+use calib_core::settings::Settings;
+use calib_core::verdict::{Reason, Verdict};
+use calib_protocol::frame::{self, Frame, MAX_FRAME};
+use calib_protocol::message::{
+    Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
+};
+use calib_protocol::record::RecordSummary;
+use core::pin::pin;
+use core::task::{Context, Poll, Waker};
+
+/// A link with its console.
+struct Link {
+    link: link::Link,
+    console: Console,
+}
+
+impl Link {
+    fn new() -> Self {
+        Self {
+            link: link::Link::new(),
+            console: Console::new(),
+        }
+    }
+    fn forget(&mut self) {
+        self.link.forget(&mut self.console);
+    }
+}
+
+/// Measures 0.01 V/(m/s2) at once; its run is over when a test says so.
+#[derive(Default)]
+struct Bench {
+    spec: Option<RunSpec>,
+    running: bool,
+    refused: Option<Reason>,
+    records: u32,
+    other_host: bool,
+}
+
+impl Instrument for Bench {
+    fn admit(&mut self, request: &Request) -> Result<(), Refusal> {
+        match request {
+            Request::Start(_) if self.other_host => Err(Refusal::OtherHost),
+            _ => Ok(()),
+        }
+    }
+    fn info(&mut self) -> Info {
+        Info {
+            protocol_version: frame::PROTOCOL_VERSION,
+            firmware_version: "1.2.3".try_into().expect("short"),
+            git_hash: "0".try_into().expect("short"),
+            serial: "A7".try_into().expect("short"),
+            sample_rate_hz: 50_000.0,
+            reset_cause: ResetCause::PowerOn,
+            last_panic: None,
+            records: 0,
+            uptime_ms: 0,
+        }
+    }
+    fn status(&mut self) -> Status {
+        Status {
+            state: match self.running {
+                true => RunState::Measuring,
+                false => RunState::Finished,
+            },
+            point: 0,
+            points: 1,
+            frequency_hz: 0.0,
+            target_rms_ms2: 0.0,
+            acceleration_rms_ms2: 0.0,
+            drive_peak_v: 0.0,
+            block: 0,
+            blocks: 5,
+            overruns: 0,
+            samples: 0,
+        }
+    }
+    fn point(&mut self, index: u16) -> Option<PointResult> {
+        let spec = *self.spec.as_ref()?.points.get(usize::from(index))?;
+        let mut result = PointResult::refused(spec, None, Reason::Clipped);
+        result.verdict = self.refused.map_or(Verdict::Pass, Verdict::Refused);
+        result.sensitivity_v_per_ms2 = 0.01;
+        result.expanded_uncertainty_rel = 0.008;
+        result.phase_rad = core::f32::consts::FRAC_PI_2;
+        Some(result)
+    }
+    async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal> {
+        self.running = true;
+        self.spec = Some(spec);
+        Ok(1)
+    }
+    async fn stop(&mut self) {
+        self.running = false;
+    }
+    async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal> {
+        let records = (from.max(1)..=self.records)
+            .take(16)
+            .map(|id| RecordSummary {
+                id,
+                bytes: 1000,
+                unix_time_s: 0,
+                dut_serial: heapless::String::new(),
+                points: 1,
+                refused: 0,
+                sha256: [0; 32],
+            });
+        Ok(RecordPage {
+            records: records.collect(),
+            more: from.max(1) + 16 <= self.records,
+        })
+    }
+    async fn read_record(&mut self, _: u32, _: u32) -> Result<RecordPart, Refusal> {
+        Err(Refusal::RecordNotFound)
+    }
+    async fn release(&mut self, _: u32) -> Result<(), Refusal> {
+        Ok(())
+    }
+    fn settings(&mut self) -> Settings {
+        Settings::field_calibrator()
+    }
+    async fn write_settings(&mut self, _: Settings) -> Result<(), Refusal> {
+        Ok(())
+    }
+}
+
+/// Sends bytes and returns all that comes back; nothing here ever waits.
+fn send(link: &mut Link, bench: &mut Bench, bytes: &[u8]) -> Vec<u8> {
+    let mut heard = Vec::new();
+    for byte in bytes {
+        let future = pin!(link.link.push(*byte, &mut link.console, bench));
+        match future.poll(&mut Context::from_waker(Waker::noop())) {
+            Poll::Ready(Some((answer, _))) => heard.extend_from_slice(answer),
+            Poll::Ready(None) => {}
+            Poll::Pending => panic!("nothing here waits"),
+        }
+    }
+    heard
+}
+
+fn line(link: &mut Link, bench: &mut Bench, line: &str) -> String {
+    let heard = send(link, bench, format!("{line}\n").as_bytes());
+    String::from_utf8(heard).expect("text")
+}
+
+fn frame_of(request: &Request, sequence: u16) -> Vec<u8> {
+    let mut buffer = vec![0; MAX_FRAME];
+    let length = frame::encode(sequence, request, &mut buffer).expect("fits");
+    buffer.truncate(length);
+    buffer
+}
+
+/// The answers among bytes that came back.
+fn responses(heard: &[u8]) -> Vec<Response> {
+    let frames = heard.split_inclusive(|byte| *byte == 0);
+    let read = |bytes: &[u8]| {
+        let mut bytes = bytes.strip_suffix(&[0]).expect("an end").to_vec();
+        let frame = Frame::check(&mut bytes).expect("whole");
+        frame.message().expect("a response")
+    };
+    frames.map(read).collect()
+}
+
+#[test]
+fn a_point_is_measured_by_text_alone() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let mut say = |bench: &mut Bench, text: &str| line(&mut link, bench, text);
+    let b = &mut bench;
+    assert_eq!(
+        say(b, "*IDN?"),
+        "calib,Field Vibration Calibrator,A7,1.2.3\n"
+    );
+    assert_eq!(say(b, "*RST;*CLS"), "");
+    // The second header goes on where the first one was; the third is none.
+    assert_eq!(say(b, "CONF:FREQ?;ACC?;PHAS?"), "1.6E2;1E1\n");
+    assert_eq!(say(b, "SYST:ERR?"), "-113,\"Undefined header\"\n");
+    assert_eq!(say(b, "CONF:FREQ 0.25 kHz; CONF:ACC 50\r"), "");
+    assert_eq!(say(b, "conf:freq?;conf:acceleration?"), "2.5E2;5E1\n");
+    assert_eq!(say(b, "FETC:SENS?"), "9.91E37\n", "nothing measured yet");
+    assert!(say(b, "SYST:ERR?").starts_with("-230,"));
+    assert_eq!(say(b, "INIT"), "");
+    let point = b.spec.as_ref().expect("a run").points[0];
+    assert_eq!(
+        (point.frequency_hz, point.acceleration_rms_ms2),
+        (250.0, 50.0)
+    );
+    assert_eq!(
+        say(b, "INIT;SYST:ERR?"),
+        "-213,\"Init ignored;a run is going on\"\n"
+    );
+    b.running = false;
+    assert_eq!(say(b, "*OPC?;FETC:SENS?;PHAS?"), "1;1E-2;9E1\n");
+    // 0.8 % of 0.01.
+    let both = say(b, "FETC:UNC?;:FETC:VERD?");
+    let (uncertainty, verdict) = both.split_once(';').expect("two answers");
+    let uncertainty: f32 = uncertainty.parse().expect("a number");
+    // Three roundings of f32.
+    assert!((uncertainty / 8e-5 - 1.0).abs() < 2e-7, "{uncertainty}");
+    assert_eq!(verdict, "PASS\n");
+    b.refused = Some(Reason::Clipped);
+    assert_eq!(say(b, "FETC:VERD?;FETC:SENS?"), "REFUSED,Clipped;9.91E37\n");
+    // PHAS? was a command error (32), the refused point one of the device (8), the
+    // ignored start and the stale result of execution (16).
+    assert_eq!(say(b, "*ESR?;*ESR?"), "56;0\n");
+    b.other_host = true;
+    assert!(say(b, "*CLS;INIT;SYST:ERR?").starts_with("-203,"));
+    assert_eq!(say(b, "*TST?;SYST:VERS?"), "0;1999.0\n");
+    assert_eq!(say(b, "CONF:ACC 10;FETC:SENS?"), "9.91E37\n", "stale now");
+}
+
+#[test]
+fn the_end_of_a_run_is_waited_for_and_stop_gets_through() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    assert_eq!(line(&mut link, &mut bench, "INIT;*OPC?"), "");
+    assert!(link.console.awaits_end());
+    assert_eq!(link.console.poll(&mut bench), None);
+    line(&mut link, &mut bench, "ABOR");
+    assert!(!bench.running);
+    assert_eq!(link.console.poll(&mut bench), Some(&b"1\n"[..]));
+    assert_eq!(
+        (link.console.awaits_end(), link.console.poll(&mut bench)),
+        (false, None)
+    );
+    // Without a question only the register knows.
+    line(&mut link, &mut bench, "*CLS;INIT;*OPC");
+    assert_eq!(line(&mut link, &mut bench, "*ESR?"), "0\n");
+    bench.running = false;
+    assert_eq!(line(&mut link, &mut bench, "*ESR?"), "1\n");
+}
+
+#[test]
+fn numbers_that_are_none_are_refused_and_change_nothing() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    for (text, code) in [
+        ("CONF:FREQ", "-109"),
+        ("CONF:FREQ x", "-104"),
+        ("CONF:FREQ 5 V", "-104"),
+        ("CONF:FREQ -5", "-222"),
+        ("CONF:FREQ 1E99", "-222"),
+        ("CONF:ACC NAN", "-222"),
+        ("CONF:ACC 1 KHZ", "-104"),
+        ("INIT 5", "-108"),
+        ("NONSENSE", "-113"),
+    ] {
+        assert_eq!(line(&mut link, &mut bench, text), "");
+        let error = line(&mut link, &mut bench, "SYST:ERR?");
+        assert!(error.starts_with(&format!("{code},")), "{text}: {error}");
+    }
+    let both = line(&mut link, &mut bench, "CONF:FREQ?;CONF:ACC?;SYST:ERR?");
+    assert_eq!(both, "1.6E2;1E1;0,\"No error\"\n");
+    for _ in 0..20 {
+        line(&mut link, &mut bench, "X");
+    }
+    let errors: Vec<String> = (0..9)
+        .map(|_| line(&mut link, &mut bench, "SYST:ERR?"))
+        .collect();
+    assert!(
+        errors[7].starts_with("-350,") && errors[8].starts_with("0,"),
+        "{errors:?}"
+    );
+    let long = "A".repeat(1000);
+    assert_eq!(line(&mut link, &mut bench, &long), "");
+    assert!(line(&mut link, &mut bench, "SYST:ERR?").starts_with("-363,"));
+}
+
+#[test]
+fn every_record_that_has_room_is_in_the_catalogue() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    assert_eq!(line(&mut link, &mut bench, "MMEM:CAT?"), "0,0\n");
+    bench.records = 40;
+    let list = line(&mut link, &mut bench, "MMEM:CAT?");
+    assert!(list.starts_with("40000,0,\"1,BIN,1000\",\"2,BIN"), "{list}");
+    assert_eq!(list.matches("BIN").count(), 40);
+    bench.records = 550;
+    let list = line(&mut link, &mut bench, "MMEM:CAT?");
+    assert!(
+        list.ends_with("\"\n") && list.len() <= MAX_FRAME,
+        "whole entries"
+    );
+    assert!(line(&mut link, &mut bench, "SYST:ERR?").starts_with("-223,"));
+}
+
+#[test]
+fn text_and_frames_take_turns_on_one_link() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    // Every sequence number: the first byte of a frame takes every value.
+    for sequence in 0..300 {
+        let mut bytes = vec![0];
+        bytes.extend(frame_of(&Request::Info, sequence));
+        let heard = send(&mut link, &mut bench, &bytes);
+        assert!(
+            matches!(responses(&heard)[..], [Response::Info(_)]),
+            "{sequence}"
+        );
+        assert_eq!(line(&mut link, &mut bench, "SYST:VERS?"), "1999.0\n");
+    }
+}
+
+#[test]
+fn a_lost_byte_costs_one_repetition_at_most() {
+    let mut request = vec![0];
+    request.extend(frame_of(&Request::Status, 0x2A2A));
+    for lost in 0..request.len() {
+        let (mut link, mut bench) = (Link::new(), Bench::default());
+        let mut damaged = request.clone();
+        damaged.remove(lost);
+        let first = send(&mut link, &mut bench, &damaged);
+        let second = send(&mut link, &mut bench, &request);
+        let count = responses(&first).len() + responses(&second).len();
+        assert!(count >= 1, "byte {lost}");
+        link.forget();
+        assert_eq!(
+            line(&mut link, &mut bench, "SYST:VERS?"),
+            "1999.0\n",
+            "byte {lost}"
+        );
+    }
+}
+
+#[test]
+fn a_link_that_was_left_is_found_idle() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    assert!(!link.link.is_receiving());
+    send(&mut link, &mut bench, &[0, 7, 7]);
+    assert!(link.link.is_receiving());
+    link.forget();
+    assert!(!link.link.is_receiving());
+    assert_eq!(line(&mut link, &mut bench, "SYST:VERS?"), "1999.0\n");
+}
