@@ -82,6 +82,15 @@ fn expanded(unit: Unit, mut components: Vec<Component>, readings: &[f64]) -> f64
     budget::evaluate(&budget).expanded_uncertainty
 }
 
+/// Error of the mean in percent, and the expanded uncertainty stated for it.
+fn relative(components: &[Component], readings: &[f64], truth: f64) -> (f64, f64) {
+    let mean = mean(readings);
+    let percent: Vec<f64> = readings.iter().map(|s| 100.0 * s / mean).collect();
+    let error = 100.0 * (mean / truth - 1.0);
+    let stated = expanded(Unit::Percent, components.to_vec(), &percent);
+    (error, stated)
+}
+
 /// Counts runs in which `calibrate` returns an error within its uncertainty.
 fn assert_covers(seed: u64, mut calibrate: impl FnMut(&mut Draws) -> (f64, f64)) {
     let mut draws = Draws {
@@ -115,12 +124,7 @@ fn comparison_covers_the_truth() {
         let readings: Vec<f64> = (0..5)
             .map(|_| truth * factor * (1.0 + 0.004 * draws.normal()))
             .collect();
-        let percent: Vec<f64> = readings
-            .iter()
-            .map(|s| 100.0 * s / mean(&readings))
-            .collect();
-        let error = 100.0 * (mean(&readings) / truth - 1.0);
-        (error, expanded(Unit::Percent, components.clone(), &percent))
+        relative(&components, &readings, truth)
     });
 }
 
@@ -138,12 +142,7 @@ fn calibrator_covers_the_truth() {
         let readings: Vec<f64> = (0..4)
             .map(|_| truth * level * scale * (1.0 + 0.005 * draws.normal()) / 10.0)
             .collect();
-        let percent: Vec<f64> = readings
-            .iter()
-            .map(|s| 100.0 * s / mean(&readings))
-            .collect();
-        let error = 100.0 * (mean(&readings) / truth - 1.0);
-        (error, expanded(Unit::Percent, components.clone(), &percent))
+        relative(&components, &readings, truth)
     });
 }
 
@@ -170,12 +169,7 @@ fn consecutive_measurement_covers_the_truth() {
                 reference * systematic * dut / (0.5 * (before + after))
             })
             .collect();
-        let percent: Vec<f64> = readings
-            .iter()
-            .map(|s| 100.0 * s / mean(&readings))
-            .collect();
-        let error = 100.0 * (mean(&readings) / truth - 1.0);
-        (error, expanded(Unit::Percent, components.clone(), &percent))
+        relative(&components, &readings, truth)
     });
 }
 

@@ -1,5 +1,6 @@
 //! The host's metrology against numbers others published, and known truths.
 
+mod bad_input;
 mod budget;
 mod coverage;
 mod documentation;

@@ -33,7 +33,7 @@ pub fn link_report(file: &LinkFile, linked: &[LinkedFrequency], pairs: bool) -> 
                     significant(laboratory.standard_uncertainty, 2),
                     significant(laboratory.d, 3),
                     significant(laboratory.u_expanded, 2),
-                    format!("{:.2}", laboratory.e_n),
+                    e_n(laboratory.e_n),
                     verdict(laboratory.d, laboratory.u_expanded).into(),
                 ]
             })
@@ -80,7 +80,7 @@ fn pair_table(entry: &LinkedFrequency) -> String {
                 format!("{} - {}", pair.a, pair.b),
                 significant(pair.d, 3),
                 significant(pair.u_expanded, 2),
-                format!("{:.2}", pair.e_n),
+                e_n(pair.e_n),
                 verdict(pair.d, pair.u_expanded).into(),
             ]
         })
@@ -122,4 +122,12 @@ fn list(title: &str, degrees: &[Degree]) -> String {
         .collect();
     let header = ["laboratory", "f/Hz", "d", "U(d)", "E_n"];
     format!("{title}\n{}\n", table(&header, &rows))
+}
+
+/// A result compared with nothing but itself has no uncertainty and no E_n.
+fn e_n(value: f64) -> String {
+    match value.is_finite() {
+        true => format!("{value:.2}"),
+        false => "-".into(),
+    }
 }

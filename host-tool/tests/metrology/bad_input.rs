@@ -1,0 +1,127 @@
+//! What cannot be right is refused, with file, line and remedy, by every verb.
+
+use std::process::Command;
+
+const COMPONENT: &str = "[[component]]\nlabel = 'a'\nvalue = 0.3\ndistribution = 'normal'\nk = 2\n";
+const CIPM: &str =
+    "[[cipm]]\nlaboratory = 'A'\nfrequency_hz = 160\nvalue = 1\nstandard_uncertainty = 0.1\n";
+const PHASE: &str = "reference_deg = 1\nphasemeter_deg = 0.5\namplifier_deg = 0.3\n\
+                     [[frequency]]\nfrequency_hz = 160\nphase_difference_deg = [1, 2]\n";
+const POINTS: &str = "frequency_hz,magnitude,phase_deg,u_magnitude,u_phase_deg\n";
+
+/// Name of the file, its text, the line complained about, and a word of it.
+type Case = (&'static str, String, usize, &'static str);
+
+/// Runs `calib` on the file and compares its complaint.
+fn refused(arguments: &[&str], (name, text, line, what): &Case) {
+    let folder = tempfile::tempdir().expect("folder");
+    std::fs::write(folder.path().join(name), text).expect("written");
+    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
+        .args(arguments)
+        .arg(name)
+        .current_dir(folder.path())
+        .env("NO_COLOR", "1")
+        .output()
+        .expect("calib starts");
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(6), "{arguments:?} {message}");
+    let place = format!("error: {name}:{line}: ");
+    assert!(message.starts_with(&place), "{arguments:?} {message}");
+    assert!(message.contains(what), "{arguments:?} {message}");
+    assert!(message.contains("hint: "), "{arguments:?} {message}");
+}
+
+fn toml(text: String, line: usize, what: &'static str) -> Case {
+    ("bad.toml", text, line, what)
+}
+
+fn csv(text: String, line: usize, what: &'static str) -> Case {
+    ("bad.csv", text, line, what)
+}
+
+#[test]
+fn budgets() {
+    let three: String = ["a", "b", "c"]
+        .map(|label| COMPONENT.replace("'a'", &format!("'{label}'")))
+        .concat();
+    let pair = |a, b, r| format!("[[correlation]]\na = '{a}'\nb = '{b}'\nr = {r}\n");
+    let impossible = [
+        three,
+        pair("a", "b", 0.9),
+        pair("b", "c", 0.9),
+        pair("a", "c", -0.9),
+    ]
+    .concat();
+    for case in [
+        toml(String::new(), 1, "empty"),
+        toml(COMPONENT.replace("0.3", "-0.3"), 3, "never negative"),
+        toml(COMPONENT.replace("k = 2", "k = 0"), 5, "greater than zero"),
+        toml(COMPONENT.replace("0.3", "nan"), 3, "not a number"),
+        toml(impossible, 27, "positive semidefinite"),
+    ] {
+        refused(&["budget"], &case);
+    }
+}
+
+#[test]
+fn comparisons() {
+    for case in [
+        toml(String::new(), 1, "empty"),
+        toml(CIPM.replace("0.1", "-0.1"), 5, "greater than zero"),
+        toml(CIPM.replace("0.1", "nan"), 5, "not a number"),
+        toml(CIPM.repeat(2), 7, "two results"),
+        toml(
+            format!("coverage_factor = 0\n{CIPM}"),
+            1,
+            "greater than zero",
+        ),
+    ] {
+        refused(&["link"], &case);
+    }
+    let header = "laboratory,frequency_hz,d,U_expanded\n";
+    for case in [
+        csv(String::new(), 1, "empty"),
+        csv(format!("{header}A,1,0.1,-1\n"), 2, "greater than zero"),
+        csv(format!("{header}A,1,nan,1\n"), 2, "finite"),
+        csv(format!("{header}A,1,0,1\nA,1,0,1\n"), 3, "twice"),
+    ] {
+        refused(&["link", "--doe"], &case);
+    }
+}
+
+#[test]
+fn phases() {
+    let twice = format!("{PHASE}{}", &PHASE[PHASE.find("[[").expect("a table")..]);
+    for case in [
+        toml(String::new(), 1, "empty"),
+        toml(PHASE.replace("= 1\n", "= -1\n"), 1, "never negative"),
+        toml(PHASE.replace("= 1\n", "= nan\n"), 1, "not a number"),
+        toml(twice, 8, "twice"),
+    ] {
+        refused(&["phase"], &case);
+    }
+}
+
+#[test]
+fn points_and_records() {
+    for case in [
+        csv(String::new(), 1, "empty"),
+        csv(
+            format!("{POINTS}100,1,0,-0.1,0.1\n"),
+            2,
+            "greater than zero",
+        ),
+        csv(format!("{POINTS}100,nan,0,0.1,0.1\n"), 2, "finite"),
+        csv(format!("{POINTS}1,1,0,1,1\n1,1,0,1,1\n"), 3, "twice"),
+    ] {
+        refused(&["identify"], &case);
+    }
+    let model = ["--s0", "1", "--f0-hz", "1", "--delta", "0.1"];
+    for case in [
+        csv(String::new(), 1, "empty"),
+        csv("time_s,input\n0,1\n1,nan\n2,3\n".into(), 3, "finite"),
+    ] {
+        refused(&[&["predict"], &model[..]].concat(), &case);
+        refused(&["identify", "--shock"], &case);
+    }
+}
