@@ -17,6 +17,12 @@ fn quiet_rig() -> Rig {
     rig
 }
 
+/// Instructions executed and sample pairs taken.
+fn counters(bench: &Bench) -> (u64, u64) {
+    let board = bench.board();
+    (board.instructions(), board.sample_pairs())
+}
+
 #[test]
 fn every_default_point_is_reached_settled_and_right_on_a_quiet_rig() {
     let rig = quiet_rig();
@@ -26,7 +32,13 @@ fn every_default_point_is_reached_settled_and_right_on_a_quiet_rig() {
         .expect("settings are taken");
     let points = session::default_points(10.0);
     assert_eq!(points.len(), 28, "one-third octaves from 20 Hz to 10 kHz");
+    let (instructions, pairs) = counters(&bench);
     let outcome = bench.run(&points).expect("runs");
+    let (instructions_after, pairs_after) = counters(&bench);
+    // 480 MHz over 50 kHz, one instruction in a cycle.
+    let per_pair = (instructions_after - instructions) as f64 / (pairs_after - pairs) as f64;
+    let load = per_pair / 9600.0;
+    assert!(load < 0.15, "the core is busy for {load} of its time");
     assert_eq!(outcome.state, RunState::Finished);
     assert_eq!(outcome.points.len(), points.len());
     let sample_rate_hz = bench.client.info().expect("answers").sample_rate_hz;

@@ -57,14 +57,20 @@ impl Block {
     /// cycle off. The leakage of the fundamental into itself is then solved
     /// for (`docs/metrology/measurement.md`). Measuring blocks are always exact.
     pub fn control(tone: Tone) -> Self {
-        let exact = Self::measuring(tone, MIN_FOLD_SAMPLES);
+        Self::control_of(tone, MIN_FOLD_SAMPLES)
+    }
+
+    /// The shortest such block of at least `min_samples` samples: what noise
+    /// asks for, in steps of a cycle where the period has several.
+    pub fn control_of(tone: Tone, min_samples: u32) -> Self {
+        let min_samples = min_samples.max(MIN_FOLD_SAMPLES);
         let cycles = u32::from(tone.cycles);
         let period = u32::from(tone.period_samples).max(1);
         for whole in 1..cycles {
             let samples = (whole * period + cycles / 2) / cycles;
             let error = (samples * cycles).abs_diff(whole * period);
             let allowed = MAX_CYCLE_ERROR_REL * (whole * period) as f32;
-            if samples >= MIN_FOLD_SAMPLES && error as f32 <= allowed {
+            if samples >= min_samples && error as f32 <= allowed {
                 let approximate = Self {
                     tone,
                     fold_samples: samples as u16,
@@ -73,7 +79,7 @@ impl Block {
                 return approximate;
             }
         }
-        exact
+        Self::measuring(tone, min_samples)
     }
 
     /// True when every pass is whole periods of the tone.

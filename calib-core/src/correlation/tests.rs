@@ -136,7 +136,11 @@ fn full_scale_signals_agree_with_an_f64_oracle() {
     };
     for nominal_hz in PREFERRED_HZ {
         let tone = tone(nominal_hz);
-        let blocks = [Block::control(tone), Block::measuring(tone, 5_000)];
+        let blocks = [
+            Block::control(tone),
+            Block::control_of(tone, 1_500),
+            Block::measuring(tone, 5_000),
+        ];
         for block in blocks {
             let first = 123_u64;
             let pairs = pairs(tone, [PLAIN, second], first, block.samples(), 0.0);
@@ -169,6 +173,19 @@ fn ten_seconds_are_as_accurate_as_ten_milliseconds() {
             magnitude < 1.0e-6 && phase < 1.0e-6,
             "{nominal_hz}: {magnitude} {phase}"
         );
+    }
+}
+
+#[test]
+fn control_blocks_grow_by_cycles() {
+    // 63 Hz is 3 cycles in 2 381 samples: a cycle is 793.7 samples, and only the
+    // whole period is exact.
+    let tone = tone(63.0);
+    assert_eq!((tone.cycles, tone.period_samples), (3, 2_381));
+    for (wanted, samples) in [(1, 794), (795, 1_587), (1_588, 2_381), (2_382, 4_762)] {
+        let block = Block::control_of(tone, wanted);
+        assert_eq!(block.samples(), samples, "{wanted}");
+        assert_eq!(block.is_exact(), samples % 2_381 == 0, "{wanted}");
     }
 }
 

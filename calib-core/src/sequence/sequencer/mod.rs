@@ -301,14 +301,18 @@ impl<'m> Sequencer<'m> {
     }
 
     fn block_ended(&mut self) {
-        let (Some(plan), Some(estimate)) = (self.plan, self.correlator.estimate()) else {
+        let Some(plan) = self.plan else { return };
+        if matches!(self.stage, Stage::Waiting) {
+            // What was waited for tells nothing, and evaluating it takes time.
+            return self.settle(Block::control(plan.tone));
+        }
+        let Some(estimate) = self.correlator.estimate() else {
             return;
         };
         match self.stage {
-            Stage::Waiting => self.settle(Block::control(plan.tone)),
             Stage::Settling => self.control(&plan, &estimate),
             Stage::Measuring => self.measure(&plan, &estimate),
-            Stage::Idle | Stage::Silencing { .. } => {}
+            Stage::Waiting | Stage::Idle | Stage::Silencing { .. } => {}
         }
     }
 
@@ -347,16 +351,10 @@ impl<'m> Sequencer<'m> {
     /// The block the loop needs for its noise: the usual one, or one long
     /// enough for a noise of 0.015 % of the set level, up to 0.1 s.
     fn control_block(&self, plan: &Plan, level: Level, estimate: &PairEstimate) -> Block {
-        let usual = Block::control(plan.tone);
         let excess = level.noise_ms2 / (CONTROL_NOISE_REL * plan.level_loop.set_peak_ms2());
         let wanted = excess * excess * estimate.block.samples() as f32;
         let longest = LONGEST_CONTROL_BLOCK_S * self.timing.sample_rate_hz;
-        let wanted = wanted.min(longest) as u32;
-        if wanted > usual.samples() {
-            Block::measuring(plan.tone, wanted)
-        } else {
-            usual
-        }
+        Block::control_of(plan.tone, wanted.min(longest) as u32)
     }
 
     fn begin_measuring(&mut self, tone: Tone) {
