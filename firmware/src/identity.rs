@@ -17,6 +17,8 @@ pub(crate) struct Identity {
     pub(crate) git_hash: String<24>,
     pub(crate) reset_cause: ResetCause,
     pub(crate) last_panic: Option<String<160>>,
+    /// What made the board restart, when that was not meant to be.
+    pub(crate) incident: Option<String<160>>,
 }
 
 impl Identity {
@@ -24,12 +26,15 @@ impl Identity {
     pub(crate) fn read() -> Self {
         let flags = pac::RCC.rsr().read();
         pac::RCC.rsr().modify(|w| w.set_rmvf(true));
+        let reset_cause = cause(flags);
+        let last_panic = crate::panic::take_reason();
         Self {
+            incident: last_panic.clone().or_else(|| incident(reset_cause)),
             serial: fitting(embassy_stm32::uid::uid_hex()),
             version: fitting(VERSION),
             git_hash: fitting(GIT_HASH),
-            reset_cause: cause(flags),
-            last_panic: crate::panic::take_reason(),
+            reset_cause,
+            last_panic,
         }
     }
 
@@ -51,6 +56,15 @@ fn fitting<const N: usize>(text: &str) -> String<N> {
         }
     }
     result
+}
+
+/// A restart nobody asked for and that left no message.
+fn incident(cause: ResetCause) -> Option<String<160>> {
+    match cause {
+        ResetCause::Watchdog => Some(fitting("restarted by the watchdog: everything stood still")),
+        ResetCause::BrownOut => Some(fitting("restarted by a drop of the supply")),
+        _ => None,
+    }
 }
 
 /// The most specific flag wins: every reset also sets the pin flag, and power

@@ -1,6 +1,6 @@
 //! The one exit: exciter to rest, reason kept over the reset, reset.
 //!
-//! Panics, hard faults and unexpected interrupts all end here. The reason is
+//! Panics, hard faults, clock failures and unexpected interrupts all end here. The reason is
 //! written to a part of RAM that no start-up code touches, with a checksum,
 //! and reported by the next start.
 
@@ -119,6 +119,18 @@ fn panic(info: &PanicInfo<'_>) -> ! {
     }
 }
 
+/// Drivers log their message and then come here, without it: what is left to
+/// tell is where, and what the DMA says.
+#[defmt::panic_handler]
+fn driver_panic() -> ! {
+    let active = cortex_m::peripheral::SCB::vect_active();
+    let flags = [0, 1].map(|half| embassy_stm32::pac::DMA1.isr(half).read().0);
+    leave(format_args!(
+        "a driver gave up in {active:?}, DMA1 flags {:#010x} {:#010x}",
+        flags[0], flags[1]
+    ))
+}
+
 #[exception]
 unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
     // Note(unsafe): a read of a status register that always exists.
@@ -128,6 +140,14 @@ unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
         frame.pc(),
         frame.lr(),
         cause
+    ))
+}
+
+/// The clock security system found the 8 MHz gone; nothing else raises it here.
+#[exception]
+unsafe fn NonMaskableInt() -> ! {
+    leave(format_args!(
+        "clock failure: the 8 MHz of the board are gone"
     ))
 }
 

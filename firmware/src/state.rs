@@ -107,6 +107,8 @@ pub(crate) static RUN_ENDED: Signal<CriticalSectionRawMutex, ()> = Signal::new()
 
 /// Rises while samples come in.
 pub(crate) static ACQUIRE_ALIVE: AtomicU32 = AtomicU32::new(0);
+/// Rises while the exciter is fed.
+pub(crate) static DRIVE_ALIVE: AtomicU32 = AtomicU32::new(0);
 /// Rises while blocks are worked on.
 pub(crate) static MEASURE_ALIVE: AtomicU32 = AtomicU32::new(0);
 

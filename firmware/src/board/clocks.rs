@@ -1,6 +1,7 @@
 //! Clock tree: 480 MHz core, everything derived from the 8 MHz of the ST-LINK.
 
 use embassy_stm32::Config;
+use embassy_stm32::pac;
 use embassy_stm32::rcc::{
     AHBPrescaler, APBPrescaler, Hse, HseMode, Pll, PllDiv, PllMul, PllPreDiv, PllSource, Sysclk,
     VoltageScale, mux,
@@ -42,4 +43,11 @@ pub(crate) fn config() -> Config {
     // 960 MHz / 20: what full-speed USB wants, as exact as the crystal.
     rcc.mux.usbsel = mux::Usbsel::PLL1_Q;
     config
+}
+
+/// Watches the 8 MHz from now on: when they fail, the part goes on with its
+/// internal oscillator, which no tone may be derived from, and raises the NMI,
+/// whose handler silences the exciter (RM0433 Rev 8, 8.5.3).
+pub(super) fn watch() {
+    pac::RCC.cr().modify(|w| w.set_hsecsson(true));
 }

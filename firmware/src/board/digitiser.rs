@@ -125,11 +125,26 @@ impl Digitiser {
         }
     }
 
-    /// Puts the stream right after a fault: empty ring, converters armed.
+    /// Puts the stream right after a fault: converters stopped, stale data and
+    /// flags dropped, empty ring, both armed (RM0433 Rev 8, 25.4.27).
     pub(crate) fn restart(&mut self) {
-        pac::ADC1.isr().write(|w| w.set_ovr(true));
-        pac::ADC2.isr().write(|w| w.set_ovr(true));
+        pac::ADC1.cr().modify(|w| w.set_adstp(vals::Adstp::STOP));
+        // A conversion takes 2.3 us; the loop is bounded all the same.
+        for _ in 0..10_000 {
+            if pac::ADC1.cr().read().adstp() != vals::Adstp::STOP {
+                break;
+            }
+        }
+        let _ = pac::ADC12_COMMON.cdr().read();
+        for adc in [pac::ADC1, pac::ADC2] {
+            adc.isr().write(|w| {
+                w.set_ovr(true);
+                w.set_eoc(true);
+                w.set_eos(true);
+            });
+        }
         self.ring.clear();
+        self.ring.start();
         pac::ADC1.cr().modify(|w| w.set_adstart(true));
     }
 }

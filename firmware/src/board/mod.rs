@@ -20,12 +20,14 @@ mod clocks;
 mod digitiser;
 mod exciter;
 mod sample_clock;
+mod stack;
 mod usb;
 
 pub(crate) use axi_sram::{AllZero, axi_static};
 pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser};
 pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
 pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
+pub(crate) use stack::unused_bytes as unused_stack_bytes;
 pub(crate) use usb::{PACKET_BYTES, UsbDriver, UsbParts, UsbPort, run as run_usb, usb_port};
 
 use digitiser::DigitiserParts;
@@ -56,8 +58,9 @@ pub(crate) const LINK_BAUD: u32 = 115_200;
 /// The record area: all of bank 2, as offsets in flash (see `memory.x`).
 pub(crate) const RECORD_AREA: core::ops::Range<u32> = 0x10_0000..0x20_0000;
 
-/// Longest time without a sign of life, microseconds.
-const WATCHDOG_US: u32 = 500_000;
+/// Longest time without a sign of life, microseconds. Until it has passed, a
+/// hang that keeps the drive task from running lets the ring repeat its 20 ms.
+const WATCHDOG_US: u32 = 250_000;
 
 /// The virtual COM port.
 pub(crate) type Port = Uart<'static, Async>;
@@ -111,6 +114,7 @@ impl Board {
         // Note(unsafe): the first thing that happens; every user comes later.
         unsafe { axi_sram::clear() };
         let p: Peripherals = embassy_stm32::init(clocks::config());
+        clocks::watch();
         cache::enable_instruction_cache();
         let lamp = |pin: Peri<'static, AnyPin>| Output::new(pin, Level::Low, Speed::Low);
         let exciter = Exciter::new(ExciterParts {

@@ -6,8 +6,10 @@
 //! it overwrites them.
 
 use crate::board::{BLOCK_PAIRS, Exciter, MID_SCALE, axi_static};
+use crate::state;
 use calib_core::broadband::PeriodMemory;
 use calib_core::output::{Command, Output};
+use core::sync::atomic::Ordering;
 use embassy_futures::select::{Either, select};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
@@ -65,6 +67,7 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
             // From now on the ring alone sets the pace.
             patience = Duration::from_ticks(0);
         }
+        state::DRIVE_ALIVE.fetch_add(1, Ordering::Relaxed);
         output.fill(&mut codes);
         match select(SILENCE.wait(), exciter.play(&codes)).await {
             Either::First(()) => silence(&mut exciter, &mut output),

@@ -71,7 +71,7 @@ impl SharedArchive {
 #[embassy_executor::task]
 pub(crate) async fn store(archive: &'static SharedArchive, identity: &'static Identity) -> ! {
     // What made the board restart belongs to the first record after it.
-    let mut incident = identity.last_panic.clone();
+    let mut incident = identity.incident.clone();
     loop {
         state::RUN_ENDED.wait().await;
         let mut archive = archive.0.lock().await;

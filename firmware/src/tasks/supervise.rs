@@ -1,6 +1,6 @@
-//! Lamps, button, watchdog.
+//! Lamps, button, watchdog, and the depth of the stack.
 
-use crate::board::{Lamps, Watchdog};
+use crate::board::{Lamps, Watchdog, unused_stack_bytes};
 use crate::instrument::Calibrator;
 use crate::state::{self, Order};
 use calib_core::point::ExcitationKind;
@@ -15,7 +15,7 @@ use embassy_time::{Duration, Ticker};
 
 /// Button and lamps are looked at this often; a bounce is shorter.
 const PERIOD: Duration = Duration::from_millis(20);
-/// Periods in which acquiring and measuring must each have moved: 100 ms.
+/// Periods in which acquiring, driving and measuring must each have moved: 100 ms.
 const ALIVE_PERIODS: u8 = 5;
 
 /// Watches over everything else.
@@ -29,40 +29,62 @@ pub(crate) async fn supervise(
     watchdog.unleash();
     let mut alive = Alive::default();
     let mut pressed_before = button.is_high();
+    let mut state_before = RunState::Idle;
     let mut ticker = Ticker::every(PERIOD);
     loop {
         ticker.next().await;
-        if alive.check() {
-            watchdog.pet();
+        if let Some(task) = alive.hanging() {
+            // Everything but that task still works: say which it is. If not
+            // even this does, the watchdog restarts the board.
+            panic!("the task {task} stands still");
         }
+        watchdog.pet();
         let pressed = button.is_high();
         if pressed && !pressed_before {
             on_button(&mut instrument).await;
         }
         pressed_before = pressed;
-        show(&mut lamps, state::status().state);
+        let state = state::status().state;
+        if state != state_before && !busy(state) {
+            defmt::info!("{=u32} bytes of stack never used", unused_stack_bytes());
+        }
+        state_before = state;
+        show(&mut lamps, state);
     }
 }
 
-/// Whether acquiring and measuring go on.
+/// Whether acquiring, driving and measuring go on.
 #[derive(Default)]
 struct Alive {
-    acquire: u32,
-    measure: u32,
-    periods: u8,
+    /// What each had counted when it last moved, and for how many periods it
+    /// has not moved since.
+    tasks: [(u32, u8); 3],
 }
 
 impl Alive {
-    /// False once either has stood still for [`ALIVE_PERIODS`].
-    fn check(&mut self) -> bool {
-        let acquire = state::ACQUIRE_ALIVE.load(Ordering::Relaxed);
-        let measure = state::MEASURE_ALIVE.load(Ordering::Relaxed);
-        if acquire != self.acquire && measure != self.measure {
-            (self.acquire, self.measure, self.periods) = (acquire, measure, 0);
-        } else {
-            self.periods = self.periods.saturating_add(1);
+    /// A task that has stood still for [`ALIVE_PERIODS`], if there is one.
+    fn hanging(&mut self) -> Option<&'static str> {
+        // In this order: without blocks measuring stands still as well, and
+        // without orders the drive goes on by itself.
+        let counts = [
+            ("acquire", &state::ACQUIRE_ALIVE),
+            ("drive", &state::DRIVE_ALIVE),
+            ("measure", &state::MEASURE_ALIVE),
+        ];
+        let mut hanging = None;
+        for ((name, count), (before, periods)) in counts.into_iter().zip(&mut self.tasks) {
+            let count = count.load(Ordering::Relaxed);
+            *periods = if count == *before {
+                periods.saturating_add(1)
+            } else {
+                0
+            };
+            *before = count;
+            if *periods >= ALIVE_PERIODS {
+                hanging = hanging.or(Some(name));
+            }
         }
-        self.periods < ALIVE_PERIODS
+        hanging
     }
 }
 
@@ -85,11 +107,16 @@ async fn on_button(instrument: &mut Calibrator) {
     }
 }
 
-fn show(lamps: &mut Lamps, state: RunState) {
-    let busy = matches!(
+/// A run is going on.
+fn busy(state: RunState) -> bool {
+    matches!(
         state,
         RunState::Settling | RunState::Measuring | RunState::Storing
-    );
+    )
+}
+
+fn show(lamps: &mut Lamps, state: RunState) {
+    let busy = busy(state);
     let refused = state::RUN.lock(|run| {
         let run = run.borrow();
         run.results

@@ -16,6 +16,7 @@
 //! | `serial_line` | USART3 to the virtual COM port |
 //! | `usb` | OTG FS in device mode, and the host's end of its cable |
 //! | `front_panel` | LEDs and button |
+//! | `part_faults` | what can fail in the part |
 //! | `memory_map`, `part`, `cortex_m7` | address map, the part as a whole, its core |
 //!
 //! Citations: RM0433 is the reference manual of the part, DS12110 its datasheet, ES0392 its errata,
@@ -32,6 +33,7 @@ mod iwdg;
 mod memory_map;
 mod overdrive;
 mod part;
+mod part_faults;
 mod serial_line;
 #[cfg(test)]
 mod tests;
@@ -51,6 +53,7 @@ pub use flash::{
 };
 pub use front_panel::Leds;
 pub use part::Part;
+pub use part_faults::PartFault;
 pub use serial_line::SerialLine;
 use usb::UsbPort;
 

@@ -159,6 +159,11 @@ impl Part {
         }
     }
 
+    /// The pair converted last was not fetched.
+    pub(super) fn leave_a_pair_unread(&mut self) {
+        self.common.leave_a_pair_unread();
+    }
+
     /// Since when the regulator's overdrive has been on.
     pub(super) fn overdrive_since(&self) -> Option<VirtualNanos> {
         self.syscfg.overdrive_since()

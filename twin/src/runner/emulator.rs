@@ -10,7 +10,7 @@ use super::memory::RECORD_FLASH_BYTES;
 use super::passages::{Mark, Passages};
 use super::{Error, Firmware, Log, memory};
 use crate::board::usb::UsbPort;
-use crate::board::{FlashWatch, Leds, NucleoH743zi2, Pins, RECORD_FLASH, SerialLine};
+use crate::board::{FlashWatch, Leds, NucleoH743zi2, PartFault, Pins, RECORD_FLASH, SerialLine};
 use crate::rig_port::{DRIVE_MID_CODE, RigPort};
 
 /// Symbol of the firmware's RTT control block.
@@ -202,6 +202,38 @@ impl Emulator {
         self.core.act(|session, host, stop| {
             session.reset_by_pin(stop.at, stop.instruction_count, host);
         })
+    }
+
+    /// Lets something fail in the part at this instant.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn fail(&mut self, fault: PartFault) -> Result<(), Error> {
+        self.core
+            .act(move |session, _, stop| session.board_mut().part.fail(stop.at, fault))
+    }
+
+    /// Changes halfwords of code or of the vector table where they lie in flash, as a fault of the
+    /// memory would, and hands back what was there.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails or there is no flash at `address`.
+    pub fn patch(&mut self, address: u64, halfwords: &[u16]) -> Result<Vec<u16>, Error> {
+        let new = halfwords.to_vec();
+        self.core
+            .act(move |_, host, _| memory::patch(host, address, &new))?
+            .map_err(|error| Error::Ended(error.to_string()))
+    }
+
+    /// Address of a function or variable of the image.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoSymbol`] when the image has no such name.
+    pub fn symbol(&self, name: &str) -> Result<u64, Error> {
+        self.firmware.symbol(name)
     }
 
     /// Operations on the record flash, and the wear of its sectors.

@@ -59,6 +59,25 @@ pub(super) fn program(
     Ok(())
 }
 
+/// Puts `halfwords` into flash at `address` and hands back what was there.
+pub(super) fn patch(
+    host: &mut dyn Host,
+    address: u64,
+    halfwords: &[u16],
+) -> Result<Vec<u16>, EmulatorError> {
+    let first = address & !7;
+    let bytes = (address - first) as usize + 2 * halfwords.len();
+    let mut words = read(host, first, bytes.next_multiple_of(8))?;
+    let (places, _) = words[(address - first) as usize..].as_chunks_mut::<2>();
+    let mut before = Vec::with_capacity(halfwords.len());
+    for (place, halfword) in places.iter_mut().zip(halfwords) {
+        before.push(u16::from_le_bytes(*place));
+        *place = halfword.to_le_bytes();
+    }
+    program(host, first, &words)?;
+    Ok(before)
+}
+
 /// SplitMix64 (Steele, Lea and Flood 2014): the next number of a seeded sequence.
 pub(super) fn splitmix(state: &mut u64) -> u64 {
     *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);

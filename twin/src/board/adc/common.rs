@@ -40,6 +40,11 @@ impl Common {
         }
     }
 
+    /// The pair converted last was not fetched.
+    pub(in super::super) fn leave_a_pair_unread(&mut self) {
+        self.pair.lock().unread = true;
+    }
+
     /// Figure 136: kernel clock over `PRESC`, or bus clock over 1, 2 or 4; revision V halves both.
     fn clock(&self, control: u64) {
         let prescaler = PRESCALER.get(ccr::PRESC.get(control) as usize);

@@ -1,0 +1,218 @@
+//! Faults of the board itself: silent first, then a restart that says why, in `info` and on the next
+//! record, with every record from before still there. The scenarios are the files in
+//! `scenarios/board`.
+
+use calib_core::verdict::{Reason, Verdict};
+use calib_host::session;
+use calib_protocol::message::{ResetCause, RunSpec, RunState};
+use calib_protocol::record::{Record, RunLabels};
+use calib_tests::bench::{Bench, Fault, point};
+use calib_twin::board::PartFault;
+use calib_twin::rig::Rig;
+use serde::Deserialize;
+use std::path::Path;
+use std::time::Duration;
+
+/// From the start of a run until its point is being measured.
+const UNDER_WAY: Duration = Duration::from_millis(700);
+/// The clock's handler, and the place of the time driver in the vector table (line 28).
+const CLOCK_HANDLER: &str = "NonMaskableInt";
+const NEXT_VECTOR: u64 = 0x0800_0000 + 4 * (16 + 28);
+
+/// A fault and what must come of it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Scenario {
+    what: String,
+    fault: Injected,
+    /// Part of the reason given after the restart; empty where there is none.
+    reports: String,
+    /// Cause of the restart; empty where there is none.
+    reset_cause: String,
+    /// The output is at mid-scale for good at most so long after the fault, ms.
+    silent_within_ms: f64,
+}
+
+#[derive(Clone, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+enum Injected {
+    AdcOverrun,
+    DmaError { stream: u8 },
+    DmaStops { stream: u8 },
+    ClockLost,
+    Patch { symbol: String, halfwords: Vec<u16> },
+}
+
+#[test]
+fn every_fault_of_the_board_is_silent_and_reported() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/board");
+    let mut files: Vec<_> = std::fs::read_dir(folder)?
+        .map(|entry| entry.map(|entry| entry.path()))
+        .collect::<Result<_, _>>()?;
+    files.sort();
+    assert!(files.len() >= 9, "{} scenarios", files.len());
+    let mut failures = Vec::new();
+    for file in files {
+        let scenario: Scenario = toml::from_str(&std::fs::read_to_string(&file)?)
+            .map_err(|error| format!("{}: {error}", file.display()))?;
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        if let Err(fault) = carry_out(&mut bench, &scenario) {
+            failures.push(format!("{name} ({}): {fault}", scenario.what));
+        }
+    }
+    assert!(failures.is_empty(), "\n{}", failures.join("\n"));
+    Ok(())
+}
+
+fn carry_out(bench: &mut Bench, scenario: &Scenario) -> Result<(), Fault> {
+    let restarts = bench.board().resets()?.len();
+    let records = bench.client.records()?;
+    bench.client.start(run_of_one())?;
+    bench.client.wait(UNDER_WAY)?;
+    if bench.client.status()?.state != RunState::Measuring {
+        return Err("the point is not being measured".into());
+    }
+    let silent_ms = strike(bench, &scenario.fault)?;
+    println!("silent after {silent_ms:>6.2} ms: {}", scenario.what);
+    if silent_ms > scenario.silent_within_ms {
+        return Err(format!("silent only after {silent_ms:.1} ms").into());
+    }
+    let restarted = bench.board().resets()?.len() > restarts;
+    if restarted != !scenario.reset_cause.is_empty() {
+        return Err(format!("restarted: {restarted}").into());
+    }
+    if !restarted {
+        return lost_samples(bench);
+    }
+    let info = bench.client.info()?;
+    let cause = format!("{:?}", info.reset_cause);
+    let told = info.last_panic.as_deref().unwrap_or_default();
+    let watchdog = info.reset_cause == ResetCause::Watchdog;
+    if cause != scenario.reset_cause || !(watchdog || told.contains(&scenario.reports)) {
+        return Err(format!("restarted by {cause}, told {told:?}").into());
+    }
+    // All records are there, and the next one says what happened.
+    if bench.client.records()? != records {
+        return Err("records were lost".into());
+    }
+    let record = next_record(bench)?;
+    let incident = record.incident.as_deref().unwrap_or_default();
+    if !incident.contains(&scenario.reports) {
+        return Err(format!("the record says {incident:?}").into());
+    }
+    Ok(())
+}
+
+/// Lets the fault happen, mends it after the restart, and answers after how many ms the output was
+/// silent for good.
+fn strike(bench: &Bench, fault: &Injected) -> Result<f64, Fault> {
+    let mut board = bench.board();
+    let restarts = board.resets()?.len();
+    let begun = board.elapsed();
+    let patch = match fault.clone() {
+        Injected::AdcOverrun => board.fail(PartFault::AdcOverrun).map(|()| None),
+        Injected::DmaError { stream } => board.fail(PartFault::DmaError { stream }).map(|()| None),
+        Injected::DmaStops { stream } => board.fail(PartFault::DmaStops { stream }).map(|()| None),
+        Injected::ClockLost => {
+            board.fail(PartFault::ClockLost)?;
+            let handler = board.symbol(CLOCK_HANDLER)? | 1;
+            let vector = [handler as u16, (handler >> 16) as u16];
+            Ok(Some((NEXT_VECTOR, board.patch(NEXT_VECTOR, &vector)?)))
+        }
+        Injected::Patch { symbol, halfwords } => {
+            let address = board.symbol(&symbol)? & !1;
+            Ok(Some((address, board.patch(address, &halfwords)?)))
+        }
+    }?;
+    for _ in 0..600 {
+        board.run_for(Duration::from_millis(1))?;
+        if board.resets()?.len() > restarts {
+            break;
+        }
+    }
+    if let Some((address, before)) = patch {
+        board.patch(address, &before)?;
+    }
+    board.run_for(Duration::from_millis(600))?;
+    let silent = board.silent_for().ok_or("the output never came to rest")?;
+    let at = board.elapsed() - silent;
+    Ok(at.saturating_sub(begun).as_secs_f64() * 1e3)
+}
+
+/// The point was refused because of lost samples, and the instrument goes on.
+fn lost_samples(bench: &mut Bench) -> Result<(), Fault> {
+    let status = bench.client.status()?;
+    let verdict = bench.client.point(0)?.map(|result| result.verdict);
+    if verdict != Some(Verdict::Refused(Reason::Overrun)) || status.overruns == 0 {
+        return Err(format!("{verdict:?}, {} overruns", status.overruns).into());
+    }
+    // What happened before was told once.
+    match next_record(bench)?.incident {
+        None => Ok(()),
+        Some(incident) => Err(format!("told twice: {incident}").into()),
+    }
+}
+
+/// A run of one point that passes, and its record.
+fn next_record(bench: &mut Bench) -> Result<Record, Fault> {
+    let outcome = bench.run(&[point(160.0, 10.0)])?;
+    if outcome.points.first().map(|point| point.verdict) != Some(Verdict::Pass) {
+        return Err("the next run does not pass".into());
+    }
+    let folder = tempfile::tempdir()?;
+    let download = session::download(&mut bench.client, outcome.record_id, folder.path(), |_| ())?;
+    Ok(download.record)
+}
+
+fn run_of_one() -> RunSpec {
+    RunSpec {
+        points: [point(160.0, 10.0)].into_iter().collect(),
+        labels: RunLabels::default(),
+    }
+}
+
+#[test]
+fn a_stuck_button_starts_one_run_and_stops_none() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.board().press_button(true)?;
+    bench.client.wait(Duration::from_secs(2))?;
+    assert_eq!(bench.client.status()?.points, 28, "the default list");
+    bench.client.stop()?;
+    bench.client.wait(Duration::from_secs(1))?;
+    assert_eq!(bench.client.status()?.state, RunState::Stopped);
+    bench.expect_silence(Duration::from_secs(1))?;
+    assert_eq!(bench.client.records()?.len(), 1, "no second run");
+    // Stuck at boot it starts nothing, and a host still can.
+    bench.client.reset()?;
+    bench.client.wait(Duration::from_secs(1))?;
+    assert_eq!(bench.client.status()?.state, RunState::Idle);
+    assert_eq!(bench.run(&[point(160.0, 10.0)])?.state, RunState::Finished);
+    // The stack: what the start-up code painted and nobody overwrote.
+    let mut board = bench.board();
+    let (end, start) = (board.symbol("_stack_end")?, board.symbol("_stack_start")?);
+    let stack = board.read_memory(end, (start - end) as usize)?;
+    let unused = stack.iter().take_while(|byte| **byte == 0xCC).count();
+    println!("{unused} of {} bytes of stack never used", stack.len());
+    assert!(unused >= 10 << 10, "less than 10 KiB are left");
+    Ok(())
+}
+
+#[test]
+fn a_supply_that_fails_while_measuring_leaves_a_silent_board_and_whole_records() -> Result<(), Fault>
+{
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.run(&[point(160.0, 10.0)])?;
+    let records = bench.client.records()?;
+    bench.client.start(run_of_one())?;
+    bench.client.wait(UNDER_WAY)?;
+    bench.board().power_cycle()?;
+    bench.client.wait(Duration::from_millis(300))?;
+    let info = bench.client.info()?;
+    assert_eq!(info.reset_cause, ResetCause::PowerOn);
+    assert_eq!(info.last_panic, None, "what RAM held means nothing");
+    assert_eq!(bench.client.records()?, records);
+    let board = bench.board();
+    assert!(board.silent_for() >= Some(board.uptime()));
+    Ok(())
+}

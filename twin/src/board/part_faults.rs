@@ -1,0 +1,77 @@
+//! What can fail in the part itself, to be asked for by a test.
+//!
+//! Nothing here is known to the firmware: each is what the silicon would show.
+
+use rigless::mcu::{Mcu, Operate};
+use rigless::soc::Width;
+use rigless::soc::stm32h743::Stm32h743;
+use rigless::soc::stm32h743::generated::DMA1;
+use rigless::time::VirtualNanos;
+
+use super::part::Part;
+
+/// `CR`, `NDTR`, `PAR` and `M0AR` of a stream lie at this offset and distance (RM0433 Rev 9, table 116).
+const STREAM_AT: u64 = 0x10;
+const STREAM_BYTES: u64 = 0x18;
+const MEMORY_AT: u64 = 0x0C;
+const ENABLE: u64 = 1;
+/// An address on the bus that nothing answers.
+const NOWHERE: u64 = 0x6F00_0000;
+
+/// A fault of the part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PartFault {
+    /// The DMA was late for one pair of conversions: the next one overruns.
+    AdcOverrun,
+    /// A stream of DMA1 stops.
+    DmaStops {
+        /// Number of the stream.
+        stream: u8,
+    },
+    /// A stream of DMA1 loses its way: its next access goes where nothing answers.
+    DmaError {
+        /// Number of the stream.
+        stream: u8,
+    },
+    /// The 8 MHz from outside end.
+    ClockLost,
+}
+
+impl Part {
+    /// Lets `fault` happen at `at`.
+    pub(crate) fn fail(&mut self, at: VirtualNanos, fault: PartFault) {
+        match fault {
+            PartFault::AdcOverrun => self.leave_a_pair_unread(),
+            PartFault::DmaStops { stream } => self.change_stream(at, stream, None),
+            PartFault::DmaError { stream } => self.change_stream(at, stream, Some(NOWHERE)),
+            PartFault::ClockLost => self.lose_clock(at),
+        }
+    }
+
+    /// Stops a stream; with another memory address it goes on from there.
+    fn change_stream(&mut self, at: VirtualNanos, stream: u8, memory: Option<u64>) {
+        let registers = DMA1.base + STREAM_AT + STREAM_BYTES * u64::from(stream);
+        let Ok(control) = self.read(at, registers, Width::W32) else {
+            return;
+        };
+        // Refused only where there is no such stream.
+        let mut write = |address, value| {
+            self.write(at, address, Width::W32, value).ok();
+        };
+        write(registers, control & !ENABLE);
+        if let Some(memory) = memory {
+            write(registers + MEMORY_AT, memory);
+            write(registers, control | ENABLE);
+        }
+    }
+
+    fn lose_clock(&mut self, at: VirtualNanos) {
+        let (Ok(mut spare), Some(slot)) = (Stm32h743::new(), self.base.bus().slot_of("RCC")) else {
+            return;
+        };
+        std::mem::swap(&mut spare.rcc, &mut self.base.rcc);
+        let (registers, mut context) = self.base.bus_mut().drive(at, slot);
+        spare.rcc.fail_hse(registers, &mut context);
+        std::mem::swap(&mut spare.rcc, &mut self.base.rcc);
+    }
+}
