@@ -14,7 +14,7 @@ use std::path::Path;
 use std::time::Duration;
 
 /// From the start of a run until its point is being measured.
-const UNDER_WAY: Duration = Duration::from_millis(700);
+const UNDER_WAY: Duration = Duration::from_millis(450);
 /// The clock's handler, and the place of the time driver in the vector table (line 28).
 const CLOCK_HANDLER: &str = "NonMaskableInt";
 const NEXT_VECTOR: u64 = 0x0800_0000 + 4 * (16 + 28);
@@ -46,6 +46,7 @@ enum Injected {
 #[test]
 fn every_fault_of_the_board_is_silent_and_reported() -> Result<(), Fault> {
     let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.adjust(|settings| settings.blocks = 4)?;
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/board");
     let mut files: Vec<_> = std::fs::read_dir(folder)?
         .map(|entry| entry.map(|entry| entry.path()))
@@ -125,7 +126,7 @@ fn strike(bench: &Bench, fault: &Injected) -> Result<f64, Fault> {
             Ok(Some((address, board.patch(address, &halfwords)?)))
         }
     }?;
-    for _ in 0..600 {
+    for _ in 0..350 {
         board.run_for(Duration::from_millis(1))?;
         if board.resets()?.len() > restarts {
             break;
@@ -134,7 +135,7 @@ fn strike(bench: &Bench, fault: &Injected) -> Result<f64, Fault> {
     if let Some((address, before)) = patch {
         board.patch(address, &before)?;
     }
-    board.run_for(Duration::from_millis(600))?;
+    board.run_for(Duration::from_millis(300))?;
     let silent = board.silent_for().ok_or("the output never came to rest")?;
     let at = board.elapsed() - silent;
     Ok(at.saturating_sub(begun).as_secs_f64() * 1e3)
@@ -169,6 +170,7 @@ fn run_of_one() -> RunSpec {
     RunSpec {
         points: [point(160.0, 10.0)].into_iter().collect(),
         labels: RunLabels::default(),
+        excitation: Default::default(),
     }
 }
 
