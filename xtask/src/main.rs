@@ -6,6 +6,7 @@
 mod bench;
 mod demo;
 mod elf;
+mod no_panic;
 mod python;
 mod shell;
 mod test;
@@ -20,6 +21,7 @@ usage: ./run <command>
   test [FILTER]     format, lints and every test there is
   bench [NAME]      benchmark tables, also written to target/bench/NAME.json
   elf               build the firmware image for the STM32H743ZI
+  no-panic          look for panics in what calib-core became in the image
   size              flash and RAM used by the image
   setup             build everything and run nothing
 ";
@@ -35,6 +37,7 @@ fn main() -> Result<()> {
         "test" | "ci" => test::run(rest),
         "bench" => bench::run(rest),
         "elf" => elf::build().map(|path| println!("{}", path.display())),
+        "no-panic" => elf::build().and_then(|image| no_panic::check(&image)),
         "size" => elf::print_size(),
         "setup" => elf::build().and_then(|_| demo::build_tool()),
         "help" | "--help" | "-h" => {

@@ -1,7 +1,7 @@
 //! Every test there is, in the order that fails soonest.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{demo, elf, python};
+use crate::{demo, elf, no_panic, python};
 use anyhow::{Result, bail};
 
 /// Format, lints, image, tool, tests. With a filter: only tests of that name.
@@ -11,6 +11,9 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         no_test_is_skipped()?;
     }
     let image = elf::build()?;
+    if filter.is_empty() {
+        no_panic::check(&image)?;
+    }
     // The tests of the tool need it, so cargo builds and places it with them; a
     // build of its own would compile half of the tree a second time, since the
     // features of shared crates differ.
