@@ -1,0 +1,189 @@
+//! `docs/protocol.md` says what the code does.
+
+use calib_core::settings::{MAX_INFLUENCES, MAX_REFERENCE_POINTS, Settings};
+use calib_protocol::frame::{Frame, MAX_FRAME, MAX_MESSAGE, PROTOCOL_VERSION, encode};
+use calib_protocol::message::{
+    Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
+};
+use calib_protocol::record::{MAX_POINTS, RECORD_VERSION, RunLabels};
+use serde::Serialize;
+
+const PAGE: &str = include_str!("../../docs/protocol.md");
+
+/// The bytes behind `word` in each hex block of the page.
+fn hex_lines(word: &str) -> Vec<Vec<u8>> {
+    let bytes = |text: &str| -> Option<Vec<u8>> {
+        let digits = text.split_whitespace();
+        let byte = |digits| u8::from_str_radix(digits, 16).ok();
+        digits.map(byte).collect()
+    };
+    let lines = PAGE.lines().filter_map(|line| line.strip_prefix(word));
+    lines.filter_map(bytes).collect()
+}
+
+#[test]
+fn the_frames_in_hex_are_what_is_sent() {
+    let request = Request::ReadRecord {
+        id: 300,
+        offset: 1024,
+    };
+    let answer = Response::Refused(Refusal::RecordNotFound);
+    let frames = hex_lines("frame     ");
+    assert_eq!(frames, [frame(&request), frame(&answer)]);
+    let parts = ["number    ", "message   ", "checksum  "].map(hex_lines);
+    for (index, mut bytes) in frames.into_iter().enumerate() {
+        bytes.pop();
+        let read = Frame::check(&mut bytes).expect("whole");
+        assert_eq!(parts[0][index], read.sequence.to_le_bytes());
+        assert_eq!(parts[1][index], read.message);
+        assert_eq!(parts[2][index], read.checksum.to_le_bytes());
+    }
+}
+
+fn frame(message: &impl Serialize) -> Vec<u8> {
+    let mut buffer = vec![0; MAX_FRAME];
+    let length = encode(0x0102, message, &mut buffer).expect("fits");
+    buffer.truncate(length);
+    buffer
+}
+
+/// Number of a variant on the wire, and its name in the code.
+fn variant(message: &(impl Serialize + std::fmt::Debug)) -> (u8, String) {
+    let mut bytes = [0; MAX_MESSAGE];
+    let bytes = postcard::to_slice(message, &mut bytes).expect("fits");
+    let text = format!("{message:?}");
+    let name = text.split([' ', '(', '{']).next().unwrap_or_default();
+    (bytes[0], name.to_owned())
+}
+
+/// Rows of the table whose second column is headed `what`.
+fn rows(what: &str) -> Vec<(u8, String)> {
+    let head = format!("| number | {what} |");
+    let lines = PAGE.lines().skip_while(|line| !line.starts_with(&head));
+    let rows = lines.skip(2).take_while(|line| line.starts_with('|'));
+    rows.map(|line| {
+        let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+        let number = cells[1].parse().expect("a number");
+        (number, cells[2].trim_matches('`').to_owned())
+    })
+    .collect()
+}
+
+#[test]
+fn the_tables_list_every_message_with_its_number() {
+    let run = RunSpec {
+        points: heapless::Vec::new(),
+        labels: RunLabels::default(),
+    };
+    let settings = Settings::field_calibrator();
+    let requests = [
+        Request::Info,
+        Request::Status,
+        Request::Point { index: 0 },
+        Request::Start(run),
+        Request::Stop,
+        Request::Records { from: 0 },
+        Request::ReadRecord { id: 0, offset: 0 },
+        Request::SettingsRead,
+        Request::SettingsWrite(settings.clone()),
+        Request::Reset,
+        Request::Release { through: 0 },
+    ];
+    assert_eq!(rows("request"), requests.each_ref().map(variant));
+    let answers = [
+        Response::Info(info()),
+        Response::Status(status()),
+        Response::Point {
+            index: 0,
+            result: None,
+        },
+        Response::Started { record_id: 0 },
+        Response::Done,
+        Response::Records {
+            records: heapless::Vec::new(),
+            more: false,
+        },
+        Response::RecordData {
+            id: 0,
+            offset: 0,
+            total: 0,
+            data: heapless::Vec::new(),
+        },
+        Response::Settings(settings),
+        Response::Refused(Refusal::Busy),
+    ];
+    assert_eq!(rows("answer"), answers.each_ref().map(variant));
+    let reasons = [
+        Refusal::Busy,
+        Refusal::RecordNotFound,
+        Refusal::OffsetOutOfRange,
+        Refusal::StorageFull,
+        Refusal::StorageFailed,
+        Refusal::PointList,
+        Refusal::Settings,
+        Refusal::Unknown,
+        Refusal::OtherHost,
+    ];
+    assert_eq!(rows("reason"), reasons.each_ref().map(variant));
+    // A number further on would be one the page does not have.
+    let behind = |bytes: &[u8]| {
+        (
+            postcard::from_bytes::<Request>(bytes).is_err(),
+            postcard::from_bytes::<Response>(bytes).is_err(),
+        )
+    };
+    assert!(behind(&[11, 0, 0, 0, 0, 0, 0, 0, 0, 0]).0);
+    assert!(behind(&[9, 0, 0, 0, 0, 0, 0, 0, 0, 0]).1);
+    assert!(postcard::from_bytes::<Refusal>(&[9]).is_err());
+}
+
+fn info() -> Info {
+    Info {
+        protocol_version: PROTOCOL_VERSION,
+        firmware_version: heapless::String::new(),
+        git_hash: heapless::String::new(),
+        serial: heapless::String::new(),
+        sample_rate_hz: 0.0,
+        reset_cause: ResetCause::Other,
+        last_panic: None,
+        records: 0,
+        uptime_ms: 0,
+    }
+}
+
+fn status() -> Status {
+    Status {
+        state: RunState::Idle,
+        point: 0,
+        points: 0,
+        frequency_hz: 0.0,
+        target_rms_ms2: 0.0,
+        acceleration_rms_ms2: 0.0,
+        drive_peak_v: 0.0,
+        block: 0,
+        blocks: 0,
+        overruns: 0,
+        samples: 0,
+    }
+}
+
+#[test]
+fn the_limits_and_versions_are_those_of_the_code() {
+    for (what, limit) in [
+        ("message", format!("{MAX_MESSAGE} bytes")),
+        ("frame with its zero", format!("{MAX_FRAME} bytes")),
+        ("points of a run", MAX_POINTS.to_string()),
+        ("bytes of a record in one answer", RECORD_CHUNK.to_string()),
+        (
+            "rows of the reference's table",
+            MAX_REFERENCE_POINTS.to_string(),
+        ),
+        ("influence quantities", MAX_INFLUENCES.to_string()),
+    ] {
+        let row = format!("| {what} | {limit} |");
+        assert!(PAGE.contains(&row), "{row}");
+    }
+    assert!(PAGE.contains(&format!("`PROTOCOL_VERSION` ({PROTOCOL_VERSION})")));
+    let files = format!("version ({RECORD_VERSION}) what lies in files");
+    assert!(PAGE.contains(&files));
+}
