@@ -3,8 +3,10 @@
 use super::{Context, run};
 use calib_host::emulated::EmulatedBoard;
 use calib_host::{Error, Result, file};
+use calib_twin::board::usb::UsbPort;
 use calib_twin::rig::Rig;
-use calib_twin::runner::{Door, Pace, TcpDoor, run_paced};
+use calib_twin::runner::{Door, HostLine, Pace, TcpDoor, run_paced};
+use calib_twin::usb_host::capture;
 use clap::Args;
 use serde::Serialize;
 use std::io::ErrorKind;
@@ -26,6 +28,12 @@ pub(crate) struct Emulate {
     /// A pseudo terminal instead, as a serial port would look.
     #[arg(long, conflicts_with = "tcp")]
     pty: bool,
+    /// Uses the board's USB port instead of its serial line.
+    #[arg(long)]
+    usb: bool,
+    /// Writes what crosses the USB into a capture for Wireshark.
+    #[arg(long, value_name = "FILE.pcap", requires = "usb")]
+    usb_pcap: Option<PathBuf>,
     /// Keeps the record flash in this file from one call to the next.
     #[arg(long, value_name = "FILE")]
     flash: Option<PathBuf>,
@@ -41,6 +49,7 @@ impl Emulate {
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let rig = self.rig()?;
         let board = self.board(&rig)?;
+        let usb = self.usb_port(&board)?;
         let door = self.door()?;
         let address = door.address();
         let listening = Listening {
@@ -51,19 +60,30 @@ impl Emulate {
             "an emulated calibrator listens; in another terminal: calib --device {address} info\n\
              Ctrl-C switches it off"
         ));
-        let stop = run::stop_on_interrupt();
-        let mut behind = Duration::ZERO;
-        let ended = run_paced(&mut board.emulator(), &mut [door], |_, pace| {
-            warn_if_behind(context, &mut behind, pace);
-            stop().is_continue()
-        });
+        let ended = serve(context, &board, usb.as_ref(), door);
         if let Some(path) = &self.flash {
             file::replace(path, &board.record_flash()?)?;
         }
-        ended.map_err(|error| {
-            Error::input("emulated board", error.to_string(), "start it once more")
-        })?;
-        Ok(())
+        if let (Some(path), Some(usb)) = (&self.usb_pcap, &usb) {
+            let mut content = Vec::new();
+            // Writing into memory does not fail.
+            let _ = capture::write(&usb.transferred(), &mut content);
+            file::replace(path, &content)?;
+        }
+        ended
+    }
+
+    /// The USB port with its serial port opened, if it is to be used.
+    fn usb_port(&self, board: &EmulatedBoard) -> Result<Option<UsbPort>> {
+        if !self.usb {
+            return Ok(None);
+        }
+        let port = board.emulator().usb().clone();
+        if self.usb_pcap.is_some() {
+            port.start_capture();
+        }
+        board.usb_link()?;
+        Ok(Some(port))
     }
 
     fn rig(&self) -> Result<Rig> {
@@ -95,6 +115,36 @@ impl Emulate {
             hint: "choose another port with --tcp PORT; 0 takes any free one".to_owned(),
         })?;
         Ok(Box::new(door))
+    }
+}
+
+/// Runs the board until Ctrl-C; a device that leaves the USB, as at a reset, is
+/// set up again.
+fn serve(
+    context: &Context,
+    board: &EmulatedBoard,
+    usb: Option<&UsbPort>,
+    door: Box<dyn Door>,
+) -> Result<()> {
+    let stop = run::stop_on_interrupt();
+    let mut behind = Duration::ZERO;
+    let serial = board.emulator().serial().clone();
+    let line: &dyn HostLine = usb.map_or(&serial, |usb| usb);
+    let mut doors = [door];
+    loop {
+        let mut stopped = false;
+        let ended = run_paced(&mut board.emulator(), line, &mut doors, |_, pace| {
+            warn_if_behind(context, &mut behind, pace);
+            stopped = stop().is_break();
+            !stopped && usb.is_none_or(|usb| usb.pipe_error().is_none())
+        });
+        ended.map_err(|error| {
+            Error::input("emulated board", error.to_string(), "start it once more")
+        })?;
+        if stopped {
+            return Ok(());
+        }
+        board.usb_link()?;
     }
 }
 

@@ -28,7 +28,7 @@ pub use emulator::{Emulator, Gap};
 pub use error::Error;
 pub use firmware::Firmware;
 pub use log::Log;
-pub use paced::{Door, Pace, run_paced};
+pub use paced::{Door, HostLine, Pace, run_paced};
 pub use passages::{Mark, Passages};
 pub use power::Torn;
 #[cfg(unix)]

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use super::{Emulator, Error};
 use crate::board::SerialLine;
+use crate::board::usb::UsbPort;
 
 /// What is run between two looks at the doors.
 const STEP: Duration = Duration::from_millis(1);
@@ -15,7 +16,36 @@ const STEP: Duration = Duration::from_millis(1);
 /// How far behind the wall virtual time may be before the difference is given up.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// A way for a host program to the board's serial line. Serving it never waits.
+/// A link of the board: its serial line, or its USB port with the serial port opened.
+pub trait HostLine {
+    /// Queues `bytes` for the board.
+    fn send(&self, bytes: &[u8]);
+
+    /// Takes what the board has sent since the last call.
+    fn receive(&self) -> Vec<u8>;
+}
+
+impl HostLine for SerialLine {
+    fn send(&self, bytes: &[u8]) {
+        self.send(bytes);
+    }
+
+    fn receive(&self) -> Vec<u8> {
+        self.receive()
+    }
+}
+
+impl HostLine for UsbPort {
+    fn send(&self, bytes: &[u8]) {
+        self.send(bytes);
+    }
+
+    fn receive(&self) -> Vec<u8> {
+        self.receive()
+    }
+}
+
+/// A way for a host program to a link of the board. Serving it never waits.
 pub trait Door: Send {
     /// How a host program addresses it.
     fn address(&self) -> String;
@@ -25,7 +55,7 @@ pub trait Door: Send {
     /// # Errors
     ///
     /// The door itself is broken; a host that goes is none.
-    fn serve(&mut self, line: &SerialLine, from_board: &[u8]) -> std::io::Result<()>;
+    fn serve(&mut self, line: &dyn HostLine, from_board: &[u8]) -> std::io::Result<()>;
 }
 
 /// How a paced run keeps up.
@@ -39,13 +69,14 @@ pub struct Pace {
     pub lost: Duration,
 }
 
-/// Runs `emulator` at the pace of the wall until `go_on` says no; it is asked every millisecond.
+/// Runs `emulator` with `doors` to its link `line` at the pace of the wall until `go_on` says no; it is asked every millisecond.
 ///
 /// # Errors
 ///
 /// [`Error::Ended`] when the emulator or a door fails.
 pub fn run_paced(
     emulator: &mut Emulator,
+    line: &dyn HostLine,
     doors: &mut [Box<dyn Door>],
     mut go_on: impl FnMut(&mut Emulator, Pace) -> bool,
 ) -> Result<Pace, Error> {
@@ -54,9 +85,9 @@ pub fn run_paced(
     while go_on(emulator, pace) {
         emulator.run_for(STEP)?;
         pace.virtual_time += STEP;
-        let from_board = emulator.read_serial();
+        let from_board = line.receive();
         for door in doors.iter_mut() {
-            door.serve(emulator.serial(), &from_board)
+            door.serve(line, &from_board)
                 .map_err(|error| Error::Ended(format!("{}: {error}", door.address())))?;
         }
         pace.wall_time = start.elapsed();

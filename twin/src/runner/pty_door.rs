@@ -9,9 +9,8 @@ use rustix::fs::{Mode, OFlags};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{OptionalActions, tcgetattr, tcsetattr};
 
-use super::paced::Door;
+use super::paced::{Door, HostLine};
 use super::tcp_door::exchange;
-use crate::board::SerialLine;
 
 /// Bytes kept for a program that does not read, as long as a terminal's own buffer.
 const BACKLOG: usize = 4096;
@@ -64,7 +63,7 @@ impl Door for PtyDoor {
         self.path.clone()
     }
 
-    fn serve(&mut self, line: &SerialLine, from_board: &[u8]) -> io::Result<()> {
+    fn serve(&mut self, line: &dyn HostLine, from_board: &[u8]) -> io::Result<()> {
         self.waiting.extend(from_board);
         let excess = self.waiting.len().saturating_sub(BACKLOG);
         self.waiting.drain(..excess);
@@ -75,6 +74,7 @@ impl Door for PtyDoor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::board::SerialLine;
     use std::io::{Read, Write};
 
     #[test]

@@ -4,8 +4,7 @@ use std::collections::VecDeque;
 use std::io::{self, ErrorKind, Read, Write};
 use std::net::{SocketAddr, TcpListener, TcpStream};
 
-use super::paced::Door;
-use crate::board::SerialLine;
+use super::paced::{Door, HostLine};
 
 /// Bytes taken from a host at one look: more than a line carries in a millisecond.
 const CHUNK: usize = 4096;
@@ -61,7 +60,7 @@ impl Door for TcpDoor {
         format!("tcp:{}", self.address)
     }
 
-    fn serve(&mut self, line: &SerialLine, from_board: &[u8]) -> io::Result<()> {
+    fn serve(&mut self, line: &dyn HostLine, from_board: &[u8]) -> io::Result<()> {
         self.accept();
         let Some(host) = &mut self.host else {
             return Ok(());
@@ -79,7 +78,7 @@ impl Door for TcpDoor {
 /// Moves bytes both ways without waiting; an error says that the host has gone.
 pub(super) fn exchange(
     host: &mut (impl Read + Write),
-    line: &SerialLine,
+    line: &dyn HostLine,
     waiting: &mut VecDeque<u8>,
 ) -> io::Result<()> {
     let mut chunk = [0; CHUNK];
@@ -106,6 +105,7 @@ fn would_wait(error: &io::Error) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::board::SerialLine;
     use std::time::Duration;
 
     fn connect(door: &TcpDoor) -> TcpStream {
