@@ -7,5 +7,6 @@
 pub mod bench;
 pub mod capture;
 pub mod coverage;
+pub mod hostile;
 pub mod judge;
 pub mod witness;

@@ -1,0 +1,230 @@
+//! The command layer: one answer to every whole frame, and no change that no
+//! whole frame of the session's holder asks for.
+
+use super::frames::{Whole, framed, whole_frames};
+use calib_core::point::PointResult;
+use calib_core::settings::Settings;
+use calib_firmware::command::{Instrument, RecordPage, RecordPart};
+use calib_firmware::link::{Aftermath, Link};
+use calib_firmware::session::{LinkName, Session};
+use calib_protocol::frame::{Frame, PROTOCOL_VERSION};
+use calib_protocol::message::{
+    Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
+};
+use std::future::Future;
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
+
+/// Numbers of the requests that change something (docs/protocol.md).
+const START: u8 = 3;
+const SETTINGS_WRITE: u8 = 8;
+const RESET: u8 = 9;
+const RELEASE: u8 = 10;
+
+/// Feeds `data` to a link whose host holds the session, and to one whose host
+/// does not.
+pub fn commands(data: &[u8]) {
+    let asked = whole_frames(data);
+    for holder in [LinkName::Serial, LinkName::Usb] {
+        let mut instrument = Notes::held_by(holder);
+        let before = instrument.settings.clone();
+        let answered = instrument.hear(data);
+        let sequences: Vec<u16> = asked.iter().map(|whole| whole.sequence).collect();
+        assert_eq!(answered, sequences, "one answer each");
+        let changes = instrument.changes;
+        if holder == LinkName::Serial {
+            let asked_for = |number| count(&asked, number);
+            assert!(changes.starts <= asked_for(START));
+            assert!(changes.writes <= asked_for(SETTINGS_WRITE));
+            assert!(changes.resets <= asked_for(RESET));
+            assert!(changes.releases <= asked_for(RELEASE));
+        } else {
+            assert_eq!(
+                changes,
+                Changes::default(),
+                "the other host holds the session"
+            );
+        }
+        if changes.writes == 0 {
+            assert_eq!(instrument.settings, before);
+        }
+        assert_eq!(instrument.settings.validate(), Ok(()));
+        instrument.expect_info();
+    }
+}
+
+fn count(asked: &[Whole], number: u8) -> usize {
+    let first = |whole: &&Whole| whole.message.first() == Some(&number);
+    asked.iter().filter(first).count()
+}
+
+/// How often something was changed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Changes {
+    starts: usize,
+    writes: usize,
+    resets: usize,
+    releases: usize,
+}
+
+/// An instrument that does nothing and notes everything.
+struct Notes {
+    link: Link,
+    session: Session,
+    settings: Settings,
+    changes: Changes,
+}
+
+impl Notes {
+    /// An instrument on its serial line, the session held by `holder`.
+    fn held_by(holder: LinkName) -> Self {
+        let mut session = Session::free();
+        // A free session is granted.
+        let _ = session.admit(holder, &Request::Reset, 0);
+        Self {
+            link: Link::new(),
+            session,
+            settings: Settings::field_calibrator(),
+            changes: Changes::default(),
+        }
+    }
+
+    /// Takes bytes, then a zero; the sequence numbers of the answers.
+    fn hear(&mut self, data: &[u8]) -> Vec<u16> {
+        let mut link = std::mem::take(&mut self.link);
+        let mut answered = Vec::new();
+        for byte in data.iter().chain(&[0]) {
+            let Some((answer, aftermath)) = now(link.push(*byte, self)) else {
+                continue;
+            };
+            let mut raw = answer[..answer.len() - 1].to_vec();
+            let frame = Frame::check(&mut raw).expect("answers are whole");
+            let response = frame.message::<Response>().expect("answers are readable");
+            assert!(
+                aftermath == Aftermath::None || response == Response::Done,
+                "{response:?}"
+            );
+            self.changes.resets += usize::from(aftermath == Aftermath::Reset);
+            answered.push(frame.sequence);
+        }
+        self.link = link;
+        answered
+    }
+
+    /// After all that, a request is answered.
+    fn expect_info(&mut self) {
+        let request = Whole {
+            sequence: 0xABCD,
+            message: vec![0],
+        };
+        assert_eq!(self.hear(&framed(&request)), [0xABCD]);
+    }
+}
+
+/// The result of a future that never waits.
+fn now<T>(future: impl Future<Output = T>) -> T {
+    match pin!(future).poll(&mut Context::from_waker(Waker::noop())) {
+        Poll::Ready(result) => result,
+        Poll::Pending => panic!("nothing here waits"),
+    }
+}
+
+impl Instrument for Notes {
+    fn admit(&mut self, request: &Request) -> Result<(), Refusal> {
+        self.session.admit(LinkName::Serial, request, 1)
+    }
+
+    fn info(&mut self) -> Info {
+        Info {
+            protocol_version: PROTOCOL_VERSION,
+            firmware_version: heapless::String::new(),
+            git_hash: heapless::String::new(),
+            serial: heapless::String::new(),
+            sample_rate_hz: 50_000.0,
+            reset_cause: ResetCause::PowerOn,
+            last_panic: None,
+            records: 0,
+            uptime_ms: 0,
+        }
+    }
+
+    fn status(&mut self) -> Status {
+        Status {
+            state: RunState::Idle,
+            point: 0,
+            points: 0,
+            frequency_hz: 0.0,
+            target_rms_ms2: 0.0,
+            acceleration_rms_ms2: 0.0,
+            drive_peak_v: 0.0,
+            block: 0,
+            blocks: 0,
+            overruns: 0,
+            samples: 0,
+        }
+    }
+
+    fn point(&mut self, _: u16) -> Option<PointResult> {
+        None
+    }
+
+    async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal> {
+        for point in &spec.points {
+            assert!(point.frequency_hz > 0.0 && point.frequency_hz.is_finite());
+            assert!(point.acceleration_rms_ms2 > 0.0 && point.acceleration_rms_ms2.is_finite());
+        }
+        assert!(!spec.points.is_empty());
+        self.changes.starts += 1;
+        Ok(1)
+    }
+
+    async fn stop(&mut self) {}
+
+    async fn records(&mut self, _: u32) -> Result<RecordPage, Refusal> {
+        Ok(RecordPage::default())
+    }
+
+    async fn read_record(&mut self, _: u32, _: u32) -> Result<RecordPart, Refusal> {
+        Err(Refusal::RecordNotFound)
+    }
+
+    async fn release(&mut self, _: u32) -> Result<(), Refusal> {
+        self.changes.releases += 1;
+        Ok(())
+    }
+
+    fn settings(&mut self) -> Settings {
+        self.settings.clone()
+    }
+
+    async fn write_settings(&mut self, settings: Settings) -> Result<(), Refusal> {
+        self.changes.writes += 1;
+        self.settings = settings;
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hostile::seeds;
+
+    /// Without this, a link that refuses everything would pass as well.
+    #[test]
+    fn the_seeds_make_each_change_once() {
+        let seeds = seeds().into_iter();
+        let all: Vec<u8> = seeds
+            .filter(|seed| seed.target == "commands")
+            .flat_map(|seed| seed.bytes)
+            .collect();
+        let mut instrument = Notes::held_by(LinkName::Serial);
+        assert_eq!(instrument.hear(&all).len(), 11);
+        let once = Changes {
+            starts: 1,
+            writes: 1,
+            resets: 1,
+            releases: 1,
+        };
+        assert_eq!(instrument.changes, once);
+    }
+}

@@ -1,0 +1,20 @@
+//! Bytes of any kind against the decoder, the command layer, records and the
+//! host's client: what must hold whatever they are.
+//!
+//! Each function is the body of a fuzz target in `fuzz/` and panics when
+//! something does not hold; `tests/fuzz_smoke.rs` runs the same bodies on
+//! mutated seeds with a stable compiler.
+
+mod client;
+mod commands;
+mod frames;
+mod mutate;
+mod records;
+mod seeds;
+
+pub use client::client;
+pub use commands::commands;
+pub use frames::{Whole, framed, frames, whole_frames};
+pub use mutate::Mutator;
+pub use records::records;
+pub use seeds::{Seed, seeds};

@@ -1,0 +1,137 @@
+//! Inputs to begin with: everything a good host and a good device say.
+
+use super::frames::{Whole, framed};
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::settings::Settings;
+use calib_core::verdict::Reason;
+use calib_protocol::message::{Refusal, Request, Response, RunSpec};
+use calib_protocol::record::{self, Record, RunLabels};
+use serde::Serialize;
+
+/// A seed of a fuzz target.
+pub struct Seed {
+    /// Name of the target.
+    pub target: &'static str,
+    /// File name.
+    pub name: String,
+    /// Content.
+    pub bytes: Vec<u8>,
+}
+
+/// All seeds, as they lie in `fuzz/corpus`.
+pub fn seeds() -> Vec<Seed> {
+    let requests = requests();
+    let mut seeds = Vec::new();
+    for target in ["frames", "commands"] {
+        for (index, request) in requests.iter().enumerate() {
+            let sequence = 0x0100 + index as u16;
+            let message = message(request);
+            seeds.push(Seed {
+                target,
+                name: format!("request-{index:02}"),
+                bytes: framed(&Whole { sequence, message }),
+            });
+        }
+    }
+    for (index, answer) in answers().iter().enumerate() {
+        // An odd byte in front: the message of a good frame.
+        let mut bytes = vec![1];
+        bytes.extend(message(answer));
+        seeds.push(Seed {
+            target: "client",
+            name: format!("answer-{index:02}"),
+            bytes,
+        });
+    }
+    seeds.push(Seed {
+        target: "records",
+        name: "record".to_owned(),
+        bytes: record(),
+    });
+    seeds
+}
+
+fn message(message: &impl Serialize) -> Vec<u8> {
+    let mut buffer = vec![0; 1 << 13];
+    // Longer than any message.
+    let length = postcard::to_slice(message, &mut buffer).map_or(0, |used| used.len());
+    buffer.truncate(length);
+    buffer
+}
+
+fn spec() -> PointSpec {
+    PointSpec {
+        frequency_hz: 160.0,
+        acceleration_rms_ms2: 10.0,
+    }
+}
+
+fn requests() -> Vec<Request> {
+    let run = RunSpec {
+        points: [spec(), spec()].into_iter().collect(),
+        labels: RunLabels::default(),
+    };
+    vec![
+        Request::Info,
+        Request::Status,
+        Request::Point { index: 1 },
+        Request::Start(run),
+        Request::Stop,
+        Request::Records { from: 1 },
+        Request::ReadRecord { id: 1, offset: 300 },
+        Request::SettingsRead,
+        Request::SettingsWrite(Settings::field_calibrator()),
+        Request::Reset,
+        Request::Release { through: 1 },
+    ]
+}
+
+fn answers() -> Vec<Response> {
+    let result = PointResult::refused(spec(), None, Reason::Clipped);
+    let record = record();
+    let data = record.iter().copied().take(200).collect();
+    vec![
+        Response::Point {
+            index: 0,
+            result: Some(result),
+        },
+        Response::Started { record_id: 1 },
+        Response::Done,
+        Response::Records {
+            records: record::inspect(&record)
+                .into_iter()
+                .map(|(s, _)| s)
+                .collect(),
+            more: false,
+        },
+        Response::RecordData {
+            id: 1,
+            offset: 0,
+            total: record.len() as u32,
+            data,
+        },
+        Response::Settings(Settings::field_calibrator()),
+        Response::Refused(Refusal::Busy),
+    ]
+}
+
+fn record() -> Vec<u8> {
+    let result = PointResult::refused(spec(), None, Reason::NotSettled);
+    let record = Record {
+        id: 1,
+        previous_sha256: [0; 32],
+        instrument_serial: heapless::String::new(),
+        firmware: heapless::String::new(),
+        sample_rate_hz: 50_000.0,
+        labels: RunLabels::default(),
+        settings: Settings::field_calibrator(),
+        incident: None,
+        complete: true,
+        points: [result, result].into_iter().collect(),
+    };
+    let mut bytes = vec![0; 1 << 13];
+    // Longer than a record of two points.
+    let length = record::encode(&record, &mut bytes).unwrap_or_default();
+    bytes.truncate(length);
+    bytes
+}

@@ -1,0 +1,187 @@
+//! Hosts that send anything, on both links at once, to the shipping firmware.
+//!
+//! It goes on measuring, answers every good request within 100 ms of the last
+//! bad byte, and changes nothing for a host that does not hold the session.
+
+use calib_core::verdict::Verdict;
+use calib_host::link::{Client, EmulatedUsbTransport};
+use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
+use calib_protocol::message::{Request, Response, RunSpec, RunState};
+use calib_protocol::record::RunLabels;
+use calib_tests::bench::{Bench, Fault, point};
+use calib_tests::hostile::{Mutator, Whole, seeds, whole_frames};
+use calib_twin::rig::Rig;
+use calib_twin::rig_port::ShortedInputs;
+use calib_twin::runner::SharedEmulator;
+use std::time::Duration;
+
+/// Longest time to an answer.
+const PROMPT: Duration = Duration::from_millis(100);
+
+/// What any host may ask for, whoever holds the session.
+const STOP: [u8; 1] = [4];
+
+/// Frames of requests: what a host that replays has heard, but for those whose
+/// answers alone take the serial line longer than [`PROMPT`].
+fn heard() -> Vec<Vec<u8>> {
+    let seeds = seeds().into_iter();
+    seeds
+        .filter(|seed| seed.target == "commands" && seed.name != "request-07")
+        .map(|seed| seed.bytes)
+        .collect()
+}
+
+fn frame(sequence: u16, request: &Request) -> Vec<u8> {
+    let mut buffer = vec![0; MAX_FRAME];
+    let length = encode(sequence, request, &mut buffer).expect("fits");
+    buffer.truncate(length);
+    buffer
+}
+
+/// Fails unless a request of each kind is answered in time.
+fn expect_answers(board: &SharedEmulator, client: &mut Client) -> Result<(), Fault> {
+    let elapsed = || {
+        board
+            .lock()
+            .map(|board| board.elapsed())
+            .unwrap_or_default()
+    };
+    let mut last = elapsed();
+    let mut in_time = |what: &str| -> Result<(), Fault> {
+        let now = elapsed();
+        let took = now - std::mem::replace(&mut last, now);
+        match took <= PROMPT {
+            true => Ok(()),
+            false => Err(format!("{what} took {took:?}").into()),
+        }
+    };
+    client.info()?;
+    in_time("info")?;
+    client.status()?;
+    in_time("status")?;
+    client.point(0)?;
+    in_time("a point")?;
+    client.records()?;
+    in_time("the records")?;
+    client.read_record(7777, 0).expect_err("no such record");
+    in_time("a refusal")
+}
+
+#[test]
+fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let settings = bench.client.settings()?;
+    let _cable = EmulatedUsbTransport::plug_in(bench.shared())?;
+    let usb = bench.board().usb().clone();
+    let start = frame(
+        7,
+        &Request::Start(RunSpec {
+            points: [point(160.0, 10.0)].into_iter().collect(),
+            labels: RunLabels::default(),
+        }),
+    );
+    let started = exchange(&mut bench, &start)?;
+    assert_eq!(started, Response::Started { record_id: 1 });
+
+    let mut fire = Mutator::new(heard(), 2);
+    let mut bytes = 0;
+    let ended = loop {
+        let salvo = salvo(&mut fire, 10_000, |whole| whole.message != STOP);
+        bytes += salvo.len();
+        usb.send(&salvo);
+        bench.client.wait(Duration::from_millis(50))?;
+        let _ = usb.receive();
+        let before = bench.board().elapsed();
+        let status = bench.client.status()?;
+        assert!(bench.board().elapsed() - before <= PROMPT);
+        if !matches!(
+            status.state,
+            RunState::Settling | RunState::Measuring | RunState::Storing
+        ) {
+            break status;
+        }
+    };
+    println!("{bytes} bytes of fire");
+    assert_eq!(ended.state, RunState::Finished);
+    assert_eq!(ended.overruns, 0, "no sample was lost");
+    let result = bench.client.point(0)?.expect("measured");
+    assert_eq!(result.verdict, Verdict::Pass);
+    assert_eq!(bench.client.settings()?, settings);
+
+    // The start again, as it was: recognised, and nothing moves.
+    for _ in 0..3 {
+        assert_eq!(exchange(&mut bench, &start)?, started);
+    }
+    bench.expect_silence(Duration::from_millis(200))?;
+    assert_eq!(bench.client.status()?.state, RunState::Finished);
+    assert_eq!(bench.client.records()?.len(), 1);
+    Ok(())
+}
+
+/// Inputs of so many bytes together whose whole frames, if any, are `allowed`.
+fn salvo(fire: &mut Mutator, length: usize, allowed: fn(&Whole) -> bool) -> Vec<u8> {
+    let mut salvo = Vec::new();
+    while salvo.len() < length {
+        let input = fire.next_input();
+        if whole_frames(&input).iter().all(allowed) {
+            salvo.extend(input);
+            salvo.push(0);
+        }
+    }
+    salvo
+}
+
+/// Sends a frame as it is over the serial line; its answer.
+fn exchange(bench: &mut Bench, frame: &[u8]) -> Result<Response, Fault> {
+    bench.board().write_serial(frame);
+    bench.client.wait(PROMPT)?;
+    let bytes = bench.board().read_serial();
+    let mut receiver = Receiver::new();
+    for byte in bytes {
+        if let Some(raw) = receiver.push(byte) {
+            return Ok(Frame::check(raw)?.message()?);
+        }
+    }
+    Err("no answer".into())
+}
+
+#[test]
+fn after_any_bytes_the_next_request_is_answered_and_nothing_is_changed() -> Result<(), Fault> {
+    let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
+    let board = bench.shared();
+    let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(board.clone())?));
+    let before = bench.client.settings()?;
+    let mut mutator = Mutator::new(heard(), 3);
+    let write = frame(1, &Request::SettingsWrite(before.clone()));
+    // Whole frames would be answered, one after the other, at the speed of the line.
+    let none = |_: &Whole| false;
+    let noise = salvo(&mut mutator, 3000, none);
+    let noise = noise.iter().map(|byte| byte.wrapping_mul(151)).collect();
+    for (what, bytes) in [
+        ("noise", noise),
+        ("a frame without an end", vec![0x55; 2 * MAX_FRAME]),
+        ("half a frame", write[..write.len() / 2].to_vec()),
+        ("zeros", vec![0; 2000]),
+        ("frames of the other host", heard().concat()),
+        ("damaged frames", salvo(&mut mutator, 3000, none)),
+    ] {
+        // From now on the host on the USB holds the session.
+        usb.release(0)?;
+        bench.board().write_serial(&bytes);
+        while bench.board().serial().is_sending() {
+            bench.client.wait(Duration::from_millis(1))?;
+        }
+        expect_answers(&board, &mut bench.client).map_err(|error| format!("{what}: {error}"))?;
+    }
+    expect_answers(&board, &mut usb)?;
+    assert_eq!(bench.client.settings()?, before);
+    assert_eq!(bench.client.records()?, []);
+    assert_eq!(bench.client.status()?.state, RunState::Idle);
+    let board = bench.board();
+    assert_eq!(
+        board.silent_for(),
+        Some(board.uptime()),
+        "nothing ever moved"
+    );
+    Ok(())
+}
