@@ -98,6 +98,65 @@ proptest! {
     }
 }
 
+/// Answers every request with bytes that are no frame, or never stops.
+struct Noise {
+    bytes: Vec<u8>,
+    inbox: Vec<u8>,
+    endless: bool,
+    handed_out: usize,
+}
+
+impl Noise {
+    fn client(bytes: Vec<u8>, endless: bool) -> Client {
+        Client::new(Box::new(Self {
+            bytes,
+            inbox: Vec::new(),
+            endless,
+            handed_out: 0,
+        }))
+    }
+}
+
+impl Transport for Noise {
+    fn name(&self) -> String {
+        "noise".to_owned()
+    }
+    fn send(&mut self, _: &[u8]) -> io::Result<()> {
+        self.inbox.clone_from(&self.bytes);
+        Ok(())
+    }
+    fn receive(&mut self, buffer: &mut [u8], _: Duration) -> io::Result<usize> {
+        if self.endless && self.inbox.len() < buffer.len() {
+            self.inbox.extend(self.bytes.iter().cycle().take(buffer.len()));
+        }
+        let count = buffer.len().min(self.inbox.len());
+        for (slot, byte) in buffer.iter_mut().zip(self.inbox.drain(..count)) {
+            *slot = byte;
+        }
+        // Four attempts of four frames' length, for each of some ten requests.
+        self.handed_out += count;
+        assert!(self.handed_out < 1_000_000, "read without an end");
+        Ok(count)
+    }
+    fn wait(&mut self, _: Duration) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn any_bytes_end_in_an_error(
+        bytes in prop::collection::vec(any::<u8>(), 1..300),
+        endless: bool,
+    ) {
+        let mut client = Noise::client(bytes, endless);
+        prop_assert!(client.info().is_err());
+        use_everything(&mut client);
+    }
+}
+
 fn message(response: &Response) -> Vec<u8> {
     let mut buffer = vec![0; 4096];
     postcard::to_slice(response, &mut buffer)
