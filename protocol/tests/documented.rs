@@ -1,5 +1,6 @@
 //! `docs/protocol.md` says what the code does.
 
+use calib_core::point::ExcitationKind;
 use calib_core::settings::{MAX_INFLUENCES, MAX_REFERENCE_POINTS, Settings};
 use calib_protocol::frame::{Frame, MAX_FRAME, MAX_MESSAGE, PROTOCOL_VERSION, encode};
 use calib_protocol::message::{
@@ -73,6 +74,7 @@ fn rows(what: &str) -> Vec<(u8, String)> {
 fn the_tables_list_every_message_with_its_number() {
     let run = RunSpec {
         points: heapless::Vec::new(),
+        excitation: ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     };
     let settings = Settings::field_calibrator();

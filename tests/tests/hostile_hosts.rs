@@ -3,6 +3,7 @@
 //! It goes on measuring, answers every good request within 100 ms of the last
 //! bad byte, and changes nothing for a host that does not hold the session.
 
+use calib_core::point::ExcitationKind;
 use calib_core::verdict::Verdict;
 use calib_host::link::{Client, EmulatedUsbTransport};
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
@@ -77,6 +78,7 @@ fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(
         7,
         &Request::Start(RunSpec {
             points: [point(160.0, 10.0)].into_iter().collect(),
+            excitation: ExcitationKind::SingleSine,
             labels: RunLabels::default(),
         }),
     );

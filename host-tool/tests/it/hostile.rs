@@ -127,7 +127,8 @@ impl Transport for Noise {
     }
     fn receive(&mut self, buffer: &mut [u8], _: Duration) -> io::Result<usize> {
         if self.endless && self.inbox.len() < buffer.len() {
-            self.inbox.extend(self.bytes.iter().cycle().take(buffer.len()));
+            self.inbox
+                .extend(self.bytes.iter().cycle().take(buffer.len()));
         }
         let count = buffer.len().min(self.inbox.len());
         for (slot, byte) in buffer.iter_mut().zip(self.inbox.drain(..count)) {

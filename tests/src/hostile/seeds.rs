@@ -1,7 +1,7 @@
 //! Inputs to begin with: everything a good host and a good device say.
 
 use super::frames::{Whole, framed};
-use calib_core::point::{PointResult, PointSpec};
+use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
 use calib_core::verdict::Reason;
 use calib_protocol::message::{Refusal, Request, Response, RunSpec};
@@ -69,6 +69,7 @@ fn spec() -> PointSpec {
 fn requests() -> Vec<Request> {
     let run = RunSpec {
         points: [spec(), spec()].into_iter().collect(),
+        excitation: ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     };
     vec![
