@@ -6,6 +6,7 @@ use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_firmware::command::{Instrument, RecordPage, RecordPart};
 use calib_firmware::link::{Aftermath, Link};
+use calib_firmware::scpi::Console;
 use calib_firmware::session::{LinkName, Session};
 use calib_protocol::frame::{Frame, PROTOCOL_VERSION};
 use calib_protocol::message::{
@@ -24,7 +25,8 @@ const RELEASE: u8 = 10;
 /// Feeds `data` to a link whose host holds the session, and to one whose host
 /// does not.
 pub fn commands(data: &[u8]) {
-    let asked = whole_frames(data);
+    let (lines, binary) = lines_and_frames(data);
+    let asked = whole_frames(&binary);
     for holder in [LinkName::Serial, LinkName::Usb] {
         let mut instrument = Notes::held_by(holder);
         let before = instrument.settings.clone();
@@ -34,7 +36,8 @@ pub fn commands(data: &[u8]) {
         let changes = instrument.changes;
         if holder == LinkName::Serial {
             let asked_for = |number| count(&asked, number);
-            assert!(changes.starts <= asked_for(START));
+            let initiates = lines.iter().filter(|line| names(line, b"INIT")).count();
+            assert!(changes.starts <= asked_for(START) + initiates);
             assert!(changes.writes <= asked_for(SETTINGS_WRITE));
             assert!(changes.resets <= asked_for(RESET));
             assert!(changes.releases <= asked_for(RELEASE));
@@ -51,6 +54,55 @@ pub fn commands(data: &[u8]) {
         assert_eq!(instrument.settings.validate(), Ok(()));
         instrument.expect_info();
     }
+}
+
+/// Parts what a host sent as docs/scpi.md does: after a frame or a line, text up
+/// to a line feed is a line, and everything else is for frames.
+fn lines_and_frames(data: &[u8]) -> (Vec<&[u8]>, Vec<u8>) {
+    let (mut lines, mut binary) = (Vec::new(), Vec::new());
+    let mut rest = data;
+    while let Some(&first) = rest.first() {
+        let end = |stops: &[u8]| rest.iter().position(|byte| stops.contains(byte));
+        let taken = match (first, end(b"\0\n")) {
+            (b' '..=b'~' | b'\t' | b'\r' | b'\n', Some(at)) if rest[at] == b'\n' => {
+                lines.push(&rest[..=at]);
+                rest = &rest[at + 1..];
+                continue;
+            }
+            // A zero begins a frame, which goes up to the next one.
+            (0, _) => past_frame(rest),
+            (_, _) => past_zero(rest),
+        };
+        let (frame, after) = rest.split_at(taken);
+        binary.extend_from_slice(frame);
+        let is_text = matches!(first, b' '..=b'~' | b'\t' | b'\r' | b'\n');
+        rest = after;
+        if is_text && whole_frames(frame).is_empty() {
+            // No line and no frame: its zero begins the next frame.
+            let (frame, after) = rest.split_at(past_frame(rest));
+            binary.extend_from_slice(frame);
+            rest = after;
+        }
+    }
+    (lines, binary)
+}
+
+/// How many bytes up to and with the first zero.
+fn past_zero(data: &[u8]) -> usize {
+    let zero = data.iter().position(|byte| *byte == 0);
+    zero.map_or(data.len(), |at| at + 1)
+}
+
+/// How many bytes up to and with the first zero after the leading ones.
+fn past_frame(data: &[u8]) -> usize {
+    let zeros = data.iter().take_while(|byte| **byte == 0).count();
+    zeros + past_zero(&data[zeros..])
+}
+
+/// Whether a line holds `word`, in letters of any case.
+fn names(line: &[u8], word: &[u8]) -> bool {
+    line.windows(word.len())
+        .any(|part| part.eq_ignore_ascii_case(word))
 }
 
 fn count(asked: &[Whole], number: u8) -> usize {
@@ -70,6 +122,7 @@ struct Changes {
 /// An instrument that does nothing and notes everything.
 struct Notes {
     link: Link,
+    console: Console,
     session: Session,
     settings: Settings,
     changes: Changes,
@@ -83,6 +136,7 @@ impl Notes {
         let _ = session.admit(holder, &Request::Reset, 0);
         Self {
             link: Link::new(),
+            console: Console::new(),
             session,
             settings: Settings::field_calibrator(),
             changes: Changes::default(),
@@ -92,11 +146,16 @@ impl Notes {
     /// Takes bytes, then a zero; the sequence numbers of the answers.
     fn hear(&mut self, data: &[u8]) -> Vec<u16> {
         let mut link = std::mem::take(&mut self.link);
+        let mut console = std::mem::take(&mut self.console);
         let mut answered = Vec::new();
         for byte in data.iter().chain(&[0]) {
-            let Some((answer, aftermath)) = now(link.push(*byte, self)) else {
+            let Some((answer, aftermath)) = now(link.push(*byte, &mut console, self)) else {
                 continue;
             };
+            if answer.ends_with(b"\n") {
+                // The answer to a line; a frame ends with a zero.
+                continue;
+            }
             let mut raw = answer[..answer.len() - 1].to_vec();
             let frame = Frame::check(&mut raw).expect("answers are whole");
             let response = frame.message::<Response>().expect("answers are readable");
@@ -108,6 +167,7 @@ impl Notes {
             answered.push(frame.sequence);
         }
         self.link = link;
+        self.console = console;
         answered
     }
 
