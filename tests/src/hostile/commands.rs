@@ -275,7 +275,8 @@ mod tests {
         let seeds = seeds().into_iter();
         let all: Vec<u8> = seeds
             .filter(|seed| seed.target == "commands")
-            .flat_map(|seed| seed.bytes)
+            // A zero first, as every host sends: it tells a frame from a line.
+            .flat_map(|seed| [vec![0], seed.bytes].concat())
             .collect();
         let mut instrument = Notes::held_by(LinkName::Serial);
         assert_eq!(instrument.hear(&all).len(), 11);
