@@ -54,6 +54,21 @@ impl Bench {
         let _ = self.board().replace_rig(Box::new(Plant::new(rig)));
     }
 
+    /// Bytes of the stack that still hold what the start-up code filled it with.
+    ///
+    /// # Errors
+    /// When the image or the board cannot be read.
+    pub fn unused_stack_bytes(&self) -> Result<usize, Fault> {
+        /// A byte of `cortex_m_rt::STACK_PAINT_VALUE`.
+        const PAINT: u8 = 0xCC;
+        let mut board = self.board();
+        let (end, start) = (board.symbol("_stack_end")?, board.symbol("_stack_start")?);
+        let stack = board.read_memory(end, (start - end) as usize)?;
+        let unused = stack.iter().take_while(|byte| **byte == PAINT).count();
+        println!("{unused} of {} bytes of stack never used", stack.len());
+        Ok(unused)
+    }
+
     /// The board itself.
     pub fn board(&self) -> MutexGuard<'_, Emulator> {
         self.emulator.lock().unwrap_or_else(PoisonError::into_inner)

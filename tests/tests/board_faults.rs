@@ -190,12 +190,7 @@ fn a_stuck_button_starts_one_run_and_stops_none() -> Result<(), Fault> {
     bench.client.wait(Duration::from_secs(1))?;
     assert_eq!(bench.client.status()?.state, RunState::Idle);
     assert_eq!(bench.run(&[point(160.0, 10.0)])?.state, RunState::Finished);
-    // The stack: what the start-up code painted and nobody overwrote.
-    let mut board = bench.board();
-    let (end, start) = (board.symbol("_stack_end")?, board.symbol("_stack_start")?);
-    let stack = board.read_memory(end, (start - end) as usize)?;
-    let unused = stack.iter().take_while(|byte| **byte == 0xCC).count();
-    println!("{unused} of {} bytes of stack never used", stack.len());
+    let unused = bench.unused_stack_bytes()?;
     assert!(unused >= 10 << 10, "less than 10 KiB are left");
     Ok(())
 }

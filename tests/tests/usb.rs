@@ -12,7 +12,7 @@ use calib_tests::capture::{self, Packet};
 use calib_twin::board::usb::{Setup, UsbError};
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
-use calib_twin::runner::{Emulator, Firmware, SharedEmulator};
+use calib_twin::runner::SharedEmulator;
 use calib_twin::usb_host::{self, HostError, UsbHost};
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -83,7 +83,9 @@ fn a_record_comes_over_usb_as_over_the_serial_line() -> Result<(), Fault> {
     assert_eq!(held[..record.len()], record, "the capture holds the record");
     check_packets(&packets, &answers);
     ask_tshark(&file, packets.len())?;
-    expect_stack_left(&bench)
+    let unused = bench.unused_stack_bytes()?;
+    assert!(unused >= 8 << 10, "less than 8 KiB are left");
+    Ok(())
 }
 
 /// The requests every operating system begins with, in their order.
@@ -182,35 +184,6 @@ fn ask_tshark(file: &Path, packets: usize) -> Result<(), Fault> {
         assert_eq!(malformed.trim(), "", "{line}");
     }
     Ok(())
-}
-
-/// Memory is scrambled at power-on, the same each time: what the stack has not
-/// reached is as it was.
-fn expect_stack_left(bench: &Bench) -> Result<(), Fault> {
-    const LEFT: usize = 8 * 1024;
-    let firmware = Firmware::shipping()?;
-    let (low, high) = (
-        firmware.symbol("_stack_end")?,
-        firmware.symbol("_stack_start")?,
-    );
-    // Memory is read in words of eight bytes.
-    let low = low.next_multiple_of(8);
-    let length = (high - low) as usize;
-    let untouched = Emulator::power_on(&firmware, Box::new(ShortedInputs))?;
-    let untouched = untouched_memory(untouched, low, length)?;
-    let now = bench.board().read_memory(low, length)?;
-    let left = now
-        .iter()
-        .zip(&untouched)
-        .take_while(|(a, b)| a == b)
-        .count();
-    println!("stack: {} of {length} bytes used", length - left);
-    assert!(left >= LEFT, "{left} of {length} bytes left");
-    Ok(())
-}
-
-fn untouched_memory(mut board: Emulator, low: u64, length: usize) -> Result<Vec<u8>, Fault> {
-    Ok(board.read_memory(low, length)?)
 }
 
 /// Sets the device up and asks it for a long answer.
