@@ -16,6 +16,7 @@ pub mod file;
 pub mod gap;
 pub mod link;
 pub mod metrology;
+pub mod serve;
 pub mod session;
 pub mod teds;
 pub mod terminal;

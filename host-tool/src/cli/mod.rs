@@ -29,6 +29,7 @@ mod records;
 mod release;
 mod run;
 mod sensitivity;
+mod serve;
 mod settings;
 mod show;
 mod source;
@@ -149,6 +150,8 @@ pub(crate) enum Command {
     Bench(bench::BenchVerb),
     /// The bench of records for other programs.
     Export(bench::Export),
+    /// A local web page to start, watch and stop calibrations.
+    Serve(serve::Serve),
     /// Finds what keeps this computer from talking to a calibrator.
     Doctor(doctor::Doctor),
     /// Prints the completion script of a shell.
@@ -190,6 +193,7 @@ impl Command {
             Self::History(verb) => verb.run(context),
             Self::Bench(verb) => verb.run(context),
             Self::Export(verb) => verb.run(context),
+            Self::Serve(verb) => verb.run(context),
             Self::Doctor(verb) => verb.run(context),
             Self::Completions(verb) => verb.run(context),
             Self::Man(verb) => verb.run(context),

@@ -14,3 +14,4 @@ mod python;
 mod run;
 #[path = "../../src/certificate/testing.rs"]
 mod sample;
+mod serve;

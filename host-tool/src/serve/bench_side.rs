@@ -1,0 +1,335 @@
+//! The thread that alone speaks to the calibrator.
+//!
+//! Orders come in over a channel and are carried out one after the other. A stop
+//! is no order: stops are counted, and the count is looked at all the time, so that
+//! nothing can be in the way of one. A run knows how many there were when it was
+//! asked for; one more, and it ends or does not begin.
+
+use super::view::{Link, PointView, RunView, Shared};
+use crate::bench::{Bench, Kept};
+use crate::link::Client;
+use crate::session::{self, Outcome, Progress};
+use crate::{Address, Error, Result};
+use calib_core::point::{ExcitationKind, PointSpec};
+use calib_protocol::message::RunState;
+use calib_protocol::record::RunLabels;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+/// Time between two looks at the stop flag and at a lost link.
+const LOOK: Duration = Duration::from_millis(200);
+
+/// What a page asks for.
+#[derive(Debug)]
+pub enum Order {
+    /// Use this calibrator.
+    Connect {
+        /// Its address, as typed.
+        device: String,
+    },
+    /// Measure a list.
+    Run {
+        /// The list.
+        points: Vec<PointSpec>,
+        /// What the operator says.
+        labels: Box<RunLabels>,
+        /// Stops there were when this was asked for.
+        stops: u32,
+    },
+    /// Nothing more will come.
+    End,
+}
+
+/// What requests need: the view, and ways to order and to stop.
+#[derive(Clone)]
+pub(super) struct Handle {
+    pub(super) shared: Shared,
+    orders: Sender<Order>,
+    stops: Arc<AtomicU32>,
+}
+
+impl Handle {
+    pub(super) fn order(&self, order: Order) {
+        // The thread ends with the server: nobody is left to be told.
+        let _ = self.orders.send(order);
+    }
+
+    pub(super) fn stop(&self) {
+        self.stops.fetch_add(1, Ordering::SeqCst);
+    }
+
+    pub(super) fn stops(&self) -> u32 {
+        self.stops.load(Ordering::SeqCst)
+    }
+}
+
+/// The thread, from outside.
+pub(super) struct BenchSide {
+    handle: Handle,
+    thread: JoinHandle<()>,
+}
+
+impl BenchSide {
+    pub(super) fn start(bench: PathBuf) -> Self {
+        let (orders, incoming) = channel();
+        let handle = Handle {
+            shared: Shared::new(),
+            orders,
+            stops: Arc::default(),
+        };
+        let worker = Worker {
+            shared: handle.shared.clone(),
+            stops: Arc::clone(&handle.stops),
+            heeded: 0,
+            orders: incoming,
+            bench,
+            client: None,
+            runs: 0,
+        };
+        let thread = std::thread::spawn(move || worker.work());
+        Self { handle, thread }
+    }
+
+    pub(super) fn handle(&self) -> Handle {
+        self.handle.clone()
+    }
+
+    pub(super) fn order(&self, order: Order) {
+        self.handle.order(order);
+    }
+
+    /// Stops a run and waits for its end.
+    pub(super) fn end(self) {
+        self.handle.stop();
+        self.handle.order(Order::End);
+        let _ = self.thread.join();
+    }
+}
+
+struct Worker {
+    shared: Shared,
+    stops: Arc<AtomicU32>,
+    /// Stops that were passed on to the calibrator.
+    heeded: u32,
+    orders: Receiver<Order>,
+    bench: PathBuf,
+    client: Option<Client>,
+    runs: u32,
+}
+
+impl Worker {
+    fn work(mut self) {
+        loop {
+            match self.orders.recv_timeout(LOOK) {
+                Ok(Order::Connect { device }) => self.connect(device),
+                Ok(Order::Run {
+                    points,
+                    labels,
+                    stops,
+                }) => self.run(&points, *labels, stops),
+                Ok(Order::End) | Err(RecvTimeoutError::Disconnected) => {
+                    self.stop_if_asked();
+                    return;
+                }
+                Err(RecvTimeoutError::Timeout) => {
+                    self.reconnect_if_lost();
+                    self.stop_if_asked();
+                }
+            }
+        }
+    }
+
+    fn connect(&mut self, device: String) {
+        self.client = None;
+        self.shared.change(|snapshot| {
+            snapshot.device = device;
+            snapshot.info = None;
+            snapshot.link = Link::None;
+        });
+        if let Err(error) = self.open() {
+            self.trouble(&error);
+        }
+    }
+
+    fn open(&mut self) -> Result<()> {
+        let Ok(address) = self.shared.snapshot().device.parse::<Address>();
+        let mut client = Client::new(address.open()?);
+        let info = client.info()?;
+        self.client = Some(client);
+        self.shared.change(|snapshot| {
+            snapshot.info = Some(info);
+            snapshot.link = Link::Connected;
+            snapshot.trouble = None;
+        });
+        Ok(())
+    }
+
+    /// A link that broke is tried again until it is there; a run that went on
+    /// meanwhile is followed to its end.
+    fn reconnect_if_lost(&mut self) {
+        let snapshot = self.shared.snapshot();
+        if snapshot.link != Link::Lost || self.open().is_err() {
+            return;
+        }
+        let Some(run) = snapshot.run.filter(|run| run.running) else {
+            return;
+        };
+        if let Some(record) = run.record {
+            self.follow(record, &run.list);
+        }
+    }
+
+    /// Passes a stop on when no run is followed here: one that somebody else
+    /// began, or one that ended in the meantime.
+    fn stop_if_asked(&mut self) {
+        let stops = self.stops.load(Ordering::SeqCst);
+        let Some(client) = self.client.as_mut().filter(|_| stops != self.heeded) else {
+            return;
+        };
+        match client.stop() {
+            Ok(()) => self.heeded = stops,
+            Err(error) => self.lost(&error),
+        }
+    }
+
+    fn run(&mut self, points: &[PointSpec], labels: RunLabels, stops: u32) {
+        self.stop_if_asked();
+        self.runs += 1;
+        let run = RunView {
+            number: self.runs,
+            running: true,
+            list: points.to_vec(),
+            sensor: labels.dut_serial.to_string(),
+            ..RunView::default()
+        };
+        self.shared.keep_record(None);
+        self.shared.change(|snapshot| {
+            snapshot.run = Some(run);
+            snapshot.trouble = None;
+        });
+        if self.stops.load(Ordering::SeqCst) != stops {
+            self.not_begun("stopped before it began");
+            return;
+        }
+        let Some(client) = &mut self.client else {
+            self.not_begun("there is no calibrator: connect one");
+            return;
+        };
+        match session::begin(client, points, ExcitationKind::SingleSine, labels) {
+            Ok(record) => self.follow(record, points),
+            Err(error) => {
+                self.not_begun("did not begin");
+                self.judge(&error);
+            }
+        }
+    }
+
+    fn not_begun(&self, why: &str) {
+        self.shared.change_run(|run| {
+            run.running = false;
+            run.ended = why.to_owned();
+        });
+    }
+
+    fn follow(&mut self, record: u32, points: &[PointSpec]) {
+        self.shared.change_run(|run| run.record = Some(record));
+        let Some(client) = &mut self.client else {
+            return;
+        };
+        let (shared, stops, heeded) = (&self.shared, &self.stops, self.heeded);
+        let outcome = session::follow(client, record, points, |progress| {
+            show(shared, progress);
+            match stops.load(Ordering::SeqCst) == heeded {
+                true => ControlFlow::Continue(()),
+                false => ControlFlow::Break(()),
+            }
+        });
+        match outcome {
+            Ok(outcome) => self.ended(&outcome),
+            Err(error) => self.judge(&error),
+        }
+    }
+
+    fn ended(&mut self, outcome: &Outcome) {
+        if outcome.state != RunState::Failed
+            && let Err(error) = self.fetch(outcome.record_id)
+        {
+            self.judge(&error);
+        }
+        self.shared.change_run(|run| {
+            run.running = false;
+            run.points = outcome.points.iter().map(PointView::from).collect();
+            run.fraction = 1.0;
+            run.ended = match outcome.state {
+                RunState::Finished => "finished",
+                RunState::Stopped => "stopped, the exciter is silent",
+                _ => "the record could not be stored",
+            }
+            .to_owned();
+        });
+    }
+
+    /// Downloads the record: for the certificate, and into the bench if there is one.
+    fn fetch(&mut self, record: u32) -> Result<()> {
+        let Some(client) = &mut self.client else {
+            return Ok(());
+        };
+        let folder = tempfile::tempdir()
+            .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
+        let download = session::download(client, record, folder.path(), |_| ())?;
+        let bytes = std::fs::read(&download.path)
+            .map_err(|error| Error::file("read", &download.path, error))?;
+        if let Some(mut bench) = Bench::open_if_there(&self.bench)? {
+            let (Kept::Added(id) | Kept::Known(id)) = bench.keep(&bytes)?;
+            self.shared.change_run(|run| run.bench_record = Some(id));
+        }
+        self.shared.keep_record(Some(bytes));
+        Ok(())
+    }
+
+    /// A broken link is tried again; the rest is told.
+    fn judge(&mut self, error: &Error) {
+        match error {
+            Error::Link(_) => self.lost(error),
+            _ => {
+                self.trouble(error);
+                self.shared.change_run(|run| {
+                    if run.running {
+                        run.running = false;
+                        run.ended = "given up".to_owned();
+                    }
+                });
+            }
+        }
+    }
+
+    fn lost(&mut self, error: &Error) {
+        self.client = None;
+        self.trouble(error);
+        self.shared.change(|snapshot| snapshot.link = Link::Lost);
+    }
+
+    fn trouble(&self, error: &Error) {
+        let hint = error
+            .hint()
+            .map_or(String::new(), |hint| format!(": {hint}"));
+        self.shared
+            .change(|snapshot| snapshot.trouble = Some(format!("{error}{hint}")));
+    }
+}
+
+/// Shows where the run stands.
+fn show(shared: &Shared, progress: &Progress<'_>) {
+    shared.change_run(|run| {
+        run.status = Some(progress.status);
+        run.fraction = progress.fraction;
+        let known = run.points.len().min(progress.points.len());
+        let new = progress.points.iter().skip(known).map(PointView::from);
+        run.points.extend(new);
+    });
+}

@@ -1,0 +1,106 @@
+//! The local web page: start, watch and stop a calibration from a browser.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `bench_side` | the thread that alone speaks to the calibrator |
+//! | `view` | what every page sees, and how it learns of changes |
+//! | `access` | who may come in |
+//! | `routes` | requests |
+//! | `events` | the stream of changes |
+//! | `page/` | HTML, style and script, without a build step |
+//!
+//! Pages come and go; the calibration belongs to none of them. Two pages see the
+//! same, and any of them stops it.
+
+mod access;
+mod bench_side;
+mod events;
+mod routes;
+mod view;
+
+pub use access::Access;
+pub use bench_side::Order;
+pub use view::{Link, PointView, RunView, Snapshot};
+
+use crate::{Error, Result};
+use bench_side::BenchSide;
+use std::net::{SocketAddr, TcpListener};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// How the page is served.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Where to listen; a token is asked for unless this is loopback.
+    pub listen: SocketAddr,
+    /// The calibrator to connect to at once.
+    pub device: Option<String>,
+    /// The bench of records, if there is one.
+    pub bench: PathBuf,
+}
+
+/// A page that is being listened for.
+pub struct Server {
+    listener: TcpListener,
+    access: Access,
+    options: Options,
+}
+
+impl Server {
+    /// Listens.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] when the address cannot be listened on.
+    pub fn listen(options: Options) -> Result<Self> {
+        let refused = |error: std::io::Error| Error::Usage {
+            problem: format!("cannot listen on {}: {error}", options.listen),
+            hint: "choose another with --listen ADDRESS:PORT; port 0 takes any free one".to_owned(),
+        };
+        let listener = TcpListener::bind(options.listen).map_err(refused)?;
+        listener.set_nonblocking(true).map_err(refused)?;
+        let address = listener.local_addr().map_err(refused)?;
+        Ok(Self {
+            listener,
+            access: Access::new(address),
+            options,
+        })
+    }
+
+    /// What to type into a browser; it holds the token, if one is asked for.
+    pub fn url(&self) -> String {
+        self.access.url()
+    }
+
+    /// Serves until `goes_on` says no; then a run is stopped, and its exciter is
+    /// silent when this returns.
+    ///
+    /// # Errors
+    /// [`Error::File`] when the system gives no more connections.
+    pub fn serve(self, goes_on: impl Fn() -> bool) -> Result<()> {
+        let failed = |error| Error::file("serve", "page".as_ref(), error);
+        let side = BenchSide::start(self.options.bench.clone());
+        if let Some(device) = self.options.device {
+            side.order(Order::Connect { device });
+        }
+        let runtime = tokio::runtime::Builder::new_current_thread()
+            .enable_all()
+            .build()
+            .map_err(failed)?;
+        let app = routes::router(side.handle(), self.access, self.options.bench);
+        let served = runtime.block_on(async {
+            let listener = tokio::net::TcpListener::from_std(self.listener)?;
+            let end = async {
+                while goes_on() {
+                    tokio::time::sleep(Duration::from_millis(100)).await;
+                }
+            };
+            // Open streams of events would keep a graceful end waiting for ever.
+            tokio::select! {
+                served = async { axum::serve(listener, app).await } => served,
+                () = end => Ok(()),
+            }
+        });
+        side.end();
+        served.map_err(failed)
+    }
+}

@@ -1,0 +1,150 @@
+//! What every page sees.
+
+use crate::verdict_text;
+use calib_core::point::{PointResult, PointSpec};
+use calib_protocol::message::{Info, Status};
+use serde::Serialize;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tokio::sync::watch;
+
+/// The link to the calibrator.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Link {
+    /// Nobody asked for one.
+    #[default]
+    None,
+    /// It works.
+    Connected,
+    /// It broke; it is being tried again.
+    Lost,
+}
+
+/// A point that was measured.
+#[derive(Clone, Debug, Serialize)]
+pub struct PointView {
+    frequency_hz: f32,
+    acceleration_ms2: f32,
+    sensitivity_v_per_ms2: f32,
+    expanded_uncertainty_rel: f32,
+    coverage_factor: f32,
+    phase_deg: f32,
+    expanded_uncertainty_phase_deg: f32,
+    settling_s: f32,
+    passed: bool,
+    verdict: String,
+}
+
+impl From<&PointResult> for PointView {
+    fn from(point: &PointResult) -> Self {
+        Self {
+            frequency_hz: point.spec.frequency_hz,
+            acceleration_ms2: point.acceleration_rms_ms2,
+            sensitivity_v_per_ms2: point.sensitivity_v_per_ms2,
+            expanded_uncertainty_rel: point.expanded_uncertainty_rel,
+            coverage_factor: point.coverage_factor,
+            phase_deg: point.phase_rad.to_degrees(),
+            expanded_uncertainty_phase_deg: point.expanded_uncertainty_phase_rad.to_degrees(),
+            settling_s: point.settling_s,
+            passed: point.verdict == calib_core::verdict::Verdict::Pass,
+            verdict: verdict_text::verdict(point.verdict),
+        }
+    }
+}
+
+/// The running or last run.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct RunView {
+    /// Running number among the runs of this server.
+    pub number: u32,
+    /// True until its end is known.
+    pub running: bool,
+    /// How it ended, in words; empty before.
+    pub ended: String,
+    /// The list that is measured.
+    pub list: Vec<PointSpec>,
+    /// Where it stands.
+    pub status: Option<Status>,
+    /// Work done, 0 to 1.
+    pub fraction: f64,
+    /// Results, in the order of the list.
+    pub points: Vec<PointView>,
+    /// Serial number of the sensor.
+    pub sensor: String,
+    /// Running number of the record in the calibrator.
+    pub record: Option<u32>,
+    /// Number of the record in the bench.
+    pub bench_record: Option<i64>,
+}
+
+/// Everything a page shows.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Snapshot {
+    /// The link.
+    pub link: Link,
+    /// The calibrator's address, as typed.
+    pub device: String,
+    /// Who it is.
+    pub info: Option<Info>,
+    /// What went wrong last, with the way out.
+    pub trouble: Option<String>,
+    /// The running or last run.
+    pub run: Option<RunView>,
+}
+
+/// A snapshot that many look at; each change is told to all.
+#[derive(Clone)]
+pub(super) struct Shared {
+    snapshot: Arc<Mutex<Snapshot>>,
+    version: Arc<watch::Sender<u64>>,
+    /// Stored form of the last run's record.
+    record: Arc<Mutex<Option<Vec<u8>>>>,
+}
+
+impl Shared {
+    pub(super) fn new() -> Self {
+        Self {
+            snapshot: Arc::default(),
+            version: Arc::new(watch::Sender::new(0)),
+            record: Arc::default(),
+        }
+    }
+
+    /// Changes the snapshot and tells everybody.
+    pub(super) fn change(&self, change: impl FnOnce(&mut Snapshot)) {
+        change(&mut self.lock());
+        self.version.send_modify(|version| *version += 1);
+    }
+
+    /// Changes the run, if there is one.
+    pub(super) fn change_run(&self, change: impl FnOnce(&mut RunView)) {
+        self.change(|snapshot| {
+            if let Some(run) = &mut snapshot.run {
+                change(run);
+            }
+        });
+    }
+
+    pub(super) fn snapshot(&self) -> Snapshot {
+        self.lock().clone()
+    }
+
+    pub(super) fn changes(&self) -> watch::Receiver<u64> {
+        self.version.subscribe()
+    }
+
+    pub(super) fn keep_record(&self, bytes: Option<Vec<u8>>) {
+        *self.record.lock().unwrap_or_else(PoisonError::into_inner) = bytes;
+    }
+
+    pub(super) fn record(&self) -> Option<Vec<u8>> {
+        self.record
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .clone()
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Snapshot> {
+        self.snapshot.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

@@ -1,0 +1,316 @@
+//! The page's server: a calibration, stops, a lost link, two pages, strangers.
+
+use crate::command_line::{serve as serve_device, text};
+use crate::device::Device;
+use calib_protocol::message::Request;
+use serde_json::{Value, json};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{Shutdown, TcpListener, TcpStream};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+/// `calib serve` as a process of its own.
+struct Server {
+    process: Child,
+    url: String,
+    host: String,
+}
+
+impl Server {
+    fn start(folder: &Path, listen: &str, arguments: &[&str]) -> Self {
+        let mut process = Command::new(env!("CARGO_BIN_EXE_calib"))
+            .args(["serve", "--quiet", "--listen", listen])
+            .args(arguments)
+            .current_dir(folder)
+            .env_remove("CALIB_DEVICE")
+            .env("CALIB_BENCH", folder.join("bench.sqlite"))
+            .stdout(Stdio::piped())
+            .spawn()
+            .expect("calib starts");
+        let mut url = String::new();
+        let mut output = BufReader::new(process.stdout.take().expect("piped"));
+        output.read_line(&mut url).expect("an address");
+        let url = url.trim().to_owned();
+        let host = url.trim_start_matches("http://").split('/').next();
+        let host = host.expect("a host").replace("0.0.0.0", "127.0.0.1");
+        Self { process, url, host }
+    }
+
+    /// Status and body of a request with these headers.
+    fn ask(&self, line: &str, headers: &str, body: &str) -> (u16, String) {
+        let mut stream = self.send(line, headers, body);
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).expect("an answer");
+        let answer = text(&answer);
+        let status = answer.split(' ').nth(1).expect("a status");
+        let (_, body) = answer.split_once("\r\n\r\n").expect("a body");
+        (status.parse().expect("a number"), body.to_owned())
+    }
+
+    fn send(&self, line: &str, headers: &str, body: &str) -> TcpStream {
+        let mut stream = TcpStream::connect(&self.host).expect("it listens");
+        stream
+            .set_read_timeout(Some(Duration::from_secs(20)))
+            .expect("a timeout");
+        let length = body.len();
+        let request = format!(
+            "{line} HTTP/1.1\r\nConnection: close\r\nContent-Length: {length}\r\n{headers}\r\n{body}"
+        );
+        stream.write_all(request.as_bytes()).expect("sent");
+        stream
+    }
+
+    fn get(&self, path: &str) -> (u16, String) {
+        self.ask(
+            &format!("GET {path}"),
+            &format!("Host: {}\r\n", self.host),
+            "",
+        )
+    }
+
+    fn post(&self, path: &str, body: &Value) -> u16 {
+        let headers = format!("Host: {}\r\nContent-Type: application/json\r\n", self.host);
+        self.ask(&format!("POST {path}"), &headers, &body.to_string())
+            .0
+    }
+
+    fn state(&self) -> Value {
+        let (status, body) = self.get("/api/state");
+        assert_eq!(status, 200, "{body}");
+        serde_json::from_str(&body).expect("JSON")
+    }
+
+    /// Waits until the view fulfils this.
+    fn until(&self, what: &str, is: impl Fn(&Value) -> bool) -> Value {
+        let begun = Instant::now();
+        loop {
+            let state = self.state();
+            if is(&state) {
+                return state;
+            }
+            assert!(begun.elapsed() < Duration::from_secs(20), "{what}: {state}");
+            std::thread::sleep(Duration::from_millis(30));
+        }
+    }
+
+    fn connected(&self) {
+        self.until("connected", |view| view["link"] == "connected");
+    }
+
+    /// A page's stream of events.
+    fn events(&self) -> BufReader<TcpStream> {
+        let host = format!("Host: {}\r\n", self.host);
+        BufReader::new(self.send("GET /api/events", &host, ""))
+    }
+}
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+const LOOPBACK: &str = "127.0.0.1:0";
+
+fn has_ended(view: &Value) -> bool {
+    view["run"]["running"] == false
+}
+
+/// The next view of a stream that fulfils this.
+fn next_view(events: &mut BufReader<TcpStream>, is: impl Fn(&Value) -> bool) -> Value {
+    loop {
+        let mut line = String::new();
+        assert!(
+            events.read_line(&mut line).expect("an event") > 0,
+            "it ended"
+        );
+        let Some(data) = line.strip_prefix("data: ") else {
+            continue;
+        };
+        let view = serde_json::from_str(data).expect("JSON");
+        if is(&view) {
+            return view;
+        }
+    }
+}
+
+#[test]
+fn a_calibration_is_started_watched_by_two_pages_and_certified() {
+    let folder = tempfile::tempdir().expect("folder");
+    calib_host::bench::Bench::open(&folder.path().join("bench.sqlite")).expect("a bench");
+    let (_, device) = serve_device(Device::new());
+    let server = Server::start(folder.path(), LOOPBACK, &[]);
+    for (path, words) in [
+        ("/", "STOP"),
+        ("/page.js", "EventSource"),
+        ("/style.css", "#stop"),
+    ] {
+        let (status, body) = server.get(path);
+        assert!(status == 200 && body.contains(words), "{path}");
+    }
+    assert_eq!(server.state()["link"], "none");
+    assert_eq!(
+        server.post("/api/connect", &json!({ "device": device })),
+        202
+    );
+    server.connected();
+    let (mut one, mut other) = (server.events(), server.events());
+    let run = json!({ "serial": "D'1", "operator": "N.", "frequencies_hz": [80, 160, 315] });
+    assert_eq!(server.post("/api/run", &run), 202);
+    // Both pages see it run, and end with the same.
+    next_view(&mut one, |view| view["run"]["running"] == true);
+    let views = [
+        next_view(&mut one, has_ended),
+        next_view(&mut other, has_ended),
+    ];
+    assert_eq!(views[0], views[1]);
+    let ended = &views[0]["run"];
+    assert_eq!(ended["ended"], "finished");
+    let points = ended["points"].as_array().expect("points");
+    assert_eq!(points.len(), 3);
+    assert_eq!(points[1]["frequency_hz"], 160.0);
+    assert_eq!(ended["bench_record"], 1);
+    let (status, page) = server.get("/api/certificate/html");
+    assert!(
+        status == 200 && page.contains("D&#x27;1") || page.contains("D'1"),
+        "{status}"
+    );
+    assert_eq!(server.get("/api/certificate/exe").0, 400);
+    let (_, records) = server.get("/api/records");
+    let records: Value = serde_json::from_str(&records).expect("JSON");
+    assert_eq!(records[0]["sensor_serial"], "D'1");
+    let history = server.get("/api/history/D'1").1;
+    assert!(history.contains("\"frequency_hz\":160"), "{history}");
+}
+
+#[test]
+fn a_stop_ends_a_run_and_one_while_idle_reaches_the_calibrator_too() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (device, address) = serve_device(Device::new());
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    let run = json!({ "level_ms2": 5 });
+    assert_eq!(server.post("/api/run", &run), 202);
+    server.until("running", |view| view["run"]["status"].is_object());
+    // A second page cannot begin another one meanwhile.
+    assert_eq!(server.post("/api/run", &run), 409);
+    let begun = Instant::now();
+    assert_eq!(server.post("/api/stop", &json!({})), 202);
+    let view = server.until("stopped", has_ended);
+    // One look a tenth of a second, and what a loaded computer takes.
+    assert!(begun.elapsed() < Duration::from_secs(3));
+    assert_eq!(view["run"]["ended"], "stopped, the exciter is silent");
+    assert!(view["run"]["points"].as_array().expect("points").len() < 28);
+    device.lock().expect("device").requests.clear();
+    server.post("/api/stop", &json!({}));
+    let begun = Instant::now();
+    while !device
+        .lock()
+        .expect("device")
+        .requests
+        .contains(&Request::Stop)
+    {
+        assert!(begun.elapsed() < Duration::from_secs(5), "idle stop");
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    // And the next run is not stopped by any of them.
+    server.post("/api/run", &json!({ "frequencies_hz": [160] }));
+    let view = server.until("finished", |view| {
+        view["run"]["number"] == 2 && has_ended(view)
+    });
+    assert_eq!(view["run"]["ended"], "finished");
+}
+
+/// A link that can be cut: bytes to and from a device, until it is.
+struct Cable {
+    address: String,
+    ends: Arc<Mutex<Vec<TcpStream>>>,
+}
+
+impl Cable {
+    fn to(device: &str) -> Self {
+        let listener = TcpListener::bind(LOOPBACK).expect("a port");
+        let address = format!("tcp:{}", listener.local_addr().expect("address"));
+        let ends = Arc::new(Mutex::new(Vec::new()));
+        let (held, device) = (
+            Arc::clone(&ends),
+            device.trim_start_matches("tcp:").to_owned(),
+        );
+        std::thread::spawn(move || {
+            for near in listener.incoming().map_while(Result::ok) {
+                let far = TcpStream::connect(&device).expect("the device");
+                let mut held = held.lock().expect("ends");
+                for (from, to) in [(&near, &far), (&far, &near)] {
+                    let mut from = from.try_clone().expect("a copy");
+                    let mut to = to.try_clone().expect("a copy");
+                    std::thread::spawn(move || std::io::copy(&mut from, &mut to));
+                }
+                held.extend([near, far]);
+            }
+        });
+        Self { address, ends }
+    }
+
+    fn cut(&self) {
+        for end in self.ends.lock().expect("ends").drain(..) {
+            let _ = end.shutdown(Shutdown::Both);
+        }
+    }
+}
+
+#[test]
+fn a_run_is_followed_to_its_end_after_the_link_broke() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (device, address) = serve_device(Device::new());
+    let cable = Cable::to(&address);
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &cable.address]);
+    server.connected();
+    let mut page = server.events();
+    server.post(
+        "/api/run",
+        &json!({ "frequencies_hz": [80, 160, 250, 315] }),
+    );
+    next_view(&mut page, |view| view["run"]["status"].is_object());
+    cable.cut();
+    let lost = next_view(&mut page, |view| view["link"] == "lost");
+    assert_eq!(lost["run"]["running"], true, "it goes on without us");
+    let trouble = lost["trouble"].as_str().expect("words");
+    assert!(trouble.contains("is gone"), "{trouble}");
+    let ended = next_view(&mut page, has_ended);
+    assert_eq!(ended["run"]["ended"], "finished");
+    assert_eq!(ended["run"]["points"].as_array().expect("points").len(), 4);
+    assert_eq!(ended["trouble"], Value::Null);
+    assert_eq!(device.lock().expect("device").starts, 1);
+}
+
+#[test]
+fn strangers_are_kept_out() {
+    let folder = tempfile::tempdir().expect("folder");
+    let server = Server::start(folder.path(), LOOPBACK, &[]);
+    assert!(server.url.starts_with("http://127.0.0.1:") && !server.url.contains("token"));
+    let evil = "Host: evil.example\r\n";
+    assert_eq!(server.ask("GET /api/state", evil, "").0, 403);
+    // What a form of another site can send.
+    let form = format!("Host: {}\r\nContent-Type: text/plain\r\n", server.host);
+    assert_eq!(server.ask("POST /api/run", &form, "{}").0, 415);
+    assert_eq!(server.post("/api/run", &json!({ "level_ms2": -1 })), 400);
+    assert_eq!(
+        server.post("/api/run", &json!({ "serial": "x".repeat(99) })),
+        400
+    );
+
+    let open = Server::start(folder.path(), "0.0.0.0:0", &[]);
+    let (_, token) = open.url.split_once("?token=").expect("a token");
+    assert_eq!(open.get("/").0, 403);
+    assert_eq!(open.get("/page.js").0, 200);
+    assert_eq!(open.get("/api/state?token=0").0, 403);
+    assert_eq!(open.get(&format!("/api/state?token={token}")).0, 200);
+    assert_eq!(open.post("/api/stop", &json!({})), 403);
+    assert_eq!(
+        open.post(&format!("/api/stop?token={token}"), &json!({})),
+        202
+    );
+}
