@@ -7,7 +7,7 @@ use calib_firmware::scpi::Console;
 use embassy_futures::join::join;
 use embassy_stm32::mode::Async;
 use embassy_stm32::usart::UartTx;
-use embassy_time::{Duration, Timer, with_timeout};
+use embassy_time::{Duration, TimeoutError, Timer, with_timeout};
 use embassy_usb::UsbDevice;
 use embassy_usb::class::cdc_acm::Sender;
 
@@ -26,64 +26,123 @@ const LOOK: Duration = Duration::from_millis(20);
 /// Wait for a byte when nothing else is to be done.
 const IDLE: Duration = Duration::from_secs(3600);
 
-/// How long to wait for the next byte.
-fn patience(link: &Link, console: &Console) -> Duration {
-    match (console.awaits_end(), link.is_receiving()) {
-        (true, _) => LOOK,
-        (false, true) => SENDER_GONE,
-        (false, false) => IDLE,
-    }
+/// Where a link's answers go.
+trait Output {
+    /// Sends one answer as a whole, or gives it up.
+    async fn send(&mut self, answer: &[u8]);
 }
 
-/// Serves USART3, the virtual COM port of the ST-LINK, for ever.
-#[embassy_executor::task]
-pub(crate) async fn serial_link(port: Port, buffers: PortBuffers, mut instrument: Calibrator) -> ! {
-    axi_static!(LINK: Link);
-    // Note(unwrap): init; the task is spawned once.
-    let link = LINK.take();
-    let (mut output, input) = port.split();
-    let mut input = input.into_ring_buffered(buffers.receive);
-    let mut bytes = [0; 64];
-    let mut console = Console::new();
-    loop {
-        let patience = patience(link, &console);
-        let count = match with_timeout(patience, input.read(&mut bytes)).await {
-            Ok(Ok(count)) => count,
-            // Bytes were lost: what was begun can never be whole.
-            Ok(Err(_)) => {
-                link.forget(&mut console);
-                continue;
-            }
-            Err(_) => {
-                if let Some(answer) = console.poll(&mut instrument) {
-                    send(&mut output, buffers.transmit, answer).await;
-                } else if patience == SENDER_GONE {
-                    link.forget(&mut console);
-                }
-                continue;
-            }
-        };
-        for byte in bytes.iter().take(count) {
-            let pushed = link.push(*byte, &mut console, &mut instrument).await;
+/// A host's bytes and what they do, whichever way they come.
+struct Conversation {
+    link: &'static mut Link,
+    console: Console,
+    instrument: Calibrator,
+}
+
+impl Conversation {
+    fn new(link: &'static mut Link, instrument: Calibrator) -> Self {
+        Self {
+            link,
+            console: Console::new(),
+            instrument,
+        }
+    }
+
+    /// How long to wait for the next byte.
+    fn patience(&self) -> Duration {
+        match (self.console.awaits_end(), self.link.is_receiving()) {
+            (true, _) => LOOK,
+            (false, true) => SENDER_GONE,
+            (false, false) => IDLE,
+        }
+    }
+
+    /// Goes on after a wait: `heard` is the number of bytes that came, the end
+    /// of the patience, or the reader's error, which is handed back.
+    async fn go_on<E>(
+        &mut self,
+        heard: Result<Result<usize, E>, TimeoutError>,
+        bytes: &[u8],
+        output: &mut impl Output,
+    ) -> Result<(), E> {
+        match heard {
+            Ok(count) => self.answer(bytes.iter().take(count?), output).await,
+            Err(TimeoutError) => self.wait(output).await,
+        }
+        Ok(())
+    }
+
+    /// Carries out what bytes complete.
+    async fn answer(&mut self, bytes: impl Iterator<Item = &u8>, output: &mut impl Output) {
+        for byte in bytes {
+            let pushed = self
+                .link
+                .push(*byte, &mut self.console, &mut self.instrument)
+                .await;
             let Some((answer, aftermath)) = pushed else {
                 continue;
             };
-            send(&mut output, buffers.transmit, answer).await;
+            output.send(answer).await;
             if aftermath == Aftermath::Reset {
                 reset().await;
             }
         }
     }
+
+    /// Nothing came: answers what was waited for, or gives up what was begun.
+    async fn wait(&mut self, output: &mut impl Output) {
+        if let Some(answer) = self.console.poll(&mut self.instrument) {
+            output.send(answer).await;
+        } else if !self.console.awaits_end() {
+            self.forget();
+        }
+    }
+
+    /// Forgets what was begun: it can never be whole.
+    fn forget(&mut self) {
+        self.link.forget(&mut self.console);
+    }
 }
 
-/// Sends bytes by way of the memory DMA can read.
-async fn send(output: &mut UartTx<'static, Async>, staging: &mut [u8], answer: &[u8]) {
-    for part in answer.chunks(staging.len()) {
-        let Some(staged) = staging.get_mut(..part.len()) else {
-            continue;
-        };
-        staged.copy_from_slice(part);
-        let _ = output.write(staged).await;
+/// Serves USART3, the virtual COM port of the ST-LINK, for ever.
+#[embassy_executor::task]
+pub(crate) async fn serial_link(port: Port, buffers: PortBuffers, instrument: Calibrator) -> ! {
+    axi_static!(LINK: Link);
+    // Note(unwrap): init; the task is spawned once.
+    let mut conversation = Conversation::new(LINK.take(), instrument);
+    let (output, input) = port.split();
+    let mut input = input.into_ring_buffered(buffers.receive);
+    let mut output = SerialOutput {
+        output,
+        staging: buffers.transmit,
+    };
+    let mut bytes = [0; 64];
+    loop {
+        let heard = with_timeout(conversation.patience(), input.read(&mut bytes)).await;
+        let went_on = conversation.go_on(heard, &bytes, &mut output).await;
+        // Bytes were lost.
+        if went_on.is_err() {
+            conversation.forget();
+        }
+    }
+}
+
+/// Answers on their way through USART3.
+struct SerialOutput {
+    output: UartTx<'static, Async>,
+    /// Memory that DMA can read.
+    staging: &'static mut [u8],
+}
+
+impl Output for SerialOutput {
+    async fn send(&mut self, answer: &[u8]) {
+        for part in answer.chunks(self.staging.len()) {
+            let Some(staged) = self.staging.get_mut(..part.len()) else {
+                continue;
+            };
+            staged.copy_from_slice(part);
+            let _ = self.output.write(staged).await;
+        }
     }
 }
 
@@ -99,47 +158,28 @@ pub(crate) async fn usb_link(
 }
 
 /// Serves hosts one after another.
-async fn serve_usb(port: UsbPort, mut instrument: Calibrator) -> ! {
+async fn serve_usb(port: UsbPort, instrument: Calibrator) -> ! {
     axi_static!(LINK: Link);
     // Note(unwrap): init; the task is spawned once.
-    let link = LINK.take();
+    let mut conversation = Conversation::new(LINK.take(), instrument);
     let (output, mut input) = port.split();
     let mut output = UsbOutput {
         output,
         broken_off: false,
     };
     let mut packet = [0; PACKET_BYTES];
-    let mut console = Console::new();
     loop {
         input.wait_connection().await;
         loop {
-            let patience = patience(link, &console);
-            let count = match with_timeout(patience, input.read_packet(&mut packet)).await {
-                Ok(Ok(count)) => count,
-                Ok(Err(_)) => break,
-                Err(_) => {
-                    if let Some(answer) = console.poll(&mut instrument) {
-                        output.send(answer).await;
-                    } else if patience == SENDER_GONE {
-                        link.forget(&mut console);
-                    }
-                    continue;
-                }
-            };
-            for byte in packet.iter().take(count) {
-                let pushed = link.push(*byte, &mut console, &mut instrument).await;
-                let Some((answer, aftermath)) = pushed else {
-                    continue;
-                };
-                output.send(answer).await;
-                if aftermath == Aftermath::Reset {
-                    reset().await;
-                }
+            let heard = with_timeout(conversation.patience(), input.read_packet(&mut packet)).await;
+            let went_on = conversation.go_on(heard, &packet, &mut output).await;
+            if went_on.is_err() {
+                break;
             }
         }
         // The cable is out, or the host has switched the device off.
-        link.forget(&mut console);
-        instrument.leave();
+        conversation.forget();
+        conversation.instrument.leave();
     }
 }
 
@@ -150,15 +190,16 @@ struct UsbOutput {
     broken_off: bool,
 }
 
-impl UsbOutput {
-    /// Sends an answer, or gives it up when the host does not take it: it can
-    /// ask again.
+impl Output for UsbOutput {
+    /// Gives an answer up when the host does not take it: it can ask again.
     async fn send(&mut self, answer: &[u8]) {
         // A zero ends the part that may have got through.
         let sent = !self.broken_off || self.packet(&[0]).await;
         self.broken_off = !(sent && self.packets(answer).await);
     }
+}
 
+impl UsbOutput {
     async fn packets(&mut self, answer: &[u8]) -> bool {
         for packet in answer.chunks(PACKET_BYTES) {
             if !self.packet(packet).await {
