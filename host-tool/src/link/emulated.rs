@@ -1,6 +1,7 @@
 //! A link to the emulated board in this process: waiting runs the board.
 
 use super::Transport;
+use super::transport::pause_as_nothing;
 use calib_twin::runner::{SharedEmulator, VirtualSerial};
 use std::io::{self, Read, Write};
 use std::sync::PoisonError;
@@ -32,10 +33,7 @@ impl Transport for EmulatedTransport {
 
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
         self.serial.set_timeout(timeout);
-        match self.serial.read(buffer) {
-            Err(error) if error.kind() == io::ErrorKind::TimedOut => Ok(0),
-            other => other,
-        }
+        pause_as_nothing(self.serial.read(buffer))
     }
 
     fn wait(&mut self, duration: Duration) -> io::Result<()> {

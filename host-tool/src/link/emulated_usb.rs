@@ -1,6 +1,7 @@
 //! A link over the USB port of the emulated board in this process.
 
 use super::Transport;
+use super::transport::pause_as_nothing;
 use calib_twin::runner::SharedEmulator;
 use calib_twin::usb_host::{Enumerated, HostError, UsbHost, UsbSerial};
 use std::io::{self, Read, Write};
@@ -58,10 +59,7 @@ impl Transport for EmulatedUsbTransport {
 
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
         self.serial.set_timeout(timeout);
-        match self.serial.read(buffer) {
-            Err(error) if error.kind() == io::ErrorKind::TimedOut => Ok(0),
-            other => other,
-        }
+        pause_as_nothing(self.serial.read(buffer))
     }
 
     fn wait(&mut self, duration: Duration) -> io::Result<()> {

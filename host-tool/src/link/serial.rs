@@ -1,5 +1,6 @@
 //! A serial port: the ST-LINK's virtual COM port, or USB CDC.
 
+use super::transport::{end_as_error, pause_as_nothing};
 use super::{LinkError, Transport};
 use calib_protocol::frame::SERIAL_BAUD;
 use serialport::{ErrorKind, SerialPort};
@@ -63,18 +64,6 @@ impl Transport for SerialTransport {
 
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
         self.port.set_timeout(timeout)?;
-        match self.port.read(buffer) {
-            Ok(0) => Err(io::ErrorKind::UnexpectedEof.into()),
-            Err(error) if is_pause(&error) => Ok(0),
-            other => other,
-        }
+        pause_as_nothing(end_as_error(self.port.read(buffer)))
     }
-}
-
-/// True when an error only says that no byte came in time.
-pub(super) fn is_pause(error: &io::Error) -> bool {
-    matches!(
-        error.kind(),
-        io::ErrorKind::TimedOut | io::ErrorKind::WouldBlock | io::ErrorKind::Interrupted
-    )
 }

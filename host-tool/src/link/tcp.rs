@@ -1,6 +1,6 @@
 //! A TCP connection: `calib emulate --tcp`, or a serial server in the field.
 
-use super::serial::is_pause;
+use super::transport::{end_as_error, pause_as_nothing};
 use super::{LinkError, Transport};
 use std::io::{self, Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
@@ -63,10 +63,6 @@ impl Transport for TcpTransport {
         // Zero would mean "for ever".
         self.stream
             .set_read_timeout(Some(timeout.max(Duration::from_millis(1))))?;
-        match self.stream.read(buffer) {
-            Ok(0) => Err(io::ErrorKind::UnexpectedEof.into()),
-            Err(error) if is_pause(&error) => Ok(0),
-            other => other,
-        }
+        pause_as_nothing(end_as_error(self.stream.read(buffer)))
     }
 }

@@ -51,3 +51,26 @@ impl<T: Transport + ?Sized> Transport for Box<T> {
         (**self).wait(duration)
     }
 }
+
+/// A read that ended for want of bytes in time has read none.
+pub(super) fn pause_as_nothing(read: io::Result<usize>) -> io::Result<usize> {
+    match read {
+        Err(error)
+            if matches!(
+                error.kind(),
+                io::ErrorKind::TimedOut | io::ErrorKind::WouldBlock | io::ErrorKind::Interrupted
+            ) =>
+        {
+            Ok(0)
+        }
+        other => other,
+    }
+}
+
+/// A read of no bytes says of a port or socket that its other end is gone.
+pub(super) fn end_as_error(read: io::Result<usize>) -> io::Result<usize> {
+    match read {
+        Ok(0) => Err(io::ErrorKind::UnexpectedEof.into()),
+        other => other,
+    }
+}
