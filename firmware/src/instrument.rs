@@ -58,7 +58,7 @@ impl Instrument for Calibrator {
     async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal> {
         let record_id = self.archive.prepare(spec.points.len()).await?;
         // No await from here on: the other link cannot come in between.
-        if is_running(state::status().state) {
+        if state::status().state.is_running() {
             return Err(Refusal::Busy);
         }
         let points = spec.points.len() as u16;
@@ -92,7 +92,7 @@ impl Instrument for Calibrator {
     }
 
     async fn release(&mut self, through: u32) -> Result<(), Refusal> {
-        if is_running(state::status().state) {
+        if state::status().state.is_running() {
             return Err(Refusal::Busy);
         }
         self.archive.release(through).await
@@ -103,18 +103,11 @@ impl Instrument for Calibrator {
     }
 
     async fn write_settings(&mut self, settings: Settings) -> Result<(), Refusal> {
-        if is_running(state::status().state) {
+        if state::status().state.is_running() {
             return Err(Refusal::Busy);
         }
         self.archive.store_settings(&settings).await?;
         state::take_settings(settings);
         Ok(())
     }
-}
-
-fn is_running(state: RunState) -> bool {
-    matches!(
-        state,
-        RunState::Settling | RunState::Measuring | RunState::Storing
-    )
 }

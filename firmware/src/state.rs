@@ -3,7 +3,7 @@
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
 use calib_firmware::session::Session;
-use calib_protocol::message::{RunSpec, RunState, Status};
+use calib_protocol::message::{RunSpec, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
 use core::cell::{Cell, RefCell};
 use core::sync::atomic::AtomicU32;
@@ -13,19 +13,8 @@ use embassy_sync::channel::Channel;
 use embassy_sync::signal::Signal;
 use heapless::{String, Vec};
 
-static STATUS: CriticalSectionMutex<Cell<Status>> = CriticalSectionMutex::new(Cell::new(Status {
-    state: RunState::Idle,
-    point: 0,
-    points: 0,
-    frequency_hz: 0.0,
-    target_rms_ms2: 0.0,
-    acceleration_rms_ms2: 0.0,
-    drive_peak_v: 0.0,
-    block: 0,
-    blocks: 0,
-    overruns: 0,
-    samples: 0,
-}));
+static STATUS: CriticalSectionMutex<Cell<Status>> =
+    CriticalSectionMutex::new(Cell::new(Status::IDLE));
 
 /// A copy of the status.
 pub(crate) fn status() -> Status {

@@ -236,6 +236,23 @@ pub struct Status {
     pub samples: u64,
 }
 
+impl Status {
+    /// An instrument that has done nothing yet.
+    pub const IDLE: Self = Self {
+        state: RunState::Idle,
+        point: 0,
+        points: 0,
+        frequency_hz: 0.0,
+        target_rms_ms2: 0.0,
+        acceleration_rms_ms2: 0.0,
+        drive_peak_v: 0.0,
+        block: 0,
+        blocks: 0,
+        overruns: 0,
+        samples: 0,
+    };
+}
+
 /// Phase of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -254,6 +271,18 @@ pub enum RunState {
     Stopped,
     /// The record could not be stored.
     Failed,
+}
+
+impl RunState {
+    /// The exciter is at work for the run.
+    pub const fn is_exciting(self) -> bool {
+        matches!(self, Self::Settling | Self::Measuring)
+    }
+
+    /// The run has not ended: the exciter is at work or the record being written.
+    pub const fn is_running(self) -> bool {
+        self.is_exciting() || matches!(self, Self::Storing)
+    }
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use calib_core::point::ExcitationKind;
 use calib_core::settings::{MAX_INFLUENCES, MAX_REFERENCE_POINTS, Settings};
 use calib_protocol::frame::{Frame, MAX_FRAME, MAX_MESSAGE, PROTOCOL_VERSION, encode};
 use calib_protocol::message::{
-    Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
+    Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, Status,
 };
 use calib_protocol::record::{MAX_POINTS, RECORD_VERSION, RunLabels};
 use serde::Serialize;
@@ -94,7 +94,7 @@ fn the_tables_list_every_message_with_its_number() {
     assert_eq!(rows("request"), requests.each_ref().map(variant));
     let answers = [
         Response::Info(info()),
-        Response::Status(status()),
+        Response::Status(Status::IDLE),
         Response::Point {
             index: 0,
             result: None,
@@ -150,22 +150,6 @@ fn info() -> Info {
         last_panic: None,
         records: 0,
         uptime_ms: 0,
-    }
-}
-
-fn status() -> Status {
-    Status {
-        state: RunState::Idle,
-        point: 0,
-        points: 0,
-        frequency_hz: 0.0,
-        target_rms_ms2: 0.0,
-        acceleration_rms_ms2: 0.0,
-        drive_peak_v: 0.0,
-        block: 0,
-        blocks: 0,
-        overruns: 0,
-        samples: 0,
     }
 }
 

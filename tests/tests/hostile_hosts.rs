@@ -96,10 +96,7 @@ fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(
         let before = bench.board().elapsed();
         let status = bench.client.status()?;
         assert!(bench.board().elapsed() - before <= PROMPT);
-        if !matches!(
-            status.state,
-            RunState::Settling | RunState::Measuring | RunState::Storing
-        ) {
+        if !status.state.is_running() {
             break status;
         }
     };

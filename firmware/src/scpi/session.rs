@@ -5,7 +5,7 @@ use super::header::{self, Command};
 use crate::command::{self, Instrument};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::verdict::Verdict;
-use calib_protocol::message::{Refusal, Request, Response, RunSpec, RunState};
+use calib_protocol::message::{Refusal, Request, Response, RunSpec};
 use calib_protocol::record::RunLabels;
 use core::fmt::Write;
 
@@ -230,10 +230,7 @@ impl Session {
 
 /// True while a run is going on.
 pub(super) fn is_running(instrument: &mut impl Instrument) -> bool {
-    matches!(
-        instrument.status().state,
-        RunState::Settling | RunState::Measuring | RunState::Storing
-    )
+    instrument.status().state.is_running()
 }
 
 fn identify(instrument: &mut impl Instrument, out: &mut impl Write) {

@@ -68,16 +68,9 @@ impl Instrument for Bench {
                 true => RunState::Measuring,
                 false => RunState::Finished,
             },
-            point: 0,
             points: 1,
-            frequency_hz: 0.0,
-            target_rms_ms2: 0.0,
-            acceleration_rms_ms2: 0.0,
-            drive_peak_v: 0.0,
-            block: 0,
             blocks: 5,
-            overruns: 0,
-            samples: 0,
+            ..Status::IDLE
         }
     }
     fn point(&mut self, index: u16) -> Option<PointResult> {

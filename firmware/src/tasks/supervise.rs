@@ -45,7 +45,7 @@ pub(crate) async fn supervise(
         }
         pressed_before = pressed;
         let state = state::status().state;
-        if state != state_before && !busy(state) {
+        if state != state_before && !state.is_running() {
             defmt::info!("{=u32} bytes of stack never used", unused_stack_bytes());
         }
         state_before = state;
@@ -90,10 +90,7 @@ impl Alive {
 
 /// Starts the default list, or stops the run there is.
 async fn on_button(instrument: &mut Calibrator) {
-    if matches!(
-        state::status().state,
-        RunState::Settling | RunState::Measuring
-    ) {
+    if state::status().state.is_exciting() {
         state::ORDERS.send(Order::Stop).await;
         return;
     }
@@ -107,16 +104,8 @@ async fn on_button(instrument: &mut Calibrator) {
     }
 }
 
-/// A run is going on.
-fn busy(state: RunState) -> bool {
-    matches!(
-        state,
-        RunState::Settling | RunState::Measuring | RunState::Storing
-    )
-}
-
 fn show(lamps: &mut Lamps, state: RunState) {
-    let busy = busy(state);
+    let busy = state.is_running();
     let refused = state::RUN.lock(|run| {
         let run = run.borrow();
         run.results

@@ -186,7 +186,7 @@ fn expected_s(point: &PointSpec) -> f64 {
 }
 
 fn fraction(points: &[PointSpec], status: &Status) -> f64 {
-    if !matches!(status.state, RunState::Settling | RunState::Measuring) {
+    if !status.state.is_exciting() {
         return if status.state == RunState::Idle {
             0.0
         } else {

@@ -148,7 +148,7 @@ impl Device {
         if spec.points.is_empty() {
             return Response::Refused(Refusal::PointList);
         }
-        let running = |run: &Run| matches!(run.state, RunState::Settling | RunState::Measuring);
+        let running = |run: &Run| run.state.is_exciting();
         if self.run.as_ref().is_some_and(running) {
             return Response::Refused(Refusal::Busy);
         }
@@ -177,7 +177,7 @@ impl Device {
             }
         }
         let Some(run) = &self.run else {
-            return idle();
+            return Status::IDLE;
         };
         let point = (run.looks / LOOKS_PER_POINT).min(run.spec.points.len() as u16 - 1);
         let spec = run.spec.points[usize::from(point)];
@@ -199,7 +199,7 @@ impl Device {
     /// Ends a run that is still going on.
     fn end(&mut self, state: RunState) {
         let Some(run) = &mut self.run else { return };
-        if !matches!(run.state, RunState::Settling | RunState::Measuring) {
+        if !run.state.is_exciting() {
             return;
         }
         if self.flash_broken {
@@ -259,22 +259,6 @@ impl Device {
             total: bytes.len() as u32,
             data: chunk.try_into().expect("a chunk"),
         }
-    }
-}
-
-fn idle() -> Status {
-    Status {
-        state: RunState::Idle,
-        point: 0,
-        points: 0,
-        frequency_hz: 0.0,
-        target_rms_ms2: 0.0,
-        acceleration_rms_ms2: 0.0,
-        drive_peak_v: 0.0,
-        block: 0,
-        blocks: 0,
-        overruns: 0,
-        samples: 0,
     }
 }
 

@@ -127,8 +127,7 @@ fn start(bench: &mut Bench) -> Result<(), Fault> {
 }
 
 fn running(bench: &mut Bench) -> Result<bool, Fault> {
-    let state = bench.client.status()?.state;
-    Ok(matches!(state, RunState::Settling | RunState::Measuring))
+    Ok(bench.client.status()?.state.is_exciting())
 }
 
 /// Time the flash is at work for a record of the default list.

@@ -9,9 +9,7 @@ use calib_firmware::link::{Aftermath, Link};
 use calib_firmware::scpi::Console;
 use calib_firmware::session::{LinkName, Session};
 use calib_protocol::frame::{Frame, PROTOCOL_VERSION};
-use calib_protocol::message::{
-    Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
-};
+use calib_protocol::message::{Info, Refusal, Request, ResetCause, Response, RunSpec, Status};
 use std::future::Future;
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
@@ -61,42 +59,32 @@ pub fn commands(data: &[u8]) {
 fn lines_and_frames(data: &[u8]) -> (Vec<&[u8]>, Vec<u8>) {
     let (mut lines, mut binary) = (Vec::new(), Vec::new());
     let mut rest = data;
-    while let Some(&first) = rest.first() {
-        let end = |stops: &[u8]| rest.iter().position(|byte| stops.contains(byte));
-        let taken = match (first, end(b"\0\n")) {
-            (b' '..=b'~' | b'\t' | b'\r' | b'\n', Some(at)) if rest[at] == b'\n' => {
-                lines.push(&rest[..=at]);
-                rest = &rest[at + 1..];
-                continue;
-            }
-            // A zero begins a frame, which goes up to the next one.
-            (0, _) => past_frame(rest),
-            (_, _) => past_zero(rest),
-        };
-        let (frame, after) = rest.split_at(taken);
-        binary.extend_from_slice(frame);
+    while let Some(first) = rest.first() {
         let is_text = matches!(first, b' '..=b'~' | b'\t' | b'\r' | b'\n');
-        rest = after;
-        if is_text && whole_frames(frame).is_empty() {
-            // No line and no frame: its zero begins the next frame.
-            let (frame, after) = rest.split_at(past_frame(rest));
-            binary.extend_from_slice(frame);
-            rest = after;
+        let end = rest.iter().position(|byte| b"\0\n".contains(byte));
+        if let (true, Some(at)) = (is_text, end)
+            && rest[at] == b'\n'
+        {
+            lines.push(&rest[..=at]);
+            rest = &rest[at + 1..];
+            continue;
         }
+        let mut taken = past_frame(rest);
+        if is_text && whole_frames(&rest[..taken]).is_empty() {
+            // No line and no frame: its zero begins the next frame.
+            taken += past_frame(&rest[taken..]);
+        }
+        binary.extend_from_slice(&rest[..taken]);
+        rest = &rest[taken..];
     }
     (lines, binary)
 }
 
-/// How many bytes up to and with the first zero.
-fn past_zero(data: &[u8]) -> usize {
-    let zero = data.iter().position(|byte| *byte == 0);
-    zero.map_or(data.len(), |at| at + 1)
-}
-
 /// How many bytes up to and with the first zero after the leading ones.
 fn past_frame(data: &[u8]) -> usize {
-    let zeros = data.iter().take_while(|byte| **byte == 0).count();
-    zeros + past_zero(&data[zeros..])
+    let ends = |pair: &[u8]| pair[0] != 0 && pair[1] == 0;
+    let end = data.windows(2).position(ends);
+    end.map_or(data.len(), |at| at + 2)
 }
 
 /// Whether a line holds `word`, in letters of any case.
@@ -209,19 +197,7 @@ impl Instrument for Notes {
     }
 
     fn status(&mut self) -> Status {
-        Status {
-            state: RunState::Idle,
-            point: 0,
-            points: 0,
-            frequency_hz: 0.0,
-            target_rms_ms2: 0.0,
-            acceleration_rms_ms2: 0.0,
-            drive_peak_v: 0.0,
-            block: 0,
-            blocks: 0,
-            overruns: 0,
-            samples: 0,
-        }
+        Status::IDLE
     }
 
     fn point(&mut self, _: u16) -> Option<PointResult> {
