@@ -5,6 +5,7 @@
 
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
+use calib_protocol::capture::CapturePart;
 use calib_protocol::message::{Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, Status};
 use calib_protocol::record::RecordSummary;
 use heapless::Vec;
@@ -53,6 +54,10 @@ pub trait Instrument {
     fn settings(&mut self) -> Settings;
     /// Checks, stores and takes new settings.
     async fn write_settings(&mut self, settings: Settings) -> Result<(), Refusal>;
+    /// Captures sample pairs from the next block on.
+    fn capture(&mut self, pairs: u16) -> Result<(), Refusal>;
+    /// Pairs of the capture, or how far it is.
+    fn read_capture(&mut self, offset: u16) -> Result<CapturePart, Refusal>;
 }
 
 /// Carries out `request`; a reset is left to the caller, who answers first.
@@ -107,6 +112,11 @@ async fn carry_out(
             instrument.release(through).await?;
             Response::Done
         }
+        Request::Capture { pairs } => {
+            instrument.capture(pairs)?;
+            Response::Done
+        }
+        Request::ReadCapture { offset } => Response::CaptureData(instrument.read_capture(offset)?),
     })
 }
 

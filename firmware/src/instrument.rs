@@ -7,6 +7,7 @@ use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_firmware::command::{Instrument, RecordPage, RecordPart};
 use calib_firmware::session::LinkName;
+use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, Status};
 use embassy_time::Instant;
@@ -109,5 +110,13 @@ impl Instrument for Calibrator {
         self.archive.store_settings(&settings).await?;
         state::take_settings(settings);
         Ok(())
+    }
+
+    fn capture(&mut self, pairs: u16) -> Result<(), Refusal> {
+        state::with_capture(|capture| capture.arm(pairs))
+    }
+
+    fn read_capture(&mut self, offset: u16) -> Result<CapturePart, Refusal> {
+        state::with_capture(|capture| capture.part(offset))
     }
 }

@@ -207,6 +207,7 @@ mod tests {
     use crate::command::{RecordPage, RecordPart};
     use calib_core::point::{ExcitationKind, PointResult, PointSpec};
     use calib_core::settings::Settings;
+    use calib_protocol::capture::CapturePart;
     use calib_protocol::message::{Info, RunSpec, Status};
     use calib_protocol::record::RunLabels;
     use core::future::Future;
@@ -257,6 +258,12 @@ mod tests {
         }
         async fn write_settings(&mut self, _: Settings) -> Result<(), Refusal> {
             Ok(())
+        }
+        fn capture(&mut self, _: u16) -> Result<(), Refusal> {
+            Ok(())
+        }
+        fn read_capture(&mut self, _: u16) -> Result<CapturePart, Refusal> {
+            Err(Refusal::NotCaptured)
         }
     }
 

@@ -2,9 +2,9 @@
 //!
 //! | request | from the holder | from the other link |
 //! |---|---|---|
-//! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`) | answered | answered |
+//! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`, `ReadCapture`) | answered | answered |
 //! | `Stop` | carried out | carried out: anyone may silence the exciter |
-//! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`) | carried out | refused |
+//! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`, `Capture`) | carried out | refused |
 //!
 //! The first link that asks for a change takes the session. It keeps it while
 //! it goes on asking for anything, and loses it after [`PATIENCE_MS`] of quiet
@@ -68,14 +68,16 @@ fn changes(request: &Request) -> bool {
         Request::Start(_)
         | Request::SettingsWrite(_)
         | Request::Reset
-        | Request::Release { .. } => true,
+        | Request::Release { .. }
+        | Request::Capture { .. } => true,
         Request::Info
         | Request::Status
         | Request::Point { .. }
         | Request::Stop
         | Request::Records { .. }
         | Request::ReadRecord { .. }
-        | Request::SettingsRead => false,
+        | Request::SettingsRead
+        | Request::ReadCapture { .. } => false,
     }
 }
 
@@ -108,6 +110,7 @@ mod tests {
             Request::Records { from: 0 },
             Request::ReadRecord { id, offset: 0 },
             Request::SettingsRead,
+            Request::ReadCapture { offset: 0 },
             Request::Stop,
         ] {
             assert_eq!(session.admit(Usb, &request, 1), Ok(()), "{request:?}");

@@ -2,6 +2,7 @@
 
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
+use calib_firmware::capture::Capture;
 use calib_firmware::session::Session;
 use calib_protocol::message::{RunSpec, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
@@ -78,6 +79,18 @@ pub(crate) static RUN: CriticalSectionMutex<RefCell<Run>> =
         results: Vec::new(),
         complete: false,
     }));
+
+/// The sample pairs a host asked for.
+// Note(unsafe): in AXI SRAM and all zero, as the run.
+#[unsafe(link_section = ".axisram")]
+static CAPTURE: CriticalSectionMutex<RefCell<Capture>> =
+    CriticalSectionMutex::new(RefCell::new(Capture::new()));
+
+/// Looks at the capture, and changes it. The longest work under the lock is to
+/// copy a block of 500 words, some microseconds, where blocks take 10 ms.
+pub(crate) fn with_capture<T>(look: impl FnOnce(&mut Capture) -> T) -> T {
+    CAPTURE.lock(|capture| look(&mut capture.borrow_mut()))
+}
 
 /// Orders to the measuring task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, defmt::Format)]

@@ -11,6 +11,7 @@
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
+pub mod capture;
 pub mod frame;
 pub mod message;
 pub mod record;

@@ -13,7 +13,10 @@
 //! | `SettingsWrite` | `Done` or `Refused` | settings/set |
 //! | `Reset` | `Done`, then the board resets | device/reset |
 //! | `Release` | `Done` or `Refused` | record/release |
+//! | `Capture` | `Done` or `Refused` | capture/take |
+//! | `ReadCapture` | `CaptureData` or `Refused` | capture/read |
 
+use crate::capture::CapturePart;
 use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
@@ -70,6 +73,17 @@ pub enum Request {
         /// Last running number kept.
         through: u32,
     },
+    /// Take this many consecutive sample pairs, from the next block on. What
+    /// was captured before is forgotten.
+    Capture {
+        /// 1 to [`crate::capture::MAX_CAPTURE_PAIRS`].
+        pairs: u16,
+    },
+    /// Pairs of the capture, or how far it is.
+    ReadCapture {
+        /// First pair wanted, from 0.
+        offset: u16,
+    },
 }
 
 /// What the calibrator answers.
@@ -117,6 +131,8 @@ pub enum Response {
     Settings(Settings),
     /// The device understood and declines.
     Refused(Refusal),
+    /// Answer to `ReadCapture`.
+    CaptureData(CapturePart),
 }
 
 /// Protocol version in an `Info` answer of any version, from its message bytes.
@@ -139,7 +155,7 @@ pub enum Refusal {
     Busy,
     /// No record with this running number.
     RecordNotFound,
-    /// The offset lies behind the end of the record.
+    /// The offset lies behind the end of the record or capture.
     OffsetOutOfRange,
     /// The record area is full.
     StorageFull,
@@ -153,8 +169,15 @@ pub enum Refusal {
     /// The frame was whole but is no message of this protocol version.
     Unknown,
     /// The host on the other link holds the session: it alone may start,
-    /// reset, release and write settings until it has gone or been quiet.
+    /// capture, reset, release and write settings until it has gone or been
+    /// quiet.
     OtherHost,
+    /// A capture of no pairs, or of more than there is room for.
+    CaptureLength,
+    /// Nothing was captured since the start.
+    NotCaptured,
+    /// Sample pairs were lost while the capture was taken.
+    CaptureBroken,
 }
 
 /// A run to be measured.

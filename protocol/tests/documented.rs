@@ -2,6 +2,7 @@
 
 use calib_core::point::ExcitationKind;
 use calib_core::settings::{MAX_INFLUENCES, MAX_REFERENCE_POINTS, Settings};
+use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, MAX_FRAME, MAX_MESSAGE, PROTOCOL_VERSION, encode};
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, Status,
@@ -90,6 +91,8 @@ fn the_tables_list_every_message_with_its_number() {
         Request::SettingsWrite(settings.clone()),
         Request::Reset,
         Request::Release { through: 0 },
+        Request::Capture { pairs: 0 },
+        Request::ReadCapture { offset: 0 },
     ];
     assert_eq!(rows("request"), requests.each_ref().map(variant));
     let answers = [
@@ -113,6 +116,13 @@ fn the_tables_list_every_message_with_its_number() {
         },
         Response::Settings(settings),
         Response::Refused(Refusal::Busy),
+        Response::CaptureData(CapturePart {
+            first: 0,
+            total: 0,
+            taken: 0,
+            offset: 0,
+            data: heapless::Vec::new(),
+        }),
     ];
     assert_eq!(rows("answer"), answers.each_ref().map(variant));
     let reasons = [
@@ -125,6 +135,9 @@ fn the_tables_list_every_message_with_its_number() {
         Refusal::Settings,
         Refusal::Unknown,
         Refusal::OtherHost,
+        Refusal::CaptureLength,
+        Refusal::NotCaptured,
+        Refusal::CaptureBroken,
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     // A number further on would be one the page does not have.
@@ -134,9 +147,9 @@ fn the_tables_list_every_message_with_its_number() {
             postcard::from_bytes::<Response>(bytes).is_err(),
         )
     };
-    assert!(behind(&[11, 0, 0, 0, 0, 0, 0, 0, 0, 0]).0);
-    assert!(behind(&[9, 0, 0, 0, 0, 0, 0, 0, 0, 0]).1);
-    assert!(postcard::from_bytes::<Refusal>(&[9]).is_err());
+    assert!(behind(&[13, 0, 0, 0, 0, 0, 0, 0, 0, 0]).0);
+    assert!(behind(&[10, 0, 0, 0, 0, 0, 0, 0, 0, 0]).1);
+    assert!(postcard::from_bytes::<Refusal>(&[12]).is_err());
 }
 
 fn info() -> Info {
@@ -159,6 +172,11 @@ fn the_limits_and_versions_are_those_of_the_code() {
         ("message", format!("{MAX_MESSAGE} bytes")),
         ("frame with its zero", format!("{MAX_FRAME} bytes")),
         ("points of a run", MAX_POINTS.to_string()),
+        ("pairs of a capture", MAX_CAPTURE_PAIRS.to_string()),
+        (
+            "pairs of a capture in one answer",
+            CAPTURE_CHUNK_PAIRS.to_string(),
+        ),
         ("bytes of a record in one answer", RECORD_CHUNK.to_string()),
         (
             "rows of the reference's table",

@@ -6,6 +6,7 @@ use crate::link;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_core::verdict::{Reason, Verdict};
+use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{self, Frame, MAX_FRAME};
 use calib_protocol::message::{
     Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
@@ -118,6 +119,12 @@ impl Instrument for Bench {
     }
     async fn write_settings(&mut self, _: Settings) -> Result<(), Refusal> {
         Ok(())
+    }
+    fn capture(&mut self, _: u16) -> Result<(), Refusal> {
+        Ok(())
+    }
+    fn read_capture(&mut self, _: u16) -> Result<CapturePart, Refusal> {
+        Err(Refusal::NotCaptured)
     }
 }
 

@@ -1,7 +1,9 @@
-//! Samples in: from the DMA ring to whole blocks, with losses counted.
+//! Samples in: from the DMA ring to whole blocks, with losses counted, and a
+//! copy for the host that asked for one.
 
 use crate::board::{BLOCK_PAIRS, Digitiser};
 use crate::state;
+use calib_firmware::capture::Capture;
 use core::sync::atomic::Ordering;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::zerocopy_channel::Sender;
@@ -36,6 +38,8 @@ pub(crate) async fn acquire(
         match digitiser.next(&mut block.pairs).await {
             Ok(()) => {
                 block.gap = core::mem::take(&mut gap);
+                let first = state::status().samples;
+                state::with_capture(|capture| capture.take(first, &block.pairs));
                 blocks.send_done();
                 state::update_status(|status| status.samples += BLOCK_PAIRS as u64);
                 state::ACQUIRE_ALIVE.fetch_add(1, Ordering::Relaxed);
@@ -43,6 +47,7 @@ pub(crate) async fn acquire(
             Err(fault) => {
                 defmt::warn!("samples lost: {}", fault);
                 gap = true;
+                state::with_capture(Capture::lose);
                 state::update_status(|status| status.overruns += 1);
                 digitiser.restart();
             }

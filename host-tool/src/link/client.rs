@@ -5,6 +5,7 @@ use super::{ProtocolError, Refused, Transport};
 use crate::{Error, Result};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
+use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::message::{Info, Request, Response, RunSpec, Status};
 use calib_protocol::record::RecordSummary;
@@ -184,6 +185,23 @@ impl Client {
     pub fn write_settings(&mut self, settings: Settings) -> Result<()> {
         let request = Request::SettingsWrite(settings);
         self.done("new settings", &request, self.policy.flash_timeout)
+    }
+
+    /// Asks for `pairs` consecutive sample pairs from the next block on, at most
+    /// [`MAX_CAPTURE_PAIRS`](calib_protocol::capture::MAX_CAPTURE_PAIRS). What was
+    /// captured before is forgotten. [`crate::capture`] does all of it.
+    pub fn capture(&mut self, pairs: u16) -> Result<()> {
+        let request = Request::Capture { pairs };
+        self.done("to capture", &request, self.policy.answer_timeout)
+    }
+
+    /// Pairs of the capture from `offset` on, none before all are taken or at
+    /// the end.
+    pub fn read_capture(&mut self, offset: u16) -> Result<CapturePart> {
+        match self.ask("a capture", &Request::ReadCapture { offset })? {
+            Response::CaptureData(part) if part.offset == offset => Ok(part),
+            _ => Err(unexpected("a capture")),
+        }
     }
 
     /// Resets the board. It answers before it does.

@@ -124,13 +124,16 @@ fn reason(refusal: Refusal) -> &'static str {
     match refusal {
         Refusal::Busy => "a run is going on",
         Refusal::RecordNotFound => "it has no record of this number",
-        Refusal::OffsetOutOfRange => "the record is shorter than that",
+        Refusal::OffsetOutOfRange => "the record or capture is shorter than that",
         Refusal::StorageFull => "its record area is full",
         Refusal::StorageFailed => "its flash reported an error",
         Refusal::PointList => "the point list is empty or holds a value that is no positive number",
         Refusal::Settings => "a setting is outside its range; nothing was changed",
         Refusal::Unknown => "it does not know this request",
         Refusal::OtherHost => "the host on its other link holds the session",
+        Refusal::CaptureLength => "it has no room for so many sample pairs, or none were asked for",
+        Refusal::NotCaptured => "nothing was captured since it was started",
+        Refusal::CaptureBroken => "sample pairs were lost while it captured",
         _ => "for a reason this tool does not know",
     }
 }
@@ -157,6 +160,9 @@ impl Refused {
             }
             Refusal::PointList => "correct the point list",
             Refusal::Settings => "correct the settings",
+            Refusal::CaptureLength => "a capture has 1 to 16384 sample pairs",
+            Refusal::NotCaptured => "was it reset? capture again",
+            Refusal::CaptureBroken => "capture again",
             Refusal::OtherHost => {
                 "end the program that uses the other port, wait five seconds and repeat"
             }

@@ -6,6 +6,7 @@ use calib_core::settings::{
 };
 use calib_core::tone::Tone;
 use calib_core::verdict::Verdict;
+use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, FrameError, MAX_FRAME, PROTOCOL_VERSION, Receiver, encode};
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
@@ -32,6 +33,22 @@ pub(crate) struct Device {
     receiver: Receiver,
     run: Option<Run>,
     last_start: Option<(u16, u32, u32)>,
+    /// Pairs asked for, and looks at them so far.
+    capture: Option<(u16, u16)>,
+    /// Another host asks for a capture at this look at one.
+    pub(crate) other_capture_at_look: Option<u16>,
+    /// Captures do not grow.
+    pub(crate) clock_stands: bool,
+}
+
+/// Looks before a capture is whole.
+const LOOKS_PER_CAPTURE: u16 = 3;
+/// Running number of the first pair of any capture.
+pub(crate) const FIRST_PAIR: u64 = 7_000_000_000;
+
+/// The pair at this place: a rising reference, a falling device under test.
+pub(crate) fn codes(index: u16) -> [u16; 2] {
+    [index, 50_000 - index]
 }
 
 struct Run {
@@ -55,6 +72,9 @@ impl Device {
             receiver: Receiver::new(),
             run: None,
             last_start: None,
+            capture: None,
+            other_capture_at_look: None,
+            clock_stands: false,
         }
     }
 
@@ -122,6 +142,8 @@ impl Device {
             }
             // It never runs out of room.
             Request::Release { .. } => Response::Done,
+            Request::Capture { pairs } => self.capture(pairs),
+            Request::ReadCapture { offset } => self.read_capture(offset),
         }
     }
 
@@ -223,6 +245,36 @@ impl Device {
         let done = (run.looks / LOOKS_PER_POINT) > index;
         let spec = run.spec.points.get(usize::from(index)).filter(|_| done)?;
         Some(result(spec.frequency_hz, spec.acceleration_rms_ms2))
+    }
+
+    fn capture(&mut self, pairs: u16) -> Response {
+        if !(1..=MAX_CAPTURE_PAIRS).contains(&pairs) {
+            return Response::Refused(Refusal::CaptureLength);
+        }
+        self.capture = Some((pairs, 0));
+        Response::Done
+    }
+
+    fn read_capture(&mut self, offset: u16) -> Response {
+        let Some((total, looks)) = &mut self.capture else {
+            return Response::Refused(Refusal::NotCaptured);
+        };
+        *looks += u16::from(!self.clock_stands);
+        let other = self.other_capture_at_look.is_some_and(|at| at <= *looks);
+        let whole = *looks >= LOOKS_PER_CAPTURE;
+        let wanted = (offset..*total).take(if whole { CAPTURE_CHUNK_PAIRS } else { 0 });
+        let data = wanted.flat_map(|index| codes(index).map(u16::to_le_bytes));
+        Response::CaptureData(CapturePart {
+            first: if whole {
+                FIRST_PAIR + u64::from(other)
+            } else {
+                0
+            },
+            total: *total,
+            taken: if whole { *total } else { 0 },
+            offset,
+            data: data.flatten().collect(),
+        })
     }
 
     fn list(&self, from: u32) -> Response {

@@ -4,10 +4,12 @@
 use super::frames::{Whole, framed, whole_frames};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
+use calib_firmware::capture::Capture;
 use calib_firmware::command::{Instrument, RecordPage, RecordPart};
 use calib_firmware::link::{Aftermath, Link};
 use calib_firmware::scpi::Console;
 use calib_firmware::session::{LinkName, Session};
+use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{Frame, PROTOCOL_VERSION};
 use calib_protocol::message::{Info, Refusal, Request, ResetCause, Response, RunSpec, Status};
 use std::future::Future;
@@ -19,6 +21,7 @@ const START: u8 = 3;
 const SETTINGS_WRITE: u8 = 8;
 const RESET: u8 = 9;
 const RELEASE: u8 = 10;
+const CAPTURE: u8 = 11;
 
 /// Feeds `data` to a link whose host holds the session, and to one whose host
 /// does not.
@@ -39,6 +42,7 @@ pub fn commands(data: &[u8]) {
             assert!(changes.writes <= asked_for(SETTINGS_WRITE));
             assert!(changes.resets <= asked_for(RESET));
             assert!(changes.releases <= asked_for(RELEASE));
+            assert!(changes.captures <= asked_for(CAPTURE));
         } else {
             assert_eq!(
                 changes,
@@ -105,6 +109,7 @@ struct Changes {
     writes: usize,
     resets: usize,
     releases: usize,
+    captures: usize,
 }
 
 /// An instrument that does nothing and notes everything.
@@ -114,6 +119,7 @@ struct Notes {
     session: Session,
     settings: Settings,
     changes: Changes,
+    capture: Box<Capture>,
 }
 
 impl Notes {
@@ -128,6 +134,7 @@ impl Notes {
             session,
             settings: Settings::field_calibrator(),
             changes: Changes::default(),
+            capture: Box::default(),
         }
     }
 
@@ -238,6 +245,17 @@ impl Instrument for Notes {
         self.settings = settings;
         Ok(())
     }
+
+    fn capture(&mut self, pairs: u16) -> Result<(), Refusal> {
+        self.capture.arm(pairs)?;
+        self.capture.take(0, &[0x8000_8000; 500]);
+        self.changes.captures += 1;
+        Ok(())
+    }
+
+    fn read_capture(&mut self, offset: u16) -> Result<CapturePart, Refusal> {
+        self.capture.part(offset)
+    }
 }
 
 #[cfg(test)]
@@ -255,12 +273,13 @@ mod tests {
             .flat_map(|seed| [vec![0], seed.bytes].concat())
             .collect();
         let mut instrument = Notes::held_by(LinkName::Serial);
-        assert_eq!(instrument.hear(&all).len(), 11);
+        assert_eq!(instrument.hear(&all).len(), 13);
         let once = Changes {
             starts: 1,
             writes: 1,
             resets: 1,
             releases: 1,
+            captures: 1,
         };
         assert_eq!(instrument.changes, once);
     }

@@ -4,6 +4,7 @@ use super::frames::{Whole, framed};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
 use calib_core::verdict::Reason;
+use calib_protocol::capture::CapturePart;
 use calib_protocol::message::{Refusal, Request, Response, RunSpec};
 use calib_protocol::record::{self, Record, RunLabels};
 use serde::Serialize;
@@ -84,6 +85,8 @@ fn requests() -> Vec<Request> {
         Request::SettingsWrite(Settings::field_calibrator()),
         Request::Reset,
         Request::Release { through: 1 },
+        Request::Capture { pairs: 300 },
+        Request::ReadCapture { offset: 256 },
     ]
 }
 
@@ -113,6 +116,13 @@ fn answers() -> Vec<Response> {
         },
         Response::Settings(Settings::field_calibrator()),
         Response::Refused(Refusal::Busy),
+        Response::CaptureData(CapturePart {
+            first: 500,
+            total: 3,
+            taken: 3,
+            offset: 1,
+            data: [0, 0x80, 1, 0x80, 0, 0x80, 2, 0x80].into_iter().collect(),
+        }),
     ]
 }
 
