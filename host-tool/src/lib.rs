@@ -6,6 +6,7 @@
 
 mod address;
 pub mod bench;
+pub mod capture;
 pub mod certificate;
 pub mod decision;
 pub mod demo;

@@ -2,6 +2,7 @@
 //! protocol over a link that can damage, lose and add any byte.
 
 mod bench;
+mod capture;
 mod certificate;
 mod command_line;
 mod device;

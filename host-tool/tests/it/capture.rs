@@ -1,0 +1,99 @@
+//! Captures over a link that may be bad.
+
+use crate::device::{Device, FIRST_PAIR, codes};
+use crate::memory_link::{Direction, Fault, MemoryLink, client, shared};
+use calib_host::Error;
+use calib_host::capture::{Capture, Inputs};
+use calib_host::link::Client;
+use calib_protocol::message::Refusal;
+
+/// As the device in memory has it.
+const VOLT_PER_CODE: f64 = 1.5e-4_f32 as f64;
+
+fn expect(capture: &Capture, pairs: u16) {
+    assert_eq!(capture.first_index, FIRST_PAIR);
+    assert_eq!(capture.sample_rate_hz, 50_000.0);
+    let volts = |channel: usize| -> Vec<f64> {
+        let code = |index| f64::from(codes(index)[channel]);
+        (0..pairs)
+            .map(|i| (code(i) - 32_768.0) * VOLT_PER_CODE)
+            .collect()
+    };
+    assert_eq!(capture.reference_v, volts(0));
+    assert_eq!(capture.dut_v, volts(1));
+}
+
+#[test]
+fn a_capture_comes_whole_and_in_volts() {
+    let device = shared(Device::new());
+    let mut client = client(&device);
+    let inputs = Inputs::of(&mut client).expect("answers");
+    for pairs in [1, 255, 256, 257, 16_384] {
+        let capture = inputs.capture(&mut client, pairs).expect("captures");
+        expect(&capture, pairs);
+        // The first code of the reference is 0, the end of its range.
+        assert_eq!(
+            (capture.reference_clipped, capture.dut_clipped),
+            (true, false)
+        );
+    }
+}
+
+#[test]
+fn a_bad_link_takes_longer_and_changes_nothing() {
+    let device = shared(Device::new());
+    let link = MemoryLink::new(&device);
+    let counter = link.counter();
+    let mut sound = Client::new(Box::new(link));
+    let inputs = Inputs::of(&mut sound).expect("answers");
+    let before = *counter.lock().expect("counter");
+    inputs.capture(&mut sound, 600).expect("captures");
+    let after = *counter.lock().expect("counter");
+    for direction in [Direction::ToDevice, Direction::ToHost] {
+        let bytes = after[direction as usize] - before[direction as usize];
+        // A prime step meets every part of the frames, in seconds.
+        for position in (0..bytes).step_by(37) {
+            for fault in [Fault::Flip, Fault::Lose, Fault::AddZero] {
+                let device = shared(Device::new());
+                let link = MemoryLink::with_fault(&device, direction, position, fault);
+                let mut client = Client::new(Box::new(link));
+                let capture = inputs.capture(&mut client, 600).expect("captures");
+                expect(&capture, 600);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_capture_that_another_host_replaces_is_noticed() {
+    let mut device = Device::new();
+    device.other_capture_at_look = Some(5);
+    let mut client = client(&shared(device));
+    let inputs = Inputs::of(&mut client).expect("answers");
+    let error = inputs.capture(&mut client, 1000).expect_err("mixed");
+    assert!(error.to_string().contains("another capture"), "{error}");
+    assert_eq!(error.exit_code(), 6);
+}
+
+#[test]
+fn a_standing_sample_clock_is_noticed() {
+    let mut device = Device::new();
+    device.clock_stands = true;
+    let mut client = client(&shared(device));
+    let inputs = Inputs::of(&mut client).expect("answers");
+    let error = inputs.capture(&mut client, 10).expect_err("nothing comes");
+    assert!(error.to_string().contains("no samples"), "{error}");
+}
+
+#[test]
+fn lengths_out_of_range_are_refused() {
+    let mut client = client(&shared(Device::new()));
+    let inputs = Inputs::of(&mut client).expect("answers");
+    for pairs in [0, 16_385] {
+        let refused = inputs.capture(&mut client, pairs);
+        assert!(
+            matches!(&refused, Err(Error::Refused(refused)) if refused.refusal == Refusal::CaptureLength),
+            "{refused:?}"
+        );
+    }
+}
