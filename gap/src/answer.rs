@@ -64,6 +64,33 @@ pub struct Cause {
     pub parameters: BTreeMap<&'static str, BTreeMap<&'static str, Estimate>>,
 }
 
+/// Gap between records of the simulator and the measurement.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Distance {
+    /// Root mean square error of the simulator without the effect, percent.
+    pub before_percent: f64,
+    /// The same with the effect added.
+    pub after_percent: f64,
+    /// Rows compared.
+    pub rows: usize,
+}
+
+/// What the simulator of the whole instrument says about a cause that was added to it.
+///
+/// No part of the diagnosis: who runs the simulator fills it in.
+#[derive(Debug, Clone, Serialize)]
+pub struct Confirmation {
+    /// Effects that were added, with their values.
+    pub effects: Vec<String>,
+    /// All observables together; `None` when no row could be compared.
+    pub gap: Option<Distance>,
+    /// By observable: `ratio` (complex, but for a constant gain, which is the measurand),
+    /// `drive` (magnitude).
+    pub by_observable: BTreeMap<&'static str, Distance>,
+    /// Points the simulated instrument refused.
+    pub refused: usize,
+}
+
 /// What was read.
 #[derive(Debug, Clone, Serialize)]
 pub struct DatasetSummary {
@@ -98,6 +125,8 @@ pub struct Answer {
     pub nominal_parameters: BTreeMap<&'static str, Estimate>,
     /// What was read.
     pub dataset: DatasetSummary,
+    /// What the simulator says once it has the cause; `None` where nobody asked it.
+    pub confirmation: Option<Confirmation>,
     /// What a report draws; no part of the JSON.
     #[serde(skip)]
     pub pictures: Pictures,

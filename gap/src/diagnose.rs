@@ -183,6 +183,7 @@ fn diagnose_points(
         nominal_parameters: nominal_parameters(problem, best, &mut work),
         causes,
         dataset: summary,
+        confirmation: None,
         pictures: crate::pictures::residuals(problem, &found.nominal, best),
     }
 }

@@ -19,7 +19,7 @@ mod stability;
 mod stages;
 mod tuning;
 
-pub use answer::{Answer, Cause, DatasetSummary, Estimate, Verdict, Where};
+pub use answer::{Answer, Cause, Confirmation, DatasetSummary, Distance, Estimate, Verdict, Where};
 pub use diagnose::{Options, diagnose, diagnose_all, misfit};
 pub use effects::{
     About, NEVER_IDENTIFIABLE, Parameter, Scale, Stage, check_name, list as effects,

@@ -40,6 +40,12 @@ const BENCHES: &[Bench] = &[
         what: "records that fit, wear over 100 000 records, 2000 random power cuts",
     },
     Bench {
+        name: "gap-speed",
+        package: "calib-host",
+        example: "bench_gap_speed",
+        what: "time for a diagnosis on one core, and for 1000 in one call",
+    },
+    Bench {
         name: "monte-carlo",
         package: "calib-host",
         example: "bench_monte_carlo",

@@ -216,6 +216,7 @@ fn answer(
             columns_used: vec!["time_s".into(), "input".into(), "output".into()],
             sha256: dataset.sha256.clone(),
         },
+        confirmation: None,
         pictures: trace(held, left),
     })
 }

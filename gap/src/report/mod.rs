@@ -4,10 +4,12 @@
 //! first    what a reader without training sees, with [`chain`] and words from [`plain`]
 //! map      residuals over frequency, level and condition
 //! curve    the most probable cause's curve through the data
+//! confirmed  what the simulator says once it has the cause
 //! tables   the numbers
 //! ```
 
 mod chain;
+mod confirmed;
 mod curve;
 mod first;
 mod map;
@@ -87,6 +89,9 @@ fn one(page: &mut String, answer: &Answer) {
     }
     tables::causes(page, answer);
     tables::observables(page, answer);
+    if let Some(confirmation) = &answer.confirmation {
+        confirmed::confirmed(page, confirmation);
+    }
     let confusable: Vec<String> = answer.confusable.iter().map(|c| c.join(" or ")).collect();
     let _ = write!(
         page,

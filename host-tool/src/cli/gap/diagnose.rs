@@ -4,6 +4,7 @@ use super::super::Context;
 use super::progress::Count;
 use super::{refused, text, unusable};
 use calib_gap::{Answer, GapError, Options, check_name, diagnose};
+use calib_host::gap::confirm::confirm;
 use calib_host::gap::truth::Manifest;
 use calib_host::{Error, Result};
 use clap::Args;
@@ -35,6 +36,10 @@ pub(crate) struct Diagnose {
     /// Write a self-contained HTML report.
     #[arg(long, value_name = "OUT.html")]
     report: Option<PathBuf>,
+    /// Add the most probable cause to the emulated rig, run the shipping firmware on it, and
+    /// report the gap between its records and the measured ones (one dataset).
+    #[arg(long)]
+    confirm: bool,
 }
 
 /// A dataset to be diagnosed, with what must not be named in it.
@@ -53,6 +58,10 @@ impl Diagnose {
         match (jobs.as_slice(), self.datasets.as_slice()) {
             // A set of one is still a set.
             ([job], [folder]) if job.folder == *folder => self.one(context, job),
+            _ if self.confirm => Err(Error::Usage {
+                problem: "--confirm is for one dataset".to_owned(),
+                hint: "it takes minutes; name the dataset that matters".to_owned(),
+            }),
             _ => self.many(context, &jobs),
         }
     }
@@ -84,7 +93,10 @@ impl Diagnose {
     }
 
     fn one(&self, context: &Context, job: &Job) -> Result<()> {
-        let answer = self.answer(job).map_err(|e| unusable(&job.folder, e))?;
+        let mut answer = self.answer(job).map_err(|e| unusable(&job.folder, e))?;
+        if self.confirm {
+            answer.confirmation = confirm(&job.folder, &answer)?;
+        }
         self.report(std::slice::from_ref(&answer))?;
         context.print(&answer, || text::answer(&answer))
     }

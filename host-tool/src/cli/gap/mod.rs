@@ -5,6 +5,7 @@ mod diagnose;
 mod effects;
 mod plan;
 mod progress;
+mod record;
 mod simulate;
 mod text;
 
@@ -31,6 +32,8 @@ enum Command {
     Plan(plan::PlanVerb),
     /// Writes a dataset of known cause, from the digital twin.
     Simulate(simulate::Simulate),
+    /// Runs the diagnostic plan on a calibrator and writes a dataset.
+    Record(record::RecordVerb),
     /// Writes a sealed set: datasets whose truth is locked away.
     Challenge(challenge::Challenge),
     /// Opens the truth of a sealed set and says what answers are worth.
@@ -45,6 +48,7 @@ impl Gap {
             Command::Effects(verb) => verb.run(context),
             Command::Plan(verb) => verb.run(context),
             Command::Simulate(verb) => verb.run(context),
+            Command::Record(verb) => verb.run(context),
             Command::Challenge(verb) => verb.run(context),
             Command::Score(verb) => verb.run(context),
         }

@@ -1,6 +1,6 @@
 //! An answer in words.
 
-use calib_gap::{Answer, Verdict};
+use calib_gap::{Answer, Confirmation, Verdict};
 use std::fmt::Write;
 
 /// The answer for a terminal.
@@ -66,5 +66,27 @@ pub(super) fn answer(answer: &Answer) -> String {
         gap.before_percent, gap.after_percent, gap.floor_percent, gap.held_out_rows
     );
     let _ = write!(text, "  next    {}", answer.next_measurement);
+    text + &(answer.confirmation.as_ref()).map_or(String::new(), confirmation)
+}
+
+/// What the firmware on the emulated rig says.
+fn confirmation(confirmation: &Confirmation) -> String {
+    let effects = confirmation.effects.join(" and ");
+    let refused = confirmation.refused;
+    let Some(gap) = &confirmation.gap else {
+        return format!("\n  confirm {effects}: the firmware refuses all {refused} points with it");
+    };
+    let mut text = format!(
+        "\n  confirm {effects} added to the emulated rig: the records of the firmware miss the \
+         measurement by {:.3} % instead of {:.3} %, on {} rows ({refused} refused)",
+        gap.after_percent, gap.before_percent, gap.rows,
+    );
+    for (name, distance) in &confirmation.by_observable {
+        let _ = write!(
+            text,
+            "\n            {name}: {:.3} % before, {:.3} % after",
+            distance.before_percent, distance.after_percent
+        );
+    }
     text
 }

@@ -1,0 +1,88 @@
+//! How far emulated records lie from measured rows.
+
+use super::measured::Row;
+use calib_gap::Distance;
+use calib_twin::dataset::Point;
+use std::collections::BTreeMap;
+
+/// One row with what the firmware recorded of it without and with an effect.
+pub(super) struct Compared<'a> {
+    pub(super) measured: &'a Row,
+    pub(super) before: &'a Point,
+    pub(super) after: &'a Point,
+}
+
+/// Relative errors of all rows that have an observable.
+type Errors = Vec<f64>;
+/// How they are formed.
+type Measure = fn(&[(&Row, &Point)]) -> Errors;
+
+/// Distances of every observable that both sides have.
+pub(super) fn by_observable(rows: &[Compared<'_>]) -> BTreeMap<&'static str, Distance> {
+    let measures = [("ratio", ratio_errors as Measure), ("drive", drive_errors)];
+    let before: Vec<_> = rows.iter().map(|r| (r.measured, r.before)).collect();
+    let after: Vec<_> = rows.iter().map(|r| (r.measured, r.after)).collect();
+    let mut all = BTreeMap::new();
+    for (name, measure) in measures {
+        let (b, a) = (measure(&before), measure(&after));
+        if !b.is_empty() {
+            all.insert(
+                name,
+                Distance {
+                    before_percent: percent(&b),
+                    after_percent: percent(&a),
+                    rows: b.len(),
+                },
+            );
+        }
+    }
+    all
+}
+
+/// Ratio and drive as one figure.
+pub(super) fn overall(by_observable: &BTreeMap<&'static str, Distance>) -> Option<Distance> {
+    let both: Vec<&Distance> = ["ratio", "drive"]
+        .iter()
+        .filter_map(|name| by_observable.get(name))
+        .collect();
+    let rows: usize = both.iter().map(|d| d.rows).sum();
+    let pooled = |of: fn(&Distance) -> f64| {
+        let squares: f64 = both.iter().map(|d| d.rows as f64 * of(d).powi(2)).sum();
+        (squares / rows as f64).sqrt()
+    };
+    let most = both.iter().map(|d| d.rows).max()?;
+    Some(Distance {
+        before_percent: pooled(|d| d.before_percent),
+        after_percent: pooled(|d| d.after_percent),
+        rows: most,
+    })
+}
+
+fn percent(errors: &[f64]) -> f64 {
+    100.0 * (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt()
+}
+
+/// Length of the relative error of the complex ratio, a constant gain apart.
+fn ratio_errors(rows: &[(&Row, &Point)]) -> Errors {
+    let pair = |(measured, emulated): &(&Row, &Point)| {
+        let magnitude = measured.ratio()? * emulated.ref_v? / emulated.dut_v?;
+        let turn_deg = match measured.get("dut_deg") {
+            Some(measured_deg) => measured_deg - emulated.dut_deg?,
+            None => 0.0,
+        };
+        let turn_deg = (turn_deg + 180.0).rem_euclid(360.0) - 180.0;
+        Some((magnitude.ln(), turn_deg.to_radians()))
+    };
+    let pairs: Vec<(f64, f64)> = rows.iter().filter_map(pair).collect();
+    let mean = pairs.iter().map(|p| p.0).sum::<f64>() / pairs.len().max(1) as f64;
+    pairs.iter().map(|p| (p.0 - mean).hypot(p.1)).collect()
+}
+
+/// Relative error of the magnitude of reference over coil voltage.
+fn drive_errors(rows: &[(&Row, &Point)]) -> Errors {
+    let error = |(measured, emulated): &(&Row, &Point)| {
+        let drive = measured.get("ref_v")? / measured.get("coil_v")?;
+        Some((drive * emulated.coil_v? / emulated.ref_v?).ln())
+    };
+    rows.iter().filter_map(error).collect()
+}
