@@ -271,6 +271,21 @@ fn the_emulated_calibrator_of_a_user_remembers() {
 }
 
 #[test]
+fn a_capture_of_a_point_comes_with_its_waveform() {
+    let folder = folder();
+    let point = ["--frequency", "1000", "--level", "10", "--pairs", "1000"];
+    let rest = ["--csv", "wave.csv", "--device", "emulated"];
+    let shown = json(folder.path(), &[&["capture"], &point[..], &rest].concat());
+    assert_eq!(shown["verdict"], "Pass");
+    assert_eq!(shown["reference"]["clipped"], false);
+    // The standard rig: 10.0 over 10.2 mV/(m/s2), and a resonance at 38 kHz.
+    let ratio = shown["ratio"].as_f64().expect("a ratio") * 1.02;
+    assert!((ratio - 1.0).abs() < 2e-3, "{ratio}");
+    let wave = std::fs::read_to_string(folder.path().join("wave.csv")).expect("written");
+    assert_eq!(wave.lines().count(), 1001);
+}
+
+#[test]
 fn without_an_image_the_way_to_one_is_named() {
     let folder = folder();
     let missing = calib(folder.path(), &["demo"])

@@ -9,6 +9,7 @@
 //!   Capture                     volts of reference and device under test
 //!      |-- fit(volts, fs, f)    d.c., fundamental, harmonics 2 to 5, noise
 //!      |-- spectrum(volts, fs)  amplitudes over frequency
+//!      |-- Report::new          all of it in numbers, for tables and programs
 //!      '-- write_csv            the waveform for other programs
 //! ```
 //!
@@ -18,12 +19,14 @@
 mod at_point;
 mod csv;
 mod harmonics;
+mod report;
 mod spectrum;
 mod take;
 
 pub use at_point::{Measured, measure, pairs_for, tone_frequency_hz};
 pub use csv::write_csv;
 pub use harmonics::{FitError, HIGHEST_ORDER, Harmonic, ToneFit, fit};
+pub use report::{Channel, Peak, Report};
 pub use spectrum::{Spectrum, Window, spectrum};
 pub use take::{Inputs, Taking};
 

@@ -142,25 +142,26 @@ impl Taking {
         if !part.is_whole() {
             return self.wait_for(part);
         }
-        if part.data.is_empty() {
-            return Err((
+        self.first = Some(part.first);
+        let before = self.codes.len();
+        let room = usize::from(self.pairs) - before;
+        self.codes.extend(part.codes().take(room));
+        match self.codes.len() > before {
+            true => Ok(()),
+            false => Err((
                 "ends a capture before its last pair",
                 "reset the instrument and repeat",
-            ));
+            )),
         }
-        self.first = Some(part.first);
-        let room = usize::from(self.pairs) - self.codes.len();
-        self.codes.extend(part.codes().take(room));
-        Ok(())
     }
 
     /// Notes how far a capture is that is not whole.
     fn wait_for(&mut self, part: &CapturePart) -> Result<(), (&'static str, &'static str)> {
-        self.idle_looks = match part.taken == self.taken {
-            true => self.idle_looks + 1,
-            false => 0,
+        self.idle_looks = match part.taken > self.taken {
+            true => 0,
+            false => self.idle_looks + 1,
         };
-        self.taken = part.taken;
+        self.taken = self.taken.max(part.taken);
         match self.idle_looks > IDLE_LOOKS {
             true => Err((
                 "takes no samples",

@@ -6,6 +6,7 @@
 
 mod bench;
 mod budget;
+mod capture;
 mod certificate;
 mod check;
 mod completions;
@@ -106,6 +107,8 @@ pub(crate) enum Command {
     Run(run::Run),
     /// Prints or replaces the calibrator's settings.
     Settings(settings::Settings),
+    /// Waveforms of both channels: d.c., harmonics, noise, spectrum.
+    Capture(capture::CaptureVerb),
     /// Stops a run and silences the exciter.
     Stop(stop::Stop),
     /// Records stored in the calibrator.
@@ -171,6 +174,7 @@ impl Command {
             Self::Info(verb) => verb.run(context),
             Self::Run(verb) => verb.run(context),
             Self::Settings(verb) => verb.run(context),
+            Self::Capture(verb) => verb.run(context),
             Self::Stop(verb) => verb.run(context),
             Self::Records(verb) => verb.run(context),
             Self::Release(verb) => verb.run(context),

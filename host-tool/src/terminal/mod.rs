@@ -1,7 +1,9 @@
 //! Results drawn with characters, for a terminal of 80 columns.
 
+mod capture;
 mod plot;
 mod record;
 
+pub use capture::show as show_capture;
 pub use plot::{Horizontal, Mark, draw};
 pub use record::show;

@@ -1,5 +1,6 @@
 //! Captures over a link that may be bad.
 
+use crate::command_line::{calib, json, serve, text};
 use crate::device::{Device, FIRST_PAIR, codes};
 use crate::memory_link::{Direction, Fault, MemoryLink, client, shared};
 use calib_host::Error;
@@ -96,4 +97,66 @@ fn lengths_out_of_range_are_refused() {
             "{refused:?}"
         );
     }
+}
+
+#[test]
+fn the_verb_prints_writes_and_names_what_is_wrong() {
+    let directory = tempfile::tempdir().expect("directory");
+    let (_, address) = serve(Device::new());
+    let go = |arguments: &[&str]| {
+        let arguments = [&["capture"], arguments, &["--device", &address]].concat();
+        calib(directory.path(), &arguments)
+    };
+    let shown = go(&["--pairs", "300", "--csv", "wave.csv"]);
+    let shown = text(&shown.stdout);
+    // Codes 0 to 299: the mean is 149.5 - 32 768 codes of 0.15 mV.
+    assert!(shown.starts_with("300 samples of both channels, 6.0 ms from sample 7000000000 on\n"));
+    assert!(shown.contains("-4892.77"), "{shown}");
+    assert!(shown.contains("CLIPPED"), "{shown}");
+    let csv = std::fs::read_to_string(directory.path().join("wave.csv")).expect("written");
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 301);
+    assert_eq!(lines[0], "time_s,reference_v,dut_v");
+    // (299 - 32 768) and (49 701 - 32 768) codes of 0.15 mV, 299 x 20 us.
+    assert_eq!(lines[300], "0.005980000,-4.870350,2.539950");
+
+    let report = json(&go(&["--pairs", "300", "--frequency", "1000", "--json"]));
+    assert_eq!(report["first_index"], FIRST_PAIR);
+    assert_eq!(report["reference"]["tone"]["frequency_hz"], 1000.0);
+    let harmonics = report["dut"]["tone"]["harmonics"].as_array();
+    assert_eq!(harmonics.expect("a list").len(), 4);
+    assert_eq!(report["verdict"], serde_json::Value::Null);
+
+    for (arguments, code, named) in [
+        (&["--level", "10"][..], 2, "--frequency"),
+        (&["--pairs", "16385"], 2, "16384"),
+        (
+            &["--pairs", "300", "--frequency", "100"],
+            2,
+            "one cycle at least",
+        ),
+        (&["--frequency", "30000"], 2, "sample rate"),
+        (&["--frequency", "3", "--level", "10"], 6, "4.2 Hz"),
+    ] {
+        let output = go(arguments);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{message}");
+        assert!(message.contains(named), "{message}");
+    }
+}
+
+#[test]
+fn a_point_that_is_played_for_it_is_followed_to_its_end() {
+    let directory = tempfile::tempdir().expect("directory");
+    let (device, address) = serve(Device::new());
+    let arguments = ["capture", "--frequency", "1000", "--level", "10", "--json"];
+    let output = calib(
+        directory.path(),
+        &[&arguments[..], &["--device", &address]].concat(),
+    );
+    // This device never says it measures: it goes from settling to its end.
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(7), "{message}");
+    assert!(message.contains("nothing captured"), "{message}");
+    assert_eq!(device.lock().expect("device").records.len(), 1);
 }

@@ -1,10 +1,18 @@
 //! The host's client against a device that answers anything.
 
 use super::frames::{Whole, framed, whole_frames};
+use calib_host::capture::Inputs;
 use calib_host::link::{Client, RetryPolicy, Transport};
 use calib_protocol::record;
 use std::io;
 use std::time::Duration;
+
+/// As a good device has it.
+const INPUTS: Inputs = Inputs {
+    sample_rate_hz: 50_000.0,
+    reference_volt_per_code: 1.5e-4,
+    dut_volt_per_code: 1.5e-4,
+};
 
 /// Asks everything of a device whose answers are `data`: each ends in a result
 /// or an error, after a bounded number of bytes.
@@ -21,6 +29,7 @@ pub fn client(data: &[u8]) {
     let _ = client.settings();
     let _ = client.records();
     let _ = client.stop();
+    let _ = INPUTS.capture(&mut client, 3);
     if let Ok(chunk) = client.read_record(1, 0) {
         let _ = record::decode(&chunk.data);
     }
