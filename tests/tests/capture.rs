@@ -148,6 +148,8 @@ fn captures_at_rest_show_offset_and_noise_and_break_by_name() -> Result<(), Faul
     let before = bench.client.status()?.samples;
     let first = inputs.capture(&mut bench.client, PAIRS)?;
     let after = bench.client.status()?.samples;
+    let on_the_way = after - first.first_index - u64::from(PAIRS);
+    println!("{PAIRS} pairs in {:.2} s", on_the_way as f64 / 5e4);
     assert!(first.first_index >= before);
     assert!(first.first_index + u64::from(PAIRS) <= after);
     let second = inputs.capture(&mut bench.client, 1)?;
@@ -197,7 +199,8 @@ fn expect_broken(bench: &mut Bench, inputs: &Inputs) -> Result<(), Fault> {
 fn expect_refusal(bench: &mut Bench, refusal: Refusal) -> Result<(), Fault> {
     match bench.client.read_capture(0) {
         Err(Error::Refused(refused)) if refused.refusal == refusal => Ok(()),
-        other => Err(format!("{other:?}, not {refusal:?}").into()),
+        Err(error) => Err(error.into()),
+        Ok(part) => Err(format!("{} pairs, not {refusal:?}", part.taken).into()),
     }
 }
 
