@@ -79,9 +79,7 @@ impl CertificateVerb {
     }
 
     fn options(&self) -> Result<Options> {
-        let own = || dirs::config_dir().map(|folder| folder.join("calib/laboratory.toml"));
-        let laboratory = self.laboratory.clone();
-        let laboratory = laboratory.or_else(|| own().filter(|path| path.exists()));
+        let laboratory = laboratory_file(self.laboratory.clone());
         let files: Vec<PathBuf> = laboratory
             .into_iter()
             .chain(self.particulars.clone())
@@ -94,6 +92,12 @@ impl CertificateVerb {
             as_found: self.as_found.as_deref().map(source::read).transpose()?,
         })
     }
+}
+
+/// The file of the laboratory: the one named, else that of the user if there is one.
+pub(super) fn laboratory_file(named: Option<PathBuf>) -> Option<PathBuf> {
+    let own = || dirs::config_dir().map(|folder| folder.join("calib/laboratory.toml"));
+    named.or_else(|| own().filter(|path| path.exists()))
 }
 
 /// What the bench of records is to enter.

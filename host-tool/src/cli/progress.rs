@@ -2,7 +2,7 @@
 
 use super::Context;
 use calib_core::point::PointSpec;
-use calib_host::session::Progress;
+use calib_host::session::{self, Progress};
 use calib_protocol::message::RunState;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::time::{Duration, Instant};
@@ -54,20 +54,14 @@ impl RunProgress {
     pub(crate) fn show(&mut self, progress: &Progress<'_>, list: &[PointSpec]) {
         self.bar
             .set_position((progress.fraction * STEPS as f64) as u64);
-        self.bar
-            .set_message(message(progress, list, self.left(progress.fraction)));
+        let left = session::time_left(self.begun.elapsed(), progress.fraction);
+        self.bar.set_message(message(progress, list, left));
         if self.bar.is_hidden() && !self.silent {
             for point in progress.points.iter().skip(self.shown) {
                 eprintln!("{}", super::text::point_line(point));
             }
         }
         self.shown = progress.points.len();
-    }
-
-    /// Time left by this computer's clock, once a twentieth is done.
-    fn left(&self, fraction: f64) -> Option<Duration> {
-        let elapsed_s = self.begun.elapsed().as_secs_f64();
-        (fraction > 0.05).then(|| Duration::from_secs_f64(elapsed_s * (1.0 / fraction - 1.0)))
     }
 }
 

@@ -1,11 +1,13 @@
 //! `calib serve`: the page for the bench laptop or a tablet.
 
-use super::{Context, run};
+use super::{Context, certificate, run};
 use calib_host::Result;
+use calib_host::certificate::Particulars;
 use calib_host::serve::{Options, Server};
 use clap::Args;
 use serde::Serialize;
 use std::net::SocketAddr;
+use std::path::PathBuf;
 
 /// `calib serve`.
 #[derive(Debug, Args)]
@@ -14,6 +16,10 @@ pub(crate) struct Serve {
     /// of the address that is printed.
     #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:8160")]
     listen: SocketAddr,
+    /// TOML file of the laboratory, for certificates [default:
+    /// calib/laboratory.toml in the user's configuration directory, if there].
+    #[arg(long, env = "CALIB_LABORATORY", value_name = "FILE")]
+    laboratory: Option<PathBuf>,
 }
 
 #[derive(Serialize)]
@@ -24,10 +30,15 @@ struct Listening {
 impl Serve {
     /// Serves the page until Ctrl-C, which stops a run.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let laboratory = certificate::laboratory_file(self.laboratory);
+        let particulars = Vec::from_iter(laboratory);
+        // A mistake in it is told now, not when a certificate is wanted.
+        Particulars::read(&particulars)?;
         let server = Server::listen(Options {
             listen: self.listen,
             device: context.device.clone(),
             bench: context.bench_path(),
+            particulars,
         })?;
         let listening = Listening { url: server.url() };
         context.print(&listening, || listening.url.clone())?;

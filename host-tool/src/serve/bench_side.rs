@@ -6,6 +6,7 @@
 //! asked for; one more, and it ends or does not begin.
 
 use super::view::{Link, PointView, RunView, Shared};
+use super::waveforms::Eye;
 use crate::bench::{Bench, Kept};
 use crate::link::Client;
 use crate::session::{self, Outcome, Progress};
@@ -16,13 +17,16 @@ use calib_protocol::record::RunLabels;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Time between two looks at the stop flag and at a lost link.
 const LOOK: Duration = Duration::from_millis(200);
+
+/// Time a thread that has no link is given to end.
+const GRACE: Duration = Duration::from_millis(500);
 
 /// What a page asks for.
 #[derive(Debug)]
@@ -71,6 +75,7 @@ impl Handle {
 /// The thread, from outside.
 pub(super) struct BenchSide {
     handle: Handle,
+    ending: Arc<AtomicBool>,
     thread: JoinHandle<()>,
 }
 
@@ -82,9 +87,11 @@ impl BenchSide {
             orders,
             stops: Arc::default(),
         };
+        let ending = Arc::new(AtomicBool::new(false));
         let worker = Worker {
             shared: handle.shared.clone(),
             stops: Arc::clone(&handle.stops),
+            ending: Arc::clone(&ending),
             heeded: 0,
             orders: incoming,
             bench,
@@ -92,7 +99,11 @@ impl BenchSide {
             runs: 0,
         };
         let thread = std::thread::spawn(move || worker.work());
-        Self { handle, thread }
+        Self {
+            handle,
+            ending,
+            thread,
+        }
     }
 
     pub(super) fn handle(&self) -> Handle {
@@ -103,17 +114,30 @@ impl BenchSide {
         self.handle.order(order);
     }
 
-    /// Stops a run and waits for its end.
+    /// Stops a run and waits for its end: the exciter is silent. What it measured
+    /// is in the calibrator; it is not fetched any more.
+    ///
+    /// Over a link that is lost nothing can be stopped: then it is not waited for.
     pub(super) fn end(self) {
+        self.ending.store(true, Ordering::SeqCst);
         self.handle.stop();
         self.handle.order(Order::End);
-        let _ = self.thread.join();
+        let begun = Instant::now();
+        while !self.thread.is_finished() {
+            let lost = self.handle.shared.snapshot().link != Link::Connected;
+            if lost && begun.elapsed() > GRACE {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        }
     }
 }
 
 struct Worker {
     shared: Shared,
     stops: Arc<AtomicU32>,
+    /// Set when the server ends.
+    ending: Arc<AtomicBool>,
     /// Stops that were passed on to the calibrator.
     heeded: u32,
     orders: Receiver<Order>,
@@ -242,12 +266,20 @@ impl Worker {
             return;
         };
         let (shared, stops, heeded) = (&self.shared, &self.stops, self.heeded);
-        let outcome = session::follow(client, record, points, |progress| {
-            show(shared, progress);
-            match stops.load(Ordering::SeqCst) == heeded {
+        let begun = Instant::now();
+        let mut eye = match Eye::open(client) {
+            Ok(eye) => eye,
+            Err(error) => return self.judge(&error),
+        };
+        let outcome = session::follow_beside(client, record, points, |progress, client| {
+            show(shared, progress, begun);
+            if let Some(waveforms) = eye.look(client, &progress.status)? {
+                shared.keep_waveforms(waveforms);
+            }
+            Ok(match stops.load(Ordering::SeqCst) == heeded {
                 true => ControlFlow::Continue(()),
                 false => ControlFlow::Break(()),
-            }
+            })
         });
         match outcome {
             Ok(outcome) => self.ended(&outcome),
@@ -256,7 +288,9 @@ impl Worker {
     }
 
     fn ended(&mut self, outcome: &Outcome) {
+        let ending = self.ending.load(Ordering::SeqCst);
         if outcome.state != RunState::Failed
+            && !ending
             && let Err(error) = self.fetch(outcome.record_id)
         {
             self.judge(&error);
@@ -274,7 +308,7 @@ impl Worker {
         });
     }
 
-    /// Downloads the record: for the certificate, and into the bench if there is one.
+    /// Downloads the record: for the certificate, and into the bench.
     fn fetch(&mut self, record: u32) -> Result<()> {
         let Some(client) = &mut self.client else {
             return Ok(());
@@ -284,11 +318,10 @@ impl Worker {
         let download = session::download(client, record, folder.path(), |_| ())?;
         let bytes = std::fs::read(&download.path)
             .map_err(|error| Error::file("read", &download.path, error))?;
-        if let Some(mut bench) = Bench::open_if_there(&self.bench)? {
-            let (Kept::Added(id) | Kept::Known(id)) = bench.keep(&bytes)?;
-            self.shared.change_run(|run| run.bench_record = Some(id));
-        }
-        self.shared.keep_record(Some(bytes));
+        // Whatever becomes of the bench, there is a certificate.
+        self.shared.keep_record(Some(bytes.clone()));
+        let (Kept::Added(id) | Kept::Known(id)) = Bench::open(&self.bench)?.keep(&bytes)?;
+        self.shared.change_run(|run| run.bench_record = Some(id));
         Ok(())
     }
 
@@ -324,8 +357,10 @@ impl Worker {
 }
 
 /// Shows where the run stands.
-fn show(shared: &Shared, progress: &Progress<'_>) {
+fn show(shared: &Shared, progress: &Progress<'_>, begun: Instant) {
+    let left = session::time_left(begun.elapsed(), progress.fraction);
     shared.change_run(|run| {
+        run.left_s = left.map(|left| left.as_secs_f64());
         run.status = Some(progress.status);
         run.fraction = progress.fraction;
         let known = run.points.len().min(progress.points.len());

@@ -4,19 +4,26 @@
 //! |---|---|
 //! | `bench_side` | the thread that alone speaks to the calibrator |
 //! | `view` | what every page sees, and how it learns of changes |
+//! | `waveforms` | what the inputs look like during a run |
 //! | `access` | who may come in |
 //! | `routes` | requests |
+//! | `asked` | what a page asks to be measured |
+//! | `documents` | certificates |
 //! | `events` | the stream of changes |
-//! | `page/` | HTML, style and script, without a build step |
+//! | `assets`, `page/` | HTML, style and script, without a build step |
 //!
 //! Pages come and go; the calibration belongs to none of them. Two pages see the
 //! same, and any of them stops it.
 
 mod access;
+mod asked;
+mod assets;
 mod bench_side;
+mod documents;
 mod events;
 mod routes;
 mod view;
+mod waveforms;
 
 pub use access::Access;
 pub use bench_side::Order;
@@ -35,8 +42,10 @@ pub struct Options {
     pub listen: SocketAddr,
     /// The calibrator to connect to at once.
     pub device: Option<String>,
-    /// The bench of records, if there is one.
+    /// The bench of records; the first run makes it.
     pub bench: PathBuf,
+    /// What laboratory and job state on certificates, as TOML files.
+    pub particulars: Vec<PathBuf>,
 }
 
 /// A page that is being listened for.
@@ -79,14 +88,14 @@ impl Server {
     pub fn serve(self, goes_on: impl Fn() -> bool) -> Result<()> {
         let failed = |error| Error::file("serve", "page".as_ref(), error);
         let side = BenchSide::start(self.options.bench.clone());
-        if let Some(device) = self.options.device {
+        if let Some(device) = self.options.device.clone() {
             side.order(Order::Connect { device });
         }
         let runtime = tokio::runtime::Builder::new_current_thread()
             .enable_all()
             .build()
             .map_err(failed)?;
-        let app = routes::router(side.handle(), self.access, self.options.bench);
+        let app = routes::router(side.handle(), self.access, self.options);
         let served = runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(self.listener)?;
             let end = async {

@@ -2,70 +2,62 @@
 //!
 //! | request | answer |
 //! |---|---|
-//! | `GET /`, `/style.css`, `/page.js` | the page |
+//! | `GET /` and what it names | the page |
 //! | `GET /api/state`, `/api/events` | the view; its changes |
+//! | `GET /api/waveforms` | the latest waveforms and spectra of both inputs |
 //! | `GET /api/devices`, `/api/sensors`, `/api/records` | ports; the bench |
 //! | `GET /api/history/SERIAL` | drift of a sensor at 160 Hz |
 //! | `GET /api/certificate/FORMAT` | certificate of the last run |
+//! | `GET /api/records/ID/certificate/FORMAT` | that of a record of the bench |
 //! | `POST /api/connect` | `{"device"}` |
-//! | `POST /api/run` | `{"sensor" or "model", "serial"; "operator", "mounting", "level_ms2", "frequencies_hz"}` |
+//! | `POST /api/run` | `{"sensor" or "model", "serial"; "operator", "mounting", "level_ms2", "temperature_c", "frequencies_hz"}` |
 //! | `POST /api/stop` | silences the exciter |
 //!
 //! What is posted is JSON and says so, which a page of a stranger cannot send.
 
 use super::access::Access;
+use super::asked::Run;
 use super::bench_side::{Handle, Order};
-use super::{Snapshot, events};
-use crate::bench::{Bench, Filter, Sensor};
-use crate::certificate::{self, Certificate, Format, Language, Particulars};
-use crate::{Error, session};
+use super::{Options, Snapshot, assets, documents, events};
+use crate::Error;
+use crate::bench::{Bench, Filter};
 use axum::extract::{Path, Query, Request, State};
-use axum::http::{StatusCode, header};
+use axum::http::{HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use axum::{Json, Router};
-use calib_core::point::PointSpec;
-use calib_protocol::record::RunLabels;
 use serde::Deserialize;
-use std::path::PathBuf;
 use std::sync::Arc;
 
-const PAGE: &str = include_str!("page/index.html");
-const STYLE: &str = include_str!("page/style.css");
-const SCRIPT: &str = include_str!("page/page.js");
+/// Newest records that a page is given.
+const RECORDS: usize = 500;
 
 #[derive(Clone)]
 struct App {
     handle: Handle,
-    bench: Arc<PathBuf>,
+    options: Arc<Options>,
 }
 
-pub(super) fn router(handle: Handle, access: Access, bench: PathBuf) -> Router {
-    let text = |kind: &'static str, text: &'static str| {
-        get(move || async move { ([(header::CONTENT_TYPE, kind)], text) })
-    };
-    Router::new()
-        .route("/", text("text/html; charset=utf-8", PAGE))
-        .route("/style.css", text("text/css", STYLE))
-        .route("/page.js", text("text/javascript", SCRIPT))
+pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router {
+    let devices = || async { Json(crate::link::port::list()) };
+    assets::add(Router::new())
         .route("/api/state", get(state))
         .route("/api/events", get(changes))
-        .route(
-            "/api/devices",
-            get(|| async { Json(crate::link::port::list()) }),
-        )
+        .route("/api/waveforms", get(waveforms))
+        .route("/api/devices", get(devices))
         .route("/api/sensors", get(sensors))
         .route("/api/records", get(records))
         .route("/api/history/{serial}", get(history))
-        .route("/api/certificate/{format}", get(certificate_file))
+        .route("/api/certificate/{format}", get(last_certificate))
+        .route("/api/records/{id}/certificate/{format}", get(certificate))
         .route("/api/connect", post(connect))
         .route("/api/run", post(run))
         .route("/api/stop", post(stop))
         .layer(middleware::from_fn_with_state(Arc::new(access), admit))
         .with_state(App {
             handle,
-            bench: Arc::new(bench),
+            options: Arc::new(options),
         })
 }
 
@@ -73,6 +65,9 @@ pub(super) fn router(handle: Handle, access: Access, bench: PathBuf) -> Router {
 struct Token {
     token: Option<String>,
 }
+
+/// What the page may load and who may frame it.
+const OWN: &str = "default-src 'self'; frame-ancestors 'none'";
 
 /// Lets in who may come in. The page keeps to itself: no other site frames it.
 async fn admit(
@@ -83,22 +78,21 @@ async fn admit(
 ) -> Response {
     let host = request.headers().get(header::HOST);
     let host = host.and_then(|host| host.to_str().ok());
-    // Style and script hold nothing of anybody's, and links to them no token.
-    let open = matches!(request.uri().path(), "/style.css" | "/page.js");
-    if !open && !access.admits(host, token.as_deref()) {
+    if !assets::is_open(request.uri().path()) && !access.admits(host, token.as_deref()) {
         let why = "open the address that `calib serve` printed";
         return (StatusCode::FORBIDDEN, why).into_response();
     }
     let mut response = next.run(request).await;
-    let own = "default-src 'self'; frame-ancestors 'none'";
+    let headers = response.headers_mut();
+    headers
+        .entry(header::CONTENT_SECURITY_POLICY)
+        .or_insert(HeaderValue::from_static(OWN));
     for (name, value) in [
-        (header::CONTENT_SECURITY_POLICY, own),
         (header::CACHE_CONTROL, "no-store"),
         (header::REFERRER_POLICY, "no-referrer"),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     ] {
-        response
-            .headers_mut()
-            .insert(name, header::HeaderValue::from_static(value));
+        headers.insert(name, HeaderValue::from_static(value));
     }
     response
 }
@@ -107,65 +101,80 @@ async fn state(State(app): State<App>) -> Json<Snapshot> {
     Json(app.handle.shared.snapshot())
 }
 
+async fn waveforms(State(app): State<App>) -> Response {
+    Json(app.handle.shared.waveforms()).into_response()
+}
+
 async fn changes(State(app): State<App>) -> Response {
     events::stream(app.handle.shared.clone()).into_response()
 }
 
 async fn sensors(State(app): State<App>) -> Result<Response, Failure> {
-    let sensors = match Bench::open_if_there(&app.bench)? {
-        Some(bench) => bench.sensors("")?,
-        None => Vec::new(),
-    };
-    Ok(Json(sensors).into_response())
+    aside(move || {
+        let bench = Bench::open_if_there(&app.options.bench)?;
+        let sensors = bench.map(|bench| bench.sensors("")).transpose()?;
+        Ok(Json(sensors.unwrap_or_default()).into_response())
+    })
+    .await
 }
 
 async fn records(State(app): State<App>) -> Result<Response, Failure> {
-    let records = match Bench::open_if_there(&app.bench)? {
-        Some(bench) => bench.records(&Filter::default())?,
-        None => Vec::new(),
-    };
-    Ok(Json(records).into_response())
+    aside(move || {
+        let bench = Bench::open_if_there(&app.options.bench)?;
+        let records = bench.map(|bench| bench.records(&Filter::default()));
+        let mut records = records.transpose()?.unwrap_or_default();
+        records.truncate(RECORDS);
+        Ok(Json(records).into_response())
+    })
+    .await
 }
 
 async fn history(State(app): State<App>, Path(serial): Path<String>) -> Result<Response, Failure> {
-    match Bench::open_if_there(&app.bench)? {
+    aside(move || match Bench::open_if_there(&app.options.bench)? {
         Some(bench) => Ok(Json(bench.history(&serial, 160.0)?).into_response()),
         None => Ok(StatusCode::NOT_FOUND.into_response()),
-    }
+    })
+    .await
 }
 
-async fn certificate_file(
+async fn last_certificate(
     State(app): State<App>,
     Path(format): Path<String>,
 ) -> Result<Response, Failure> {
-    let Some(bytes) = app.handle.shared.record() else {
-        return Ok((StatusCode::NOT_FOUND, "no run has ended yet").into_response());
+    aside(move || match app.handle.shared.record() {
+        Some(stored) => document(&app, &stored, &format),
+        None => Ok((StatusCode::NOT_FOUND, "no run has ended yet").into_response()),
+    })
+    .await
+}
+
+async fn certificate(
+    State(app): State<App>,
+    Path((id, format)): Path<(i64, String)>,
+) -> Result<Response, Failure> {
+    aside(move || match Bench::open_if_there(&app.options.bench)? {
+        Some(bench) => document(&app, &bench.record(id)?, &format),
+        None => Ok((StatusCode::NOT_FOUND, "there is no bench").into_response()),
+    })
+    .await
+}
+
+fn document(app: &App, stored: &[u8], format: &str) -> Result<Response, Error> {
+    let options = &app.options;
+    documents::certificate(stored, format, &options.particulars, &options.bench)
+}
+
+/// Does what takes its time beside the thread that answers: a stop never waits
+/// for a page being typeset.
+async fn aside(
+    work: impl FnOnce() -> Result<Response, Error> + Send + 'static,
+) -> Result<Response, Failure> {
+    let lost = |error: tokio::task::JoinError| {
+        let hint = "report this as a defect";
+        Error::input("request", error.to_string(), hint)
     };
-    let unknown = |problem: String| Error::Usage {
-        problem,
-        hint: String::new(),
-    };
-    let format: Format = format.parse().map_err(unknown)?;
-    let record = calib_protocol::record::decode(&bytes)
-        .map_err(|error| Error::input("record", error.to_string(), "run once more"))?;
-    let certificate = Certificate::from_record(&record, &Particulars::default());
-    let content = certificate::render(&certificate, format, Language::default())?;
-    let (kind, shown) = match format.name() {
-        "html" => ("text/html; charset=utf-8", "inline"),
-        "pdf" => ("application/pdf", "inline"),
-        "json" => ("application/json", "attachment"),
-        "csv" => ("text/csv; charset=utf-8", "attachment"),
-        _ => ("application/octet-stream", "attachment"),
-    };
-    let name = format!("{shown}; filename=\"certificate.{}\"", format.name());
-    Ok((
-        [
-            (header::CONTENT_TYPE, kind.to_owned()),
-            (header::CONTENT_DISPOSITION, name),
-        ],
-        content,
-    )
-        .into_response())
+    let answer = tokio::task::spawn_blocking(work).await.map_err(lost)?;
+    Ok(answer?)
 }
 
 #[derive(Deserialize)]
@@ -189,32 +198,6 @@ async fn stop(State(app): State<App>, Json(_): Json<serde_json::Value>) -> Statu
     StatusCode::ACCEPTED
 }
 
-#[derive(Deserialize)]
-#[serde(default)]
-struct Run {
-    sensor: String,
-    model: String,
-    serial: String,
-    operator: String,
-    mounting: String,
-    level_ms2: f32,
-    frequencies_hz: Vec<f32>,
-}
-
-impl Default for Run {
-    fn default() -> Self {
-        Self {
-            sensor: String::new(),
-            model: String::new(),
-            serial: String::new(),
-            operator: String::new(),
-            mounting: String::new(),
-            level_ms2: 10.0,
-            frequencies_hz: Vec::new(),
-        }
-    }
-}
-
 async fn run(State(app): State<App>, Json(asked): Json<Run>) -> Result<Response, Failure> {
     if is_running(&app) {
         return Ok((StatusCode::CONFLICT, "a run is going on").into_response());
@@ -222,7 +205,7 @@ async fn run(State(app): State<App>, Json(asked): Json<Run>) -> Result<Response,
     // First of all: a stop from here on is meant for this run.
     let stops = app.handle.stops();
     let points = asked.points()?;
-    let labels = Box::new(asked.labels(&app)?);
+    let labels = Box::new(asked.labels(&app.options.bench)?);
     app.handle.order(Order::Run {
         points,
         labels,
@@ -234,58 +217,6 @@ async fn run(State(app): State<App>, Json(asked): Json<Run>) -> Result<Response,
 fn is_running(app: &App) -> bool {
     let snapshot = app.handle.shared.snapshot();
     snapshot.run.is_some_and(|run| run.running)
-}
-
-impl Run {
-    fn points(&self) -> Result<Vec<PointSpec>, Error> {
-        let usable = |value: f32| value.is_finite() && value > 0.0;
-        let all = self.frequencies_hz.iter().copied().all(usable);
-        if !usable(self.level_ms2) || !all {
-            return Err(Error::Usage {
-                problem: "frequencies and level are numbers above zero".to_owned(),
-                hint: String::new(),
-            });
-        }
-        if self.frequencies_hz.is_empty() {
-            return Ok(session::default_points(self.level_ms2));
-        }
-        let point = |frequency_hz: &f32| PointSpec {
-            frequency_hz: *frequency_hz,
-            acceleration_rms_ms2: self.level_ms2,
-        };
-        Ok(self.frequencies_hz.iter().map(point).collect())
-    }
-
-    /// A sensor of the bench by its serial number, or what was typed.
-    fn labels(&self, app: &App) -> Result<RunLabels, Error> {
-        let known = match (self.sensor.as_str(), Bench::open_if_there(&app.bench)?) {
-            ("", _) | (_, None) => Sensor {
-                serial: self.serial.clone(),
-                model: self.model.clone(),
-                ..Sensor::default()
-            },
-            (serial, Some(bench)) => bench.known_sensor(serial)?,
-        };
-        let mounting = match self.mounting.as_str() {
-            "" => known.mounting.clone().unwrap_or_default(),
-            stated => stated.to_owned(),
-        };
-        Ok(RunLabels {
-            unix_time_s: u64::try_from(jiff::Timestamp::now().as_second()).unwrap_or(0),
-            dut_model: label("model", &known.name())?,
-            dut_serial: label("serial number", &known.serial)?,
-            operator: label("operator", &self.operator)?,
-            temperature_centi_c: None,
-            mounting: label("mounting", &mounting)?,
-        })
-    }
-}
-
-fn label<const N: usize>(what: &str, text: &str) -> Result<heapless::String<N>, Error> {
-    text.try_into().map_err(|_| Error::Usage {
-        problem: format!("{what} has room for {N} bytes, this is {}", text.len()),
-        hint: String::new(),
-    })
 }
 
 /// A failure as an answer: in words, with the way out.

@@ -1,5 +1,6 @@
 //! What every page sees.
 
+use super::waveforms::Waveforms;
 use crate::verdict_text;
 use calib_core::point::{PointResult, PointSpec};
 use calib_protocol::message::{Info, Status};
@@ -67,6 +68,8 @@ pub struct RunView {
     pub status: Option<Status>,
     /// Work done, 0 to 1.
     pub fraction: f64,
+    /// Time left by this computer's clock, s; none at the beginning.
+    pub left_s: Option<f64>,
     /// Results, in the order of the list.
     pub points: Vec<PointView>,
     /// Serial number of the sensor.
@@ -90,6 +93,8 @@ pub struct Snapshot {
     pub trouble: Option<String>,
     /// The running or last run.
     pub run: Option<RunView>,
+    /// Running number of the latest waveforms; 0 before any.
+    pub waveforms: u32,
 }
 
 /// A snapshot that many look at; each change is told to all.
@@ -99,6 +104,8 @@ pub(super) struct Shared {
     version: Arc<watch::Sender<u64>>,
     /// Stored form of the last run's record.
     record: Arc<Mutex<Option<Vec<u8>>>>,
+    /// Too large to go with every view.
+    waveforms: Arc<Mutex<Waveforms>>,
 }
 
 impl Shared {
@@ -107,6 +114,7 @@ impl Shared {
             snapshot: Arc::default(),
             version: Arc::new(watch::Sender::new(0)),
             record: Arc::default(),
+            waveforms: Arc::default(),
         }
     }
 
@@ -142,6 +150,24 @@ impl Shared {
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .clone()
+    }
+
+    /// Keeps waveforms under the next number, and tells everybody that they are there.
+    pub(super) fn keep_waveforms(&self, mut new: Waveforms) {
+        let mut kept = self
+            .waveforms
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        new.number = kept.number + 1;
+        let number = new.number;
+        *kept = new;
+        drop(kept);
+        self.change(|snapshot| snapshot.waveforms = number);
+    }
+
+    pub(super) fn waveforms(&self) -> Waveforms {
+        let kept = self.waveforms.lock();
+        kept.unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     fn lock(&self) -> MutexGuard<'_, Snapshot> {

@@ -8,4 +8,4 @@ mod run;
 pub use broadband::on_lines;
 pub use download::{Download, Progress as DownloadProgress, download, download_with};
 pub use points::{default_points, read_points};
-pub use run::{Outcome, Progress, begin, follow, run, run_excited};
+pub use run::{Outcome, Progress, begin, follow, follow_beside, run, run_excited, time_left};

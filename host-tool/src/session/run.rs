@@ -27,6 +27,11 @@ pub struct Progress<'a> {
     pub fraction: f64,
 }
 
+/// Time left of a run by the clock of this computer, once a twentieth is done.
+pub fn time_left(elapsed: Duration, fraction: f64) -> Option<Duration> {
+    (fraction > 0.05).then(|| elapsed.mul_f64(1.0 / fraction - 1.0))
+}
+
 /// How a run ended.
 #[derive(Clone, Debug)]
 pub struct Outcome {
@@ -106,6 +111,22 @@ pub fn follow(
     points: &[PointSpec],
     mut observe: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
 ) -> Result<Outcome> {
+    follow_beside(client, record_id, points, |progress, _| {
+        Ok(observe(progress))
+    })
+}
+
+/// [`follow`] for who asks the calibrator for other things meanwhile. A request or
+/// two at each look: a stop waits for them.
+///
+/// # Errors
+/// As [`run`], and what `observe` returns.
+pub fn follow_beside(
+    client: &mut Client,
+    record_id: u32,
+    points: &[PointSpec],
+    mut observe: impl FnMut(&Progress<'_>, &mut Client) -> Result<ControlFlow<()>>,
+) -> Result<Outcome> {
     let mut follower = Follower {
         client,
         wanted: points,
@@ -120,7 +141,7 @@ pub fn follow(
             points: &follower.results,
             fraction: fraction(points, &status),
         };
-        let flow = observe(&progress);
+        let flow = observe(&progress, follower.client)?;
         if matches!(
             status.state,
             RunState::Finished | RunState::Stopped | RunState::Failed

@@ -1,0 +1,101 @@
+//! What a page asks to be measured.
+
+use crate::bench::{Bench, Sensor};
+use crate::{Error, Result, session};
+use calib_core::point::PointSpec;
+use calib_protocol::record::RunLabels;
+use serde::Deserialize;
+use std::path::Path;
+
+/// The body of `POST /api/run`.
+#[derive(Deserialize)]
+#[serde(default)]
+pub(super) struct Run {
+    sensor: String,
+    model: String,
+    serial: String,
+    operator: String,
+    mounting: String,
+    level_ms2: f32,
+    temperature_c: Option<f64>,
+    frequencies_hz: Vec<f32>,
+}
+
+impl Default for Run {
+    fn default() -> Self {
+        Self {
+            sensor: String::new(),
+            model: String::new(),
+            serial: String::new(),
+            operator: String::new(),
+            mounting: String::new(),
+            level_ms2: 10.0,
+            temperature_c: None,
+            frequencies_hz: Vec::new(),
+        }
+    }
+}
+
+impl Run {
+    /// The point list; the default one when no frequency was named.
+    pub(super) fn points(&self) -> Result<Vec<PointSpec>> {
+        let usable = |value: f32| value.is_finite() && value > 0.0;
+        let all = self.frequencies_hz.iter().copied().all(usable);
+        if !usable(self.level_ms2) || !all {
+            return Err(usage("frequencies and level are numbers above zero"));
+        }
+        if self.frequencies_hz.is_empty() {
+            return Ok(session::default_points(self.level_ms2));
+        }
+        let point = |frequency_hz: &f32| PointSpec {
+            frequency_hz: *frequency_hz,
+            acceleration_rms_ms2: self.level_ms2,
+        };
+        Ok(self.frequencies_hz.iter().map(point).collect())
+    }
+
+    /// A sensor of the bench by its serial number, or what was typed.
+    pub(super) fn labels(&self, bench: &Path) -> Result<RunLabels> {
+        let known = match (self.sensor.as_str(), Bench::open_if_there(bench)?) {
+            ("", _) | (_, None) => Sensor {
+                serial: self.serial.clone(),
+                model: self.model.clone(),
+                ..Sensor::default()
+            },
+            (serial, Some(bench)) => bench.known_sensor(serial)?,
+        };
+        let mounting = match self.mounting.as_str() {
+            "" => known.mounting.clone().unwrap_or_default(),
+            stated => stated.to_owned(),
+        };
+        Ok(RunLabels {
+            unix_time_s: u64::try_from(jiff::Timestamp::now().as_second()).unwrap_or(0),
+            dut_model: label("model", &known.name())?,
+            dut_serial: label("serial number", &known.serial)?,
+            operator: label("operator", &self.operator)?,
+            temperature_centi_c: self.temperature_centi_c()?,
+            mounting: label("mounting", &mounting)?,
+        })
+    }
+
+    fn temperature_centi_c(&self) -> Result<Option<i16>> {
+        match self.temperature_c {
+            None => Ok(None),
+            Some(celsius) if celsius.abs() <= 300.0 => Ok(Some((100.0 * celsius).round() as i16)),
+            Some(_) => Err(usage("the temperature is between -300 and 300 degrees")),
+        }
+    }
+}
+
+fn usage(problem: &str) -> Error {
+    Error::Usage {
+        problem: problem.to_owned(),
+        hint: String::new(),
+    }
+}
+
+fn label<const N: usize>(what: &str, text: &str) -> Result<heapless::String<N>> {
+    let length = text.len();
+    let full = |_| usage(&format!("{what} has room for {N} bytes, this is {length}"));
+    text.try_into().map_err(full)
+}

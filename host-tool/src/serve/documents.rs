@@ -1,0 +1,87 @@
+//! Certificates of records, as answers. One that is downloaded is issued, and is
+//! entered in the bench; the page that is looked at is not.
+
+use crate::bench::{Bench, Issue};
+use crate::certificate::{self, Format, Options, Particulars, Prepared};
+use crate::{Error, Result};
+use axum::http::header;
+use axum::response::{IntoResponse, Response};
+use calib_protocol::record;
+use std::path::{Path, PathBuf};
+
+/// A certificate is a page of its own with script and style inside, and talks to
+/// nobody: not to the instrument, whatever a sensor is called.
+const ALONE: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; \
+                     img-src data:; sandbox allow-scripts allow-modals; frame-ancestors 'none'";
+
+/// The certificate of a record's stored form.
+///
+/// # Errors
+/// [`Error::Usage`] for a format there is not, [`Error::Input`] when the record is
+/// damaged, the laboratory states nonsense, or another content was issued under
+/// this number.
+pub(super) fn certificate(
+    stored: &[u8],
+    format: &str,
+    particulars: &[PathBuf],
+    bench: &Path,
+) -> Result<Response> {
+    let unknown = |problem: String| Error::Usage {
+        problem,
+        hint: String::new(),
+    };
+    let format: Format = format.parse().map_err(unknown)?;
+    let record = record::decode(stored)
+        .map_err(|error| Error::input("record", error.to_string(), "run once more"))?;
+    let options = Options {
+        particulars: Particulars::read(particulars)?,
+        ..Options::default()
+    };
+    let mut prepared = certificate::prepare(&record, &[format], &options)?;
+    if format != Format::Html {
+        enter(&prepared, stored, bench)?;
+    }
+    let Some(file) = prepared.files.pop() else {
+        return Err(Error::input("certificate", "is empty", "report this"));
+    };
+    Ok(answer(file))
+}
+
+fn enter(prepared: &Prepared, stored: &[u8], bench: &Path) -> Result<()> {
+    let Some(mut bench) = Bench::open_if_there(bench)? else {
+        return Ok(());
+    };
+    let issue = |file| issue(prepared, file, stored);
+    let issues: Vec<_> = prepared.files.iter().map(issue).collect();
+    bench.issue(&issues, jiff::Timestamp::now().as_second())
+}
+
+fn issue<'a>(prepared: &'a Prepared, file: &'a certificate::File, stored: &[u8]) -> Issue<'a> {
+    Issue {
+        certificate: &prepared.number,
+        format: file.format.name(),
+        file: &file.name,
+        content: &file.content,
+        record: record::digest(stored),
+    }
+}
+
+fn answer(file: certificate::File) -> Response {
+    let (kind, shown) = match file.format {
+        Format::Html => ("text/html; charset=utf-8", "inline"),
+        Format::Pdf => ("application/pdf", "inline"),
+        Format::Dcc => ("application/xml", "attachment"),
+        Format::Json => ("application/json", "attachment"),
+        Format::Csv => ("text/csv; charset=utf-8", "attachment"),
+        _ => ("application/octet-stream", "attachment"),
+    };
+    let headers = [
+        (header::CONTENT_TYPE, kind.to_owned()),
+        (
+            header::CONTENT_DISPOSITION,
+            format!("{shown}; filename=\"{}\"", file.name),
+        ),
+        (header::CONTENT_SECURITY_POLICY, ALONE.to_owned()),
+    ];
+    (headers, file.content).into_response()
+}

@@ -1,0 +1,27 @@
+// Requests to the server that this page came from, with the token it was opened by.
+const token = new URLSearchParams(location.search).get("token");
+export const url = (path) => path + (token ? "?token=" + encodeURIComponent(token) : "");
+
+/** Sends JSON; returns what went wrong, or nothing. */
+export async function post(path, body) {
+  try {
+    const answer = await fetch(url(path), {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify(body || {}),
+    });
+    return answer.ok ? "" : await answer.text();
+  } catch (error) {
+    return "the server does not answer: " + error.message;
+  }
+}
+
+/** A JSON answer; nothing when there is none. */
+export async function load(path) {
+  try {
+    const answer = await fetch(url(path));
+    return answer.ok ? await answer.json() : null;
+  } catch {
+    return null;
+  }
+}
