@@ -1,12 +1,15 @@
 //! Firmware in the loop: the shipping image on the emulated board, asked by the
 //! host tool's own client, judged by the twin's oracle.
 //!
-//! Everything runs in virtual time on one thread, so a scenario gives the same
-//! result on every machine.
+//! Everything but [`live`] runs in virtual time on one thread, so a scenario gives
+//! the same result on every machine.
 
 pub mod bench;
+pub mod browser;
 pub mod capture;
 pub mod coverage;
 pub mod hostile;
 pub mod judge;
+pub mod live;
+pub mod served;
 pub mod witness;

@@ -1,0 +1,40 @@
+//! Pictures of the page for the documentation, made by `./run screenshots`: a whole
+//! calibration of the emulated calibrator, in a browser.
+
+use calib_tests::bench::Fault;
+use calib_tests::browser::{Browser, driver};
+use calib_tests::live::Live;
+use calib_tests::served::Served;
+use calib_twin::rig::Rig;
+use std::path::Path;
+
+fn main() -> Result<(), Fault> {
+    let folder = std::env::args().nth(1).ok_or("usage: screenshots FOLDER")?;
+    let folder = Path::new(&folder);
+    let driver = driver().ok_or("CALIB_CHROMEDRIVER names no driver")?;
+    let bench = tempfile::tempdir()?;
+    let live = Live::power_on(Rig::draw(2))?;
+    let server = Served::start(bench.path(), &["--device", &live.address])?;
+    let page = Browser::start(&driver)?;
+    page.screen(1280, 1000, 1.0, false)?;
+    page.open(&server.url)?;
+    page.wait_for_text("#link", "connected to")?;
+    page.fill("#model", "Examplia 352C33")?;
+    page.fill("#serial", "LW 12345")?;
+    page.fill("#operator", "N. N.")?;
+    page.fill("#temperature", "22.6")?;
+    page.click("#start")?;
+    page.wait_for_text("#state", "measuring point 20 of 28")?;
+    take(&page, &folder.join("page.png"))?;
+    page.screen(390, 844, 1.5, true)?;
+    page.wait_for_text("#state", "measuring point 22 of 28")?;
+    take(&page, &folder.join("page-phone.png"))
+}
+
+fn take(page: &Browser, path: &Path) -> Result<(), Fault> {
+    // Where the forms led is not where a reader begins.
+    page.value("document.getElementById('content').scrollTo(0, 0)")?;
+    std::fs::write(path, page.screenshot()?)?;
+    println!("{}", path.display());
+    Ok(())
+}

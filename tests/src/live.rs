@@ -1,0 +1,129 @@
+//! An emulated calibrator at the pace of the wall, behind a TCP port whose plug can
+//! be pulled, with an eye on its drive output.
+
+use crate::bench::Fault;
+use calib_host::emulated::EmulatedBoard;
+use calib_twin::rig::Rig;
+use calib_twin::runner::{Door, HostLine, TcpDoor, run_paced};
+use std::io;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, mpsc};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+/// What the thread of the board and its user share.
+#[derive(Default)]
+struct Shared {
+    ended: AtomicBool,
+    unplugged: AtomicBool,
+    /// Virtual time for which the drive output has rested, ms.
+    silent_ms: AtomicU64,
+}
+
+/// The calibrator; switched off when it is dropped.
+pub struct Live {
+    /// What `--device` is given.
+    pub address: String,
+    shared: Arc<Shared>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Live {
+    /// Boots the shipping image with `rig` and tells it what is certified about
+    /// the rig's reference.
+    ///
+    /// # Errors
+    /// The image is missing, or there is no port.
+    pub fn power_on(rig: Rig) -> Result<Self, Fault> {
+        let shared = Arc::new(Shared::default());
+        let (ready, begun) = mpsc::channel();
+        let board_side = Arc::clone(&shared);
+        let thread = std::thread::spawn(move || {
+            if let Err(fault) = run(&rig, &board_side, &ready) {
+                // Nobody may be left to hear it.
+                let _ = ready.send(Err(fault));
+            }
+        });
+        Ok(Self {
+            address: begun.recv()??,
+            shared,
+            thread: Some(thread),
+        })
+    }
+
+    /// Pulls the plug of its link, or puts it in again. The calibrator goes on.
+    pub fn unplug(&self, unplugged: bool) {
+        self.shared.unplugged.store(unplugged, Ordering::SeqCst);
+    }
+
+    /// How long the drive output has rested at its middle.
+    pub fn silent_for(&self) -> Duration {
+        Duration::from_millis(self.shared.silent_ms.load(Ordering::SeqCst))
+    }
+}
+
+impl Drop for Live {
+    fn drop(&mut self) {
+        self.shared.ended.store(true, Ordering::SeqCst);
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}
+
+fn run(
+    rig: &Rig,
+    shared: &Arc<Shared>,
+    ready: &mpsc::Sender<Result<String, Fault>>,
+) -> Result<(), Fault> {
+    let board = EmulatedBoard::power_on_calibrated(rig, None)?;
+    let socket = Socket::new(Arc::clone(shared))?;
+    ready.send(Ok(socket.address()))?;
+    let line = board.emulator().serial().clone();
+    let mut doors: [Box<dyn Door>; 1] = [Box::new(socket)];
+    run_paced(&mut board.emulator(), &line, &mut doors, |emulator, _| {
+        let silent = emulator.silent_for().unwrap_or_default();
+        let silent_ms = u64::try_from(silent.as_millis()).unwrap_or(u64::MAX);
+        shared.silent_ms.store(silent_ms, Ordering::SeqCst);
+        !shared.ended.load(Ordering::SeqCst)
+    })?;
+    Ok(())
+}
+
+/// A TCP port with a plug.
+struct Socket {
+    port: u16,
+    door: Option<TcpDoor>,
+    shared: Arc<Shared>,
+}
+
+impl Socket {
+    fn new(shared: Arc<Shared>) -> io::Result<Self> {
+        let door = TcpDoor::listen(0)?;
+        Ok(Self {
+            port: door.port(),
+            door: Some(door),
+            shared,
+        })
+    }
+}
+
+impl Door for Socket {
+    fn address(&self) -> String {
+        format!("tcp:127.0.0.1:{}", self.port)
+    }
+
+    fn serve(&mut self, line: &dyn HostLine, from_board: &[u8]) -> io::Result<()> {
+        if self.shared.unplugged.load(Ordering::SeqCst) {
+            self.door = None;
+            return Ok(());
+        }
+        if self.door.is_none() {
+            self.door = Some(TcpDoor::listen(self.port)?);
+        }
+        match &mut self.door {
+            Some(door) => door.serve(line, from_board),
+            None => Ok(()),
+        }
+    }
+}

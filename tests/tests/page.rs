@@ -1,0 +1,272 @@
+//! The page of `calib serve` in a browser, with the shipping image behind it.
+#![cfg(unix)]
+
+use calib_tests::bench::Fault;
+use calib_tests::browser::{Browser, driver};
+use calib_tests::live::Live;
+use calib_tests::served::Served;
+use calib_twin::rig::Rig;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// A laboratory that states all there is, its country among it.
+fn laboratory() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/certificate/laboratory.toml");
+    path.to_str().expect("a path").to_owned()
+}
+
+/// Calibrator, server and browser.
+struct Setup {
+    browser: Browser,
+    server: Served,
+    live: Live,
+    folder: tempfile::TempDir,
+}
+
+impl Setup {
+    /// `None`, after saying so, without a browser.
+    fn new() -> Result<Option<Self>, Fault> {
+        let Some(driver) = driver() else {
+            return Ok(None);
+        };
+        let folder = tempfile::tempdir()?;
+        Ok(Some(Self {
+            live: Live::power_on(Rig::draw(2))?,
+            server: Served::start(folder.path(), &["--laboratory", &laboratory()])?,
+            browser: Browser::start(&driver)?,
+            folder,
+        }))
+    }
+
+    /// Opens the page, and connects by it.
+    fn connect(&self) -> Result<(), Fault> {
+        self.browser.open(&self.server.url)?;
+        self.browser.wait_for_text("#link", "not connected")?;
+        self.browser.fill("#device", &self.live.address)?;
+        self.browser.click("#connect button")?;
+        self.browser.wait_for_text("#link", "connected to tcp:")
+    }
+
+    /// Types a list and a serial number, and starts.
+    fn start(&self, frequencies: &str) -> Result<(), Fault> {
+        self.browser.choose("#list", "typed")?;
+        self.browser.fill("#frequencies", frequencies)?;
+        self.browser.fill("#serial", "D'1 ⚡")?;
+        self.browser.click("#start")
+    }
+
+    fn silent_within(&self, limit: Duration) -> bool {
+        let begun = Instant::now();
+        while begun.elapsed() < limit {
+            if self.live.silent_for() > Duration::from_millis(100) {
+                return true;
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        false
+    }
+}
+
+#[test]
+fn a_calibration_from_the_first_look_to_the_certificate() -> Result<(), Fault> {
+    let Some(setup) = Setup::new()? else {
+        return Ok(());
+    };
+    let page = &setup.browser;
+    setup.connect()?;
+    assert!(page.text("#info")?.contains("firmware"));
+    setup.start("80 160 1000")?;
+    page.wait_for_text("#state", "point 1 of 3")?;
+    page.wait_for_text("#target", "10.0")?;
+    // Points appear one by one, on the plot as in the table.
+    page.wait_for_text("#state", "point 2 of 3")?;
+    assert_eq!(
+        page.value("document.querySelectorAll('#plot .point').length")?,
+        1
+    );
+    page.wait_for_text("#state", "finished")?;
+    assert_eq!(
+        page.value("document.querySelectorAll('#plot .point').length")?,
+        3
+    );
+    assert_eq!(
+        page.value("document.querySelectorAll('#points .refused').length")?,
+        0
+    );
+    let table = page.text("#points")?;
+    assert_eq!(table.lines().count(), 3, "{table}");
+    let measured = sensitivity_at_160(page)?;
+    page.wait_for_text("#kept", "kept in the bench as record 1")?;
+    page.wait_for_text("#records", "D'1 ⚡")?;
+    certificates_hold(&setup, measured)?;
+    history_is_drawn(page)?;
+    fits_a_phone(&setup)
+}
+
+/// S at 160 Hz as the page's table shows it.
+fn sensitivity_at_160(page: &Browser) -> Result<String, Fault> {
+    let cell = "document.querySelectorAll('#points tr')[1].children[2].textContent";
+    Ok(page.value(cell)?.as_str().ok_or("no text")?.to_owned())
+}
+
+/// Viewed in its own tab with its style, downloaded in every other form.
+fn certificates_hold(setup: &Setup, measured: String) -> Result<(), Fault> {
+    let page = &setup.browser;
+    let link = page.value("document.querySelector('#certificates a[data-format=html]').href")?;
+    let own = page.open_tab(link.as_str().ok_or("no link")?)?;
+    let certificate = page.text("body")?;
+    // U has two digits, so the certificate rounds what the page shows.
+    assert!(
+        certificate.contains(&measured[..4]),
+        "{measured}: {certificate}"
+    );
+    assert!(certificate.contains("D'1 ⚡"), "{certificate}");
+    let styled = "document.styleSheets.length > 0 && document.styleSheets[0].cssRules.length > 5";
+    assert_eq!(page.value(styled)?, true);
+    page.switch_to(own)?;
+    for format in ["pdf", "dcc", "csv", "json", "uff"] {
+        page.click(&format!("#certificates a[data-format={format}]"))?;
+    }
+    for (ending, begins) in [
+        (".pdf", "%PDF-1.7"),
+        (".dcc.xml", "<?xml"),
+        (".csv", ""),
+        (".json", "{"),
+        (".uff", "    -1"),
+    ] {
+        let content = downloaded(&page.downloads(), ending)?;
+        assert!(content.len() > 500, "{ending}");
+        assert!(content.starts_with(begins.as_bytes()), "{ending}");
+    }
+    Ok(())
+}
+
+/// Waits for a download to be complete.
+fn downloaded(folder: &Path, ending: &str) -> Result<Vec<u8>, Fault> {
+    let begun = Instant::now();
+    while begun.elapsed() < Duration::from_secs(20) {
+        let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
+        let mut paths: Vec<PathBuf> = files.map(|file| file.path()).collect();
+        paths.retain(|path| path.to_string_lossy().ends_with(ending));
+        if let Some(path) = paths.first() {
+            return Ok(std::fs::read(path)?);
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    Err(format!("no {ending} was downloaded").into())
+}
+
+fn history_is_drawn(page: &Browser) -> Result<(), Fault> {
+    page.click("#records td button")?;
+    page.wait_for_text("#drift", "calibrated once")?;
+    assert_eq!(
+        page.value("document.querySelectorAll('#history-plot .point').length")?,
+        1
+    );
+    Ok(())
+}
+
+/// On a phone nothing is wider than the screen, and STOP is under the thumb
+/// wherever the page is scrolled to.
+fn fits_a_phone(setup: &Setup) -> Result<(), Fault> {
+    let page = &setup.browser;
+    page.screen(360, 640, 2.0, true)?;
+    page.open(&setup.server.url)?;
+    page.wait_for_text("#state", "finished")?;
+    for part in ["documentElement", "getElementById('content')"] {
+        assert_eq!(
+            page.value(&format!("document.{part}.scrollWidth <= 360"))?,
+            true,
+            "{part}"
+        );
+    }
+    let stop_is_there =
+        "(() => { const r = document.getElementById('stop').getBoundingClientRect();
+        const at = document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2);
+        return at.closest('#stop') !== null && r.top >= 0 && r.bottom <= innerHeight
+            && r.height >= 48 && r.width >= 300; })()";
+    let height = page.value("document.getElementById('content').scrollHeight")?;
+    let height = height.as_u64().ok_or("no height")?;
+    assert!(height > 640, "there is something to scroll: {height}");
+    for place in [0, height / 2, height] {
+        page.value(&format!(
+            "document.getElementById('content').scrollTo(0, {place})"
+        ))?;
+        assert_eq!(page.value(stop_is_there)?, true, "scrolled to {place}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_lost_link_two_tabs_and_a_stop_that_silences() -> Result<(), Fault> {
+    let Some(setup) = Setup::new()? else {
+        return Ok(());
+    };
+    let page = &setup.browser;
+    setup.connect()?;
+    setup.start("80 160 315")?;
+    page.wait_for_text("#state", "point 1 of 3")?;
+    setup.live.unplug(true);
+    page.wait_for_text("#link", "link lost")?;
+    page.wait_for_text("#trouble", "use the button on the instrument")?;
+    setup.live.unplug(false);
+    page.wait_for_text("#state", "finished")?;
+    assert_eq!(
+        page.value("document.querySelectorAll('#points tr').length")?,
+        3
+    );
+    assert_eq!(
+        page.value("document.getElementById('trouble').hidden")?,
+        true
+    );
+
+    // Another tab sees the next run, and stops it.
+    setup.start("20 40 80 160 315 630 1250")?;
+    page.wait_for_text("#state", "point 1 of 7")?;
+    let first = page.open_tab(&setup.server.url)?;
+    page.wait_for_text("#state", "of 7")?;
+    assert_eq!(
+        page.value("document.getElementById('start').disabled")?,
+        true
+    );
+    assert!(setup.live.silent_for().is_zero(), "the exciter moves");
+    page.click("#stop")?;
+    // Two looks of a tenth of a second each, the answers, and a loaded computer.
+    assert!(setup.silent_within(Duration::from_secs(2)), "it goes on");
+    page.wait_for_text("#state", "stopped, the exciter is silent")?;
+    let second = page.switch_to(first)?;
+    page.wait_for_text("#state", "stopped, the exciter is silent")?;
+    assert_eq!(
+        page.value("document.getElementById('start').disabled")?,
+        false
+    );
+    drop(second);
+    ctrl_c_ends_it(setup)
+}
+
+/// Ctrl-C during a run, with the pages' streams of events open.
+fn ctrl_c_ends_it(setup: Setup) -> Result<(), Fault> {
+    setup.start("160 1000")?;
+    setup.browser.wait_for_text("#state", "point 1 of 2")?;
+    let begun = Instant::now();
+    let Setup {
+        server,
+        live,
+        browser,
+        folder,
+    } = setup;
+    let status = server.interrupt()?;
+    assert!(status.success(), "{status}");
+    assert!(
+        begun.elapsed() < Duration::from_secs(1),
+        "{:?}",
+        begun.elapsed()
+    );
+    // It is silent when the tool has ended, not some time later.
+    let silent = live.silent_for();
+    std::thread::sleep(Duration::from_millis(100));
+    assert!(live.silent_for() > silent);
+    browser.wait_for_text("#trouble", "the server does not answer")?;
+    assert!(folder.path().join("bench.sqlite").exists());
+    Ok(())
+}
