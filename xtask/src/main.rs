@@ -4,6 +4,7 @@
 //! both a person and CI go the same way.
 
 mod bench;
+mod browser;
 mod demo;
 mod elf;
 mod no_panic;
@@ -22,6 +23,7 @@ usage: ./run <command>
   bench [NAME]      benchmark tables, also written to target/bench/NAME.json
   elf               build the firmware image for the STM32H743ZI
   no-panic          look for panics in what calib-core became in the image
+  screenshots       pictures of the page for docs/images (needs Chromium)
   size              flash and RAM used by the image
   setup             build everything and run nothing
 ";
@@ -38,6 +40,7 @@ fn main() -> Result<()> {
         "bench" => bench::run(rest),
         "elf" => elf::build().map(|path| println!("{}", path.display())),
         "no-panic" => elf::build().and_then(|image| no_panic::check(&image)),
+        "screenshots" => browser::screenshots(),
         "size" => elf::print_size(),
         "setup" => elf::build().and_then(|_| demo::build_tool()),
         "help" | "--help" | "-h" => {

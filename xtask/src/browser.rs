@@ -1,0 +1,69 @@
+//! The browser that tests open the page of `calib serve` in.
+//!
+//! Debian's Chromium with its WebDriver. CI installs them; on a person's computer
+//! nothing is installed unasked: without them those tests say so and pass.
+
+use crate::shell::{self, cargo};
+use crate::{demo, elf};
+use anyhow::{Context, Result, bail};
+use std::path::PathBuf;
+use std::process::Command;
+
+const PROGRAMS: [&str; 2] = ["chromedriver", "chromium"];
+const INSTALL: &str = "apt-get install chromium chromium-driver";
+
+/// The WebDriver tests are given, when there is one.
+pub(crate) fn driver() -> Result<Option<PathBuf>> {
+    if PROGRAMS.iter().all(|program| find(program).is_some()) {
+        return Ok(find(PROGRAMS[0]));
+    }
+    if std::env::var_os("CI").is_none() {
+        eprintln!("no Chromium with WebDriver: the tests of the page say so and pass ({INSTALL})");
+        return Ok(None);
+    }
+    install()?;
+    match find(PROGRAMS[0]) {
+        Some(driver) => Ok(Some(driver)),
+        None => bail!("chromedriver is not there after `{INSTALL}`"),
+    }
+}
+
+/// `./run screenshots`: the pictures of the page in `docs/images`.
+pub(crate) fn screenshots() -> Result<()> {
+    let driver = driver()?.with_context(|| format!("screenshots need a browser: {INSTALL}"))?;
+    let image = elf::build()?;
+    demo::build_tool()?;
+    let mut command = cargo("run");
+    command
+        .args(["--release", "--package", "calib-tests"])
+        .args(["--example", "screenshots", "--"])
+        .arg(shell::root().join("docs").join("images"))
+        .env("CALIB_FIRMWARE_ELF", image)
+        .env("CALIB_TOOL", demo::tool())
+        .env("CALIB_CHROMEDRIVER", driver);
+    shell::run(&mut command)
+}
+
+fn find(program: &str) -> Option<PathBuf> {
+    let path = std::env::var_os("PATH")?;
+    let candidates = std::env::split_paths(&path).map(|folder| folder.join(program));
+    candidates.into_iter().find(|file| file.is_file())
+}
+
+fn install() -> Result<()> {
+    eprintln!("installing the browser of the tests ...");
+    // An outdated list is no reason to give up: the packages may be there.
+    let _ = shell::run(apt_get().args(["update", "-qq"]));
+    let mut install = apt_get();
+    install.args(["install", "-y", "-qq", "--no-install-recommends"]);
+    shell::run(install.args(["chromium", "chromium-driver"]))
+}
+
+/// As root, or by way of `sudo`.
+fn apt_get() -> Command {
+    let user = Command::new("id").arg("-u").output();
+    let root = user.is_ok_and(|user| user.stdout.trim_ascii() == b"0");
+    let mut command = Command::new(if root { "env" } else { "sudo" });
+    command.args(["DEBIAN_FRONTEND=noninteractive", "apt-get"]);
+    command
+}
