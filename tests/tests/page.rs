@@ -93,6 +93,7 @@ fn a_calibration_from_the_first_look_to_the_certificate() -> Result<(), Fault> {
         page.value("document.querySelectorAll('#points .refused').length")?,
         0
     );
+    inputs_are_drawn(page)?;
     let table = page.text("#points")?;
     assert_eq!(table.lines().count(), 3, "{table}");
     let measured = sensitivity_at_160(page)?;
@@ -101,6 +102,16 @@ fn a_calibration_from_the_first_look_to_the_certificate() -> Result<(), Fault> {
     certificates_hold(&setup, measured)?;
     history_is_drawn(page)?;
     fits_a_phone(&setup)
+}
+
+/// Waveforms and spectra of both inputs, as the last of them shows them.
+fn inputs_are_drawn(page: &Browser) -> Result<(), Fault> {
+    page.wait_for_text("#played", "Hz")?;
+    for plot in ["waveform", "spectrum"] {
+        let traces = format!("document.querySelectorAll('#{plot} polyline.trace').length");
+        assert_eq!(page.value(&traces)?, 2, "{plot}");
+    }
+    Ok(())
 }
 
 /// S at 160 Hz as the page's table shows it.
@@ -124,16 +135,14 @@ fn certificates_hold(setup: &Setup, measured: String) -> Result<(), Fault> {
     let styled = "document.styleSheets.length > 0 && document.styleSheets[0].cssRules.length > 5";
     assert_eq!(page.value(styled)?, true);
     page.switch_to(own)?;
-    for format in ["pdf", "dcc", "csv", "json", "uff"] {
-        page.click(&format!("#certificates a[data-format={format}]"))?;
-    }
-    for (ending, begins) in [
-        (".pdf", "%PDF-1.7"),
-        (".dcc.xml", "<?xml"),
-        (".csv", ""),
-        (".json", "{"),
-        (".uff", "    -1"),
+    for (format, ending, begins) in [
+        ("pdf", ".pdf", "%PDF-1.7"),
+        ("dcc", ".dcc.xml", "<?xml"),
+        ("csv", ".csv", "\u{feff}"),
+        ("json", ".json", "{"),
+        ("uff", ".uff", "    -1"),
     ] {
+        page.click(&format!("#certificates a[data-format={format}]"))?;
         let content = downloaded(&page.downloads(), ending)?;
         assert!(content.len() > 500, "{ending}");
         assert!(content.starts_with(begins.as_bytes()), "{ending}");

@@ -128,23 +128,13 @@ pub struct Options {
     pub as_found: Option<Record>,
 }
 
-/// Writes the certificate of `record` in `formats` into `out_dir`, in English;
-/// files that are there with other content are kept.
+/// Writes the certificate of `record` in `formats` into `out_dir`.
 ///
 /// Files are named after the certificate number. Either all of them appear,
 /// complete, or none does. Returns their paths in the order of `formats`.
 ///
 /// # Errors
-/// [`crate::Error::Input`] when another certificate has this name,
-/// [`crate::Error::File`] when the directory cannot be written.
-pub fn write(record: &Record, formats: &[Format], out_dir: &Path) -> Result<Vec<PathBuf>> {
-    write_with(record, formats, out_dir, &Options::default())
-}
-
-/// As [`write`], with options.
-///
-/// # Errors
-/// As [`write`].
+/// Those of [`prepare`] and [`Prepared::write`].
 pub fn write_with(
     record: &Record,
     formats: &[Format],
@@ -161,8 +151,8 @@ pub struct Prepared {
     pub number: String,
     /// Its files, in the order of the formats asked for.
     pub files: Vec<File>,
-    /// What strict readers will miss, and the way out.
-    pub lack: Option<&'static str>,
+    /// Why the printed one has no DCC inside, and the way out.
+    pub lack: Option<String>,
 }
 
 /// A file of a certificate.
@@ -195,12 +185,39 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
         })
     };
     let files: Result<Vec<File>> = formats.iter().map(file).collect();
-    let dcc = formats.contains(&Format::Dcc) || formats.contains(&Format::Pdf);
+    let lack = formats.contains(&Format::Pdf).then(|| lack(&certificate));
     Ok(Prepared {
         files: files?,
-        lack: dcc.then(|| dcc::missing(&certificate)).flatten(),
+        lack: lack.flatten(),
         number: certificate.number,
     })
+}
+
+/// Why there can be no DCC, and the way out.
+fn lack(certificate: &Certificate) -> Option<String> {
+    let error = dcc::needs(certificate).err()?;
+    let hint = error.hint().unwrap_or_default();
+    Some(format!("no DCC: {error}; {hint}"))
+}
+
+/// The formats among these that a certificate of this record can have: all of
+/// them, or all but the DCC when what it cannot be without is not stated.
+pub fn possible(record: &Record, formats: &[Format], particulars: &Particulars) -> Vec<Format> {
+    let certificate = Certificate::from_record(record, particulars);
+    let complete = dcc::needs(&certificate).is_ok();
+    let can_be = |format: &Format| complete || *format != Format::Dcc;
+    formats.iter().copied().filter(can_be).collect()
+}
+
+/// Writes the built-in page as `certificate.typ` into `folder`, for a laboratory to
+/// begin its own with. A file that is there with other content stays.
+///
+/// # Errors
+/// [`crate::Error::Input`] when there is another one, [`crate::Error::File`] when the
+/// directory cannot be written.
+pub fn write_template(folder: &Path) -> Result<Vec<PathBuf>> {
+    let file = ("certificate.typ".to_owned(), pdf::TEMPLATE.into());
+    output::write_all(folder, &[file], Existing::Keep)
 }
 
 impl Prepared {
@@ -213,7 +230,8 @@ impl Prepared {
     /// Writes the files: all of them appear, complete, or none does.
     ///
     /// # Errors
-    /// As [`write`].
+    /// [`crate::Error::Input`] when another certificate has this name and is to be
+    /// kept, [`crate::Error::File`] when the directory cannot be written.
     pub fn write(&self, out_dir: &Path, existing: Existing) -> Result<Vec<PathBuf>> {
         let pair = |file: &File| (file.name.clone(), file.content.clone());
         let files: Vec<_> = self.files.iter().map(pair).collect();

@@ -263,6 +263,8 @@ impl Particulars {
             let mut table: toml::Table =
                 toml::from_str(&text).map_err(|e| located(path, &text, &e))?;
             own.layout.check(path)?;
+            own.laboratory.check("laboratory", path)?;
+            own.customer.check("customer", path)?;
             if let Some(Err(problem)) = own.decision.as_ref().map(decision::Request::build) {
                 let place = path.display().to_string();
                 return Err(Error::input(place, problem, "correct the [decision] part"));
@@ -274,6 +276,20 @@ impl Particulars {
         merged
             .try_into()
             .map_err(|e: toml::de::Error| Error::input("particulars", e.message(), hint))
+    }
+}
+
+impl Contact {
+    fn check(&self, part: &str, path: &Path) -> Result<()> {
+        let code = |text: &str| text.len() == 2 && text.bytes().all(|b| b.is_ascii_uppercase());
+        match &self.country {
+            Some(country) if !code(country) => Err(Error::input(
+                path.display().to_string(),
+                format!("{part}.country: '{country}' is no code of ISO 3166-1"),
+                "two capital letters, such as DE",
+            )),
+            _ => Ok(()),
+        }
     }
 }
 
@@ -389,6 +405,18 @@ mod tests {
         let error = Particulars::read(&[path]).expect_err("citty");
         assert!(error.to_string().contains("lab.toml:3"), "{error}");
         assert!(error.to_string().contains("citty"), "{error}");
+    }
+
+    #[test]
+    fn a_country_that_is_no_code_is_named() {
+        let folder = tempfile::tempdir().expect("folder");
+        for (part, country) in [("laboratory", "Germany"), ("customer", "de")] {
+            let text = format!("[{part}]\ncountry = '{country}'\n");
+            let path = file(folder.path(), "lab.toml", &text);
+            let error = Particulars::read(&[path]).expect_err(country);
+            let wanted = format!("{part}.country: '{country}'");
+            assert!(error.to_string().contains(&wanted), "{error}");
+        }
     }
 
     #[test]

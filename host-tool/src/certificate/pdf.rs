@@ -8,7 +8,8 @@ use calib_certificate_pdf::{File, printable};
 use serde_json::{Value, json};
 use std::path::Path;
 
-const TEMPLATE: &str = include_str!("page/certificate.typ");
+/// The built-in page.
+pub(super) const TEMPLATE: &str = include_str!("page/certificate.typ");
 
 /// The certificate as PDF/A-3b, by the laboratory's template or the built-in.
 ///
@@ -27,7 +28,7 @@ pub(super) fn render(
     let own = layout.template.as_deref();
     let template = own.map_or_else(|| Ok(TEMPLATE.to_owned()), read_text)?;
     let logo = layout.logo.as_deref().map(logo).transpose()?;
-    // Without a date there is no DCC; the certificate says what is missing.
+    // Without date or country there is no DCC; the certificate says what is missing.
     let dcc = super::dcc::render(certificate, language).ok();
     let data = data(
         certificate,

@@ -2,13 +2,18 @@
 
 use super::model::{Certificate, Value};
 use super::testing::{SENSITIVITY_V_PER_MS2, THIRD_OCTAVES_HZ, point, record, text, truth};
-use super::{Format, Language, Particulars, render, write};
+use super::{Format, Language, Options, Particulars, render, write_with};
 use crate::decision::Conformity;
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::Record;
 
+/// What a DCC cannot be without, and nothing else.
+fn country() -> Particulars {
+    toml::from_str("[laboratory]\ncountry = 'DE'").expect("TOML")
+}
+
 fn bytes(record: &Record, format: Format, language: Language) -> Vec<u8> {
-    let certificate = Certificate::from_record(record, &Particulars::default());
+    let certificate = Certificate::from_record(record, &country());
     render(&certificate, format, language).expect("renders")
 }
 
@@ -324,7 +329,11 @@ fn files_are_named_after_the_certificate_and_complete() {
     let out = folder.path().join("a/b");
     let mut record = record(&[160.0]);
     record.instrument_serial = text("../x y");
-    let paths = write(&record, &Format::ALL, &out).expect("written");
+    let options = Options {
+        particulars: country(),
+        ..Options::default()
+    };
+    let paths = write_with(&record, &Format::ALL, &out, &options).expect("written");
     let names: Vec<_> = paths
         .iter()
         .map(|p| p.file_name().expect("name").to_string_lossy().into_owned())

@@ -146,13 +146,27 @@ fn points_nothing_is_specified_for_have_a_list_of_their_own() {
 }
 
 #[test]
-fn a_missing_country_is_said_to_the_laboratory() {
-    let certificate = Certificate::from_record(&record(&[160.0]), &Particulars::default());
-    let missing = super::dcc::missing(&certificate).expect("no country");
-    assert!(missing.contains("[laboratory]"), "{missing}");
-    let particulars: Particulars = toml::from_str(FULL).expect("TOML");
-    let certificate = Certificate::from_record(&record(&[160.0]), &particulars);
-    assert_eq!(super::dcc::missing(&certificate), None);
+fn without_a_country_there_is_no_dcc_and_the_way_out_is_named() {
+    let record = record(&[160.0]);
+    let certificate = Certificate::from_record(&record, &Particulars::default());
+    let error = render(&certificate, Format::Dcc, Language::En).expect_err("no country");
+    assert!(error.to_string().contains("country of the laboratory"));
+    assert!(
+        error
+            .hint()
+            .is_some_and(|hint| hint.contains("[laboratory]"))
+    );
+    // The printed one says that none is inside, and holds none.
+    let pdf = render(&certificate, Format::Pdf, Language::En).expect("renders");
+    assert!(!String::from_utf8_lossy(&pdf).contains("certificate.dcc.xml"));
+    let formats = [Format::Pdf, Format::Dcc];
+    let prepared = super::prepare(&record, &formats[..1], &Default::default());
+    let lack = prepared.expect("a PDF").lack.expect("said");
+    assert!(lack.contains("country"), "{lack}");
+    let possible = super::possible(&record, &formats, &Particulars::default());
+    assert_eq!(possible, [Format::Pdf]);
+    let full: Particulars = toml::from_str(FULL).expect("TOML");
+    assert_eq!(super::possible(&record, &formats, &full), formats);
 }
 
 #[test]
@@ -168,7 +182,8 @@ fn a_record_without_a_date_is_refused_with_the_way_out() {
         "{error}"
     );
     let particulars: Particulars =
-        toml::from_str("[calibration]\ndate = '2025-11-21'").expect("TOML");
+        toml::from_str("[laboratory]\ncountry = 'DE'\n[calibration]\ndate = '2025-11-21'")
+            .expect("TOML");
     let certificate = Certificate::from_record(&record, &particulars);
     assert!(render(&certificate, Format::Dcc, Language::En).is_ok());
 }

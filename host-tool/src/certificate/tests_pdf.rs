@@ -31,15 +31,29 @@ fn the_same_record_gives_the_same_document() {
     assert!(text.contains("pdfaid:part>3<") && text.contains("certificate.dcc.xml"));
 }
 
-/// Saves the attachment and prints text and embedded fonts of every page.
+/// Saves the attachment; prints the text of every page, and what ISO 19005-3 wants of
+/// the file's structure as another program reads it.
 const READ: &str = "\
 import sys, json, pypdf
 pdf = pypdf.PdfReader(sys.argv[1])
+root = pdf.trailer['/Root']
 open(sys.argv[2], 'wb').write(pdf.attachments['certificate.dcc.xml'][0])
 fonts = [f.get_object() for p in pdf.pages for f in p['/Resources']['/Font'].values()]
 files = [f['/DescendantFonts'][0].get_object()['/FontDescriptor'].get_object() for f in fonts]
+attached = [f.get_object() for f in root.get('/AF', [])]
+intents = [i.get_object() for i in root.get('/OutputIntents', [])]
+everything = [o.get_object() for n in range(1, pdf.trailer['/Size']) for o in [pdf.get_object(n)] if o is not None]
+dictionaries = [o for o in everything if isinstance(o, dict)]
 print(json.dumps({'pages': [p.extract_text() for p in pdf.pages],
-  'embedded': [any(k.startswith('/FontFile') for k in f) for f in files]}))
+  'embedded': [any(k.startswith('/FontFile') for k in f) for f in files],
+  'to_unicode': all('/ToUnicode' in f for f in fonts),
+  'metadata': root['/Metadata'].get_data().decode(),
+  'metadata_filtered': '/Filter' in root['/Metadata'],
+  'intents': [[i['/S'], i['/DestOutputProfile'].get_object()['/N']] for i in intents],
+  'attached': [[f['/AFRelationship'], f['/UF'], f['/EF']['/F'].get_object()['/Subtype']] for f in attached],
+  'encrypted': pdf.is_encrypted, 'identified': len(pdf.trailer['/ID']),
+  'active': [o['/S'] for o in dictionaries if o.get('/S') in ('/JavaScript', '/Launch', '/Movie', '/Sound')],
+  'lzw': any('/LZWDecode' in str(o.get('/Filter')) for o in dictionaries)}))
 ";
 
 #[test]
@@ -77,6 +91,35 @@ fn a_reader_of_others_finds_number_pages_fonts_and_the_same_dcc() {
     );
     let embedded = read["embedded"].as_array().expect("fonts");
     assert!(!embedded.is_empty() && embedded.iter().all(|e| e == true));
+    is_pdf_a_3b(&read);
+}
+
+/// What ISO 19005-3:2012 wants and another program can read, by its clauses. Not all
+/// of it: veraPDF, which looks at more, is a Java program that no registry of ours has.
+fn is_pdf_a_3b(read: &serde_json::Value) {
+    use serde_json::json;
+    // 6.6.4: part 3, conformance B, in metadata that is stored in clear (6.6.2.1).
+    let metadata = read["metadata"].as_str().expect("XMP");
+    for statement in ["<pdfaid:part>3<", "<pdfaid:conformance>B<"] {
+        assert!(metadata.contains(statement), "{metadata}");
+    }
+    assert_eq!(read["metadata_filtered"], false);
+    // 6.2.3: one intent, with a profile of red, green and blue.
+    assert_eq!(read["intents"], json!([["/GTS_PDFA1", 3]]));
+    // 6.8: a file inside says what it is to the document, and of which type it is.
+    let attached = read["attached"].as_array().expect("files");
+    assert_eq!(attached.len(), 1, "{read}");
+    assert_eq!(attached[0][1], "certificate.dcc.xml");
+    let relations = ["/Source", "/Data", "/Alternative", "/Supplement"];
+    assert!(relations.contains(&attached[0][0].as_str().expect("a name")));
+    let subtype = attached[0][2].as_str().expect("a name");
+    assert!(subtype.contains("xml"), "{subtype}");
+    // 6.1.3: an identifier, no encryption; 6.5.1: nothing that acts; 6.1.7.2: no LZW.
+    assert_eq!(read["encrypted"], false);
+    assert_eq!(read["identified"], 2);
+    assert_eq!(read["active"], json!([]));
+    assert_eq!(read["lzw"], false);
+    assert_eq!(read["to_unicode"], true);
 }
 
 #[test]

@@ -7,24 +7,21 @@ use calib_host::certificate::{self, Existing, Format, Language, Options, Particu
 use calib_protocol::record::{self, Record, Sha256Sum};
 use clap::Args;
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `calib certificate RECORD`.
 #[derive(Debug, Args)]
 pub(crate) struct CertificateVerb {
     /// File of a downloaded record, or the running number of one that is still
     /// in the calibrator (it is downloaded first).
-    record: String,
+    #[arg(required_unless_present = "write_template")]
+    record: Option<String>,
     /// Directory for the files.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
-    /// Formats, separated by commas: pdf, dcc, html, csv, json, uff.
-    #[arg(
-        long,
-        value_delimiter = ',',
-        value_name = "FORMAT",
-        default_value = "pdf,dcc,html,csv,json"
-    )]
+    /// Formats, separated by commas: pdf, dcc, html, csv, json, uff [default: all but
+    /// uff; a DCC only where the country of the laboratory is stated].
+    #[arg(long, value_delimiter = ',', value_name = "FORMAT")]
     format: Vec<Format>,
     /// Language: en or de; else that of the particulars, else English.
     #[arg(long, short, value_name = "LANGUAGE")]
@@ -40,7 +37,20 @@ pub(crate) struct CertificateVerb {
     /// File of the record from before an adjustment; RECORD is then from after it.
     #[arg(long, value_name = "FILE")]
     as_found: Option<PathBuf>,
+    /// Writes the built-in page as certificate.typ into a directory, to begin one's
+    /// own with, and no certificate.
+    #[arg(long, value_name = "DIR", exclusive = true)]
+    write_template: Option<PathBuf>,
 }
+
+/// What is written when nobody says.
+const USUAL: [Format; 5] = [
+    Format::Pdf,
+    Format::Dcc,
+    Format::Html,
+    Format::Csv,
+    Format::Json,
+];
 
 #[derive(Serialize)]
 struct Written {
@@ -52,9 +62,18 @@ impl CertificateVerb {
     /// bench of records they are entered there, and none is written if another
     /// one of that number was issued.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let record = source::find(context, &self.record, &self.out)?;
+        if let Some(folder) = &self.write_template {
+            return template(context, folder);
+        }
+        // Required by the command line, unless a template is written.
+        let record = self.record.as_deref().unwrap_or_default();
+        let record = source::find(context, record, &self.out)?;
         let options = self.options()?;
-        let prepared = certificate::prepare(&record, &self.format, &options)?;
+        let formats = match self.format.is_empty() {
+            true => certificate::possible(&record, &USUAL, &options.particulars),
+            false => self.format,
+        };
+        let prepared = certificate::prepare(&record, &formats, &options)?;
         let mut bench = context.bench_if_there()?;
         if let Some(bench) = &bench {
             let files = prepared.paths(&self.out);
@@ -68,14 +87,10 @@ impl CertificateVerb {
             let now = i64::try_from(time::unix_time_s()).unwrap_or(0);
             bench.issue(&issues(&prepared, &record, &files), now)?;
         }
-        if let Some(lack) = prepared.lack {
+        if let Some(lack) = &prepared.lack {
             context.remark(lack);
         }
-        let text = || files.iter().map(|f| format!("{}\n", f.display())).collect();
-        let written = Written {
-            files: files.clone(),
-        };
-        context.print(&written, text)
+        print(context, files)
     }
 
     fn options(&self) -> Result<Options> {
@@ -92,6 +107,20 @@ impl CertificateVerb {
             as_found: self.as_found.as_deref().map(source::read).transpose()?,
         })
     }
+}
+
+fn print(context: &Context, files: Vec<PathBuf>) -> Result<()> {
+    let written = Written { files };
+    context.print(&written, || {
+        let line = |file: &PathBuf| format!("{}\n", file.display());
+        written.files.iter().map(line).collect()
+    })
+}
+
+fn template(context: &Context, folder: &Path) -> Result<()> {
+    let files = certificate::write_template(folder)?;
+    context.remark("name it as `template` under [layout] in the file of the laboratory");
+    print(context, files)
 }
 
 /// The file of the laboratory: the one named, else that of the user if there is one.

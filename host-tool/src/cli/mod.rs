@@ -28,6 +28,7 @@ mod predict;
 mod progress;
 mod records;
 mod release;
+mod risk;
 mod run;
 mod sensitivity;
 mod serve;
@@ -131,6 +132,8 @@ pub(crate) enum Command {
     Identify(identify::Identify),
     /// Converts a sensitivity to acceleration, velocity or displacement (clause 6).
     Convert(convert::Convert),
+    /// Risks of decision rules over many sensors (JCGM 106:2012, clause 9).
+    Risk(risk::Risk),
     /// Sensitivity from readings: comparison, consecutive, calibrator (clause 6).
     Sensitivity(sensitivity::Sensitivity),
     /// Converts between acceleration, velocity and displacement (Annex C).
@@ -186,6 +189,7 @@ impl Command {
             Self::Gap(verb) => verb.run(context),
             Self::Identify(verb) => verb.run(context),
             Self::Convert(verb) => verb.run(context),
+            Self::Risk(verb) => verb.run(context),
             Self::Sensitivity(verb) => verb.run(context),
             Self::Nomogram(verb) => verb.run(context),
             Self::Phase(verb) => verb.run(context),

@@ -140,15 +140,25 @@ fn draw(capture: &Capture, frequency_hz: f64, reference_v_per_ms2: f64) -> Wavef
         step_ms: 1e3 * every as f64 / capture.sample_rate_hz,
         reference_ms2: trace(&capture.reference_v, 1.0 / reference_v_per_ms2),
         dut_mv: trace(&capture.dut_v, 1e3),
-        spectrum: lines(capture, reference_v_per_ms2),
+        spectrum: lines(capture, frequency_hz, reference_v_per_ms2),
         clipped: capture.reference_clipped || capture.dut_clipped,
     }
 }
 
 /// Spectra of both channels; where lines are closer than a page can show, the
 /// highest of them stands for all.
-fn lines(capture: &Capture, reference_v_per_ms2: f64) -> Vec<[f32; 3]> {
-    let of = |volts: &[f64]| spectrum(volts, capture.sample_rate_hz, Window::FlatTop);
+///
+/// Taken over whole cycles of the tone: it and its harmonics lie on lines, and
+/// nothing of them is in the mean.
+fn lines(capture: &Capture, frequency_hz: f64, reference_v_per_ms2: f64) -> Vec<[f32; 3]> {
+    let cycle = capture.sample_rate_hz / frequency_hz;
+    let length = capture.reference_v.len();
+    let cycles = (length as f64 / cycle).floor().max(1.0);
+    let samples = ((cycles * cycle).round() as usize).min(length);
+    let of = |volts: &[f64]| {
+        let whole = volts.get(..samples).unwrap_or(volts);
+        spectrum(whole, capture.sample_rate_hz, Window::Hann)
+    };
     let (reference, dut) = (of(&capture.reference_v), of(&capture.dut_v));
     let mut lines: Vec<(i64, [f32; 3])> = Vec::new();
     for (line, (a, b)) in reference.rms_v.iter().zip(&dut.rms_v).enumerate().skip(1) {

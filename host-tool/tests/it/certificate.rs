@@ -26,6 +26,9 @@ fn text(bytes: &[u8]) -> String {
 fn folder(record: &Record) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("folder");
     std::fs::write(folder.path().join("record.bin"), encoded(record)).expect("written");
+    // A DCC cannot be without it.
+    let house = "[laboratory]\ncountry = 'DE'\n";
+    std::fs::write(folder.path().join("house.toml"), house).expect("written");
     folder
 }
 
@@ -50,14 +53,60 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-const ALL: [&str; 6] = [
+const ALL: [&str; 8] = [
     "certificate",
     "record.bin",
     "--out",
     "out",
     "--format",
     "pdf,dcc,html,csv,json,uff",
+    "--particulars",
+    "house.toml",
 ];
+
+#[test]
+fn without_a_country_a_dcc_is_left_out_unless_it_is_asked_for() {
+    let folder = folder(&sample::record(&[160.0]));
+    let usual = ["certificate", "record.bin", "--out", "out"];
+    let output = calib(folder.path(), &usual);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("no DCC"), "{output:?}");
+    let out = folder.path().join("out");
+    let stem = "certificate-CAL-0042-000017";
+    let expected = ["csv", "html", "json", "pdf"].map(|e| format!("{stem}.{e}"));
+    assert_eq!(names(&out), expected);
+    let asked = calib(folder.path(), &[&usual[..], &["--format", "dcc"]].concat());
+    assert_eq!(asked.status.code(), Some(6));
+    let said = text(&asked.stderr);
+    assert!(
+        said.contains("country") && said.contains("[laboratory]"),
+        "{said}"
+    );
+    assert_eq!(names(&out), expected);
+}
+
+#[test]
+fn a_template_begins_as_the_built_in_page() {
+    let folder = folder(&sample::record(&sample::THIRD_OCTAVES_HZ));
+    let write = ["certificate", "--write-template", "page"];
+    let written = calib(folder.path(), &write);
+    assert!(written.status.success(), "{}", text(&written.stderr));
+    assert_eq!(names(&folder.path().join("page")), ["certificate.typ"]);
+    let own = "[layout]\ntemplate = 'page/certificate.typ'\n";
+    std::fs::write(folder.path().join("own.toml"), own).expect("written");
+    let certificate = |out: &str, extra: &[&str]| {
+        let arguments = ["certificate", "record.bin", "--format", "pdf", "--out", out];
+        let output = calib(folder.path(), &[&arguments, extra].concat());
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let name = "certificate-CAL-0042-000017.pdf";
+        std::fs::read(folder.path().join(out).join(name)).expect("read")
+    };
+    let (ours, theirs) = (certificate("a", &[]), certificate("b", &["-p", "own.toml"]));
+    assert!(ours == theirs, "the written page gives another document");
+    // What the laboratory made of it is not written over.
+    std::fs::write(folder.path().join("page/certificate.typ"), "= Ours").expect("written");
+    assert_eq!(calib(folder.path(), &write).status.code(), Some(6));
+}
 
 #[test]
 fn a_stored_record_gives_every_form_and_the_same_bytes_again() {

@@ -272,3 +272,41 @@ fn the_doctor_names_what_is_wrong_and_the_way_out() {
     assert!(states(&gone).contains(&("rights".to_owned(), "failed".to_owned())));
     assert!(text(&gone.stdout).contains("calib devices"));
 }
+
+#[test]
+fn risks_of_rules_over_many_sensors_are_those_published() {
+    let directory = tempfile::tempdir().expect("directory");
+    let risk = |arguments: &[&str]| calib(directory.path(), &[&["risk"], arguments].concat());
+    // Deaver: a ratio of four and a tolerance of two standard deviations of the
+    // items, so 95.45 % of them are good: 0.8 % and 1.5 %.
+    let rows = json(&risk(&[
+        "--ratio",
+        "4",
+        "--in-tolerance",
+        "95.45",
+        "--json",
+    ]));
+    let percent = |row: usize, key: &str| rows[row][key].as_f64().expect("a number");
+    assert!(
+        (percent(0, "false_accept_percent") - 0.8).abs() < 0.05,
+        "{rows}"
+    );
+    assert!(
+        (percent(0, "false_reject_percent") - 1.5).abs() < 0.05,
+        "{rows}"
+    );
+    // Root sum square: 0.968246 of the tolerance; less U: 0.75 of it.
+    assert!((percent(1, "acceptance_limit_percent") - 75.0).abs() < 1e-9);
+    assert!((percent(2, "acceptance_limit_percent") - 96.824_58).abs() < 1e-4);
+    let table = text(&risk(&["--ratio", "4"]).stdout);
+    assert!(
+        table.lines().all(|line| line.chars().count() <= 80),
+        "{table}"
+    );
+    for wrong in [
+        &["--ratio", "1"][..],
+        &["--ratio", "4", "--in-tolerance", "100"],
+    ] {
+        assert_eq!(risk(wrong).status.code(), Some(2));
+    }
+}

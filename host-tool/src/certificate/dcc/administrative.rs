@@ -1,20 +1,21 @@
 //! Administrative data: software, core data, item, laboratory, people.
 
+use super::Needs;
 use super::xml::Xml;
 use crate::certificate::model::{Certificate, Value};
 use crate::certificate::particulars::{Contact, Place};
 use crate::certificate::present;
 use crate::certificate::words::Language;
-use jiff::civil::Date;
 
-/// ISO 3166-1 leaves this to users: a laboratory that stated no country. The
-/// schema takes it, PTB's schematron does not.
-const NO_COUNTRY: &str = "ZZ";
-
-pub(super) fn write(xml: &mut Xml, certificate: &Certificate, day: Date, language: Language) {
+pub(super) fn write(
+    xml: &mut Xml,
+    certificate: &Certificate,
+    needs: Needs<'_>,
+    language: Language,
+) {
     xml.element("dcc:administrativeData", |xml| {
         software(xml, certificate);
-        core_data(xml, certificate, day, language);
+        core_data(xml, certificate, needs, language);
         items(xml, certificate, language);
         xml.element("dcc:calibrationLaboratory", |xml| {
             let laboratory = &certificate.particulars.laboratory;
@@ -76,9 +77,9 @@ pub(super) fn one_software(xml: &mut Xml, name: &str, version: &str, kind: &str)
     });
 }
 
-fn core_data(xml: &mut Xml, certificate: &Certificate, day: Date, language: Language) {
+fn core_data(xml: &mut Xml, certificate: &Certificate, needs: Needs<'_>, language: Language) {
+    let Needs { day, country } = needs;
     let particulars = &certificate.particulars;
-    let country = country(&particulars.laboratory).unwrap_or(NO_COUNTRY);
     let place = match particulars.calibration.place {
         Some(Place::Laboratory) => "laboratory",
         Some(Place::Customer) => "customer",
@@ -98,12 +99,6 @@ fn core_data(xml: &mut Xml, certificate: &Certificate, day: Date, language: Lang
         xml.leaf("dcc:performanceLocation", place);
         xml.leaf("dcc:issueDate", &issued.to_string());
     });
-}
-
-/// A country code of two capital letters, as the schema wants it.
-pub(super) fn country(contact: &Contact) -> Option<&str> {
-    let letters = |code: &&str| code.len() == 2 && code.bytes().all(|b| b.is_ascii_uppercase());
-    contact.country.as_deref().map(str::trim).filter(letters)
 }
 
 fn items(xml: &mut Xml, certificate: &Certificate, language: Language) {
@@ -149,7 +144,7 @@ fn contact(xml: &mut Xml, element: &str, contact: &Contact, language: Language) 
         xml.optional("dcc:phone", contact.phone.as_deref());
         xml.element("dcc:location", |xml| {
             xml.leaf("dcc:city", contact.city.as_deref().unwrap_or(missing));
-            xml.optional("dcc:countryCode", country(contact));
+            xml.optional("dcc:countryCode", contact.country.as_deref());
             xml.optional("dcc:postCode", contact.postcode.as_deref());
             xml.optional("dcc:street", contact.street.as_deref());
         });

@@ -15,31 +15,16 @@ mod xml;
 use super::model::Certificate;
 use super::words::Language;
 use crate::{Error, Result};
+use jiff::civil::Date;
 use xml::Xml;
-
-/// What keeps the DCC from being accepted by PTB's business rules, and the way
-/// out; `None` when nothing does.
-pub(super) fn missing(certificate: &Certificate) -> Option<&'static str> {
-    let country = administrative::country(&certificate.particulars.laboratory);
-    country.is_none().then_some(
-        "the DCC names no country of the laboratory, and strict readers refuse it: \
-         state country = \"DE\" or yours under [laboratory] in a file given with --particulars",
-    )
-}
 
 /// The certificate as DCC XML.
 ///
 /// # Errors
 /// [`Error::Input`] when the day of calibration is neither in the record nor
-/// stated: a DCC cannot be without.
+/// stated, or the laboratory states no country: a DCC cannot be without.
 pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Vec<u8>> {
-    let day = certificate.day.ok_or_else(|| {
-        Error::input(
-            format!("record of certificate {}", certificate.number),
-            "has no date, and a digital calibration certificate must have one",
-            "state `date` under [calibration] in a file given with --particulars",
-        )
-    })?;
+    let needs = needs(certificate)?;
     let mut xml = Xml::new();
     let root = [
         ("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance"),
@@ -52,8 +37,40 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
         ("schemaVersion", "3.3.0"),
     ];
     xml.with("dcc:digitalCalibrationCertificate", &root, |xml| {
-        administrative::write(xml, certificate, day, language);
+        administrative::write(xml, certificate, needs, language);
         results::write(xml, certificate, language);
     });
     Ok(xml.finish())
+}
+
+/// What a DCC cannot be without, beside the results.
+#[derive(Clone, Copy)]
+pub(super) struct Needs<'a> {
+    /// Day of calibration.
+    day: Date,
+    /// Country of the laboratory.
+    country: &'a str,
+}
+
+/// Looks for it.
+///
+/// # Errors
+/// [`Error::Input`] that names what is missing, and where it is stated.
+pub(super) fn needs(certificate: &Certificate) -> Result<Needs<'_>> {
+    let missing = |what: &str, hint: &str| {
+        let place = format!("certificate {}", certificate.number);
+        let problem = format!("has no {what}, and a digital calibration certificate must have one");
+        Error::input(place, problem, hint)
+    };
+    let day = certificate.day.ok_or_else(|| {
+        let hint = "state `date` under [calibration] in a file given with --particulars";
+        missing("date", hint)
+    })?;
+    let country = certificate.particulars.laboratory.country.as_deref();
+    let country = country.ok_or_else(|| {
+        let hint = "state `country`, two letters, under [laboratory] in the file of the \
+                    laboratory, or in one given with --particulars";
+        missing("country of the laboratory", hint)
+    })?;
+    Ok(Needs { day, country })
 }

@@ -235,38 +235,24 @@ fn lists(xml: &mut Xml, certificate: &Certificate, points: &[Measured<'_>], lang
     let judged = points.iter().filter_map(|(_, v)| v.assessment);
     let judged = judged.map(|a| a.conformity.name()).collect();
     let phases = points.iter().all(|(_, v)| v.printed_phase_deg.is_some());
-    write_list(
-        xml,
-        certificate,
-        language,
-        &List {
-            name: language.word("column.frequency"),
-            ref_type: "vib_frequency",
-            unit: r"\hertz",
-            values: points
-                .iter()
-                .map(|(p, _)| p.frequency_hz.to_string())
-                .collect(),
-            uncertainties: None,
-            conformity: Vec::new(),
-        },
-    );
-    write_list(
-        xml,
-        certificate,
-        language,
-        &List {
-            name: language.word("calibration.acceleration_rms"),
-            ref_type: "vib_acceleration",
-            unit: r"\metre\second\tothe{-2}",
-            values: points
-                .iter()
-                .map(|(p, _)| p.acceleration_ms2.to_string())
-                .collect(),
-            uncertainties: None,
-            conformity: Vec::new(),
-        },
-    );
+    for plain in [
+        plain(
+            language.word("column.frequency"),
+            "vib_frequency",
+            r"\hertz",
+            points,
+            |p| p.frequency_hz.to_string(),
+        ),
+        plain(
+            language.word("calibration.acceleration_rms"),
+            "vib_acceleration",
+            r"\metre\second\tothe{-2}",
+            points,
+            |p| p.acceleration_ms2.to_string(),
+        ),
+    ] {
+        write_list(xml, certificate, language, &plain);
+    }
     write_list(
         xml,
         certificate,
@@ -313,6 +299,24 @@ fn lists(xml: &mut Xml, certificate: &Certificate, points: &[Measured<'_>], lang
                 conformity: Vec::new(),
             },
         );
+    }
+}
+
+/// A list without uncertainties: what was set, not what was measured.
+fn plain<'a>(
+    name: &'a str,
+    ref_type: &'a str,
+    unit: &'a str,
+    points: &[Measured<'_>],
+    value: impl Fn(&Point) -> String,
+) -> List<'a> {
+    List {
+        name,
+        ref_type,
+        unit,
+        values: points.iter().map(|(point, _)| value(point)).collect(),
+        uncertainties: None,
+        conformity: Vec::new(),
     }
 }
 

@@ -1,7 +1,7 @@
 // The page shows what the server says and keeps nothing: every event is the whole view.
 import * as measurement from "./measurement.js";
 import { show_records } from "./records.js";
-import { load, post, url } from "./server.js";
+import { load, post, save, url } from "./server.js";
 import * as waveforms from "./waveforms.js";
 
 const $ = (id) => document.getElementById(id);
@@ -29,6 +29,14 @@ async function stop() {
 $("stop").addEventListener("click", stop);
 document.addEventListener("keydown", (event) => {
   if (event.key === "Escape") stop();
+});
+// A certificate that cannot be had is said here, not on an empty page.
+document.addEventListener("click", async (event) => {
+  const link = event.target.closest("a[download]");
+  if (!link || !link.href.startsWith(location.origin)) return;
+  event.preventDefault();
+  refusal = await save(link);
+  say();
 });
 $("connect").addEventListener("submit", (event) => {
   event.preventDefault();

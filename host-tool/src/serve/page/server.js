@@ -25,3 +25,20 @@ export async function load(path) {
     return null;
   }
 }
+
+/** Saves what a link names; returns why it cannot be had, or nothing. */
+export async function save(link) {
+  try {
+    const answer = await fetch(link.href);
+    if (!answer.ok) return await answer.text();
+    const name = /filename="(.*)"/.exec(answer.headers.get("Content-Disposition"));
+    const file = document.createElement("a");
+    file.href = URL.createObjectURL(await answer.blob());
+    file.download = name ? name[1] : "certificate";
+    file.click();
+    setTimeout(() => URL.revokeObjectURL(file.href), 60000);
+    return "";
+  } catch (error) {
+    return "the server does not answer: " + error.message;
+  }
+}

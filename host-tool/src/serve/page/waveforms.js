@@ -5,9 +5,9 @@ import { load } from "./server.js";
 const $ = (id) => document.getElementById(id);
 let shown = 0, loading = false, last = null;
 
-/** An axis around zero that holds the whole trace; both zeros are at one height. */
-function swing(values) {
-  const most = 1.1 * Math.max(1e-9, ...values.map(Math.abs));
+/** An axis around zero that holds the whole trace `room` times; zeros are at one height. */
+function swing(values, room) {
+  const most = room * Math.max(1e-9, ...values.map(Math.abs));
   return { min: -most, max: most, wanted: 4 };
 }
 
@@ -20,9 +20,9 @@ function decades(values) {
 export function draw() {
   if (!last || $("inputs").hidden) return;
   const time = (n) => n * last.step_ms, points = (trace) => trace.map((y, n) => ({ x: time(n), y }));
-  chart($("waveform"), { min: 0, max: time(last.reference_ms2.length - 1), label: "time, ms" }, swing(last.reference_ms2), [
+  chart($("waveform"), { min: 0, max: time(last.reference_ms2.length - 1), label: "time, ms" }, swing(last.reference_ms2, 1.1), [
     { kind: "trace", points: points(last.reference_ms2) },
-    { kind: "trace", class: "second", y: swing(last.dut_mv), points: points(last.dut_mv) },
+    { kind: "trace", class: "second", y: swing(last.dut_mv, 1.6), points: points(last.dut_mv) },
   ]);
   const line = (channel) => last.spectrum.map((l) => ({ x: l[0], y: l[channel] }));
   const ends = [last.spectrum[0][0], last.spectrum.at(-1)[0]];

@@ -1,0 +1,85 @@
+//! `calib risk`: what decision rules let through, over many sensors.
+
+use super::{Context, table::Table};
+use calib_host::decision::risk::{self, guard_band};
+use calib_host::{Error, Result};
+use clap::Args;
+use serde::Serialize;
+
+/// `calib risk`.
+#[derive(Debug, Args)]
+pub(crate) struct Risk {
+    /// Tolerance over expanded uncertainty (k = 2), the test uncertainty ratio.
+    #[arg(long, value_name = "TUR")]
+    ratio: f64,
+    /// Share of the sensors that are within tolerance, %.
+    #[arg(long, value_name = "PERCENT", default_value_t = 95.0)]
+    in_tolerance: f64,
+}
+
+#[derive(Serialize)]
+struct Row {
+    rule: &'static str,
+    acceptance_limit_percent: f64,
+    false_accept_percent: f64,
+    false_reject_percent: f64,
+    bad_among_accepted_percent: f64,
+}
+
+impl Risk {
+    /// Computes and prints.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        // Below one, tolerance less U leaves nothing to accept.
+        let usable = self.ratio.is_finite() && self.ratio > 1.0;
+        if !usable || !(50.0..100.0).contains(&self.in_tolerance) {
+            return Err(Error::Usage {
+                problem: "--ratio is above 1, --in-tolerance from 50 to below 100 %".to_owned(),
+                hint: "a tolerance of 5 % and U = 0.8 % have a ratio of 6.25".to_owned(),
+            });
+        }
+        let rows = self.rows();
+        context.print(&rows, || table(&rows))
+    }
+
+    fn rows(&self) -> Vec<Row> {
+        let items = risk::spread_of_items(self.in_tolerance / 100.0);
+        let row = |(rule, acceptance): (&'static str, f64)| {
+            let risk = risk::global(items, 0.5 / self.ratio, acceptance);
+            Row {
+                rule,
+                acceptance_limit_percent: 100.0 * acceptance,
+                false_accept_percent: 100.0 * risk.false_accept,
+                false_reject_percent: 100.0 * risk.false_reject,
+                bad_among_accepted_percent: 100.0 * risk.conditional_false_accept(),
+            }
+        };
+        let rules = [
+            ("simple acceptance", 1.0),
+            ("guard band w = U", guard_band::expanded(self.ratio)),
+            ("root sum square", guard_band::root_sum_square(self.ratio)),
+            ("at most 2 % (Dobbert)", guard_band::dobbert(self.ratio)),
+        ];
+        rules.into_iter().map(row).collect()
+    }
+}
+
+fn table(rows: &[Row]) -> String {
+    let mut table = Table::new(&[
+        "rule",
+        "limit/%",
+        "bad, accepted/%",
+        "good, rejected/%",
+        "bad of accepted/%",
+    ]);
+    for row in rows {
+        let cells = [
+            row.rule.to_owned(),
+            format!("{:.1}", row.acceptance_limit_percent),
+            format!("{:.3}", row.false_accept_percent),
+            format!("{:.3}", row.false_reject_percent),
+            format!("{:.3}", row.bad_among_accepted_percent),
+        ];
+        table.row(cells);
+    }
+    table.to_string()
+}
