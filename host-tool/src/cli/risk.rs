@@ -67,9 +67,9 @@ fn table(rows: &[Row]) -> String {
     let mut table = Table::new(&[
         "rule",
         "limit/%",
-        "bad, accepted/%",
-        "good, rejected/%",
-        "bad of accepted/%",
+        "false accept/%",
+        "false reject/%",
+        "bad of acc./%",
     ]);
     for row in rows {
         let cells = [
