@@ -140,7 +140,6 @@ fn next_view(events: &mut BufReader<TcpStream>, is: impl Fn(&Value) -> bool) -> 
 #[test]
 fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     let folder = tempfile::tempdir().expect("folder");
-    calib_host::bench::Bench::open(&folder.path().join("bench.sqlite")).expect("a bench");
     let (_, device) = serve_device(Device::new());
     let server = Server::start(folder.path(), LOOPBACK, &[]);
     for (path, words) in [
@@ -179,6 +178,27 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
         "{status}"
     );
     assert_eq!(server.get("/api/certificate/exe").0, 400);
+    // The first run made the bench, and records in it have certificates too. One
+    // that was viewed is not issued, one that was downloaded is.
+    assert_eq!(server.get("/api/records/1/certificate/html").1, page);
+    let issued = || {
+        let bench = calib_host::bench::Bench::open(&folder.path().join("bench.sqlite"));
+        bench
+            .expect("a bench")
+            .certificates()
+            .expect("a list")
+            .len()
+    };
+    assert_eq!(issued(), 0);
+    let (status, json) = server.get("/api/records/1/certificate/json");
+    assert!(status == 200 && json.contains("sensitivity"), "{json}");
+    assert_eq!(issued(), 1);
+    assert_eq!(server.get("/api/records/2/certificate/json").0, 400);
+    let (status, why) = server.get("/api/certificate/dcc");
+    assert!(status == 400 && why.contains("country"), "{why}");
+    let (_, waveforms) = server.get("/api/waveforms");
+    let waveforms: Value = serde_json::from_str(&waveforms).expect("JSON");
+    assert_eq!(waveforms["number"], views[0]["waveforms"]);
     let (_, records) = server.get("/api/records");
     let records: Value = serde_json::from_str(&records).expect("JSON");
     assert_eq!(records[0]["sensor_serial"], "D'1");
