@@ -82,10 +82,11 @@ pub struct Distance {
 pub struct Confirmation {
     /// Effects that were added, with their values.
     pub effects: Vec<String>,
-    /// All observables together; `None` when no row could be compared.
+    /// Ratio and drive together; `None` when no row could be compared.
     pub gap: Option<Distance>,
     /// By observable: `ratio` (complex, but for a constant gain, which is the measurand),
-    /// `drive` (magnitude).
+    /// `drive` (magnitude), `ref_harmonics` and `dut_harmonics` (absolute, relative to the
+    /// fundamental), `dc` (over the peak of the channel).
     pub by_observable: BTreeMap<&'static str, Distance>,
     /// Points the simulated instrument refused.
     pub refused: usize,

@@ -2,8 +2,9 @@
 
 use super::measured::Row;
 use calib_gap::Distance;
-use calib_twin::dataset::Point;
+use calib_twin::dataset::{Harmonic, Point};
 use std::collections::BTreeMap;
+use std::f64::consts::SQRT_2;
 
 /// One row with what the firmware recorded of it without and with an effect.
 pub(super) struct Compared<'a> {
@@ -19,7 +20,13 @@ type Measure = fn(&[(&Row, &Point)]) -> Errors;
 
 /// Distances of every observable that both sides have.
 pub(super) fn by_observable(rows: &[Compared<'_>]) -> BTreeMap<&'static str, Distance> {
-    let measures = [("ratio", ratio_errors as Measure), ("drive", drive_errors)];
+    let measures = [
+        ("ratio", ratio_errors as Measure),
+        ("drive", drive_errors),
+        ("ref_harmonics", |rows| harmonic_errors(rows, "ref")),
+        ("dut_harmonics", |rows| harmonic_errors(rows, "dut")),
+        ("dc", dc_errors),
+    ];
     let before: Vec<_> = rows.iter().map(|r| (r.measured, r.before)).collect();
     let after: Vec<_> = rows.iter().map(|r| (r.measured, r.after)).collect();
     let mut all = BTreeMap::new();
@@ -83,6 +90,37 @@ fn drive_errors(rows: &[(&Row, &Point)]) -> Errors {
     let error = |(measured, emulated): &(&Row, &Point)| {
         let drive = measured.get("ref_v")? / measured.get("coil_v")?;
         Some((drive * emulated.coil_v? / emulated.ref_v?).ln())
+    };
+    rows.iter().filter_map(error).collect()
+}
+
+/// Distance of the relative harmonics 2 to 5 of a channel.
+fn harmonic_errors(rows: &[(&Row, &Point)], channel: &str) -> Errors {
+    let error = |(measured, emulated): &(&Row, &Point)| {
+        let emulated = match channel {
+            "ref" => emulated.ref_harmonics?,
+            _ => emulated.dut_harmonics?,
+        };
+        let one = |(n, emulated): (usize, &Harmonic)| {
+            let amplitude = measured.get(&format!("{channel}_h{n}"))?;
+            // Without a phase the nearest is taken.
+            let phase_deg = measured.get(&format!("{channel}_h{n}_deg"));
+            let turn = (phase_deg.unwrap_or(emulated.phase_deg) - emulated.phase_deg).to_radians();
+            let product = 2.0 * amplitude * emulated.amplitude * turn.cos();
+            Some(amplitude.powi(2) + emulated.amplitude.powi(2) - product)
+        };
+        let squares: Option<Vec<f64>> = (2..).zip(&emulated).map(one).collect();
+        Some(squares?.iter().sum::<f64>().max(0.0).sqrt())
+    };
+    rows.iter().filter_map(error).collect()
+}
+
+/// Distance of the means of both channels, over the peak of each.
+fn dc_errors(rows: &[(&Row, &Point)]) -> Errors {
+    let error = |(measured, emulated): &(&Row, &Point)| {
+        let reference = (measured.get("ref_dc_v")? - emulated.ref_dc_v?) / measured.get("ref_v")?;
+        let dut = (measured.get("dut_dc_v")? - emulated.dut_dc_v?) / measured.get("dut_v")?;
+        Some(reference.hypot(dut) / SQRT_2)
     };
     rows.iter().filter_map(error).collect()
 }

@@ -21,8 +21,10 @@ use rayon::prelude::*;
 use std::ops::ControlFlow;
 use std::path::Path;
 
-/// Blocks averaged at each point: enough for a comparison in per cent.
+/// Blocks averaged at each point: enough for a comparison in per cent, and, with captures, for one
+/// to be taken while the level is held.
 const BLOCKS: u16 = 3;
+const BLOCKS_WITH_CAPTURE: u16 = 10;
 
 /// Adds the most probable cause of `answer` to the emulated rig of the dataset in `folder`, and
 /// compares. Nothing to confirm gives `None`.
@@ -140,16 +142,20 @@ fn emulate(
     // instrument cannot know.
     let settings = settings_for(&rig, client.settings()?, None);
     client.write_settings(Settings {
-        blocks: BLOCKS,
+        blocks: match condition.has_harmonics() {
+            true => BLOCKS_WITH_CAPTURE,
+            false => BLOCKS,
+        },
         ..settings
     })?;
-    let go_on = |_: &session::Progress<'_>| ControlFlow::Continue(());
+    let go_on = |_: &session::Progress<'_>, _: &[PointSpec]| ControlFlow::Continue(());
     let mut rows = record(
         &mut client,
         &known,
         &specs,
         &condition.setting,
         condition.start_s,
+        condition.has_harmonics(),
         go_on,
     )?
     .rows;

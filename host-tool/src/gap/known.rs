@@ -84,6 +84,26 @@ impl Known {
         })
     }
 
+    /// Known response of the reference channel up to the converter, relative to its gain between the
+    /// corners; 1 if nothing is known.
+    pub fn at_reference(&self, frequency_hz: f64) -> Complex64 {
+        self.rig.as_ref().map_or(Complex64::ONE, |rig| {
+            let gain = rig.reference.sensitivity_v_per_ms2 * rig.reference.conditioner_gain;
+            let response = oracle::reference_sensitivity(rig, frequency_hz) / gain
+                * oracle::anti_alias(rig, frequency_hz);
+            Complex64::new(response.re, response.im)
+        })
+    }
+
+    /// The same of the device's channel.
+    pub fn at_dut(&self, frequency_hz: f64) -> Complex64 {
+        let filter = self.rig.as_ref().map_or(Complex64::ONE, |rig| {
+            let response = oracle::anti_alias(rig, frequency_hz);
+            Complex64::new(response.re, response.im)
+        });
+        self.dut(frequency_hz) * filter
+    }
+
     /// Voltage at the coil over the commanded one: the hold of the converter, and the output filter
     /// if it is known.
     pub fn output(&self, frequency_hz: f64, sample_rate_hz: f64) -> Complex64 {

@@ -71,6 +71,13 @@ pub(super) struct Condition {
     pub(super) rows: Vec<Row>,
 }
 
+impl Condition {
+    /// Whether harmonics can be compared.
+    pub(super) fn has_harmonics(&self) -> bool {
+        self.rows.iter().any(|row| row.get("ref_h2").is_some())
+    }
+}
+
 /// The rows of the dataset in `folder` that state a level, by condition.
 pub(super) fn conditions(folder: &Path, nominal: &Nominal) -> Result<Vec<Condition>> {
     let mut found: Vec<Condition> = Vec::new();

@@ -21,3 +21,4 @@ pub mod score;
 pub mod simulated;
 pub mod strata;
 pub mod truth;
+mod waveforms;

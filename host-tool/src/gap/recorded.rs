@@ -6,15 +6,17 @@
 //! | `dut_v`, `dut_deg` | reported sensitivity and phase, known responses of the device's conditioner taken out |
 //! | `coil_v` | the voltage the generator commands, behind its hold and the known output filter: no sensor at the coil |
 //! | `time_s` | sample clock, while the point is measured |
+//! | `ref_h2` .., `dut_h2` .., `ref_dc_v`, `dut_dc_v` | a capture while the point is held, fitted here; means without those at rest |
 //! | conditions | as the operator states them |
 //!
 //! `rig.toml` has no place for filters, so what is known of them comes out of the rows: [`Known`].
 
 use super::known::Known;
+use super::waveforms::Waveforms;
 use crate::Result;
 use crate::link::Client;
 use crate::session::{self, Progress};
-use calib_core::point::{PointResult, PointSpec};
+use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
@@ -63,8 +65,13 @@ pub struct Recorded {
     pub ended_by: Option<Reason>,
 }
 
+/// Passes over points at most, to get the waveforms of all of them.
+const PASSES: usize = 3;
+
 /// Measures points and gives them as rows; `start_s` is the time of the run's begin
-/// since the first point of the dataset.
+/// since the first point of the dataset. With `waveforms` harmonics and means are added from
+/// captures; points that were over before their capture was read are measured once more.
+/// `observe` gets the points of the run it looks at.
 ///
 /// # Errors
 /// Those of the link and the device.
@@ -74,42 +81,131 @@ pub fn record(
     points: &[PointSpec],
     setting: &Setting,
     start_s: f64,
-    mut observe: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
+    waveforms: bool,
+    mut observe: impl FnMut(&Progress<'_>, &[PointSpec]) -> ControlFlow<()>,
 ) -> Result<Recorded> {
-    let rate_hz = f64::from(client.info()?.sample_rate_hz);
-    let begun = client.status()?.samples;
-    let mut looks = vec![Look::default(); points.len()];
-    let outcome = session::run(client, points, RunLabels::default(), |progress| {
-        let status = &progress.status;
-        let elapsed_s = status.samples.saturating_sub(begun) as f64 / rate_hz;
-        if let Some(look) = looks.get_mut(usize::from(status.point))
-            && status.state == RunState::Measuring
-            // 0 while the exciter is silenced after the last block.
-            && status.drive_peak_v > 0.0
-        {
-            *look = Look {
-                time_s: start_s + elapsed_s,
-                drive_peak_v: f64::from(status.drive_peak_v),
-            };
-        }
-        observe(progress)
-    })?;
+    let mut pass = Pass {
+        known,
+        setting,
+        rate_hz: f64::from(client.info()?.sample_rate_hz),
+        begun: client.status()?.samples,
+        start_s,
+        waveforms: match waveforms {
+            true => Some(Waveforms::at_rest(client)?),
+            false => None,
+        },
+    };
     let mut recorded = Recorded {
-        stopped: outcome.state == RunState::Stopped,
+        rows: vec![None; points.len()],
         ..Recorded::default()
     };
-    for (point, look) in outcome.points.iter().zip(&looks) {
-        let row = is_measured(point, look).then(|| row(point, look, known, setting, rate_hz));
-        if row.is_none() {
-            recorded.refused.push(*point);
+    let mut left: Vec<usize> = (0..points.len()).collect();
+    for _ in 0..PASSES {
+        let specs: Vec<PointSpec> = left.iter().map(|at| points[*at]).collect();
+        let (state, results) = pass.run(client, &specs, &mut observe)?;
+        let mut again = Vec::new();
+        for (result, at) in results.iter().zip(&left) {
+            match result {
+                Taken::Row(row) => recorded.rows[*at] = Some(row.clone()),
+                Taken::Incomplete(row) => {
+                    recorded.rows[*at] = row.clone().or(recorded.rows[*at].take());
+                    again.push(*at);
+                }
+                Taken::Refused(point) => recorded.refused.push(*point),
+            }
         }
-        recorded.rows.push(row);
-        recorded.duration_s = recorded.duration_s.max(look.time_s - start_s);
+        recorded.stopped = state == RunState::Stopped;
+        if results.len() < specs.len() {
+            recorded.ended_by = recorded.refused.last().and_then(refusal);
+        }
+        left = again;
+        if left.is_empty() || recorded.stopped || recorded.ended_by.is_some() {
+            break;
+        }
     }
-    if outcome.points.len() < points.len() {
-        recorded.ended_by = outcome.points.last().and_then(refusal);
-    }
+    let times = recorded.rows.iter().flatten().filter_map(|row| row.time_s);
+    recorded.duration_s = times.fold(start_s, f64::max) - start_s;
     Ok(recorded)
+}
+
+/// What became of a point.
+enum Taken {
+    Row(Point),
+    /// Over before everything about it was read.
+    Incomplete(Option<Point>),
+    Refused(PointResult),
+}
+
+/// One run over some of the points.
+struct Pass<'a> {
+    known: &'a Known,
+    setting: &'a Setting,
+    rate_hz: f64,
+    /// Samples the calibrator had taken before the first point.
+    begun: u64,
+    start_s: f64,
+    waveforms: Option<Waveforms>,
+}
+
+impl Pass<'_> {
+    fn run(
+        &mut self,
+        client: &mut Client,
+        points: &[PointSpec],
+        observe: &mut impl FnMut(&Progress<'_>, &[PointSpec]) -> ControlFlow<()>,
+    ) -> Result<(RunState, Vec<Taken>)> {
+        if let Some(waveforms) = &mut self.waveforms {
+            waveforms.begin();
+        }
+        let labels = RunLabels::default();
+        let id = session::begin(client, points, ExcitationKind::SingleSine, labels)?;
+        let mut looks = vec![Look::default(); points.len()];
+        let outcome = session::follow_beside(client, id, points, |progress, client| {
+            let status = &progress.status;
+            if let Some(look) = looks.get_mut(usize::from(status.point))
+                && status.state == RunState::Measuring
+                // 0 while the exciter is silenced after the last block.
+                && status.drive_peak_v > 0.0
+            {
+                let elapsed = status.samples.saturating_sub(self.begun) as f64;
+                *look = Look {
+                    time_s: self.start_s + elapsed / self.rate_hz,
+                    drive_peak_v: f64::from(status.drive_peak_v),
+                };
+            }
+            if let Some(waveforms) = &mut self.waveforms {
+                waveforms.look(client, status).inspect_err(|_| {
+                    // Nobody follows any more. If the link is broken, its first error says it.
+                    let _ = client.stop();
+                })?;
+            }
+            Ok(observe(progress, points))
+        })?;
+        if let Some(waveforms) = &mut self.waveforms {
+            waveforms.end(client)?;
+        }
+        let results = outcome.points.iter().zip(&looks).enumerate();
+        let taken = results.map(|(at, (point, look))| self.taken(at, point, look));
+        Ok((outcome.state, taken.collect()))
+    }
+
+    fn taken(&self, at: usize, point: &PointResult, look: &Look) -> Taken {
+        if !is_measured(point) {
+            return Taken::Refused(*point);
+        }
+        if look.drive_peak_v == 0.0 {
+            return Taken::Incomplete(None);
+        }
+        let mut row = row(point, look, self.known, self.setting, self.rate_hz);
+        let complete = self
+            .waveforms
+            .as_ref()
+            .is_none_or(|waveforms| waveforms.complete(&mut row, at, self.known));
+        match complete {
+            true => Taken::Row(row),
+            false => Taken::Incomplete(Some(row)),
+        }
+    }
 }
 
 fn refusal(point: &PointResult) -> Option<Reason> {
@@ -127,12 +223,6 @@ struct Look {
     drive_peak_v: f64,
 }
 
-impl Look {
-    fn seen(&self) -> bool {
-        self.drive_peak_v > 0.0
-    }
-}
-
 /// A rig under the conditions of a run that begins `start_s` after the first point.
 pub fn under(rig: &Rig, setting: &Setting, nominal: &Nominal, start_s: f64) -> Rig {
     let mut rig = rig.clone();
@@ -147,12 +237,12 @@ pub fn under(rig: &Rig, setting: &Setting, nominal: &Nominal, start_s: f64) -> R
 
 /// Whether a point is a steady state, even if no calibration: too much distortion is what a
 /// diagnosis looks for.
-fn is_measured(point: &PointResult, look: &Look) -> bool {
+fn is_measured(point: &PointResult) -> bool {
     let steady = matches!(
         refusal(point),
         None | Some(Reason::Distortion | Reason::DutDistortion)
     );
-    steady && point.blocks >= 2 && look.seen()
+    steady && point.blocks >= 2
 }
 
 /// One reported point as a row.

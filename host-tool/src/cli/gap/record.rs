@@ -58,6 +58,9 @@ pub(crate) struct RecordVerb {
     /// Runs; before each one but the first the device under test is mounted anew.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=20))]
     runs: u8,
+    /// Leave harmonics and means out: faster over a slow line.
+    #[arg(long)]
+    no_waveforms: bool,
     /// Do not wait for the operator between runs.
     #[arg(long)]
     yes: bool,
@@ -301,10 +304,19 @@ impl RecordVerb {
         };
         let points = self.points(client, known, setting)?;
         let mut progress = RunProgress::new(context);
-        record(client, known, &points, setting, start_s, |state| {
-            progress.show(state, &points);
-            stop()
-        })
+        let waveforms = !self.no_waveforms;
+        record(
+            client,
+            known,
+            &points,
+            setting,
+            start_s,
+            waveforms,
+            |state, now| {
+                progress.show(state, now);
+                stop()
+            },
+        )
     }
 
     fn points(
