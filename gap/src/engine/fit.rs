@@ -28,7 +28,7 @@ pub(crate) struct Effort {
 impl Effort {
     pub(crate) const FULL: Self = Self {
         most_steps: 25,
-        enough: 1e-3,
+        enough: 1e-2,
     };
     /// Enough to see whether a set is within reach of the best.
     pub(crate) const GLANCE: Self = Self {
@@ -57,14 +57,12 @@ impl Fit {
 /// Memory of balances, reused between refinements of one problem.
 pub(crate) struct Workspace {
     pub(crate) memory: Vec<Memory>,
-    spare: Vec<Memory>,
 }
 
 impl Workspace {
     pub(crate) fn new(problem: &Problem) -> Self {
         Self {
             memory: problem.memory(),
-            spare: problem.memory(),
         }
     }
 }
@@ -77,13 +75,25 @@ pub(crate) fn refine(
     effort: Effort,
     work: &mut Workspace,
 ) -> Fit {
+    refine_with(problem, effects, theta, None, effort, work)
+}
+
+/// The same; the first step takes the slopes that are known of part of the set.
+pub(crate) fn refine_with(
+    problem: &Problem,
+    effects: Vec<Active<'static>>,
+    theta: Vec<f64>,
+    slopes: Option<&Slopes>,
+    effort: Effort,
+    work: &mut Workspace,
+) -> Fit {
     let mut fit = Fit {
         effects,
         theta,
         objective: f64::INFINITY,
     };
     clamp(&mut fit.effects);
-    descend(problem, &mut fit, effort, work);
+    descend(problem, &mut fit, slopes, effort, work);
     if fit.effects.iter().any(|e| e.effect.opens()) {
         // Slopes see the mean, the search sees the scatter: each moves the other's optimum.
         let rounds = if effort.most_steps < Effort::FULL.most_steps {
@@ -94,7 +104,7 @@ pub(crate) fn refine(
         for round in 0..rounds {
             let before = fit.objective;
             polish(problem, &mut fit, round, work);
-            descend(problem, &mut fit, effort, work);
+            descend(problem, &mut fit, None, effort, work);
             if before - fit.objective < 0.1 {
                 break;
             }
@@ -109,9 +119,15 @@ const STANDS_STILL: f64 = 1e-9;
 const RENEWAL: usize = 4;
 
 /// Damped Gauss-Newton steps until the objective stands still.
-fn descend(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspace) {
+fn descend(
+    problem: &Problem,
+    fit: &mut Fit,
+    slopes: Option<&Slopes>,
+    effort: Effort,
+    work: &mut Workspace,
+) {
     let mut damping = 1e-4;
-    let mut linear = Linearised::new(problem, fit, work);
+    let mut linear = Linearised::with(problem, fit, slopes, work);
     fit.objective = linear.evaluation.objective;
     let (mut small, mut accepted) = (0, 0);
     for _ in 0..effort.most_steps {
@@ -133,14 +149,42 @@ fn descend(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspac
                 break;
             }
             accepted += 1;
-            let lagging = (accepted % RENEWAL != 0).then_some(linear.columns);
-            linear = Linearised::with(problem, fit, lagging.as_deref(), work);
+            let lagging = (accepted % RENEWAL != 0).then(|| linear.nuisance_slopes());
+            linear = Linearised::with(problem, fit, lagging.as_ref(), work);
         } else {
             if damping > 1e6 {
                 break;
             }
             damping *= if damping < 1e-2 { 100.0 } else { 10.0 };
         }
+    }
+}
+
+/// Slopes taken at an earlier step, or at a smaller set: against the nuisances,
+/// then perhaps against the parameters of the first effects.
+pub(crate) struct Slopes {
+    columns: Vec<Column>,
+    /// Weights that the columns hold.
+    weight: Vec<f64>,
+}
+
+impl Slopes {
+    /// Slopes with the weights they hold.
+    pub(crate) fn new(columns: Vec<Column>, weight: Vec<f64>) -> Self {
+        Self { columns, weight }
+    }
+
+    /// Column of a parameter, with the weights of now.
+    fn column(&self, problem: &Problem, index: usize, weight: &[f64]) -> Option<Column> {
+        let mut column = self.columns.get(index)?.clone();
+        for (slot, values) in &mut column.parts {
+            let range = problem.slots[*slot].clone();
+            let (now, then) = (&weight[range.clone()], &self.weight[range]);
+            for ((value, now), then) in values.iter_mut().zip(now).zip(then) {
+                *value *= now / then;
+            }
+        }
+        Some(column)
     }
 }
 
@@ -157,28 +201,34 @@ impl Linearised {
         Self::with(problem, fit, None, work)
     }
 
-    /// The same with the nuisances' slopes of an earlier step, where new ones are expensive.
-    fn with(
-        problem: &Problem,
-        fit: &Fit,
-        lagging: Option<&[Column]>,
-        work: &mut Workspace,
-    ) -> Self {
+    /// The same with earlier slopes, where new ones are expensive.
+    fn with(problem: &Problem, fit: &Fit, lagging: Option<&Slopes>, work: &mut Workspace) -> Self {
         let (evaluation, mut columns) =
             problem.linearise(&fit.effects, &fit.theta, &mut work.memory);
-        match lagging {
-            _ if !fit.effects.iter().any(|e| e.effect.bends()) => {}
-            Some(earlier) => columns.clone_from_slice(&earlier[..problem.free.len()]),
-            None => bent_columns(problem, fit, &evaluation, &mut columns, work),
+        let bent = fit.effects.iter().any(|e| e.effect.bends());
+        let earlier = |index: usize| {
+            let slopes = lagging.filter(|_| bent);
+            slopes.and_then(|s| s.column(problem, index, &evaluation.weight))
+        };
+        if bent && lagging.is_none() {
+            bent_columns(problem, fit, &evaluation, &mut columns, work);
+        }
+        for (index, column) in columns.iter_mut().enumerate() {
+            if let Some(earlier) = earlier(index) {
+                *column = earlier;
+            }
         }
         let mut effects = fit.effects.clone();
         for at in 0..effects.len() {
             for index in 0..effects[at].parameters.len() {
+                if let Some(earlier) = earlier(columns.len()) {
+                    columns.push(earlier);
+                    continue;
+                }
                 let original = effects[at].parameters[index];
                 let (value, step) = nudged(&effects[at], index);
                 effects[at].parameters[index] = value;
-                work.spare.clone_from(&work.memory);
-                let there = problem.evaluate(&effects, &fit.theta, &mut work.spare);
+                let there = problem.evaluate_aside(&effects, &fit.theta, &work.memory);
                 effects[at].parameters[index] = original;
                 let slope = column(problem, &evaluation, &there, step);
                 // What only rounding moves would be moved without bounds.
@@ -214,6 +264,13 @@ impl Linearised {
         Some(Cholesky::new(matrix)?.solve(&gradient))
     }
 
+    /// The slopes against the nuisances alone.
+    fn nuisance_slopes(self) -> Slopes {
+        let mut columns = self.columns;
+        columns.truncate(self.theta.len());
+        Slopes::new(columns, self.evaluation.weight)
+    }
+
     /// The tangent space here, priors included.
     pub(crate) fn tangent(self) -> Option<(Evaluation, Tangent)> {
         let tangent = Tangent::new(self.columns, &self.prior)?;
@@ -243,8 +300,7 @@ fn bent_columns(
         }
         let mut theta = fit.theta.clone();
         theta[index] += STEP;
-        work.spare.clone_from(&work.memory);
-        let there = problem.evaluate(&fit.effects, &theta, &mut work.spare);
+        let there = problem.evaluate_aside(&fit.effects, &theta, &work.memory);
         columns[index] = column(problem, evaluation, &there, STEP);
     }
 }

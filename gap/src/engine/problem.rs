@@ -3,7 +3,7 @@
 use crate::dataset::{Exciter, Measurand, Measured, Point, Rig};
 use crate::effects::{Active, Facts};
 use crate::model::chain::{Chain, Transfer};
-use crate::model::predict::{Memory, Nominal, Prediction, predict};
+use crate::model::predict::{Memory, Nominal, Prediction, Recall, predict};
 use crate::model::row::{CURRENT, DC, DRIVE, NOISE, RATIO, REF_HARMONICS, Row, SLOTS};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
@@ -70,6 +70,21 @@ pub(crate) struct Evaluation {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Column {
     pub(crate) parts: Vec<(usize, Vec<f64>)>,
+}
+
+/// Memory of all rows, as an evaluation uses it.
+pub(crate) enum Memories<'a> {
+    Keep(&'a mut [Memory]),
+    Look(&'a [Memory]),
+}
+
+impl Memories<'_> {
+    fn of(&mut self, row: usize) -> Recall<'_> {
+        match self {
+            Self::Keep(memory) => Recall::Keep(&mut memory[row]),
+            Self::Look(memory) => Recall::Look(&memory[row]),
+        }
+    }
 }
 
 const ABSENT: u32 = u32::MAX;
@@ -235,9 +250,10 @@ impl Problem {
         &self,
         effects: &[Active<'_>],
         theta: &[f64],
-        memory: &mut [Memory],
+        memory: Memories<'_>,
         mut visit: impl FnMut(usize, &Prediction),
     ) {
+        let mut memory = memory;
         let nominal = self.nominal(theta);
         let gains = self.run_gains(theta);
         // The reference holds the level, with its gain in each run.
@@ -249,7 +265,7 @@ impl Problem {
             })
             .collect();
         for (index, row) in self.rows.iter().enumerate() {
-            let mut prediction = predict(row, &of_run[row.run], effects, &mut memory[index]);
+            let mut prediction = predict(row, &of_run[row.run], effects, memory.of(index));
             prediction.value[RATIO] += gains[row.run][0];
             prediction.value[DRIVE] += gains[row.run][1];
             visit(index, &prediction);
@@ -263,14 +279,24 @@ impl Problem {
         theta: &[f64],
         memory: &mut [Memory],
     ) -> Evaluation {
-        self.evaluate_with(effects, theta, memory, |_, _| {})
+        self.evaluate_with(effects, theta, Memories::Keep(memory), |_, _| {})
+    }
+
+    /// The same a small step aside: starts from the memory and leaves it as it is.
+    pub(crate) fn evaluate_aside(
+        &self,
+        effects: &[Active<'_>],
+        theta: &[f64],
+        memory: &[Memory],
+    ) -> Evaluation {
+        self.evaluate_with(effects, theta, Memories::Look(memory), |_, _| {})
     }
 
     fn evaluate_with(
         &self,
         effects: &[Active<'_>],
         theta: &[f64],
-        memory: &mut [Memory],
+        memory: Memories<'_>,
         mut visit: impl FnMut(usize, &Prediction),
     ) -> Evaluation {
         let mut evaluation = Evaluation {
@@ -468,6 +494,7 @@ impl Problem {
             .map(|f| self.empty_column(f.kind))
             .collect();
         let offsets: [usize; SLOTS] = std::array::from_fn(|s| self.slots[s].start);
+        let memory = Memories::Keep(memory);
         let evaluation = self.evaluate_with(effects, theta, memory, |index, prediction| {
             for ((free, column), &value) in self.free.iter().zip(&mut columns).zip(theta) {
                 let unit = self.relative_unit(free, value);
@@ -689,7 +716,14 @@ fn nuisances(rig: &Rig, rows: &[Row], facts: &Facts) -> Vec<Free> {
             });
         }
     }
-    let noise = rig.digitiser.noise_v.map_or(0.0, |q| q.u / q.value);
+    // One noise is stated for both channels: whether its error is shared is not said. With
+    // twice the variance in each, the mean of both has the stated uncertainty.
+    let shared = if facts.ref_noise && facts.dut_noise {
+        std::f64::consts::SQRT_2
+    } else {
+        1.0
+    };
+    let noise = shared * rig.digitiser.noise_v.map_or(0.0, |q| q.u / q.value);
     if facts.ref_noise {
         free.push(Free {
             kind: Nuisance::Noise(0),

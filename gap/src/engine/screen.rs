@@ -1,9 +1,9 @@
 //! Screening: how much each effect could explain of what a fit leaves.
 
-use super::fit::{Fit, Linearised, Workspace};
-use super::normal::{Tangent, gram};
+use super::fit::{Fit, Linearised, Slopes, Workspace};
+use super::normal::{Tangent, difference, gram};
 use super::problem::{Column, Evaluation, Problem, wrapped};
-use crate::effects::{Active, Effect, Parameter, Scale, Start, library};
+use crate::effects::{Active, Effect, Parameter, Scale, Stage, Start, library};
 use crate::model::chain::Transfer;
 use crate::model::row::{DC, DRIVE, RATIO, REF_HARMONICS};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -85,24 +85,34 @@ impl Atoms {
         atoms
     }
 
-    /// The best promise of every entry that the fit does not hold yet, best first.
-    pub(crate) fn scan(&self, problem: &Problem, fit: &Fit, work: &mut Workspace) -> Vec<Promise> {
+    /// The best promise of every entry that the fit does not hold yet, best first,
+    /// and the slopes at the fit.
+    pub(crate) fn scan(
+        &self,
+        problem: &Problem,
+        fit: &Fit,
+        work: &mut Workspace,
+    ) -> (Vec<Promise>, Option<Slopes>) {
         let Some((evaluation, tangent)) = Linearised::new(problem, fit, work).tangent() else {
-            return Vec::new();
+            return (Vec::new(), None);
         };
         let mut best: Vec<Option<Promise>> = vec![None; library().len()];
+        let bent = fit.effects.iter().any(|e| e.effect.bends());
         for atom in &self.list {
             if fit.has(atom.entry) {
                 continue;
             }
-            if let Some(promise) = atom.promise(problem, &evaluation, &tangent) {
+            let beside = (bent && atom.moves_exciter())
+                .then(|| atom.beside(problem, fit, &evaluation, work));
+            let columns = beside.as_ref().unwrap_or(&atom.columns);
+            if let Some(promise) = atom.promise(columns, problem, &evaluation, &tangent) {
                 keep(&mut best, promise);
             }
         }
         self.scan_scatter(problem, fit, &evaluation, &mut best);
         let mut list: Vec<Promise> = best.into_iter().flatten().collect();
         list.sort_by(|a, b| b.gain.total_cmp(&a.gain));
-        list
+        (list, Some(Slopes::new(tangent.columns, evaluation.weight)))
     }
 
     fn scan_scatter(
@@ -228,25 +238,52 @@ fn linear_change(problem: &Problem, effect: &dyn Effect, parameters: &[f64]) -> 
 }
 
 impl Atom {
+    /// Whether the effect changes the linear exciter, and with it the harmonics of a bent one.
+    fn moves_exciter(&self) -> bool {
+        let effect = library()[self.entry];
+        effect.about().stage == Stage::Exciter && !effect.is_linear() && !effect.bends()
+    }
+
+    /// The changes beside the effects that a fit holds.
+    fn beside(
+        &self,
+        problem: &Problem,
+        fit: &Fit,
+        here: &Evaluation,
+        work: &Workspace,
+    ) -> Vec<Column> {
+        let members = self.start.members.iter();
+        let columns = members.map(|parameters| {
+            let mut effects = fit.effects.clone();
+            effects.push(active(self.entry, parameters.clone()));
+            let there = problem.evaluate_aside(&effects, &fit.theta, &work.memory);
+            let left = difference(problem, here, &there);
+            let none = vec![0.0; left.len()];
+            Column::difference(problem, &none, &left, 1.0)
+        });
+        columns.collect()
+    }
+
     fn promise(
         &self,
+        columns: &[Column],
         problem: &Problem,
         evaluation: &Evaluation,
         tangent: &Tangent,
     ) -> Option<Promise> {
-        let count = self.columns.len();
-        let loads: Vec<DVector<f64>> = self.columns.iter().map(|c| tangent.load(c)).collect();
-        let mut matrix: DMatrix<f64> = gram(&self.columns, &vec![0.0; count]);
+        let count = columns.len();
+        let loads: Vec<DVector<f64>> = columns.iter().map(|c| tangent.load(c)).collect();
+        let mut matrix: DMatrix<f64> = gram(columns, &vec![0.0; count]);
         let mut vector = DVector::zeros(count);
         for i in 0..count {
             // At the optimum the nuisances' own gradients are balanced by their priors.
-            vector[i] = self.columns[i].dot_data(problem, &evaluation.residual);
+            vector[i] = columns[i].dot_data(problem, &evaluation.residual);
             for j in 0..count {
                 matrix[(i, j)] -= loads[i].dot(&loads[j]);
             }
             // A direction that the nuisances can take over completely promises nothing.
             // (One that they take over against their priors does: the priors are the evidence.)
-            if matrix[(i, i)] < 1e-11 * self.columns[i].norm2() {
+            if matrix[(i, i)] < 1e-11 * columns[i].norm2() {
                 return None;
             }
         }

@@ -1,9 +1,10 @@
 //! Which set of effects: none, singles, pairs, with their probabilities.
 
-use super::fit::{Effort, Fit, Workspace, moved, refine};
+use super::fit::{Effort, Fit, Slopes, Workspace, moved, refine, refine_with};
 use super::problem::Problem;
 use super::screen::{Atoms, Promise, active};
 use crate::effects::library;
+use std::rc::Rc;
 
 /// Prior odds of one more effect, spread over the names of the library.
 const PRIOR_OF_MORE: f64 = 0.5;
@@ -23,8 +24,10 @@ const COST: f64 = 12.0;
 const COMPETING: f64 = 14.0;
 /// Objective above the best set of a size from which a set is not refined further.
 const OUT_OF_REACH: f64 = 60.0;
-/// The same as a share of what the best set gained.
+/// The same as a share of what the best set gained, as long as that leaves more than noise.
 const REACH: f64 = 0.02;
+/// Uncertainties by which noise does not move a nominal value.
+const STRETCHED: f64 = 3.5;
 /// Pairs refined fully.
 const MOST_PAIRS: usize = 14;
 
@@ -79,6 +82,37 @@ impl Limits {
             allowed,
             most_effects,
         }
+    }
+}
+
+/// A set to which effects are added, with its slopes.
+struct Base {
+    fit: Fit,
+    slopes: Option<Slopes>,
+}
+
+/// An effect to add to a base, with the objective that the screening predicts.
+struct Plan {
+    predicted: f64,
+    base: Rc<Base>,
+    promise: Promise,
+}
+
+impl Plan {
+    fn new(base: &Rc<Base>, promise: Promise) -> Self {
+        Self {
+            predicted: base.fit.objective - promise.gain,
+            base: Rc::clone(base),
+            promise,
+        }
+    }
+
+    /// Places in the library of the effects of the set, ascending.
+    fn entries(&self) -> Vec<usize> {
+        let mut entries = entries(&self.base.fit);
+        entries.push(self.promise.entry);
+        entries.sort_unstable();
+        entries
     }
 }
 
@@ -157,10 +191,14 @@ impl Searcher<'_> {
     }
 
     fn singles(&mut self, nominal: &Fit, seeded: bool) {
-        let promises = self.atoms.scan(self.problem, nominal, &mut self.work);
+        let (promises, slopes) = self.atoms.scan(self.problem, nominal, &mut self.work);
         let best = promises.first().map_or(0.0, |p| p.gain);
         let floor = WORTH_REFINING.max(0.02 * best);
-        let mut plans: Vec<(f64, Fit, Promise)> = chosen(&promises, 16, 4, floor)
+        let base = Rc::new(Base {
+            fit: nominal.clone(),
+            slopes,
+        });
+        let mut plans: Vec<Plan> = chosen(&promises, 16, 4, floor)
             .into_iter()
             .filter(|p| {
                 !self
@@ -168,26 +206,30 @@ impl Searcher<'_> {
                     .iter()
                     .any(|f| f.effects.len() == 1 && f.has(p.entry))
             })
-            .map(|p| (nominal.objective - p.gain, nominal.clone(), p))
+            .map(|p| Plan::new(&base, p))
             .collect();
         if seeded {
             self.drop_hopeless(&mut plans, 1);
         }
-        for (_, _, promise) in plans {
-            self.race(nominal, &promise, nominal.objective);
+        for plan in plans {
+            self.race(&plan, nominal.objective);
         }
     }
 
     /// A few steps first; all steps only for a set that is within reach of the best of its size.
-    fn race(&mut self, base: &Fit, promise: &Promise, nominal: f64) {
-        let size = base.effects.len() + 1;
-        let best = self
-            .found
-            .iter()
-            .filter(|f| f.effects.len() == size)
-            .fold(nominal, |m, f| m.min(f.objective));
-        let objective = self.try_set(base, promise, Effort::GLANCE);
-        if objective < best + OUT_OF_REACH.max(REACH * (nominal - best))
+    fn race(&mut self, plan: &Plan, nominal: f64) {
+        let size = plan.base.fit.effects.len() + 1;
+        let of_size = self.found.iter().filter(|f| f.effects.len() == size);
+        let leader = of_size.min_by(|a, b| a.objective.total_cmp(&b.objective));
+        let best = leader.map_or(nominal, |f| f.objective.min(nominal));
+        let settled = leader.is_some_and(|f| self.is_noise(f));
+        let objective = self.glance(plan);
+        let reach = if settled {
+            OUT_OF_REACH
+        } else {
+            OUT_OF_REACH.max(REACH * (nominal - best))
+        };
+        if objective < best + reach
             && let Some(fit) = self.found.pop_if(|f| f.effects.len() == size)
         {
             let start = fit.clone();
@@ -224,18 +266,23 @@ impl Searcher<'_> {
         }
     }
 
-    fn try_set(&mut self, base: &Fit, promise: &Promise, effort: Effort) -> f64 {
-        let base = self.shifted(base, promise);
+    /// A few steps of a set; its objective.
+    fn glance(&mut self, plan: &Plan) -> f64 {
+        let promise = &plan.promise;
+        let base = self.shifted(&plan.base.fit, promise);
         let mut effects = base.effects.clone();
         effects.push(active(promise.entry, promise.parameters.clone()));
-        let mut fit = refine(
+        let effect = library()[promise.entry];
+        // A second bend changes the slopes of the first.
+        let slopes = plan.base.slopes.as_ref().filter(|_| !effect.bends());
+        let mut fit = refine_with(
             self.problem,
             effects,
             base.theta.clone(),
-            effort,
+            slopes,
+            Effort::GLANCE,
             &mut self.work,
         );
-        let effect = library()[promise.entry];
         if effect.bends() && base.effects.is_empty() {
             // The screening of a bent exciter is linear in its size: try the other sizes too.
             for start in effect.starts(&self.problem.facts).into_iter().skip(1) {
@@ -249,7 +296,7 @@ impl Searcher<'_> {
                         self.problem,
                         other,
                         fit.theta.clone(),
-                        effort,
+                        Effort::GLANCE,
                         &mut self.work,
                     );
                     if again.objective < fit.objective {
@@ -280,41 +327,34 @@ impl Searcher<'_> {
             } else {
                 self.exchange_bases(size)
             };
-            let mut plans: Vec<(f64, Fit, Promise)> = Vec::new();
-            for base in &bases {
-                let promises = self.atoms.scan(self.problem, base, &mut self.work);
-                for promise in chosen(&promises, 5, 2, 9.0) {
-                    let mut entries = entries(base);
-                    entries.push(promise.entry);
-                    entries.sort_unstable();
-                    if same_name(base, promise.entry) || tried.contains(&entries) {
-                        continue;
-                    }
-                    plans.push((base.objective - promise.gain, base.clone(), promise));
-                }
+            let mut plans: Vec<Plan> = Vec::new();
+            for fit in bases {
+                let (promises, slopes) = self.atoms.scan(self.problem, &fit, &mut self.work);
+                let base = Rc::new(Base { fit, slopes });
+                let plan = chosen(&promises, 5, 2, 9.0).into_iter();
+                plans.extend(
+                    plan.map(|promise| Plan::new(&base, promise))
+                        .filter(|plan| {
+                            !same_name(&base.fit, plan.promise.entry)
+                                && !tried.contains(&plan.entries())
+                        }),
+                );
             }
             self.drop_hopeless(&mut plans, size);
             if plans.is_empty() {
                 break;
             }
             any = true;
-            plans.sort_by(|a, b| a.0.total_cmp(&b.0));
+            plans.sort_by(|a, b| a.predicted.total_cmp(&b.predicted));
             self.refine_plans(plans, &mut tried, nominal);
         }
         any
     }
 
-    fn refine_plans(
-        &mut self,
-        plans: Vec<(f64, Fit, Promise)>,
-        tried: &mut Vec<Vec<usize>>,
-        nominal: f64,
-    ) {
+    fn refine_plans(&mut self, plans: Vec<Plan>, tried: &mut Vec<Vec<usize>>, nominal: f64) {
         let before = tried.len();
-        for (_, base, promise) in plans {
-            let mut entries = entries(&base);
-            entries.push(promise.entry);
-            entries.sort_unstable();
+        for plan in plans {
+            let entries = plan.entries();
             if tried.contains(&entries) {
                 continue;
             }
@@ -322,19 +362,39 @@ impl Searcher<'_> {
                 break;
             }
             tried.push(entries);
-            self.race(&base, &promise, nominal);
+            self.race(&plan, nominal);
         }
     }
 
+    /// Whether a fit leaves what noise leaves: one per datum within three standard
+    /// deviations, and no nominal value stretched.
+    fn is_noise(&self, fit: &Fit) -> bool {
+        let count = self.problem.len() as f64;
+        let mut nominal = self.problem.free.iter().zip(&fit.theta);
+        fit.objective < count + 3.0 * (2.0 * count).sqrt()
+            && nominal.all(|(free, theta)| !free.bounded || theta.abs() < STRETCHED)
+    }
+
     /// Drops plans that cannot compete even if they gain more than the screening promised.
-    fn drop_hopeless(&self, plans: &mut Vec<(f64, Fit, Promise)>, size: usize) {
+    fn drop_hopeless(&self, plans: &mut Vec<Plan>, size: usize) {
         let best = self
             .found
             .iter()
             .map(|f| f.objective + COST * f.effects.len() as f64)
             .fold(f64::INFINITY, f64::min);
-        plans.retain(|(predicted, _, promise)| {
-            predicted - SLACK * promise.gain + COST * (size as f64) < best + COMPETING
+        let found = &self.found;
+        plans.retain(|plan| {
+            let entries = plan.entries();
+            // Worse than a part of it that leaves noise only: the part is the better base for the same set.
+            let worse = found.iter().any(|f| {
+                f.effects.len() < size
+                    && f.objective < plan.predicted
+                    && self.is_noise(f)
+                    && f.effects.iter().all(|e| entries.contains(&e.entry))
+            });
+            !worse
+                && plan.predicted - SLACK * plan.promise.gain + COST * (size as f64)
+                    < best + COMPETING
         });
     }
 

@@ -1,6 +1,6 @@
 //! From nominal values and effects to every observable of a row.
 
-use super::balance::{Balanced, Motion, ORDERS, balance};
+use super::balance::{Balanced, Bend, Motion, ORDERS, Purpose, balance};
 use super::chain::{Chain, Transfer};
 use super::exciter::{Added, Exciter, Linear};
 use super::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, Row, SLOTS};
@@ -49,13 +49,50 @@ pub(crate) struct Prediction {
 #[derive(Debug, Clone)]
 pub(crate) struct Memory {
     motion: Motion,
+    /// What was balanced last, and the result: many effects leave the exciter as it was.
+    last: Option<(Exciter, Bend, f64, Balanced)>,
 }
 
 impl Default for Memory {
     fn default() -> Self {
         Self {
             motion: [Complex64::ZERO; ORDERS + 1],
+            last: None,
         }
+    }
+}
+
+/// How an evaluation uses the memory of a row.
+pub(crate) enum Recall<'a> {
+    /// Starts from it, and leaves its own solution there.
+    Keep(&'a mut Memory),
+    /// Starts from it and leaves it as it is: for a small step aside.
+    Look(&'a Memory),
+}
+
+impl Recall<'_> {
+    fn balance(self, exciter: &Exciter, bend: &Bend, omega: f64, peak_ms2: f64) -> Balanced {
+        let memory = match &self {
+            Self::Keep(memory) => &**memory,
+            Self::Look(memory) => memory,
+        };
+        if let Some((e, b, level, balanced)) = &memory.last
+            && (e, b, level) == (exciter, bend, &peak_ms2)
+        {
+            return *balanced;
+        }
+        let mut motion = memory.motion;
+        // Only from a balance nearby is the first correction the size of the step aside.
+        let purpose = match (&self, &memory.last) {
+            (Self::Look(_), Some((.., near))) if near.converged => Purpose::Slope,
+            _ => Purpose::Value,
+        };
+        let balanced = balance(exciter, bend, omega, peak_ms2, &mut motion, purpose);
+        if let Self::Keep(memory) = self {
+            memory.motion = motion;
+            memory.last = Some((*exciter, *bend, peak_ms2, balanced));
+        }
+        balanced
     }
 }
 
@@ -64,7 +101,7 @@ pub(crate) fn predict(
     row: &Row,
     nominal: &Nominal,
     effects: &[Active<'_>],
-    memory: &mut Memory,
+    memory: Recall<'_>,
 ) -> Prediction {
     let mut chain = Chain {
         dut_gain: nominal.dut_gain,
@@ -179,13 +216,7 @@ struct Drive {
     balanced: Option<Balanced>,
 }
 
-fn drive(
-    row: &Row,
-    values: &[f64; 6],
-    chain: &Chain,
-    level_ms2: f64,
-    memory: &mut Memory,
-) -> Drive {
+fn drive(row: &Row, values: &[f64; 6], chain: &Chain, level_ms2: f64, memory: Recall<'_>) -> Drive {
     let exciter = Exciter {
         mass_kg: values[0] + row.payload_kg + chain.mass_kg,
         stiffness_n_per_m: values[1],
@@ -210,13 +241,7 @@ fn drive(
             balanced: None,
         };
     }
-    let balanced = balance(
-        &exciter,
-        &chain.bend,
-        row.omega,
-        level_ms2 * SQRT_2,
-        &mut memory.motion,
-    );
+    let balanced = memory.balance(&exciter, &chain.bend, row.omega, level_ms2 * SQRT_2);
     stiffness = balanced.stiffness;
     let mut linear = exciter.linear(row.omega, added, stiffness);
     linear.acceleration_per_v = balanced.acceleration_per_v;

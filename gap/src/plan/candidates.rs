@@ -3,7 +3,7 @@
 use super::Measurement;
 use super::duel::Duel;
 use crate::dataset::{Harmonic, Point, Rig};
-use crate::engine::problem::Problem;
+use crate::engine::problem::{Memories, Problem};
 use crate::model::row::{CURRENT, DC, DRIVE, NOISE, RATIO, REF_HARMONICS, SLOTS};
 
 /// Points in one-third octaves.
@@ -240,7 +240,8 @@ fn set_voltages(nominal: &Problem, grid: &mut [Point], largest_v: f64) -> Vec<bo
         return kept;
     }
     let theta = vec![0.0; nominal.free.len()];
-    nominal.predictions(&[], &theta, &mut nominal.memory(), |index, prediction| {
+    let memory = nominal.memory();
+    nominal.predictions(&[], &theta, Memories::Look(&memory), |index, prediction| {
         let point = &mut grid[index];
         let volt = point.ref_v.unwrap_or(0.1) / prediction.value[DRIVE].exp();
         point.coil_v = Some(volt);

@@ -75,8 +75,11 @@ fn rivals(fit: &Fit, best: &Fit) -> bool {
 /// Every effect against nothing, and against what it is confused with.
 pub(super) fn of_library(reach: &Problem) -> Pairs<'_> {
     let nothing = bare(reach, Vec::new());
-    let entries: Vec<usize> = (0..library().len())
-        .filter(|e| library()[*e].applies(&reach.facts))
+    let entries: Vec<usize> = library()
+        .iter()
+        .enumerate()
+        .filter(|(_, effect)| effect.applies(&reach.facts))
+        .map(|(entry, _)| entry)
         .collect();
     let signatures: Vec<Signature> = entries
         .par_iter()
