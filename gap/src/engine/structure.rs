@@ -171,16 +171,35 @@ impl<'a> OpenData<'a> {
             let inside = values
                 .iter()
                 .zip(&residual[range.clone()])
-                .zip(&self.open[range]);
-            let (mut sum, mut square) = (0.0, 0.0);
-            for ((v, r), _) in inside.filter(|(_, open)| **open) {
-                sum += v * r;
-                square += v * v * (r * r).max(0.25);
-            }
-            // Divided by its own scatter: a wrong guess of the open size does not matter.
-            most.max(sum.abs() / square.sqrt().max(1e-300) * 0.9)
+                .zip(&self.open[range])
+                .filter(|(_, open)| **open)
+                .map(|((v, r), _)| (*v, *r));
+            most.max(by_size(inside.clone())).max(by_sign(inside))
         })
     }
+}
+
+/// Deviate of a pattern in data of unknown scatter: divided by its own scatter,
+/// a wrong guess of the open size does not matter.
+fn by_size(data: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let (mut sum, mut square) = (0.0, 0.0);
+    for (v, r) in data {
+        sum += v * r;
+        square += v * v * (r * r).max(0.25);
+    }
+    sum.abs() / square.sqrt().max(1e-300) * 0.9
+}
+
+/// The same of its sign: what is not locked to the excitation has either sign
+/// by chance, however large, so that a few large data do not hide the others.
+fn by_sign(data: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let (mut sum, mut square) = (0.0, 0.0);
+    for (v, r) in data.filter(|(v, _)| *v != 0.0) {
+        let bounded = r.clamp(-1.0, 1.0);
+        sum += v.signum() * bounded;
+        square += (bounded * bounded).max(0.1);
+    }
+    sum.abs() / square.sqrt().max(1e-300)
 }
 
 /// Smallest p-value of all tests: directions, sums of squares by class, single outliers.
