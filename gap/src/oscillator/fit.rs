@@ -1,6 +1,9 @@
 //! Least squares of the simulated against the recorded output.
 
-use super::model::{LINEAR, TERMS, VALUES, simulate};
+use super::model::{
+    DEAD_ZONE, HELD_BACK, HIGHPASS, HYSTERESIS, LINEAR, SATURATION, SECOND_MODE, TERMS, VALUES,
+    places, simulate, states,
+};
 use crate::dataset::Record;
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -31,9 +34,12 @@ pub(crate) fn fitted_part(record: &Record) -> Record {
     }
 }
 
+/// Values that a fit moves. What a high-pass held back before the record is
+/// forgotten soon; left free it would be an offset of the output.
 fn free(terms: &[usize]) -> Vec<usize> {
     (0..LINEAR)
-        .chain(terms.iter().map(|t| LINEAR + t))
+        .chain(terms.iter().flat_map(|t| places(*t)))
+        .chain(states(terms).into_iter().filter(|s| *s > HELD_BACK))
         .collect()
 }
 
@@ -51,8 +57,7 @@ fn residual(values: &[f64; VALUES], record: &Record) -> Option<Vec<f64>> {
 }
 
 /// Size of a step of each value for the slopes.
-fn nudge(index: usize, scale: f64) -> f64 {
-    let unit = if scale > 0.0 { scale } else { 1.0 };
+fn nudge(values: &[f64; VALUES], index: usize, unit: f64) -> f64 {
     match index {
         0 => 1e-6,
         1 | 2 => 1e-5,
@@ -63,9 +68,118 @@ fn nudge(index: usize, scale: f64) -> f64 {
         9 => 1e-4 / (unit * unit),
         10 => 1e-5 * unit,
         11 => 1e-3,
-        12 => 1e-4 / (unit * unit),
+        SATURATION => 1e-4 * values[index].max(1e-9),
+        HIGHPASS => 1e-3,
+        SECOND_MODE => 1e-5,
+        DEAD_ZONE => 1e-4 * unit,
+        _ if index >= HELD_BACK => 1e-5 * unit,
         _ => 1e-3,
     }
+}
+
+/// Keeps damping, widths and frequencies where the simulation can follow them.
+fn bound(values: &mut [f64; VALUES], record: &Record, scale: f64) {
+    values[1] = values[1].clamp(1e-5, 2.0);
+    // A mode must lie below half the rate at which the force is known.
+    let highest = (std::f64::consts::PI / record.interval_s).ln() - values[0];
+    values[SECOND_MODE + 1] = values[SECOND_MODE + 1].clamp(-7.0, highest);
+    values[SECOND_MODE + 2] = values[SECOND_MODE + 2].clamp(1e-4, 1.0);
+    values[DEAD_ZONE] = values[DEAD_ZONE].clamp(0.0, 10.0 * scale);
+    values[HIGHPASS] = values[HIGHPASS].clamp(0.0, std::f64::consts::PI / record.interval_s);
+    values[SATURATION] = values[SATURATION].max(0.0);
+    values[HYSTERESIS] = values[HYSTERESIS].clamp(-0.95, 10.0);
+    let yields_at = values[HYSTERESIS + 1];
+    values[HYSTERESIS + 1] = yields_at.clamp((1e-3 * scale).ln(), (30.0 * scale).ln());
+}
+
+/// Root mean square of the output.
+fn scale_of(record: &Record) -> f64 {
+    rms(&record.output).max(f64::MIN_POSITIVE)
+}
+
+/// Samples on which starts are compared.
+const COMPARED: usize = 4_000;
+/// Frequencies of a second mode that are tried: a step of 7 % meets every mode
+/// whose resonance is no sharper than that of the start.
+const MODES: usize = 90;
+/// Damping of a second mode at the start.
+const MODE_DAMPING: f64 = 0.05;
+
+/// Where the fit of a term begins: the most promising values of those it is not linear in.
+pub(crate) fn begin(record: &Record, base: &[f64; VALUES], term: usize) -> [f64; VALUES] {
+    let scale = scale_of(record);
+    let with = |changes: &[(usize, f64)]| {
+        let mut values = *base;
+        changes.iter().for_each(|(at, value)| values[*at] = *value);
+        bound(&mut values, record, scale);
+        values
+    };
+    let wide = |share: f64| share * scale;
+    let candidates: Vec<[f64; VALUES]> = match places(term).start {
+        SECOND_MODE => {
+            let highest = (0.9 * std::f64::consts::PI / record.interval_s).ln() - base[0];
+            let lowest = highest - 6.2;
+            let of = |i: usize| lowest + (highest - lowest) * i as f64 / (MODES - 1) as f64;
+            let values = |ln: f64| {
+                [
+                    (SECOND_MODE, 1e-3),
+                    (SECOND_MODE + 1, ln),
+                    (SECOND_MODE + 2, MODE_DAMPING),
+                ]
+            };
+            (0..MODES).map(|i| with(&values(of(i)))).collect()
+        }
+        SATURATION => {
+            let largest = record.input.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+            [0.97, 0.9, 0.8, 0.65, 0.5, 0.35, 0.2]
+                .map(|share| with(&[(SATURATION, 1.0 / (share * largest))]))
+                .into()
+        }
+        DEAD_ZONE => [0.003, 0.01, 0.03, 0.1, 0.3, 1.0]
+            .map(|w| with(&[(DEAD_ZONE, wide(w))]))
+            .into(),
+        HYSTERESIS => [0.03, 0.1, 0.3, 1.0, 3.0]
+            .map(|w| with(&[(HYSTERESIS, 1e-3), (HYSTERESIS + 1, wide(w).ln())]))
+            .into(),
+        _ => return *base,
+    };
+    most_promising(record, base, term, &candidates).unwrap_or(*base)
+}
+
+/// The candidate that, scaled, takes most out of what the base leaves beside the linear values.
+fn most_promising(
+    record: &Record,
+    base: &[f64; VALUES],
+    term: usize,
+    candidates: &[[f64; VALUES]],
+) -> Option<[f64; VALUES]> {
+    let count = record.input.len().min(COMPARED);
+    let part = Record {
+        interval_s: record.interval_s,
+        input: record.input[..count].to_vec(),
+        output: record.output[..count].to_vec(),
+    };
+    let left = residual(base, &part)?;
+    let linear = columns(&part, base, &left, &free(&[]), scale_of(record))?;
+    let amplitude = places(term).start;
+    let gain = |candidate: &[f64; VALUES]| -> Option<(f64, f64)> {
+        let there = residual(candidate, &part)?;
+        let change: Vec<f64> = left.iter().zip(&there).map(|(a, b)| a - b).collect();
+        let mut all = linear.clone();
+        all.push(change);
+        let (matrix, gradient) = normal(&all, &left);
+        let step = Cholesky::new(matrix)?.solve(&gradient);
+        Some((step.dot(&gradient), step[step.len() - 1]))
+    };
+    let scored = candidates.iter().filter_map(|c| gain(c).map(|g| (g, c)));
+    let ((_, size), best) = scored.max_by(|a, b| a.0.0.total_cmp(&b.0.0))?;
+    let mut values = *best;
+    // A width or a threshold is no amplitude.
+    if amplitude != DEAD_ZONE && amplitude != SATURATION {
+        values[amplitude] *= size;
+    }
+    bound(&mut values, record, scale_of(record));
+    Some(values)
 }
 
 /// Refines the linear values and the given terms.
@@ -77,7 +191,7 @@ pub(crate) fn refine(
 ) -> Option<Fitted> {
     let free = free(terms);
     let count = record.output.len() as f64;
-    let scale = (record.output.iter().map(|x| x * x).sum::<f64>() / count).sqrt();
+    let scale = scale_of(record);
     let mut values = start;
     let mut left = residual(&values, record)?;
     let mut square: f64 = left.iter().map(|r| r * r).sum();
@@ -93,7 +207,7 @@ pub(crate) fn refine(
         for (&index, change) in free.iter().zip(step.iter()) {
             trial[index] += change;
         }
-        trial[1] = trial[1].clamp(1e-5, 2.0);
+        bound(&mut trial, record, scale);
         let next = residual(&trial, record);
         let sum = next
             .as_ref()
@@ -132,28 +246,50 @@ fn slopes(
     free: &[usize],
     scale: f64,
 ) -> Option<(DMatrix<f64>, DVector<f64>)> {
-    let columns: Option<Vec<Vec<f64>>> = free
-        .iter()
-        .map(|&index| {
-            let mut there = *values;
-            let step = nudge(index, scale);
-            there[index] += step;
-            let moved = residual(&there, record)?;
-            Some(
-                left.iter()
-                    .zip(moved)
-                    .map(|(a, b)| (a - b) / step)
-                    .collect(),
-            )
-        })
-        .collect();
-    let columns = columns?;
+    Some(normal(&columns(record, values, left, free, scale)?, left))
+}
+
+/// Change of the simulated output with each value, by differences.
+fn columns(
+    record: &Record,
+    values: &[f64; VALUES],
+    left: &[f64],
+    free: &[usize],
+    scale: f64,
+) -> Option<Vec<Vec<f64>>> {
+    let of = |&index: &usize| {
+        let mut there = *values;
+        let step = nudge(values, index, scale);
+        there[index] += step;
+        let moved = residual(&there, record)?;
+        Some(
+            left.iter()
+                .zip(moved)
+                .map(|(a, b)| (a - b) / step)
+                .collect(),
+        )
+    };
+    free.iter().map(of).collect()
+}
+
+fn normal(columns: &[Vec<f64>], left: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
-    let matrix = DMatrix::from_fn(free.len(), free.len(), |i, j| {
-        dot(&columns[i], &columns[j]) * if i == j { 1.0 + 1e-12 } else { 1.0 }
-    });
-    let gradient = DVector::from_iterator(free.len(), columns.iter().map(|c| dot(c, left)));
-    Some((matrix, gradient))
+    let count = columns.len();
+    let mut matrix = DMatrix::zeros(count, count);
+    for i in 0..count {
+        for j in 0..=i {
+            let value = dot(&columns[i], &columns[j]);
+            (matrix[(i, j)], matrix[(j, i)]) = (value, value);
+        }
+        // A value that the output does not depend on stands still.
+        matrix[(i, i)] = if matrix[(i, i)] > 0.0 {
+            matrix[(i, i)] * (1.0 + 1e-12)
+        } else {
+            1.0
+        };
+    }
+    let gradient = DVector::from_iterator(count, columns.iter().map(|c| dot(c, left)));
+    (matrix, gradient)
 }
 
 /// Linear fit from the rig's resonance, by growing parts of the record.
@@ -201,35 +337,27 @@ pub(crate) fn validation(fit: &Fitted, record: &Record) -> Option<Vec<f64>> {
         output: record.output[..record.output.len().min(400)].to_vec(),
     };
     let mut values = fit.values;
-    (values[4], values[5]) = (head.output[0], 0.0);
+    let states = states(&fit.terms);
+    states.iter().for_each(|state| values[*state] = 0.0);
+    values[4] = head.output[0];
     for _ in 0..6 {
-        // The first samples determine the two states; SETTLING samples take part here only.
+        // The first samples determine the states; SETTLING samples take part here only.
         let here = simulate(&values, head.interval_s, &head.input)?;
-        let (mut m, mut g) = (DMatrix::<f64>::zeros(2, 2), DVector::<f64>::zeros(2));
-        let mut slopes = Vec::new();
-        for index in [4, 5] {
+        let errors = head.output.iter().zip(&here).take(SETTLING);
+        let left: Vec<f64> = errors.map(|(m, s)| m - s).collect();
+        let of = |&state: &usize| {
             let mut there = values;
-            there[index] += 1e-6;
+            there[state] += 1e-6;
             let moved = simulate(&there, head.interval_s, &head.input)?;
-            slopes.push(
-                moved
-                    .iter()
-                    .zip(&here)
-                    .map(|(a, b)| (a - b) / 1e-6)
-                    .collect::<Vec<f64>>(),
-            );
+            let change = moved.iter().zip(&here).take(SETTLING);
+            Some(change.map(|(a, b)| (a - b) / 1e-6).collect())
+        };
+        let columns: Vec<Vec<f64>> = states.iter().map(of).collect::<Option<_>>()?;
+        let (matrix, gradient) = normal(&columns, &left);
+        let step = Cholesky::new(matrix)?.solve(&gradient);
+        for (state, change) in states.iter().zip(step.iter()) {
+            values[*state] += change;
         }
-        for n in 0..SETTLING.min(here.len()) {
-            for i in 0..2 {
-                g[i] += slopes[i][n] * (head.output[n] - here[n]);
-                for j in 0..2 {
-                    m[(i, j)] += slopes[i][n] * slopes[j][n];
-                }
-            }
-        }
-        let step = Cholesky::new(m)?.solve(&g);
-        values[4] += step[0];
-        values[5] += step[1];
     }
     residual(&values, record)
 }

@@ -9,8 +9,8 @@ use crate::diagnose::Options;
 use crate::engine::holdout::{Gap, ObservableGap};
 use crate::error::GapError;
 use crate::pictures::{Pictures, Trace};
-use fit::{Fitted, SETTLING, all_terms, fitted_part, linear, refine, rms, validation};
-use model::{LINEAR, TERMS};
+use fit::{Fitted, SETTLING, all_terms, begin, fitted_part, linear, refine, rms, validation};
+use model::{HIGHPASS, HYSTERESIS, SATURATION, SECOND_MODE, TERMS, places};
 use std::collections::BTreeMap;
 
 /// Share of the squared error a term must remove to be named.
@@ -26,6 +26,15 @@ const AS_GOOD: f64 = 0.05;
 /// 2 ln of the odds of a leading term against a later one, or one with a kink:
 /// forces of a real oscillator expand in powers first.
 const ODDS_OF_LEADING: f64 = 4.6;
+
+/// Steps after which terms are compared, and steps of those that lead.
+const FIRST_STEPS: usize = 4;
+const MOST_STEPS: usize = 10;
+/// Terms that are refined to the end.
+const REFINED: usize = 5;
+
+/// Share of the samples that count as independent.
+const INDEPENDENT: f64 = 0.02;
 
 /// Names of the terms.
 pub(crate) fn names() -> Vec<&'static str> {
@@ -109,9 +118,15 @@ fn grow(record: &Record, start: Fitted, options: &Options) -> Vec<Step> {
             .filter_map(|t| {
                 let mut terms = base.terms.clone();
                 terms.push(t);
-                refine(record, base.values, &terms, 12)
+                refine(record, begin(record, &base.values, t), &terms, FIRST_STEPS)
             })
             .collect();
+        tried.sort_by(|a, b| a.square.total_cmp(&b.square));
+        for fit in tried.iter_mut().take(REFINED) {
+            if let Some(further) = refine(record, fit.values, &fit.terms, MOST_STEPS) {
+                *fit = further;
+            }
+        }
         tried.sort_by(|a, b| a.square.total_cmp(&b.square));
         prefer_first_of_equals(&mut tried);
         let Some(best) = tried
@@ -270,7 +285,11 @@ fn causes(steps: &[Step], part: &Record) -> Vec<Cause> {
     let score = |f: &Fitted| {
         let square = f.square.max(least * (1.0 + AS_GOOD));
         let leading = f.terms.iter().all(|t| TERMS[*t].leading);
-        0.02 * count * (square / count).ln() + if leading { 0.0 } else { ODDS_OF_LEADING }
+        let independent = (INDEPENDENT * count).max(std::f64::consts::E);
+        let parameters: usize = f.terms.iter().map(|t| places(*t).len()).sum();
+        independent * (square / count).ln()
+            + parameters as f64 * independent.ln()
+            + if leading { 0.0 } else { ODDS_OF_LEADING }
     };
     let best = same.iter().map(|f| score(f)).fold(f64::INFINITY, f64::min);
     let total: f64 = same.iter().map(|f| (-0.5 * (score(f) - best)).exp()).sum();
@@ -290,20 +309,42 @@ fn causes(steps: &[Step], part: &Record) -> Vec<Cause> {
 }
 
 fn term_parameters(fit: &Fitted) -> BTreeMap<&'static str, BTreeMap<&'static str, Estimate>> {
-    let entries = fit.terms.iter().enumerate().map(|(i, t)| {
-        let u = fit.covariance[(LINEAR + i, LINEAR + i)].sqrt();
-        (
-            TERMS[*t].name,
-            BTreeMap::from([(
-                "coefficient",
-                Estimate {
-                    value: fit.values[LINEAR + t],
-                    u,
-                },
-            )]),
-        )
-    });
-    entries.collect()
+    let mut at = model::LINEAR;
+    let mut all = BTreeMap::new();
+    for &term in &fit.terms {
+        let mut values = BTreeMap::new();
+        for (name, place) in TERMS[term].parameters.iter().zip(places(term)) {
+            values.insert(*name, estimate(fit, place, at));
+            at += 1;
+        }
+        all.insert(TERMS[term].name, values);
+    }
+    all
+}
+
+/// A value of a term, from its place and its row in the covariance matrix.
+fn estimate(fit: &Fitted, place: usize, row: usize) -> Estimate {
+    let (value, c) = (fit.values[place], &fit.covariance);
+    let u = c[(row, row)].sqrt();
+    if place == SECOND_MODE + 1 {
+        // Fitted as ln of the ratio to w0, which is fitted itself.
+        let mode_hz = (fit.values[0] + value).exp() / std::f64::consts::TAU;
+        let variance = c[(row, row)] + c[(0, 0)] + 2.0 * c[(0, row)];
+        return Estimate {
+            value: mode_hz,
+            u: mode_hz * variance.max(0.0).sqrt(),
+        };
+    }
+    let scaled = |value: f64, slope: f64| Estimate {
+        value,
+        u: slope.abs() * u,
+    };
+    match place {
+        SATURATION => scaled(1.0 / value, 1.0 / (value * value)),
+        HIGHPASS => scaled(value / std::f64::consts::TAU, 1.0 / std::f64::consts::TAU),
+        _ if place == HYSTERESIS + 1 => scaled(value.exp(), value.exp()),
+        _ => scaled(value, 1.0),
+    }
 }
 
 fn linear_parameters(fit: &Fitted) -> BTreeMap<&'static str, Estimate> {

@@ -35,7 +35,7 @@ pub(super) fn observable(name: &str) -> &'static str {
     }
 }
 
-const EFFECTS: [(&str, &str); 50] = [
+const EFFECTS: [(&str, &str); 52] = [
     (
         "dut_resonance",
         "the device under test has a resonance that already shows in this range",
@@ -182,6 +182,11 @@ const EFFECTS: [(&str, &str); 50] = [
     ("input_saturation", "the input is cut at large values"),
     ("output_highpass", "the output loses its slow part"),
     ("dead_zone", "the spring has play"),
+    ("second_mode", "a second part vibrates along"),
+    (
+        "hysteresis",
+        "the spring yields, and pulls less on the way back",
+    ),
 ];
 
 #[cfg(test)]

@@ -55,6 +55,35 @@ fn the_shaker_has_a_lossy_inductance() {
     assert!(answer.gap.after_percent <= 2.5, "{:?}", answer.gap);
 }
 
+/// Every other point fits, the others score: what is found must hold between the points.
+#[test]
+fn the_shaker_is_predicted_between_the_points() {
+    let Some(folder) = dataset("shaker_drive") else {
+        return;
+    };
+    let read =
+        |file: &str| std::fs::read_to_string(folder.join(file)).expect("a file of the dataset");
+    let (rig, points) = (read("rig.toml"), read("points.csv"));
+    let root = std::env::temp_dir().join(format!("calib-shaker-{}", std::process::id()));
+    let half = |odd: usize| {
+        let half = root.join(odd.to_string());
+        std::fs::create_dir_all(&half).expect("a folder");
+        let rows = points.lines().enumerate();
+        let kept = rows
+            .filter(|(n, _)| *n == 0 || n % 2 == odd)
+            .map(|(_, row)| format!("{row}\n"));
+        std::fs::write(half.join("points.csv"), kept.collect::<String>()).expect("written");
+        std::fs::write(half.join("rig.toml"), &rig).expect("written");
+        half
+    };
+    let (fit, other) = (half(0), half(1));
+    let answer = answer(&fit, Some(other));
+    let _ = std::fs::remove_dir_all(&root);
+    assert!(answer.causes[0].effects.contains(&"lossy_inductance"));
+    assert_eq!(answer.gap.held_out_rows, 40);
+    assert!(answer.gap.after_percent <= 2.5, "{:?}", answer.gap);
+}
+
 /// The published fit has its resonance at 51 436.9 Hz; the bumps between 9 and
 /// 20 kHz are no effect of the library.
 #[test]

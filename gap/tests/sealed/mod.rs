@@ -7,5 +7,6 @@
 pub(crate) mod cases;
 pub(crate) mod collocation;
 pub(crate) mod design;
+pub(crate) mod oscillator;
 pub(crate) mod random;
 pub(crate) mod rig;

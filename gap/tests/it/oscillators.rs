@@ -1,0 +1,68 @@
+//! Every effect of an oscillator that has a name is found by it.
+
+use super::sealed::oscillator::{RIG, added, record};
+use super::sealed::random::Random;
+use calib_gap::{Answer, Options, Verdict, diagnose};
+use rayon::prelude::*;
+
+const SAMPLES: usize = 3000;
+
+fn answer(name: &str, text: &str) -> Answer {
+    let folder =
+        std::env::temp_dir().join(format!("calib-oscillator-{}-{name}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder for the record");
+    std::fs::write(folder.join("rig.toml"), RIG).expect("the rig is written");
+    std::fs::write(folder.join("record.csv"), text).expect("the record is written");
+    let answer = diagnose(&folder, &Options::default()).expect("the record is good");
+    let _ = std::fs::remove_dir_all(&folder);
+    answer
+}
+
+#[test]
+fn every_effect_of_an_oscillator_is_named() {
+    let names = [
+        "cubic_stiffness",
+        "quadratic_stiffness",
+        "coulomb_friction",
+        "quadratic_damping",
+        "cubic_damping",
+        "input_delay",
+        "input_saturation",
+        "output_highpass",
+        "second_mode",
+        "dead_zone",
+        "hysteresis",
+    ];
+    let wrong: Vec<String> = names
+        .par_iter()
+        .enumerate()
+        .filter_map(|(i, name)| {
+            let answer = answer(
+                name,
+                &record(&added(name), SAMPLES, &mut Random::new(900 + i as u64)),
+            );
+            let first = answer
+                .causes
+                .first()
+                .map(|c| c.effects.clone())
+                .unwrap_or_default();
+            let right = first.first() == Some(name) && answer.gap.closed.is_some_and(|c| c > 0.9);
+            (!right).then(|| {
+                let causes: Vec<_> = answer
+                    .causes
+                    .iter()
+                    .map(|c| (&c.effects, c.probability))
+                    .collect();
+                format!("{name}: {:?} {causes:?} {:?}", answer.verdict, answer.gap)
+            })
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_linear_oscillator_has_no_gap() {
+    let text = record(&Default::default(), SAMPLES, &mut Random::new(899));
+    let answer = answer("linear", &text);
+    assert_eq!(answer.verdict, Verdict::NoGap, "{:?}", answer.gap);
+}
