@@ -19,6 +19,7 @@
 //! keeps every record in it ([`Archive::release`]); otherwise the area is full
 //! and the next run is refused before it begins.
 
+mod known;
 mod located;
 mod reading;
 mod sector;
@@ -38,6 +39,7 @@ use calib_protocol::stored::{self, settings_mark};
 use core::ops::Range;
 use embedded_storage_async::nor_flash::{NorFlash, ReadNorFlash};
 use heapless::Vec;
+use known::{Known, KnownSettings};
 use located::Located;
 use sector::Marked;
 use sequential_storage::cache::page_pointers::ArrayPagePointers;
@@ -133,21 +135,12 @@ impl<E> From<sequential_storage::Error<E>> for ArchiveError {
 
 type PageCache = Cache<ArrayPageStates<SECTORS>, ArrayPagePointers<SECTORS>, Uncached>;
 
-/// Settings that a state item of a sector holds.
-#[derive(Clone, Copy, Debug)]
-struct KnownSettings {
-    sector: u32,
-    mark: u32,
-    address: u32,
-    length: u16,
-}
-
 /// Records and settings in flash.
 pub struct Archive<'m, F: NorFlash> {
     queue: QueueStorage<Located<'m, Marked<F>>, PageCache>,
     memory: Memory<'m>,
     state: State,
-    known_settings: Vec<KnownSettings, 64>,
+    known_settings: KnownSettings,
     /// First byte behind the item written or found last; none yet: no sector.
     end: Option<u32>,
     /// Record whose full encoding is in the scratch memory, and its length.
@@ -176,7 +169,7 @@ impl<'m, F: NorFlash> Archive<'m, F> {
             queue: QueueStorage::new(flash, config, cache),
             memory,
             state: State::default(),
-            known_settings: Vec::new(),
+            known_settings: KnownSettings::default(),
             end: None,
             unpacked: None,
         };
@@ -201,7 +194,7 @@ impl<'m, F: NorFlash> Archive<'m, F> {
                     };
                     let sector = sector_of::<F>(address);
                     let known = &self.known_settings;
-                    if !head.with_settings && !shares(known, sector, head.settings_mark) {
+                    if !head.with_settings && known.find(sector, head.settings_mark).is_none() {
                         // Its store was cut off before it came to its place.
                         continue;
                     }
@@ -221,8 +214,7 @@ impl<'m, F: NorFlash> Archive<'m, F> {
                     };
                     self.state.merge(state);
                     let before = item.len() - settings.len();
-                    // Too many in one sector: records carry their own again.
-                    let _ = self.known_settings.push(KnownSettings {
+                    self.known_settings.found(Known {
                         sector: sector_of::<F>(address),
                         mark: settings_mark(settings),
                         address: address + before as u32,
@@ -279,11 +271,6 @@ fn sector_of<F: NorFlash>(address: u32) -> u32 {
 /// First byte behind the item whose data begin at `address`.
 fn end_of<F: NorFlash>(address: u32, length: u16) -> u32 {
     address + u32::from(length).next_multiple_of(F::WRITE_SIZE as u32)
-}
-
-fn shares(known: &[KnownSettings], sector: u32, mark: u32) -> bool {
-    let mut known = known.iter();
-    known.any(|known| known.sector == sector && known.mark == mark)
 }
 
 /// Adds an entry in its place; a record found again replaces the one before.

@@ -87,8 +87,7 @@ impl<F: NorFlash> Archive<'_, F> {
 
     /// Where settings lie that a record shares with a state of its sector.
     fn settings_address(&self, sector: u32, mark: u32, length: usize) -> Option<u32> {
-        let mut known = self.known_settings.iter();
-        let known = known.find(|known| known.sector == sector && known.mark == mark)?;
+        let known = self.known_settings.find(sector, mark)?;
         (usize::from(known.length) == length).then_some(known.address)
     }
 

@@ -1,8 +1,8 @@
 //! Storing: records, settings, releases.
 
 use super::{
-    Archive, ArchiveError, BODY_AT, Entry, KnownSettings, LONGEST_HEAD, LONGEST_POINT,
-    LONGEST_SETTINGS, RECORD_ITEM, STATE_ITEM, end_of, insert, read, sector_of, shares,
+    Archive, ArchiveError, BODY_AT, Entry, Known, LONGEST_HEAD, LONGEST_POINT, LONGEST_SETTINGS,
+    RECORD_ITEM, STATE_ITEM, end_of, insert, read, sector_of,
 };
 use calib_core::settings::Settings;
 use calib_protocol::record::{self, Record};
@@ -76,9 +76,12 @@ impl<F: NorFlash> Archive<'_, F> {
             if self.state.settings().is_none() {
                 self.state.set_settings(settings);
             }
-            // The record is stored whatever becomes of this: without it, the
-            // next one carries its settings as well.
-            let _ = self.push_state().await;
+            let sector = sector_of::<F>(address);
+            if !self.known_settings.is_full(sector) {
+                // The record is stored whatever becomes of this: without it, the
+                // next one carries its settings as well.
+                let _ = self.push_state().await;
+            }
         }
         Ok(())
     }
@@ -138,7 +141,7 @@ impl<F: NorFlash> Archive<'_, F> {
         let settings = body.get(start..length).ok_or(ArchiveError::TooLong)?;
         let mark = settings_mark(settings);
         let address = self.push(0..2 + length).await?;
-        let _ = self.known_settings.push(KnownSettings {
+        self.known_settings.written(Known {
             sector: sector_of::<F>(address),
             mark,
             address: address + 2 + start as u32,
@@ -170,7 +173,7 @@ impl<F: NorFlash> Archive<'_, F> {
         self.memory
             .directory
             .retain(|entry| elsewhere(entry.address));
-        self.known_settings.retain(|known| elsewhere(known.address));
+        self.known_settings.forget(sector);
     }
 
     /// Compares flash with the scratch memory.
@@ -198,7 +201,7 @@ impl<F: NorFlash> Archive<'_, F> {
     /// Whether settings with this mark lie in the sector of the last item.
     fn sector_has(&self, mark: u32) -> bool {
         self.sector()
-            .is_some_and(|sector| shares(&self.known_settings, sector, mark))
+            .is_some_and(|sector| self.known_settings.find(sector, mark).is_some())
     }
 
     /// Whether an item of this length finds room in the sector of the last.

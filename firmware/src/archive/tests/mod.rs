@@ -329,3 +329,32 @@ fn a_record_of_the_most_points_with_the_fullest_settings_fits() {
     block_on(archive.store()).expect("stores");
     assert_eq!(download(&mut archive, 1).expect("reads"), bytes[..length]);
 }
+
+/// Once, settings in older sectors filled the table at a start, and records that shared those of the
+/// newest sector were not found.
+#[test]
+fn records_come_back_after_any_number_of_settings() {
+    let flash = MockFlash::<SMALL>::erased(SECTORS);
+    let mut room = Room::new();
+    let mut settings = Settings::field_calibrator();
+    let mut stored = std::vec::Vec::new();
+    {
+        let mut archive = room.open(&flash).expect("opens");
+        let erases = || flash.0.borrow().erases.iter().sum::<u32>();
+        while erases() == 0 {
+            settings.blocks = 2 + settings.blocks % 60;
+            block_on(archive.store_settings(&settings)).expect("stores");
+        }
+        for seed in 0..12 {
+            settings.blocks = 2 + settings.blocks % 60;
+            block_on(archive.store_settings(&settings)).expect("stores");
+            for points in [1, 2] {
+                stored.push(store(&mut archive, points, seed, &settings).expect("stores"));
+            }
+        }
+    }
+    let mut archive = room.open(&flash).expect("opens again");
+    for (id, bytes) in &stored {
+        assert_eq!(download(&mut archive, *id).as_ref(), Ok(bytes), "{id}");
+    }
+}
