@@ -61,6 +61,11 @@ impl<'l, F> Located<'l, F> {
     pub(super) fn new(flash: F, last: &'l LastAccess) -> Self {
         Self { flash, last }
     }
+
+    /// The flash itself; what is done with it is not noted.
+    pub(super) fn inner(&mut self) -> &mut F {
+        &mut self.flash
+    }
 }
 
 impl<F: ErrorType> ErrorType for Located<'_, F> {

@@ -29,7 +29,7 @@ impl<F: NorFlash> Archive<'_, F> {
             let mut bytes = [0; LONGEST_HEAD];
             let length = LONGEST_HEAD.min(usize::from(entry.length));
             let bytes = bytes.split_at_mut(length).0;
-            read(self.queue.flash(), entry.address, bytes).await?;
+            read(&mut self.queue.flash().inner().0, entry.address, bytes).await?;
             let head = mark_of(bytes).and_then(|(_, rest)| stored::head(rest).ok());
             let (head, body) = head.ok_or(ArchiveError::Flash)?;
             let summary = head.summary(body).map_err(|_| ArchiveError::Flash)?;
@@ -95,7 +95,7 @@ impl<F: NorFlash> Archive<'_, F> {
     async fn fetch(&mut self, range: Range<usize>, address: u32) -> Result<(), ArchiveError> {
         let bytes = self.memory.scratch.get_mut(range);
         read(
-            self.queue.flash(),
+            &mut self.queue.flash().inner().0,
             address,
             bytes.ok_or(ArchiveError::TooLong)?,
         )

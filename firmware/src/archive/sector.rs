@@ -13,9 +13,15 @@
 //! |---|---|---|---|
 //! | erased | erased | erased | free |
 //! | erased | any | any | erase was cut off |
+//! | partly programmed | any | any | erase or mark was cut off |
 //! | marked | erased | any | in use; a second one just behind it: cut off |
 //! | marked | marked | any | closed |
+//!
+//! Since a first word that is partly programmed is erased at once, none has anything behind it that
+//! counts. What an erase has just begun to damage keeps its marks and is told by its checks; what
+//! looks like the head of an item longer than any is none ([`Marked::read`]).
 
+use super::MAX_ITEM;
 use core::ops::Range;
 use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
 
@@ -36,12 +42,24 @@ impl<F: NorFlash> Marked<F> {
 
     /// Whether any bit of the word around `offset` is programmed.
     async fn is_programmed(&mut self, offset: u32) -> Result<bool, F::Error> {
+        let (word, length) = self.word(offset).await?;
+        Ok(word.iter().take(length).any(|byte| *byte != 0xFF))
+    }
+
+    /// Whether some bits of that word are programmed and others are not: marks are all zeros.
+    async fn is_torn(&mut self, offset: u32) -> Result<bool, F::Error> {
+        let (word, length) = self.word(offset).await?;
+        let ones: u32 = word.iter().take(length).map(|byte| byte.count_ones()).sum();
+        Ok(ones != 0 && ones != 8 * length as u32)
+    }
+
+    async fn word(&mut self, offset: u32) -> Result<([u8; MAX_WORD], usize), F::Error> {
         const { assert!(F::WRITE_SIZE <= MAX_WORD) };
         let mut word = [0; MAX_WORD];
-        let word = word.split_at_mut(F::WRITE_SIZE).0;
         let start = offset - offset % F::WRITE_SIZE as u32;
-        self.0.read(start, word).await?;
-        Ok(word.iter().any(|byte| *byte != 0xFF))
+        let bytes = word.split_at_mut(F::WRITE_SIZE).0;
+        self.0.read(start, bytes).await?;
+        Ok((word, F::WRITE_SIZE))
     }
 }
 
@@ -54,7 +72,11 @@ impl<F: NorFlash> ReadNorFlash for Marked<F> {
 
     async fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), F::Error> {
         if !Self::is_mark(offset, bytes.len()) {
-            return self.0.read(offset, bytes).await;
+            self.0.read(offset, bytes).await?;
+            if bytes.len() == F::WRITE_SIZE {
+                refuse_too_long(bytes);
+            }
+            return Ok(());
         }
         let programmed = self.is_programmed(offset).await?;
         bytes.fill(if programmed { 0 } else { 0xFF });
@@ -79,6 +101,21 @@ impl<F: NorFlash> NorFlash for Marked<F> {
             return Ok(());
         }
         self.0.write(offset, bytes).await
+    }
+}
+
+/// The queue reads heads of items as single words: CRC-32 of the data, length, CRC-16 of the length.
+/// Of the words of a torn sector, one in 65 536 has the right CRC-16; the queue gives up when such
+/// a length is more than its caller has room for. The CRC-16 here is one that no length has.
+fn refuse_too_long(word: &mut [u8]) {
+    let length = word.get(4..6).and_then(|field| field.try_into().ok());
+    let is_erased = word.iter().all(|byte| *byte == 0xFF);
+    if !is_erased && length.is_some_and(|field| usize::from(u16::from_le_bytes(field)) > MAX_ITEM) {
+        word.fill(0);
+        word.iter_mut()
+            .skip(6)
+            .take(2)
+            .for_each(|byte| *byte = 0xFF);
     }
 }
 
@@ -115,6 +152,9 @@ pub(super) async fn mend<F: NorFlash>(
 async fn classify<F: NorFlash>(flash: &mut Marked<F>, start: u32) -> Result<Sector, F::Error> {
     let size = F::ERASE_SIZE as u32;
     let last = start + size - F::WRITE_SIZE as u32;
+    if flash.is_torn(start).await? {
+        return Ok(Sector::Torn);
+    }
     let begun = flash.is_programmed(start).await?;
     let closed = flash.is_programmed(last).await?;
     Ok(match (begun, closed) {

@@ -184,7 +184,7 @@ impl<F: NorFlash> Archive<'_, F> {
         for expected in written.chunks(64) {
             let mut found = [0; 64];
             let found = found.split_at_mut(expected.len()).0;
-            read(self.queue.flash(), at, found).await?;
+            read(&mut self.queue.flash().inner().0, at, found).await?;
             if found != expected {
                 return Err(ArchiveError::Flash);
             }

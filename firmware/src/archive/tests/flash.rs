@@ -82,6 +82,16 @@ impl Cells {
         mixed ^ (mixed >> 31)
     }
 
+    /// Sets each bit of a range with a probability of `share` in 256.
+    pub(super) fn tear(&mut self, range: std::ops::Range<usize>, share: u8) {
+        for at in range {
+            let drawn = self.random().to_le_bytes();
+            for (bit, drawn) in drawn.iter().enumerate() {
+                self.bytes[at] |= u8::from(*drawn < share) << bit;
+            }
+        }
+    }
+
     /// Counts an operation; true when the power fails in it.
     fn fails(&mut self) -> Result<bool, FlashError> {
         self.operations += 1;

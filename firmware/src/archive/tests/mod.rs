@@ -358,3 +358,29 @@ fn records_come_back_after_any_number_of_settings() {
         assert_eq!(download(&mut archive, *id).as_ref(), Ok(bytes), "{id}");
     }
 }
+
+/// Any share of the bits of a sector may be erased when the power fails in its erase. Whatever their
+/// pattern looks like, the archive opens and what lies in the other sectors is there.
+#[test]
+fn a_half_erased_sector_keeps_nothing_else_from_being_found() {
+    let full = MockFlash::<REAL>::erased(SECTORS);
+    let settings = Settings::field_calibrator();
+    let mut room = Room::new();
+    let mut stored = std::vec::Vec::new();
+    {
+        let mut archive = room.open(&full).expect("opens");
+        while block_on(archive.check_room(31)).is_ok() {
+            stored.push(store(&mut archive, 31, 1, &settings).expect("stores"));
+        }
+    }
+    for seed in 0..120 {
+        let flash = full.duplicate(seed);
+        // Five shares, from just begun to nearly done.
+        let share = [1, 3, 16, 128, 250][seed as usize % 5];
+        flash.0.borrow_mut().tear(0..REAL, share);
+        let mut archive = room.open(&flash).expect("opens");
+        for (id, bytes) in stored.iter().skip(REAL / stored[0].1.len() * 2).step_by(29) {
+            assert_eq!(download(&mut archive, *id).as_ref(), Ok(bytes), "{seed}");
+        }
+    }
+}
