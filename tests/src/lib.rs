@@ -12,4 +12,5 @@ pub mod hostile;
 pub mod judge;
 pub mod live;
 pub mod served;
+pub mod supply;
 pub mod witness;

@@ -5,6 +5,7 @@ use calib_core::settings::Settings;
 use calib_protocol::frame::{MAX_FRAME, encode};
 use calib_protocol::message::Request;
 use calib_tests::bench::{Bench, Fault};
+use calib_tests::supply::{Cut, Desk, Doing};
 use calib_twin::rig_port::ShortedInputs;
 use calib_twin::runner::Torn;
 use std::time::Duration;
@@ -69,4 +70,25 @@ fn cut_while_writing(
     let torn = board.cut_power()?;
     board.restore_power()?;
     Ok(Some(torn))
+}
+
+/// A small `./run bench hard-power`: the host finds everything it was told, whatever it was doing.
+#[test]
+fn nothing_told_is_lost_when_the_supply_fails_in_a_session() -> Result<(), Fault> {
+    let folder = tempfile::tempdir()?;
+    let mut desk = Desk::new(folder.path())?;
+    // Two copies of settings take 62 words: the next are those of the record.
+    let in_the_record = Cut::InOperation {
+        nth: 66,
+        fraction: 0.5,
+    };
+    let met = desk.cut(in_the_record)?;
+    assert_eq!(met.doing, Doing::Measure);
+    assert!(matches!(met.torn, Torn::Word { .. }), "{met:?}");
+    // Long enough for a whole round and the next: a record of the first is told.
+    desk.cut(Cut::After(Duration::from_millis(2500)))?;
+    assert!(desk.records() > 0, "nothing was stored");
+    desk.look()?;
+    assert!(desk.compared() > 0, "nothing was compared");
+    Ok(())
 }

@@ -34,6 +34,18 @@ const BENCHES: &[Bench] = &[
         what: "sealed sets: how often the diagnosis is right, by stratum",
     },
     Bench {
+        name: "hard-long",
+        package: "calib-tests",
+        example: "bench_hard_long",
+        what: "virtual hours of calibrating, storing and downloading: [MINUTES [faults]]",
+    },
+    Bench {
+        name: "hard-power",
+        package: "calib-tests",
+        example: "bench_hard_power",
+        what: "power cuts of the whole board in a session: [CUTS [SEED]]",
+    },
+    Bench {
         name: "hard-storage",
         package: "calib-firmware",
         example: "bench_storage",

@@ -54,13 +54,29 @@ struct Running {
     lasts_ns: u64,
 }
 
+/// Which operation to stop in.
+#[derive(Debug, Clone, Copy)]
+enum Trap {
+    Ordinal(u64),
+    Erase,
+}
+
+impl Trap {
+    fn is(self, operation: Operation, ordinal: u64) -> bool {
+        match self {
+            Self::Ordinal(wanted) => ordinal == wanted,
+            Self::Erase => matches!(operation, Operation::Erase { .. }),
+        }
+    }
+}
+
 #[derive(Debug, Default)]
 struct State {
     running: Option<Running>,
     started: u64,
     erases: [u64; SECTORS],
-    /// Ordinal of an operation to stop in, and how far into it, from 0 to 1.
-    trap: Option<(u64, f64)>,
+    /// The operation to stop in, and how far into it, from 0 to 1.
+    trap: Option<(Trap, f64)>,
     sprung: Option<VirtualNanos>,
 }
 
@@ -91,7 +107,12 @@ impl FlashWatch {
 
     /// Asks for a stop at `fraction` (0 to 1) of operation number `ordinal`, counted from 1.
     pub fn set_trap(&self, ordinal: u64, fraction: f64) {
-        self.lock().trap = Some((ordinal, fraction));
+        self.lock().trap = Some((Trap::Ordinal(ordinal), fraction));
+    }
+
+    /// The same for the next erase.
+    pub fn set_erase_trap(&self, fraction: f64) {
+        self.lock().trap = Some((Trap::Erase, fraction));
     }
 
     /// The instant the trap asks for a stop at, once its operation has started.
@@ -117,7 +138,10 @@ impl FlashWatch {
             started,
             lasts_ns,
         });
-        if let Some((_, fraction)) = state.trap.filter(|&(nth, _)| nth == state.started) {
+        if let Some((_, fraction)) = state
+            .trap
+            .filter(|(trap, _)| trap.is(operation, state.started))
+        {
             state.trap = None;
             let into_ns = (fraction.clamp(0.0, 1.0) * lasts_ns as f64) as u64;
             state.sprung = Some(VirtualNanos(started.0 + into_ns));

@@ -1,0 +1,172 @@
+//! A serial line to a board whose supply fails at a given instant.
+
+use calib_host::link::Transport;
+use calib_twin::runner::{Emulator, SharedEmulator, Torn};
+use std::io;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+/// When the supply fails.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cut {
+    /// So long after power-on.
+    After(Duration),
+    /// In an operation on the record flash.
+    InOperation {
+        /// Which one from power-on, counted from 1.
+        nth: u64,
+        /// How far into it, from 0 to 1.
+        fraction: f64,
+    },
+    /// In the next erase of a sector, so far into it, from 0 to 1.
+    InErase(f64),
+}
+
+/// What the cut has left, once it has come.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Failure(Arc<Mutex<Option<Torn>>>);
+
+impl Failure {
+    pub(super) fn torn(&self) -> Option<Torn> {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn note(&self, torn: Torn) {
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(torn);
+    }
+}
+
+/// An instant to come.
+#[derive(Clone, Copy, Debug)]
+enum Due {
+    At(Duration),
+    Operation {
+        ordinal: u64,
+        fraction: f64,
+    },
+    /// When there were more erases than so many.
+    Erase {
+        before: u64,
+        fraction: f64,
+    },
+}
+
+impl Due {
+    fn of(cut: Cut, board: &Emulator) -> Self {
+        match cut {
+            Cut::After(duration) => Self::At(board.elapsed().saturating_add(duration)),
+            Cut::InOperation { nth, fraction } => Self::Operation {
+                ordinal: board.flash_watch().operations() + nth,
+                fraction,
+            },
+            Cut::InErase(fraction) => Self::Erase {
+                before: erases(board),
+                fraction,
+            },
+        }
+    }
+
+    /// The trap ends a run in its operation. When bytes for the host end one first, the operation
+    /// has begun as well, and this instant is as good.
+    fn has_come(self, board: &Emulator) -> bool {
+        match self {
+            Self::At(instant) => board.elapsed() >= instant,
+            Self::Operation { ordinal, .. } => board.flash_watch().operations() >= ordinal,
+            Self::Erase { before, .. } => erases(board) > before,
+        }
+    }
+
+    /// How long to run at most; sets the trap, which every reset of the part takes away.
+    fn prepare(self, board: &Emulator, wanted: Duration) -> Duration {
+        match self {
+            Self::At(instant) => wanted.min(instant.saturating_sub(board.elapsed())),
+            Self::Operation { ordinal, fraction } => {
+                board.flash_watch().set_trap(ordinal, fraction);
+                wanted
+            }
+            Self::Erase { fraction, .. } => {
+                board.flash_watch().set_erase_trap(fraction);
+                wanted
+            }
+        }
+    }
+}
+
+/// Erases begun so far.
+pub(super) fn erases(board: &Emulator) -> u64 {
+    board.flash_watch().erases().iter().sum()
+}
+
+/// The line; after the cut it is gone.
+pub(super) struct FailingLink {
+    board: SharedEmulator,
+    due: Due,
+    failure: Failure,
+    received: Vec<u8>,
+}
+
+impl FailingLink {
+    pub(super) fn new(board: SharedEmulator, cut: Cut, failure: Failure) -> Self {
+        let due = {
+            let board = board.lock().unwrap_or_else(PoisonError::into_inner);
+            Due::of(cut, &board)
+        };
+        Self {
+            board,
+            due,
+            failure,
+            received: Vec::new(),
+        }
+    }
+
+    /// Runs for `duration`, with `wake` until the board has sent something, or until the cut.
+    fn run(&mut self, duration: Duration, wake: bool) -> io::Result<()> {
+        let mut board = self.board.lock().unwrap_or_else(PoisonError::into_inner);
+        if self.failure.torn().is_some() {
+            return Err(io::ErrorKind::BrokenPipe.into());
+        }
+        let limit = self.due.prepare(&board, duration);
+        let ran = match wake {
+            true => board.run_until_received(limit).map(drop),
+            false => board.run_for(limit),
+        };
+        ran.map_err(io::Error::other)?;
+        if self.due.has_come(&board) {
+            self.failure
+                .note(board.cut_power().map_err(io::Error::other)?);
+            return Err(io::ErrorKind::BrokenPipe.into());
+        }
+        self.received.extend(board.read_serial());
+        Ok(())
+    }
+}
+
+impl Transport for FailingLink {
+    fn name(&self) -> String {
+        "emulated".to_owned()
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
+        if self.failure.torn().is_some() {
+            return Err(io::ErrorKind::BrokenPipe.into());
+        }
+        let mut board = self.board.lock().unwrap_or_else(PoisonError::into_inner);
+        board.write_serial(bytes);
+        Ok(())
+    }
+
+    fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
+        if self.received.is_empty() {
+            self.run(timeout, true)?;
+        }
+        let count = buffer.len().min(self.received.len());
+        for (place, byte) in buffer.iter_mut().zip(self.received.drain(..count)) {
+            *place = byte;
+        }
+        Ok(count)
+    }
+
+    fn wait(&mut self, duration: Duration) -> io::Result<()> {
+        self.run(duration, false)
+    }
+}
