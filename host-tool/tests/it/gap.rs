@@ -426,3 +426,59 @@ fn a_plan_of_a_rig_detects_what_it_can_from_few_points() {
     let oscillator = calib(path, &["gap", "plan", "oscillator"]);
     assert_eq!(oscillator.status.code(), Some(6));
 }
+
+#[test]
+fn a_recording_that_cannot_be_is_refused_before_anything_moves() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path();
+    simulate(path, "there", &[]);
+    let record = |more: &[&str]| calib(path, &[&["gap", "record"], more].concat());
+    for (arguments, exit_code, problem) in [
+        // Nothing is known of what is connected.
+        (&["--out", "a", "--device", "x"][..], 2, "--believed"),
+        (
+            &["--out", "there", "--emulated", "demo"],
+            6,
+            "not overwritten",
+        ),
+        // Standard input of a test is no terminal.
+        (
+            &["--out", "a", "--believed", "standard", "--runs", "2"],
+            2,
+            "--yes",
+        ),
+        (
+            &[
+                "--out",
+                "a",
+                "--emulated",
+                "demo",
+                "--runs",
+                "3",
+                "--tilt",
+                "0,90",
+            ],
+            2,
+            "2 values for 3 runs",
+        ),
+        (
+            &["--out", "a", "--emulated", "demo", "--payload=-1"],
+            2,
+            "not negative",
+        ),
+        (&["--out", "a", "--emulated", "none.toml"], 6, "none.toml"),
+        (
+            &["--out", "a", "--emulated", "demo", "--level", "0"],
+            2,
+            "above zero",
+        ),
+    ] {
+        let output = record(arguments);
+        let errors = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(exit_code), "{errors}");
+        assert!(errors.contains(problem), "{errors}");
+        assert!(!path.join("a").exists());
+    }
+    let many = calib(path, &["gap", "diagnose", "there", "there", "--confirm"]);
+    assert_eq!(many.status.code(), Some(2));
+}

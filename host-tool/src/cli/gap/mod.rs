@@ -33,6 +33,17 @@ enum Command {
     /// Writes a dataset of known cause, from the digital twin.
     Simulate(simulate::Simulate),
     /// Runs the diagnostic plan on a calibrator and writes a dataset.
+    ///
+    /// The dataset has rig.toml (what the simulation believes) and points.csv (what was measured);
+    /// `calib gap diagnose DATASET` reads it.
+    ///
+    /// What is believed comes from --believed. A rig file (as twin/rigs/default.toml) is best: the
+    /// filters and resonances it states are known, and are taken out of the rows; rig.toml has no
+    /// place for them, and they would show as a gap.
+    ///
+    /// Conditions are what you state, as the calibrator has no sensor for them: one value for all
+    /// runs, or one for each, as in --runs 4 --rotation 0,90,180,270. Before each run but the first
+    /// you are asked to mount the device anew. docs/gap.md says what each column means.
     Record(record::RecordVerb),
     /// Writes a sealed set: datasets whose truth is locked away.
     Challenge(challenge::Challenge),

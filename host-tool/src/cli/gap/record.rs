@@ -23,19 +23,7 @@ use std::time::Instant;
 const EMULATED_PAUSE_S: f64 = 900.0;
 
 /// `calib gap record`.
-///
-/// Runs the diagnostic plan and writes a dataset: rig.toml (what the simulation believes) and
-/// points.csv (what was measured). `calib gap diagnose DATASET` reads it.
-///
-/// What is believed comes from --believed. A rig file (as twin/rigs/default.toml) is best: the
-/// filters and resonances it states are known, and are taken out of the rows; rig.toml has no
-/// place for them, and they would show as a gap.
-///
-/// Conditions are what you state: the calibrator has no sensor for them. Give one value for all
-/// runs, or one for each, as in --runs 4 --rotation 0,90,180,270; the device is mounted anew
-/// before each run but the first, and you are asked to.
 #[derive(Debug, Args)]
-#[command(verbatim_doc_comment)]
 pub(crate) struct RecordVerb {
     /// Folder of the dataset.
     #[arg(long, value_name = "DATASET")]
