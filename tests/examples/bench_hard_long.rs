@@ -32,9 +32,12 @@ fn main() -> Result<(), Fault> {
     let mut bench = Bench::with_rig(&Rig::standard())?;
     let folder = tempfile::tempdir()?;
     let mut tally = Tally::default();
-    let mut next_report = TEN_MINUTES;
+    let (mut next_report, mut next_fault) = (TEN_MINUTES, Duration::ZERO);
     while bench.board().elapsed() < goal {
-        let faulty = with_faults && bench.board().elapsed() >= next_report;
+        let faulty = with_faults && bench.board().elapsed() >= next_fault;
+        if faulty {
+            next_fault += TEN_MINUTES;
+        }
         calibrate(&mut bench, faulty, folder.path())?;
         tally.runs += 1;
         tally.faults += u32::from(faulty);
