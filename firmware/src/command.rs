@@ -6,7 +6,9 @@
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
 use calib_protocol::capture::CapturePart;
-use calib_protocol::message::{Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, Status};
+use calib_protocol::message::{
+    Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, SettingsChange, Status,
+};
 use calib_protocol::record::RecordSummary;
 use heapless::Vec;
 
@@ -52,12 +54,16 @@ pub trait Instrument {
     async fn release(&mut self, through: u32) -> Result<(), Refusal>;
     /// The settings in force.
     fn settings(&mut self) -> Settings;
-    /// Checks, stores and takes new settings.
-    async fn write_settings(&mut self, settings: Settings) -> Result<(), Refusal>;
     /// Captures sample pairs from the next block on.
     fn capture(&mut self, pairs: u16) -> Result<(), Refusal>;
     /// Pairs of the capture, or how far it is.
     fn read_capture(&mut self, offset: u16) -> Result<CapturePart, Refusal>;
+    /// Whether a hand is on the button.
+    fn button_held(&mut self) -> bool;
+    /// Stores and takes new settings that say the same of the reference.
+    async fn write_settings(&mut self, settings: &Settings) -> Result<(), Refusal>;
+    /// Logs and takes new settings that say something else of the reference.
+    async fn change_reference(&mut self, change: &SettingsChange) -> Result<(), Refusal>;
 }
 
 /// Carries out `request`; a reset is left to the caller, who answers first.
@@ -102,9 +108,8 @@ async fn carry_out(
             }
         }
         Request::SettingsRead => Response::Settings(instrument.settings()),
-        Request::SettingsWrite(settings) => {
-            settings.validate().map_err(|_| Refusal::Settings)?;
-            instrument.write_settings(settings).await?;
+        Request::SettingsWrite(change) => {
+            write_settings(&change, instrument).await?;
             Response::Done
         }
         Request::Reset => Response::Done,
@@ -118,6 +123,26 @@ async fn carry_out(
         }
         Request::ReadCapture { offset } => Response::CaptureData(instrument.read_capture(offset)?),
     })
+}
+
+/// Every result rests on the reference: its calibration changes only under a
+/// hand on the instrument, and leaves a record. Whoever sends the same again is
+/// told that it is done.
+async fn write_settings(
+    change: &SettingsChange,
+    instrument: &mut impl Instrument,
+) -> Result<(), Refusal> {
+    change.settings.validate().map_err(|_| Refusal::Settings)?;
+    if change
+        .settings
+        .has_reference_channel_of(&instrument.settings())
+    {
+        return instrument.write_settings(&change.settings).await;
+    }
+    if !instrument.button_held() {
+        return Err(Refusal::ButtonNotHeld);
+    }
+    instrument.change_reference(change).await
 }
 
 /// Whether every value of a list is finite and positive, and there is one; a

@@ -9,7 +9,8 @@ use calib_firmware::command::{Instrument, RecordPage, RecordPart};
 use calib_firmware::session::LinkName;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
-use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, Status};
+use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, SettingsChange, Status};
+use core::sync::atomic::Ordering;
 use embassy_time::Instant;
 
 /// One host's view; all share everything behind it.
@@ -103,12 +104,26 @@ impl Instrument for Calibrator {
         state::settings()
     }
 
-    async fn write_settings(&mut self, settings: Settings) -> Result<(), Refusal> {
+    async fn write_settings(&mut self, settings: &Settings) -> Result<(), Refusal> {
         if state::status().state.is_running() {
             return Err(Refusal::Busy);
         }
-        self.archive.store_settings(&settings).await?;
-        state::take_settings(settings);
+        self.archive.store_settings(settings).await?;
+        state::take_settings(settings.clone());
+        Ok(())
+    }
+
+    fn button_held(&mut self) -> bool {
+        state::BUTTON_HELD.load(Ordering::Relaxed)
+    }
+
+    async fn change_reference(&mut self, change: &SettingsChange) -> Result<(), Refusal> {
+        if state::status().state.is_running() {
+            return Err(Refusal::Busy);
+        }
+        state::BUTTON_USED.store(true, Ordering::Relaxed);
+        self.archive.log_change(self.identity, change).await?;
+        state::take_settings(change.settings.clone());
         Ok(())
     }
 

@@ -208,7 +208,7 @@ mod tests {
     use calib_core::point::{ExcitationKind, PointResult, PointSpec};
     use calib_core::settings::Settings;
     use calib_protocol::capture::CapturePart;
-    use calib_protocol::message::{Info, RunSpec, Status};
+    use calib_protocol::message::{Info, RunSpec, SettingsChange, Status};
     use calib_protocol::record::RunLabels;
     use core::future::Future;
     use core::pin::pin;
@@ -256,7 +256,7 @@ mod tests {
         fn settings(&mut self) -> Settings {
             unreachable!("not asked here")
         }
-        async fn write_settings(&mut self, _: Settings) -> Result<(), Refusal> {
+        async fn write_settings(&mut self, _: &Settings) -> Result<(), Refusal> {
             Ok(())
         }
         fn capture(&mut self, _: u16) -> Result<(), Refusal> {
@@ -264,6 +264,12 @@ mod tests {
         }
         fn read_capture(&mut self, _: u16) -> Result<CapturePart, Refusal> {
             Err(Refusal::NotCaptured)
+        }
+        fn button_held(&mut self) -> bool {
+            false
+        }
+        async fn change_reference(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
+            unreachable!("nobody holds the button")
         }
     }
 

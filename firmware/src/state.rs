@@ -7,7 +7,7 @@ use calib_firmware::session::Session;
 use calib_protocol::message::{RunSpec, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
 use core::cell::{Cell, RefCell};
-use core::sync::atomic::AtomicU32;
+use core::sync::atomic::{AtomicBool, AtomicU32};
 use embassy_sync::blocking_mutex::CriticalSectionMutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::channel::Channel;
@@ -113,6 +113,11 @@ pub(crate) static ACQUIRE_ALIVE: AtomicU32 = AtomicU32::new(0);
 pub(crate) static DRIVE_ALIVE: AtomicU32 = AtomicU32::new(0);
 /// Rises while blocks are worked on.
 pub(crate) static MEASURE_ALIVE: AtomicU32 = AtomicU32::new(0);
+
+/// A hand is on the button.
+pub(crate) static BUTTON_HELD: AtomicBool = AtomicBool::new(false);
+/// The press has been good for something; taken by whoever looks at the button.
+pub(crate) static BUTTON_USED: AtomicBool = AtomicBool::new(false);
 
 static SETTINGS: CriticalSectionMutex<RefCell<Option<Settings>>> =
     CriticalSectionMutex::new(RefCell::new(None));

@@ -97,7 +97,7 @@ pub fn run(
         "writing the reference's calibration into its settings",
     );
     let settings = settings_for(&rig, client.settings()?, Some(seed));
-    client.write_settings(settings)?;
+    board.set_up(&mut client, settings)?;
     step(&mut observe, "measuring");
     let points = session::default_points(10.0);
     let labels = labels(seed, unix_time_s);

@@ -12,6 +12,7 @@
 #![forbid(unsafe_code)]
 
 pub mod capture;
+pub mod change;
 pub mod frame;
 pub mod message;
 pub mod record;

@@ -63,8 +63,10 @@ pub enum Request {
     },
     /// The settings in force.
     SettingsRead,
-    /// New settings, stored in flash.
-    SettingsWrite(Settings),
+    /// New settings, stored in flash. Those that change the reference's channel
+    /// need the button held on the instrument, and are logged as a record
+    /// ([`crate::change`]).
+    SettingsWrite(SettingsChange),
     /// Reset the board.
     Reset,
     /// The host keeps every record up to this running number: they may make
@@ -178,6 +180,31 @@ pub enum Refusal {
     NotCaptured,
     /// Sample pairs were lost while the capture was taken.
     CaptureBroken,
+    /// The settings change the calibration of the reference, and the button on
+    /// the instrument is not held; nothing was changed.
+    ButtonNotHeld,
+}
+
+/// New settings, and what the log of a change says of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SettingsChange {
+    /// All of them.
+    pub settings: Settings,
+    /// Seconds since 1970-01-01 UTC by the host's clock; 0 = not known.
+    pub unix_time_s: u64,
+    /// Who changes them.
+    pub operator: String<48>,
+}
+
+impl From<Settings> for SettingsChange {
+    /// Settings of nobody at no time.
+    fn from(settings: Settings) -> Self {
+        Self {
+            settings,
+            unix_time_s: 0,
+            operator: String::new(),
+        }
+    }
 }
 
 /// A run to be measured.

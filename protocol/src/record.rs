@@ -4,14 +4,14 @@
 //!
 //! | bytes | content |
 //! |---|---|
-//! | 2 | record version, u16 LE ([`RECORD_VERSION`]) |
-//! | n | [`Record`], postcard |
+//! | 2 | record version, u16 LE: [`RECORD_VERSION`], with the kind in the upper byte |
+//! | n | [`Record`], postcard; of another kind: [`crate::change`] |
 //! | 4 | CRC-32 of everything before, LE |
 
 use crate::frame::CRC;
 use crate::stored_point;
 use calib_core::point::PointResult;
-use calib_core::settings::Settings;
+use calib_core::settings::{ReferenceChannel, Settings};
 use calib_core::verdict::Verdict;
 use core::ops::Range;
 use heapless::{String, Vec};
@@ -25,6 +25,28 @@ pub const MAX_POINTS: usize = 200;
 
 /// A SHA-256 sum (FIPS 180-4).
 pub type Sha256Sum = [u8; 32];
+
+/// What a record is about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum RecordKind {
+    /// A run that was measured: a [`Record`].
+    #[default]
+    Calibration,
+    /// Another calibration of the reference: a [`crate::change::ReferenceChange`].
+    ReferenceChange,
+}
+
+impl RecordKind {
+    /// The first two bytes of a record of this kind.
+    const fn mark(self) -> u16 {
+        match self {
+            Self::Calibration => RECORD_VERSION,
+            Self::ReferenceChange => 0x0100 | RECORD_VERSION,
+        }
+    }
+}
 
 /// What the operator says about a run.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -87,6 +109,23 @@ pub struct RecordSummary {
     pub refused: u16,
     /// [`digest`] of the record.
     pub sha256: Sha256Sum,
+    /// What it is about.
+    pub kind: RecordKind,
+}
+
+/// Where a record stands in the chain of its instrument.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChainLink {
+    /// What the record is about.
+    pub kind: RecordKind,
+    /// Running number.
+    pub id: u32,
+    /// Serial number of the instrument.
+    pub instrument_serial: String<32>,
+    /// What it says of the record before: its [`digest`].
+    pub previous_sha256: Sha256Sum,
+    /// Its own [`digest`].
+    pub sha256: Sha256Sum,
 }
 
 /// SHA-256 of the bytes of a record, as [`encode`] writes them.
@@ -112,6 +151,11 @@ pub enum RecordError {
     Checksum,
     /// The checksum holds, and yet the content is no record of this version.
     Content,
+    /// A record of another kind than the one wanted.
+    Kind {
+        /// The kind it is.
+        found: RecordKind,
+    },
 }
 
 impl core::fmt::Display for RecordError {
@@ -124,6 +168,12 @@ impl core::fmt::Display for RecordError {
             ),
             Self::Checksum => formatter.write_str("checksum of the record failed"),
             Self::Content => formatter.write_str("content is no record"),
+            Self::Kind {
+                found: RecordKind::ReferenceChange,
+            } => formatter.write_str("logs a change of the reference and is no calibration"),
+            Self::Kind {
+                found: RecordKind::Calibration,
+            } => formatter.write_str("is a calibration and logs no change of the reference"),
         }
     }
 }
@@ -135,11 +185,20 @@ impl core::error::Error for RecordError {}
 /// # Errors
 /// [`RecordError::Length`] when the buffer is too small.
 pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> {
+    seal(RecordKind::Calibration, record, buffer)
+}
+
+/// Writes content between kind and checksum.
+pub(crate) fn seal(
+    kind: RecordKind,
+    content: &impl Serialize,
+    buffer: &mut [u8],
+) -> Result<usize, RecordError> {
     let (version, rest) = buffer
         .split_first_chunk_mut::<2>()
         .ok_or(RecordError::Length)?;
-    *version = RECORD_VERSION.to_le_bytes();
-    let body = postcard::to_slice(record, rest).map_err(|_| RecordError::Length)?;
+    *version = kind.mark().to_le_bytes();
+    let body = postcard::to_slice(content, rest).map_err(|_| RecordError::Length)?;
     let end = 2 + body.len();
     let checksum = CRC.checksum(buffer.get(..end).ok_or(RecordError::Length)?);
     buffer
@@ -149,12 +208,13 @@ pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> 
     Ok(end + 4)
 }
 
-/// Checks length, checksum and version, in this order, and returns the content.
+/// Checks length, checksum and version, in this order, and returns kind and
+/// content.
 ///
 /// # Errors
 /// See [`RecordError`]; `Checksum` before `Version`, because a damaged version
 /// number is damage and no version.
-pub fn check(bytes: &[u8]) -> Result<&[u8], RecordError> {
+pub fn check(bytes: &[u8]) -> Result<(RecordKind, &[u8]), RecordError> {
     let (content, checksum) = bytes.split_last_chunk::<4>().ok_or(RecordError::Length)?;
     let (version, body) = content
         .split_first_chunk::<2>()
@@ -162,10 +222,40 @@ pub fn check(bytes: &[u8]) -> Result<&[u8], RecordError> {
     if CRC.checksum(content) != u32::from_le_bytes(*checksum) {
         return Err(RecordError::Checksum);
     }
-    match u16::from_le_bytes(*version) {
-        RECORD_VERSION => Ok(body),
-        found => Err(RecordError::Version { found }),
+    let found = u16::from_le_bytes(*version);
+    let kind = kind_of(found).ok_or(RecordError::Version { found })?;
+    Ok((kind, body))
+}
+
+/// Kind of the records that begin with `mark`.
+pub(crate) fn kind_of(mark: u16) -> Option<RecordKind> {
+    let mut kinds = [RecordKind::Calibration, RecordKind::ReferenceChange].into_iter();
+    kinds.find(|kind| kind.mark() == mark)
+}
+
+/// Content of a record of this kind.
+pub(crate) fn content_of(kind: RecordKind, bytes: &[u8]) -> Result<&[u8], RecordError> {
+    match check(bytes)? {
+        (found, body) if found == kind => Ok(body),
+        (found, _) => Err(RecordError::Kind { found }),
     }
+}
+
+/// Where a record of any kind stands in the chain.
+///
+/// # Errors
+/// As [`decode`], for any kind.
+pub fn link(bytes: &[u8]) -> Result<ChainLink, RecordError> {
+    let (kind, body) = check(bytes)?;
+    let (head, _) = postcard::take_from_bytes::<Head>(body).map_err(|_| RecordError::Content)?;
+    let (id, previous_sha256, instrument_serial, ..) = head;
+    Ok(ChainLink {
+        kind,
+        id,
+        instrument_serial,
+        previous_sha256,
+        sha256: digest(bytes),
+    })
 }
 
 /// Fields of a [`Record`] before its settings, in order.
@@ -181,12 +271,41 @@ type Middle = (Option<String<160>>, bool, u16);
 /// As [`decode`].
 pub fn inspect(bytes: &[u8]) -> Result<(RecordSummary, Range<usize>), RecordError> {
     let content = |_| RecordError::Content;
-    let body = check(bytes)?;
+    let (kind, body) = check(bytes)?;
     let (head, rest) = postcard::take_from_bytes::<Head>(body).map_err(content)?;
     let start = bytes.len() - 4 - rest.len();
     let (_, rest) = postcard::take_from_bytes::<Settings>(rest).map_err(content)?;
     let settings = start..bytes.len() - 4 - rest.len();
-    let (middle, mut rest) = postcard::take_from_bytes::<Middle>(rest).map_err(content)?;
+    let (points, refused) = match kind {
+        RecordKind::Calibration => count_points(rest)?,
+        RecordKind::ReferenceChange => channel_alone(rest).map(|()| (0, 0))?,
+    };
+    let (id, _, _, _, _, labels) = head;
+    let summary = RecordSummary {
+        id,
+        bytes: bytes.len() as u32,
+        unix_time_s: labels.unix_time_s,
+        dut_serial: labels.dut_serial,
+        points,
+        refused,
+        sha256: digest(bytes),
+        kind,
+    };
+    Ok((summary, settings))
+}
+
+/// Whether what follows the settings is a channel and nothing more.
+fn channel_alone(bytes: &[u8]) -> Result<(), RecordError> {
+    match postcard::take_from_bytes::<ReferenceChannel>(bytes) {
+        Ok((_, [])) => Ok(()),
+        _ => Err(RecordError::Content),
+    }
+}
+
+/// Points and refused points of what follows the settings.
+fn count_points(bytes: &[u8]) -> Result<(u16, u16), RecordError> {
+    let content = |_| RecordError::Content;
+    let (middle, mut rest) = postcard::take_from_bytes::<Middle>(bytes).map_err(content)?;
     let (_, _, points) = middle;
     let mut refused = 0;
     for _ in 0..points {
@@ -197,25 +316,16 @@ pub fn inspect(bytes: &[u8]) -> Result<(RecordSummary, Range<usize>), RecordErro
     if !rest.is_empty() || usize::from(points) > MAX_POINTS {
         return Err(RecordError::Content);
     }
-    let (id, _, _, _, _, labels) = head;
-    let summary = RecordSummary {
-        id,
-        bytes: bytes.len() as u32,
-        unix_time_s: labels.unix_time_s,
-        dut_serial: labels.dut_serial,
-        points,
-        refused,
-        sha256: digest(bytes),
-    };
-    Ok((summary, settings))
+    Ok((points, refused))
 }
 
-/// Reads a record.
+/// Reads the record of a calibration.
 ///
 /// # Errors
-/// Those of [`check`], and [`RecordError::Content`].
+/// Those of [`check`], [`RecordError::Content`] and [`RecordError::Kind`].
 pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
-    match postcard::take_from_bytes(check(bytes)?) {
+    let body = content_of(RecordKind::Calibration, bytes)?;
+    match postcard::take_from_bytes(body) {
         Ok((record, [])) => Ok(record),
         _ => Err(RecordError::Content),
     }
@@ -324,6 +434,7 @@ mod tests {
             points: 3,
             refused: 1,
             sha256: digest(&bytes[..length]),
+            kind: RecordKind::Calibration,
         };
         let (found, settings) = inspect(&bytes[..length]).expect("a record");
         assert_eq!(found, summary);

@@ -11,6 +11,7 @@
 
 use crate::frame::CRC;
 use crate::record::{self, Head, RecordSummary, Sha256Sum};
+use calib_core::settings::Settings;
 use core::ops::Range;
 use postcard::take_from_bytes;
 use serde::{Deserialize, Serialize};
@@ -56,12 +57,21 @@ impl StoredHead {
         at..at + missing
     }
 
+    /// The settings in the whole body, if it has them.
+    pub fn settings_in(&self, body: &[u8]) -> Option<Settings> {
+        let at = usize::from(self.settings_at);
+        let bytes = body.get(at..at + usize::from(self.settings_bytes))?;
+        let settings = self.with_settings.then(|| postcard::from_bytes(bytes));
+        settings?.ok()
+    }
+
     /// The line of the record list; `body` must hold the record's beginning.
     ///
     /// # Errors
     /// [`StoredError`] when it does not.
     pub fn summary(&self, body: &[u8]) -> Result<RecordSummary, StoredError> {
-        let fields = body.get(2..).ok_or(StoredError)?;
+        let (mark, fields) = body.split_first_chunk::<2>().ok_or(StoredError)?;
+        let kind = record::kind_of(u16::from_le_bytes(*mark)).ok_or(StoredError)?;
         let (head, _) = take_from_bytes::<Head>(fields).map_err(|_| StoredError)?;
         let (id, _, _, _, _, labels) = head;
         Ok(RecordSummary {
@@ -72,6 +82,7 @@ impl StoredHead {
             points: self.points,
             refused: self.refused,
             sha256: self.sha256,
+            kind,
         })
     }
 }
@@ -165,7 +176,6 @@ mod tests {
     use super::*;
     use crate::record::{MAX_POINTS, Record, RunLabels, digest, encode};
     use calib_core::point::{PointResult, PointSpec};
-    use calib_core::settings::Settings;
     use calib_core::tone::Tone;
     use calib_core::verdict::{Reason, Verdict};
     use heapless::{String, Vec};

@@ -88,7 +88,7 @@ fn the_tables_list_every_message_with_its_number() {
         Request::Records { from: 0 },
         Request::ReadRecord { id: 0, offset: 0 },
         Request::SettingsRead,
-        Request::SettingsWrite(settings.clone()),
+        Request::SettingsWrite(settings.clone().into()),
         Request::Reset,
         Request::Release { through: 0 },
         Request::Capture { pairs: 0 },
@@ -138,6 +138,7 @@ fn the_tables_list_every_message_with_its_number() {
         Refusal::CaptureLength,
         Refusal::NotCaptured,
         Refusal::CaptureBroken,
+        Refusal::ButtonNotHeld,
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     // A number further on would be one the page does not have.
@@ -149,7 +150,7 @@ fn the_tables_list_every_message_with_its_number() {
     };
     assert!(behind(&[13, 0, 0, 0, 0, 0, 0, 0, 0, 0]).0);
     assert!(behind(&[10, 0, 0, 0, 0, 0, 0, 0, 0, 0]).1);
-    assert!(postcard::from_bytes::<Refusal>(&[12]).is_err());
+    assert!(postcard::from_bytes::<Refusal>(&[13]).is_err());
 }
 
 fn info() -> Info {

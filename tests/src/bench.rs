@@ -20,6 +20,9 @@ pub type Fault = Box<dyn std::error::Error + Send + Sync>;
 /// Time from power-on after which the firmware must answer.
 const BOOT: Duration = Duration::from_millis(300);
 
+/// Time after which the firmware has seen the button go up or down.
+const BUTTON_SEEN: Duration = Duration::from_millis(60);
+
 /// An emulated calibrator with its rig, and a client that speaks to it.
 pub struct Bench {
     emulator: SharedEmulator,
@@ -87,8 +90,23 @@ impl Bench {
     pub fn certify_reference(&mut self, certificate: &[CalibrationPoint]) -> Result<(), Fault> {
         let mut settings = self.client.settings()?;
         settings.reference.points = certificate.iter().map(reference_point).collect();
-        self.client.write_settings(settings)?;
-        Ok(())
+        self.under_a_hand(|client| Ok(client.write_settings(settings)?))
+    }
+
+    /// Does something with the button held, long enough to be seen before and after.
+    ///
+    /// # Errors
+    /// Those of what is done.
+    pub fn under_a_hand<T>(
+        &mut self,
+        act: impl FnOnce(&mut Client) -> Result<T, Fault>,
+    ) -> Result<T, Fault> {
+        self.board().press_button(true)?;
+        self.client.wait(BUTTON_SEEN)?;
+        let done = act(&mut self.client);
+        self.board().press_button(false)?;
+        self.client.wait(BUTTON_SEEN)?;
+        done
     }
 
     /// Changes settings in place.

@@ -177,20 +177,24 @@ fn run_of_one() -> RunSpec {
 }
 
 #[test]
-fn a_stuck_button_starts_one_run_and_stops_none() -> Result<(), Fault> {
+fn a_tap_starts_a_press_stops_and_a_stuck_button_does_nothing() -> Result<(), Fault> {
     let mut bench = Bench::with_rig(&Rig::standard())?;
-    bench.board().press_button(true)?;
-    bench.client.wait(Duration::from_secs(2))?;
+    bench.under_a_hand(|_| Ok(()))?;
     assert_eq!(bench.client.status()?.points, 28, "the default list");
-    bench.client.stop()?;
+    bench.client.wait(Duration::from_secs(1))?;
+    // From here on the button is stuck: it stops the run, and that was all.
+    bench.board().press_button(true)?;
     bench.client.wait(Duration::from_secs(1))?;
     assert_eq!(bench.client.status()?.state, RunState::Stopped);
     bench.expect_silence(Duration::from_secs(1))?;
     assert_eq!(bench.client.records()?.len(), 1, "no second run");
-    // Stuck at boot it starts nothing, and a host still can.
+    // Stuck at boot it starts nothing and allows nothing, and a host still can run.
     bench.client.reset()?;
     bench.client.wait(Duration::from_secs(1))?;
     assert_eq!(bench.client.status()?.state, RunState::Idle);
+    let mut settings = bench.client.settings()?;
+    settings.reference.due_day += 1;
+    assert!(bench.client.write_settings(settings).is_err());
     assert_eq!(bench.run(&[point(160.0, 10.0)])?.state, RunState::Finished);
     let unused = bench.unused_stack_bytes()?;
     assert!(unused >= 10 << 10, "less than 10 KiB are left");

@@ -151,7 +151,7 @@ fn after_any_bytes_the_next_request_is_answered_and_nothing_is_changed() -> Resu
     let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(board.clone())?));
     let before = bench.client.settings()?;
     let mut mutator = Mutator::new(heard(), 3);
-    let write = frame(1, &Request::SettingsWrite(before.clone()));
+    let write = frame(1, &Request::SettingsWrite(before.clone().into()));
     // Whole frames would be answered, one after the other, at the speed of the line.
     let none = |_: &Whole| false;
     let noise = salvo(&mut mutator, 3000, none);

@@ -59,7 +59,7 @@ fn cut_while_writing(
     fraction: f64,
 ) -> Result<Option<Torn>, Fault> {
     let mut frame = [0; 1 + MAX_FRAME];
-    let request = Request::SettingsWrite(settings.clone());
+    let request = Request::SettingsWrite(settings.clone().into());
     let length = encode(0x7000, &request, &mut frame[1..]).map_err(|_| "too long a frame")?;
     let mut board = bench.board();
     let ordinal = board.flash_watch().operations() + nth;

@@ -173,9 +173,10 @@ fn an_emulated_calibrator_is_used_over_tcp_and_keeps_its_records() {
     let device = emulated.address.clone();
     assert!(device.starts_with("tcp:127.0.0.1:"), "{device}");
     let go = |arguments: &[&str]| json(folder.path(), &[arguments, &["-d", &device]].concat());
-    assert_eq!(go(&["info"])["records"], 0);
+    // What was told of its reference when it was set up.
+    assert_eq!(go(&["info"])["records"], 1);
     let run = go(&["run", "--points", "two.csv", "--serial", "A'1"]);
-    assert_eq!(run["record_id"], 1);
+    assert_eq!(run["record_id"], 2);
     assert_eq!(run["state"], "Finished");
     emulated.switch_off();
 
@@ -183,13 +184,13 @@ fn an_emulated_calibrator_is_used_over_tcp_and_keeps_its_records() {
     let emulated = start();
     let device = emulated.address.clone();
     let go = |arguments: &[&str]| json(folder.path(), &[arguments, &["-d", &device]].concat());
-    assert_eq!(go(&["records"])[0]["dut_serial"], "A'1");
+    assert_eq!(go(&["records"])[1]["dut_serial"], "A'1");
     // What an interrupted download left is completed, not fetched again.
-    let whole = go(&["download", "1", "--out", "first"])["file"].clone();
+    let whole = go(&["download", "2", "--out", "first"])["file"].clone();
     let stored = std::fs::read(folder.path().join(whole.as_str().expect("path"))).expect("file");
-    let part = folder.path().join("record-00001.calibrec.part");
+    let part = folder.path().join("record-00002.calibrec.part");
     std::fs::write(&part, &stored[..777]).expect("part");
-    let download = go(&["download", "1"]);
+    let download = go(&["download", "2"]);
     assert_eq!(download["resumed_at"], 777);
     let file = download["file"].as_str().expect("a path");
     assert_eq!(
@@ -207,7 +208,7 @@ fn an_emulated_calibrator_is_used_over_tcp_and_keeps_its_records() {
 /// The certificate of a file and that of the record in the calibrator are one.
 fn certificates_agree(folder: &Path, file: &str, device: &str) {
     let written = json(folder, &["certificate", file, "--out", "from-file"]);
-    let stored = ["certificate", "1", "--out", "from-device", "-d", device];
+    let stored = ["certificate", "2", "--out", "from-device", "-d", device];
     let again = json(folder, &stored);
     let names = |value: &Value| -> Vec<PathBuf> {
         let files = value["files"].as_array().expect("files");
@@ -232,7 +233,7 @@ fn a_pseudo_terminal_is_a_serial_port() {
     let run = ["run", "--points", "one.csv", "-d", device];
     let run = json(folder.path(), &run);
     assert_eq!(run["points"].as_array().expect("points").len(), 1);
-    json(folder.path(), &["download", "1", "-d", device]);
+    json(folder.path(), &["download", "2", "-d", device]);
 }
 
 #[test]
@@ -258,7 +259,7 @@ fn interrupting_a_run_stops_it_and_keeps_what_was_measured() {
     assert!((1..28).contains(&points), "{records}");
     // Silent and ready: the next run begins at once.
     let next = ["run", "--points", "one.csv", "-d", &device];
-    assert_eq!(json(folder.path(), &next)["record_id"], 2);
+    assert_eq!(json(folder.path(), &next)["record_id"], 3);
 }
 
 #[test]
@@ -368,7 +369,7 @@ fn scpi_agrees_with_the_record(arguments: &[&str], resource: impl Fn(&str) -> St
         (words("complete"), words("verdict")),
         ("1".into(), "PASS".into())
     );
-    assert!(words("catalogue").contains("\"1,BIN,"), "{heard}");
+    assert!(words("catalogue").contains("\"2,BIN,"), "{heard}");
     assert_eq!(words("error"), "0,\"No error\"");
     assert_eq!(words("events"), "0");
     assert!(words("mistake").starts_with("-113,"), "{heard}");
@@ -376,7 +377,7 @@ fn scpi_agrees_with_the_record(arguments: &[&str], resource: impl Fn(&str) -> St
         (words("self_test"), words("version")),
         ("0".into(), "1999.0".into())
     );
-    let download = json(folder.path(), &["download", "1", "-d", &device]);
+    let download = json(folder.path(), &["download", "2", "-d", &device]);
     let file = folder
         .path()
         .join(download["file"].as_str().expect("a path"));

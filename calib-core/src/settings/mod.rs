@@ -118,6 +118,16 @@ pub struct Influence {
     pub distribution: Distribution,
 }
 
+/// What turns codes of the reference's channel into acceleration: every result
+/// rests on it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReferenceChannel {
+    /// The reference's own calibration.
+    pub calibration: ReferenceCalibration,
+    /// Its input.
+    pub input: InputScale,
+}
+
 /// Everything that is set before a measurement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
@@ -140,4 +150,53 @@ pub struct Settings {
     /// Influence quantities beside the reference's own calibration (row 1) and
     /// the repeatability of the measurement (row 18), which are per point.
     pub influences: Vec<Influence, MAX_INFLUENCES>,
+}
+
+impl Settings {
+    /// What is set of the reference's channel.
+    pub fn reference_channel(&self) -> ReferenceChannel {
+        ReferenceChannel {
+            calibration: self.reference.clone(),
+            input: self.reference_input,
+        }
+    }
+
+    /// Whether `other` says the same of the reference's channel.
+    pub fn has_reference_channel_of(&self, other: &Self) -> bool {
+        self.reference == other.reference && self.reference_input == other.reference_input
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_part_of_the_reference_channel_counts_and_nothing_else() {
+        type Change = fn(&mut Settings);
+        let of_reference: [Change; 7] = [
+            |s| s.reference.serial = String::try_from("R 2").expect("short"),
+            |s| s.reference.certificate = String::try_from("C 2").expect("short"),
+            |s| s.reference.due_day += 1,
+            |s| s.reference.points.truncate(9),
+            |s| s.reference.points[3].sensitivity_v_per_ms2 *= 1.001,
+            |s| s.reference.points[3].expanded_uncertainty_phase_rad *= 1.001,
+            |s| s.reference_input.volt_per_code *= 1.001,
+        ];
+        let of_others: [Change; 4] = [
+            |s| s.dut_input.volt_per_code *= 1.001,
+            |s| s.limits.drive_peak_v = 1.0,
+            |s| s.blocks += 1,
+            |s| s.influences.truncate(9),
+        ];
+        let before = Settings::field_calibrator();
+        let same = |change: Change| {
+            let mut after = before.clone();
+            change(&mut after);
+            assert_ne!(after, before);
+            after.has_reference_channel_of(&before)
+        };
+        assert!(of_others.into_iter().all(same));
+        assert!(!of_reference.into_iter().any(same));
+    }
 }

@@ -2,18 +2,21 @@
 //! part's size. How many records fit, how the sectors wear over 100 000
 //! records, and what random power cuts leave.
 //!
-//! The flash is that of the archive's own tests: words are programmed once, a
-//! cut leaves torn words and torn sectors.
+//! Flash, desk and session are those of the archive's own tests: words are
+//! programmed once, a cut leaves torn words and torn sectors.
 
+#[path = "../../src/archive/tests/desk.rs"]
+mod desk;
 #[path = "../../src/archive/tests/flash.rs"]
 #[allow(dead_code, reason = "tests use more of it")]
 mod flash;
-mod session;
+#[path = "../../src/archive/tests/told.rs"]
+mod told;
 
 use calib_core::settings::Settings;
+use desk::{Desk, store};
 use embassy_futures::block_on;
 use flash::MockFlash;
-use session::{Desk, Told};
 use std::io::Write as _;
 
 /// Sectors of bank 2, and of a part small enough to go round quickly.
@@ -62,7 +65,7 @@ fn capacity() -> Result<u32, Fault> {
     let settings = Settings::field_calibrator();
     let mut stored = 0;
     while block_on(archive.check_room(POINTS)).is_ok() {
-        session::store(&mut archive, POINTS, stored, &settings)?;
+        store(&mut archive, POINTS, stored, &settings)?;
         stored += 1;
     }
     Ok(stored)
@@ -76,7 +79,7 @@ fn wear() -> Result<(u32, u32), Fault> {
     let settings = Settings::field_calibrator();
     for seed in 0..RECORDS {
         block_on(archive.check_room(POINTS))?;
-        let (id, _) = session::store(&mut archive, POINTS, seed, &settings)?;
+        let (id, _) = store(&mut archive, POINTS, seed, &settings)?;
         if seed % 50 == 49 {
             block_on(archive.release(id))?;
         }
@@ -91,18 +94,18 @@ fn wear() -> Result<(u32, u32), Fault> {
 /// compared. Returns how many records were compared.
 fn random_cuts(cuts: u64) -> Result<u64, Fault> {
     let flash = MockFlash::<SMALL>::erased(calib_firmware::archive::SECTORS);
-    let mut told = Told::default();
+    let mut told = told::Told::default();
     let mut random = 1_u64;
     let mut number = 0;
     let mut checked = 0;
     for cut in 0..cuts {
         // From at once to the length of a dozen records.
-        let ahead = session::splitmix(&mut random) % 400 + 1;
+        let ahead = splitmix(&mut random) % 400 + 1;
         let at = flash.0.borrow().operations + ahead;
         flash.0.borrow_mut().cut_at = Some(at);
         let mut desk = Desk::new();
         if let Ok(mut archive) = desk.open(&flash) {
-            while session::step(&mut archive, &mut told, number).is_ok() {
+            while told::step(&mut archive, &mut told, number).is_ok() {
                 number += 1;
             }
         }
@@ -112,4 +115,13 @@ fn random_cuts(cuts: u64) -> Result<u64, Fault> {
         checked += told.check(&mut desk.open(&flash)?).map_err(context)?;
     }
     Ok(checked)
+}
+
+/// SplitMix64 (Steele, Lea and Flood 2014).
+fn splitmix(state: &mut u64) -> u64 {
+    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+    let mut mixed = *state;
+    mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    mixed ^ (mixed >> 31)
 }

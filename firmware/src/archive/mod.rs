@@ -15,6 +15,10 @@
 //! erasing the oldest sector loses its own records and nothing else, and there
 //! are as many copies of the state as there are sectors in use.
 //!
+//! The log of a change of the reference is a record too, always with its
+//! settings: they are in force from it on, whether or not the state item behind
+//! it was written.
+//!
 //! The area is a ring. A sector is only erased when the host has said that it
 //! keeps every record in it ([`Archive::release`]); otherwise the area is full
 //! and the next run is refused before it begins.
@@ -34,7 +38,7 @@ pub use state::State;
 
 use calib_core::settings::Settings;
 use calib_protocol::message::Refusal;
-use calib_protocol::record::{Record, RecordSummary};
+use calib_protocol::record::{Record, RecordKind, RecordSummary};
 use calib_protocol::stored::{self, settings_mark};
 use core::ops::Range;
 use embedded_storage_async::nor_flash::{NorFlash, ReadNorFlash};
@@ -189,7 +193,7 @@ impl<'m, F: NorFlash> Archive<'m, F> {
                     let Ok((head, body)) = stored::head(body) else {
                         continue;
                     };
-                    let Ok(RecordSummary { id, .. }) = head.summary(body) else {
+                    let Ok(RecordSummary { id, kind, .. }) = head.summary(body) else {
                         continue;
                     };
                     let sector = sector_of::<F>(address);
@@ -199,6 +203,11 @@ impl<'m, F: NorFlash> Archive<'m, F> {
                         continue;
                     }
                     self.state.note_record(id, head.sha256);
+                    if kind == RecordKind::ReferenceChange
+                        && let Some(settings) = head.settings_in(body)
+                    {
+                        self.state.set_settings(&settings);
+                    }
                     insert(
                         self.memory.directory,
                         Entry {

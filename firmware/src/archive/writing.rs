@@ -5,7 +5,8 @@ use super::{
     RECORD_ITEM, STATE_ITEM, end_of, insert, read, sector_of,
 };
 use calib_core::settings::Settings;
-use calib_protocol::record::{self, Record};
+use calib_protocol::change;
+use calib_protocol::record::{self, Record, RecordError};
 use calib_protocol::stored::{self, StoredHead, settings_mark};
 use core::ops::Range;
 use embedded_storage_async::nor_flash::NorFlash;
@@ -43,13 +44,13 @@ impl<F: NorFlash> Archive<'_, F> {
         if self.memory.directory.is_full() {
             return Err(ArchiveError::Full);
         }
-        let (mut head, mut item) = self.pack(false)?;
+        let (mut head, mut item) = self.pack_draft(false)?;
         if self.sector_has(head.settings_mark) {
-            let (short_head, short) = self.pack(true)?;
+            let (short_head, short) = self.pack_draft(true)?;
             if self.fits(short.len()) {
                 (head, item) = (short_head, short);
             } else {
-                self.pack(false)?;
+                self.pack_draft(false)?;
             }
         }
         let sector = self.sector();
@@ -57,20 +58,10 @@ impl<F: NorFlash> Archive<'_, F> {
         if !head.with_settings && self.sector() != sector {
             // Remains of a cut-off write made it move on, away from the
             // settings it shares.
-            (head, item) = self.pack(false)?;
+            (head, item) = self.pack_draft(false)?;
             address = self.push(item.clone()).await?;
         }
-        let id = self.memory.record.id;
-        self.state.note_record(id, head.sha256);
-        let length = item.len() as u16;
-        insert(
-            self.memory.directory,
-            Entry {
-                id,
-                address,
-                length,
-            },
-        );
+        self.enter(self.memory.record.id, &head, address, item.len());
         if head.with_settings {
             let settings = &self.memory.record.settings;
             if self.state.settings().is_none() {
@@ -84,6 +75,42 @@ impl<F: NorFlash> Archive<'_, F> {
             }
         }
         Ok(())
+    }
+
+    /// Logs that the settings of the draft say something else of the reference
+    /// than those in force, and stores them, twice.
+    ///
+    /// The record is the change: once it is there, the settings in it are in
+    /// force, also when the supply fails before they are stored beside it.
+    ///
+    /// # Errors
+    /// See [`ArchiveError`]; the settings before stay in force.
+    pub async fn log_change(&mut self) -> Result<(), ArchiveError> {
+        if self.memory.directory.is_full() {
+            return Err(ArchiveError::Full);
+        }
+        let (head, item) = self.pack_change()?;
+        let address = self.push(item.clone()).await?;
+        self.enter(self.memory.record.id, &head, address, item.len());
+        self.state.set_settings(&self.memory.record.settings);
+        for _copy in 0..2 {
+            // The next record carries its settings whatever becomes of this.
+            let _ = self.push_state().await;
+        }
+        Ok(())
+    }
+
+    /// Notes a record that lies in flash.
+    fn enter(&mut self, id: u32, head: &StoredHead, address: u32, length: usize) {
+        self.state.note_record(id, head.sha256);
+        insert(
+            self.memory.directory,
+            Entry {
+                id,
+                address,
+                length: length as u16,
+            },
+        );
     }
 
     /// Stores settings, twice: one damaged item never loses them.
@@ -115,13 +142,29 @@ impl<F: NorFlash> Archive<'_, F> {
         self.push_state().await
     }
 
-    /// Puts the draft as an item into the scratch memory; where it lies.
-    fn pack(&mut self, share: bool) -> Result<(StoredHead, Range<usize>), ArchiveError> {
+    fn pack_draft(&mut self, share: bool) -> Result<(StoredHead, Range<usize>), ArchiveError> {
+        self.pack(!share, record::encode)
+    }
+
+    fn pack_change(&mut self) -> Result<(StoredHead, Range<usize>), ArchiveError> {
+        let before = match self.state.settings() {
+            Some(settings) => settings.reference_channel(),
+            None => Settings::field_calibrator().reference_channel(),
+        };
+        self.pack(true, |record, body| change::encode(record, &before, body))
+    }
+
+    /// Puts a record as an item into the scratch memory; where it lies.
+    fn pack(
+        &mut self,
+        with_settings: bool,
+        encode: impl FnOnce(&Record, &mut [u8]) -> Result<usize, RecordError>,
+    ) -> Result<(StoredHead, Range<usize>), ArchiveError> {
         let too_long = |_| ArchiveError::TooLong;
         let (front, body) = self.memory.scratch.split_at_mut(BODY_AT);
-        let length = record::encode(self.memory.record, body).map_err(|_| ArchiveError::TooLong)?;
+        let length = encode(self.memory.record, body).map_err(|_| ArchiveError::TooLong)?;
         let record = body.get(..length).ok_or(ArchiveError::TooLong)?;
-        let head = stored::head_of(record, !share).map_err(too_long)?;
+        let head = stored::head_of(record, with_settings).map_err(too_long)?;
         stored::cut_out(&head, body).map_err(too_long)?;
         let written = stored::write_head(&head, front).map_err(too_long)?;
         let start = BODY_AT - written - 2;

@@ -9,9 +9,9 @@ use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{self, Frame, MAX_FRAME};
 use calib_protocol::message::{
-    Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
+    Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, SettingsChange, Status,
 };
-use calib_protocol::record::RecordSummary;
+use calib_protocol::record::{RecordKind, RecordSummary};
 use core::pin::pin;
 use core::task::{Context, Poll, Waker};
 
@@ -102,6 +102,7 @@ impl Instrument for Bench {
                 points: 1,
                 refused: 0,
                 sha256: [0; 32],
+                kind: RecordKind::Calibration,
             });
         Ok(RecordPage {
             records: records.collect(),
@@ -117,8 +118,14 @@ impl Instrument for Bench {
     fn settings(&mut self) -> Settings {
         Settings::field_calibrator()
     }
-    async fn write_settings(&mut self, _: Settings) -> Result<(), Refusal> {
-        Ok(())
+    async fn write_settings(&mut self, _: &Settings) -> Result<(), Refusal> {
+        unreachable!("no line asks for that")
+    }
+    fn button_held(&mut self) -> bool {
+        true
+    }
+    async fn change_reference(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
+        unreachable!("no line asks for that")
     }
     fn capture(&mut self, _: u16) -> Result<(), Refusal> {
         Ok(())

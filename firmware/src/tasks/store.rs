@@ -6,8 +6,8 @@ use crate::state;
 use calib_core::settings::{Example, InputScale, Limits, Method, ReferenceCalibration, Settings};
 use calib_firmware::archive::{Archive, ArchiveError, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
-use calib_protocol::message::{Refusal, RunState};
-use calib_protocol::record::Record;
+use calib_protocol::message::{Refusal, RunState, SettingsChange};
+use calib_protocol::record::{Record, RunLabels};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::mutex::{Mutex, MutexGuard};
 use heapless::{String, Vec};
@@ -62,6 +62,24 @@ impl SharedArchive {
         Ok(self.lock()?.store_settings(settings).await?)
     }
 
+    /// See [`Archive::log_change`].
+    pub(crate) async fn log_change(
+        &self,
+        identity: &Identity,
+        change: &SettingsChange,
+    ) -> Result<(), Refusal> {
+        let mut archive = self.lock()?;
+        let record = archive.draft();
+        sign(record, identity);
+        record.labels = RunLabels {
+            unix_time_s: change.unix_time_s,
+            operator: change.operator.clone(),
+            ..state::NO_LABELS
+        };
+        record.settings.clone_from(&change.settings);
+        Ok(archive.log_change().await?)
+    }
+
     fn lock(&self) -> Result<ArchiveGuard<'_>, Refusal> {
         self.0.try_lock().map_err(|_| Refusal::Busy)
     }
@@ -76,9 +94,7 @@ pub(crate) async fn store(archive: &'static SharedArchive, identity: &'static Id
         state::RUN_ENDED.wait().await;
         let mut archive = archive.0.lock().await;
         let record = archive.draft();
-        record.instrument_serial = identity.serial.clone();
-        record.firmware = identity.firmware();
-        record.sample_rate_hz = crate::board::SAMPLE_RATE_HZ as f32;
+        sign(record, identity);
         record.settings = state::settings();
         record.incident.clone_from(&incident);
         state::RUN.lock(|run| {
@@ -108,6 +124,13 @@ pub(crate) async fn store(archive: &'static SharedArchive, identity: &'static Id
         };
         state::update_status(|status| status.state = ended);
     }
+}
+
+/// Puts down whose record it is.
+fn sign(record: &mut Record, identity: &Identity) {
+    record.instrument_serial.clone_from(&identity.serial);
+    record.firmware = identity.firmware();
+    record.sample_rate_hz = crate::board::SAMPLE_RATE_HZ as f32;
 }
 
 /// A record of nothing.

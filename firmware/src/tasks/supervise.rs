@@ -6,6 +6,7 @@ use crate::state::{self, Order};
 use calib_core::point::ExcitationKind;
 use calib_core::points::default_points;
 use calib_core::verdict::Verdict;
+use calib_firmware::button::{Button, PERIOD_MS, Press};
 use calib_firmware::command::Instrument;
 use calib_protocol::message::{RunSpec, RunState};
 use calib_protocol::record::RunLabels;
@@ -13,8 +14,8 @@ use core::sync::atomic::Ordering;
 use embassy_stm32::gpio::{Input, Level};
 use embassy_time::{Duration, Ticker};
 
-/// Button and lamps are looked at this often; a bounce is shorter.
-const PERIOD: Duration = Duration::from_millis(20);
+/// Button and lamps are looked at this often.
+const PERIOD: Duration = Duration::from_millis(PERIOD_MS);
 /// Periods in which acquiring, driving and measuring must each have moved: 100 ms.
 const ALIVE_PERIODS: u8 = 5;
 
@@ -22,13 +23,13 @@ const ALIVE_PERIODS: u8 = 5;
 #[embassy_executor::task]
 pub(crate) async fn supervise(
     mut lamps: Lamps,
-    button: Input<'static>,
+    pin: Input<'static>,
     mut watchdog: Watchdog,
     mut instrument: Calibrator,
 ) -> ! {
     watchdog.unleash();
     let mut alive = Alive::default();
-    let mut pressed_before = button.is_high();
+    let mut button = Button::new(pin.is_high());
     let mut state_before = RunState::Idle;
     let mut ticker = Ticker::every(PERIOD);
     loop {
@@ -39,11 +40,7 @@ pub(crate) async fn supervise(
             panic!("the task {task} stands still");
         }
         watchdog.pet();
-        let pressed = button.is_high();
-        if pressed && !pressed_before {
-            on_button(&mut instrument).await;
-        }
-        pressed_before = pressed;
+        look(&mut button, pin.is_high(), &mut instrument).await;
         let state = state::status().state;
         if state != state_before && !state.is_running() {
             defmt::info!("{=u32} bytes of stack never used", unused_stack_bytes());
@@ -88,12 +85,23 @@ impl Alive {
     }
 }
 
-/// Starts the default list, or stops the run there is.
-async fn on_button(instrument: &mut Calibrator) {
-    if state::status().state.is_exciting() {
-        state::ORDERS.send(Order::Stop).await;
-        return;
+/// Looks at the button and does what it says.
+async fn look(button: &mut Button, is_down: bool, instrument: &mut Calibrator) {
+    if state::BUTTON_USED.swap(false, Ordering::Relaxed) {
+        button.consume();
     }
+    match button.look(is_down) {
+        Press::Down if state::status().state.is_exciting() => {
+            button.consume();
+            state::ORDERS.send(Order::Stop).await;
+        }
+        Press::Tap => start_default_list(instrument).await,
+        Press::Down | Press::Nothing => {}
+    }
+    state::BUTTON_HELD.store(button.is_held(), Ordering::Relaxed);
+}
+
+async fn start_default_list(instrument: &mut Calibrator) {
     let run = RunSpec {
         points: default_points().into_iter().collect(),
         excitation: ExcitationKind::SingleSine,

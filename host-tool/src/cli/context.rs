@@ -1,6 +1,7 @@
 //! What every verb gets: output switches and the address of the device.
 
 use super::GlobalOptions;
+use calib_host::emulated::KeptBoard;
 use calib_host::link::{Client, port};
 use calib_host::{Address, Error, Result};
 use serde::Serialize;
@@ -42,6 +43,25 @@ impl Context {
         };
         let Ok(address) = address.parse::<Address>();
         Ok(Client::new(address.open()?))
+    }
+
+    /// The same with a hand on the button, where this computer has one.
+    pub(crate) fn connect_under_a_hand(&self) -> Result<Client> {
+        let address = self.device.as_deref().unwrap_or_default();
+        let kept = match address.parse() {
+            Ok(Address::Emulated) => KeptBoard::power_on()?,
+            Ok(Address::EmulatedUsb) => KeptBoard::power_on_with_usb()?,
+            _ => {
+                return Err(Error::Usage {
+                    problem: "--hold-button holds that of `--device emulated` alone".to_owned(),
+                    hint: "hold the button on the instrument; `calib emulate` has a --hold-button \
+                           of its own"
+                        .to_owned(),
+                });
+            }
+        };
+        kept.hold_button()?;
+        Ok(Client::new(Box::new(kept)))
     }
 
     /// Prints the result of a verb: `value` as JSON with `--json`, else `text`.

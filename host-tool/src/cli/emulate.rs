@@ -34,6 +34,10 @@ pub(crate) struct Emulate {
     /// Writes what crosses the USB into a capture for Wireshark.
     #[arg(long, value_name = "FILE.pcap", requires = "usb")]
     usb_pcap: Option<PathBuf>,
+    /// A hand on the button for the first minute: the calibration of the reference
+    /// can be changed meanwhile.
+    #[arg(long)]
+    hold_button: bool,
     /// Keeps the record flash in this file from one call to the next.
     #[arg(long, value_name = "FILE")]
     flash: Option<PathBuf>,
@@ -50,6 +54,9 @@ impl Emulate {
         let rig = self.rig()?;
         let board = self.board(&rig)?;
         let usb = self.usb_port(&board)?;
+        if self.hold_button {
+            board.hold_button_once_up()?;
+        }
         let door = self.door()?;
         let address = door.address();
         let listening = Listening {

@@ -2,6 +2,7 @@
 
 use super::{Context, table::Table};
 use calib_host::Result;
+use calib_protocol::record::RecordKind;
 use clap::Args;
 
 /// `calib records`.
@@ -21,7 +22,10 @@ impl Records {
                 table.row([
                     record.id.to_string(),
                     super::time::date_and_minute(record.unix_time_s),
-                    record.dut_serial.to_string(),
+                    match record.kind {
+                        RecordKind::Calibration => record.dut_serial.to_string(),
+                        RecordKind::ReferenceChange => "(reference changed)".to_owned(),
+                    },
                     record.points.to_string(),
                     record.refused.to_string(),
                     record.bytes.to_string(),

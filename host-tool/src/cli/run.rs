@@ -175,7 +175,7 @@ fn usage(option: &str, problem: &str) -> Error {
     }
 }
 
-fn label<const N: usize>(option: &str, text: &str) -> Result<heapless::String<N>> {
+pub(super) fn label<const N: usize>(option: &str, text: &str) -> Result<heapless::String<N>> {
     text.try_into().map_err(|_| {
         usage(
             option,

@@ -33,6 +33,14 @@ impl KeptBoard {
         Self::power_on_and(|board| Ok(Box::new(board.usb_link()?)))
     }
 
+    /// Puts a hand on its button.
+    ///
+    /// # Errors
+    /// As [`EmulatedBoard::hold_button`].
+    pub fn hold_button(&self) -> Result<()> {
+        self.board.hold_button_once_up()
+    }
+
     fn power_on_and(
         connect: impl FnOnce(&EmulatedBoard) -> Result<Box<dyn Transport>>,
     ) -> Result<Self> {

@@ -11,12 +11,18 @@ pub use settings::settings_for;
 
 use crate::link::{Client, EmulatedTransport, EmulatedUsbTransport};
 use crate::{Error, Result};
+use calib_protocol::message::SettingsChange;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::runner::{Emulator, Firmware, SharedEmulator};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
+/// Time from power-on until the firmware looks at its button.
+const BOOT: Duration = Duration::from_millis(400);
+/// Time after which the firmware has seen what happens to the button.
+const BUTTON_SEEN: Duration = Duration::from_millis(100);
 /// Environment variable that names the firmware image.
 const ELF_VARIABLE: &str = "CALIB_FIRMWARE_ELF";
 /// The image, seen from the target directory.
@@ -56,8 +62,31 @@ impl EmulatedBoard {
         let board = Self::power_on(rig)?;
         let mut client = Client::new(Box::new(board.link()));
         let settings = settings_for(rig, client.settings()?, error_seed);
-        client.write_settings(settings)?;
+        board.set_up(&mut client, settings)?;
         Ok(board)
+    }
+
+    /// Writes settings with a hand on the button, as whoever sets an instrument
+    /// up must: they may say something else of its reference.
+    ///
+    /// # Errors
+    /// Those of the link; the calibrator refuses.
+    pub fn set_up(&self, client: &mut Client, change: impl Into<SettingsChange>) -> Result<()> {
+        self.hold_button(true)?;
+        client.wait(BUTTON_SEEN)?;
+        let written = client.write_settings(change);
+        self.hold_button(false)?;
+        client.wait(BUTTON_SEEN)?;
+        written
+    }
+
+    /// Puts a hand on the button, or takes it away.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when the emulator fails.
+    pub fn hold_button(&self, held: bool) -> Result<()> {
+        let pressed = self.emulator().press_button(held);
+        pressed.map_err(|error| board_error(&error))
     }
 
     fn around(emulator: Result<Emulator, calib_twin::runner::Error>) -> Result<Self> {
@@ -90,6 +119,19 @@ impl EmulatedBoard {
     /// The board itself, for who wants to press its button or cut its power.
     pub fn emulator(&self) -> MutexGuard<'_, Emulator> {
         self.emulator.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Puts a hand on the button of a board that was just switched on, as soon as
+    /// it looks: one that is down from the start is stuck.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when the emulator fails.
+    pub fn hold_button_once_up(&self) -> Result<()> {
+        let up = self.emulator().run_for(BOOT);
+        up.map_err(|error| board_error(&error))?;
+        self.hold_button(true)?;
+        let seen = self.emulator().run_for(BUTTON_SEEN);
+        seen.map_err(|error| board_error(&error))
     }
 
     /// Content of the record flash.

@@ -7,7 +7,7 @@ use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
-use calib_protocol::message::{Info, Request, Response, RunSpec, Status};
+use calib_protocol::message::{Info, Request, Response, RunSpec, SettingsChange, Status};
 use calib_protocol::record::RecordSummary;
 use std::time::Duration;
 
@@ -130,24 +130,31 @@ impl Client {
         let mut all: Vec<RecordSummary> = Vec::new();
         let mut from = 0;
         loop {
-            let Response::Records { records, more } =
-                self.ask("its records", &Request::Records { from })?
-            else {
-                return Err(unexpected("its records"));
-            };
-            // Numbers must rise, or a broken device would keep us here for ever.
-            for record in records {
-                if record.id < from {
-                    return Err(unexpected("its records"));
-                }
-                from = record.id.saturating_add(1);
-                all.push(record);
-            }
-            let stuck = all.last().is_none_or(|last| last.id == u32::MAX);
-            if !more || stuck {
+            let (records, more) = self.page(from)?;
+            all.extend(records);
+            let last = all.last().map_or(u32::MAX, |last| last.id);
+            if !more || last == u32::MAX {
                 return Ok(all);
             }
+            from = last + 1;
         }
+    }
+
+    /// Summaries of the stored records from a running number on: at most 16, and
+    /// whether there are more.
+    pub fn page(&mut self, from: u32) -> Result<(Vec<RecordSummary>, bool)> {
+        let Response::Records { records, more } =
+            self.ask("its records", &Request::Records { from })?
+        else {
+            return Err(unexpected("its records"));
+        };
+        // Numbers must rise, or a broken device would keep us here for ever.
+        let numbers = || records.iter().map(|record| record.id);
+        let rise = numbers().is_sorted_by(|a, b| a < b);
+        if !rise || numbers().next().is_some_and(|first| first < from) {
+            return Err(unexpected("its records"));
+        }
+        Ok((records.to_vec(), more))
     }
 
     /// Bytes of a stored record from `offset` on; none at its end.
@@ -181,9 +188,10 @@ impl Client {
         }
     }
 
-    /// Replaces the settings; they are stored in flash.
-    pub fn write_settings(&mut self, settings: Settings) -> Result<()> {
-        let request = Request::SettingsWrite(settings);
+    /// Replaces the settings; they are stored in flash. Those that change the
+    /// calibration of the reference need the button held on the instrument.
+    pub fn write_settings(&mut self, change: impl Into<SettingsChange>) -> Result<()> {
+        let request = Request::SettingsWrite(change.into());
         self.done("new settings", &request, self.policy.flash_timeout)
     }
 

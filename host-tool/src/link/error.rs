@@ -134,6 +134,9 @@ fn reason(refusal: Refusal) -> &'static str {
         Refusal::CaptureLength => "it has no room for so many sample pairs, or none were asked for",
         Refusal::NotCaptured => "nothing was captured since it was started",
         Refusal::CaptureBroken => "sample pairs were lost while it captured",
+        Refusal::ButtonNotHeld => {
+            "they change the calibration of its reference, and its button is not held"
+        }
         _ => "for a reason this tool does not know",
     }
 }
@@ -144,9 +147,18 @@ impl Refused {
         self.refusal == Refusal::OffsetOutOfRange
     }
 
+    /// True when a hand on the button is all that is missing.
+    pub fn wants_button(&self) -> bool {
+        self.refusal == Refusal::ButtonNotHeld
+    }
+
     /// What the user can do about it.
     pub fn hint(&self) -> &str {
         match self.refusal {
+            Refusal::ButtonNotHeld => {
+                "hold the button on the instrument and repeat meanwhile; a press counts for a minute. \
+                 The change is logged as a record"
+            }
             Refusal::Busy => {
                 "wait for its end, or stop it: `calib stop`, or the button on the instrument"
             }

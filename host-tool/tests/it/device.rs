@@ -11,7 +11,7 @@ use calib_protocol::frame::{Frame, FrameError, MAX_FRAME, PROTOCOL_VERSION, Rece
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
 };
-use calib_protocol::record::{self, Record, RecordSummary, RunLabels};
+use calib_protocol::record::{self, Record, RecordKind, RecordSummary, RunLabels};
 use calib_protocol::stored_point::as_stored;
 use std::collections::BTreeMap;
 
@@ -132,8 +132,8 @@ impl Device {
             Request::Records { from } => self.list(from),
             Request::ReadRecord { id, offset } => self.read(id, offset),
             Request::SettingsRead => Response::Settings(self.settings.clone()),
-            Request::SettingsWrite(settings) => {
-                self.settings = settings;
+            Request::SettingsWrite(change) => {
+                self.settings = change.settings;
                 Response::Done
             }
             Request::Reset => {
@@ -230,6 +230,8 @@ impl Device {
         }
         run.state = state;
         let mut stored = record(run.id, 0);
+        let before = self.records.get(&(run.id - 1));
+        stored.previous_sha256 = before.map_or([0; 32], |bytes| record::digest(bytes));
         stored.labels = run.spec.labels.clone();
         stored.complete = state == RunState::Finished;
         let done = usize::from(run.looks / LOOKS_PER_POINT);
@@ -289,6 +291,7 @@ impl Device {
                 points: record.points.len() as u16,
                 refused: 0,
                 sha256: record::digest(bytes),
+                kind: RecordKind::Calibration,
             }
         });
         Response::Records {

@@ -11,7 +11,9 @@ use calib_firmware::scpi::Console;
 use calib_firmware::session::{LinkName, Session};
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{Frame, PROTOCOL_VERSION};
-use calib_protocol::message::{Info, Refusal, Request, ResetCause, Response, RunSpec, Status};
+use calib_protocol::message::{
+    Info, Refusal, Request, ResetCause, Response, RunSpec, SettingsChange, Status,
+};
 use std::future::Future;
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
@@ -110,6 +112,7 @@ struct Changes {
     resets: usize,
     releases: usize,
     captures: usize,
+    references: usize,
 }
 
 /// An instrument that does nothing and notes everything.
@@ -118,6 +121,7 @@ struct Notes {
     console: Console,
     session: Session,
     settings: Settings,
+    hand_on_button: bool,
     changes: Changes,
     capture: Box<Capture>,
 }
@@ -133,6 +137,7 @@ impl Notes {
             console: Console::new(),
             session,
             settings: Settings::field_calibrator(),
+            hand_on_button: false,
             changes: Changes::default(),
             capture: Box::default(),
         }
@@ -240,9 +245,21 @@ impl Instrument for Notes {
         self.settings.clone()
     }
 
-    async fn write_settings(&mut self, settings: Settings) -> Result<(), Refusal> {
+    async fn write_settings(&mut self, settings: &Settings) -> Result<(), Refusal> {
+        assert!(settings.has_reference_channel_of(&self.settings));
         self.changes.writes += 1;
-        self.settings = settings;
+        self.settings = settings.clone();
+        Ok(())
+    }
+
+    fn button_held(&mut self) -> bool {
+        self.hand_on_button
+    }
+
+    async fn change_reference(&mut self, change: &SettingsChange) -> Result<(), Refusal> {
+        assert!(self.hand_on_button, "without a hand on the instrument");
+        self.changes.references += 1;
+        self.settings = change.settings.clone();
         Ok(())
     }
 
@@ -262,6 +279,7 @@ impl Instrument for Notes {
 mod tests {
     use super::*;
     use crate::hostile::seeds;
+    use calib_protocol::frame::{MAX_FRAME, encode};
 
     /// Without this, a link that refuses everything would pass as well.
     #[test]
@@ -280,7 +298,30 @@ mod tests {
             resets: 1,
             releases: 1,
             captures: 1,
+            references: 0,
         };
         assert_eq!(instrument.changes, once);
+    }
+
+    #[test]
+    fn the_reference_changes_under_a_hand_alone_and_once_for_a_repeated_frame() {
+        let mut settings = Settings::field_calibrator();
+        settings.reference.points[4].sensitivity_v_per_ms2 *= 1.01;
+        let mut instrument = Notes::held_by(LinkName::Serial);
+        let mut buffer = vec![0; MAX_FRAME];
+        let request = Request::SettingsWrite(settings.clone().into());
+        let length = encode(7, &request, &mut buffer).expect("fits");
+        let frame = [&[0], &buffer[..length]].concat();
+        instrument.hear(&frame);
+        assert_eq!(instrument.changes, Changes::default());
+        assert_eq!(instrument.settings, Settings::field_calibrator());
+        instrument.hand_on_button = true;
+        instrument.hear(&frame);
+        assert_eq!(instrument.changes.references, 1);
+        assert_eq!(instrument.settings, settings);
+        // The answer got lost, and the hand has gone: the same settings are there.
+        instrument.hand_on_button = false;
+        instrument.hear(&frame);
+        assert_eq!(instrument.changes.references, 1);
     }
 }

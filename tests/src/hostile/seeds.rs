@@ -82,7 +82,7 @@ fn requests() -> Vec<Request> {
         Request::Records { from: 1 },
         Request::ReadRecord { id: 1, offset: 300 },
         Request::SettingsRead,
-        Request::SettingsWrite(Settings::field_calibrator()),
+        Request::SettingsWrite(Settings::field_calibrator().into()),
         Request::Reset,
         Request::Release { through: 1 },
         Request::Capture { pairs: 300 },

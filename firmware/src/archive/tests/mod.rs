@@ -1,13 +1,14 @@
 //! The archive on a strict flash.
 
+mod desk;
 mod flash;
 mod power_cut;
+mod told;
 
 use super::*;
-use calib_core::point::{PointResult, PointSpec};
-use calib_core::tone::Tone;
-use calib_core::verdict::{Reason, Verdict};
-use calib_protocol::record::{self, RunLabels, digest};
+use calib_protocol::change;
+use calib_protocol::record::{self, digest};
+use desk::{Desk, download, fill, log_change, result, store};
 use embassy_futures::block_on;
 use flash::MockFlash;
 
@@ -16,136 +17,20 @@ const SMALL: usize = 16 * 1024;
 /// Sectors of the part.
 const REAL: usize = 128 * 1024;
 
-/// What an archive works in.
-struct Room {
-    directory: Box<Directory>,
-    scratch: Box<[u8; MAX_ITEM]>,
-    record: Box<Record>,
-    last_access: LastAccess,
-}
-
-impl Room {
-    fn new() -> Self {
-        Self {
-            directory: Box::default(),
-            scratch: Box::new([0; MAX_ITEM]),
-            record: Box::new(blank()),
-            last_access: LastAccess::new(),
-        }
-    }
-
-    fn open<const SECTOR: usize>(
-        &mut self,
-        flash: &MockFlash<SECTOR>,
-    ) -> Result<Archive<'_, MockFlash<SECTOR>>, ArchiveError> {
-        let memory = Memory {
-            directory: &mut self.directory,
-            scratch: &mut self.scratch,
-            record: &mut self.record,
-            last_access: &self.last_access,
-        };
-        let area = 0..(SECTORS * SECTOR) as u32;
-        block_on(Archive::open(flash.clone(), area, memory))
-    }
-}
-
-fn blank() -> Record {
-    Record {
-        id: 0,
-        previous_sha256: [0; 32],
-        instrument_serial: "SN-1".try_into().expect("short"),
-        firmware: "0.1.0 0123456789ab".try_into().expect("short"),
-        sample_rate_hz: 50_000.0,
-        labels: RunLabels::default(),
-        settings: Settings::field_calibrator(),
-        incident: None,
-        complete: true,
-        points: Vec::new(),
-    }
-}
-
-/// A result that depends on `seed` alone.
-fn result(frequency_hz: f32, seed: u32) -> PointResult {
-    let spec = PointSpec {
-        frequency_hz,
-        acceleration_rms_ms2: 10.0,
-    };
-    let tone = Tone::nearest(frequency_hz, 50_000.0);
-    let mut point = PointResult::refused(spec, tone, Reason::Clipped);
-    point.verdict = Verdict::Pass;
-    point.sensitivity_v_per_ms2 = 0.01 + seed as f32 * 1e-6;
-    point.phase_rad = -0.01 * seed as f32;
-    point.distortion_dut_rel = 0.001 * (seed % 7) as f32;
-    calib_protocol::stored_point::as_stored(&point)
-}
-
-/// Fills in everything but number and chain.
-fn fill(record: &mut Record, points: usize, seed: u32, settings: &Settings) {
-    let (id, previous_sha256) = (record.id, record.previous_sha256);
-    record.clone_from(&blank());
-    (record.id, record.previous_sha256) = (id, previous_sha256);
-    record.settings = settings.clone();
-    record.labels.unix_time_s = u64::from(seed);
-    let list = calib_core::points::PREFERRED_HZ.iter().rev().take(points);
-    record.points = list.map(|hz| result(*hz, seed)).collect();
-}
-
-/// Stores a record and returns its bytes as a host must get them.
-fn store<const SECTOR: usize>(
-    archive: &mut Archive<'_, MockFlash<SECTOR>>,
-    points: usize,
-    seed: u32,
-    settings: &Settings,
-) -> Result<(u32, std::vec::Vec<u8>), ArchiveError> {
-    let record = archive.draft();
-    fill(record, points, seed, settings);
-    let mut bytes = vec![0; MAX_ITEM];
-    let length = record::encode(record, &mut bytes).expect("fits");
-    bytes.truncate(length);
-    let id = record.id;
-    block_on(archive.store())?;
-    Ok((id, bytes))
-}
-
-/// Downloads a record chunk by chunk.
-fn download<const SECTOR: usize>(
-    archive: &mut Archive<'_, MockFlash<SECTOR>>,
-    id: u32,
-) -> Result<std::vec::Vec<u8>, Refusal> {
-    let mut bytes = std::vec::Vec::new();
-    loop {
-        let part = block_on(archive.read(id, bytes.len() as u32))?;
-        bytes.extend_from_slice(&part.data);
-        if bytes.len() as u32 >= part.total {
-            return Ok(bytes);
-        }
-    }
-}
-
-/// Every summary, page by page.
 fn list<const SECTOR: usize>(
     archive: &mut Archive<'_, MockFlash<SECTOR>>,
-) -> std::vec::Vec<calib_protocol::record::RecordSummary> {
-    let mut all = std::vec::Vec::new();
-    let mut from = 0;
-    loop {
-        let page = block_on(archive.page(from)).expect("lists");
-        all.extend(page.records.iter().cloned());
-        from = all.last().map_or(0, |summary| summary.id + 1);
-        if !page.more {
-            return all;
-        }
-    }
+) -> std::vec::Vec<RecordSummary> {
+    desk::list(archive).expect("lists")
 }
 
 #[test]
 fn records_come_back_to_the_byte_after_a_restart() {
     let flash = MockFlash::<SMALL>::erased(SECTORS);
-    let mut room = Room::new();
+    let mut desk = Desk::new();
     let settings = Settings::field_calibrator();
     let mut stored = std::vec::Vec::new();
     {
-        let mut archive = room.open(&flash).expect("opens");
+        let mut archive = desk.open(&flash).expect("opens");
         assert!(archive.is_empty());
         assert_eq!(archive.settings(), None);
         for seed in 0..40 {
@@ -153,7 +38,7 @@ fn records_come_back_to_the_byte_after_a_restart() {
             stored.push(store(&mut archive, points, seed, &settings).expect("stores"));
         }
     }
-    let mut archive = room.open(&flash).expect("opens again");
+    let mut archive = desk.open(&flash).expect("opens again");
     assert_eq!(archive.len(), 40);
     assert_eq!(archive.next_id(), 41);
     assert_eq!(archive.settings(), Some(&settings));
@@ -172,12 +57,12 @@ fn records_come_back_to_the_byte_after_a_restart() {
 #[test]
 fn each_record_carries_the_sum_of_the_one_before() {
     let flash = MockFlash::<SMALL>::erased(SECTORS);
-    let mut room = Room::new();
+    let mut desk = Desk::new();
     let settings = Settings::field_calibrator();
     let mut previous = [0; 32];
     for seed in 0..12 {
         // A restart between any two records does not break the chain.
-        let mut archive = room.open(&flash).expect("opens");
+        let mut archive = desk.open(&flash).expect("opens");
         let (_, bytes) = store(&mut archive, 6, seed, &settings).expect("stores");
         let record = record::decode(&bytes).expect("a record");
         assert_eq!(record.previous_sha256, previous);
@@ -186,10 +71,40 @@ fn each_record_carries_the_sum_of_the_one_before() {
 }
 
 #[test]
+fn a_change_of_the_reference_is_a_link_of_the_chain_and_outlives_a_restart() {
+    let flash = MockFlash::<SMALL>::erased(SECTORS);
+    let mut desk = Desk::new();
+    let before = Settings::field_calibrator();
+    let mut after = before.clone();
+    after.reference.points[7].sensitivity_v_per_ms2 *= 1.002;
+    let (id, first) = {
+        let mut archive = desk.open(&flash).expect("opens");
+        let (_, first) = store(&mut archive, 3, 1, &before).expect("stores");
+        (log_change(&mut archive, 2, &after).expect("logs"), first)
+    };
+    let mut archive = desk.open(&flash).expect("opens again");
+    assert_eq!(archive.settings(), Some(&after));
+    let bytes = download(&mut archive, id).expect("reads");
+    let logged = change::decode(&bytes).expect("a change");
+    assert_eq!((logged.id, logged.labels.unix_time_s), (2, 2));
+    assert_eq!(logged.previous_sha256, digest(&first));
+    assert_eq!(logged.settings, after);
+    assert_eq!(logged.before, before.reference_channel());
+    let kinds: std::vec::Vec<_> = list(&mut archive).iter().map(|line| line.kind).collect();
+    assert_eq!(
+        kinds,
+        [RecordKind::Calibration, RecordKind::ReferenceChange]
+    );
+    let (_, next) = store(&mut archive, 3, 3, &after).expect("stores");
+    let next = record::decode(&next).expect("a record");
+    assert_eq!(next.previous_sha256, digest(&bytes));
+}
+
+#[test]
 fn what_is_not_there_is_refused() {
     let flash = MockFlash::<SMALL>::erased(SECTORS);
-    let mut room = Room::new();
-    let mut archive = room.open(&flash).expect("opens");
+    let mut desk = Desk::new();
+    let mut archive = desk.open(&flash).expect("opens");
     let settings = Settings::field_calibrator();
     let (id, bytes) = store(&mut archive, 3, 1, &settings).expect("stores");
     let end = bytes.len() as u32;
@@ -208,8 +123,8 @@ fn what_is_not_there_is_refused() {
 #[test]
 fn five_hundred_records_of_31_points_fit() {
     let flash = MockFlash::<REAL>::erased(SECTORS);
-    let mut room = Room::new();
-    let mut archive = room.open(&flash).expect("opens");
+    let mut desk = Desk::new();
+    let mut archive = desk.open(&flash).expect("opens");
     let settings = Settings::field_calibrator();
     for seed in 0..500 {
         let room = block_on(archive.check_room(31));
@@ -222,8 +137,8 @@ fn five_hundred_records_of_31_points_fit() {
 #[test]
 fn a_full_area_refuses_before_measuring_until_records_are_released() {
     let flash = MockFlash::<SMALL>::erased(SECTORS);
-    let mut room = Room::new();
-    let mut archive = room.open(&flash).expect("opens");
+    let mut desk = Desk::new();
+    let mut archive = desk.open(&flash).expect("opens");
     let settings = Settings::field_calibrator();
     let mut stored = 0;
     while block_on(archive.check_room(31)).is_ok() {
@@ -257,8 +172,8 @@ fn a_full_area_refuses_before_measuring_until_records_are_released() {
 #[test]
 fn sectors_wear_alike() {
     let flash = MockFlash::<SMALL>::erased(SECTORS);
-    let mut room = Room::new();
-    let mut archive = room.open(&flash).expect("opens");
+    let mut desk = Desk::new();
+    let mut archive = desk.open(&flash).expect("opens");
     let settings = Settings::field_calibrator();
     for seed in 0..2000 {
         let (id, _) = store(&mut archive, 6, seed, &settings).expect("stores");
@@ -276,11 +191,11 @@ fn sectors_wear_alike() {
 #[test]
 fn settings_are_kept_through_everything() {
     let flash = MockFlash::<SMALL>::erased(SECTORS);
-    let mut room = Room::new();
+    let mut desk = Desk::new();
     let mut settings = Settings::field_calibrator();
     settings.blocks = 17;
     {
-        let mut archive = room.open(&flash).expect("opens");
+        let mut archive = desk.open(&flash).expect("opens");
         block_on(archive.store_settings(&settings)).expect("stores");
         // Round the ring, so that the sector they were written to is gone.
         for seed in 0..400 {
@@ -288,7 +203,7 @@ fn settings_are_kept_through_everything() {
             block_on(archive.release(id)).expect("releases");
         }
     }
-    let archive = room.open(&flash).expect("opens");
+    let archive = desk.open(&flash).expect("opens");
     assert_eq!(archive.settings(), Some(&settings));
     assert_eq!(archive.next_id(), 401);
 }
@@ -296,17 +211,17 @@ fn settings_are_kept_through_everything() {
 #[test]
 fn one_damaged_copy_of_the_settings_does_not_lose_them() {
     let flash = MockFlash::<SMALL>::erased(SECTORS);
-    let mut room = Room::new();
+    let mut desk = Desk::new();
     let mut settings = Settings::field_calibrator();
     settings.blocks = 23;
     let last;
     {
-        let mut archive = room.open(&flash).expect("opens");
+        let mut archive = desk.open(&flash).expect("opens");
         block_on(archive.store_settings(&settings)).expect("stores");
         last = archive.memory.last_access.longest_write() as usize;
     }
     flash.0.borrow_mut().bytes[last + 100] ^= 0x10;
-    let archive = room.open(&flash).expect("opens");
+    let archive = desk.open(&flash).expect("opens");
     assert_eq!(archive.settings(), Some(&settings));
 }
 
@@ -318,8 +233,8 @@ fn a_record_of_the_most_points_with_the_fullest_settings_fits() {
     let influence = settings.influences[0];
     while settings.influences.push(influence).is_ok() {}
     let flash = MockFlash::<REAL>::erased(SECTORS);
-    let mut room = Room::new();
-    let mut archive = room.open(&flash).expect("opens");
+    let mut desk = Desk::new();
+    let mut archive = desk.open(&flash).expect("opens");
     let record = archive.draft();
     fill(record, 1, 3, &settings);
     let point = result(11.3, 3);

@@ -1,0 +1,151 @@
+//! An archive and what a host does with it. The bench of storage includes this
+//! file too.
+
+use super::flash::MockFlash;
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::points::PREFERRED_HZ;
+use calib_core::settings::Settings;
+use calib_core::tone::Tone;
+use calib_core::verdict::{Reason, Verdict};
+use calib_firmware::archive::{
+    Archive, ArchiveError, Directory, LastAccess, MAX_ITEM, Memory, SECTORS,
+};
+use calib_protocol::message::Refusal;
+use calib_protocol::record::{self, Record, RecordSummary, RunLabels};
+use embassy_futures::block_on;
+
+/// What an archive works in.
+pub(crate) struct Desk {
+    directory: Box<Directory>,
+    scratch: Box<[u8; MAX_ITEM]>,
+    record: Box<Record>,
+    last_access: LastAccess,
+}
+
+impl Desk {
+    pub(crate) fn new() -> Self {
+        Self {
+            directory: Box::default(),
+            scratch: Box::new([0; MAX_ITEM]),
+            record: Box::new(blank()),
+            last_access: LastAccess::new(),
+        }
+    }
+
+    /// What a boot does.
+    pub(crate) fn open<const SECTOR: usize>(
+        &mut self,
+        flash: &MockFlash<SECTOR>,
+    ) -> Result<Archive<'_, MockFlash<SECTOR>>, ArchiveError> {
+        let memory = Memory {
+            directory: &mut self.directory,
+            scratch: &mut self.scratch,
+            record: &mut self.record,
+            last_access: &self.last_access,
+        };
+        let area = 0..(SECTORS * SECTOR) as u32;
+        block_on(Archive::open(flash.clone(), area, memory))
+    }
+}
+
+fn blank() -> Record {
+    Record {
+        id: 0,
+        previous_sha256: [0; 32],
+        instrument_serial: "SN-1".try_into().expect("short"),
+        firmware: "0.1.0 0123456789ab".try_into().expect("short"),
+        sample_rate_hz: 50_000.0,
+        labels: RunLabels::default(),
+        settings: Settings::field_calibrator(),
+        incident: None,
+        complete: true,
+        points: heapless::Vec::new(),
+    }
+}
+
+/// A result that depends on `seed` alone.
+pub(crate) fn result(frequency_hz: f32, seed: u32) -> PointResult {
+    let spec = PointSpec {
+        frequency_hz,
+        acceleration_rms_ms2: 10.0,
+    };
+    let tone = Tone::nearest(frequency_hz, 50_000.0);
+    let mut point = PointResult::refused(spec, tone, Reason::Clipped);
+    point.verdict = Verdict::Pass;
+    point.sensitivity_v_per_ms2 = 0.01 + seed as f32 * 1e-6;
+    point.phase_rad = -0.01 * seed as f32;
+    point.distortion_dut_rel = 0.001 * (seed % 7) as f32;
+    calib_protocol::stored_point::as_stored(&point)
+}
+
+/// Fills in everything but number and chain.
+pub(crate) fn fill(record: &mut Record, points: usize, seed: u32, settings: &Settings) {
+    let (id, previous_sha256) = (record.id, record.previous_sha256);
+    record.clone_from(&blank());
+    (record.id, record.previous_sha256) = (id, previous_sha256);
+    record.settings = settings.clone();
+    record.labels.unix_time_s = u64::from(seed);
+    let list = PREFERRED_HZ.iter().rev().take(points);
+    record.points = list.map(|hz| result(*hz, seed)).collect();
+}
+
+/// Stores a record; its number and its bytes as a host must get them.
+pub(crate) fn store<const SECTOR: usize>(
+    archive: &mut Archive<'_, MockFlash<SECTOR>>,
+    points: usize,
+    seed: u32,
+    settings: &Settings,
+) -> Result<(u32, Vec<u8>), ArchiveError> {
+    let record = archive.draft();
+    fill(record, points, seed, settings);
+    let mut bytes = vec![0; MAX_ITEM];
+    let length = record::encode(record, &mut bytes).expect("fits");
+    bytes.truncate(length);
+    let id = record.id;
+    block_on(archive.store())?;
+    Ok((id, bytes))
+}
+
+/// Logs another calibration of the reference.
+pub(crate) fn log_change<const SECTOR: usize>(
+    archive: &mut Archive<'_, MockFlash<SECTOR>>,
+    seed: u32,
+    settings: &Settings,
+) -> Result<u32, ArchiveError> {
+    let record = archive.draft();
+    fill(record, 0, seed, settings);
+    let id = record.id;
+    block_on(archive.log_change())?;
+    Ok(id)
+}
+
+/// Downloads a record chunk by chunk.
+pub(crate) fn download<const SECTOR: usize>(
+    archive: &mut Archive<'_, MockFlash<SECTOR>>,
+    id: u32,
+) -> Result<Vec<u8>, Refusal> {
+    let mut bytes = Vec::new();
+    loop {
+        let part = block_on(archive.read(id, bytes.len() as u32))?;
+        bytes.extend_from_slice(&part.data);
+        if bytes.len() as u32 >= part.total {
+            return Ok(bytes);
+        }
+    }
+}
+
+/// Every summary, page by page.
+pub(crate) fn list<const SECTOR: usize>(
+    archive: &mut Archive<'_, MockFlash<SECTOR>>,
+) -> Result<Vec<RecordSummary>, ArchiveError> {
+    let mut all: Vec<RecordSummary> = Vec::new();
+    let mut from = 0;
+    loop {
+        let page = block_on(archive.page(from))?;
+        all.extend(page.records.iter().cloned());
+        from = all.last().map_or(0, |summary| summary.id + 1);
+        if !page.more {
+            return Ok(all);
+        }
+    }
+}

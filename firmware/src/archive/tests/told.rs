@@ -1,0 +1,100 @@
+//! A session with the archive, what a host was told in it, and whether that is
+//! true after a restart. The bench of storage includes this file too.
+
+use super::desk;
+use super::flash::MockFlash;
+use calib_core::settings::Settings;
+use calib_firmware::archive::{Archive, ArchiveError};
+use calib_protocol::record::{self, RecordKind};
+use embassy_futures::block_on;
+use std::collections::BTreeMap;
+
+/// What a host was told: records stored, settings in force, records released.
+#[derive(Clone, Default)]
+pub(crate) struct Told {
+    pub(crate) records: BTreeMap<u32, Vec<u8>>,
+    settings: Option<Settings>,
+    /// A change that was begun may or may not have come through.
+    attempted: Option<Settings>,
+    released: u32,
+}
+
+/// One step of a session; `Err` when the power failed.
+pub(crate) fn step<const SECTOR: usize>(
+    archive: &mut Archive<'_, MockFlash<SECTOR>>,
+    told: &mut Told,
+    number: u32,
+) -> Result<(), ArchiveError> {
+    let settings = told.settings.clone();
+    let mut settings = settings.unwrap_or_else(Settings::field_calibrator);
+    match number % 8 {
+        3 => {
+            settings.blocks = 2 + (number % 60_000) as u16;
+            told.attempted = Some(settings.clone());
+            block_on(archive.store_settings(&settings))?;
+            told.settings = Some(settings);
+        }
+        5 => {
+            settings.reference.due_day = number;
+            told.attempted = Some(settings.clone());
+            let id = desk::log_change(archive, number, &settings)?;
+            let bytes = desk::download(archive, id).map_err(|_| ArchiveError::Flash)?;
+            told.records.insert(id, bytes);
+            told.settings = Some(settings);
+        }
+        6 => {
+            // What may be gone after a cut is what the host has let go.
+            told.released = archive.next_id() - 1;
+            block_on(archive.release(told.released))?;
+        }
+        _ => {
+            let points = [2, 9, 31][number as usize % 3];
+            let (id, bytes) = desk::store(archive, points, number, &settings)?;
+            told.records.insert(id, bytes);
+        }
+    }
+    Ok(())
+}
+
+impl Told {
+    /// Everything told is there, nothing is half there, and no change of the
+    /// reference is without its log; how many records were compared.
+    pub(crate) fn check<const SECTOR: usize>(
+        &mut self,
+        archive: &mut Archive<'_, MockFlash<SECTOR>>,
+    ) -> Result<u64, String> {
+        let listed = desk::list(archive).map_err(|error| error.to_string())?;
+        let mut logged = None;
+        for summary in &listed {
+            let id = summary.id;
+            let bytes = desk::download(archive, id).map_err(|why| format!("{id}: {why:?}"))?;
+            record::inspect(&bytes).map_err(|error| format!("record {id}: {error}"))?;
+            if self.records.get(&id).is_some_and(|told| *told != bytes) {
+                return Err(format!("record {id} is another one"));
+            }
+            if summary.kind == RecordKind::ReferenceChange {
+                let change = calib_protocol::change::decode(&bytes);
+                logged = Some(change.map_err(|error| format!("record {id}: {error}"))?);
+            }
+        }
+        let found = |id: &u32| listed.iter().any(|summary| summary.id == *id);
+        let lost = |id: &&u32| **id > self.released && !found(id);
+        if let Some(id) = self.records.keys().find(lost) {
+            return Err(format!("record {id} is lost"));
+        }
+        let kept = archive.settings();
+        let expected = kept == self.settings.as_ref() || kept == self.attempted.as_ref();
+        if self.settings.is_some() && !expected {
+            return Err("the settings are others".into());
+        }
+        if let (Some(kept), Some(logged)) = (kept, &logged)
+            && !kept.has_reference_channel_of(&logged.settings)
+        {
+            return Err("the reference is another one than was logged last".into());
+        }
+        // What came through is in force from here on, and what is gone is gone.
+        self.settings = kept.cloned();
+        self.records.retain(|id, _| found(id));
+        Ok(listed.len() as u64)
+    }
+}

@@ -1,0 +1,165 @@
+//! The log of a change of the reference's calibration.
+//!
+//! Every result rests on the reference, so whoever changes what is certified
+//! about it holds the button on the instrument meanwhile, and the change stays
+//! in the chain of records: what was in force, what is from then on, when, and
+//! who said so. Its beginning is that of every [`crate::record`].
+
+use crate::record::{Record, RecordError, RecordKind, RunLabels, Sha256Sum, content_of, seal};
+use calib_core::settings::{ReferenceChannel, Settings};
+use heapless::String;
+use serde::{Deserialize, Serialize};
+
+/// Another calibration of the reference.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReferenceChange {
+    /// Running number of the instrument, from 1, never used twice.
+    pub id: u32,
+    /// [`crate::record::digest`] of the record with the number before; zero for
+    /// the first.
+    pub previous_sha256: Sha256Sum,
+    /// Serial number of the instrument.
+    pub instrument_serial: String<32>,
+    /// Firmware version and git hash.
+    pub firmware: String<40>,
+    /// Samples per second and channel, Hz.
+    pub sample_rate_hz: f32,
+    /// Time and operator as the host said; the rest is empty.
+    pub labels: RunLabels,
+    /// All settings in force from here on, those of the reference among them.
+    pub settings: Settings,
+    /// What was in force of the reference's channel before.
+    pub before: ReferenceChannel,
+}
+
+/// Writes a change and returns its length in bytes: up to the settings it says
+/// what `record` says, and behind them `before`.
+///
+/// # Errors
+/// [`RecordError::Length`] when the buffer is too small.
+pub fn encode(
+    record: &Record,
+    before: &ReferenceChannel,
+    buffer: &mut [u8],
+) -> Result<usize, RecordError> {
+    let fields = (
+        record.id,
+        record.previous_sha256,
+        &record.instrument_serial,
+        &record.firmware,
+        record.sample_rate_hz,
+        &record.labels,
+        &record.settings,
+        before,
+    );
+    seal(RecordKind::ReferenceChange, &fields, buffer)
+}
+
+/// Reads a change.
+///
+/// # Errors
+/// Those of [`crate::record::check`], [`RecordError::Content`] and
+/// [`RecordError::Kind`].
+pub fn decode(bytes: &[u8]) -> Result<ReferenceChange, RecordError> {
+    let body = content_of(RecordKind::ReferenceChange, bytes)?;
+    match postcard::take_from_bytes(body) {
+        Ok((change, [])) => Ok(change),
+        _ => Err(RecordError::Content),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::{self, digest, inspect, link};
+    use crate::stored::{self, MAX_HEAD};
+
+    fn change() -> ReferenceChange {
+        let before = Settings::field_calibrator();
+        let mut settings = before.clone();
+        for row in &mut settings.reference.points {
+            row.sensitivity_v_per_ms2 *= 1.01;
+        }
+        ReferenceChange {
+            id: 9,
+            previous_sha256: [7; 32],
+            instrument_serial: "A1".try_into().expect("short"),
+            firmware: "0.1.0".try_into().expect("short"),
+            sample_rate_hz: 50_000.0,
+            labels: RunLabels {
+                unix_time_s: 1_795_269_900,
+                operator: "M. Beispiel".try_into().expect("short"),
+                ..RunLabels::default()
+            },
+            settings,
+            before: before.reference_channel(),
+        }
+    }
+
+    fn written() -> std::vec::Vec<u8> {
+        let change = change();
+        let record = Record {
+            id: change.id,
+            previous_sha256: change.previous_sha256,
+            instrument_serial: change.instrument_serial,
+            firmware: change.firmware,
+            sample_rate_hz: change.sample_rate_hz,
+            labels: change.labels,
+            settings: change.settings,
+            incident: None,
+            complete: true,
+            points: heapless::Vec::new(),
+        };
+        let mut bytes = vec![0; 8192];
+        let length = encode(&record, &change.before, &mut bytes).expect("fits");
+        bytes.truncate(length);
+        bytes
+    }
+
+    #[test]
+    fn decoding_inverts_encoding_and_no_kind_is_taken_for_the_other() {
+        let bytes = written();
+        assert_eq!(decode(&bytes), Ok(change()));
+        let found = RecordKind::ReferenceChange;
+        assert_eq!(record::decode(&bytes), Err(RecordError::Kind { found }));
+    }
+
+    #[test]
+    fn the_list_and_the_chain_know_it() {
+        let bytes = written();
+        let (summary, settings) = inspect(&bytes).expect("a record");
+        assert_eq!((summary.id, summary.points, summary.refused), (9, 0, 0));
+        assert_eq!(summary.kind, RecordKind::ReferenceChange);
+        assert_eq!(summary.unix_time_s, 1_795_269_900);
+        let settings = postcard::from_bytes(&bytes[settings]);
+        assert_eq!(settings, Ok(change().settings));
+        let link = link(&bytes).expect("a record");
+        assert_eq!((link.id, link.previous_sha256), (9, [7; 32]));
+        assert_eq!(link.sha256, digest(&bytes));
+        assert_eq!(link.sha256, summary.sha256);
+    }
+
+    #[test]
+    fn the_stored_form_gives_the_same_line() {
+        let mut bytes = written();
+        let head = stored::head_of(&bytes, false).expect("a record");
+        let mut front = [0; MAX_HEAD];
+        stored::write_head(&head, &mut front).expect("fits");
+        let (summary, _) = inspect(&bytes).expect("a record");
+        stored::cut_out(&head, &mut bytes).expect("its own head");
+        assert_eq!(head.summary(&bytes), Ok(summary));
+    }
+
+    #[test]
+    fn every_flipped_bit_and_every_shortening_is_noticed() {
+        let whole = written();
+        for bit in 0..whole.len() * 8 {
+            let mut bytes = whole.clone();
+            bytes[bit / 8] ^= 1 << (bit % 8);
+            assert_eq!(decode(&bytes), Err(RecordError::Checksum), "bit {bit}");
+        }
+        for length in 0..whole.len() {
+            assert!(decode(&whole[..length]).is_err(), "{length}");
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! The calibration of the reference changes only under a hand on the instrument, and every change
+//! is a record in the chain.
+
+use calib_core::settings::Settings;
+use calib_host::Error;
+use calib_host::session;
+use calib_protocol::message::{Refusal, SettingsChange};
+use calib_protocol::record::{self, ChainLink, RecordKind};
+use calib_protocol::{change, frame};
+use calib_tests::bench::{Bench, Fault, point};
+use calib_twin::rig::Rig;
+use std::time::Duration;
+
+/// From a restart until requests are heard.
+const BOOT: Duration = Duration::from_millis(300);
+/// 2026-11-21, 12:00 UTC.
+const NOW_S: u64 = 1_795_262_400;
+
+/// The calibration of a reference that came back 0.4 % more sensitive.
+fn recalibrated(before: &Settings) -> Result<SettingsChange, Fault> {
+    let mut settings = before.clone();
+    settings.reference.certificate = "R-2026-11".try_into().map_err(|_| "too long")?;
+    for row in &mut settings.reference.points {
+        row.sensitivity_v_per_ms2 *= 1.004;
+    }
+    Ok(SettingsChange {
+        settings,
+        unix_time_s: NOW_S,
+        operator: "M. Beispiel".try_into().map_err(|_| "too long")?,
+    })
+}
+
+fn expect_refusal(result: calib_host::Result<()>) {
+    match result {
+        Err(Error::Refused(refused)) => assert_eq!(refused.refusal, Refusal::ButtonNotHeld),
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Bytes of a stored record.
+fn read(bench: &mut Bench, id: u32) -> Result<Vec<u8>, Fault> {
+    let mut bytes = Vec::new();
+    loop {
+        let chunk = bench.client.read_record(id, bytes.len() as u32)?;
+        bytes.extend_from_slice(&chunk.data);
+        if bytes.len() >= chunk.total as usize {
+            return Ok(bytes);
+        }
+    }
+}
+
+fn links(bench: &mut Bench) -> Result<Vec<ChainLink>, Fault> {
+    let listed = bench.client.records()?;
+    let link = |id| Ok(record::link(&read(bench, id)?)?);
+    listed.iter().map(|line| line.id).map(link).collect()
+}
+
+#[test]
+fn the_reference_changes_under_a_hand_alone_and_each_change_is_a_record() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let before = bench.client.settings()?;
+    let wanted = recalibrated(&before)?;
+
+    // A host alone changes everything else.
+    expect_refusal(bench.client.write_settings(wanted.clone()));
+    let mut input = before.clone();
+    input.reference_input.volt_per_code *= 2.0;
+    expect_refusal(bench.client.write_settings(input));
+    assert_eq!(bench.client.settings()?, before);
+    bench.adjust(|settings| settings.blocks = 5)?;
+    assert_eq!(bench.client.records()?, []);
+    bench.run(&[point(160.0, 10.0)])?;
+
+    // Under a hand it does.
+    let mut wanted = wanted;
+    wanted.settings.blocks = 5;
+    bench.under_a_hand(|client| Ok(client.write_settings(wanted.clone())?))?;
+    assert_eq!(bench.client.settings()?, wanted.settings);
+    // The hand has gone. The same once more is no change, and another one is refused.
+    bench.client.write_settings(wanted.clone())?;
+    expect_refusal(bench.client.write_settings(before.clone()));
+    bench.run(&[point(160.0, 10.0)])?;
+
+    // What is left of it survives the supply.
+    let logged = read(&mut bench, 2)?;
+    let chain = links(&mut bench)?;
+    bench.board().power_cycle()?;
+    bench.client.wait(BOOT)?;
+    assert_eq!(bench.client.settings()?, wanted.settings);
+    assert_eq!(read(&mut bench, 2)?, logged);
+    assert_eq!(links(&mut bench)?, chain);
+
+    let change = change::decode(&logged)?;
+    assert_eq!(change.settings, wanted.settings);
+    assert_eq!(change.before, before.reference_channel());
+    assert_eq!(change.labels.unix_time_s, NOW_S);
+    assert_eq!(change.labels.operator, wanted.operator);
+    let kinds: Vec<RecordKind> = chain.iter().map(|link| link.kind).collect();
+    let (run, log) = (RecordKind::Calibration, RecordKind::ReferenceChange);
+    assert_eq!(kinds, [run, log, run]);
+    assert_eq!(chain[0].previous_sha256, [0; 32]);
+    for pair in chain.windows(2) {
+        assert_eq!(pair[1].previous_sha256, pair[0].sha256);
+    }
+    // The runs carry what was in force for each.
+    let folder = tempfile::tempdir()?;
+    let download = session::download(&mut bench.client, 3, folder.path(), |_| ())?;
+    assert_eq!(download.record.settings, wanted.settings);
+    Ok(())
+}
+
+#[test]
+fn no_line_of_text_reaches_the_settings_even_under_a_hand() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let before = bench.client.settings()?;
+    let wanted = recalibrated(&before)?;
+    // A frame among lines, without the zero that tells it from them, and with a line's end.
+    let request = calib_protocol::message::Request::SettingsWrite(wanted);
+    let mut frame = vec![0; frame::MAX_FRAME];
+    let length = frame::encode(9, &request, &mut frame)?;
+    let lines = b"SYST:REF 1\nCONF:REF 0.01\nCAL:REF 0.01\nSENS:CORR 2\n*RST\n";
+    bench.under_a_hand(|client| Ok(client.wait(Duration::from_millis(10))?))?;
+    bench.board().write_serial(lines);
+    bench.client.wait(Duration::from_millis(200))?;
+    bench.board().write_serial(&frame[..length - 1]);
+    bench.board().write_serial(b"\n");
+    bench.client.wait(Duration::from_millis(500))?;
+    bench.client.stop()?;
+    assert_eq!(bench.client.settings()?, before);
+    Ok(())
+}
