@@ -8,6 +8,7 @@ mod address;
 pub mod bench;
 pub mod capture;
 pub mod certificate;
+pub mod chain;
 pub mod decision;
 pub mod demo;
 pub mod doctor;

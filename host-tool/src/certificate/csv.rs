@@ -11,7 +11,7 @@ use crate::decision::Assessment;
 use crate::{Error, Result};
 
 /// Headings of the columns; fixed, so that scripts can rely on them.
-const COLUMNS: [&str; 33] = [
+const COLUMNS: [&str; 34] = [
     "certificate",
     "dut_model",
     "dut_serial",
@@ -45,6 +45,7 @@ const COLUMNS: [&str; 33] = [
     "as_found_expanded_uncertainty_percent",
     "change_percent",
     "coherence",
+    "record_chain",
 ];
 
 /// The table as CSV.
@@ -69,6 +70,11 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
         row.extend(as_found(point, found, language));
         let coherence = point.coherence.map(|c| format!("{c:.4}"));
         row.push(decimal_sign(coherence.unwrap_or_default(), language));
+        row.push(
+            certificate
+                .chain
+                .map_or_else(String::new, |chain| super::chain::name(chain).to_owned()),
+        );
         writer
             .write_record(row)
             .map_err(|e| broken(e.to_string()))?;

@@ -39,6 +39,7 @@ impl Certificate {
             decision: None,
             remarks: Vec::new(),
             as_found: None,
+            chain: None,
         };
         certificate.remarks = remarks(record, &certificate);
         conformity::attach(&mut certificate);

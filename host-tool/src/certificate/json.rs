@@ -45,6 +45,8 @@ pub fn document(certificate: &Certificate, language: Language) -> Value {
         certificate.budget.as_ref().map_or(Value::Null, budget),
     );
     document.insert("as_found".into(), as_found(certificate));
+    let chain = certificate.chain.map(super::chain::name);
+    document.insert("record_chain".into(), json!(chain));
     let remarks = certificate.remarks.iter().map(|r| remark(r, language));
     document.insert("remarks".into(), remarks.collect());
     Value::Object(document)

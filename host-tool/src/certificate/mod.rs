@@ -7,6 +7,7 @@
 //! | [`particulars`] | what a TOML file states and no record knows |
 //! | `adjustment` | what was found before an adjustment, beside what was left |
 //! | `budget` | the budget at the reference point, recomputed and compared |
+//! | `chain` | the record's sum and its place in the chain |
 //! | `conformity` | judgement of the results by a decision rule |
 //! | `rounding` | two digits of U, the value to the same digit |
 //! | `present` | [`Certificate`] to strings in a language |
@@ -17,6 +18,7 @@
 mod adjustment;
 mod band;
 mod budget;
+mod chain;
 mod conformity;
 mod csv;
 mod dcc;
@@ -38,6 +40,8 @@ pub(crate) mod testing;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
+mod tests_chain;
+#[cfg(test)]
 mod tests_dcc;
 #[cfg(test)]
 mod tests_pdf;
@@ -47,6 +51,7 @@ mod uff;
 mod words;
 
 pub use crate::file::Existing;
+pub use chain::digest;
 pub use json::document;
 pub use model::Certificate;
 pub use particulars::Particulars;
@@ -54,6 +59,7 @@ pub use present::Presented;
 pub use words::Language;
 
 use crate::Result;
+use crate::chain::Standing;
 use calib_protocol::record::Record;
 use std::path::{Path, PathBuf};
 
@@ -126,6 +132,9 @@ pub struct Options {
     pub existing: Existing,
     /// Record from before an adjustment, when `record` is from after it.
     pub as_found: Option<Record>,
+    /// What is known of the record's place in the chain; by default nothing but
+    /// what its number says.
+    pub chain: Option<Standing>,
 }
 
 /// Writes the certificate of `record` in `formats` into `out_dir`.
@@ -176,6 +185,7 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
     if let Some(found) = &options.as_found {
         adjustment::attach(&mut certificate, record, found)?;
     }
+    chain::attach(&mut certificate, record, options.chain);
     let language = options.particulars.language.unwrap_or_default();
     let file = |format: &Format| {
         Ok(File {

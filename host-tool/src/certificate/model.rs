@@ -10,6 +10,7 @@
 
 use super::particulars::Particulars;
 use super::rounding::Rounded;
+use crate::chain::Standing;
 use crate::decision::{Assessment, Conformity, Decision};
 use jiff::civil::Date;
 use serde::Serialize;
@@ -42,6 +43,8 @@ pub struct Certificate {
     pub remarks: Vec<Remark>,
     /// What was found before an adjustment, when this is from after it.
     pub as_found: Option<Box<Certificate>>,
+    /// Place of the record in the chain, once somebody looked.
+    pub chain: Option<Standing>,
 }
 
 impl Certificate {

@@ -11,6 +11,7 @@
 use super::model::Certificate;
 use super::present;
 use super::words::Language;
+use crate::chain::Standing;
 use std::fmt::Write;
 
 /// The response as a universal file.
@@ -78,9 +79,13 @@ fn identification(certificate: &Certificate) -> [String; 5] {
         value.map_or_else(|| "NONE".to_owned(), |v| present::value(v, Language::En))
     };
     let object = format!("{} {}", said("item", "model"), said("item", "serial"));
+    let warning = match certificate.chain {
+        Some(Standing::Broken) => ": DO NOT USE, the chain of its record is broken",
+        _ => "",
+    };
     let lines = [
         object,
-        format!("certificate {}", certificate.number),
+        format!("certificate {}{warning}", certificate.number),
         said("calibration", "date"),
         said("calibration", "method"),
         "complex sensitivity in V/(m/s2), acceleration r.m.s.".to_owned(),

@@ -4,7 +4,8 @@ use super::{Context, source, time};
 use calib_host::Result;
 use calib_host::bench::Issue;
 use calib_host::certificate::{self, Existing, Format, Language, Options, Particulars, Prepared};
-use calib_protocol::record::{self, Record, Sha256Sum};
+use calib_host::chain::Standing;
+use calib_protocol::record::Record;
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -66,18 +67,22 @@ impl CertificateVerb {
             return template(context, folder);
         }
         // Required by the command line, unless a template is written.
-        let record = self.record.as_deref().unwrap_or_default();
-        let record = source::find(context, record, &self.out)?;
-        let options = self.options()?;
+        let name = self.record.as_deref().unwrap_or_default();
+        let found = source::find(context, name, &self.out)?;
+        let record = found.calibration()?;
+        let options = Options {
+            chain: Some(found.standing),
+            ..self.options()?
+        };
         let formats = match self.format.is_empty() {
-            true => certificate::possible(&record, &USUAL, &options.particulars),
+            true => certificate::possible(record, &USUAL, &options.particulars),
             false => self.format,
         };
-        let prepared = certificate::prepare(&record, &formats, &options)?;
+        let prepared = certificate::prepare(record, &formats, &options)?;
         let mut bench = context.bench_if_there()?;
         if let Some(bench) = &bench {
             let files = prepared.paths(&self.out);
-            for issue in issues(&prepared, &record, &files) {
+            for issue in issues(&prepared, record, &files) {
                 bench.may_issue(&issue)?;
             }
         }
@@ -85,7 +90,10 @@ impl CertificateVerb {
         let files = prepared.write(&self.out, Existing::Keep)?;
         if let Some(bench) = &mut bench {
             let now = i64::try_from(time::unix_time_s()).unwrap_or(0);
-            bench.issue(&issues(&prepared, &record, &files), now)?;
+            bench.issue(&issues(&prepared, record, &files), now)?;
+        }
+        if found.standing == Standing::Broken {
+            context.remark("the chain of records is broken: the certificate says so in red");
         }
         if let Some(lack) = &prepared.lack {
             context.remark(lack);
@@ -105,6 +113,7 @@ impl CertificateVerb {
             particulars,
             existing: Existing::Keep,
             as_found: self.as_found.as_deref().map(source::read).transpose()?,
+            chain: None,
         })
     }
 }
@@ -131,7 +140,7 @@ pub(super) fn laboratory_file(named: Option<PathBuf>) -> Option<PathBuf> {
 
 /// What the bench of records is to enter.
 fn issues<'a>(prepared: &'a Prepared, record: &Record, paths: &'a [PathBuf]) -> Vec<Issue<'a>> {
-    let record = digest(record);
+    let record = certificate::digest(record);
     let issue = |(file, path): (&'a certificate::File, &'a PathBuf)| Issue {
         certificate: &prepared.number,
         format: file.format.name(),
@@ -140,11 +149,4 @@ fn issues<'a>(prepared: &'a Prepared, record: &Record, paths: &'a [PathBuf]) -> 
         record,
     };
     prepared.files.iter().zip(paths).map(issue).collect()
-}
-
-/// Sum of the record's stored form, which is the same however it came here.
-fn digest(record: &Record) -> Sha256Sum {
-    let mut buffer = vec![0; 64 * 1024];
-    let length = record::encode(record, &mut buffer).unwrap_or(0);
-    record::digest(&buffer[..length])
 }

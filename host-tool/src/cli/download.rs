@@ -1,17 +1,26 @@
-//! `calib download ID`: a stored record into a file.
+//! `calib download ID...`: stored records into files, and their chain checked.
 
 use super::{Context, progress};
-use calib_host::{Result, session};
+use calib_host::chain::{Break, Standing};
+use calib_host::file::Existing;
+use calib_host::link::Client;
+use calib_host::session::{self, Fetched};
+use calib_host::{Error, Result};
+use calib_protocol::record::{self, RecordKind};
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;
 
-/// `calib download ID`.
+/// `calib download ID...`.
 #[derive(Debug, Args)]
 pub(crate) struct Download {
-    /// Running number of the record; `calib records` lists them.
-    id: u32,
-    /// Directory for the file.
+    /// Running numbers of the records; `calib records` lists them.
+    #[arg(required_unless_present = "all", value_name = "ID")]
+    ids: Vec<u32>,
+    /// Every record there is.
+    #[arg(long, conflicts_with = "ids")]
+    all: bool,
+    /// Directory for the files.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
 }
@@ -21,29 +30,81 @@ struct Downloaded {
     file: PathBuf,
     bytes: usize,
     resumed_at: usize,
-    points: usize,
+    kind: RecordKind,
+    points: u16,
+    chain: Standing,
+}
+
+impl Downloaded {
+    fn text(&self) -> String {
+        let content = match self.kind {
+            RecordKind::Calibration => format!("{} points", self.points),
+            RecordKind::ReferenceChange => "change of the reference".to_owned(),
+        };
+        let chain = match self.chain {
+            Standing::First => "first of the chain",
+            Standing::Verified => "chain verified",
+            Standing::NotAtHand => "the record before is not at hand",
+            Standing::Broken => "CHAIN BROKEN",
+        };
+        format!("{} ({content}; {chain})\n", self.file.display())
+    }
 }
 
 impl Download {
-    /// Downloads the record; an interrupted download goes on where it ended.
+    /// Downloads the records; an interrupted download goes on where it ended.
+    /// Whatever the chain shows is said once the files are there.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let mut client = context.connect()?;
         client.info()?;
+        let ids = match self.all {
+            true => client.records()?.iter().map(|line| line.id).collect(),
+            false => self.ids.clone(),
+        };
+        let fetched: Result<Vec<Fetched>> = ids
+            .iter()
+            .map(|id| self.fetch(context, &mut client, *id))
+            .collect();
+        let fetched = fetched?;
+        let evidence = session::evidence(&mut client, &fetched, &self.out)?;
+        let done: Vec<Downloaded> = fetched
+            .into_iter()
+            .map(|record| Downloaded {
+                points: record::inspect(&record.bytes).map_or(0, |(line, _)| line.points),
+                kind: record.link.kind,
+                chain: evidence.standing(record.link.id),
+                file: record.path,
+                bytes: record.bytes.len(),
+                resumed_at: record.resumed_at,
+            })
+            .collect();
+        match &done[..] {
+            [one] if !self.all => context.print(one, || one.text())?,
+            all => context.print(&all, || all.iter().map(Downloaded::text).collect())?,
+        }
+        judge(&client, &evidence.breaks())
+    }
+
+    fn fetch(&self, context: &Context, client: &mut Client, id: u32) -> Result<Fetched> {
         let bar = progress::bytes(context);
-        let download = session::download(&mut client, self.id, &self.out, |progress| {
+        let fetched = session::fetch(client, id, &self.out, Existing::Keep, |progress| {
             bar.set_length(progress.total.into());
             bar.set_position(progress.done.into());
         });
         bar.finish_and_clear();
-        let download = download?;
-        let result = Downloaded {
-            file: download.path,
-            bytes: download.bytes,
-            resumed_at: download.resumed_at,
-            points: download.record.points.len(),
-        };
-        context.print(&result, || {
-            format!("{} ({} points)", result.file.display(), result.points)
-        })
+        fetched
     }
+}
+
+/// A broken chain is a failure, with every break by its number.
+fn judge(client: &Client, breaks: &[Break]) -> Result<()> {
+    if breaks.is_empty() {
+        return Ok(());
+    }
+    let breaks: Vec<String> = breaks.iter().map(ToString::to_string).collect();
+    Err(Error::input(
+        format!("chain of the records of {}", client.name()),
+        breaks.join("; "),
+        "do not use these records; compare them with those in another folder or in the bench of records",
+    ))
 }

@@ -1,7 +1,9 @@
 //! `calib show RECORD`: a record in the terminal.
 
-use super::{Context, source};
+use super::Context;
+use super::source::{self, Content};
 use calib_host::certificate::{self, Certificate, Language, Particulars};
+use calib_host::chain::Standing;
 use calib_host::{Result, terminal};
 use clap::Args;
 use std::path::PathBuf;
@@ -21,11 +23,21 @@ pub(crate) struct Show {
 }
 
 impl Show {
-    /// Draws S over f, with a table of the points.
+    /// Draws S over f, with a table of the points; of a change of the reference,
+    /// what was in force before and is since.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let record = source::find(context, &self.record, &self.out)?;
-        let certificate = Certificate::from_record(&record, &Particulars::default());
+        let found = source::find(context, &self.record, &self.out)?;
+        let record = match &found.content {
+            Content::Calibration(record) => record,
+            Content::ReferenceChange(change) => {
+                return context.print(change, || terminal::show_change(change));
+            }
+        };
+        if found.standing == Standing::Broken {
+            context.remark("the chain of records is broken: this one, or the one before, was altered or removed");
+        }
+        let certificate = Certificate::from_record(record, &Particulars::default());
         let document = certificate::document(&certificate, Language::default());
-        context.print(&document, || terminal::show(&record, &certificate, COLUMNS))
+        context.print(&document, || terminal::show(record, &certificate, COLUMNS))
     }
 }

@@ -1,34 +1,102 @@
 //! A record as named on the command line: a file, or one in the calibrator.
 
 use super::Context;
-use calib_host::{Error, Result, session};
-use calib_protocol::record::{self, RECORD_VERSION, Record, RecordError};
+use calib_host::chain::{Evidence, Standing};
+use calib_host::{Error, Result, file::Existing, session};
+use calib_protocol::change::{self, ReferenceChange};
+use calib_protocol::record::{self, RECORD_VERSION, Record, RecordError, RecordKind};
 use std::path::Path;
+
+/// A record that was found.
+pub(super) struct Found {
+    /// What it says.
+    pub(super) content: Content,
+    /// Its place in the chain, by what is at hand.
+    pub(super) standing: Standing,
+}
+
+/// What a record says, by its kind.
+pub(super) enum Content {
+    /// A run that was measured.
+    Calibration(Box<Record>),
+    /// Another calibration of the reference.
+    ReferenceChange(Box<ReferenceChange>),
+}
+
+impl Found {
+    /// The record of a calibration: what a certificate can be made of.
+    pub(super) fn calibration(&self) -> Result<&Record> {
+        match &self.content {
+            Content::Calibration(record) => Ok(record),
+            Content::ReferenceChange(change) => Err(Error::input(
+                format!("record {}", change.id),
+                "logs a change of the reference and is no calibration",
+                "`calib show` shows it; `calib records` lists the calibrations",
+            )),
+        }
+    }
+}
 
 /// The record of this file or, when the name is a number and no file, the one of
 /// this running number in the calibrator, which is downloaded into `out` first.
-pub(super) fn find(context: &Context, name: &str, out: &Path) -> Result<Record> {
+pub(super) fn find(context: &Context, name: &str, out: &Path) -> Result<Found> {
     let path = Path::new(name);
     match name.parse::<u32>() {
         Ok(id) if !path.exists() => {
             let mut client = context.connect()?;
             client.info()?;
-            Ok(session::download(&mut client, id, out, |_| ())?.record)
+            let fetched = session::fetch(&mut client, id, out, Existing::Keep, |_| ())?;
+            let fetched = [fetched];
+            let evidence = session::evidence(&mut client, &fetched, out)?;
+            let [fetched] = fetched;
+            Ok(Found {
+                content: content(&fetched.path, &fetched.bytes)?,
+                standing: evidence.standing(id),
+            })
         }
-        _ => read(path),
+        _ => from_file(path),
     }
 }
 
-/// Reads a downloaded record.
+/// A downloaded record, with what lies beside it.
+fn from_file(path: &Path) -> Result<Found> {
+    let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
+    let content = content(path, &bytes)?;
+    let link = record::link(&bytes).map_err(|error| unusable(path, error))?;
+    let mut evidence = Evidence::of(&link.instrument_serial);
+    evidence.bytes(link.id, &bytes);
+    evidence.neighbours(link.id, path.parent().unwrap_or(Path::new("")));
+    Ok(Found {
+        content,
+        standing: evidence.standing(link.id),
+    })
+}
+
+/// Reads the downloaded record of a calibration.
 pub(super) fn read(path: &Path) -> Result<Record> {
     let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-    record::decode(&bytes).map_err(|error| {
-        let hint = match error {
-            RecordError::Version { found } if found > RECORD_VERSION => {
-                "install a newer calib: this one is older than the record"
-            }
-            _ => "download it again with `calib download ID`",
-        };
-        Error::input(path.display().to_string(), error.to_string(), hint)
-    })
+    record::decode(&bytes).map_err(|error| unusable(path, error))
+}
+
+fn content(path: &Path, bytes: &[u8]) -> Result<Content> {
+    let found = RecordKind::ReferenceChange;
+    match record::decode(bytes) {
+        Ok(record) => Ok(Content::Calibration(Box::new(record))),
+        Err(RecordError::Kind { found: kind }) if kind == found => {
+            let change = change::decode(bytes).map_err(|error| unusable(path, error))?;
+            Ok(Content::ReferenceChange(Box::new(change)))
+        }
+        Err(error) => Err(unusable(path, error)),
+    }
+}
+
+fn unusable(path: &Path, error: RecordError) -> Error {
+    let hint = match error {
+        RecordError::Version { found } if found > RECORD_VERSION => {
+            "install a newer calib: this one is older than the record"
+        }
+        RecordError::Kind { .. } => "`calib show` shows it",
+        _ => "download it again with `calib download ID`",
+    };
+    Error::input(path.display().to_string(), error.to_string(), hint)
 }

@@ -4,10 +4,11 @@
 //! chunk. The next attempt goes on at its end, whatever byte that is. Only a
 //! record whose checksum holds gets the final name.
 
+use crate::chain::{self, Evidence};
 use crate::file::{self, Existing};
 use crate::link::Client;
 use crate::{Error, Result};
-use calib_protocol::record::{self, Record, RecordError};
+use calib_protocol::record::{self, ChainLink, Record, RecordError, RecordSummary};
 use std::fs::{File, OpenOptions};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -16,7 +17,20 @@ use std::path::{Path, PathBuf};
 /// broken device must not fill the disk.
 const MAX_RECORD: u32 = 1 << 20;
 
-/// A record that arrived whole.
+/// A record of any kind that arrived whole.
+#[derive(Debug)]
+pub struct Fetched {
+    /// The file with the record's stored form.
+    pub path: PathBuf,
+    /// Its content.
+    pub bytes: Vec<u8>,
+    /// Its place in the chain.
+    pub link: ChainLink,
+    /// Bytes that an earlier, interrupted download had left.
+    pub resumed_at: usize,
+}
+
+/// The record of a calibration that arrived whole.
 #[derive(Debug)]
 pub struct Download {
     /// The file with the record's stored form.
@@ -62,10 +76,31 @@ pub fn download_with(
     id: u32,
     directory: &Path,
     existing: Existing,
-    mut progress: impl FnMut(Progress),
+    progress: impl FnMut(Progress),
 ) -> Result<Download> {
+    let fetched = fetch(client, id, directory, existing, progress)?;
+    let record = record::decode(&fetched.bytes).map_err(|error| broken(client, id, error))?;
+    Ok(Download {
+        path: fetched.path,
+        record,
+        bytes: fetched.bytes.len(),
+        resumed_at: fetched.resumed_at,
+    })
+}
+
+/// As [`download_with`], for a record of any kind.
+///
+/// # Errors
+/// As [`download`].
+pub fn fetch(
+    client: &mut Client,
+    id: u32,
+    directory: &Path,
+    existing: Existing,
+    mut progress: impl FnMut(Progress),
+) -> Result<Fetched> {
     std::fs::create_dir_all(directory).map_err(|error| Error::file("create", directory, error))?;
-    let path = directory.join(format!("record-{id:05}.calibrec"));
+    let path = directory.join(chain::file_name(id));
     let mut part = Part::open(path.with_extension("calibrec.part"))?;
     let resumed_at = part.bytes.len();
     if let Err(error) = part.fetch(client, id, &mut progress) {
@@ -78,23 +113,60 @@ pub fn download_with(
         part.restart()?;
         part.fetch(client, id, &mut progress)?;
     }
-    let record = record::decode(&part.bytes).map_err(|error| {
+    let link = whole(&part.bytes).map_err(|error| {
         // Starting from the first byte is the only thing worth trying again.
         let _ = std::fs::remove_file(&part.path);
         broken(client, id, error)
     })?;
     file::write(&path, &part.bytes, existing)?;
     std::fs::remove_file(&part.path).map_err(|error| Error::file("remove", &part.path, error))?;
-    Ok(Download {
+    Ok(Fetched {
         path,
-        record,
-        bytes: part.bytes.len(),
+        bytes: part.bytes,
+        link,
         resumed_at,
     })
 }
 
+/// The place of a record that can be read to its end.
+fn whole(bytes: &[u8]) -> Result<ChainLink, RecordError> {
+    record::inspect(bytes)?;
+    record::link(bytes)
+}
+
+/// What the calibrator and `folder` say of records that were downloaded: their
+/// sums, and their neighbours.
+///
+/// # Errors
+/// Those of the link.
+pub fn evidence(client: &mut Client, fetched: &[Fetched], folder: &Path) -> Result<Evidence> {
+    let mut evidence = Evidence::of(&client.info()?.serial);
+    evidence.list(&lines(client, fetched)?);
+    for record in fetched {
+        evidence.bytes(record.link.id, &record.bytes);
+    }
+    for record in fetched {
+        evidence.neighbours(record.link.id, folder);
+    }
+    Ok(evidence)
+}
+
+/// For one record the lines around it; where the one before is not among them,
+/// and for several records, all there are.
+fn lines(client: &mut Client, fetched: &[Fetched]) -> Result<Vec<RecordSummary>> {
+    if let [one] = fetched {
+        let before = one.link.id.saturating_sub(1);
+        let (lines, _) = client.page(before)?;
+        if before == 0 || lines.first().is_some_and(|line| line.id == before) {
+            return Ok(lines);
+        }
+    }
+    client.records()
+}
+
 fn broken(client: &Client, id: u32, error: RecordError) -> Error {
     let hint = match error {
+        RecordError::Kind { .. } => "`calib show` shows it",
         RecordError::Version { .. } => {
             "install the release of this tool that came with the firmware"
         }

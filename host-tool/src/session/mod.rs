@@ -6,6 +6,8 @@ mod points;
 mod run;
 
 pub use broadband::on_lines;
-pub use download::{Download, Progress as DownloadProgress, download, download_with};
+pub use download::{
+    Download, Fetched, Progress as DownloadProgress, download, download_with, evidence, fetch,
+};
 pub use points::{default_points, read_points};
 pub use run::{Outcome, Progress, begin, follow, follow_beside, run, run_excited, time_left};

@@ -1,9 +1,11 @@
 //! Results drawn with characters, for a terminal of 80 columns.
 
 mod capture;
+mod change;
 mod plot;
 mod record;
 
 pub use capture::show as show_capture;
+pub use change::show_change;
 pub use plot::{Horizontal, Mark, draw};
 pub use record::show;

@@ -208,6 +208,13 @@ fn statements(xml: &mut Xml, certificate: &Certificate, language: Language) {
                 language,
             );
         }
+        if let Some(chain) = of("chain") {
+            let sum = stated(certificate, "calibration", "sha256", language);
+            let record = stated(certificate, "calibration", "record", language);
+            let chain = present::value(chain, language);
+            let text = format!("{record}, SHA-256 {sum}: {chain}");
+            statement(xml, None, "7.11.3", &text, language);
+        }
         for remark in &certificate.remarks {
             statement(
                 xml,

@@ -1,0 +1,174 @@
+//! A change of the reference's calibration: before and since, row by row.
+
+use calib_core::settings::{ReferenceChannel, ReferencePoint};
+use calib_protocol::change::ReferenceChange;
+use jiff::Timestamp;
+use jiff::civil::date;
+use std::fmt::Write;
+
+/// The change as text, 80 columns wide.
+pub fn show_change(change: &ReferenceChange) -> String {
+    let (before, since) = (&change.before, &change.settings.reference_channel());
+    let labels = &change.labels;
+    let mut text = format!(
+        "record {} of {}: another calibration of the reference\n{}, {}\n\n",
+        change.id,
+        change.instrument_serial,
+        time(labels.unix_time_s),
+        said(&labels.operator),
+    );
+    let mut line = |name: &str, of: &dyn Fn(&ReferenceChannel) -> String| {
+        let (before, since) = (of(before), of(since));
+        let mark = if before == since { "" } else { "*" };
+        // Writing into memory does not fail.
+        let _ = writeln!(text, "{name:<14}{before:<31}{since:<31}{mark}");
+    };
+    line("", &|channel| match channel == before {
+        true => "before".into(),
+        false => "since".into(),
+    });
+    line("serial", &|channel| said(&channel.calibration.serial));
+    line("certificate", &|channel| {
+        said(&channel.calibration.certificate)
+    });
+    line("calibrated", &|channel| {
+        day(channel.calibration.calibrated_day)
+    });
+    line("due", &|channel| day(channel.calibration.due_day));
+    line("V per code", &|channel| {
+        format!("{:e}", channel.input.volt_per_code)
+    });
+    text.push_str(
+        "\n     Hz  mV/(m/s2)      U %  phase deg  mV/(m/s2)      U %  phase deg  change %\n",
+    );
+    for (before, since) in pairs(&before.calibration.points, &since.calibration.points) {
+        text.push_str(&row(before, since));
+    }
+    text
+}
+
+/// Rows of both tables side by side, by frequency.
+fn pairs<'a>(
+    before: &'a [ReferencePoint],
+    since: &'a [ReferencePoint],
+) -> Vec<(Option<&'a ReferencePoint>, Option<&'a ReferencePoint>)> {
+    let mut all: Vec<f32> = before
+        .iter()
+        .chain(since)
+        .map(|row| row.frequency_hz)
+        .collect();
+    all.sort_by(f32::total_cmp);
+    all.dedup();
+    let at = |rows: &'a [ReferencePoint], hz: f32| rows.iter().find(|row| row.frequency_hz == hz);
+    all.into_iter()
+        .map(|hz| (at(before, hz), at(since, hz)))
+        .collect()
+}
+
+fn row(before: Option<&ReferencePoint>, since: Option<&ReferencePoint>) -> String {
+    let frequency_hz = before.or(since).map_or(0.0, |row| row.frequency_hz);
+    let change = match (before, since) {
+        (Some(before), Some(since)) => {
+            let ratio =
+                f64::from(since.sensitivity_v_per_ms2) / f64::from(before.sensitivity_v_per_ms2);
+            format!("{:+.3}", 100.0 * (ratio - 1.0))
+        }
+        _ => String::new(),
+    };
+    format!(
+        "{frequency_hz:>7}{}{}{change:>10}\n",
+        half(before),
+        half(since)
+    )
+}
+
+fn half(row: Option<&ReferencePoint>) -> String {
+    match row {
+        None => " ".repeat(31),
+        Some(row) => format!(
+            "{:>11.5}{:>9.3}{:>11.3}",
+            1e3 * row.sensitivity_v_per_ms2,
+            100.0 * row.expanded_uncertainty_rel,
+            row.phase_rad.to_degrees()
+        ),
+    }
+}
+
+fn said(words: &str) -> String {
+    match words.trim() {
+        "" => "not stated".to_owned(),
+        words => words.to_owned(),
+    }
+}
+
+fn time(unix_time_s: u64) -> String {
+    let known = i64::try_from(unix_time_s)
+        .ok()
+        .filter(|seconds| *seconds > 0);
+    let time = known.and_then(|seconds| Timestamp::from_second(seconds).ok());
+    time.map_or("at a time not known".into(), |time| {
+        time.strftime("%Y-%m-%d %H:%MZ").to_string()
+    })
+}
+
+fn day(days_since_1970: u32) -> String {
+    let days = i64::from(days_since_1970);
+    let day = (days > 0).then(|| date(1970, 1, 1).checked_add(jiff::Span::new().days(days)));
+    match day {
+        Some(Ok(day)) => day.to_string(),
+        _ => "not stated".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calib_core::settings::Settings;
+    use calib_protocol::record::RunLabels;
+
+    #[test]
+    fn both_states_stand_side_by_side_with_what_changed() {
+        let before = Settings::field_calibrator();
+        let mut settings = before.clone();
+        settings.reference.due_day = 20_819; // date -u -d @$((20819*86400)): 2027-01-01
+        settings.reference.points[0].sensitivity_v_per_ms2 *= 1.01;
+        settings.reference.points.truncate(2);
+        let change = ReferenceChange {
+            id: 5,
+            previous_sha256: [0; 32],
+            instrument_serial: "CAL-1".try_into().expect("short"),
+            firmware: "0.1.0".try_into().expect("short"),
+            sample_rate_hz: 50_000.0,
+            labels: RunLabels {
+                unix_time_s: 1_795_269_900,
+                ..RunLabels::default()
+            },
+            settings,
+            before: before.reference_channel(),
+        };
+        let text = show_change(&change);
+        assert!(text.starts_with("record 5 of CAL-1: "), "{text}");
+        assert!(text.contains("2026-11-21 14:05Z, not stated"), "{text}");
+        let due = text.lines().find(|line| line.starts_with("due"));
+        let due: Vec<_> = due.expect("a line").split_whitespace().collect();
+        assert_eq!(due, ["due", "not", "stated", "2027-01-01", "*"]);
+        let rows: Vec<Vec<&str>> = text
+            .lines()
+            .skip_while(|line| !line.contains("Hz"))
+            .skip(1)
+            .map(|line| line.split_whitespace().collect())
+            .collect();
+        assert_eq!(rows.len(), before.reference.points.len());
+        // 10.2 mV/(m/s2) and one percent more.
+        assert_eq!(rows[0][1], "10.20000");
+        assert_eq!(rows[0][4], "10.30200");
+        assert_eq!(rows[0][7], "+1.000");
+        assert_eq!(rows[1][7], "+0.000");
+        // A row that was taken out has nothing since.
+        assert_eq!(rows[2].len(), 4);
+        assert!(
+            text.lines().all(|line| line.chars().count() <= 80),
+            "{text}"
+        );
+    }
+}
