@@ -46,6 +46,7 @@ impl Instrument for Calibrator {
             last_panic: identity.last_panic.clone(),
             records: self.archive.records(),
             uptime_ms: Instant::now().as_millis(),
+            stack_unused_bytes: crate::board::unused_stack_bytes(),
         }
     }
 

@@ -199,7 +199,7 @@ impl Evidence {
 
     /// What is known of record `id`.
     pub fn standing(&self, id: u32) -> Standing {
-        let before = id.checked_sub(1).unwrap_or_default();
+        let before = id.saturating_sub(1);
         if self.breaks().iter().any(|found| found.concerns(id)) {
             Standing::Broken
         } else if id == 1 {

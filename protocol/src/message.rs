@@ -240,6 +240,9 @@ pub struct Info {
     pub records: u32,
     /// Milliseconds since the start.
     pub uptime_ms: u64,
+    /// Bytes of the stack that were never used since the start: what is left of
+    /// it at its deepest.
+    pub stack_unused_bytes: u32,
 }
 
 /// Why the board started.
@@ -350,6 +353,7 @@ mod tests {
             last_panic: None,
             records: 0,
             uptime_ms: 0,
+            stack_unused_bytes: 0,
         }
     }
 

@@ -164,6 +164,7 @@ fn info() -> Info {
         last_panic: None,
         records: 0,
         uptime_ms: 0,
+        stack_unused_bytes: 0,
     }
 }
 

@@ -2,8 +2,11 @@
 
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
-use calib_twin::rig_port::{INPUT_CHANNELS, RigPort};
-use std::sync::{Arc, Mutex, PoisonError};
+use calib_twin::rig_port::{DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Sample pairs of a block: the converters' DMA interrupts with each (10 ms).
+const BLOCK_PAIRS: u64 = 500;
 
 /// What a witness has seen of the table.
 #[derive(Clone, Copy, Debug, Default)]
@@ -12,8 +15,13 @@ pub struct Seen {
     pub highest_ms2: f64,
     /// From the first to the last instant above the bound, ms.
     pub above_for_ms: f64,
+    /// From the end of the block in which it was decided to the last instant the
+    /// exciter was driven, ms.
+    pub driven_after_block_ms: f64,
     first_above_ns: Option<u64>,
     elapsed_ns: u64,
+    pairs: u64,
+    block_ns: u64,
 }
 
 /// What a witness has seen, shared with the test.
@@ -23,11 +31,15 @@ pub struct Sight(Arc<Mutex<Seen>>);
 impl Sight {
     /// What was seen so far.
     pub fn take(&self) -> Seen {
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        *self.seen()
+    }
+
+    fn seen(&self) -> MutexGuard<'_, Seen> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn note(&self, acceleration_ms2: f64, duration_ns: u64, bound_ms2: f64) {
-        let mut seen = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut seen = self.seen();
         seen.elapsed_ns += duration_ns;
         seen.highest_ms2 = seen.highest_ms2.max(acceleration_ms2.abs());
         if acceleration_ms2.abs() > bound_ms2 {
@@ -35,6 +47,22 @@ impl Sight {
             let first_ns = *seen.first_above_ns.get_or_insert(now_ns);
             seen.above_for_ms = (now_ns - first_ns) as f64 * 1e-6;
         }
+    }
+}
+
+impl Seen {
+    /// Pairs come in blocks: with the last of one the instrument knows what it
+    /// knows of it.
+    fn note_pair(&mut self) {
+        self.pairs += 1;
+        if self.pairs.is_multiple_of(BLOCK_PAIRS) {
+            self.block_ns = self.elapsed_ns;
+        }
+    }
+
+    /// The exciter is driven: so far this is the last instant it is.
+    fn note_drive(&mut self) {
+        self.driven_after_block_ms = (self.elapsed_ns - self.block_ns) as f64 * 1e-6;
     }
 }
 
@@ -46,9 +74,11 @@ pub struct Witness {
 }
 
 impl Witness {
-    /// Watches `rig` for accelerations above `bound_ms2`.
-    pub fn new(rig: &Rig, bound_ms2: f64) -> (Self, Sight) {
+    /// Watches `rig` for accelerations above `bound_ms2`, from `pairs` on that the
+    /// instrument has taken since its start.
+    pub fn new(rig: &Rig, bound_ms2: f64, pairs: u64) -> (Self, Sight) {
         let sight = Sight::default();
+        sight.seen().pairs = pairs;
         let witness = Self {
             plant: Plant::new(rig),
             bound_ms2,
@@ -64,9 +94,13 @@ impl RigPort for Witness {
         let acceleration_ms2 = self.plant.acceleration_ms2();
         self.sight
             .note(acceleration_ms2, duration_ns, self.bound_ms2);
+        if drive_code != DRIVE_MID_CODE {
+            self.sight.seen().note_drive();
+        }
     }
 
     fn sample(&mut self) -> [u16; INPUT_CHANNELS] {
+        self.sight.seen().note_pair();
         self.plant.sample()
     }
 }

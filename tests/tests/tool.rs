@@ -178,13 +178,43 @@ fn an_emulated_calibrator_is_used_over_tcp_and_keeps_its_records() {
     let run = go(&["run", "--points", "two.csv", "--serial", "A'1"]);
     assert_eq!(run["record_id"], 2);
     assert_eq!(run["state"], "Finished");
+    // Another calibration of the reference wants a hand on the instrument.
+    let settings = output(folder.path(), &["settings", "-d", &device]).stdout;
+    let settings = String::from_utf8(settings).expect("text");
+    let renewed = settings.replacen("due_day = 0", "due_day = 21000", 1);
+    assert_ne!(renewed, settings);
+    std::fs::write(folder.path().join("renewed.toml"), renewed).expect("written");
+    let write = ["settings", "--write", "renewed.toml", "--wait", "0"];
+    let refused = output(folder.path(), &[&write[..], &["-d", &device]].concat());
+    assert_eq!(refused.status.code(), Some(5));
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(said.contains("hold the button"), "{said}");
     emulated.switch_off();
 
-    // Power off and on: what follows comes from flash.
-    let emulated = start();
+    // Power off and on: what follows comes from flash. Now there is a hand.
+    let held = ["--tcp", "0", "--flash", "flash.bin", "--hold-button"];
+    let emulated = Emulated::start(folder.path(), &held);
+    let device = emulated.address.clone();
+    let signed = [&write[..], &["--operator", "M. Beispiel"]].concat();
+    let written = json(folder.path(), &[&signed[..], &["-d", &device]].concat());
+    assert_eq!(written["reference"]["due_day"], 21_000);
+    let shown = output(folder.path(), &["show", "3", "-d", &device]);
+    let shown = String::from_utf8_lossy(&shown.stdout).into_owned();
+    assert!(
+        shown.contains("M. Beispiel") && shown.contains("2027-07-01"),
+        "{shown}"
+    );
     let device = emulated.address.clone();
     let go = |arguments: &[&str]| json(folder.path(), &[arguments, &["-d", &device]].concat());
     assert_eq!(go(&["records"])[1]["dut_serial"], "A'1");
+    assert_eq!(go(&["records"])[2]["kind"], "reference_change");
+    // The certificate of a file says the same once its neighbours lie beside it.
+    let all = go(&["download", "--all"]);
+    let chain = |at: usize| all[at]["chain"].as_str().expect("a word");
+    assert_eq!(
+        [chain(0), chain(1), chain(2)],
+        ["first", "verified", "verified"]
+    );
     // What an interrupted download left is completed, not fetched again.
     let whole = go(&["download", "2", "--out", "first"])["file"].clone();
     let stored = std::fs::read(folder.path().join(whole.as_str().expect("path"))).expect("file");
@@ -255,7 +285,7 @@ fn interrupting_a_run_stops_it_and_keeps_what_was_measured() {
     let status = run.wait().expect("ends");
     assert_eq!(status.code(), Some(7));
     let records = json(folder.path(), &["records", "-d", &device]);
-    let points = records[0]["points"].as_u64().expect("points");
+    let points = records[1]["points"].as_u64().expect("points");
     assert!((1..28).contains(&points), "{records}");
     // Silent and ready: the next run begins at once.
     let next = ["run", "--points", "one.csv", "-d", &device];

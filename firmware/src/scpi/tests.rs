@@ -61,6 +61,7 @@ impl Instrument for Bench {
             last_panic: None,
             records: 0,
             uptime_ms: 0,
+            stack_unused_bytes: 0,
         }
     }
     fn status(&mut self) -> Status {

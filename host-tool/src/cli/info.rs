@@ -32,6 +32,10 @@ fn text(info: &DeviceInfo) -> String {
             info.reset_cause,
             info.uptime_ms / 1000
         ),
+        format!(
+            "stack          {} bytes left at its deepest",
+            info.stack_unused_bytes
+        ),
     ];
     if let Some(panic) = &info.last_panic {
         lines.push(format!("last panic     {panic}"));

@@ -158,6 +158,7 @@ impl Device {
             last_panic: None,
             records: self.records.len() as u32,
             uptime_ms: 1234,
+            stack_unused_bytes: 12_000,
         }
     }
 

@@ -20,35 +20,15 @@ extern "C" fn kernel_done() {
     cortex_m::asm::nop();
 }
 
-unsafe extern "C" {
-    static mut __axisram_start: u32;
-    static mut __axisram_end: u32;
-}
-
-/// Clears AXI SRAM, which the start-up code leaves alone.
-///
-/// # Safety
-/// Nothing there may have been used yet.
-unsafe fn clear_axi_sram() {
-    let mut word = &raw mut __axisram_start;
-    let end = &raw mut __axisram_end;
-    while word < end {
-        // Note(unsafe): between two symbols of the linker, word aligned.
-        unsafe {
-            word.write_volatile(0);
-            word = word.add(1);
-        }
-    }
-}
-
 #[cortex_m_rt::entry]
 fn main() -> ! {
     // Where the firmware has it; empty, it is all zero.
     #[unsafe(link_section = ".axisram")]
     static FOLD: ConstStaticCell<FoldMemory> = ConstStaticCell::new(FoldMemory::new());
     static TABLE: ConstStaticCell<Table> = ConstStaticCell::new(Table::EMPTY);
-    // Note(unsafe): the first thing that is done.
-    unsafe { clear_axi_sram() };
+    // The start-up code leaves this memory alone.
+    // Note(unsafe): nobody has used it yet, and its value is all zero.
+    unsafe { (&raw const FOLD).cast_mut().write_bytes(0, 1) };
     let tone = shipping::TONE;
     let block = Block::measuring(tone, 10 * PAIRS as u32);
     // Note(unwrap): nothing else takes them.

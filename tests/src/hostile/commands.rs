@@ -205,6 +205,7 @@ impl Instrument for Notes {
             last_panic: None,
             records: 0,
             uptime_ms: 0,
+            stack_unused_bytes: 0,
         }
     }
 

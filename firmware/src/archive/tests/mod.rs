@@ -208,21 +208,29 @@ fn settings_are_kept_through_everything() {
     assert_eq!(archive.next_id(), 401);
 }
 
+/// The copy written last, damaged after either way to write settings.
 #[test]
 fn one_damaged_copy_of_the_settings_does_not_lose_them() {
-    let flash = MockFlash::<SMALL>::erased(SECTORS);
-    let mut desk = Desk::new();
-    let mut settings = Settings::field_calibrator();
-    settings.blocks = 23;
-    let last;
-    {
-        let mut archive = desk.open(&flash).expect("opens");
-        block_on(archive.store_settings(&settings)).expect("stores");
-        last = archive.memory.last_access.longest_write() as usize;
+    for changes_reference in [false, true] {
+        let flash = MockFlash::<SMALL>::erased(SECTORS);
+        let mut desk = Desk::new();
+        let mut settings = Settings::field_calibrator();
+        let last;
+        {
+            let mut archive = desk.open(&flash).expect("opens");
+            if changes_reference {
+                settings.reference.due_day = 23;
+                log_change(&mut archive, 1, &settings).expect("logs");
+            } else {
+                settings.blocks = 23;
+                block_on(archive.store_settings(&settings)).expect("stores");
+            }
+            last = archive.memory.last_access.longest_write() as usize;
+        }
+        flash.0.borrow_mut().bytes[last + 100] ^= 0x10;
+        let archive = desk.open(&flash).expect("opens");
+        assert_eq!(archive.settings(), Some(&settings));
     }
-    flash.0.borrow_mut().bytes[last + 100] ^= 0x10;
-    let archive = desk.open(&flash).expect("opens");
-    assert_eq!(archive.settings(), Some(&settings));
 }
 
 #[test]

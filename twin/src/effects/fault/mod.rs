@@ -12,6 +12,7 @@ mod cable_intermittent;
 mod coil_open;
 mod coil_short;
 mod dut_falls_off;
+mod iepe;
 mod iepe_open;
 mod iepe_short;
 mod transducer_dead;
