@@ -258,11 +258,11 @@ fn a_record_of_the_most_points_with_the_fullest_settings_fits() {
 #[test]
 fn records_come_back_after_any_number_of_settings() {
     let flash = MockFlash::<SMALL>::erased(SECTORS);
-    let mut room = Room::new();
+    let mut desk = Desk::new();
     let mut settings = Settings::field_calibrator();
     let mut stored = std::vec::Vec::new();
     {
-        let mut archive = room.open(&flash).expect("opens");
+        let mut archive = desk.open(&flash).expect("opens");
         let erases = || flash.0.borrow().erases.iter().sum::<u32>();
         while erases() == 0 {
             settings.blocks = 2 + settings.blocks % 60;
@@ -276,7 +276,7 @@ fn records_come_back_after_any_number_of_settings() {
             }
         }
     }
-    let mut archive = room.open(&flash).expect("opens again");
+    let mut archive = desk.open(&flash).expect("opens again");
     for (id, bytes) in &stored {
         assert_eq!(download(&mut archive, *id).as_ref(), Ok(bytes), "{id}");
     }
@@ -288,10 +288,10 @@ fn records_come_back_after_any_number_of_settings() {
 fn a_half_erased_sector_keeps_nothing_else_from_being_found() {
     let full = MockFlash::<REAL>::erased(SECTORS);
     let settings = Settings::field_calibrator();
-    let mut room = Room::new();
+    let mut desk = Desk::new();
     let mut stored = std::vec::Vec::new();
     {
-        let mut archive = room.open(&full).expect("opens");
+        let mut archive = desk.open(&full).expect("opens");
         while block_on(archive.check_room(31)).is_ok() {
             stored.push(store(&mut archive, 31, 1, &settings).expect("stores"));
         }
@@ -301,7 +301,7 @@ fn a_half_erased_sector_keeps_nothing_else_from_being_found() {
         // Five shares, from just begun to nearly done.
         let share = [1, 3, 16, 128, 250][seed as usize % 5];
         flash.0.borrow_mut().tear(0..REAL, share);
-        let mut archive = room.open(&flash).expect("opens");
+        let mut archive = desk.open(&flash).expect("opens");
         for (id, bytes) in stored.iter().skip(REAL / stored[0].1.len() * 2).step_by(29) {
             assert_eq!(download(&mut archive, *id).as_ref(), Ok(bytes), "{seed}");
         }
