@@ -3,7 +3,7 @@
 use crate::row::Row;
 use calib_host::link::{Client, EmulatedTransport, EmulatedUsbTransport, RetryPolicy};
 use calib_host::session;
-use calib_protocol::message::{RunSpec, RunState};
+use calib_protocol::message::RunSpec;
 use calib_protocol::record::RunLabels;
 use calib_tests::bench::{Bench, Fault};
 use calib_twin::plant::Plant;
@@ -130,37 +130,46 @@ fn running(bench: &mut Bench) -> Result<bool, Fault> {
     Ok(bench.client.status()?.state.is_exciting())
 }
 
-/// Time the flash is at work for a record of the default list.
+/// Time the flash is at work for a record of the default list, until its run has
+/// ended.
 fn storing(bench: &mut Bench) -> Result<Vec<Row>, Fault> {
-    let operations = |bench: &Bench| bench.board().flash_watch().operations();
-    let step = Duration::from_micros(200);
-    let before = operations(bench);
-    while operations(bench) == before {
-        bench.client.wait(step)?;
-    }
-    let first = bench.board().elapsed();
-    let mut last = (first, operations(bench));
-    while bench.board().elapsed() - last.0 < Duration::from_millis(50) {
-        bench.client.wait(step)?;
-        let now = operations(bench);
-        if now > last.1 {
-            last = (bench.board().elapsed(), now);
+    let before = bench.board().flash_watch().operations();
+    let mut working = Duration::ZERO;
+    loop {
+        working += flash_work(bench)?;
+        if !bench.client.status()?.state.is_running() {
+            break;
         }
     }
+    let words = bench.board().flash_watch().operations() - before;
     let bytes = record_bytes(bench)?;
     let limit = (bytes / WORD_BYTES).ceil() * WORD_S * 1000.0;
-    let words = last.1 - before;
     let note = format!("{bytes} bytes take {words} flash words of 32 bytes at 0.1 ms");
-    let milliseconds = (last.0 - first + step).as_secs_f64() * 1000.0;
+    let milliseconds = working.as_secs_f64() * 1000.0;
     Ok(vec![
         Row::new("flash time of a record of 28 points", milliseconds, "ms").limit(limit, note),
     ])
 }
 
-fn record_bytes(bench: &mut Bench) -> Result<f64, Fault> {
-    while bench.client.status()?.state == RunState::Storing {
-        bench.client.wait(Duration::from_millis(10))?;
+/// How long the flash is at work until it has rested for a while.
+fn flash_work(bench: &mut Bench) -> Result<Duration, Fault> {
+    const STEP: Duration = Duration::from_micros(200);
+    const REST_STEPS: u32 = 500;
+    let mut seen = bench.board().flash_watch().operations();
+    let (mut working, mut rest) = (0, 0);
+    while rest < REST_STEPS {
+        bench.client.wait(STEP)?;
+        let now = bench.board().flash_watch().operations();
+        (working, rest) = match now > seen {
+            true => (working + 1, 0),
+            false => (working, rest + 1),
+        };
+        seen = now;
     }
+    Ok(STEP * working)
+}
+
+fn record_bytes(bench: &mut Bench) -> Result<f64, Fault> {
     let records = bench.client.records()?;
     let record = records.last().ok_or("nothing was stored")?;
     Ok(f64::from(record.bytes))
