@@ -8,8 +8,9 @@ use calib_protocol::record::{self, Record};
 
 /// Everything passes: the object is within 5 % of its nominal sensitivity.
 fn certificate(chain: Option<Standing>) -> Prepared {
-    let particulars =
-        "[decision]\nspecification = 'nominal'\ntolerance_percent = 50\nnominal_mv_per_ms2 = 10.2";
+    // A DCC cannot be without the country of the laboratory.
+    let particulars = "[laboratory]\ncountry = 'DE'\n\
+        [decision]\nspecification = 'nominal'\ntolerance_percent = 50\nnominal_mv_per_ms2 = 10.2";
     let particulars: Particulars = toml::from_str(particulars).expect("particulars");
     let options = Options {
         particulars,
