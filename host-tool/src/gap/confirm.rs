@@ -141,13 +141,14 @@ fn emulate(
     // The calibration of the reference as it is believed to be: what an effect does to it the
     // instrument cannot know.
     let settings = settings_for(&rig, client.settings()?, None);
-    client.write_settings(Settings {
+    let settings = Settings {
         blocks: match condition.has_harmonics() {
             true => BLOCKS_WITH_CAPTURE,
             false => BLOCKS,
         },
         ..settings
-    })?;
+    };
+    board.set_up(&mut client, settings)?;
     let go_on = |_: &session::Progress<'_>, _: &[PointSpec]| ControlFlow::Continue(());
     let mut rows = record(
         &mut client,
