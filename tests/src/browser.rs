@@ -19,11 +19,13 @@ use tokio::runtime::Runtime;
 const PATIENCE: Duration = Duration::from_secs(40);
 
 /// What keeps Chromium to the page under test: no sandbox, which root cannot have,
-/// and nothing asked of anybody on a network.
-const FLAGS: [&str; 8] = [
+/// no shared memory, of which containers have little, and nothing asked of anybody on a
+/// network.
+const FLAGS: [&str; 9] = [
     "--headless",
     "--no-sandbox",
     "--disable-gpu",
+    "--disable-dev-shm-usage",
     "--disable-quic",
     "--no-first-run",
     "--disable-background-networking",

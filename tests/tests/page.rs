@@ -266,15 +266,17 @@ fn ctrl_c_ends_it(setup: Setup) -> Result<(), Fault> {
     } = setup;
     let status = server.interrupt()?;
     assert!(status.success(), "{status}");
+    // A second, and another for a loaded computer.
     assert!(
-        begun.elapsed() < Duration::from_secs(1),
+        begun.elapsed() < Duration::from_secs(2),
         "{:?}",
         begun.elapsed()
     );
-    // It is silent when the tool has ended, not some time later.
-    let silent = live.silent_for();
-    std::thread::sleep(Duration::from_millis(100));
-    assert!(live.silent_for() > silent);
+    // It is silent when the tool has ended, not some time later, and stays so.
+    for _ in 0..20 {
+        assert!(!live.silent_for().is_zero(), "the exciter moves");
+        std::thread::sleep(Duration::from_millis(5));
+    }
     browser.wait_for_text("#trouble", "the server does not answer")?;
     assert!(folder.path().join("bench.sqlite").exists());
     Ok(())

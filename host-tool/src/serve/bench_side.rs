@@ -266,12 +266,18 @@ impl Worker {
             return;
         };
         let (shared, stops, heeded) = (&self.shared, &self.stops, self.heeded);
+        let ending = &self.ending;
         let begun = Instant::now();
         let mut eye = match Eye::open(client) {
             Ok(eye) => eye,
             Err(error) => return self.judge(&error),
         };
         let outcome = session::follow_beside(client, record, points, |progress, client| {
+            if ending.load(Ordering::SeqCst) {
+                // Silent once this is answered; its record it stores by itself.
+                client.stop()?;
+                return Err(Error::NotPassed("the server ended".to_owned()));
+            }
             show(shared, progress, begun);
             if let Some(waveforms) = eye.look(client, &progress.status)? {
                 shared.keep_waveforms(waveforms);
@@ -288,9 +294,7 @@ impl Worker {
     }
 
     fn ended(&mut self, outcome: &Outcome) {
-        let ending = self.ending.load(Ordering::SeqCst);
         if outcome.state != RunState::Failed
-            && !ending
             && let Err(error) = self.fetch(outcome.record_id)
         {
             self.judge(&error);
