@@ -112,6 +112,20 @@ impl Bench {
         self.all(&sql, params![from_s, before_s, filter.sensor], listed)
     }
 
+    /// The bytes of an instrument's record, by its running number there.
+    ///
+    /// # Errors
+    /// Those of the file; a wrong sum.
+    pub fn numbered(&self, instrument: &str, number: u32) -> Result<Option<Vec<u8>>> {
+        let sql = "SELECT id FROM records WHERE instrument = ?1 AND number = ?2";
+        let id: Option<i64> = self
+            .connection
+            .query_row(sql, params![instrument, number], |row| row.get(0))
+            .optional()
+            .map_err(|error| self.failure(error))?;
+        id.map(|id| self.record(id)).transpose()
+    }
+
     /// The bytes of a record, by its number in the bench.
     ///
     /// # Errors

@@ -3,10 +3,11 @@
 
 use crate::bench::{Bench, Issue};
 use crate::certificate::{self, Format, Options, Particulars, Prepared};
+use crate::chain::{Evidence, Standing};
 use crate::{Error, Result};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
-use calib_protocol::record;
+use calib_protocol::record::{self, Record};
 use std::path::{Path, PathBuf};
 
 /// A certificate is a page of its own with script and style inside, and talks to
@@ -35,6 +36,7 @@ pub(super) fn certificate(
         .map_err(|error| Error::input("record", error.to_string(), "run once more"))?;
     let options = Options {
         particulars: Particulars::read(particulars)?,
+        chain: Some(standing(&record, stored, bench)?),
         ..Options::default()
     };
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
@@ -45,6 +47,19 @@ pub(super) fn certificate(
         return Err(Error::input("certificate", "is empty", "report this"));
     };
     Ok(answer(file))
+}
+
+/// Place of a record in the chain, as far as the bench has the record before.
+fn standing(record: &Record, stored: &[u8], bench: &Path) -> Result<Standing> {
+    let mut evidence = Evidence::of(&record.instrument_serial);
+    evidence.bytes(record.id, stored);
+    let before = record.id.saturating_sub(1);
+    if let Some(bench) = Bench::open_if_there(bench)?
+        && let Some(bytes) = bench.numbered(&record.instrument_serial, before)?
+    {
+        evidence.bytes(before, &bytes);
+    }
+    Ok(evidence.standing(record.id))
 }
 
 fn enter(prepared: &Prepared, stored: &[u8], bench: &Path) -> Result<()> {

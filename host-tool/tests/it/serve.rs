@@ -193,6 +193,11 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     let (status, json) = server.get("/api/records/1/certificate/json");
     assert!(status == 200 && json.contains("sensitivity"), "{json}");
     assert_eq!(issued(), 1);
+    let chain = |json: &str| -> Value {
+        let json: Value = serde_json::from_str(json).expect("JSON");
+        json["record_chain"].clone()
+    };
+    assert_eq!(chain(&json), "first");
     assert_eq!(server.get("/api/records/2/certificate/json").0, 400);
     let (status, why) = server.get("/api/certificate/dcc");
     assert!(status == 400 && why.contains("country"), "{why}");
@@ -204,6 +209,11 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     assert_eq!(records[0]["sensor_serial"], "D'1");
     let history = server.get("/api/history/D'1").1;
     assert!(history.contains("\"frequency_hz\":160"), "{history}");
+    // The bench has the record before the next one.
+    assert_eq!(server.post("/api/run", &run), 202);
+    next_view(&mut one, |view| view["run"]["bench_record"] == 2);
+    let (_, json) = server.get("/api/records/2/certificate/json");
+    assert_eq!(chain(&json), "verified");
 }
 
 #[test]
