@@ -91,8 +91,8 @@ fn cycles_per_pair(bench: &Bench, duration: Duration) -> Result<f64, Fault> {
     Ok(instructions as f64 / (board.sample_pairs() - pairs) as f64)
 }
 
-/// The default list: instructions per pair, and the way from a buffer's
-/// interrupt to the command it ends in.
+/// The default list up to its last point: instructions per pair, and the way from
+/// a buffer's interrupt to the command it ends in.
 fn run(bench: &mut Bench) -> Result<(f64, Passages), Fault> {
     let firmware = Firmware::shipping()?;
     // The controller's interrupt for the converters, and what the measuring task
@@ -102,7 +102,7 @@ fn run(bench: &mut Bench) -> Result<(f64, Passages), Fault> {
     start(bench)?;
     let (instructions, pairs) = counters(bench);
     let passages = bench.board().watch_passages(from, to, WATCHED)?;
-    while running(bench)? {
+    while !is_at_last_point(bench)? {
         bench.client.wait(Duration::from_millis(50))?;
     }
     let (instructions_after, pairs_after) = counters(bench);
@@ -126,12 +126,13 @@ fn start(bench: &mut Bench) -> Result<(), Fault> {
     Ok(())
 }
 
-fn running(bench: &mut Bench) -> Result<bool, Fault> {
-    Ok(bench.client.status()?.state.is_exciting())
+fn is_at_last_point(bench: &mut Bench) -> Result<bool, Fault> {
+    let status = bench.client.status()?;
+    Ok(!status.state.is_exciting() || status.point + 1 == status.points)
 }
 
-/// Time the flash is at work for a record of the default list, until its run has
-/// ended.
+/// Time the flash is at work for a record of the default list: from its last point
+/// until the run has ended.
 fn storing(bench: &mut Bench) -> Result<Vec<Row>, Fault> {
     let before = bench.board().flash_watch().operations();
     let mut working = Duration::ZERO;
