@@ -133,6 +133,15 @@ impl Bench {
             .map_err(|error| self.failure(error))
     }
 
+    /// Nominal sensitivity of a sensor, V/(m/s2), if the bench knows it.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn nominal_v_per_ms2(&self, serial: &str) -> Result<Option<f64>> {
+        let sensor = self.sensor(serial)?;
+        Ok(sensor.and_then(|sensor| sensor.sensitivity_v_per_ms2))
+    }
+
     /// As [`Self::sensor`].
     ///
     /// # Errors

@@ -265,7 +265,7 @@ impl Particulars {
             own.layout.check(path)?;
             own.laboratory.check("laboratory", path)?;
             own.customer.check("customer", path)?;
-            if let Some(Err(problem)) = own.decision.as_ref().map(decision::Request::build) {
+            if let Some(Err(problem)) = own.decision.as_ref().map(decision::Request::check) {
                 let place = path.display().to_string();
                 return Err(Error::input(place, problem, "correct the [decision] part"));
             }
@@ -276,6 +276,26 @@ impl Particulars {
         merged
             .try_into()
             .map_err(|e: toml::de::Error| Error::input("particulars", e.message(), hint))
+    }
+}
+
+impl Particulars {
+    /// Completes the decision for a device under test whose nominal sensitivity,
+    /// V/(m/s2), may be known from the bench of records, and checks it.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when nobody stated the nominal sensitivity it needs.
+    pub fn for_device(&mut self, nominal_v_per_ms2: Option<f64>) -> Result<()> {
+        let Some(request) = &mut self.decision else {
+            return Ok(());
+        };
+        if let Some(nominal) = nominal_v_per_ms2 {
+            request.know_nominal(nominal);
+        }
+        let hint = "state it there, or the sensor's with `calib sensors add`";
+        let built = request.build();
+        built.map_err(|problem| Error::input("particulars", problem, hint))?;
+        Ok(())
     }
 }
 

@@ -70,16 +70,21 @@ impl CertificateVerb {
         let name = self.record.as_deref().unwrap_or_default();
         let found = source::find(context, name, &self.out)?;
         let record = found.calibration()?;
-        let options = Options {
+        let mut options = Options {
             chain: Some(found.standing),
             ..self.options()?
         };
+        let mut bench = context.bench_if_there()?;
+        let nominal = match &bench {
+            Some(bench) => bench.nominal_v_per_ms2(&record.labels.dut_serial)?,
+            None => None,
+        };
+        options.particulars.for_device(nominal)?;
         let formats = match self.format.is_empty() {
             true => certificate::possible(record, &USUAL, &options.particulars),
             false => self.format,
         };
         let prepared = certificate::prepare(record, &formats, &options)?;
-        let mut bench = context.bench_if_there()?;
         if let Some(bench) = &bench {
             let files = prepared.paths(&self.out);
             for issue in issues(&prepared, record, &files) {

@@ -73,6 +73,25 @@ impl Request {
         })
     }
 
+    /// Checks what does not depend on the device under test: its nominal
+    /// sensitivity may come from another file, or from the bench of records.
+    ///
+    /// # Errors
+    /// As [`Self::build`].
+    pub fn check(&self) -> Result<(), String> {
+        let mut request = self.clone();
+        request.know_nominal(1.0);
+        request.build().map(drop)
+    }
+
+    /// Takes a nominal sensitivity, V/(m/s2), if none is stated. API 670 states
+    /// one itself.
+    pub fn know_nominal(&mut self, v_per_ms2: f64) {
+        if self.nominal_v_per_ms2().is_none() && self.specification != "api670" {
+            self.nominal_mv_per_ms2 = Some(1000.0 * v_per_ms2);
+        }
+    }
+
     /// Nominal sensitivity in V/(m/s2), if it is stated.
     pub(crate) fn nominal_v_per_ms2(&self) -> Option<f64> {
         let per_g = self

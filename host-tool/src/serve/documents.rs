@@ -34,8 +34,14 @@ pub(super) fn certificate(
     let format: Format = format.parse().map_err(unknown)?;
     let record = record::decode(stored)
         .map_err(|error| Error::input("record", error.to_string(), "run once more"))?;
+    let mut particulars = Particulars::read(particulars)?;
+    let nominal = match Bench::open_if_there(bench)? {
+        Some(bench) => bench.nominal_v_per_ms2(&record.labels.dut_serial)?,
+        None => None,
+    };
+    particulars.for_device(nominal)?;
     let options = Options {
-        particulars: Particulars::read(particulars)?,
+        particulars,
         chain: Some(standing(&record, stored, bench)?),
         ..Options::default()
     };

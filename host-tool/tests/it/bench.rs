@@ -282,6 +282,25 @@ fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
         .len();
     let issued = json(&go(&["bench", "certificates", "--json"]));
     assert_eq!(issued.as_array().expect("certificates").len(), files);
+    // A tolerance around the nominal sensitivity takes that from the bench too.
+    let laboratory = "[decision]\nspecification = 'nominal'\ntolerance_percent = 50\n";
+    std::fs::write(folder.path().join("l.toml"), laboratory).expect("file");
+    assert!(
+        go(&["bench", "get", "2", "--out", "two.calibrec"])
+            .status
+            .success()
+    );
+    let judge = "certificate two.calibrec --out j --format json --laboratory l.toml --json";
+    let judge: Vec<&str> = judge.split(' ').collect();
+    let nowhere = [&judge[..], &["--bench", "none.sqlite"]].concat();
+    let nowhere = calib(folder.path(), &nowhere);
+    assert_eq!(nowhere.status.code(), Some(6));
+    assert!(text(&nowhere.stderr).contains("calib sensors add"));
+    let file = json(&go(&judge))["files"][0].clone();
+    let file = folder.path().join(file.as_str().expect("a name"));
+    let judged = std::fs::read_to_string(file).expect("the certificate");
+    let judged: serde_json::Value = serde_json::from_str(&judged).expect("JSON");
+    assert_eq!(judged["conformity"], "pass");
     for verb in [
         &["history", "S'1"][..],
         &["sensors", "list"],
