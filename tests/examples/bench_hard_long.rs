@@ -21,6 +21,8 @@ const TEN_MINUTES: Duration = Duration::from_secs(600);
 struct Tally {
     runs: u32,
     faults: u32,
+    /// From power on to the first pair, s, as the first report has it.
+    begun_s: Option<f64>,
 }
 
 fn main() -> Result<(), Fault> {
@@ -43,13 +45,13 @@ fn main() -> Result<(), Fault> {
         tally.faults += u32::from(faulty);
         if bench.board().elapsed() >= next_report {
             next_report += TEN_MINUTES;
-            report(&mut bench, &tally, start)?;
+            report(&mut bench, &mut tally, start)?;
         }
     }
-    report(&mut bench, &tally, start)
+    report(&mut bench, &mut tally, start)
 }
 
-/// One run with its download and release; a faulty one is refused and stored as such.
+/// One run with its download and release; a reference that is dead stops it, and it is stored as such.
 fn calibrate(bench: &mut Bench, faulty: bool, folder: &Path) -> Result<(), Fault> {
     let points = [20.0, 160.0, 1000.0, 5000.0].map(|frequency_hz| point(frequency_hz, 10.0));
     if faulty {
@@ -64,7 +66,11 @@ fn calibrate(bench: &mut Bench, faulty: bool, folder: &Path) -> Result<(), Fault
         .points
         .iter()
         .all(|point| point.verdict == Verdict::Pass);
-    if outcome.state != RunState::Finished || passed == faulty {
+    let wanted = match faulty {
+        true => RunState::Stopped,
+        false => RunState::Finished,
+    };
+    if outcome.state != wanted || passed == faulty {
         return Err(format!("a run ends {:?}: {:?}", outcome.state, outcome.points).into());
     }
     let file = session::download(&mut bench.client, outcome.record_id, folder, |_| ())?;
@@ -77,7 +83,7 @@ fn calibrate(bench: &mut Bench, faulty: bool, folder: &Path) -> Result<(), Fault
 }
 
 /// Prints where it is, and fails when a sample, or the firmware, was lost.
-fn report(bench: &mut Bench, tally: &Tally, start: Instant) -> Result<(), Fault> {
+fn report(bench: &mut Bench, tally: &mut Tally, start: Instant) -> Result<(), Fault> {
     let status = bench.client.status()?;
     let (pairs, elapsed_s, restarts, erases) = {
         let mut board = bench.board();
@@ -108,6 +114,10 @@ fn report(bench: &mut Bench, tally: &Tally, start: Instant) -> Result<(), Fault>
             "begun_s": missing, "overruns": status.overruns, "restarts": restarts,
         });
         std::fs::write(path, json.to_string())?;
+    }
+    let drift_s = missing - *tally.begun_s.get_or_insert(missing);
+    if drift_s.abs() > 1.0 / SAMPLE_RATE_HZ {
+        return Err(format!("the pairs are {drift_s} s off their rate").into());
     }
     match (status.overruns, restarts) {
         (0, 0) => Ok(()),
