@@ -35,18 +35,21 @@ pub(super) fn certificate(
     let record = record::decode(stored)
         .map_err(|error| Error::input("record", error.to_string(), "run once more"))?;
     let mut particulars = Particulars::read(particulars)?;
-    let nominal = match Bench::open_if_there(bench)? {
+    let bench = Bench::open_if_there(bench)?;
+    let nominal = match &bench {
         Some(bench) => bench.nominal_v_per_ms2(&record.labels.dut_serial)?,
         None => None,
     };
     particulars.for_device(nominal)?;
     let options = Options {
         particulars,
-        chain: Some(standing(&record, stored, bench)?),
+        chain: Some(standing(&record, stored, bench.as_ref())?),
         ..Options::default()
     };
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
-    if format != Format::Html {
+    if let Some(bench) = bench
+        && format != Format::Html
+    {
         enter(&prepared, stored, bench)?;
     }
     let Some(file) = prepared.files.pop() else {
@@ -56,11 +59,11 @@ pub(super) fn certificate(
 }
 
 /// Place of a record in the chain, as far as the bench has the record before.
-fn standing(record: &Record, stored: &[u8], bench: &Path) -> Result<Standing> {
+fn standing(record: &Record, stored: &[u8], bench: Option<&Bench>) -> Result<Standing> {
     let mut evidence = Evidence::of(&record.instrument_serial);
     evidence.bytes(record.id, stored);
     let before = record.id.saturating_sub(1);
-    if let Some(bench) = Bench::open_if_there(bench)?
+    if let Some(bench) = bench
         && let Some(bytes) = bench.numbered(&record.instrument_serial, before)?
     {
         evidence.bytes(before, &bytes);
@@ -68,10 +71,7 @@ fn standing(record: &Record, stored: &[u8], bench: &Path) -> Result<Standing> {
     Ok(evidence.standing(record.id))
 }
 
-fn enter(prepared: &Prepared, stored: &[u8], bench: &Path) -> Result<()> {
-    let Some(mut bench) = Bench::open_if_there(bench)? else {
-        return Ok(());
-    };
+fn enter(prepared: &Prepared, stored: &[u8], mut bench: Bench) -> Result<()> {
     let issue = |file| issue(prepared, file, stored);
     let issues: Vec<_> = prepared.files.iter().map(issue).collect();
     bench.issue(&issues, jiff::Timestamp::now().as_second())
