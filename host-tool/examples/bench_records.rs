@@ -5,7 +5,7 @@
 
 use calib_core::settings::Settings;
 use calib_host::bench::{Bench, Filter};
-use calib_protocol::record::{Record, RunLabels, encode};
+use calib_protocol::record::{Record, RecordHead, RunLabels, encode};
 use serde_json::json;
 use std::process::Command;
 use std::time::Instant;
@@ -78,15 +78,17 @@ fn start_of_tool() -> Option<f64> {
 fn stored(id: u32) -> Vec<u8> {
     let serial = format!("S-{}", id % SENSORS);
     let record = Record {
-        id,
-        previous_sha256: [0; 32],
-        instrument_serial: "BENCH".try_into().expect("short"),
-        firmware: heapless::String::new(),
-        sample_rate_hz: 50_000.0,
-        labels: RunLabels {
-            unix_time_s: 1_700_000_000 + 3600 * u64::from(id),
-            dut_serial: serial.as_str().try_into().expect("short"),
-            ..RunLabels::default()
+        head: RecordHead {
+            id,
+            previous_sha256: [0; 32],
+            instrument_serial: "BENCH".try_into().expect("short"),
+            firmware: heapless::String::new(),
+            sample_rate_hz: 50_000.0,
+            labels: RunLabels {
+                unix_time_s: 1_700_000_000 + 3600 * u64::from(id),
+                dut_serial: serial.as_str().try_into().expect("short"),
+                ..RunLabels::default()
+            },
         },
         settings: Settings::field_calibrator(),
         incident: None,

@@ -231,13 +231,18 @@ mod tests {
         let mut record = testing::record(&[160.0]);
         let mut chain: Vec<Vec<u8>> = Vec::new();
         for id in 1..=4 {
-            record.id = id;
-            record.previous_sha256 = chain.last().map_or([0; 32], |bytes| digest(bytes));
+            record.head.id = id;
+            record.head.previous_sha256 = chain.last().map_or([0; 32], |bytes| digest(bytes));
             let mut bytes = vec![0; 8192];
             let length = match id {
                 3 => {
                     let before = record.settings.reference_channel();
-                    calib_protocol::change::encode(&record, &before, &mut bytes)
+                    calib_protocol::change::encode(
+                        &record.head,
+                        &record.settings,
+                        &before,
+                        &mut bytes,
+                    )
                 }
                 _ => record::encode(&record, &mut bytes),
             };
@@ -360,7 +365,7 @@ mod tests {
         keep(1, &records[0]);
         assert_eq!(standing(), Standing::Verified);
         let mut other = testing::record(&[80.0]);
-        other.instrument_serial = testing::text("CAL-0043");
+        other.head.instrument_serial = testing::text("CAL-0043");
         let mut bytes = vec![0; 8192];
         let length = record::encode(&other, &mut bytes).expect("fits");
         keep(1, &bytes[..length]);

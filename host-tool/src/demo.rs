@@ -173,7 +173,7 @@ fn labels(seed: u64, unix_time_s: u64) -> RunLabels {
 }
 
 fn report(rig: &Rig, record: &Record, files: Vec<PathBuf>) -> Result<DemoReport> {
-    let point = |point: &PointResult| demo_point(rig, record.sample_rate_hz, point);
+    let point = |point: &PointResult| demo_point(rig, record.head.sample_rate_hz, point);
     let points: Vec<DemoPoint> = record.points.iter().map(point).collect();
     let at_reference = points
         .iter()

@@ -5,54 +5,36 @@
 //! in the chain of records: what was in force, what is from then on, when, and
 //! who said so. Its beginning is that of every [`crate::record`].
 
-use crate::record::{Record, RecordError, RecordKind, RunLabels, Sha256Sum, content_of, seal};
+use crate::record::{RecordError, RecordHead, RecordKind, content_of, seal};
 use calib_core::settings::{ReferenceChannel, Settings};
-use heapless::String;
 use serde::{Deserialize, Serialize};
 
 /// Another calibration of the reference.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReferenceChange {
-    /// Running number of the instrument, from 1, never used twice.
-    pub id: u32,
-    /// [`crate::record::digest`] of the record with the number before; zero for
-    /// the first.
-    pub previous_sha256: Sha256Sum,
-    /// Serial number of the instrument.
-    pub instrument_serial: String<32>,
-    /// Firmware version and git hash.
-    pub firmware: String<40>,
-    /// Samples per second and channel, Hz.
-    pub sample_rate_hz: f32,
-    /// Time and operator as the host said; the rest is empty.
-    pub labels: RunLabels,
+    /// Number, place in the chain, instrument, time and operator.
+    pub head: RecordHead,
     /// All settings in force from here on, those of the reference among them.
     pub settings: Settings,
     /// What was in force of the reference's channel before.
     pub before: ReferenceChannel,
 }
 
-/// Writes a change and returns its length in bytes: up to the settings it says
-/// what `record` says, and behind them `before`.
+/// Writes a [`ReferenceChange`] of these fields and returns its length in bytes.
 ///
 /// # Errors
 /// [`RecordError::Length`] when the buffer is too small.
 pub fn encode(
-    record: &Record,
+    head: &RecordHead,
+    settings: &Settings,
     before: &ReferenceChannel,
     buffer: &mut [u8],
 ) -> Result<usize, RecordError> {
-    let fields = (
-        record.id,
-        record.previous_sha256,
-        &record.instrument_serial,
-        &record.firmware,
-        record.sample_rate_hz,
-        &record.labels,
-        &record.settings,
-        before,
-    );
-    seal(RecordKind::ReferenceChange, &fields, buffer)
+    seal(
+        RecordKind::ReferenceChange,
+        &(head, settings, before),
+        buffer,
+    )
 }
 
 /// Reads a change.
@@ -71,7 +53,7 @@ pub fn decode(bytes: &[u8]) -> Result<ReferenceChange, RecordError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::{self, digest, inspect, link};
+    use crate::record::{self, RunLabels, digest, inspect, link};
     use crate::stored::{self, MAX_HEAD};
 
     fn change() -> ReferenceChange {
@@ -81,15 +63,17 @@ mod tests {
             row.sensitivity_v_per_ms2 *= 1.01;
         }
         ReferenceChange {
-            id: 9,
-            previous_sha256: [7; 32],
-            instrument_serial: "A1".try_into().expect("short"),
-            firmware: "0.1.0".try_into().expect("short"),
-            sample_rate_hz: 50_000.0,
-            labels: RunLabels {
-                unix_time_s: 1_795_269_900,
-                operator: "M. Beispiel".try_into().expect("short"),
-                ..RunLabels::default()
+            head: RecordHead {
+                id: 9,
+                previous_sha256: [7; 32],
+                instrument_serial: "A1".try_into().expect("short"),
+                firmware: "0.1.0".try_into().expect("short"),
+                sample_rate_hz: 50_000.0,
+                labels: RunLabels {
+                    unix_time_s: 1_795_269_900,
+                    operator: "M. Beispiel".try_into().expect("short"),
+                    ..RunLabels::default()
+                },
             },
             settings,
             before: before.reference_channel(),
@@ -98,20 +82,9 @@ mod tests {
 
     fn written() -> std::vec::Vec<u8> {
         let change = change();
-        let record = Record {
-            id: change.id,
-            previous_sha256: change.previous_sha256,
-            instrument_serial: change.instrument_serial,
-            firmware: change.firmware,
-            sample_rate_hz: change.sample_rate_hz,
-            labels: change.labels,
-            settings: change.settings,
-            incident: None,
-            complete: true,
-            points: heapless::Vec::new(),
-        };
         let mut bytes = vec![0; 8192];
-        let length = encode(&record, &change.before, &mut bytes).expect("fits");
+        let length =
+            encode(&change.head, &change.settings, &change.before, &mut bytes).expect("fits");
         bytes.truncate(length);
         bytes
     }

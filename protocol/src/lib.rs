@@ -14,6 +14,7 @@
 pub mod capture;
 pub mod change;
 pub mod frame;
+pub mod head;
 pub mod message;
 pub mod record;
 pub mod stored;

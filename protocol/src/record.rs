@@ -9,6 +9,7 @@
 //! | 4 | CRC-32 of everything before, LE |
 
 use crate::frame::CRC;
+pub use crate::head::{RecordHead, RunLabels, Sha256Sum};
 use crate::stored_point;
 use calib_core::point::PointResult;
 use calib_core::settings::{ReferenceChannel, Settings};
@@ -22,9 +23,6 @@ use sha2::{Digest, Sha256};
 pub const RECORD_VERSION: u16 = 1;
 /// Most points of one run.
 pub const MAX_POINTS: usize = 200;
-
-/// A SHA-256 sum (FIPS 180-4).
-pub type Sha256Sum = [u8; 32];
 
 /// What a record is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -48,38 +46,11 @@ impl RecordKind {
     }
 }
 
-/// What the operator says about a run.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct RunLabels {
-    /// Seconds since 1970-01-01 UTC by the host's clock; 0 = not known.
-    pub unix_time_s: u64,
-    /// Device under test: manufacturer and model.
-    pub dut_model: String<48>,
-    /// Device under test: serial number.
-    pub dut_serial: String<48>,
-    /// Who calibrates.
-    pub operator: String<48>,
-    /// Temperature of the transducer in hundredths of a degree Celsius.
-    pub temperature_centi_c: Option<i16>,
-    /// Mounting, in the operator's words.
-    pub mounting: String<96>,
-}
-
 /// One calibration, as stored.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
-    /// Running number of the instrument, from 1, never used twice.
-    pub id: u32,
-    /// [`digest`] of the record with the number before; zero for the first.
-    pub previous_sha256: Sha256Sum,
-    /// Serial number of the instrument.
-    pub instrument_serial: String<32>,
-    /// Firmware version and git hash.
-    pub firmware: String<40>,
-    /// Samples per second and channel, Hz.
-    pub sample_rate_hz: f32,
-    /// What the operator said.
-    pub labels: RunLabels,
+    /// Number, place in the chain, instrument and labels.
+    pub head: RecordHead,
     /// Settings and reference calibration the run was made with.
     pub settings: Settings,
     /// What made the instrument restart since the record before, if that was a
@@ -247,19 +218,21 @@ pub(crate) fn content_of(kind: RecordKind, bytes: &[u8]) -> Result<&[u8], Record
 /// As [`decode`], for any kind.
 pub fn link(bytes: &[u8]) -> Result<ChainLink, RecordError> {
     let (kind, body) = check(bytes)?;
-    let (head, _) = postcard::take_from_bytes::<Head>(body).map_err(|_| RecordError::Content)?;
-    let (id, previous_sha256, instrument_serial, ..) = head;
+    let (head, _) = head_of(body).map_err(|_| RecordError::Content)?;
     Ok(ChainLink {
         kind,
-        id,
-        instrument_serial,
-        previous_sha256,
+        id: head.id,
+        instrument_serial: head.instrument_serial,
+        previous_sha256: head.previous_sha256,
         sha256: digest(bytes),
     })
 }
 
-/// Fields of a [`Record`] before its settings, in order.
-pub(crate) type Head = (u32, Sha256Sum, String<32>, String<40>, f32, RunLabels);
+/// The head of a record's content, and what follows it.
+pub(crate) fn head_of(content: &[u8]) -> postcard::Result<(RecordHead, &[u8])> {
+    postcard::take_from_bytes(content)
+}
+
 /// Fields between its settings and its points; the number of points.
 type Middle = (Option<String<160>>, bool, u16);
 
@@ -272,7 +245,7 @@ type Middle = (Option<String<160>>, bool, u16);
 pub fn inspect(bytes: &[u8]) -> Result<(RecordSummary, Range<usize>), RecordError> {
     let content = |_| RecordError::Content;
     let (kind, body) = check(bytes)?;
-    let (head, rest) = postcard::take_from_bytes::<Head>(body).map_err(content)?;
+    let (head, rest) = head_of(body).map_err(content)?;
     let start = bytes.len() - 4 - rest.len();
     let (_, rest) = postcard::take_from_bytes::<Settings>(rest).map_err(content)?;
     let settings = start..bytes.len() - 4 - rest.len();
@@ -280,12 +253,11 @@ pub fn inspect(bytes: &[u8]) -> Result<(RecordSummary, Range<usize>), RecordErro
         RecordKind::Calibration => count_points(rest)?,
         RecordKind::ReferenceChange => channel_alone(rest).map(|()| (0, 0))?,
     };
-    let (id, _, _, _, _, labels) = head;
     let summary = RecordSummary {
-        id,
+        id: head.id,
         bytes: bytes.len() as u32,
-        unix_time_s: labels.unix_time_s,
-        dut_serial: labels.dut_serial,
+        unix_time_s: head.labels.unix_time_s,
+        dut_serial: head.labels.dut_serial,
         points,
         refused,
         sha256: digest(bytes),
@@ -340,12 +312,14 @@ mod tests {
 
     fn record() -> Record {
         Record {
-            id: 7,
-            previous_sha256: [3; 32],
-            instrument_serial: "A1".try_into().expect("short"),
-            firmware: "0.1.0".try_into().expect("short"),
-            sample_rate_hz: 50_000.0,
-            labels: RunLabels::default(),
+            head: RecordHead {
+                id: 7,
+                previous_sha256: [3; 32],
+                instrument_serial: "A1".try_into().expect("short"),
+                firmware: "0.1.0".try_into().expect("short"),
+                sample_rate_hz: 50_000.0,
+                labels: RunLabels::default(),
+            },
             settings: Settings {
                 method: Method::Calibrator,
                 example: Example::Example2,
@@ -411,8 +385,8 @@ mod tests {
     #[test]
     fn the_summary_is_that_of_the_whole_record() {
         let mut record = record();
-        record.labels.dut_serial = "D 9".try_into().expect("short");
-        record.labels.unix_time_s = 1_800_000_000;
+        record.head.labels.dut_serial = "D 9".try_into().expect("short");
+        record.head.labels.unix_time_s = 1_800_000_000;
         for reason in [None, Some(Reason::Clipped), None] {
             let spec = PointSpec {
                 frequency_hz: 160.0,
@@ -430,7 +404,7 @@ mod tests {
             id: 7,
             bytes: length as u32,
             unix_time_s: 1_800_000_000,
-            dut_serial: record.labels.dut_serial.clone(),
+            dut_serial: record.head.labels.dut_serial.clone(),
             points: 3,
             refused: 1,
             sha256: digest(&bytes[..length]),

@@ -10,7 +10,7 @@
 //! | body | the bytes of the record, with or without its settings |
 
 use crate::frame::CRC;
-use crate::record::{self, Head, RecordSummary, Sha256Sum};
+use crate::record::{self, RecordSummary, Sha256Sum};
 use calib_core::settings::Settings;
 use core::ops::Range;
 use postcard::take_from_bytes;
@@ -72,13 +72,12 @@ impl StoredHead {
     pub fn summary(&self, body: &[u8]) -> Result<RecordSummary, StoredError> {
         let (mark, fields) = body.split_first_chunk::<2>().ok_or(StoredError)?;
         let kind = record::kind_of(u16::from_le_bytes(*mark)).ok_or(StoredError)?;
-        let (head, _) = take_from_bytes::<Head>(fields).map_err(|_| StoredError)?;
-        let (id, _, _, _, _, labels) = head;
+        let (head, _) = record::head_of(fields).map_err(|_| StoredError)?;
         Ok(RecordSummary {
-            id,
+            id: head.id,
             bytes: self.record_bytes() as u32,
-            unix_time_s: labels.unix_time_s,
-            dut_serial: labels.dut_serial,
+            unix_time_s: head.labels.unix_time_s,
+            dut_serial: head.labels.dut_serial,
             points: self.points,
             refused: self.refused,
             sha256: self.sha256,
@@ -174,7 +173,7 @@ pub fn head(stored: &[u8]) -> Result<(StoredHead, &[u8]), StoredError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::record::{MAX_POINTS, Record, RunLabels, digest, encode};
+    use crate::record::{MAX_POINTS, Record, RecordHead, RunLabels, digest, encode};
     use calib_core::point::{PointResult, PointSpec};
     use calib_core::tone::Tone;
     use calib_core::verdict::{Reason, Verdict};
@@ -201,18 +200,20 @@ mod tests {
 
     fn record(points: Vec<PointResult, MAX_POINTS>) -> std::vec::Vec<u8> {
         let record = Record {
-            id: 4711,
-            previous_sha256: [0xA5; 32],
-            instrument_serial: "23004100075457494E303120".try_into().expect("short"),
-            firmware: "0.1.0 0123456789ab-dirty".try_into().expect("short"),
-            sample_rate_hz: 50_000.0,
-            labels: RunLabels {
-                unix_time_s: 1_795_269_900,
-                dut_model: "Examplia 352C33".try_into().expect("short"),
-                dut_serial: "LW 123456".try_into().expect("short"),
-                operator: "M. Beispiel".try_into().expect("short"),
-                temperature_centi_c: Some(2310),
-                mounting: String::try_from("stud M5, 2 Nm, light oil").expect("short"),
+            head: RecordHead {
+                id: 4711,
+                previous_sha256: [0xA5; 32],
+                instrument_serial: "23004100075457494E303120".try_into().expect("short"),
+                firmware: "0.1.0 0123456789ab-dirty".try_into().expect("short"),
+                sample_rate_hz: 50_000.0,
+                labels: RunLabels {
+                    unix_time_s: 1_795_269_900,
+                    dut_model: "Examplia 352C33".try_into().expect("short"),
+                    dut_serial: "LW 123456".try_into().expect("short"),
+                    operator: "M. Beispiel".try_into().expect("short"),
+                    temperature_centi_c: Some(2310),
+                    mounting: String::try_from("stud M5, 2 Nm, light oil").expect("short"),
+                },
             },
             settings: Settings::field_calibrator(),
             incident: None,

@@ -93,8 +93,8 @@ fn the_reference_changes_under_a_hand_alone_and_each_change_is_a_record() -> Res
     let change = change::decode(&logged)?;
     assert_eq!(change.settings, wanted.settings);
     assert_eq!(change.before, before.reference_channel());
-    assert_eq!(change.labels.unix_time_s, NOW_S);
-    assert_eq!(change.labels.operator, wanted.operator);
+    assert_eq!(change.head.labels.unix_time_s, NOW_S);
+    assert_eq!(change.head.labels.operator, wanted.operator);
     let kinds: Vec<RecordKind> = chain.iter().map(|link| link.kind).collect();
     let (run, log) = (RecordKind::Calibration, RecordKind::ReferenceChange);
     assert_eq!(kinds, [run, log, run]);

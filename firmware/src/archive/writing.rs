@@ -31,8 +31,8 @@ impl<F: NorFlash> Archive<'_, F> {
     pub fn draft(&mut self) -> &mut Record {
         self.unpacked = None;
         let record = &mut *self.memory.record;
-        record.id = self.state.next_id();
-        record.previous_sha256 = self.state.last_sha256();
+        record.head.id = self.state.next_id();
+        record.head.previous_sha256 = self.state.last_sha256();
         record
     }
 
@@ -61,7 +61,7 @@ impl<F: NorFlash> Archive<'_, F> {
             (head, item) = self.pack_draft(false)?;
             address = self.push(item.clone()).await?;
         }
-        self.enter(self.memory.record.id, &head, address, item.len());
+        self.enter(self.memory.record.head.id, &head, address, item.len());
         if head.with_settings {
             let settings = &self.memory.record.settings;
             if self.state.settings().is_none() {
@@ -91,7 +91,7 @@ impl<F: NorFlash> Archive<'_, F> {
         }
         let (head, item) = self.pack_change()?;
         let address = self.push(item.clone()).await?;
-        self.enter(self.memory.record.id, &head, address, item.len());
+        self.enter(self.memory.record.head.id, &head, address, item.len());
         self.state.set_settings(&self.memory.record.settings);
         for _copy in 0..2 {
             // The next record carries its settings whatever becomes of this.
@@ -151,7 +151,9 @@ impl<F: NorFlash> Archive<'_, F> {
             Some(settings) => settings.reference_channel(),
             None => Settings::field_calibrator().reference_channel(),
         };
-        self.pack(true, |record, body| change::encode(record, &before, body))
+        self.pack(true, |record, body| {
+            change::encode(&record.head, &record.settings, &before, body)
+        })
     }
 
     /// Puts a record as an item into the scratch memory; where it lies.

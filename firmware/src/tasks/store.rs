@@ -7,7 +7,7 @@ use calib_core::settings::{Example, InputScale, Limits, Method, ReferenceCalibra
 use calib_firmware::archive::{Archive, ArchiveError, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
 use calib_protocol::message::{Refusal, RunState, SettingsChange};
-use calib_protocol::record::{Record, RunLabels};
+use calib_protocol::record::{Record, RecordHead, RunLabels};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::mutex::{Mutex, MutexGuard};
 use heapless::{String, Vec};
@@ -71,7 +71,7 @@ impl SharedArchive {
         let mut archive = self.lock()?;
         let record = archive.draft();
         sign(record, identity);
-        record.labels = RunLabels {
+        record.head.labels = RunLabels {
             unix_time_s: change.unix_time_s,
             operator: change.operator.clone(),
             ..state::NO_LABELS
@@ -99,7 +99,7 @@ pub(crate) async fn store(archive: &'static SharedArchive, identity: &'static Id
         record.incident.clone_from(&incident);
         state::RUN.lock(|run| {
             let run = run.borrow();
-            record.labels.clone_from(&run.spec.labels);
+            record.head.labels.clone_from(&run.spec.labels);
             record.complete = run.complete;
             record.points.clear();
             // The same capacity: all of them fit.
@@ -128,20 +128,22 @@ pub(crate) async fn store(archive: &'static SharedArchive, identity: &'static Id
 
 /// Puts down whose record it is.
 fn sign(record: &mut Record, identity: &Identity) {
-    record.instrument_serial.clone_from(&identity.serial);
-    record.firmware = identity.firmware();
-    record.sample_rate_hz = crate::board::SAMPLE_RATE_HZ as f32;
+    record.head.instrument_serial.clone_from(&identity.serial);
+    record.head.firmware = identity.firmware();
+    record.head.sample_rate_hz = crate::board::SAMPLE_RATE_HZ as f32;
 }
 
 /// A record of nothing.
 pub(crate) const fn empty_record() -> Record {
     Record {
-        id: 0,
-        previous_sha256: [0; 32],
-        instrument_serial: String::new(),
-        firmware: String::new(),
-        sample_rate_hz: crate::board::SAMPLE_RATE_HZ as f32,
-        labels: state::NO_LABELS,
+        head: RecordHead {
+            id: 0,
+            previous_sha256: [0; 32],
+            instrument_serial: String::new(),
+            firmware: String::new(),
+            sample_rate_hz: crate::board::SAMPLE_RATE_HZ as f32,
+            labels: state::NO_LABELS,
+        },
         settings: Settings {
             method: Method::Calibrator,
             example: Example::Example2,

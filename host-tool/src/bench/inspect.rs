@@ -53,10 +53,10 @@ impl Bench {
             })
             .map_err(|error| self.failure(error))?;
         let truth = (
-            record.instrument_serial.to_string(),
-            record.id,
-            i64::try_from(record.labels.unix_time_s).unwrap_or(0),
-            record.labels.dut_serial.to_string(),
+            record.head.instrument_serial.to_string(),
+            record.head.id,
+            i64::try_from(record.head.labels.unix_time_s).unwrap_or(0),
+            record.head.labels.dut_serial.to_string(),
             record.points.len() as i64,
             record.points.len() as i64,
         );

@@ -77,8 +77,8 @@ impl Bench {
 
 /// Enters who and what a record names. An older record changes nothing.
 pub(super) fn enter(transaction: &Transaction<'_>, record: &Record) -> rusqlite::Result<()> {
-    let time_s = i64::try_from(record.labels.unix_time_s).unwrap_or(0);
-    let operator = record.labels.operator.trim();
+    let time_s = i64::try_from(record.head.labels.unix_time_s).unwrap_or(0);
+    let operator = record.head.labels.operator.trim();
     if !operator.is_empty() {
         transaction
             .prepare_cached(
@@ -100,8 +100,8 @@ pub(super) fn enter(transaction: &Transaction<'_>, record: &Record) -> rusqlite:
              last_s = excluded.last_s WHERE excluded.last_s >= last_s",
         )?
         .execute(params![
-            record.instrument_serial.as_str(),
-            record.firmware.as_str(),
+            record.head.instrument_serial.as_str(),
+            record.head.firmware.as_str(),
             reference.serial.as_str(),
             reference.certificate.as_str(),
             day(reference.due_day),

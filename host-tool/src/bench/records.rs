@@ -216,12 +216,12 @@ fn insert_line(
         )?
         .insert(params![
             &sum[..],
-            record.instrument_serial.as_str(),
-            record.id,
-            i64::try_from(record.labels.unix_time_s).unwrap_or(0),
-            record.labels.dut_serial.as_str(),
-            record.labels.dut_model.as_str(),
-            record.labels.operator.as_str(),
+            record.head.instrument_serial.as_str(),
+            record.head.id,
+            i64::try_from(record.head.labels.unix_time_s).unwrap_or(0),
+            record.head.labels.dut_serial.as_str(),
+            record.head.labels.dut_model.as_str(),
+            record.head.labels.operator.as_str(),
             record.complete,
             record.points.len() as i64,
             refused.count() as i64,

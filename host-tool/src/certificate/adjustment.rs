@@ -11,18 +11,18 @@ use calib_protocol::record::Record;
 /// [`Error::Input`] when the two are not of one object, or not in this order.
 pub(super) fn attach(certificate: &mut Certificate, left: &Record, found: &Record) -> Result<()> {
     let object = |record: &Record| {
-        let labels = &record.labels;
+        let labels = &record.head.labels;
         (labels.dut_model.clone(), labels.dut_serial.clone())
     };
-    let name = format!("record {} as found", found.id);
+    let name = format!("record {} as found", found.head.id);
     if object(found) != object(left) {
         let problem = format!(
             "is of {} {}, and record {} is of {} {}",
-            found.labels.dut_model,
-            found.labels.dut_serial,
-            left.id,
-            left.labels.dut_model,
-            left.labels.dut_serial
+            found.head.labels.dut_model,
+            found.head.labels.dut_serial,
+            left.head.id,
+            left.head.labels.dut_model,
+            left.head.labels.dut_serial
         );
         return Err(Error::input(
             name,
@@ -30,9 +30,9 @@ pub(super) fn attach(certificate: &mut Certificate, left: &Record, found: &Recor
             "give two records of one object",
         ));
     }
-    let (before, after) = (found.labels.unix_time_s, left.labels.unix_time_s);
+    let (before, after) = (found.head.labels.unix_time_s, left.head.labels.unix_time_s);
     if before > 0 && after > 0 && before > after {
-        let problem = format!("was made after record {}", left.id);
+        let problem = format!("was made after record {}", left.head.id);
         return Err(Error::input(name, problem, "exchange the two records"));
     }
     let found = Certificate::from_record(found, &certificate.particulars);
@@ -70,8 +70,8 @@ mod tests {
     fn pair() -> (Record, Record) {
         let left = record(&[80.0, 160.0]);
         let mut found = record(&[160.0]);
-        found.id = 16;
-        found.labels.unix_time_s -= 3600;
+        found.head.id = 16;
+        found.head.labels.unix_time_s -= 3600;
         // 4 % low before it was adjusted.
         found.points[0].sensitivity_v_per_ms2 /= 1.04;
         (found, left)
@@ -105,7 +105,7 @@ mod tests {
         let (mut found, left) = pair();
         let error = joined(&left, &found).expect_err("exchanged");
         assert!(error.to_string().contains("after record 16"), "{error}");
-        found.labels.dut_serial = text("another");
+        found.head.labels.dut_serial = text("another");
         let error = joined(&found, &left).expect_err("two objects");
         assert!(error.to_string().contains("another"), "{error}");
     }

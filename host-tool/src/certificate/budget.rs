@@ -70,7 +70,7 @@ pub(super) fn coverage_factor_phase(record: &Record, point: &PointResult) -> Opt
 }
 
 fn of_point(record: &Record, point: &PointResult) -> Result<PointBudget<'static>, String> {
-    let frequency_hz = point.tone.frequency_hz(record.sample_rate_hz);
+    let frequency_hz = point.tone.frequency_hz(record.head.sample_rate_hz);
     let reference = record.settings.reference.at(frequency_hz);
     let reference = reference
         .ok_or_else(|| format!("the table of the reference does not reach {frequency_hz} Hz"))?;

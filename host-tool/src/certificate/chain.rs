@@ -11,11 +11,11 @@ const LONGEST: usize = 64 * 1024;
 /// States the record's sum and its place, before anything is said of
 /// conformity: of a record that cannot be trusted, nothing is.
 pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: Option<Standing>) {
-    let standing = standing.unwrap_or(match record.id {
+    let standing = standing.unwrap_or(match record.head.id {
         1 => Standing::First,
         _ => Standing::NotAtHand,
     });
-    let before = Value::Text(record.id.saturating_sub(1).to_string());
+    let before = Value::Text(record.head.id.saturating_sub(1).to_string());
     let said = Value::Phrase(format!("chain.{}", name(standing)), vec![before.clone()]);
     let sum = Value::Text(hexadecimal(&digest(record)));
     let calibration = certificate
@@ -38,7 +38,7 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: O
         let remark = Remark {
             severity: Severity::Error,
             key: "chain_broken",
-            values: vec![Value::Text(record.id.to_string()), before],
+            values: vec![Value::Text(record.head.id.to_string()), before],
         };
         certificate.remarks.insert(0, remark);
         certificate.decision = None;

@@ -57,13 +57,13 @@ pub(super) fn decimal(value: f32) -> f64 {
 
 fn number(record: &Record, particulars: &Particulars) -> String {
     let stated = particulars.calibration.number.clone();
-    stated.unwrap_or_else(|| format!("{}-{:06}", record.instrument_serial, record.id))
+    stated.unwrap_or_else(|| format!("{}-{:06}", record.head.instrument_serial, record.head.id))
 }
 
 fn point(result: &PointResult, record: &Record) -> Point {
     Point {
         nominal_frequency_hz: decimal(result.spec.frequency_hz),
-        frequency_hz: played_hz(result, record.sample_rate_hz),
+        frequency_hz: played_hz(result, record.head.sample_rate_hz),
         nominal_acceleration_ms2: decimal(result.spec.acceleration_rms_ms2),
         acceleration_ms2: decimal(result.acceleration_rms_ms2),
         outcome: outcome(result, record),
@@ -188,7 +188,7 @@ pub(super) fn day(days: u32) -> Option<Date> {
 
 /// The UTC day of a run, if the host's clock was known.
 pub(super) fn run_day(record: &Record) -> Option<Date> {
-    let seconds = i64::try_from(record.labels.unix_time_s)
+    let seconds = i64::try_from(record.head.labels.unix_time_s)
         .ok()
         .filter(|s| *s > 0)?;
     let time = Timestamp::from_second(seconds).ok()?;

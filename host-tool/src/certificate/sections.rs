@@ -72,12 +72,12 @@ fn item(record: &Record, particulars: &Particulars) -> Section {
             (
                 "model",
                 "ISO/IEC 17025 7.8.2.1 g",
-                either(&record.labels.dut_model, &item.model),
+                either(&record.head.labels.dut_model, &item.model),
             ),
             (
                 "serial",
                 "ISO/IEC 17025 7.8.2.1 g",
-                either(&record.labels.dut_serial, &item.serial),
+                either(&record.head.labels.dut_serial, &item.serial),
             ),
             (
                 "customer_id",
@@ -149,7 +149,10 @@ fn calibration(record: &Record, particulars: &Particulars) -> Section {
     } else {
         "points.incomplete"
     };
-    let number = [record.id.to_string(), record.instrument_serial.to_string()];
+    let number = [
+        record.head.id.to_string(),
+        record.head.instrument_serial.to_string(),
+    ];
     let date = run_day(record).or(stated.date);
     section(
         "calibration",
@@ -176,7 +179,7 @@ fn calibration(record: &Record, particulars: &Particulars) -> Section {
                 stated.issued.or(date).map(Value::Day),
             ),
             ("place", "ISO/IEC 17025 7.8.2.1 c", place(particulars)),
-            ("operator", "", text(&record.labels.operator)),
+            ("operator", "", text(&record.head.labels.operator)),
             (
                 "approved_by",
                 "ISO/IEC 17025 7.8.2.1 o",
@@ -252,7 +255,7 @@ fn adjustment(adjustment: Adjustment) -> Option<Value> {
 
 fn conditions(record: &Record, particulars: &Particulars) -> Section {
     let stated = &particulars.conditions;
-    let transducer = record.labels.temperature_centi_c;
+    let transducer = record.head.labels.temperature_centi_c;
     section(
         "conditions",
         vec![
@@ -288,7 +291,7 @@ fn mounting(record: &Record, particulars: &Particulars) -> Section {
             (
                 "description",
                 "ISO 16063-21 7 c",
-                text(&record.labels.mounting),
+                text(&record.head.labels.mounting),
             ),
             ("surface", "ISO 16063-21 7 c", said(&stated.surface)),
             (
@@ -349,9 +352,9 @@ fn equipment(record: &Record, particulars: &Particulars) -> Section {
             (
                 "instrument",
                 "ISO 16063-21 7",
-                text(&record.instrument_serial),
+                text(&record.head.instrument_serial),
             ),
-            ("firmware", "", text(&record.firmware)),
+            ("firmware", "", text(&record.head.firmware)),
             (
                 "instrument_certificate",
                 "ISO/IEC 17025 7.8.4.1 c",

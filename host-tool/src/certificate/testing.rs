@@ -12,7 +12,7 @@ use calib_core::settings::{
 };
 use calib_core::tone::Tone;
 use calib_core::verdict::Verdict;
-use calib_protocol::record::{Record, RunLabels};
+use calib_protocol::record::{Record, RecordHead, RunLabels};
 use heapless::{String, Vec};
 
 /// One-third-octave frequencies of the default list, 20 Hz to 10 kHz (ISO 266).
@@ -53,18 +53,20 @@ pub(crate) fn record(frequencies_hz: &[f32]) -> Record {
             .expect("at most 200 points");
     }
     Record {
-        id: 17,
-        previous_sha256: [0; 32],
-        instrument_serial: text("CAL-0042"),
-        firmware: text("0.1.0 (1a2b3c4)"),
-        sample_rate_hz: 50_000.0,
-        labels: RunLabels {
-            unix_time_s: 1_763_683_200, // 2025-11-21 00:00 UTC
-            dut_model: text("Examplia 352C33"),
-            dut_serial: text("LW 12345"),
-            operator: text("M. Beispiel"),
-            temperature_centi_c: Some(2310),
-            mounting: text("stud M5, 2 Nm, light oil, vertical"),
+        head: RecordHead {
+            id: 17,
+            previous_sha256: [0; 32],
+            instrument_serial: text("CAL-0042"),
+            firmware: text("0.1.0 (1a2b3c4)"),
+            sample_rate_hz: 50_000.0,
+            labels: RunLabels {
+                unix_time_s: 1_763_683_200, // 2025-11-21 00:00 UTC
+                dut_model: text("Examplia 352C33"),
+                dut_serial: text("LW 12345"),
+                operator: text("M. Beispiel"),
+                temperature_centi_c: Some(2310),
+                mounting: text("stud M5, 2 Nm, light oil, vertical"),
+            },
         },
         settings: settings(),
         incident: None,

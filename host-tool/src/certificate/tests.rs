@@ -259,8 +259,8 @@ fn the_page_loads_nothing_from_elsewhere() {
 #[test]
 fn hostile_names_stay_text() {
     let mut record = record(&[160.0]);
-    record.labels.dut_model = text("=cmd|' /C calc'!A0");
-    record.labels.dut_serial = text("O'Neil <script>alert(1)</script> 🎛");
+    record.head.labels.dut_model = text("=cmd|' /C calc'!A0");
+    record.head.labels.dut_serial = text("O'Neil <script>alert(1)</script> 🎛");
     let html = rendered(&record, Format::Html, Language::En);
     assert!(!html.contains("<script>alert"));
     assert!(html.contains("&lt;script&gt;alert(1)") && html.contains('🎛'));
@@ -272,9 +272,9 @@ fn hostile_names_stay_text() {
 #[test]
 fn what_is_not_stated_is_printed_as_missing() {
     let mut record = record(&[160.0]);
-    record.labels.temperature_centi_c = None;
-    record.labels.operator = text("  ");
-    record.labels.unix_time_s = 0;
+    record.head.labels.temperature_centi_c = None;
+    record.head.labels.operator = text("  ");
+    record.head.labels.unix_time_s = 0;
     record.settings.reference.due_day = 0;
     let certificate = Certificate::from_record(&record, &Particulars::default());
     let missing = [
@@ -328,7 +328,7 @@ fn files_are_named_after_the_certificate_and_complete() {
     let folder = tempfile::tempdir().expect("folder");
     let out = folder.path().join("a/b");
     let mut record = record(&[160.0]);
-    record.instrument_serial = text("../x y");
+    record.head.instrument_serial = text("../x y");
     let options = Options {
         particulars: country(),
         ..Options::default()

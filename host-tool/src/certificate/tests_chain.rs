@@ -95,11 +95,11 @@ fn an_altered_neighbour_breaks_the_chain_of_the_certificate() {
         bytes
     };
     let mut before = record(&[80.0]);
-    before.id = 16;
+    before.head.id = 16;
     let mut this = record(&[160.0]);
-    this.previous_sha256 = record::digest(&bytes(&before));
+    this.head.previous_sha256 = record::digest(&bytes(&before));
     let standing = |before: &[u8]| {
-        let mut evidence = Evidence::of(&this.instrument_serial);
+        let mut evidence = Evidence::of(&this.head.instrument_serial);
         evidence.bytes(16, before);
         evidence.bytes(17, &bytes(&this));
         evidence.standing(17)

@@ -16,7 +16,7 @@ fn variants() -> Vec<Vec<u8>> {
     let mut many: Vec<f32> = (0..200).map(|n| 20.0 * 1.03_f32.powi(n)).collect();
     many.dedup();
     let mut hostile = record(&[160.0]);
-    hostile.labels.dut_serial = text("O'Neil & <b>Söhne</b> 🎛 \u{7}");
+    hostile.head.labels.dut_serial = text("O'Neil & <b>Söhne</b> 🎛 \u{7}");
     let mut partly = record(&THIRD_OCTAVES_HZ);
     partly.points[3].verdict = Verdict::Refused(Reason::NotSettled);
     let mut none = record(&[160.0]);
@@ -172,7 +172,7 @@ fn without_a_country_there_is_no_dcc_and_the_way_out_is_named() {
 #[test]
 fn a_record_without_a_date_is_refused_with_the_way_out() {
     let mut record = record(&[160.0]);
-    record.labels.unix_time_s = 0;
+    record.head.labels.unix_time_s = 0;
     let certificate = Certificate::from_record(&record, &Particulars::default());
     let error = render(&certificate, Format::Dcc, Language::En).expect_err("no date");
     assert!(

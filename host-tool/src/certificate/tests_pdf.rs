@@ -126,8 +126,8 @@ fn is_pdf_a_3b(read: &serde_json::Value) {
 fn every_size_and_every_gap_renders() {
     let many: Vec<f32> = (0..200).map(|n| 20.0 * 1.03_f32.powi(n)).collect();
     let mut bare = record(&[160.0]);
-    bare.labels = Default::default();
-    bare.labels.dut_serial = text("O'Neil \"#emph[x]\" $1 🎛 中");
+    bare.head.labels = Default::default();
+    bare.head.labels.dut_serial = text("O'Neil \"#emph[x]\" $1 🎛 中");
     for record in [record(&[]), record(&[160.0]), record(&many), bare] {
         pdf(&record, &Particulars::default()).expect("renders");
     }

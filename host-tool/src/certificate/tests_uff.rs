@@ -18,7 +18,7 @@ print(json.dumps({'type': int(s['type']), 'func': int(s['func_type']), 'x': [flo
 #[test]
 fn pyuff_reads_the_complex_sensitivity_back() {
     let mut record = record(&THIRD_OCTAVES_HZ);
-    record.labels.dut_serial = text("Ö'1 🎛");
+    record.head.labels.dut_serial = text("Ö'1 🎛");
     let certificate = Certificate::from_record(&record, &Particulars::default());
     let folder = tempfile::tempdir().expect("folder");
     let path = folder.path().join("response.uff");

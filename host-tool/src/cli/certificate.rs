@@ -76,7 +76,7 @@ impl CertificateVerb {
         };
         let mut bench = context.bench_if_there()?;
         let nominal = match &bench {
-            Some(bench) => bench.nominal_v_per_ms2(&record.labels.dut_serial)?,
+            Some(bench) => bench.nominal_v_per_ms2(&record.head.labels.dut_serial)?,
             None => None,
         };
         options.particulars.for_device(nominal)?;

@@ -29,7 +29,7 @@ impl Found {
         match &self.content {
             Content::Calibration(record) => Ok(record),
             Content::ReferenceChange(change) => Err(Error::input(
-                format!("record {}", change.id),
+                format!("record {}", change.head.id),
                 "logs a change of the reference and is no calibration",
                 "`calib show` shows it; `calib records` lists the calibrations",
             )),

@@ -37,7 +37,7 @@ pub(super) fn certificate(
     let mut particulars = Particulars::read(particulars)?;
     let bench = Bench::open_if_there(bench)?;
     let nominal = match &bench {
-        Some(bench) => bench.nominal_v_per_ms2(&record.labels.dut_serial)?,
+        Some(bench) => bench.nominal_v_per_ms2(&record.head.labels.dut_serial)?,
         None => None,
     };
     particulars.for_device(nominal)?;
@@ -60,15 +60,15 @@ pub(super) fn certificate(
 
 /// Place of a record in the chain, as far as the bench has the record before.
 fn standing(record: &Record, stored: &[u8], bench: Option<&Bench>) -> Result<Standing> {
-    let mut evidence = Evidence::of(&record.instrument_serial);
-    evidence.bytes(record.id, stored);
-    let before = record.id.saturating_sub(1);
+    let mut evidence = Evidence::of(&record.head.instrument_serial);
+    evidence.bytes(record.head.id, stored);
+    let before = record.head.id.saturating_sub(1);
     if let Some(bench) = bench
-        && let Some(bytes) = bench.numbered(&record.instrument_serial, before)?
+        && let Some(bytes) = bench.numbered(&record.head.instrument_serial, before)?
     {
         evidence.bytes(before, &bytes);
     }
-    Ok(evidence.standing(record.id))
+    Ok(evidence.standing(record.head.id))
 }
 
 fn enter(prepared: &Prepared, stored: &[u8], mut bench: Bench) -> Result<()> {

@@ -9,11 +9,11 @@ use std::fmt::Write;
 /// The change as text, 80 columns wide.
 pub fn show_change(change: &ReferenceChange) -> String {
     let (before, since) = (&change.before, &change.settings.reference_channel());
-    let labels = &change.labels;
+    let labels = &change.head.labels;
     let mut text = format!(
         "record {} of {}: another calibration of the reference\n{}, {}\n\n",
-        change.id,
-        change.instrument_serial,
+        change.head.id,
+        change.head.instrument_serial,
         time(labels.unix_time_s),
         said(&labels.operator),
     );
@@ -124,7 +124,7 @@ fn day(days_since_1970: u32) -> String {
 mod tests {
     use super::*;
     use calib_core::settings::Settings;
-    use calib_protocol::record::RunLabels;
+    use calib_protocol::record::{RecordHead, RunLabels};
 
     #[test]
     fn both_states_stand_side_by_side_with_what_changed() {
@@ -134,14 +134,16 @@ mod tests {
         settings.reference.points[0].sensitivity_v_per_ms2 *= 1.01;
         settings.reference.points.truncate(2);
         let change = ReferenceChange {
-            id: 5,
-            previous_sha256: [0; 32],
-            instrument_serial: "CAL-1".try_into().expect("short"),
-            firmware: "0.1.0".try_into().expect("short"),
-            sample_rate_hz: 50_000.0,
-            labels: RunLabels {
-                unix_time_s: 1_795_269_900,
-                ..RunLabels::default()
+            head: RecordHead {
+                id: 5,
+                previous_sha256: [0; 32],
+                instrument_serial: "CAL-1".try_into().expect("short"),
+                firmware: "0.1.0".try_into().expect("short"),
+                sample_rate_hz: 50_000.0,
+                labels: RunLabels {
+                    unix_time_s: 1_795_269_900,
+                    ..RunLabels::default()
+                },
             },
             settings,
             before: before.reference_channel(),

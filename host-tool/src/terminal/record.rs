@@ -25,11 +25,11 @@ pub fn show(record: &Record, certificate: &Certificate, width: usize) -> String 
 }
 
 fn heading(record: &Record, certificate: &Certificate) -> String {
-    let labels = &record.labels;
+    let labels = &record.head.labels;
     let mut text = format!(
         "record {} of {}, {}\n",
-        record.id,
-        record.instrument_serial,
+        record.head.id,
+        record.head.instrument_serial,
         certificate
             .day
             .map_or("day not known".to_owned(), |day| day.to_string())

@@ -20,9 +20,9 @@ fn bytes(record: &Record) -> Vec<u8> {
 /// Record `id` of a sensor, `years` later, with another sensitivity.
 fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
     let mut record = record(id, 3);
-    record.labels.unix_time_s += years * YEAR_S;
-    record.labels.dut_serial = sensor.try_into().expect("short");
-    record.labels.operator = "N. N.".try_into().expect("short");
+    record.head.labels.unix_time_s += years * YEAR_S;
+    record.head.labels.dut_serial = sensor.try_into().expect("short");
+    record.head.labels.operator = "N. N.".try_into().expect("short");
     for point in &mut record.points {
         point.sensitivity_v_per_ms2 *= factor;
     }
@@ -56,7 +56,7 @@ fn a_record_is_kept_once_and_comes_back_byte_for_byte() {
     };
     assert_eq!(serials(&of("A")), ["A"]);
     assert!(serials(&of("a' OR 1=1 --")).is_empty());
-    let time_s = record(1, 0).labels.unix_time_s as i64;
+    let time_s = record(1, 0).head.labels.unix_time_s as i64;
     let before = Filter {
         before_s: Some(time_s + 1),
         ..Filter::default()
@@ -230,7 +230,7 @@ print(json.dumps({
     // Three points each of 0.01 V/(m/s2) times 1, 1.01 and 1.02; stored in f32.
     let sum = read["sum"][1].as_f64().expect("a sum");
     assert!((sum / 0.0909 - 1.0).abs() < 1e-4, "{sum}");
-    let time_s = record(1, 0).labels.unix_time_s;
+    let time_s = record(1, 0).head.labels.unix_time_s;
     assert_eq!(read["time_ms"], 1000 * time_s);
     assert_eq!(read["sensor"], serde_json::json!(["D'1", true, null]));
 }
@@ -274,7 +274,7 @@ fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
     assert!(go(&file).status.success());
     let kept = std::fs::read(folder.path().join("one.calibrec")).expect("file");
     let kept = calib_protocol::record::decode(&kept).expect("a record");
-    assert_eq!(kept.labels.mounting.as_str(), "stud, 2 N m");
+    assert_eq!(kept.head.labels.mounting.as_str(), "stud, 2 N m");
     let certificate = ["certificate", "one.calibrec", "--out", "c", "--json"];
     let files = json(&go(&certificate))["files"]
         .as_array()

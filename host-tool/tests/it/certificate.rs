@@ -212,7 +212,7 @@ fn a_template_that_does_not_compile_names_its_line_and_leaves_nothing() {
 #[test]
 fn names_with_apostrophes_and_emoji_and_numbers_that_are_none_go_through() {
     let mut record = sample::record(&[80.0, 160.0, 1000.0]);
-    record.labels.dut_model = sample::text("O'Brien \"#1\" <b> 🎛 $x$");
+    record.head.labels.dut_model = sample::text("O'Brien \"#1\" <b> 🎛 $x$");
     record.points[0].sensitivity_v_per_ms2 = f32::NAN;
     record.points[2].signal_to_noise_dut_db = f32::NAN;
     let folder = folder(&record);
@@ -237,7 +237,7 @@ fn names_with_apostrophes_and_emoji_and_numbers_that_are_none_go_through() {
 fn as_found_and_as_left_need_one_object() {
     let left = sample::record(&[80.0, 160.0]);
     let mut found = left.clone();
-    found.id = 16;
+    found.head.id = 16;
     let folder = folder(&left);
     let write = |record: &Record| {
         std::fs::write(folder.path().join("found.bin"), encoded(record)).expect("written");
@@ -246,10 +246,10 @@ fn as_found_and_as_left_need_one_object() {
             &[&ALL[..], &["--as-found", "found.bin"]].concat(),
         )
     };
-    found.labels.dut_serial = sample::text("another");
+    found.head.labels.dut_serial = sample::text("another");
     let output = write(&found);
     assert_eq!(output.status.code(), Some(6), "{}", text(&output.stderr));
-    found.labels.dut_serial = left.labels.dut_serial.clone();
+    found.head.labels.dut_serial = left.head.labels.dut_serial.clone();
     let output = write(&found);
     assert!(output.status.success(), "{}", text(&output.stderr));
 }

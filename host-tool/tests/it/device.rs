@@ -11,7 +11,7 @@ use calib_protocol::frame::{Frame, FrameError, MAX_FRAME, PROTOCOL_VERSION, Rece
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
 };
-use calib_protocol::record::{self, Record, RecordKind, RecordSummary, RunLabels};
+use calib_protocol::record::{self, Record, RecordHead, RecordKind, RecordSummary, RunLabels};
 use calib_protocol::stored_point::as_stored;
 use std::collections::BTreeMap;
 
@@ -89,7 +89,7 @@ impl Device {
         let mut bytes = vec![0; 64 * 1024];
         let length = record::encode(&record, &mut bytes).expect("fits");
         bytes.truncate(length);
-        self.records.insert(record.id, bytes);
+        self.records.insert(record.head.id, bytes);
     }
 
     /// Takes a byte and returns what the device sends in return.
@@ -232,8 +232,8 @@ impl Device {
         run.state = state;
         let mut stored = record(run.id, 0);
         let before = self.records.get(&(run.id - 1));
-        stored.previous_sha256 = before.map_or([0; 32], |bytes| record::digest(bytes));
-        stored.labels = run.spec.labels.clone();
+        stored.head.previous_sha256 = before.map_or([0; 32], |bytes| record::digest(bytes));
+        stored.head.labels = run.spec.labels.clone();
         stored.complete = state == RunState::Finished;
         let done = usize::from(run.looks / LOOKS_PER_POINT);
         for spec in run.spec.points.iter().take(done) {
@@ -287,8 +287,8 @@ impl Device {
             RecordSummary {
                 id: *id,
                 bytes: bytes.len() as u32,
-                unix_time_s: record.labels.unix_time_s,
-                dut_serial: record.labels.dut_serial,
+                unix_time_s: record.head.labels.unix_time_s,
+                dut_serial: record.head.labels.dut_serial,
                 points: record.points.len() as u16,
                 refused: 0,
                 sha256: record::digest(bytes),
@@ -391,15 +391,17 @@ pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResul
 
 pub(crate) fn record(id: u32, points: u16) -> Record {
     Record {
-        id,
-        previous_sha256: [0; 32],
-        instrument_serial: "MEM-1".try_into().expect("short"),
-        firmware: "0.1.0 0123abcd".try_into().expect("short"),
-        sample_rate_hz: 50_000.0,
-        labels: RunLabels {
-            unix_time_s: 1_795_269_900,
-            dut_serial: "DUT'1".try_into().expect("short"),
-            ..RunLabels::default()
+        head: RecordHead {
+            id,
+            previous_sha256: [0; 32],
+            instrument_serial: "MEM-1".try_into().expect("short"),
+            firmware: "0.1.0 0123abcd".try_into().expect("short"),
+            sample_rate_hz: 50_000.0,
+            labels: RunLabels {
+                unix_time_s: 1_795_269_900,
+                dut_serial: "DUT'1".try_into().expect("short"),
+                ..RunLabels::default()
+            },
         },
         settings: settings(),
         incident: None,

@@ -8,9 +8,9 @@ pub fn records(data: &[u8]) {
     let inspected = record::inspect(data);
     if let Ok(record) = &decoded {
         let (summary, settings) = inspected.expect("what can be read can be listed");
-        assert_eq!(summary.id, record.id);
+        assert_eq!(summary.id, record.head.id);
         assert_eq!(usize::from(summary.points), record.points.len());
-        assert_eq!(summary.dut_serial, record.labels.dut_serial);
+        assert_eq!(summary.dut_serial, record.head.labels.dut_serial);
         assert!(settings.end <= data.len());
     }
     if let Ok((head, body)) = stored::head(data) {

@@ -6,7 +6,7 @@ use calib_core::settings::Settings;
 use calib_core::verdict::Reason;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::message::{Refusal, Request, Response, RunSpec};
-use calib_protocol::record::{self, Record, RunLabels};
+use calib_protocol::record::{self, Record, RecordHead, RunLabels};
 use serde::Serialize;
 
 /// A seed of a fuzz target.
@@ -129,12 +129,14 @@ fn answers() -> Vec<Response> {
 fn record() -> Vec<u8> {
     let result = PointResult::refused(spec(), None, Reason::NotSettled);
     let record = Record {
-        id: 1,
-        previous_sha256: [0; 32],
-        instrument_serial: heapless::String::new(),
-        firmware: heapless::String::new(),
-        sample_rate_hz: 50_000.0,
-        labels: RunLabels::default(),
+        head: RecordHead {
+            id: 1,
+            previous_sha256: [0; 32],
+            instrument_serial: heapless::String::new(),
+            firmware: heapless::String::new(),
+            sample_rate_hz: 50_000.0,
+            labels: RunLabels::default(),
+        },
         settings: Settings::field_calibrator(),
         incident: None,
         complete: true,

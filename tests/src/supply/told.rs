@@ -165,7 +165,7 @@ impl Told {
         }
         let before = id.checked_sub(1).and_then(|id| self.records.get(&id));
         let before = before.copied().flatten();
-        if before.is_some_and(|sum| sum != download.record.previous_sha256) {
+        if before.is_some_and(|sum| sum != download.record.head.previous_sha256) {
             return Err(format!("record {id} does not follow the one before").into());
         }
         let measured = self.measured.as_ref().filter(|run| run.record_id == id);

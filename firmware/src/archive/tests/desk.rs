@@ -11,7 +11,7 @@ use calib_firmware::archive::{
     Archive, ArchiveError, Directory, LastAccess, MAX_ITEM, Memory, SECTORS,
 };
 use calib_protocol::message::Refusal;
-use calib_protocol::record::{self, Record, RecordSummary, RunLabels};
+use calib_protocol::record::{self, Record, RecordHead, RecordSummary, RunLabels};
 use embassy_futures::block_on;
 
 /// What an archive works in.
@@ -50,12 +50,14 @@ impl Desk {
 
 fn blank() -> Record {
     Record {
-        id: 0,
-        previous_sha256: [0; 32],
-        instrument_serial: "SN-1".try_into().expect("short"),
-        firmware: "0.1.0 0123456789ab".try_into().expect("short"),
-        sample_rate_hz: 50_000.0,
-        labels: RunLabels::default(),
+        head: RecordHead {
+            id: 0,
+            previous_sha256: [0; 32],
+            instrument_serial: "SN-1".try_into().expect("short"),
+            firmware: "0.1.0 0123456789ab".try_into().expect("short"),
+            sample_rate_hz: 50_000.0,
+            labels: RunLabels::default(),
+        },
         settings: Settings::field_calibrator(),
         incident: None,
         complete: true,
@@ -80,11 +82,11 @@ pub(crate) fn result(frequency_hz: f32, seed: u32) -> PointResult {
 
 /// Fills in everything but number and chain.
 pub(crate) fn fill(record: &mut Record, points: usize, seed: u32, settings: &Settings) {
-    let (id, previous_sha256) = (record.id, record.previous_sha256);
+    let (id, previous_sha256) = (record.head.id, record.head.previous_sha256);
     record.clone_from(&blank());
-    (record.id, record.previous_sha256) = (id, previous_sha256);
+    (record.head.id, record.head.previous_sha256) = (id, previous_sha256);
     record.settings = settings.clone();
-    record.labels.unix_time_s = u64::from(seed);
+    record.head.labels.unix_time_s = u64::from(seed);
     let list = PREFERRED_HZ.iter().rev().take(points);
     record.points = list.map(|hz| result(*hz, seed)).collect();
 }
@@ -101,7 +103,7 @@ pub(crate) fn store<const SECTOR: usize>(
     let mut bytes = vec![0; MAX_ITEM];
     let length = record::encode(record, &mut bytes).expect("fits");
     bytes.truncate(length);
-    let id = record.id;
+    let id = record.head.id;
     block_on(archive.store())?;
     Ok((id, bytes))
 }
@@ -114,7 +116,7 @@ pub(crate) fn log_change<const SECTOR: usize>(
 ) -> Result<u32, ArchiveError> {
     let record = archive.draft();
     fill(record, 0, seed, settings);
-    let id = record.id;
+    let id = record.head.id;
     block_on(archive.log_change())?;
     Ok(id)
 }

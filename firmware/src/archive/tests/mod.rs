@@ -65,7 +65,7 @@ fn each_record_carries_the_sum_of_the_one_before() {
         let mut archive = desk.open(&flash).expect("opens");
         let (_, bytes) = store(&mut archive, 6, seed, &settings).expect("stores");
         let record = record::decode(&bytes).expect("a record");
-        assert_eq!(record.previous_sha256, previous);
+        assert_eq!(record.head.previous_sha256, previous);
         previous = digest(&bytes);
     }
 }
@@ -86,8 +86,8 @@ fn a_change_of_the_reference_is_a_link_of_the_chain_and_outlives_a_restart() {
     assert_eq!(archive.settings(), Some(&after));
     let bytes = download(&mut archive, id).expect("reads");
     let logged = change::decode(&bytes).expect("a change");
-    assert_eq!((logged.id, logged.labels.unix_time_s), (2, 2));
-    assert_eq!(logged.previous_sha256, digest(&first));
+    assert_eq!((logged.head.id, logged.head.labels.unix_time_s), (2, 2));
+    assert_eq!(logged.head.previous_sha256, digest(&first));
     assert_eq!(logged.settings, after);
     assert_eq!(logged.before, before.reference_channel());
     let kinds: std::vec::Vec<_> = list(&mut archive).iter().map(|line| line.kind).collect();
@@ -97,7 +97,7 @@ fn a_change_of_the_reference_is_a_link_of_the_chain_and_outlives_a_restart() {
     );
     let (_, next) = store(&mut archive, 3, 3, &after).expect("stores");
     let next = record::decode(&next).expect("a record");
-    assert_eq!(next.previous_sha256, digest(&bytes));
+    assert_eq!(next.head.previous_sha256, digest(&bytes));
 }
 
 #[test]

@@ -151,6 +151,7 @@ fn surroundings_rows(record: &Record, example: Example) -> Vec<Requirement> {
     let environment = Environment::of(example);
     let reference = ReferenceTransducer::of(example);
     let from_23 = record
+        .head
         .labels
         .temperature_centi_c
         .map(|hundredths| (f64::from(hundredths) / 100.0 - 23.0).abs());

@@ -99,7 +99,7 @@ pub(super) const PER_POINT: [Row; 6] = [
         unit: "%",
         side: Side::AtMost,
         judge: |record, example, p| {
-            let played = p.tone.frequency_hz(record.sample_rate_hz);
+            let played = p.tone.frequency_hz(record.head.sample_rate_hz);
             let off = f64::from(played) / f64::from(p.spec.frequency_hz) - 1.0;
             let limit = VibrationGeneration::of(example).frequency_rel;
             Some((100.0 * off.abs(), percent(limit)))
@@ -143,7 +143,7 @@ pub(super) const PER_POINT: [Row; 6] = [
 /// Hum and noise of the reference below the exciter's full output, dB: below
 /// the signal, and the signal below what the limits allow at this frequency.
 fn below_full_output_db(record: &Record, point: &PointResult) -> f64 {
-    let frequency_hz = point.tone.frequency_hz(record.sample_rate_hz);
+    let frequency_hz = point.tone.frequency_hz(record.head.sample_rate_hz);
     let full_peak_ms2 = full_output_peak_ms2(&record.settings.limits, frequency_hz);
     let reached_peak_ms2 = SQRT_2 * f64::from(point.acceleration_rms_ms2);
     let headroom_db = 20.0 * (f64::from(full_peak_ms2) / reached_peak_ms2).log10();

@@ -1,0 +1,42 @@
+//! What every record begins with, whatever it is about.
+
+use heapless::String;
+use serde::{Deserialize, Serialize};
+
+/// A SHA-256 sum (FIPS 180-4).
+pub type Sha256Sum = [u8; 32];
+
+/// Number, place in the chain, instrument and labels of a record.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RecordHead {
+    /// Running number of the instrument, from 1, never used twice.
+    pub id: u32,
+    /// [`crate::record::digest`] of the record with the number before; zero for
+    /// the first.
+    pub previous_sha256: Sha256Sum,
+    /// Serial number of the instrument.
+    pub instrument_serial: String<32>,
+    /// Firmware version and git hash.
+    pub firmware: String<40>,
+    /// Samples per second and channel, Hz.
+    pub sample_rate_hz: f32,
+    /// What the operator said; in the log of a change time and operator alone.
+    pub labels: RunLabels,
+}
+
+/// What the operator says about a run.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RunLabels {
+    /// Seconds since 1970-01-01 UTC by the host's clock; 0 = not known.
+    pub unix_time_s: u64,
+    /// Device under test: manufacturer and model.
+    pub dut_model: String<48>,
+    /// Device under test: serial number.
+    pub dut_serial: String<48>,
+    /// Who calibrates.
+    pub operator: String<48>,
+    /// Temperature of the transducer in hundredths of a degree Celsius.
+    pub temperature_centi_c: Option<i16>,
+    /// Mounting, in the operator's words.
+    pub mounting: String<96>,
+}
