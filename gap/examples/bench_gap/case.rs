@@ -1,7 +1,9 @@
 //! One sealed case: drawn, written, diagnosed, compared with the truth.
 
 use super::sealed::random::Random;
-use super::sealed::{cases, design, rig};
+use super::sealed::table::{self, GOOD};
+use super::sealed::truth::{NOMINAL, Truth};
+use super::sealed::{design, effects as drawn_effects};
 use calib_gap::{Answer, GapError, Options, Verdict, diagnose, effects, misfit};
 use std::fmt;
 use std::path::Path;
@@ -109,7 +111,7 @@ fn processor_s() -> f64 {
 }
 
 fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
-    let all: Vec<&'static str> = cases::NAMES.iter().chain(&cases::EXTRA).copied().collect();
+    let all: Vec<&'static str> = drawn_effects::names().collect();
     let turn = |list: &[&'static str]| vec![list[index as usize % list.len()]];
     match stratum {
         "null" | "off2u" => Vec::new(),
@@ -136,30 +138,30 @@ pub(super) fn run(stratum: &str, index: u64, seed: u64) -> Result<Outcome, GapEr
     let rows = if ratio_only {
         design::ratio_only(&mut random)
     } else {
-        design::full(&mut random)
+        design::full()
     };
-    let mut drawn = rig::honest(&mut random);
+    let mut drawn = Truth::honest(&mut random);
     for name in &truth {
-        cases::add(&mut drawn, name, &mut random);
+        drawn_effects::add(&mut drawn, name, &mut random);
     }
     if stratum == "off2u" {
-        for (value, (_, nominal, u)) in drawn.coil.iter_mut().zip(rig::NOMINAL) {
+        for (value, (_, nominal, u)) in drawn.exciter.iter_mut().zip(NOMINAL) {
             *value = nominal + 2.0 * u * random.sign();
         }
     }
     if stratum == "size" {
         // From invisible to the usual size, over three decades.
         let factor = random.log_between(1e-3, 1.0);
-        cases::shrink(&mut drawn, factor);
+        drawn_effects::shrink(&mut drawn, factor);
     }
-    let written = rig::write(&drawn, &rows, &rig::GOOD, !ratio_only, &mut random);
+    let points = table::points(&drawn, &rows, &GOOD, !ratio_only, &mut random);
     let folder = std::env::temp_dir()
         .join("calib-bench-gap")
         .join(format!("{}-{stratum}-{index}", std::process::id()));
     let write = || {
         std::fs::create_dir_all(&folder)?;
-        std::fs::write(folder.join("points.csv"), &written.points)?;
-        std::fs::write(folder.join("rig.toml"), &written.rig)
+        std::fs::write(folder.join("points.csv"), &points)?;
+        std::fs::write(folder.join("rig.toml"), table::rig())
     };
     write().map_err(|source| GapError::Usage(source.to_string()))?;
     let outcome = diagnosed(stratum, index, truth, &folder);

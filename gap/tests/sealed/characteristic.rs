@@ -1,0 +1,41 @@
+//! Static characteristics of the inputs, applied to a waveform.
+
+use super::truth::Truth;
+use num_complex::Complex64 as C;
+use std::f64::consts::TAU;
+
+/// Highest order that is reported.
+pub(crate) const ORDERS: usize = 5;
+/// Samples of a period.
+const SAMPLES: usize = 4096;
+
+/// Complex amplitudes of orders 0..=5 of a waveform behind a static characteristic.
+pub(crate) fn bent(waveform: &[C], characteristic: impl Fn(f64) -> f64) -> Vec<C> {
+    let mut orders = vec![C::ZERO; ORDERS + 1];
+    for k in 0..SAMPLES {
+        let angle_rad = TAU * (k as f64 + 0.5) / SAMPLES as f64;
+        let turned = |(n, c): (usize, &C)| (c * C::from_polar(1.0, n as f64 * angle_rad)).re;
+        let value = characteristic(waveform.iter().enumerate().map(turned).sum());
+        for (n, order) in orders.iter_mut().enumerate() {
+            let share = if n == 0 { 1.0 } else { 2.0 } / SAMPLES as f64;
+            *order += C::from_polar(value, -(n as f64) * angle_rad) * share;
+        }
+    }
+    orders
+}
+
+/// What the converter of a channel makes of a waveform.
+pub(crate) fn converted(truth: &Truth, channel: &str, waveform: Vec<C>) -> Vec<C> {
+    let parameter = |effect: &str| truth.get(&format!("{effect}.{channel}"));
+    if let Some(c3) = parameter("adc_cubic") {
+        bent(&waveform, |v| v + c3 * v * v * v)
+    } else if let Some(c2) = parameter("adc_quadratic") {
+        bent(&waveform, |v| v + c2 * v * v)
+    } else if let Some(dead_v) = parameter("adc_dead_zone") {
+        bent(&waveform, |v| v.signum() * (v.abs() - dead_v).max(0.0))
+    } else if let Some(full_v) = parameter("adc_clipping") {
+        bent(&waveform, |v| v.clamp(-full_v, full_v))
+    } else {
+        waveform
+    }
+}

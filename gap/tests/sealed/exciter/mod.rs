@@ -1,0 +1,91 @@
+//! The moving coil: mass, suspension, coil and amplifier, driven with a pure sine.
+
+mod amplifier;
+mod collocation;
+mod friction;
+mod series;
+
+use num_complex::Complex64 as C;
+use series::{HARMONICS, Series};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+pub(crate) use amplifier::Amplifier;
+
+/// Frequency at which a lossy inductance has its nominal size.
+const NOMINAL_HZ: f64 = 1000.0;
+
+/// What moves the table.
+#[derive(Clone, Copy)]
+pub(crate) struct Exciter {
+    pub(crate) mass_kg: f64,
+    pub(crate) stiffness_n_per_m: f64,
+    pub(crate) damping_ns_per_m: f64,
+    pub(crate) force_factor_n_per_a: f64,
+    /// Factor on the back-EMF.
+    pub(crate) back_emf: f64,
+    pub(crate) resistance_ohm: f64,
+    pub(crate) inductance_h: f64,
+    /// 1 for an ideal inductance, less for one with eddy currents.
+    pub(crate) inductance_exponent: f64,
+    pub(crate) quadratic_n_per_m2: f64,
+    pub(crate) cubic_n_per_m3: f64,
+    pub(crate) droop_per_m2: f64,
+    pub(crate) friction_n: f64,
+    /// Along the axis; moves an asymmetric suspension off its middle.
+    pub(crate) gravity_ms2: f64,
+    pub(crate) amplifier: Amplifier,
+}
+
+/// A steady motion: complex peak amplitudes by order.
+pub(crate) struct Solved {
+    pub(crate) coil_v: Series,
+    pub(crate) coil_a: Series,
+    pub(crate) motion_ms2: Series,
+    pub(crate) converged: bool,
+}
+
+impl Exciter {
+    fn impedance_ohm(&self, w_per_s: f64) -> C {
+        let (nominal_per_s, exponent) = (TAU * NOMINAL_HZ, self.inductance_exponent);
+        let size_ohm = nominal_per_s * self.inductance_h * (w_per_s / nominal_per_s).powf(exponent);
+        self.resistance_ohm + C::from_polar(size_ohm, exponent * FRAC_PI_2)
+    }
+
+    fn is_linear(&self) -> bool {
+        let bent = [
+            self.quadratic_n_per_m2,
+            self.cubic_n_per_m3,
+            self.droop_per_m2,
+            self.friction_n,
+        ];
+        bent.iter().all(|size| *size == 0.0) && self.amplifier.is_linear()
+    }
+
+    /// The motion whose fundamental has this peak value.
+    pub(crate) fn solve(&self, frequency_hz: f64, peak_ms2: f64) -> Solved {
+        let w_per_s = TAU * frequency_hz;
+        match self.is_linear() {
+            true => self.sine(w_per_s, peak_ms2),
+            false => self.collocated(w_per_s, peak_ms2),
+        }
+    }
+
+    fn sine(&self, w_per_s: f64, peak_ms2: f64) -> Solved {
+        let s = C::new(0.0, w_per_s);
+        let travel_m = peak_ms2 / (s * s);
+        let stiffness = self.mass_kg * s * s + self.damping_ns_per_m * s + self.stiffness_n_per_m;
+        let coil_a = travel_m * stiffness / self.force_factor_n_per_a;
+        let emf_v = travel_m * s * self.force_factor_n_per_a * self.back_emf;
+        let alone = |value: C| {
+            let mut series = vec![C::ZERO; HARMONICS + 1];
+            series[1] = value;
+            series
+        };
+        Solved {
+            coil_v: alone(coil_a * self.impedance_ohm(w_per_s) + emf_v),
+            coil_a: alone(coil_a),
+            motion_ms2: alone(C::from(peak_ms2)),
+            converged: true,
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Linear responses of both channels and of the table.
+
+use super::design::Condition;
+use super::truth::Truth;
+use num_complex::Complex64 as C;
+use std::f64::consts::{PI, TAU};
+
+/// Factors on a motion, and on what the channels see of it.
+pub(crate) struct Responses {
+    /// Of the motion of the table to that of the coil.
+    pub(crate) table: C,
+    pub(crate) reference: C,
+    pub(crate) dut: C,
+}
+
+/// All responses at a frequency, which may be a multiple of that of the row.
+pub(crate) fn responses(truth: &Truth, row: &Condition, frequency_hz: f64) -> Responses {
+    let jitter = truth.factor("sampling_jitter.s", |s| {
+        (-(TAU * frequency_hz * s).powi(2) / 2.0).exp()
+    });
+    let dut = mounting(truth, row, frequency_hz)
+        * device(truth, row, frequency_hz)
+        * conditioner(truth, frequency_hz)
+        * timing(truth, row, frequency_hz);
+    Responses {
+        table: table(truth, frequency_hz),
+        reference: reference(truth, row, frequency_hz) * jitter,
+        dut: dut * jitter,
+    }
+}
+
+/// A resonance, or a low-pass of second order.
+fn second_order(frequency_hz: f64, resonance_hz: f64, quality: f64) -> C {
+    let w = frequency_hz / resonance_hz;
+    (C::ONE - w * w + C::new(0.0, w / quality)).inv()
+}
+
+fn high_pass(frequency_hz: f64, corner_hz: f64) -> C {
+    let w = frequency_hz / corner_hz;
+    C::new(0.0, w) / C::new(1.0, w)
+}
+
+fn table(truth: &Truth, frequency_hz: f64) -> C {
+    truth.factor("armature_mode.k", |k| {
+        let w = frequency_hz / truth.or("armature_mode.f", 5000.0);
+        let damping = truth.or("armature_mode.z", 0.02);
+        C::ONE + k * w * w / C::new(1.0 - w * w, 2.0 * damping * w)
+    })
+}
+
+fn reference(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
+    let resonance = truth.factor("reference_resonance.f", |resonance_hz| {
+        let quality = truth.or("reference_resonance.q", 30.0);
+        second_order(frequency_hz, resonance_hz, quality)
+    });
+    let warmer_k = row.temperature_c - 23.0;
+    let warm = 1.0 + truth.or("reference_temperature.a", 0.0) * warmer_k;
+    let drift = 1.0 / (1.0 + truth.or("reference_drift.b", 0.0) * row.time_s);
+    let corner = truth.factor("reference_highpass.f", |hz| high_pass(frequency_hz, hz));
+    resonance * warm * drift * corner
+}
+
+/// What the device feels of the motion of the table.
+fn mounting(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
+    let rotation_rad = row.rotation_deg.to_radians();
+    let compliance = truth.factor("mount_compliance.k", |stiffness| {
+        let resonance_hz = (stiffness / row.payload_kg).sqrt() / TAU;
+        let quality = truth.or("mount_compliance.q", 20.0);
+        second_order(frequency_hz, resonance_hz, quality)
+    });
+    let relative = truth.factor("relative_motion.k", |k| {
+        1.0 - k * row.payload_kg * frequency_hz * frequency_hz
+    });
+    let strain = truth.factor("base_strain.s", |s| {
+        let f = frequency_hz / truth.or("base_strain.f1", 30.0);
+        1.0 + s * row.payload_kg / 0.04 / (1.0 + f * f)
+    });
+    let tilt = truth.factor("gravity_tilt.g", |g| {
+        1.0 + g * rotation_rad.cos() / (frequency_hz * frequency_hz)
+    });
+    let transverse = truth.factor("transverse_motion.t0", |t0| {
+        let resonance_hz = truth.or("transverse_motion.f", 1000.0);
+        let quality = truth.or("transverse_motion.q", 10.0);
+        let rocking = second_order(frequency_hz, resonance_hz, quality);
+        let across = rocking * truth.or("transverse_motion.t1", 0.0) + t0;
+        C::ONE + across * (rotation_rad - truth.or("transverse_motion.beta", 0.0)).cos()
+    });
+    compliance * relative * transverse * strain * tilt
+}
+
+/// The device itself.
+fn device(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
+    let resonance = truth.factor("dut_resonance.f", |resonance_hz| {
+        second_order(
+            frequency_hz,
+            resonance_hz,
+            truth.or("dut_resonance.q", 30.0),
+        )
+    });
+    let slope = truth.factor("dut_frequency_slope.s", |s| {
+        1.0 - s * (frequency_hz / 159.155).log10()
+    });
+    let level = 1.0 + truth.or("dut_level_nonlinearity.g", 0.0) * row.acceleration_rms_ms2;
+    let warm = 1.0 + truth.or("dut_temperature.a", 0.0) * (row.temperature_c - 23.0);
+    let drift = 1.0 + truth.or("dut_drift.b", 0.0) * row.time_s;
+    resonance * slope * level * warm * drift
+}
+
+/// The amplifier behind the device.
+fn conditioner(truth: &Truth, frequency_hz: f64) -> C {
+    let corner = truth.factor("dut_highpass.f", |hz| high_pass(frequency_hz, hz));
+    let first = truth.factor("dut_lowpass_1.f", |hz| C::new(1.0, frequency_hz / hz).inv());
+    let second = truth.factor("dut_lowpass_2.f", |corner_hz| {
+        second_order(frequency_hz, corner_hz, truth.or("dut_lowpass_2.q", 0.707))
+    });
+    let crosstalk = truth.factor("crosstalk.c", |c| C::new(1.0, frequency_hz * c));
+    corner * first * second * crosstalk
+}
+
+/// When the channel of the device is sampled.
+fn timing(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
+    let averaged = truth.factor("averaging_window.t", |window_s| {
+        let half_rad = PI * frequency_hz * window_s;
+        C::from_polar(half_rad.sin() / half_rad, -half_rad)
+    });
+    let skew_s = truth.or("channel_skew.t", 0.0) - truth.or("clock_offset.d", 0.0) * row.time_s;
+    averaged * C::from_polar(1.0, -TAU * frequency_hz * skew_s)
+}
