@@ -4,6 +4,7 @@ use super::administrative::{identification, one_software, stated};
 use super::xml::Xml;
 use crate::certificate::model::{Certificate, Point, PointValues, Value};
 use crate::certificate::present;
+use crate::certificate::rounding::Rounded;
 use crate::certificate::words::Language;
 use calib_core::budget::coverage::PROBABILITY_K2;
 
@@ -229,77 +230,69 @@ fn refused(certificate: &Certificate, language: Language) -> Option<String> {
 }
 
 fn lists(xml: &mut Xml, certificate: &Certificate, points: &[Measured<'_>], language: Language) {
-    let of =
-        |f: &dyn Fn(&PointValues) -> String| points.iter().map(|(_, v)| f(v)).collect::<Vec<_>>();
-    let factors = of(&|v| format!("{:.2}", v.coverage_factor));
-    let judged = points.iter().filter_map(|(_, v)| v.assessment);
-    let judged = judged.map(|a| a.conformity.name()).collect();
-    let phases = points.iter().all(|(_, v)| v.printed_phase_deg.is_some());
-    for plain in [
-        plain(
-            language.word("column.frequency"),
-            "vib_frequency",
-            r"\hertz",
-            points,
-            |p| p.frequency_hz.to_string(),
-        ),
-        plain(
-            language.word("calibration.acceleration_rms"),
-            "vib_acceleration",
-            r"\metre\second\tothe{-2}",
-            points,
-            |p| p.acceleration_ms2.to_string(),
-        ),
-    ] {
-        write_list(xml, certificate, language, &plain);
-    }
-    write_list(
-        xml,
-        certificate,
-        language,
-        &List {
-            name: language.word("result.sensitivity"),
-            ref_type: "vib_sensitivityMagnitude",
-            unit: PER_MS2,
-            values: of(&|v| fixed(v.printed_mv_per_ms2.value, v.printed_mv_per_ms2.decimals)),
-            uncertainties: Some((
-                of(&|v| {
-                    fixed(
-                        v.printed_mv_per_ms2.uncertainty,
-                        v.printed_mv_per_ms2.decimals,
-                    )
-                }),
-                factors.clone(),
-            )),
-            conformity: judged,
-        },
+    let frequencies = plain(
+        language.word("column.frequency"),
+        "vib_frequency",
+        r"\hertz",
+        points,
+        |p| p.frequency_hz.to_string(),
     );
-    let phase_factor = |v: &PointValues| {
-        v.coverage_factor_phase
-            .map_or("2.00".to_owned(), |k| format!("{k:.2}"))
-    };
-    if phases {
-        let phase = |of: fn(&crate::certificate::rounding::Rounded) -> f64| {
-            let text = |v: &PointValues| v.printed_phase_deg.map(|r| fixed(of(&r), r.decimals));
-            points
-                .iter()
-                .filter_map(|(_, v)| text(v))
-                .collect::<Vec<_>>()
-        };
-        write_list(
-            xml,
-            certificate,
-            language,
-            &List {
-                name: language.word("result.phase"),
-                ref_type: "vib_sensitivityPhase",
-                unit: r"\degree",
-                values: phase(|r| r.value),
-                uncertainties: Some((phase(|r| r.uncertainty), of(&phase_factor))),
-                conformity: Vec::new(),
-            },
-        );
+    let accelerations = plain(
+        language.word("calibration.acceleration_rms"),
+        "vib_acceleration",
+        r"\metre\second\tothe{-2}",
+        points,
+        |p| p.acceleration_ms2.to_string(),
+    );
+    let magnitudes = magnitudes(points, language);
+    let lists = [frequencies, accelerations, magnitudes].into_iter();
+    for list in lists.chain(phases(points, language)) {
+        write_list(xml, certificate, language, &list);
     }
+}
+
+fn magnitudes<'a>(points: &[Measured<'_>], language: Language) -> List<'a> {
+    let printed = |number: fn(&Rounded) -> f64| -> Vec<String> {
+        let of_point = points.iter().map(|(_, values)| &values.printed_mv_per_ms2);
+        of_point
+            .map(|rounded| fixed(number(rounded), rounded.decimals))
+            .collect()
+    };
+    let factors = points.iter().map(|(_, v)| factor(v.coverage_factor));
+    let judged = points.iter().filter_map(|(_, v)| v.assessment);
+    List {
+        name: language.word("result.sensitivity"),
+        ref_type: "vib_sensitivityMagnitude",
+        unit: PER_MS2,
+        values: printed(|r| r.value),
+        uncertainties: Some((printed(|r| r.uncertainty), factors.collect())),
+        conformity: judged.map(|a| a.conformity.name()).collect(),
+    }
+}
+
+/// Phase shifts, where every point has one.
+fn phases<'a>(points: &[Measured<'_>], language: Language) -> Option<List<'a>> {
+    let phases: Option<Vec<Rounded>> = points.iter().map(|(_, v)| v.printed_phase_deg).collect();
+    let phases = phases?;
+    let printed = |number: fn(&Rounded) -> f64| {
+        let numbers = phases.iter().map(|r| fixed(number(r), r.decimals));
+        numbers.collect::<Vec<_>>()
+    };
+    let factors = points
+        .iter()
+        .map(|(_, v)| factor(v.coverage_factor_phase.unwrap_or(2.0)));
+    Some(List {
+        name: language.word("result.phase"),
+        ref_type: "vib_sensitivityPhase",
+        unit: r"\degree",
+        values: printed(|r| r.value),
+        uncertainties: Some((printed(|r| r.uncertainty), factors.collect())),
+        conformity: Vec::new(),
+    })
+}
+
+fn factor(coverage_factor: f64) -> String {
+    format!("{coverage_factor:.2}")
 }
 
 /// A list without uncertainties: what was set, not what was measured.

@@ -102,72 +102,111 @@ pub fn link(
     coverage_factor: f64,
     on_failure: OnFailure,
 ) -> Option<Linked> {
-    let linking: Vec<usize> = (0..y.len())
-        .filter(|&index| x.iter().any(|(name, ..)| *name == y[index].0))
-        .collect();
-    if linking.is_empty() {
-        return None;
-    }
-    let values = |list: &[(String, f64, f64)]| list.iter().map(|entry| entry.1).collect::<Vec<_>>();
-    let u = |list: &[(String, f64, f64)]| list.iter().map(|entry| entry.2).collect::<Vec<_>>();
-    let reference = reference_value(&values(x), &u(x), on_failure);
-    let linkers: Vec<_> = linking.iter().map(|&index| y[index].clone()).collect();
-    let mean = reference_value(&values(&linkers), &u(&linkers), on_failure);
-
-    let variances = variances(x, y, &linking, &reference, &mean);
-    let size = variances.len();
-    let mut x_form = Form {
-        value: reference.value,
-        gradient: vec![0.0; size],
-    };
-    x_form.gradient[..x.len()].copy_from_slice(&reference.weights);
-    let mut y_form = Form {
-        value: mean.value,
-        gradient: vec![0.0; size],
-    };
-    for (&index, weight) in linking.iter().zip(&mean.weights) {
-        y_form.gradient[x.len() + index] = *weight;
-    }
-    let r = x_form.combine(
-        1.0 / mean.value,
-        &y_form,
-        -reference.value / mean.value.powi(2),
-        reference.value / mean.value,
-    );
-    let linked: Vec<Form> = (0..y.len())
-        .map(|index| {
-            let mut own = Form {
-                value: y[index].1,
-                gradient: vec![0.0; size],
-            };
-            own.gradient[x.len() + index] = 1.0;
-            r.combine(own.value, &own, r.value, r.value * own.value)
-        })
-        .collect();
-    let laboratories = (0..y.len())
-        .map(|index| {
-            let z = &linked[index];
-            let d = z.combine(1.0, &x_form, -1.0, z.value - x_form.value);
-            let u_expanded = coverage_factor * d.standard_uncertainty(&variances);
-            LinkedLaboratory {
-                laboratory: y[index].0.clone(),
-                linking: linking.contains(&index),
-                value: z.value,
-                standard_uncertainty: z.standard_uncertainty(&variances),
-                d: d.value,
-                u_expanded,
-                e_n: d.value / u_expanded,
-            }
-        })
+    let inputs = Inputs::new(x, y, on_failure)?;
+    let x_form = inputs.reference_form();
+    let r = inputs.linking_coefficient(&x_form);
+    let linked: Vec<Form> = (0..y.len()).map(|index| inputs.linked(index, &r)).collect();
+    let laboratories = linked
+        .iter()
+        .enumerate()
+        .map(|(index, z)| inputs.laboratory(index, z, &x_form, coverage_factor))
         .collect();
     Some(Linked {
         linking_coefficient: r.value,
-        u_linking_coefficient: r.standard_uncertainty(&variances),
+        u_linking_coefficient: r.standard_uncertainty(&inputs.variances),
         laboratories,
-        pairs: pairs(y, &linked, &variances, coverage_factor),
-        reference_value: reference,
-        linking_mean: mean,
+        pairs: pairs(y, &linked, &inputs.variances, coverage_factor),
+        reference_value: inputs.reference,
+        linking_mean: inputs.mean,
     })
+}
+
+/// The results of both comparisons, those of the key comparison first.
+struct Inputs<'a> {
+    x: &'a [(String, f64, f64)],
+    y: &'a [(String, f64, f64)],
+    /// Places in `y` of those who took part in both.
+    linking: Vec<usize>,
+    reference: ReferenceValue,
+    mean: ReferenceValue,
+    variances: Vec<f64>,
+}
+
+impl<'a> Inputs<'a> {
+    fn new(
+        x: &'a [(String, f64, f64)],
+        y: &'a [(String, f64, f64)],
+        on_failure: OnFailure,
+    ) -> Option<Self> {
+        let in_both = |index: &usize| x.iter().any(|(name, ..)| *name == y[*index].0);
+        let linking: Vec<usize> = (0..y.len()).filter(in_both).collect();
+        if linking.is_empty() {
+            return None;
+        }
+        let (values, u): (Vec<f64>, Vec<f64>) = x.iter().map(|(_, v, u)| (*v, *u)).unzip();
+        let reference = reference_value(&values, &u, on_failure);
+        let linkers = linking.iter().map(|&index| (y[index].1, y[index].2));
+        let (values, u): (Vec<f64>, Vec<f64>) = linkers.unzip();
+        let mean = reference_value(&values, &u, on_failure);
+        Some(Self {
+            variances: variances(x, y, &linking, &reference, &mean),
+            x,
+            y,
+            linking,
+            reference,
+            mean,
+        })
+    }
+
+    /// A quantity that depends on nothing yet.
+    fn constant(&self, value: f64) -> Form {
+        let gradient = vec![0.0; self.variances.len()];
+        Form { value, gradient }
+    }
+
+    /// x, the reference value.
+    fn reference_form(&self) -> Form {
+        let mut form = self.constant(self.reference.value);
+        form.gradient[..self.x.len()].copy_from_slice(&self.reference.weights);
+        form
+    }
+
+    /// r = x / y.
+    fn linking_coefficient(&self, x: &Form) -> Form {
+        let mut y = self.constant(self.mean.value);
+        for (&index, weight) in self.linking.iter().zip(&self.mean.weights) {
+            y.gradient[self.x.len() + index] = *weight;
+        }
+        let r = x.value / y.value;
+        x.combine(1.0 / y.value, &y, -r / y.value, r)
+    }
+
+    /// z = r y of one laboratory.
+    fn linked(&self, index: usize, r: &Form) -> Form {
+        let mut own = self.constant(self.y[index].1);
+        own.gradient[self.x.len() + index] = 1.0;
+        r.combine(own.value, &own, r.value, r.value * own.value)
+    }
+
+    fn laboratory(
+        &self,
+        index: usize,
+        z: &Form,
+        x: &Form,
+        coverage_factor: f64,
+    ) -> LinkedLaboratory {
+        let d = z.combine(1.0, x, -1.0, z.value - x.value);
+        let u_expanded = coverage_factor * d.standard_uncertainty(&self.variances);
+        LinkedLaboratory {
+            laboratory: self.y[index].0.clone(),
+            linking: self.linking.contains(&index),
+            value: z.value,
+            standard_uncertainty: z.standard_uncertainty(&self.variances),
+            d: d.value,
+            u_expanded,
+            e_n: d.value / u_expanded,
+        }
+    }
 }
 
 /// Variances of all inputs; where a mean needed a variance between

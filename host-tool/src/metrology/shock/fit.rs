@@ -7,7 +7,8 @@ use crate::metrology::oscillator::Oscillator;
 use crate::metrology::record::{TimeRecord, without_offset};
 use crate::metrology::statistics;
 use crate::{Error, Result};
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
+use num_complex::Complex64;
 use serde::Serialize;
 
 /// Result of a shock identification.
@@ -96,65 +97,109 @@ pub fn identify(record: &TimeRecord, choice: &Choice) -> Result<ShockIdentificat
     let (mut a, x) = (spectrum(&input), spectrum(&output));
     advance(&mut a, choice.input_delay_s * record.sample_rate_hz);
     let bins = bins(&a, record.sample_rate_hz, choice)?;
-    let fit = solve(&a, &x, &bins, record.sample_rate_hz);
-    let (mu, covariance_u0, square_sum) = fit.ok_or_else(no_oscillator)?;
-    let degrees_of_freedom = 2 * bins.len() - 3;
-    let u0 = match choice.u0 {
-        Some(u0) => u0,
-        None => (square_sum / degrees_of_freedom as f64).sqrt(),
-    };
-    let covariance = covariance_u0 * u0 * u0;
-    let mapping = match choice.prewarp {
-        true => Mapping::BilinearPrewarped,
-        false => Mapping::Bilinear,
-    };
-    let parameters = |mu: &Vector3<f64>| continuous(mu, record.sample_rate_hz, mapping);
-    let oscillator = parameters(&mu).ok_or_else(no_oscillator)?;
-    let discrete = Discrete::new(&oscillator, record.sample_rate_hz, mapping);
-    let all = |mu: &Vector3<f64>| match parameters(mu) {
-        Some(o) => {
-            let d = Discrete::new(&o, record.sample_rate_hz, mapping);
-            [o.s0, o.f0_hz, o.delta, d.b, d.c1, d.c2]
-        }
-        None => [f64::NAN; 6],
-    };
-    let (u, correlation) = spread(&mu, &covariance, all);
-    let chi2 = square_sum / (u0 * u0);
+    let estimate = Estimate::new(&a, &x, &bins, record.sample_rate_hz, choice)?;
+    let range = range(&bins, a.len(), record.sample_rate_hz);
     let mut result = ShockIdentification {
-        oscillator,
-        rho: oscillator.rho(),
-        u_s0: u[0],
-        u_f0_hz: u[1],
-        u_delta: u[2],
-        correlation,
-        discrete,
-        u_discrete: Discrete {
-            b: u[3],
-            c1: u[4],
-            c2: u[5],
-        },
-        sample_rate_hz: record.sample_rate_hz,
-        mapping,
-        mapping_formula: mapping.formula(),
-        frequencies: bins.len(),
-        range: range(&bins, a.len(), record.sample_rate_hz),
-        u0,
-        chi2,
-        degrees_of_freedom,
-        consistent: choice
-            .u0
-            .map(|_| chi2 <= statistics::chi_squared_quantile(0.975, degrees_of_freedom as f64)),
         peak_ratio: peak_of(&output) / peak_of(&input),
-        simulation_rms_percent: None,
-        simulation_max_percent: None,
-        warnings: Vec::new(),
+        ..estimate.interpret(range, record.sample_rate_hz, choice)?
     };
-    if oscillator.delta > 0.0 {
-        let aligned = from_spectrum(&a);
-        compare(&mut result, &output, &discrete.respond(&aligned));
+    if result.oscillator.delta > 0.0 {
+        let simulated = result.discrete.respond(&from_spectrum(&a));
+        compare(&mut result, &output, &simulated);
     }
     advise(&mut result);
     Ok(result)
+}
+
+/// The fit of the spectra, before it is an oscillator.
+struct Estimate {
+    mu: Vector3<f64>,
+    covariance: Matrix3<f64>,
+    bins: usize,
+    u0: f64,
+    chi2: f64,
+    degrees_of_freedom: usize,
+}
+
+impl Estimate {
+    fn new(
+        a: &[Complex64],
+        x: &[Complex64],
+        bins: &[usize],
+        sample_rate_hz: f64,
+        choice: &Choice,
+    ) -> Result<Self> {
+        let fit = solve(a, x, bins, sample_rate_hz);
+        let (mu, covariance_u0, square_sum) = fit.ok_or_else(no_oscillator)?;
+        let degrees_of_freedom = 2 * bins.len() - 3;
+        let from_residuals = || (square_sum / degrees_of_freedom as f64).sqrt();
+        let u0 = choice.u0.unwrap_or_else(from_residuals);
+        Ok(Self {
+            mu,
+            covariance: covariance_u0 * u0 * u0,
+            bins: bins.len(),
+            u0,
+            chi2: square_sum / (u0 * u0),
+            degrees_of_freedom,
+        })
+    }
+
+    /// Chi-squared (39) against its 97.5 % quantile.
+    fn is_consistent(&self) -> bool {
+        let limit = statistics::chi_squared_quantile(0.975, self.degrees_of_freedom as f64);
+        self.chi2 <= limit
+    }
+
+    /// Parameters of the oscillator with their uncertainties; nothing of the waveforms yet.
+    fn interpret(
+        &self,
+        range: Range,
+        sample_rate_hz: f64,
+        choice: &Choice,
+    ) -> Result<ShockIdentification> {
+        let mapping = match choice.prewarp {
+            true => Mapping::BilinearPrewarped,
+            false => Mapping::Bilinear,
+        };
+        let oscillator = continuous(&self.mu, sample_rate_hz, mapping).ok_or_else(no_oscillator)?;
+        let all = |mu: &Vector3<f64>| parameters(mu, sample_rate_hz, mapping);
+        let (u, correlation) = spread(&self.mu, &self.covariance, all);
+        let [u_s0, u_f0_hz, u_delta, b, c1, c2] = u;
+        Ok(ShockIdentification {
+            oscillator,
+            rho: oscillator.rho(),
+            u_s0,
+            u_f0_hz,
+            u_delta,
+            correlation,
+            discrete: Discrete::new(&oscillator, sample_rate_hz, mapping),
+            u_discrete: Discrete { b, c1, c2 },
+            sample_rate_hz,
+            mapping,
+            mapping_formula: mapping.formula(),
+            frequencies: self.bins,
+            range,
+            u0: self.u0,
+            chi2: self.chi2,
+            degrees_of_freedom: self.degrees_of_freedom,
+            consistent: choice.u0.map(|_| self.is_consistent()),
+            peak_ratio: f64::NAN,
+            simulation_rms_percent: None,
+            simulation_max_percent: None,
+            warnings: Vec::new(),
+        })
+    }
+}
+
+/// S0, f0, delta, b, c1, c2 of a fit; NaN where it is no oscillator.
+fn parameters(mu: &Vector3<f64>, sample_rate_hz: f64, mapping: Mapping) -> [f64; 6] {
+    match continuous(mu, sample_rate_hz, mapping) {
+        Some(o) => {
+            let d = Discrete::new(&o, sample_rate_hz, mapping);
+            [o.s0, o.f0_hz, o.delta, d.b, d.c1, d.c2]
+        }
+        None => [f64::NAN; 6],
+    }
 }
 
 fn peak_of(values: &[f64]) -> f64 {
