@@ -7,7 +7,8 @@ use crate::engine::fit::{Fit, Linearised, Workspace};
 use crate::engine::holdout::{self, Gap, OBSERVABLES};
 use crate::engine::problem::{EXCITER_NAMES, Nuisance, Problem};
 use crate::engine::search::{Limits, Scored, Search, search, search_from};
-use crate::engine::structure::{Structure, examine, two_sided};
+use crate::engine::significance::two_sided;
+use crate::engine::structure::{Structure, examine};
 use crate::error::GapError;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -175,7 +176,7 @@ fn diagnose_points(
     let next_measurement = next_measurement(verdict, &causes, &left, problem);
     Answer {
         verdict,
-        r#where: places(problem, &found, &nominal_left, &left, verdict),
+        r#where: places(problem, &found, &nominal_left, &left, verdict, &mut work),
         none_of_these_p_value: left.p_value,
         confusable,
         next_measurement,
@@ -393,6 +394,7 @@ fn places(
     nominal: &Structure,
     left: &Structure,
     verdict: Verdict,
+    work: &mut Workspace,
 ) -> Vec<Where> {
     if verdict == Verdict::NoGap {
         return Vec::new();
@@ -400,7 +402,7 @@ fn places(
     let excess =
         (nominal.residual.iter().map(|r| r * r).sum::<f64>() - problem.len() as f64).max(1.0);
     let mut places = Vec::new();
-    for (stage, share) in crate::stages::rank(problem, found, nominal, left, verdict) {
+    for (stage, share) in crate::stages::rank(problem, found, nominal, verdict, work) {
         let (slot, axis, z) = crate::stages::evidence(
             stage,
             if places.is_empty() { nominal } else { left },

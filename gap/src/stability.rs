@@ -3,7 +3,7 @@
 use crate::engine::fit::Workspace;
 use crate::engine::problem::Problem;
 use crate::engine::search::Scored;
-use crate::engine::structure::Gauss;
+use crate::engine::significance::Gauss;
 
 const DRAWS: usize = 100;
 /// Sets worth comparing.

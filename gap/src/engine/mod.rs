@@ -5,7 +5,8 @@
 //! screen     every start of every effect against the residual of a fit
 //! fit        refinement of a set of effects
 //! search     none, singles, pairs; posterior probabilities
-//! structure  what is left: tests by class, calibrated by simulation
+//! structure  what is left: tests by class
+//! significance  how surprising that is, calibrated by simulation
 //! holdout    the share closed on rows that took no part
 //! ```
 
@@ -15,4 +16,5 @@ pub(crate) mod normal;
 pub(crate) mod problem;
 pub(crate) mod screen;
 pub(crate) mod search;
+pub(crate) mod significance;
 pub(crate) mod structure;

@@ -28,6 +28,15 @@ impl Column {
         self.parts.iter().map(|(_, a)| inner(a, a)).sum()
     }
 
+    /// Adds a multiple of the column to a vector over all data.
+    pub(crate) fn add_to(&self, problem: &Problem, data: &mut [f64], factor: f64) {
+        for (slot, values) in &self.parts {
+            for (d, v) in data[problem.slots[*slot].clone()].iter_mut().zip(values) {
+                *d += factor * v;
+            }
+        }
+    }
+
     /// Column of differences `(b - a) * scale` over all data, zero slots left out.
     pub(crate) fn difference(problem: &Problem, a: &[f64], b: &[f64], scale: f64) -> Self {
         let mut parts = Vec::new();
@@ -99,13 +108,14 @@ impl Tangent {
         let solution = self.factor.solve(&gradient);
         let mut left = data.to_vec();
         for (column, value) in self.columns.iter().zip(solution.iter()) {
-            for (slot, values) in &column.parts {
-                for (l, v) in left[problem.slots[*slot].clone()].iter_mut().zip(values) {
-                    *l -= value * v;
-                }
-            }
+            column.add_to(problem, &mut left, -value);
         }
         (left, solution)
+    }
+
+    /// Values of the parameters for a gradient.
+    pub(crate) fn solve(&self, gradient: &DVector<f64>) -> DVector<f64> {
+        self.factor.solve(gradient)
     }
 
     /// Covariance matrix of the parameters.

@@ -519,10 +519,11 @@ fn score(problem: &Problem, nominal: &Fit, found: Vec<Fit>, allowed: &[bool]) ->
     for set in sets {
         let names = sorted(set.fit.names());
         // Occam's window: a set is not considered beside a better one made of part of it.
-        if !kept
-            .iter()
-            .any(|k| sorted(k.fit.names()).iter().all(|n| names.contains(n)))
-        {
+        // (No effect at all is part of every set: a gap too faint to be claimed has possible causes.)
+        if !kept.iter().any(|k| {
+            let part = sorted(k.fit.names());
+            part.iter().all(|n| names.contains(n)) && (!part.is_empty() || names.is_empty())
+        }) {
             kept.push(set);
         }
     }

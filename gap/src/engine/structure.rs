@@ -3,10 +3,9 @@
 use super::fit::{Fit, Linearised, Workspace};
 use super::normal::Tangent;
 use super::problem::{Column, Evaluation, Problem};
+use super::significance::{chi_square_tail, of_smallest, two_sided};
 use crate::model::row::{NOISE, REF_HARMONICS, Row, SLOTS};
 
-/// Draws of pure noise that calibrate the tests.
-const DRAWS: usize = 60;
 /// Effective number of open data that a test of them needs.
 const FEWEST_OPEN: f64 = 12.0;
 /// Bands of the tests for local structure.
@@ -92,9 +91,7 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
     let pull =
         pulls(&mut fit.theta.iter().copied()).max(open.largest(problem, &evaluation.residual));
     let here = fit_scores(&scores(&left), &left, problem, &tangent).min(two_sided(pull));
-    let mut exceed = 0.0;
-    let mut draw = Gauss::new(0x9e37_79b9_7f4a_7c15);
-    for _ in 0..DRAWS {
+    let p_value = of_smallest(here, |draw| {
         let mut noise: Vec<f64> = (0..problem.len()).map(|_| draw.next()).collect();
         for (column, _) in tangent.columns.iter().zip(&bounded).filter(|(_, b)| **b) {
             let value = draw.next();
@@ -106,11 +103,8 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
         }
         let (reduced, values) = tangent.reduce(problem, &noise);
         let pull = pulls(&mut values.iter().copied()).max(open.largest(problem, &noise));
-        let p = fit_scores(&scores(&reduced), &reduced, problem, &tangent).min(two_sided(pull));
-        exceed -= (1.0 - p).max(1e-300).ln();
-    }
-    let effective = DRAWS as f64 / exceed.max(1e-9);
-    let p_value = -libm::expm1(effective * libm::log1p(-here.min(1.0 - 1e-15)));
+        fit_scores(&scores(&reduced), &reduced, problem, &tangent).min(two_sided(pull))
+    });
     let z = scores(&left);
     let outcomes = usable
         .iter()
@@ -233,18 +227,6 @@ fn fit_scores(z: &[f64], residual: &[f64], problem: &Problem, tangent: &Tangent)
     ))
 }
 
-/// Probability of a larger deviate of either sign.
-pub(crate) fn two_sided(z: f64) -> f64 {
-    libm::erfc(z.abs() / std::f64::consts::SQRT_2)
-}
-
-/// Upper tail of chi-square by the cube-root transformation of Wilson and Hilferty.
-pub(crate) fn chi_square_tail(square: f64, degrees: f64) -> f64 {
-    let spread = 2.0 / (9.0 * degrees);
-    let z = ((square / degrees).cbrt() - 1.0 + spread) / spread.sqrt();
-    0.5 * libm::erfc(z / std::f64::consts::SQRT_2)
-}
-
 fn battery(problem: &Problem) -> Vec<Test> {
     let facts = &problem.facts;
     let ln = |f: f64| {
@@ -351,43 +333,4 @@ fn legendre(order: usize, x: f64) -> f64 {
         (a, b) = (b, ((2.0 * k + 1.0) * x * b - k * a) / (k + 1.0));
     }
     b
-}
-
-/// Normal deviates from a seed: the sum of a table-free polar method.
-pub(crate) struct Gauss {
-    state: u64,
-    spare: Option<f64>,
-}
-
-impl Gauss {
-    pub(crate) fn new(seed: u64) -> Self {
-        Self {
-            state: seed,
-            spare: None,
-        }
-    }
-
-    pub(crate) fn uniform(&mut self) -> f64 {
-        // splitmix64 (Steele, Lea, Flood 2014).
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    pub(crate) fn next(&mut self) -> f64 {
-        if let Some(value) = self.spare.take() {
-            return value;
-        }
-        loop {
-            let (x, y) = (2.0 * self.uniform() - 1.0, 2.0 * self.uniform() - 1.0);
-            let s = x * x + y * y;
-            if s > 0.0 && s < 1.0 {
-                let factor = (-2.0 * s.ln() / s).sqrt();
-                self.spare = Some(y * factor);
-                return x * factor;
-            }
-        }
-    }
 }

@@ -122,6 +122,7 @@ fn suspects(answer: &Answer) -> Vec<&'static str> {
         .map(|about| about.stage.name());
     let places = answer.r#where.iter().take(1).map(|place| place.stage);
     match answer.verdict {
+        Verdict::NoGap => Vec::new(),
         Verdict::Unexplained => places.collect(),
         _ => of_causes.collect(),
     }

@@ -47,7 +47,11 @@ fn contents(page: &mut String, answers: &[Answer]) {
         answers.len()
     );
     for (at, answer) in answers.iter().enumerate() {
-        let cause = answer.causes.first().map(|c| c.effects.join(" + "));
+        let claimed = answer
+            .causes
+            .first()
+            .filter(|_| answer.verdict != Verdict::NoGap);
+        let cause = claimed.map(|c| c.effects.join(" + "));
         let _ = write!(
             page,
             "<tr><td><a href='#d{at}'>{}</a><td>{}<td>{}<td>{} %<td>{} %</tr>",

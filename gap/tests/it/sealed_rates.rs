@@ -89,4 +89,5 @@ fn an_effect_missing_from_the_library_is_not_forced_onto_another() {
     check("not unexplained", &left, 0.05, |o| {
         o.is(Verdict::Unexplained)
     });
+    check("another stage", &left, 0.03, Outcome::stage_found);
 }

@@ -13,7 +13,7 @@ use crate::link::Client;
 use crate::{Error, Result, session};
 use calib_core::point::PointSpec;
 use calib_core::settings::Settings;
-use calib_gap::{Answer, Cause, Confirmation};
+use calib_gap::{Answer, Cause, Confirmation, Verdict};
 use calib_twin::dataset::{Nominal, Point};
 use calib_twin::effects::{ActiveEffect, CalibratorAction, Effect, EffectError};
 use calib_twin::rig::Rig;
@@ -33,7 +33,8 @@ const BLOCKS_WITH_CAPTURE: u16 = 10;
 /// [`Error::Input`] for a dataset of an oscillator, one without levels, or without a firmware image;
 /// those of the link.
 pub fn confirm(folder: &Path, answer: &Answer) -> Result<Option<Confirmation>> {
-    let Some(cause) = answer.causes.first().filter(|c| !c.effects.is_empty()) else {
+    let claimed = answer.causes.first().filter(|c| !c.effects.is_empty());
+    let Some(cause) = claimed.filter(|_| answer.verdict != Verdict::NoGap) else {
         return Ok(None);
     };
     let mut nominal = Known::load(folder)?.nominal;

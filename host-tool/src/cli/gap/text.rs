@@ -21,10 +21,15 @@ pub(super) fn answer(answer: &Answer) -> String {
         Verdict::Unexplained => "unexplained: no cause in the library describes the gap",
     };
     let _ = writeln!(text, "  {verdict}");
+    // A gap too faint to be claimed has no cause, only what it might be.
+    let word = match answer.verdict {
+        Verdict::NoGap => "perhaps",
+        _ => "cause",
+    };
     for cause in &answer.causes {
         let _ = writeln!(
             text,
-            "  cause   {:<44} probability {:.3}",
+            "  {word:<7} {:<44} probability {:.3}",
             cause.effects.join(" + "),
             cause.probability
         );

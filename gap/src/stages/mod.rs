@@ -1,11 +1,15 @@
 //! Which stage a gap points to, by what explains it and by its class.
 
+mod pattern;
+
 use crate::answer::Verdict;
-use crate::effects::Stage;
-use crate::engine::problem::{Nuisance, Problem};
+use crate::effects::{About, Stage, list};
+use crate::engine::fit::Workspace;
+use crate::engine::problem::Problem;
 use crate::engine::search::Search;
 use crate::engine::structure::{BANDS, Outcome, Structure};
 use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
+use pattern::{Found, Kind};
 use std::collections::BTreeMap;
 
 /// Stages in the order of what speaks for them, with the chi-square they account for.
@@ -13,29 +17,25 @@ pub(crate) fn rank(
     problem: &Problem,
     found: &Search,
     nominal: &Structure,
-    left: &Structure,
     verdict: Verdict,
+    work: &mut Workspace,
 ) -> Vec<(Stage, f64)> {
     let by_effects = by_effects(found);
-    let stretched = stretched(problem, found);
-    let by_class = by_class(problem, nominal, stretched);
+    let classes = pattern::classes(problem, &found.nominal, work);
+    let by_class = by_class(problem, nominal, &classes);
+    let named: Vec<&About> = found.sets.first().map_or_else(Vec::new, |best| {
+        best.fit.effects.iter().map(|e| e.effect.about()).collect()
+    });
     let mut order: Vec<Stage> = Vec::new();
-    let named = found
-        .sets
-        .first()
-        .into_iter()
-        .flat_map(|best| &best.fit.effects);
-    let named: Vec<Stage> = named.map(|e| e.effect.about().stage).collect();
     if verdict == Verdict::Unexplained {
         // What was named is a substitute: the gap itself speaks first.
         order.extend(by_class.iter().take(2).map(|s| s.0));
-        order.extend(&named);
-        order.extend(self::by_class(problem, left, 0.0).first().map(|s| s.0));
-    } else {
-        order.extend(&named);
     }
-    order.extend(by_effects.iter().map(|s| s.0));
-    order.extend(by_class.iter().map(|s| s.0));
+    order.extend(named.iter().map(|about| about.stage));
+    if let [alone] = named.as_slice() {
+        order.extend(mistaken_for(alone));
+    }
+    order.extend(by_effects.iter().chain(&by_class).map(|s| s.0));
     let share = |stage: Stage| {
         let of = |list: &[(Stage, f64)]| list.iter().find(|s| s.0 == stage).map(|s| s.1);
         of(&by_effects).or_else(|| of(&by_class)).unwrap_or(0.0)
@@ -48,6 +48,17 @@ pub(crate) fn rank(
     }
     ranked.truncate(4);
     ranked
+}
+
+/// The other stage in which what is first mistaken for an effect sits.
+fn mistaken_for(about: &About) -> Option<Stage> {
+    let library = list();
+    let stage = |id: &&str| library.iter().find(|a| a.id == *id).map(|a| a.stage);
+    about
+        .confused_with
+        .iter()
+        .filter_map(stage)
+        .find(|s| *s != about.stage)
 }
 
 /// Gain of the best set that has an effect of a stage and nothing else.
@@ -79,45 +90,18 @@ fn along(structure: &Structure, from: usize, to: usize, axis: &str) -> f64 {
     chosen.fold(0.0_f64, |m, o| m.max(o.z * o.z))
 }
 
-/// How far beyond three of their uncertainties the exciter's values were stretched, squared.
-fn stretched(problem: &Problem, found: &Search) -> f64 {
-    let values = problem.free.iter().zip(&found.nominal.theta);
-    let exciter = values.filter(|(free, _)| matches!(free.kind, Nuisance::Exciter(_)));
-    exciter.map(|(_, t)| (t * t - 9.0).max(0.0)).sum()
-}
-
-/// Stages suggested by the observables and axes alone, with the chi-square that speaks for each.
-fn by_class(problem: &Problem, s: &Structure, stretched: f64) -> Vec<(Stage, f64)> {
+/// Stages suggested by the classes of a gap, with the chi-square that speaks for each.
+fn by_class(problem: &Problem, s: &Structure, found: &[Found]) -> Vec<(Stage, f64)> {
     let of = |from: usize, to: usize| excess(problem, s, from, to);
-    let (ratio, drive, current) = (
-        of(RATIO, DRIVE),
-        of(DRIVE, CURRENT),
-        of(CURRENT, REF_HARMONICS),
-    );
     let harmonics = [of(REF_HARMONICS, DUT_HARMONICS), of(DUT_HARMONICS, DC)];
-    let noise = [of(NOISE, NOISE + 1), of(NOISE + 1, SLOTS)];
     let direct = of(DC, NOISE);
-    let mirrored = ratio.min(drive) > 0.2 * ratio && mirror(s) < -0.6;
-    let mut classes: Vec<(f64, [Stage; 2])> = vec![
-        (
-            harmonics[0].max(harmonics[1]) + direct,
-            distorted(problem, s, harmonics),
-        ),
-        (0.5 * noise[0].max(noise[1]), noisy(s, noise)),
-        (stretched, [Stage::Exciter, Stage::Amplifier]),
-    ];
-    if mirrored {
-        classes.push((ratio + drive, of_the_reference(s)));
-        classes.push((current, [Stage::Exciter, Stage::Amplifier]));
-    } else {
-        classes.push((ratio, of_the_ratio(s)));
-        classes.push((drive + current, driven(s, drive, current)));
-    }
+    let mut classes: Vec<(f64, [Stage; 2])> =
+        found.iter().map(|f| (f.gain, of_kind(f.kind, s))).collect();
+    classes.push((
+        harmonics[0].max(harmonics[1]) + direct,
+        distorted(problem, s, harmonics),
+    ));
     classes.retain(|c| c.0 > 0.0);
-    if classes.is_empty() {
-        // Nothing is left in the data, so the nuisances were stretched: they are the exciter's.
-        return vec![(Stage::Exciter, 1.0), (Stage::Reference, 0.5)];
-    }
     classes.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut list: Vec<(Stage, f64)> = Vec::new();
     for (weight, stages) in classes {
@@ -130,18 +114,23 @@ fn by_class(problem: &Problem, s: &Structure, stretched: f64) -> Vec<(Stage, f64
     list
 }
 
-/// Correlation of what ratio and drive show over the same shapes: -1 for the reference, which is in both.
-fn mirror(s: &Structure) -> f64 {
-    let (mut product, mut first, mut second) = (0.0, 0.0, 0.0);
-    for a in s.outcomes.iter().filter(|o| o.slot < DRIVE) {
-        let same = |b: &&Outcome| b.slot == a.slot + DRIVE && b.shape == a.shape;
-        if let Some(b) = s.outcomes.iter().find(same) {
-            product += a.z * b.z;
-            first += a.z * a.z;
-            second += b.z * b.z;
-        }
+/// The stage a class points to first, and the next best.
+fn of_kind(kind: Kind, s: &Structure) -> [Stage; 2] {
+    match kind {
+        Kind::Ratio => of_the_ratio(s),
+        Kind::PhaseInTime => [Stage::Digitiser, Stage::Conditioning],
+        Kind::Rotation | Kind::Payload => [Stage::Mount, Stage::Dut],
+        Kind::Temperature | Kind::Time => [Stage::Dut, Stage::Reference],
+        Kind::Level => [Stage::Dut, Stage::Digitiser],
+        Kind::Mirrored if is_low(s, RATIO..DRIVE) => [Stage::Conditioning, Stage::Reference],
+        Kind::Mirrored => [Stage::Reference, Stage::Conditioning],
+        Kind::MirroredSlow => [Stage::Reference, Stage::Dut],
+        Kind::MirroredLevel => [Stage::Digitiser, Stage::Reference],
+        Kind::DriveInTime => [Stage::Amplifier, Stage::Exciter],
+        Kind::Exciter | Kind::ExciterInTime => [Stage::Exciter, Stage::Amplifier],
+        Kind::NoiseOfDut => [Stage::Conditioning, Stage::Mount],
+        Kind::NoiseOfBoth => noisy(s),
     }
-    product / (first * second).sqrt().max(1e-300)
 }
 
 /// Whether the strongest band of a slot lies in the lower half of the frequencies.
@@ -158,42 +147,11 @@ fn is_low(s: &Structure, slots: std::ops::Range<usize>) -> bool {
     strongest.is_some_and(|o| o.shape + BANDS / 2 <= last)
 }
 
-fn of_the_reference(s: &Structure) -> [Stage; 2] {
-    let slow = along(s, RATIO, DRIVE, "temperature_c").max(along(s, RATIO, DRIVE, "time_s"));
-    let plain = along(s, RATIO, DRIVE, "frequency_hz");
-    if slow > plain {
-        [Stage::Reference, Stage::Dut]
-    } else if is_low(s, RATIO..DRIVE) {
-        [Stage::Conditioning, Stage::Reference]
-    } else {
-        [Stage::Reference, Stage::Conditioning]
-    }
-}
-
+/// A deviation of the ratio over frequency alone: by its place and by how much of it is phase.
 fn of_the_ratio(s: &Structure) -> [Stage; 2] {
-    let plain = along(s, RATIO, DRIVE, "frequency_hz");
-    let [payload, rotation, warm, time, level] = [
-        "payload_kg",
-        "rotation_deg",
-        "temperature_c",
-        "time_s",
-        "acceleration_ms2",
-    ]
-    .map(|axis| along(s, RATIO, DRIVE, axis));
     let phase = along(s, RATIO + 1, DRIVE, "frequency_hz");
     let size = along(s, RATIO, RATIO + 1, "frequency_hz");
-    let most = [plain, payload, rotation, warm, time, level]
-        .into_iter()
-        .fold(0.0, f64::max);
-    if most == rotation || payload > 0.9 * most && payload > 1.05 * plain {
-        [Stage::Mount, Stage::Dut]
-    } else if along(s, RATIO + 1, DRIVE, "time_s") > plain {
-        [Stage::Digitiser, Stage::Conditioning]
-    } else if most == warm || most == time {
-        [Stage::Dut, Stage::Reference]
-    } else if most == level {
-        [Stage::Dut, Stage::Digitiser]
-    } else if is_low(s, RATIO..DRIVE) {
+    if is_low(s, RATIO..DRIVE) {
         if phase > 0.05 * size {
             [Stage::Conditioning, Stage::Mount]
         } else {
@@ -203,22 +161,12 @@ fn of_the_ratio(s: &Structure) -> [Stage; 2] {
         [Stage::Digitiser, Stage::Conditioning]
     } else if phase > 0.3 * size {
         [Stage::Conditioning, Stage::Digitiser]
-    } else if payload > 0.5 * plain {
-        [Stage::Mount, Stage::Dut]
     } else {
         [Stage::Dut, Stage::Conditioning]
     }
 }
 
-fn driven(s: &Structure, drive: f64, current: f64) -> [Stage; 2] {
-    let slow = along(s, DRIVE, CURRENT, "time_s");
-    if current < 0.02 * drive && slow > along(s, DRIVE, CURRENT, "frequency_hz") {
-        [Stage::Amplifier, Stage::Exciter]
-    } else {
-        [Stage::Exciter, Stage::Amplifier]
-    }
-}
-
+/// Harmonics: of the motion if both channels show the same, else of one channel.
 fn distorted(problem: &Problem, s: &Structure, [reference, dut]: [f64; 2]) -> [Stage; 2] {
     let parity = |offset: usize| {
         let orders = [DUT_HARMONICS + offset, DUT_HARMONICS + offset + 4];
@@ -228,7 +176,8 @@ fn distorted(problem: &Problem, s: &Structure, [reference, dut]: [f64; 2]) -> [S
             .sum::<f64>()
     };
     let (even, odd) = (parity(0), parity(2));
-    if reference.min(dut) > 0.05 * reference.max(dut) {
+    let (shared, data) = shared(problem, s);
+    if shared > 0.3 * reference.max(dut) && shared > 3.0 * data.sqrt() {
         [Stage::Exciter, Stage::Amplifier]
     } else if dut > reference && even.min(odd) > 0.02 * even.max(odd) {
         [Stage::Mount, Stage::Digitiser]
@@ -239,7 +188,27 @@ fn distorted(problem: &Problem, s: &Structure, [reference, dut]: [f64; 2]) -> [S
     }
 }
 
-fn noisy(s: &Structure, [reference, dut]: [f64; 2]) -> [Stage; 2] {
+/// Inner product of the harmonics of both channels, and the number of data in it:
+/// what noise gives has the variance of that number.
+fn shared(problem: &Problem, s: &Structure) -> (f64, f64) {
+    let (mut product, mut data) = (0.0, 0.0);
+    for slot in REF_HARMONICS..DUT_HARMONICS {
+        let of_dut = problem.slots[slot + DUT_HARMONICS - REF_HARMONICS].clone();
+        let mut other = of_dut.peekable();
+        for at in problem.slots[slot].clone() {
+            let row = problem.row_of[at];
+            while other.next_if(|o| problem.row_of[*o] < row).is_some() {}
+            if let Some(o) = other.next_if(|o| problem.row_of[*o] == row) {
+                product += s.residual[at] * s.residual[o];
+                data += 1.0;
+            }
+        }
+    }
+    (product, data)
+}
+
+/// Noise in both channels: of the motion, or of the clock if it grows with the signal.
+fn noisy(s: &Structure) -> [Stage; 2] {
     let grows =
         along(s, NOISE, SLOTS, "frequency_hz").max(along(s, NOISE, SLOTS, "acceleration_ms2"));
     let z2 = s
@@ -248,9 +217,7 @@ fn noisy(s: &Structure, [reference, dut]: [f64; 2]) -> [Stage; 2] {
         .filter(|o| o.slot >= NOISE)
         .map(|o| o.z * o.z);
     let most = z2.fold(0.0, f64::max);
-    if reference < 0.05 * dut {
-        [Stage::Conditioning, Stage::Mount]
-    } else if grows >= 0.5 * most && level_counts(s) {
+    if grows >= 0.5 * most && level_counts(s) {
         [Stage::Digitiser, Stage::Environment]
     } else {
         [Stage::Environment, Stage::Digitiser]
