@@ -58,8 +58,11 @@ pub struct Cause {
     pub probability: f64,
     /// BIC above the smallest.
     pub delta_bic: f64,
-    /// Share of bootstrap samples of the rows in which this set is the best.
+    /// Share of bootstrap samples of the rows (of a record: of its stretches) in which this set is the best.
     pub stability: f64,
+    /// Share of the runs without any one of which this set is still the best; none where
+    /// there is one run.
+    pub stability_over_runs: Option<f64>,
     /// By effect, by parameter.
     pub parameters: BTreeMap<&'static str, BTreeMap<&'static str, Estimate>>,
 }

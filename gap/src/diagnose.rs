@@ -3,6 +3,7 @@
 use crate::answer::{Answer, Cause, DatasetSummary, Estimate, Verdict, Where};
 use crate::dataset::{Dataset, Measured};
 use crate::effects::list;
+use crate::engine::across;
 use crate::engine::fit::{Fit, Linearised, Workspace};
 use crate::engine::holdout::{self, Gap, OBSERVABLES};
 use crate::engine::problem::{EXCITER_NAMES, Nuisance, Problem};
@@ -166,17 +167,32 @@ fn diagnose_points(
     {
         verdict = Verdict::Unexplained;
     }
-    let gap = match (&other, &part) {
+    let mut gap = match (&other, &part) {
         (Some(other), _) => holdout::score_on(problem, other, &found.nominal, best),
         (None, Some(part)) => held_out(&training, &testing, part, verdict),
         (None, None) => held_out(problem, problem, &found, verdict),
     };
+    [gap.by_level, gap.by_band] = match &other {
+        Some(other) => {
+            let rig = validate.map_or(&dataset.rig, |v| &v.rig);
+            across::of_other(problem, other, rig, &found.nominal, best)
+        }
+        None => across::left_out(problem, &dataset.rig, &found.nominal, best, &mut work),
+    };
     let causes = causes(problem, &found, &mut work);
     let confusable = confusable(&causes, verdict, problem);
-    let next_measurement = next_measurement(verdict, &causes, &left, problem);
+    let mut next_measurement = next_measurement(verdict, &causes, &left, problem);
+    let mut places = places(problem, &found, &nominal_left, &left, verdict, &mut work);
+    if verdict == Verdict::Unexplained {
+        let local = local(problem, &nominal_left, &left, &places);
+        if let Some(sweep) = sweep(&local) {
+            next_measurement = sweep;
+        }
+        places.extend(local);
+    }
     Answer {
         verdict,
-        r#where: places(problem, &found, &nominal_left, &left, verdict, &mut work),
+        r#where: places,
         none_of_these_p_value: left.p_value,
         confusable,
         next_measurement,
@@ -225,24 +241,20 @@ fn causes(problem: &Problem, found: &Search, work: &mut Workspace) -> Vec<Cause>
         .iter()
         .map(|s| s.bic)
         .fold(f64::INFINITY, f64::min);
-    let listed: Vec<&Scored> = found
-        .sets
-        .iter()
-        .filter(|s| !s.fit.effects.is_empty() && s.probability >= LISTED)
+    let every = found.sets.iter().enumerate();
+    let listed: Vec<(usize, &Scored)> = every
+        .filter(|(_, s)| !s.fit.effects.is_empty() && s.probability >= LISTED)
         .take(12)
         .collect();
-    let stability = crate::stability::bootstrap(problem, &found.sets, work);
+    let stability = crate::stability::stability(problem, &found.sets, work);
     listed
         .into_iter()
-        .map(|set| Cause {
+        .map(|(at, set)| Cause {
             effects: set.fit.names(),
             probability: set.probability,
             delta_bic: set.bic - smallest,
-            stability: found
-                .sets
-                .iter()
-                .position(|s| std::ptr::eq(s, set))
-                .map_or(0.0, |i| stability[i]),
+            stability: stability[at].rows,
+            stability_over_runs: stability[at].runs,
             parameters: parameters(problem, &set.fit, work),
         })
         .collect()
@@ -423,6 +435,45 @@ fn places(
     }
     places
 }
+
+/// Bumps over frequency that the best set leaves, as places of the stage that comes first.
+fn local(problem: &Problem, nominal: &Structure, left: &Structure, places: &[Where]) -> Vec<Where> {
+    let total = nominal.residual.iter().map(|r| r * r).sum::<f64>();
+    let excess = (total - problem.len() as f64).max(1.0);
+    let bumps = crate::bumps::bumps(problem, &left.residual);
+    bumps
+        .into_iter()
+        .map(|bump| Where {
+            stage: places.first().map_or("dut", |place| place.stage),
+            observable: observable(bump.slot),
+            axis: "frequency_hz",
+            from: bump.from_hz,
+            to: bump.to_hz,
+            share: (bump.square / excess).clamp(0.0, 1.0),
+            p_value: bump.p_value,
+            class: LOCAL,
+        })
+        .collect()
+}
+
+/// What tells where bumps come from.
+fn sweep(local: &[Where]) -> Option<String> {
+    let range = |place: &Where| match place.from == place.to {
+        true => format!("{} Hz", place.from),
+        false => format!("{} .. {} Hz", place.from, place.to),
+    };
+    let ranges: Vec<String> = local.iter().map(range).collect();
+    (!ranges.is_empty()).then(|| {
+        format!(
+            "a finer sweep about {}, once as it is and once mounted anew with another cable and \
+             adapter: a bump that moves belongs to the mounting",
+            ranges.join(", ")
+        )
+    })
+}
+
+/// Class of a bump that a few neighbouring frequencies show.
+const LOCAL: &str = "local bump";
 
 fn class(slot: usize, axis: &str) -> &'static str {
     match (slot, axis) {

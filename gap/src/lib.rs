@@ -5,6 +5,7 @@
 //! difference shrinks once the effect is added, and what to measure next.
 
 mod answer;
+mod bumps;
 mod dataset;
 mod diagnose;
 mod effects;
@@ -24,7 +25,7 @@ pub use diagnose::{Options, diagnose, diagnose_all, misfit};
 pub use effects::{
     About, NEVER_IDENTIFIABLE, Parameter, Scale, Stage, check_name, list as effects,
 };
-pub use engine::holdout::{Gap, ObservableGap};
+pub use engine::holdout::{Gap, ObservableGap, Slice};
 pub use error::GapError;
 pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 pub use plan::{ENOUGH_SIGMA, Measurement, Pair, Plan, plan};

@@ -1,22 +1,35 @@
 //! Speed of the diagnosis: 214 rows with all columns, all candidates and pairs.
 //!
 //! Every dataset is written by the digital twin. Times of single datasets are of one core
-//! of this computer while nothing else of this program runs; the last line is one call.
+//! of this computer while nothing else of this program runs; then many in one call, and
+//! then the same task done plainly with numpy and scipy (`xtask/bench/gap_scipy.py`), on
+//! the same datasets, beside ours.
 
-use calib_gap::{Options, diagnose, diagnose_all};
+use calib_gap::{Answer, Options, diagnose, diagnose_all};
 use calib_host::gap::draw;
 use calib_twin::dataset::{self, Nominal, generate, standard_design};
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rayon::prelude::*;
-use serde_json::json;
+use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 use std::time::Instant;
 
 /// Datasets of one call.
 const MANY: usize = 1000;
 /// Datasets timed one by one: each effect three times, and nine without any.
 const SINGLE: usize = 135;
+
+/// Datasets that the peer diagnoses too: each effect once, and three without any.
+const PEER: usize = 45;
+
+/// One dataset diagnosed.
+struct Run {
+    seconds: f64,
+    /// Whether what leads is what the dataset was made with.
+    right: bool,
+}
 
 fn main() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -25,16 +38,21 @@ fn main() {
         .map(|index| make(folder.path(), index))
         .collect();
     let options = Options::default();
-    let mut times: Vec<(f64, usize)> = (0..SINGLE)
-        .map(|index| {
+    let runs: Vec<Run> = sets[..SINGLE]
+        .iter()
+        .enumerate()
+        .map(|(index, set)| {
             let begun = Instant::now();
-            diagnose(&sets[index], &options).expect("an answer");
-            (begun.elapsed().as_secs_f64(), index)
+            let answer = diagnose(set, &options).expect("an answer");
+            Run {
+                seconds: begun.elapsed().as_secs_f64(),
+                right: leads(&answer) == truth(index),
+            }
         })
         .collect();
-    times.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (median_s, p90_s) = (times[SINGLE / 2].0, times[9 * SINGLE / 10].0);
-    let (worst_s, worst) = times[SINGLE - 1];
+    let [median_s, p90_s, worst_s] = quantiles(&runs);
+    let slowest = |(_, a): &(usize, &Run), (_, b): &(usize, &Run)| a.seconds.total_cmp(&b.seconds);
+    let worst = runs.iter().enumerate().max_by(slowest).map_or(0, |r| r.0);
     let begun = Instant::now();
     let answers = diagnose_all(&sets, &options, |_, _| ());
     let call_s = begun.elapsed().as_secs_f64();
@@ -48,20 +66,108 @@ fn main() {
         name(worst)
     );
     println!("{MANY} datasets in one call  {call_s:>8.1} s on {cores} cores");
+    let peer = peer(&sets[..PEER]);
+    if let Some(peer) = &peer {
+        beside(&runs[..PEER], peer);
+    }
     if let Some(file) = std::env::var_os("CALIB_BENCH_JSON") {
+        let side = |runs: &[Run]| {
+            let [median_s, _, worst_s] = quantiles(runs);
+            let right = runs.iter().filter(|r| r.right).count();
+            json!({"datasets": runs.len(), "median_s": median_s, "worst_s": worst_s, "right": right})
+        };
         let table = json!({
             "median_s": median_s, "p90_s": p90_s, "worst_s": worst_s,
             "worst": name(worst), "datasets": MANY, "call_s": call_s, "cores": cores,
+            "beside": { "calib": side(&runs[..PEER]), "scipy": peer.as_deref().map(side) },
         });
         std::fs::write(file, table.to_string()).expect("written");
     }
 }
 
+/// Both on the same datasets.
+fn beside(ours: &[Run], theirs: &[Run]) {
+    let ([our_median, _, our_worst], [median, _, worst]) = (quantiles(ours), quantiles(theirs));
+    let right = |runs: &[Run]| runs.iter().filter(|r| r.right).count();
+    println!("\n{PEER} of them, one core       calib gap   numpy/scipy");
+    println!(
+        "  median                  {our_median:>8.3} s  {median:>10.3} s   {:>6.1} x",
+        median / our_median
+    );
+    println!(
+        "  worst                   {our_worst:>8.3} s  {worst:>10.3} s   {:>6.1} x",
+        worst / our_worst
+    );
+    println!(
+        "  what it was made with leads  {:>3}  {:>12}",
+        right(ours),
+        right(theirs)
+    );
+}
+
+/// Median, ninth decile and longest time.
+fn quantiles(runs: &[Run]) -> [f64; 3] {
+    let mut times: Vec<f64> = runs.iter().map(|r| r.seconds).collect();
+    times.sort_by(f64::total_cmp);
+    let last = times.len() - 1;
+    [times[last / 2], times[9 * last / 10], times[last]]
+}
+
+/// Names that lead, none where there is no gap.
+fn leads(answer: &Answer) -> Vec<&str> {
+    match answer.verdict {
+        calib_gap::Verdict::NoGap => Vec::new(),
+        _ => answer
+            .causes
+            .first()
+            .map_or(Vec::new(), |c| c.effects.clone()),
+    }
+}
+
+fn truth(index: usize) -> Vec<&'static str> {
+    Some(name(index))
+        .filter(|n| *n != NONE)
+        .into_iter()
+        .collect()
+}
+
+/// The same datasets with numpy and scipy, if there is an interpreter that has them.
+fn peer(sets: &[PathBuf]) -> Option<Vec<Run>> {
+    let interpreter = std::env::var_os("CALIB_PYTHON").unwrap_or_else(|| "python3".into());
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../xtask/bench/gap_scipy.py");
+    let mut command = Command::new(interpreter);
+    command.arg(script).args(sets).stderr(Stdio::inherit());
+    let output = command.output().ok()?;
+    if !output.status.success() {
+        println!("(numpy and scipy are not installed: no comparison)");
+        return None;
+    }
+    let lines = output
+        .stdout
+        .split(|byte| *byte == b'\n')
+        .filter(|l| !l.is_empty());
+    let run = |(index, line): (usize, &[u8])| {
+        let value: Value = serde_json::from_slice(line).ok()?;
+        let first: Vec<&str> = value["first"]
+            .as_array()?
+            .iter()
+            .filter_map(Value::as_str)
+            .collect();
+        Some(Run {
+            seconds: value["seconds"].as_f64()?,
+            right: first == truth(index),
+        })
+    };
+    lines.enumerate().map(run).collect()
+}
+
+const NONE: &str = "no effect";
+
 /// Effects take turns; every fifteenth dataset has none.
 fn name(index: usize) -> &'static str {
     let all = draw::nameable();
     match index % 15 {
-        14 => "no effect",
+        14 => NONE,
         _ => all[(index - index / 15) % all.len()].id,
     }
 }

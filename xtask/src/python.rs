@@ -6,7 +6,7 @@
 
 use crate::shell::{root, run, target_dir};
 use anyhow::Result;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// The interpreter tests are given, when one could be set up.
@@ -30,6 +30,13 @@ pub(crate) fn interpreter() -> Result<Option<PathBuf>> {
             Ok(None)
         }
     }
+}
+
+/// Adds what one benchmark alone compares itself with.
+pub(crate) fn with(interpreter: &Path, packages: &str) -> Result<()> {
+    run(Command::new(interpreter)
+        .args(["-m", "pip", "install", "--quiet"])
+        .args(packages.split_whitespace()))
 }
 
 fn install(folder: &PathBuf, python: &PathBuf, list: &PathBuf) -> Result<()> {

@@ -113,6 +113,18 @@ pub(crate) fn refine_with(
     fit
 }
 
+/// Moves a fit to its optimum on a similar problem: by slopes alone.
+pub(crate) fn follow(
+    problem: &Problem,
+    mut fit: Fit,
+    slopes: &Slopes,
+    effort: Effort,
+    work: &mut Workspace,
+) -> Fit {
+    descend(problem, &mut fit, Some(slopes), effort, work);
+    fit
+}
+
 /// Change of all data, in standard deviations, that a small step of a parameter must exceed.
 const STANDS_STILL: f64 = 1e-9;
 /// Accepted steps between renewals of the slopes of a nonlinear exciter.
@@ -172,6 +184,35 @@ impl Slopes {
     /// Slopes with the weights they hold.
     pub(crate) fn new(columns: Vec<Column>, weight: Vec<f64>) -> Self {
         Self { columns, weight }
+    }
+
+    /// The slopes of those rows of a problem that are a problem of their own.
+    pub(crate) fn of_part(
+        &self,
+        whole: &Problem,
+        part: &Problem,
+        keep: &dyn Fn(usize) -> bool,
+    ) -> Self {
+        let kept = |values: &[f64], from: usize| -> Vec<f64> {
+            let data = values.iter().enumerate();
+            let inside = data.filter(|(at, _)| keep(whole.row_of[from + at]));
+            inside.map(|(_, value)| *value).collect()
+        };
+        let of_part = |column: &Column| Column {
+            parts: column
+                .parts
+                .iter()
+                .map(|(slot, values)| (*slot, kept(values, whole.slots[*slot].start)))
+                .collect(),
+        };
+        // Without its rows, a run has no gain.
+        let at = |kind| whole.free.iter().position(|free| free.kind == kind);
+        let nuisances = part.free.iter().filter_map(|free| at(free.kind));
+        let columns = nuisances.chain(whole.free.len()..self.columns.len());
+        Self {
+            columns: columns.map(|at| of_part(&self.columns[at])).collect(),
+            weight: kept(&self.weight, 0),
+        }
     }
 
     /// Column of a parameter, with the weights of now.
@@ -262,6 +303,11 @@ impl Linearised {
             matrix[(i, i)] *= 1.0 + damping;
         }
         Some(Cholesky::new(matrix)?.solve(&gradient))
+    }
+
+    /// The slopes against nuisances and parameters.
+    pub(crate) fn all_slopes(self) -> Slopes {
+        Slopes::new(self.columns, self.evaluation.weight)
     }
 
     /// The slopes against the nuisances alone.

@@ -8,8 +8,10 @@
 //! structure  what is left: tests by class
 //! significance  how surprising that is, calibrated by simulation
 //! holdout    the share closed on rows that took no part
+//! across     the same by whole levels and bands, each left out in turn
 //! ```
 
+pub(crate) mod across;
 pub(crate) mod fit;
 pub(crate) mod holdout;
 pub(crate) mod normal;

@@ -19,7 +19,7 @@ const SEEDED: f64 = 60.0;
 /// Difference of score by which an earlier entry of the library is preferred.
 const TIE: f64 = 1e-4;
 /// Least cost of one more effect in the score.
-const COST: f64 = 12.0;
+pub(crate) const COST: f64 = 12.0;
 /// Difference in score above which a set is not worth listing.
 const COMPETING: f64 = 14.0;
 /// Objective above the best set of a size from which a set is not refined further.

@@ -43,7 +43,8 @@ fn free(terms: &[usize]) -> Vec<usize> {
         .collect()
 }
 
-fn residual(values: &[f64; VALUES], record: &Record) -> Option<Vec<f64>> {
+/// Measured minus simulated output, without the samples that settle; none where it diverges.
+pub(crate) fn residual(values: &[f64; VALUES], record: &Record) -> Option<Vec<f64>> {
     let simulated = simulate(values, record.interval_s, &record.input)?;
     Some(
         record

@@ -1,7 +1,9 @@
 //! Datasets of `kind = "oscillator"`: which term a linear oscillator lacks.
 
+mod across;
 mod fit;
 mod model;
+mod stability;
 
 use crate::answer::{Answer, Cause, DatasetSummary, Estimate, Verdict, Where};
 use crate::dataset::{Dataset, Measured, Record};
@@ -16,7 +18,8 @@ use std::collections::BTreeMap;
 /// Share of the squared error a term must remove to be named.
 ///
 /// A record has tens of thousands of samples: any term is "significant", and
-/// model error is not white. A term counts if it lowers the simulation error by 5 %.
+/// model error is not white. A term counts if it lowers the simulation error by 5 %,
+/// its square by 10 %.
 const WORTH_NAMING: f64 = 0.1;
 
 /// Difference of squared errors below which two terms do equally well: what is
@@ -127,8 +130,13 @@ fn grow(record: &Record, start: Fitted, options: &Options) -> Vec<Step> {
                 *fit = further;
             }
         }
-        tried.sort_by(|a, b| a.square.total_cmp(&b.square));
-        prefer_first_of_equals(&mut tried);
+        // The same weights as in the answer: what is scored is what leads.
+        let least = least_square(tried.iter());
+        let score = |f: &Fitted| score(f, f.square, least, record.output.len() as f64);
+        tried.sort_by(|a, b| {
+            let order = score(a).total_cmp(&score(b));
+            order.then_with(|| a.terms.last().cmp(&b.terms.last()))
+        });
         let Some(best) = tried
             .first()
             .filter(|b| b.square < base.square * (1.0 - WORTH_NAMING))
@@ -146,15 +154,22 @@ fn grow(record: &Record, start: Fitted, options: &Options) -> Vec<Step> {
     steps
 }
 
-/// Moves a leading term, the first in library order, of those that do as well as the best to the front.
-fn prefer_first_of_equals(tried: &mut [Fitted]) {
-    let Some(best) = tried.first().map(|t| t.square) else {
-        return;
-    };
-    let equals = tried.partition_point(|t| t.square < best * (1.0 + AS_GOOD));
-    let key = |fit: &Fitted| fit.terms.last().map(|t| (!TERMS[*t].leading, *t));
-    let first = (0..equals).min_by_key(|i| key(&tried[*i]));
-    tried[..=first.unwrap_or(0)].rotate_right(1);
+/// Sum of squares, the cost of parameters and the odds of kinks: -2 ln posterior of a fit
+/// among those of one size, of which the best has the square `least`.
+fn score(fit: &Fitted, square: f64, least: f64, count: f64) -> f64 {
+    // Simulation errors are correlated over about a period of the resonance and the
+    // smallest error is model error: the samples count as many times less.
+    let square = square.max(least * (1.0 + AS_GOOD));
+    let leading = fit.terms.iter().all(|t| TERMS[*t].leading);
+    let independent = (INDEPENDENT * count).max(std::f64::consts::E);
+    let parameters: usize = fit.terms.iter().map(|t| places(*t).len()).sum();
+    independent * (square / count).ln()
+        + parameters as f64 * independent.ln()
+        + if leading { 0.0 } else { ODDS_OF_LEADING }
+}
+
+fn least_square<'a>(fits: impl Iterator<Item = &'a Fitted>) -> f64 {
+    fits.map(|f| f.square).fold(f64::INFINITY, f64::min)
 }
 
 fn names_of(fit: &Fitted) -> Vec<&'static str> {
@@ -191,6 +206,17 @@ fn answer(
         (false, true) => Verdict::Explained,
     };
     let share = 1.0 - last.fit.square / nominal.square;
+    let errors = across::Errors {
+        output: held.output.get(SETTLING..).unwrap_or_default(),
+        before: &left[0],
+        after: &left[1],
+        noise: floor,
+        interval_s: held.interval_s,
+        resonance_hz: nominal.values[0].exp() / std::f64::consts::TAU,
+        chosen: names_of(&last.fit),
+        fitted_peak: peak(&part.output),
+    };
+    let (by_level, by_band) = (errors.by_level(), errors.by_band());
     Some(Answer {
         verdict,
         r#where: vec![Where {
@@ -198,7 +224,7 @@ fn answer(
             observable: "output",
             axis: "amplitude",
             from: 0.0,
-            to: held.output.iter().fold(0.0, |m: f64, x| m.max(x.abs())),
+            to: peak(&held.output),
             share,
             p_value: 0.0,
             class: if last.fit.terms.contains(&1) {
@@ -223,6 +249,8 @@ fn answer(
             rms_before: Some(before),
             rms_after: Some(after),
             by_observable: BTreeMap::from([("output", observable)]),
+            by_level,
+            by_band,
         },
         nominal_parameters: linear_parameters(&last.fit),
         dataset: DatasetSummary {
@@ -234,6 +262,10 @@ fn answer(
         confirmation: None,
         pictures: trace(held, left),
     })
+}
+
+fn peak(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
 /// Samples of a stretch that is drawn.
@@ -274,32 +306,29 @@ fn causes(steps: &[Step], part: &Record) -> Vec<Cause> {
         return Vec::new();
     }
     let count = part.output.len() as f64;
-    // Simulation errors are correlated over about a period of the resonance and the
-    // smallest error is model error: the samples count as many times less.
     let same: Vec<&Fitted> = last
         .tried
         .iter()
         .filter(|f| f.terms.len() == last.fit.terms.len())
         .collect();
-    let least = same.iter().map(|f| f.square).fold(f64::INFINITY, f64::min);
-    let score = |f: &Fitted| {
-        let square = f.square.max(least * (1.0 + AS_GOOD));
-        let leading = f.terms.iter().all(|t| TERMS[*t].leading);
-        let independent = (INDEPENDENT * count).max(std::f64::consts::E);
-        let parameters: usize = f.terms.iter().map(|t| places(*t).len()).sum();
-        independent * (square / count).ln()
-            + parameters as f64 * independent.ln()
-            + if leading { 0.0 } else { ODDS_OF_LEADING }
-    };
+    let least = least_square(same.iter().copied());
+    let score = |f: &Fitted| self::score(f, f.square, least, count);
+    let resonance_hz = steps[0].fit.values[0].exp() / std::f64::consts::TAU;
+    let length = across::stretch(resonance_hz, part.interval_s);
+    // Drawn again, every set may come out better than the best does on average.
+    let drawn = |f: &Fitted, square: f64| self::score(f, square, 0.0, count);
+    let stability = stability::stability(&same, part, length, drawn);
     let best = same.iter().map(|f| score(f)).fold(f64::INFINITY, f64::min);
     let total: f64 = same.iter().map(|f| (-0.5 * (score(f) - best)).exp()).sum();
     let mut list: Vec<Cause> = same
         .into_iter()
-        .map(|f| Cause {
+        .zip(stability)
+        .map(|(f, stability)| Cause {
             effects: names_of(f),
             probability: (-0.5 * (score(f) - best)).exp() / total,
             delta_bic: score(f) - best,
-            stability: f64::from(u8::from(score(f) == best)),
+            stability,
+            stability_over_runs: None,
             parameters: term_parameters(f),
         })
         .filter(|c| c.probability > 0.01)

@@ -53,5 +53,18 @@ pub(super) fn chain(suspects: &[&str]) -> String {
         );
     }
     svg.push_str("</svg>");
-    svg
+    svg + &narrow(suspects)
+}
+
+/// The same as a line of words, for a screen on which the drawing cannot be read.
+fn narrow(suspects: &[&str]) -> String {
+    let mut list = String::from("<p class=stages>");
+    for (stage, words, _, _) in BOXES {
+        let _ = if suspects.contains(&stage) {
+            write!(list, "<span class=suspect>{words}: here</span> ")
+        } else {
+            write!(list, "<span>{words}</span> ")
+        };
+    }
+    list + "</p>"
 }

@@ -26,6 +26,7 @@ pub(super) fn first_screen(page: &mut String, answer: &Answer) {
         page.push_str(&chain(&suspects(answer)));
     }
     bars(page, answer);
+    page.push_str(&elsewhere(answer));
     let _ = write!(
         page,
         "<p class=next><b>What to do next:</b> {}.</p>",
@@ -162,6 +163,45 @@ fn bars(page: &mut String, answer: &Answer) {
         }
     );
 }
+
+/// Whether the cause holds at levels and frequencies that it was not fitted to.
+fn elsewhere(answer: &Answer) -> String {
+    let slices = answer.gap.by_level.iter().chain(&answer.gap.by_band);
+    let gaps = slices.filter_map(|slice| Some((slice, slice.closed?)));
+    let worst = gaps.min_by(|a, b| a.1.total_cmp(&b.1));
+    let (Verdict::Explained | Verdict::Ambiguous, Some((slice, closed))) = (answer.verdict, worst)
+    else {
+        return String::new();
+    };
+    let level = answer.gap.by_level.iter().any(|l| std::ptr::eq(l, slice));
+    let unit = match (level, answer.gap.rms_before.is_some()) {
+        (true, true) => "",
+        (true, false) => "\u{a0}m/s\u{b2}",
+        (false, _) => "\u{a0}Hz",
+    };
+    let place = format!(
+        "{} to {}{unit}",
+        super::short(slice.from),
+        super::short(slice.to)
+    );
+    let words = if closed > HOLDS {
+        format!(
+            "It holds where it was not fitted: at levels and in bands that were left out, {:.0}\u{a0}% of the gap or more is closed.",
+            100.0 * closed
+        )
+    } else if slice.chosen.is_empty() {
+        format!("Only the data from {place} show it: the others alone would not have named it.")
+    } else {
+        format!(
+            "Do not rely on it from {place}: fitted without these data, it closes only {:.0}\u{a0}% of the gap there.",
+            100.0 * closed.max(0.0)
+        )
+    };
+    format!("<p class=small>{words}</p>")
+}
+
+/// Share of the gap closed at which a cause is said to hold on data left out.
+const HOLDS: f64 = 0.9;
 
 fn percent(value: f64) -> String {
     format!("{}\u{a0}%", super::short(value))

@@ -93,6 +93,7 @@ fn one(page: &mut String, answer: &Answer) {
     }
     tables::causes(page, answer);
     tables::observables(page, answer);
+    tables::slices(page, answer);
     if let Some(confirmation) = &answer.confirmation {
         confirmed::confirmed(page, confirmation);
     }

@@ -101,6 +101,16 @@ fn one_resonance_does_not_explain_all_of_a_calibration_of_an_accelerometer() {
     let at = resonance.parameters["dut_resonance"]["resonance_hz"].value;
     // Weighted by the stated uncertainties, which the published fit was not: 5 %.
     assert!((at / 51_436.9 - 1.0).abs() < 0.05, "{at} Hz");
+    // What is known of it: bumps near 9.5, 14, 17.5 and 19 kHz. The last two are the
+    // flanks of one swing of magnitude and phase; points lie 0.5 kHz apart.
+    let bumps = answer.r#where.iter().filter(|w| w.class == "local bump");
+    let bumps: Vec<(f64, f64)> = bumps.map(|w| (w.from, w.to)).collect();
+    for known_hz in [9_500.0, 14_000.0, 17_500.0, 19_000.0] {
+        let near = |(from, to): &&(f64, f64)| (from - 250.0..to + 250.0).contains(&known_hz);
+        assert!(bumps.iter().any(|b| near(&b)), "{known_hz} Hz in {bumps:?}");
+    }
+    assert!(bumps.iter().all(|b| b.0 > 9e3), "{bumps:?}");
+    assert_eq!(bumps.len(), 3, "{bumps:?}");
 }
 
 /// Seed of the comparison: consistent above 0.2 Hz only. Without phase and with

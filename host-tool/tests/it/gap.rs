@@ -69,7 +69,13 @@ fn every_field_is_there(answer: &Value) {
     let sizes = ["before_percent", "after_percent", "floor_percent"];
     let others = ["closed", "chi_before", "chi_after"];
     let gap = &answer["gap"];
-    has(gap, &["held_out_rows", "by_observable"]);
+    has(gap, &["held_out_rows", "by_observable", "by_level"]);
+    has(&answer["causes"][0], &["stability", "stability_over_runs"]);
+    for slice in [&gap["by_level"][0], &gap["by_band"][0]] {
+        has(slice, &["from", "to", "rows", "beyond", "chosen"]);
+        has(slice, &sizes);
+        has(slice, &others);
+    }
     for gap in [gap, &gap["by_observable"]["ratio"]] {
         has(gap, &sizes);
         has(gap, &others);

@@ -29,9 +29,16 @@ pub(super) fn answer(answer: &Answer) -> String {
     for cause in &answer.causes {
         let _ = writeln!(
             text,
-            "  {word:<7} {:<44} probability {:.3}",
+            "  {word:<7} {:<44} probability {:.3}, best in {:.0} % of repeats{}",
             cause.effects.join(" + "),
-            cause.probability
+            cause.probability,
+            100.0 * cause.stability,
+            cause
+                .stability_over_runs
+                .map_or(String::new(), |share| format!(
+                    ", without any one of {:.0} % of the runs",
+                    100.0 * share
+                ))
         );
         for (effect, estimates) in &cause.parameters {
             for (name, estimate) in estimates {
@@ -70,8 +77,44 @@ pub(super) fn answer(answer: &Answer) -> String {
         "  gap     {:.3} % before, {:.3} % after, {:.3} % noise, on {} rows that took no part{closed}",
         gap.before_percent, gap.after_percent, gap.floor_percent, gap.held_out_rows
     );
+    slices(&mut text, answer);
     let _ = write!(text, "  next    {}", answer.next_measurement);
     text + &(answer.confirmation.as_ref()).map_or(String::new(), confirmation)
+}
+
+/// How it does on levels and bands it was not fitted on.
+fn slices(text: &mut String, answer: &Answer) {
+    let record = answer.gap.rms_before.is_some();
+    let unit = if record { "" } else { " m/s2" };
+    for (what, unit, slices) in [
+        ("level", unit, &answer.gap.by_level),
+        ("band ", " Hz", &answer.gap.by_band),
+    ] {
+        for slice in slices {
+            let note = match (slice.beyond, slice.chosen == answer.gap.chosen) {
+                (true, true) => "  (beyond the fit)",
+                (true, false) => "  (beyond the fit, which chose otherwise)",
+                (false, true) => "",
+                (false, false) => "  (the fit chose otherwise)",
+            };
+            let range = format!("{} .. {}{unit}", short(slice.from), short(slice.to));
+            let _ = writeln!(
+                text,
+                "  {what}   {range:<22} {:>7.3} % to {:>6.3} % (noise {:.3} %), chi {:.2} to {:.2}{note}",
+                slice.before_percent,
+                slice.after_percent,
+                slice.floor_percent,
+                slice.chi_before,
+                slice.chi_after
+            );
+        }
+    }
+}
+
+/// Three significant digits.
+fn short(value: f64) -> String {
+    let decimals = 2 - value.abs().max(1e-9).log10().floor() as i32;
+    format!("{value:.*}", decimals.clamp(0, 9) as usize)
 }
 
 /// What the firmware on the emulated rig says.
