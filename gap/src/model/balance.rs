@@ -8,9 +8,10 @@
 //! response (with the mean stiffness of the suspension) until that holds.
 
 use super::exciter::Exciter;
+use super::friction::Friction;
 use super::waveform::{Characteristic, clipped_order};
 use num_complex::Complex64;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Highest harmonic of the balance.
 pub(crate) const ORDERS: usize = 15;
@@ -171,6 +172,7 @@ impl Parity {
 struct Work<'a> {
     exciter: &'a Exciter,
     bend: &'a Bend,
+    friction: Option<Friction>,
     parity: Parity,
     omega: f64,
     impedance: [Complex64; ORDERS + 1],
@@ -193,9 +195,11 @@ impl<'a> Work<'a> {
             impedance[n] = exciter.impedance(n as f64 * omega);
             stiffness[n] = exciter.dynamic_stiffness(n as f64 * omega);
         }
+        let is_dry = bend.friction_n > 0.0;
         Self {
             exciter,
             bend,
+            friction: is_dry.then(|| Friction::new(bend.friction_n, exciter, omega)),
             parity,
             omega,
             impedance,
@@ -276,51 +280,12 @@ impl<'a> Work<'a> {
             slope /= GRID as f64;
             added = analyse(&force, self.parity);
         }
-        if self.bend.friction_n > 0.0 {
-            for (n, sign) in self.velocity_sign(motion).into_iter().enumerate() {
-                added[n] += sign * self.bend.friction_n;
+        if let Some(friction) = self.friction {
+            for (added, order) in added.iter_mut().zip(friction.force(motion)) {
+                *added += order;
             }
         }
         (added, slope)
-    }
-
-    /// Fourier coefficients of the sign of the velocity, from its two zeros.
-    fn velocity_sign(&self, motion: &Motion) -> Motion {
-        let zero = |mut angle: f64| {
-            for _ in 0..8 {
-                let (mut value, mut slope) = (0.0, 0.0);
-                let turn = Complex64::from_polar(1.0, angle);
-                let mut turned = Complex64::ONE;
-                for (n, x) in motion.iter().enumerate().skip(1) {
-                    let k = n as f64;
-                    turned *= turn;
-                    let velocity = x * turned * k;
-                    value -= velocity.im;
-                    slope -= k * velocity.re;
-                }
-                let step = (value / slope).clamp(-0.3, 0.3);
-                angle -= step;
-                if step.abs() < 1e-12 {
-                    break;
-                }
-            }
-            angle
-        };
-        // x = -|x1| cos: the velocity is positive between the zeros near 0 and pi.
-        let (start, end) = (zero(0.0), zero(PI));
-        let mut sign = [Complex64::ZERO; ORDERS + 1];
-        sign[0] = Complex64::from((end - start) / PI - 1.0);
-        let (from, to) = (
-            Complex64::from_polar(1.0, -start),
-            Complex64::from_polar(1.0, -end),
-        );
-        let (mut at_start, mut at_end) = (Complex64::ONE, Complex64::ONE);
-        for (n, s) in sign.iter_mut().enumerate().skip(1) {
-            at_start *= from;
-            at_end *= to;
-            *s = (at_end - at_start) * Complex64::new(0.0, 2.0 / (PI * n as f64));
-        }
-        sign
     }
 
     /// Current and induced voltage where the force factor falls with travel.

@@ -7,6 +7,7 @@
 pub(crate) mod balance;
 pub(crate) mod chain;
 pub(crate) mod exciter;
+mod friction;
 pub(crate) mod leakage;
 pub(crate) mod predict;
 pub(crate) mod row;

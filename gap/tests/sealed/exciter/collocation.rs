@@ -91,7 +91,9 @@ impl Exciter {
             .map(|k| self.force_n(x_m[k], v_ms[k], a_ms2[k]))
             .collect();
         if self.friction_n > 0.0 {
-            let friction = values(&friction_force(self.friction_n, travel_m, &v_ms));
+            let mobility = |n: usize| self.mobility_m_per_n(n as f64 * w_per_s);
+            let series = friction_force(self.friction_n, travel_m, &v_ms, mobility);
+            let friction = values(&series);
             force_n.iter_mut().zip(friction).for_each(|(f, d)| *f += d);
         }
         let force_factor =

@@ -51,6 +51,14 @@ impl Exciter {
         self.resistance_ohm + C::from_polar(size_ohm, exponent * FRAC_PI_2)
     }
 
+    /// Displacement over force where nothing drives the coil.
+    fn mobility_m_per_n(&self, w_per_s: f64) -> C {
+        let s = C::new(0.0, w_per_s);
+        let coil = self.force_factor_n_per_a.powi(2) * self.back_emf / self.impedance_ohm(w_per_s);
+        let damping = self.damping_ns_per_m + coil;
+        (self.mass_kg * s * s + damping * s + self.stiffness_n_per_m).inv()
+    }
+
     fn is_linear(&self) -> bool {
         let bent = [
             self.quadratic_n_per_m2,
