@@ -5,6 +5,7 @@
 use calib_core::verdict::Verdict;
 use calib_host::session;
 use calib_protocol::message::RunState;
+use calib_protocol::record::{self, Sha256Sum};
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
@@ -21,6 +22,8 @@ const TEN_MINUTES: Duration = Duration::from_secs(600);
 struct Tally {
     runs: u32,
     faults: u32,
+    /// SHA-256 of every record so far, chained: equal where two runs did the same.
+    records: Sha256Sum,
     /// From power on to the first pair, s, as the first report has it.
     begun_s: Option<f64>,
 }
@@ -40,7 +43,8 @@ fn main() -> Result<(), Fault> {
         if faulty {
             next_fault += TEN_MINUTES;
         }
-        calibrate(&mut bench, faulty, folder.path())?;
+        let record = calibrate(&mut bench, faulty, folder.path())?;
+        tally.records = record::digest(&[tally.records.as_slice(), &record].concat());
         tally.runs += 1;
         tally.faults += u32::from(faulty);
         if bench.board().elapsed() >= next_report {
@@ -51,8 +55,9 @@ fn main() -> Result<(), Fault> {
     report(&mut bench, &mut tally, start)
 }
 
-/// One run with its download and release; a reference that is dead stops it, and it is stored as such.
-fn calibrate(bench: &mut Bench, faulty: bool, folder: &Path) -> Result<(), Fault> {
+/// One run with its download and release, and the record's bytes; a reference that is dead stops it,
+/// and it is stored as such.
+fn calibrate(bench: &mut Bench, faulty: bool, folder: &Path) -> Result<Vec<u8>, Fault> {
     let points = [20.0, 160.0, 1000.0, 5000.0].map(|frequency_hz| point(frequency_hz, 10.0));
     if faulty {
         drop(bench.board().replace_rig(Box::new(ShortedInputs)));
@@ -77,9 +82,18 @@ fn calibrate(bench: &mut Bench, faulty: bool, folder: &Path) -> Result<(), Fault
     if file.record.points.as_slice() != outcome.points.as_slice() {
         return Err(format!("record {} is another one", outcome.record_id).into());
     }
+    let content = std::fs::read(&file.path)?;
     std::fs::remove_file(file.path)?;
     bench.client.release(outcome.record_id)?;
-    Ok(())
+    Ok(content)
+}
+
+/// The first bytes of a sum, enough to see that two are the same.
+fn short(sum: &Sha256Sum) -> String {
+    sum.iter()
+        .take(8)
+        .map(|byte| format!("{byte:02x}"))
+        .collect()
 }
 
 /// Prints where it is, and fails when a sample, or the firmware, was lost.
@@ -101,12 +115,13 @@ fn report(bench: &mut Bench, tally: &mut Tally, start: Instant) -> Result<(), Fa
     let seconds = start.elapsed().as_secs_f64();
     println!(
         "{:.1} virtual minutes, {} runs, {} with a fault; {pairs} pairs, begun {:.6} s after power; \
-         {} overruns, {restarts} restarts, {erases} erases; {seconds:.0} s",
+         {} overruns, {restarts} restarts, {erases} erases; records {}; {seconds:.0} s",
         elapsed_s / 60.0,
         tally.runs,
         tally.faults,
         missing,
         status.overruns,
+        short(&tally.records),
     );
     if let Some(path) = std::env::var_os("CALIB_BENCH_JSON") {
         let json = serde_json::json!({

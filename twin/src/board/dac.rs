@@ -11,15 +11,15 @@
 //! Left out: channel 2 (its registers store), wave generation, calibration, sample and hold, each
 //! told to the run. `MODE1` 3 and other on-chip-only modes leave the pin floating.
 
-use rigless::device::{Device, DeviceContext, Level, RegisterFile, RequestChange};
+use rigless::device::{Device, DeviceContext, Level, RegisterFile};
 use rigless::soc::stm32h743::generated::dac::{Register, cr, mcr, sr, swtrgr};
 
 use super::analog::Analog;
-use super::tim6;
+use super::dmamux::{DAC_CHANNEL_1, RequestLines};
 use crate::rig_port::DRIVE_MID_CODE;
 
-/// Request line of channel 1's DMA request.
-pub(super) const DMA_REQUEST: usize = 0;
+/// Request line on which a software trigger wakes the DMA.
+pub(super) const SOFTWARE_REQUEST: usize = 0;
 /// The instance's name, as listeners see it.
 pub(super) const NAME: &str = "DAC";
 const UNDERRUN_LINE: usize = 0;
@@ -32,6 +32,7 @@ const TIM6_TRGO: u64 = 5;
 #[derive(Debug)]
 pub(super) struct Dac {
     analog: Analog,
+    lines: RequestLines,
     /// Data holding register of channel 1, whatever the alignment it was written in.
     holding: u16,
     /// A DMA request stands.
@@ -39,11 +40,23 @@ pub(super) struct Dac {
 }
 
 impl Dac {
-    pub(super) fn new(analog: Analog) -> Self {
+    pub(super) fn new(analog: Analog, lines: RequestLines) -> Self {
         Self {
             analog,
+            lines,
             holding: 0,
             pending: false,
+        }
+    }
+
+    /// TIM6's trigger output pulses.
+    pub(super) fn on_tim6(
+        &mut self,
+        registers: &mut RegisterFile,
+        context: &mut DeviceContext<'_>,
+    ) {
+        if cr::TSEL1.get(registers.get(Register::Cr)) == TIM6_TRGO {
+            self.trigger(registers, context);
         }
     }
 
@@ -80,15 +93,13 @@ impl Dac {
             self.drive_interrupt(registers, context);
         } else {
             self.pending = true;
-            context.request(DMA_REQUEST, Level::High);
+            self.lines.drive(DAC_CHANNEL_1, true);
         }
     }
 
-    fn withdraw(&mut self, context: &mut DeviceContext<'_>) {
-        if self.pending {
-            self.pending = false;
-            context.request(DMA_REQUEST, Level::Low);
-        }
+    fn withdraw(&mut self) {
+        self.pending = false;
+        self.lines.drive(DAC_CHANNEL_1, false);
     }
 
     fn drive_interrupt(&self, registers: &RegisterFile, context: &mut DeviceContext<'_>) {
@@ -97,9 +108,9 @@ impl Dac {
         context.interrupt(UNDERRUN_LINE, Level::from(enabled && flag));
     }
 
-    fn hold(&mut self, code: u64, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
+    fn hold(&mut self, code: u64, registers: &mut RegisterFile, context: &DeviceContext<'_>) {
         self.holding = (code & 0xFFF) as u16;
-        self.withdraw(context);
+        self.withdraw();
         if !cr::TEN1.is_set(registers.get(Register::Cr)) {
             self.load(registers, context);
         }
@@ -117,7 +128,7 @@ impl Dac {
             );
         }
         if !cr::DMAEN1.is_set(control) {
-            self.withdraw(context);
+            self.withdraw();
         }
         self.drive_interrupt(registers, context);
         self.drive_pin(registers, context);
@@ -140,6 +151,9 @@ impl Device for Dac {
             Register::Swtrgr if swtrgr::SWTRIG1.is_set(value) => {
                 if cr::TSEL1.get(registers.get(Register::Cr)) == SOFTWARE {
                     self.trigger(registers, context);
+                    if self.pending {
+                        context.request(SOFTWARE_REQUEST, Level::High);
+                    }
                 }
             }
             Register::Dhr12r1 | Register::Dhr12rd => self.hold(value, registers, context),
@@ -155,27 +169,13 @@ impl Device for Dac {
         }
     }
 
-    fn on_request(
-        &mut self,
-        request: RequestChange,
-        registers: &mut RegisterFile,
-        context: &mut DeviceContext<'_>,
-    ) {
-        if request.request == tim6::TRIGGER
-            && request.instance == tim6::NAME
-            && cr::TSEL1.get(registers.get(Register::Cr)) == TIM6_TRGO
-        {
-            self.trigger(registers, context);
-        }
-    }
-
     fn reset(&mut self) {
         self.holding = 0;
-        self.pending = false;
+        self.withdraw();
     }
 
     fn reset_line(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
-        self.withdraw(context);
+        self.withdraw();
         self.holding = 0;
         self.drive_pin(registers, context);
     }

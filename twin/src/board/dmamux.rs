@@ -3,59 +3,98 @@
 //! RM0433 Rev 9, chapter 17: each channel's output follows the request line its `DMAREQ_ID` selects.
 //! Only the lines in [`LINES`] exist. Synchronisation, request generators and the second controller are
 //! left out, and told to the run when a firmware asks for them; events have no listener.
+//!
+//! The converters set their lines themselves ([`RequestLines`]); those of the emulator's peripherals
+//! come over its bus.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use rigless::device::{Device, DeviceContext, Level, RegisterFile, RequestChange};
 use rigless::soc::Layout;
 use rigless::soc::stm32h743::generated::dmamux1::{Register, dmamux_c0cr};
 use rigless::soc::stm32h743::peripherals::usart::{RECEIVE_REQUEST, TRANSMIT_REQUEST};
 
-use super::{adc, dac};
+use super::dac;
 
+/// The instance's name, as listeners see it.
+pub(super) const NAME: &str = "DMAMUX1";
 const CHANNELS: usize = 16;
 /// Channels of the first controller. The second is not wired: each listener costs speed.
 const DMA1_STREAMS: usize = 8;
 
-/// Request lines by instance, its own numbering, and `DMAREQ_ID` (RM0433 Rev 9, table 124).
-///
-/// The two converters' line is driven by their common block: in dual mode the pair has one.
-const LINES: [(&str, usize, usize); 8] = [
-    (adc::NAME, adc::DMA_REQUEST, 9),
+/// `DMAREQ_ID` of the lines the converters set (RM0433 Rev 9, table 124). The two input converters'
+/// line is driven by their common block: in dual mode the pair has one.
+pub(super) const ADC1: usize = 9;
+pub(super) const DAC_CHANNEL_1: usize = 67;
+
+/// Request lines that come over the bus, by instance, its own numbering, and `DMAREQ_ID`.
+const LINES: [(&str, usize, usize); 7] = [
+    (dac::NAME, dac::SOFTWARE_REQUEST, DAC_CHANNEL_1),
     ("USART1", RECEIVE_REQUEST, 41),
     ("USART1", TRANSMIT_REQUEST, 42),
     ("USART2", RECEIVE_REQUEST, 43),
     ("USART2", TRANSMIT_REQUEST, 44),
     ("USART3", RECEIVE_REQUEST, 45),
     ("USART3", TRANSMIT_REQUEST, 46),
-    (dac::NAME, dac::DMA_REQUEST, 67),
 ];
 
 const IDS: usize = 128;
 
+/// Every request line's level, and the line each channel listens to: a handle for those who drive a
+/// line and those who serve it.
+#[derive(Debug, Clone)]
+pub(super) struct RequestLines(Arc<Shared>);
+
+#[derive(Debug)]
+struct Shared {
+    /// By `DMAREQ_ID`.
+    levels: [AtomicBool; IDS],
+    selected: [AtomicUsize; CHANNELS],
+}
+
+impl RequestLines {
+    pub(super) fn new() -> Self {
+        Self(Arc::new(Shared {
+            levels: std::array::from_fn(|_| AtomicBool::new(false)),
+            selected: std::array::from_fn(|_| AtomicUsize::new(0)),
+        }))
+    }
+
+    /// Sets the level of line `id`.
+    pub(super) fn drive(&self, id: usize, high: bool) {
+        self.0.levels[id].store(high, Ordering::Relaxed);
+    }
+
+    /// Whether the line `channel` listens to is high.
+    pub(super) fn stands(&self, channel: usize) -> bool {
+        self.0.levels[self.selected(channel)].load(Ordering::Relaxed)
+    }
+
+    fn selected(&self, channel: usize) -> usize {
+        self.0.selected[channel].load(Ordering::Relaxed)
+    }
+
+    pub(super) fn select(&self, channel: usize, id: usize) {
+        self.0.selected[channel].store(id, Ordering::Relaxed);
+    }
+}
+
 /// The model's state beside the registers.
 #[derive(Debug)]
 pub(super) struct Dmamux {
-    /// Level of each request line, by `DMAREQ_ID`.
-    inputs: [Level; IDS],
-    /// The line each channel listens to.
-    selected: [usize; CHANNELS],
-    /// Level last driven on each channel's output.
-    outputs: [Level; CHANNELS],
+    lines: RequestLines,
 }
 
 impl Dmamux {
-    pub(super) fn new() -> Self {
-        Self {
-            inputs: [Level::Low; IDS],
-            selected: [0; CHANNELS],
-            outputs: [Level::Low; CHANNELS],
-        }
+    pub(super) fn new(lines: RequestLines) -> Self {
+        Self { lines }
     }
 
-    fn drive(&mut self, channel: usize, context: &mut DeviceContext<'_>) {
-        let level = self.inputs[self.selected[channel]];
-        if self.outputs[channel] != level {
-            self.outputs[channel] = level;
-            context.request(channel, level);
+    /// Tells the controller of a channel whose line stands.
+    fn wake(&self, channel: usize, context: &mut DeviceContext<'_>) {
+        if self.lines.stands(channel) {
+            context.request(channel, Level::High);
         }
     }
 }
@@ -81,14 +120,15 @@ impl Device for Dmamux {
             context.tell("CxCR", "synchronisation is not modelled");
         }
         let id = dmamux_c0cr::DMAREQ_ID.get(value) as usize;
-        if id != 0 && !LINES.iter().any(|&(_, _, known)| known == id) {
+        let known = id == ADC1 || LINES.iter().any(|&(_, _, known)| known == id);
+        if id != 0 && !known {
             context.tell("CxCR", "no such request line on this board's multiplexer");
         }
         if id != 0 && channel >= DMA1_STREAMS {
             context.tell("CxCR", "DMA2 hears no requests on this board: use DMA1");
         }
-        self.selected[channel] = id;
-        self.drive(channel, context);
+        self.lines.select(channel, id);
+        self.wake(channel, context);
     }
 
     fn on_request(
@@ -104,22 +144,16 @@ impl Device for Dmamux {
             })
             .map(|&(_, _, id)| id);
         let Some(id) = line else { return };
-        self.inputs[id] = request.level;
-        for channel in 0..CHANNELS {
-            if self.selected[channel] == id {
-                self.drive(channel, context);
-            }
+        self.lines.drive(id, request.level == Level::High);
+        for channel in (0..CHANNELS).filter(|channel| self.lines.selected(*channel) == id) {
+            self.wake(channel, context);
         }
     }
 
+    /// The lines are the peripherals': they stay as they are.
     fn reset(&mut self) {
-        *self = Self::new();
-    }
-
-    fn reset_line(&mut self, _registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
-        context.lower_requests(&self.outputs);
-        // The lines are the peripherals': they stay as they are.
-        self.selected = [0; CHANNELS];
-        self.outputs = [Level::Low; CHANNELS];
+        for channel in 0..CHANNELS {
+            self.lines.select(channel, 0);
+        }
     }
 }

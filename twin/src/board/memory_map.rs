@@ -77,15 +77,7 @@ const PORT_RESETS: [(&str, [u64; 3]); 11] = [
 ];
 
 /// The instances that hear requests: triggers, DMA requests, pin levels, power and watchdog signals.
-const REQUEST_READERS: [&str; 7] = [
-    "RCC",
-    "EXTI",
-    "DMAMUX1",
-    "DMA1",
-    "DAC",
-    "ADC12_Common",
-    "ADC3",
-];
+const REQUEST_READERS: [&str; 5] = ["RCC", "EXTI", "DMAMUX1", "DMA1", "ADC3"];
 
 /// Where the vendor's blocks of the full-speed USB core go, an address nothing answers at.
 const ASIDE: u64 = 0x0400_0000;
@@ -99,6 +91,11 @@ const USB_DEVICE_BLOCK: u64 = 0x420;
 ///
 /// A correction that names what the tables do not have: an error in this file.
 pub(super) fn bus() -> Result<Bus, rigless::soc::Error> {
+    builder().build()
+}
+
+/// The same, before it is checked.
+pub(super) fn builder() -> Builder {
     let builder = Bus::builder(CPU, &MEMORY, instances())
         .undefined_reads_zero()
         .grow_block("OTG1_HS_DEVICE", USB_DEVICE_BLOCK)
@@ -113,7 +110,6 @@ pub(super) fn bus() -> Result<Bus, rigless::soc::Error> {
     REQUEST_READERS
         .iter()
         .fold(builder, |builder, reader| builder.reads_requests(reader))
-        .build()
 }
 
 /// Every instance of the vendor's file in its order, corrected, and the core's cycle counter.

@@ -9,7 +9,7 @@
 //! | `tim6` | sample clock |
 //! | `dac` | DAC1, drive |
 //! | `adc` | ADC1 and ADC2, reference and device under test |
-//! | `dmamux` | request multiplexer |
+//! | `dma1`, `dmamux` | DMA controller, and the request multiplexer before it |
 //! | `flash` | flash interface, watched: what a power cut leaves behind |
 //! | `iwdg` | watchdog |
 //! | `overdrive` | SYSCFG's switch to voltage scale 0 |
@@ -26,6 +26,7 @@ mod adc;
 mod analog;
 mod cortex_m7;
 mod dac;
+mod dma1;
 mod dmamux;
 mod flash;
 mod front_panel;

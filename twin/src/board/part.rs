@@ -2,7 +2,7 @@
 //!
 //! A part is a bus, which decodes an address to a slot, and a model for a slot. Ours is the
 //! emulator's, on our own bus ([`memory_map`]), with TIM6, DAC, ADC1, ADC2, their common block,
-//! DMAMUX1, the flash interface, SYSCFG and IWDG answered by the models next door.
+//! DMA1, DMAMUX1, the flash interface, SYSCFG and IWDG answered by the models next door.
 
 use rigless::device::{Device, ErasedDevice, ResetCause, Told};
 use rigless::mcu::{Mcu, Operate};
@@ -14,7 +14,8 @@ use rigless::time::VirtualNanos;
 
 use super::adc::{self, Common, Converter, SharedPair};
 use super::dac::Dac;
-use super::dmamux::Dmamux;
+use super::dma1::Dma1;
+use super::dmamux::{Dmamux, RequestLines};
 use super::flash::WatchedFlash;
 use super::iwdg::Iwdg;
 use super::memory_map;
@@ -29,6 +30,7 @@ enum Own {
     Tim6,
     Dac,
     Dmamux,
+    Dma1,
     Converter(usize),
     Common,
     Flash,
@@ -37,10 +39,11 @@ enum Own {
     Usb,
 }
 
-const OWN: [(&str, Own); 9] = [
+const OWN: [(&str, Own); 10] = [
     (tim6::NAME, Own::Tim6),
     (super::dac::NAME, Own::Dac),
-    ("DMAMUX1", Own::Dmamux),
+    (super::dmamux::NAME, Own::Dmamux),
+    (super::dma1::NAME, Own::Dma1),
     ("ADC1", Own::Converter(0)),
     ("ADC2", Own::Converter(1)),
     (adc::NAME, Own::Common),
@@ -57,6 +60,7 @@ pub struct Part {
     tim6: Tim6,
     dac: Dac,
     dmamux: Dmamux,
+    dma1: Dma1,
     converters: [Converter; 2],
     common: Common,
     flash: WatchedFlash,
@@ -67,6 +71,15 @@ pub struct Part {
     pins: Pins,
     own: Box<[Option<Own>]>,
     usart3_slot: usize,
+    slots: SampleSlots,
+}
+
+/// Where on the bus the instances are that a sample passes.
+#[derive(Debug, Clone, Copy)]
+struct SampleSlots {
+    dac: usize,
+    common: usize,
+    dma1: usize,
 }
 
 impl Part {
@@ -85,17 +98,24 @@ impl Part {
             own[base.bus().slot(instance)?] = Some(model);
         }
         let pair = SharedPair::new(pins.analog.clone());
+        let lines = RequestLines::new();
+        let slots = SampleSlots {
+            dac: base.bus().slot(super::dac::NAME)?,
+            common: base.bus().slot(adc::NAME)?,
+            dma1: base.bus().slot(super::dma1::NAME)?,
+        };
         let mut part = Self {
             usart3_slot: base.bus().slot("USART3")?,
             base,
             tim6: Tim6::new(),
-            dac: Dac::new(pins.analog.clone()),
-            dmamux: Dmamux::new(),
+            dac: Dac::new(pins.analog.clone(), lines.clone()),
+            dmamux: Dmamux::new(lines.clone()),
+            dma1: Dma1::new(lines.clone()),
             converters: [
                 Converter::new(0, pair.clone()),
                 Converter::new(1, pair.clone()),
             ],
-            common: Common::new(pair),
+            common: Common::new(pair, lines),
             flash: WatchedFlash::new(pins.flash.clone()),
             iwdg: Iwdg::new(),
             syscfg: WatchedSyscfg::default(),
@@ -103,6 +123,7 @@ impl Part {
             usb_slot,
             pins,
             own,
+            slots,
         };
         part.fit();
         part.check()?;
@@ -181,6 +202,17 @@ impl Part {
             .map_or(0, |registers| registers.get(register))
     }
 
+    /// TIM6's trigger output pulses at `at`: both converters hear it, then the DMA what they ask for.
+    fn sample(&mut self, at: VirtualNanos) {
+        let bus = self.base.bus_mut();
+        let (registers, mut context) = bus.drive(at, self.slots.dac);
+        self.dac.on_tim6(registers, &mut context);
+        let (registers, mut context) = bus.drive(at, self.slots.common);
+        self.common.on_tim6(registers, &mut context);
+        let (registers, mut context) = bus.drive(at, self.slots.dma1);
+        self.dma1.serve(registers, &mut context);
+    }
+
     fn poll_slot(&mut self, slot: usize, now: VirtualNanos) {
         let (bus, model) = self.split(slot);
         if let Some(model) = model {
@@ -231,6 +263,9 @@ impl Mcu for Part {
     }
 
     fn poll(&mut self, now: VirtualNanos) {
+        if let Some(at) = self.tim6.take_pulse() {
+            self.sample(at);
+        }
         // Two instances have something outside that speaks on its own, and this is called at every
         // stop: ask them only when it has.
         if self.pins.serial.is_sending() {
@@ -249,6 +284,7 @@ impl Mcu for Part {
             Own::Tim6 => &mut self.tim6,
             Own::Dac => &mut self.dac,
             Own::Dmamux => &mut self.dmamux,
+            Own::Dma1 => &mut self.dma1,
             Own::Converter(nth) => &mut self.converters[nth],
             Own::Common => &mut self.common,
             Own::Flash => &mut self.flash,

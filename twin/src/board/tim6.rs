@@ -2,8 +2,9 @@
 //!
 //! RM0433 Rev 9, chapter 42. Up-counting from 0 to `ARR` with prescaler; `PSC` takes effect at the
 //! next update, `ARR` at once unless `ARPE` buffers it; update flag and interrupt; trigger output
-//! (`MMS` = reset, enable or update) on request line [`TRIGGER`]. Updates fall on exact multiples of
-//! the timer's clock from where it was last started, so the rate never drifts.
+//! (`MMS` = reset, enable or update), which the part hands to the converters ([`Tim6::take_pulse`]).
+//! Updates fall on exact multiples of the timer's clock from where it was last started, so the rate
+//! never drifts.
 //!
 //! Left out: one-pulse mode, `UIFREMAP` and the update's own DMA request; each is told to the run
 //! when a firmware asks for it.
@@ -12,8 +13,6 @@ use rigless::device::{Device, DeviceContext, Level, RegisterFile};
 use rigless::soc::stm32h743::generated::tim6::{Register, cr1, cr2, dier, egr, sr};
 use rigless::time::{EventId, VirtualNanos};
 
-/// Request line on which each trigger output pulse appears, as a high level driven again.
-pub(super) const TRIGGER: usize = 1;
 /// The instance's name, as listeners see it.
 pub(super) const NAME: &str = "TIM6";
 const UPDATE_LINE: usize = 0;
@@ -36,6 +35,10 @@ pub(super) struct Tim6 {
     prescaler: u64,
     reload: u64,
     next: Option<EventId>,
+    /// A pulse that a write caused, due at once.
+    written: Option<EventId>,
+    /// The trigger output has pulsed, and nobody has taken it.
+    pulse: Option<VirtualNanos>,
 }
 
 impl Tim6 {
@@ -48,7 +51,14 @@ impl Tim6 {
             prescaler: 0,
             reload: 0xFFFF,
             next: None,
+            written: None,
+            pulse: None,
         }
+    }
+
+    /// The instant of a pulse of the trigger output, once.
+    pub(super) fn take_pulse(&mut self) -> Option<VirtualNanos> {
+        self.pulse.take()
     }
 
     fn period_ticks(&self) -> u64 {
@@ -90,11 +100,11 @@ impl Tim6 {
         });
     }
 
-    /// The counter overflowed, or software generated an update.
-    fn update(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
+    /// The counter overflowed, or software generated an update; answers whether that is a trigger.
+    fn update(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) -> bool {
         let control = registers.get(Register::Cr1);
         if cr1::UDIS.is_set(control) {
-            return;
+            return false;
         }
         let shadows = (registers.get(Register::Psc), registers.get(Register::Arr));
         if shadows != (self.prescaler, self.reload) {
@@ -103,9 +113,12 @@ impl Tim6 {
         }
         registers.set(Register::Sr, sr::UIF.mask());
         self.drive_interrupt(registers, context);
-        if cr2::MMS.get(registers.get(Register::Cr2)) == MMS_UPDATE {
-            context.request(TRIGGER, Level::High);
-        }
+        cr2::MMS.get(registers.get(Register::Cr2)) == MMS_UPDATE
+    }
+
+    /// A write causes a pulse: the part takes it at the stop this asks for.
+    fn pulse_at_once(&mut self, context: &mut DeviceContext<'_>) {
+        self.written = Some(context.schedule(context.now()));
     }
 
     fn drive_interrupt(&self, registers: &RegisterFile, context: &mut DeviceContext<'_>) {
@@ -128,7 +141,7 @@ impl Tim6 {
         if cr1::CEN.is_set(control) && !running {
             self.rebase(self.base_count, context.now());
             if cr2::MMS.get(registers.get(Register::Cr2)) == MMS_ENABLE {
-                context.request(TRIGGER, Level::High);
+                self.pulse_at_once(context);
             }
             self.schedule(registers, context);
         }
@@ -177,10 +190,10 @@ impl Device for Tim6 {
                 self.rebase(0, now);
                 if cr1::URS.is_set(registers.get(Register::Cr1)) {
                     if cr2::MMS.get(registers.get(Register::Cr2)) == MMS_RESET {
-                        context.request(TRIGGER, Level::High);
+                        self.pulse_at_once(context);
                     }
-                } else {
-                    self.update(registers, context);
+                } else if self.update(registers, context) {
+                    self.pulse_at_once(context);
                 }
                 self.schedule(registers, context);
             }
@@ -204,12 +217,15 @@ impl Device for Tim6 {
         registers: &mut RegisterFile,
         context: &mut DeviceContext<'_>,
     ) {
-        if self.next != Some(event) {
-            return;
+        let mut pulses = self.written.take_if(|written| *written == event).is_some();
+        if self.next == Some(event) {
+            self.updates += 1;
+            pulses |= self.update(registers, context);
+            self.schedule(registers, context);
         }
-        self.updates += 1;
-        self.update(registers, context);
-        self.schedule(registers, context);
+        if pulses {
+            self.pulse = Some(context.now());
+        }
     }
 
     fn on_clock(&mut self, hz: u64, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {

@@ -1,12 +1,12 @@
 //! The registers of the converter pair: clock, dual mode, trigger, data and DMA request.
 
-use rigless::device::{Device, DeviceContext, Level, RegisterFile, RequestChange};
+use rigless::device::{Device, DeviceContext, RegisterFile};
 use rigless::soc::stm32h743::generated::adc3::{cfgr, cr, isr};
 use rigless::soc::stm32h743::generated::adc3_common::{Register, ccr};
 use rigless::time::VirtualNanos;
 
-use super::super::tim6;
-use super::{DMA_REQUEST, Pair, SharedPair};
+use super::super::dmamux::{ADC1, RequestLines};
+use super::{Pair, SharedPair};
 
 /// `DUAL` of the regular simultaneous mode alone (RM0433 Rev 9, section 25.7.2).
 const REGULAR_SIMULTANEOUS: u64 = 0b00110;
@@ -24,19 +24,18 @@ const KERNEL_CLOCK: usize = 0;
 #[derive(Debug)]
 pub(in super::super) struct Common {
     pair: SharedPair,
+    lines: RequestLines,
     kernel_hz: u64,
     bus_hz: u64,
-    /// The DMA request stands.
-    requested: bool,
 }
 
 impl Common {
-    pub(in super::super) fn new(pair: SharedPair) -> Self {
+    pub(in super::super) fn new(pair: SharedPair, lines: RequestLines) -> Self {
         Self {
             pair,
+            lines,
             kernel_hz: 0,
             bus_hz: 0,
-            requested: false,
         }
     }
 
@@ -55,10 +54,15 @@ impl Common {
         self.pair.lock().clock_hz = hz / 2;
     }
 
-    fn request(&mut self, level: bool, context: &mut DeviceContext<'_>) {
-        if self.requested != level {
-            self.requested = level;
-            context.request(DMA_REQUEST, Level::from(level));
+    /// TIM6's trigger output pulses.
+    pub(in super::super) fn on_tim6(
+        &mut self,
+        registers: &RegisterFile,
+        context: &mut DeviceContext<'_>,
+    ) {
+        let control = registers.get(Register::Ccr);
+        if ccr::DUAL.get(control) == REGULAR_SIMULTANEOUS {
+            self.trigger(control, context);
         }
     }
 
@@ -79,11 +83,12 @@ impl Common {
         let codes = pair.analog.sample(now);
         if pair.unread {
             pair.overrun();
-            self.request(false, context);
+            self.lines.drive(ADC1, false);
         } else if !isr::OVR.is_set(pair.converters[0].status) {
             pair.take(codes, context);
             let moves = cfgr::DMNGT.get(pair.converters[0].configuration) & 1 == 1;
-            self.request(moves && ccr::DAMDF.get(control) != 0, context);
+            self.lines
+                .drive(ADC1, moves && ccr::DAMDF.get(control) != 0);
         }
         if pair.interrupts_enabled() {
             pair.drive_interrupt(context);
@@ -135,12 +140,12 @@ impl Device for Common {
         &mut self,
         register: Register,
         _registers: &mut RegisterFile,
-        context: &mut DeviceContext<'_>,
+        _context: &mut DeviceContext<'_>,
     ) -> Option<u64> {
         match register {
             Register::Cdr => {
                 let data = self.pair.lock().read_data();
-                self.request(false, context);
+                self.lines.drive(ADC1, false);
                 Some(data)
             }
             Register::Csr => {
@@ -171,21 +176,6 @@ impl Device for Common {
         self.clock(value);
     }
 
-    fn on_request(
-        &mut self,
-        request: RequestChange,
-        registers: &mut RegisterFile,
-        context: &mut DeviceContext<'_>,
-    ) {
-        if request.request != tim6::TRIGGER || request.instance != tim6::NAME {
-            return;
-        }
-        let control = registers.get(Register::Ccr);
-        if ccr::DUAL.get(control) == REGULAR_SIMULTANEOUS {
-            self.trigger(control, context);
-        }
-    }
-
     fn on_clock_input(
         &mut self,
         input: usize,
@@ -201,14 +191,9 @@ impl Device for Common {
     }
 
     fn reset(&mut self) {
-        self.requested = false;
+        self.lines.drive(ADC1, false);
         let mut pair = self.pair.lock();
         pair.unread = false;
         pair.busy_until = VirtualNanos(0);
-    }
-
-    fn reset_line(&mut self, _registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
-        self.request(false, context);
-        self.reset();
     }
 }

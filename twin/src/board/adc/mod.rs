@@ -33,8 +33,6 @@ use super::analog::Analog;
 
 /// The pair's instance name, as listeners see it.
 pub(super) const NAME: &str = "ADC12_Common";
-/// Request line of the pair's DMA request.
-pub(super) const DMA_REQUEST: usize = 0;
 /// Position of the pair's interrupt in each of its instances.
 const PAIR_LINE: usize = 0;
 

@@ -1,6 +1,7 @@
 //! The models, driven register by register as a driver does, without a core.
 
 mod converters;
+mod dma;
 mod drive;
 mod panel;
 mod sample_clock;
@@ -125,6 +126,7 @@ impl Bench {
         while let Some(next) = self.part.next_event().filter(|next| next.0 <= until) {
             self.now = next.0;
             self.part.advance_to(next);
+            self.part.poll(next);
             self.settle();
         }
         self.now = until;
