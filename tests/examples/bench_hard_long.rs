@@ -1,6 +1,9 @@
-//! `./run bench hard-long [MINUTES [faults]]`: calibrating, storing, downloading and releasing without a
-//! pause, for 24 virtual hours when nothing else is said; with `faults`, both cables are short once in
-//! ten minutes. No restart, no overrun, and exactly 50 000 pairs in a second.
+//! `./run bench hard-long [MINUTES [faults] [resume]]`: calibrating, storing, downloading and releasing
+//! without a pause, for 24 virtual hours when nothing else is said; with `faults`, both cables are short
+//! once in ten minutes. No restart, no overrun, and exactly 50 000 pairs in a second.
+//!
+//! Every virtual hour the run is kept; with `resume` the last one kept goes on. What it comes to is the
+//! same either way, down to the chained sum of all records.
 
 use calib_core::verdict::Verdict;
 use calib_host::session;
@@ -10,15 +13,18 @@ use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
-use std::path::Path;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 const SAMPLE_RATE_HZ: f64 = 50_000.0;
 /// Time between two faults, and between two reports.
 const TEN_MINUTES: Duration = Duration::from_secs(600);
+/// Time between two instants at which the run is kept.
+const HOUR: Duration = Duration::from_secs(3600);
 
 /// What a long run has come to.
-#[derive(Default)]
+#[derive(Serialize, Deserialize)]
 struct Tally {
     runs: u32,
     faults: u32,
@@ -26,33 +32,94 @@ struct Tally {
     records: Sha256Sum,
     /// From power on to the first pair, s, as the first report has it.
     begun_s: Option<f64>,
+    next_report: Duration,
+    next_fault: Duration,
+    next_keep: Duration,
+}
+
+impl Default for Tally {
+    fn default() -> Self {
+        Self {
+            runs: 0,
+            faults: 0,
+            records: Sha256Sum::default(),
+            begun_s: None,
+            next_report: TEN_MINUTES,
+            next_fault: Duration::ZERO,
+            next_keep: HOUR,
+        }
+    }
 }
 
 fn main() -> Result<(), Fault> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let said = |word: &str| arguments.iter().any(|argument| argument == word);
     let minutes = arguments.first().and_then(|text| text.parse().ok());
-    let with_faults = arguments.iter().any(|word| word == "faults");
     let goal = Duration::from_secs(60 * minutes.unwrap_or(24 * 60_u64));
+    let with_faults = said("faults");
     let start = Instant::now();
-    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let kept = Kept::place(with_faults);
+    let (mut bench, mut tally) = match said("resume") {
+        true => kept.go_on()?,
+        false => (Bench::with_rig(&Rig::standard())?, Tally::default()),
+    };
     let folder = tempfile::tempdir()?;
-    let mut tally = Tally::default();
-    let (mut next_report, mut next_fault) = (TEN_MINUTES, Duration::ZERO);
     while bench.board().elapsed() < goal {
-        let faulty = with_faults && bench.board().elapsed() >= next_fault;
+        let faulty = with_faults && bench.board().elapsed() >= tally.next_fault;
         if faulty {
-            next_fault += TEN_MINUTES;
+            tally.next_fault += TEN_MINUTES;
         }
         let record = calibrate(&mut bench, faulty, folder.path())?;
         tally.records = record::digest(&[tally.records.as_slice(), &record].concat());
         tally.runs += 1;
         tally.faults += u32::from(faulty);
-        if bench.board().elapsed() >= next_report {
-            next_report += TEN_MINUTES;
+        if bench.board().elapsed() >= tally.next_report {
+            tally.next_report += TEN_MINUTES;
             report(&mut bench, &mut tally, start)?;
+        }
+        if bench.board().elapsed() >= tally.next_keep {
+            tally.next_keep += HOUR;
+            kept.keep(&mut bench, &tally)?;
         }
     }
     report(&mut bench, &mut tally, start)
+}
+
+/// Where a run is kept every hour: the board, and what was counted so far.
+struct Kept {
+    board: PathBuf,
+    tally: PathBuf,
+}
+
+impl Kept {
+    /// Beside the figures of the bench; a run with faults is another one.
+    fn place(with_faults: bool) -> Self {
+        let figures = std::env::var_os("CALIB_BENCH_JSON").map(PathBuf::from);
+        let folder = figures.as_ref().and_then(|path| path.parent());
+        let name = match with_faults {
+            true => "hard-long-faults",
+            false => "hard-long",
+        };
+        let path = folder.unwrap_or(Path::new(".")).join(name);
+        Self {
+            board: path.with_extension("run"),
+            tally: path.with_extension("tally"),
+        }
+    }
+
+    fn keep(&self, bench: &mut Bench, tally: &Tally) -> Result<(), Fault> {
+        bench.keep(&self.board)?;
+        std::fs::write(&self.tally, serde_json::to_string(tally)?)?;
+        println!("kept in {}", self.board.display());
+        Ok(())
+    }
+
+    fn go_on(&self) -> Result<(Bench, Tally), Fault> {
+        let tally = std::fs::read_to_string(&self.tally)
+            .map_err(|error| format!("no run is kept in {}: {error}", self.tally.display()))?;
+        let bench = Bench::go_on(&Rig::standard(), &self.board)?;
+        Ok((bench, serde_json::from_str(&tally)?))
+    }
 }
 
 /// One run with its download and release, and the record's bytes; a reference that is dead stops it,

@@ -11,6 +11,7 @@ use calib_twin::rig::Rig;
 use calib_twin::rig_port::RigPort;
 use calib_twin::runner::{Emulator, Firmware, SharedEmulator};
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -48,6 +49,31 @@ impl Bench {
         let emulator = Arc::new(Mutex::new(Emulator::power_on(&firmware, port)?));
         let mut client = Client::new(Box::new(EmulatedTransport::new(emulator.clone())));
         client.wait(BOOT)?;
+        client.info()?;
+        Ok(Self { emulator, client })
+    }
+
+    /// Keeps the run in a file, for [`Bench::go_on`]. A new conversation begins, here as there, so that
+    /// both go on alike.
+    ///
+    /// # Errors
+    /// The run cannot be kept, or the board does not answer.
+    pub fn keep(&mut self, path: &Path) -> Result<(), Fault> {
+        self.board().keep(path)?;
+        self.client = Client::new(Box::new(EmulatedTransport::new(self.emulator.clone())));
+        self.client.info()?;
+        Ok(())
+    }
+
+    /// Goes on with a run that was kept with `rig` on the connectors.
+    ///
+    /// # Errors
+    /// The file is none, or of another image; the board does not answer.
+    pub fn go_on(rig: &Rig, path: &Path) -> Result<Self, Fault> {
+        let firmware = Firmware::shipping()?;
+        let board = Emulator::go_on(&firmware, Box::new(Plant::new(rig)), path)?;
+        let emulator = Arc::new(Mutex::new(board));
+        let mut client = Client::new(Box::new(EmulatedTransport::new(emulator.clone())));
         client.info()?;
         Ok(Self { emulator, client })
     }

@@ -1,10 +1,12 @@
 //! The shipping image on the emulated board: boot, repeatability, restarts.
 
-use calib_tests::bench::Fault;
+use calib_host::session;
+use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
 use calib_twin::runner::{Emulator, Firmware};
+use std::path::Path;
 use std::time::Duration;
 
 const ON: Duration = Duration::from_millis(500);
@@ -88,4 +90,36 @@ fn a_pulled_reset_pin_restarts_the_board_silently() -> Result<(), Fault> {
         "not a single code off mid-scale"
     );
     Ok(())
+}
+
+/// What a long run is kept and gone on with for: the same record, byte for byte, at the same
+/// instruction of the same nanosecond, with the noise of the same rig.
+#[test]
+fn a_run_that_was_kept_goes_on_as_one_that_was_not() -> Result<(), Fault> {
+    let folder = tempfile::tempdir()?;
+    let file = folder.path().join("kept.run");
+    let rig = Rig::standard();
+    let mut bench = Bench::with_rig(&rig)?;
+    bench.adjust(|settings| settings.blocks = 3)?;
+    bench.keep(&file)?;
+    let (record, end) = measure(&mut bench, folder.path())?;
+    let mut resumed = Bench::go_on(&rig, &file)?;
+    let (again, its_end) = measure(&mut resumed, folder.path())?;
+    assert_eq!(end, its_end);
+    assert!(record == again, "another record");
+    Ok(())
+}
+
+/// Virtual time, instructions and sample pairs at the end of a run.
+type End = (Duration, u64, u64);
+
+/// A record, and where its run ended.
+fn measure(bench: &mut Bench, folder: &Path) -> Result<(Vec<u8>, End), Fault> {
+    let outcome = bench.run(&[point(160.0, 10.0)])?;
+    let file = session::download(&mut bench.client, outcome.record_id, folder, |_| ())?;
+    let record = std::fs::read(&file.path)?;
+    std::fs::remove_file(file.path)?;
+    let board = bench.board();
+    let end = (board.elapsed(), board.instructions(), board.sample_pairs());
+    Ok((record, end))
 }

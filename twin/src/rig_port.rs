@@ -10,6 +10,8 @@
 //!   DAC1 ------------------------------------> plant ------------------> ADC1, ADC2
 //! ```
 
+use rigless::snapshot::{Error, Reader, Writer};
+
 /// Code of the drive output (DAC1, 12 bit right aligned) at which the exciter gets 0 V.
 ///
 /// The output stage's bias network holds this level as well while the converter is off and its pin
@@ -34,6 +36,26 @@ pub trait RigPort: Send {
     /// The codes both digitisers give for the present instant: reference, then device under test,
     /// 16 bit offset binary (32 768 is 0 V).
     fn sample(&mut self) -> [u16; INPUT_CHANNELS];
+
+    /// Writes what a rig built the same way needs to go on from here.
+    ///
+    /// # Errors
+    ///
+    /// A rig that cannot, as every one that does not say how.
+    fn store(&self, to: &mut Writer) -> Result<(), Error> {
+        let _ = to;
+        Err(Error::Unsaved(std::any::type_name::<Self>()))
+    }
+
+    /// Goes on from what [`store`](Self::store) wrote.
+    ///
+    /// # Errors
+    ///
+    /// As there, and what another rig wrote.
+    fn load(&mut self, from: &mut Reader) -> Result<(), Error> {
+        let _ = from;
+        Err(Error::Unsaved(std::any::type_name::<Self>()))
+    }
 }
 
 /// A rig whose input connectors are shorted: every code is mid-scale.
@@ -57,5 +79,13 @@ impl<R: RigPort + ?Sized> RigPort for Box<R> {
 
     fn sample(&mut self) -> [u16; INPUT_CHANNELS] {
         (**self).sample()
+    }
+
+    fn store(&self, to: &mut Writer) -> Result<(), Error> {
+        (**self).store(to)
+    }
+
+    fn load(&mut self, from: &mut Reader) -> Result<(), Error> {
+        (**self).load(from)
     }
 }

@@ -37,7 +37,7 @@ const BENCHES: &[Bench] = &[
         name: "hard-long",
         package: "calib-tests",
         example: "bench_hard_long",
-        what: "virtual hours of calibrating, storing and downloading: [MINUTES [faults]]",
+        what: "virtual hours of calibrating, storing and downloading: [MINUTES [faults] [resume]]",
     },
     Bench {
         name: "hard-power",

@@ -5,6 +5,7 @@
 
 use std::sync::{Arc, Mutex, MutexGuard};
 
+use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::time::VirtualNanos;
 
 use crate::rig_port::{DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
@@ -26,6 +27,31 @@ pub struct Analog(Arc<Mutex<Pins>>);
 impl std::fmt::Debug for Analog {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         formatter.debug_struct("Analog").finish_non_exhaustive()
+    }
+}
+
+/// The rig keeps itself; it is the one that was on the pins when the run was kept.
+impl Store for Analog {
+    fn store(&self, to: &mut Writer) -> Result<(), snapshot::Error> {
+        let pins = self.lock();
+        to.put(&(
+            pins.drive_code,
+            pins.reached,
+            pins.silent_since,
+            pins.samples,
+        ))?;
+        pins.rig.store(to)
+    }
+
+    fn load(&mut self, from: &mut Reader) -> Result<(), snapshot::Error> {
+        let mut pins = self.lock();
+        (
+            pins.drive_code,
+            pins.reached,
+            pins.silent_since,
+            pins.samples,
+        ) = from.take()?;
+        pins.rig.load(from)
     }
 }
 

@@ -39,6 +39,12 @@ pub(super) struct Dac {
     pending: bool,
 }
 
+rigless::store!(Dac {
+    values: [holding, pending],
+    parts: [],
+    built: [analog, lines],
+});
+
 impl Dac {
     pub(super) fn new(analog: Analog, lines: RequestLines) -> Self {
         Self {

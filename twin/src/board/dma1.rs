@@ -14,6 +14,7 @@ use rigless::device::{Device, DeviceContext, Level, RegisterFile, RequestChange}
 use rigless::soc::stm32h743::generated::dma1::{Register, s0cr, s0fcr, s0ndtr};
 use rigless::soc::stm32h743::peripherals::dma::Span;
 use rigless::soc::{Layout, Width};
+use serde::{Deserialize, Serialize};
 
 use super::dmamux::RequestLines;
 
@@ -51,14 +52,14 @@ const UNREACHABLE: [Span; 2] = [
 ];
 
 /// An access under way for a stream, as the token of its answer tells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 enum Access {
     Fetch,
     Store,
 }
 
 /// A transfer under way, configured when its stream was enabled.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct Transfer {
     to_memory: bool,
     circular: bool,
@@ -119,7 +120,7 @@ impl Transfer {
 }
 
 /// One stream beside its registers.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 struct Stream {
     transfer: Option<Transfer>,
     /// What the counter was last written with: every enable begins with it (section 15.5.6).
@@ -135,6 +136,12 @@ pub(super) struct Dma1 {
     lines: RequestLines,
     streams: [Stream; STREAMS],
 }
+
+rigless::store!(Dma1 {
+    values: [streams],
+    parts: [],
+    built: [lines],
+});
 
 impl Dma1 {
     pub(super) fn new(lines: RequestLines) -> Self {

@@ -11,6 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use rigless::device::{Device, DeviceContext, Level, RegisterFile, RequestChange};
+use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::soc::Layout;
 use rigless::soc::stm32h743::generated::dmamux1::{Register, dmamux_c0cr};
 use rigless::soc::stm32h743::peripherals::usart::{RECEIVE_REQUEST, TRANSMIT_REQUEST};
@@ -80,11 +81,38 @@ impl RequestLines {
     }
 }
 
+impl Store for RequestLines {
+    fn store(&self, to: &mut Writer) -> Result<(), snapshot::Error> {
+        let Shared { levels, selected } = &*self.0;
+        let levels = levels.iter().map(|level| level.load(Ordering::Relaxed));
+        let selected = selected.iter().map(|id| id.load(Ordering::Relaxed));
+        to.put(&levels.collect::<Vec<bool>>())?;
+        to.put(&selected.collect::<Vec<usize>>())
+    }
+
+    fn load(&mut self, from: &mut Reader) -> Result<(), snapshot::Error> {
+        let (levels, selected): (Vec<bool>, Vec<usize>) = (from.take()?, from.take()?);
+        for (id, level) in levels.into_iter().enumerate().take(IDS) {
+            self.drive(id, level);
+        }
+        for (channel, id) in selected.into_iter().enumerate().take(CHANNELS) {
+            self.select(channel, id.min(IDS - 1));
+        }
+        Ok(())
+    }
+}
+
 /// The model's state beside the registers.
 #[derive(Debug)]
 pub(super) struct Dmamux {
     lines: RequestLines,
 }
+
+rigless::store!(Dmamux {
+    values: [],
+    parts: [lines],
+    built: [],
+});
 
 impl Dmamux {
     pub(super) fn new(lines: RequestLines) -> Self {

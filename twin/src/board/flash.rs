@@ -11,6 +11,7 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use rigless::device::{Device, DeviceContext, RegisterFile};
+use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::soc::Width;
 use rigless::soc::stm32h743::generated::flash::{Register, cr2, sr2};
 use rigless::soc::stm32h743::peripherals::flash::Flash;
@@ -30,7 +31,7 @@ const PROGRAM_NS: [u64; 4] = [290_000, 180_000, 130_000, 100_000];
 const ERASE_NS: [u64; 4] = [2_000_000_000, 1_800_000_000, 1_100_000_000, 1_000_000_000];
 
 /// An operation on the record flash.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Operation {
     /// One flash word is being programmed.
     Program {
@@ -47,7 +48,7 @@ pub enum Operation {
 }
 
 /// An operation under way.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, serde::Serialize, serde::Deserialize)]
 struct Running {
     operation: Operation,
     started: VirtualNanos,
@@ -80,9 +81,26 @@ struct State {
     sprung: Option<VirtualNanos>,
 }
 
+// A trap is the driver's of a run, who sets it again.
+rigless::store!(State {
+    values: [running, started, erases],
+    parts: [],
+    built: [trap, sprung],
+});
+
 /// A shared view of the record flash's operations.
 #[derive(Debug, Clone, Default)]
 pub struct FlashWatch(Arc<Mutex<State>>);
+
+impl Store for FlashWatch {
+    fn store(&self, to: &mut Writer) -> Result<(), snapshot::Error> {
+        self.lock().store(to)
+    }
+
+    fn load(&mut self, from: &mut Reader) -> Result<(), snapshot::Error> {
+        self.lock().load(from)
+    }
+}
 
 impl FlashWatch {
     /// Operations started on the record flash since the first power-on.
@@ -161,6 +179,12 @@ pub(super) struct WatchedFlash {
     word: u64,
     data: [u8; WORD_BYTES],
 }
+
+rigless::store!(WatchedFlash {
+    values: [inner, word, data],
+    parts: [watch],
+    built: [],
+});
 
 impl WatchedFlash {
     pub(super) fn new(watch: FlashWatch) -> Self {

@@ -18,7 +18,7 @@ const SETTINGS: [Register; 3] = [Register::Pr, Register::Rlr, Register::Winr];
 const NS_PER_S: u128 = 1_000_000_000;
 
 /// The model's state beside the registers.
-#[derive(Debug)]
+#[derive(Debug, serde::Serialize, serde::Deserialize)]
 pub(super) struct Iwdg {
     lsi_hz: u64,
     started: bool,
@@ -28,6 +28,8 @@ pub(super) struct Iwdg {
     reloaded: VirtualNanos,
     expiry: Option<EventId>,
 }
+
+rigless::store!(Iwdg);
 
 impl Iwdg {
     pub(super) fn new() -> Self {

@@ -43,7 +43,6 @@ pub mod usb;
 
 use rigless::machine::{Board, Target};
 use rigless::mcu::Mcu;
-use rigless::snapshot::Store;
 
 use crate::rig_port::RigPort;
 
@@ -113,8 +112,18 @@ impl NucleoH743zi2 {
     }
 }
 
-/// The rig is not part of a snapshot, so a board cannot be kept in one.
-impl Store for NucleoH743zi2 {}
+rigless::store!(NucleoH743zi2 {
+    values: [],
+    parts: [part],
+    built: [],
+});
+
+// The far end of the serial port, the flash and USB are kept by the models that hold them.
+rigless::store!(Pins {
+    values: [],
+    parts: [analog],
+    built: [serial, flash, usb],
+});
 
 impl Board for NucleoH743zi2 {
     fn name(&self) -> &'static str {

@@ -28,6 +28,12 @@ pub(super) struct WatchedSyscfg {
     since: Option<VirtualNanos>,
 }
 
+rigless::store!(WatchedSyscfg {
+    values: [inner, since],
+    parts: [],
+    built: [],
+});
+
 impl WatchedSyscfg {
     /// Since when the overdrive has been on.
     pub(super) fn overdrive_since(&self) -> Option<VirtualNanos> {

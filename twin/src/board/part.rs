@@ -82,6 +82,14 @@ struct SampleSlots {
     dma1: usize,
 }
 
+rigless::store!(Part {
+    values: [],
+    parts: [
+        base, tim6, dac, dmamux, dma1, converters, common, flash, iwdg, syscfg, usb, pins,
+    ],
+    built: [usb_slot, own, usart3_slot, slots],
+});
+
 impl Part {
     /// A part after power-on with `pins` connected.
     ///

@@ -7,10 +7,10 @@ use std::sync::{Arc, Mutex, MutexGuard};
 
 use rigless::chip::Timeline;
 use rigless::chip::uart::Peer;
-use rigless::snapshot::Store;
+use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::time::VirtualNanos;
 
-#[derive(Debug, Default)]
+#[derive(Debug, Default, serde::Serialize, serde::Deserialize)]
 struct Queues {
     to_board: VecDeque<u8>,
     from_board: VecDeque<u8>,
@@ -57,8 +57,16 @@ impl SerialLine {
     }
 }
 
-/// A line is not part of a snapshot.
-impl Store for SerialLine {}
+impl Store for SerialLine {
+    fn store(&self, to: &mut Writer) -> Result<(), snapshot::Error> {
+        to.put(&*self.lock())
+    }
+
+    fn load(&mut self, from: &mut Reader) -> Result<(), snapshot::Error> {
+        *self.lock() = from.take()?;
+        Ok(())
+    }
+}
 
 impl Peer for SerialLine {
     fn receive(&mut self, word: u16, _context: &mut Timeline<'_, '_>) {

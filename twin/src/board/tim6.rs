@@ -12,6 +12,7 @@
 use rigless::device::{Device, DeviceContext, Level, RegisterFile};
 use rigless::soc::stm32h743::generated::tim6::{Register, cr1, cr2, dier, egr, sr};
 use rigless::time::{EventId, VirtualNanos};
+use serde::{Deserialize, Serialize};
 
 /// The instance's name, as listeners see it.
 pub(super) const NAME: &str = "TIM6";
@@ -24,7 +25,7 @@ const MMS_ENABLE: u64 = 1;
 const MMS_UPDATE: u64 = 2;
 
 /// The model's state beside the registers.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Tim6 {
     clock_hz: u64,
     /// Where the running count was last based: an instant and the counter's value there.
@@ -40,6 +41,8 @@ pub(super) struct Tim6 {
     /// The trigger output has pulsed, and nobody has taken it.
     pulse: Option<VirtualNanos>,
 }
+
+rigless::store!(Tim6);
 
 impl Tim6 {
     pub(super) fn new() -> Self {

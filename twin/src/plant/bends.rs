@@ -17,7 +17,7 @@ pub(super) struct Instant {
 }
 
 /// Mean squares over the recent past.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(super) struct Levels {
     /// Demand, V2.
     pub(super) demand_v2: f64,

@@ -22,6 +22,7 @@ mod wiring;
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+use rigless::snapshot::{Error, Reader, Writer};
 
 use self::codes::{drive_v, input_code, input_v};
 use self::sampler::{Sampled, Sampler};
@@ -134,6 +135,15 @@ impl Plant {
         self.simulation = changed;
     }
 
+    /// Faults that are still to change the body of the rig as it was built.
+    fn rig_body_faults(&self) -> usize {
+        let mut faults = Faults::default();
+        for fault in &self.rig.faults {
+            fault.add_to(&mut faults);
+        }
+        faults.body.len()
+    }
+
     /// What the faults of a channel make of its code.
     fn faulty_code(&self, channel: usize, code: u16, elapsed_s: f64) -> u16 {
         let faults = &self.faults.channels[channel];
@@ -169,6 +179,20 @@ impl RigPort for Plant {
             *code = self.faulty_code(channel, *code, elapsed_s);
         }
         codes
+    }
+
+    fn store(&self, to: &mut Writer) -> Result<(), Error> {
+        if self.faults.body.len() != self.rig_body_faults() {
+            return Err(Error::Unsaved("a rig whose body has become another one"));
+        }
+        to.put(&self.noise.get_word_pos())?;
+        to.put(&self.simulation.motion())
+    }
+
+    fn load(&mut self, from: &mut Reader) -> Result<(), Error> {
+        self.noise.set_word_pos(from.take()?);
+        self.simulation.go_on(from.take()?);
+        Ok(())
     }
 }
 

@@ -3,6 +3,7 @@
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
+use serde::{Deserialize, Serialize};
 
 use super::bends::{Bends, Instant, Levels};
 use super::network::{Network, Signal};
@@ -64,7 +65,44 @@ pub(super) struct Simulation {
     blow_ms2: f64,
 }
 
+/// All that changes in a simulation while it runs.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Motion {
+    /// States, then inputs.
+    source: Vec<f64>,
+    terms: Option<[f64; TERMS]>,
+    levels: Levels,
+    /// How far the generator of the ambient motion has come, in words.
+    ambient_words: u128,
+    elapsed_ns: u64,
+    blow_ms2: f64,
+}
+
 impl Simulation {
+    /// Where it is.
+    pub(super) fn motion(&self) -> Motion {
+        Motion {
+            source: self.stepper.source().to_vec(),
+            terms: self.nonlinear.as_ref().map(|nonlinear| nonlinear.terms),
+            levels: self.levels,
+            ambient_words: self.ambient_noise.get_word_pos(),
+            elapsed_ns: self.elapsed_ns,
+            blow_ms2: self.blow_ms2,
+        }
+    }
+
+    /// Goes on from where another of the same model was.
+    pub(super) fn go_on(&mut self, motion: Motion) {
+        self.stepper.go_on(&motion.source);
+        if let (Some(nonlinear), Some(terms)) = (&mut self.nonlinear, motion.terms) {
+            nonlinear.terms = terms;
+        }
+        self.levels = motion.levels;
+        self.ambient_noise.set_word_pos(motion.ambient_words);
+        self.elapsed_ns = motion.elapsed_ns;
+        self.blow_ms2 = motion.blow_ms2;
+    }
+
     pub(super) fn new(model: &Model, converter: &Converter, start_s: f64, seed: u64) -> Self {
         let bends = Bends::of(model, start_s);
         let wiring = Wiring::new(model, converter, start_s, bends.is_some());

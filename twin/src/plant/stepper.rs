@@ -130,6 +130,13 @@ impl Stepper {
         self.source[..self.states].copy_from_slice(states);
     }
 
+    /// Goes on from a copy of [`Stepper::source`].
+    pub(super) fn go_on(&mut self, source: &[f64]) {
+        for (place, value) in self.source.iter_mut().zip(source) {
+            *place = *value;
+        }
+    }
+
     /// (state, inputs) at present.
     pub(super) fn source(&self) -> &[f64] {
         &self.source

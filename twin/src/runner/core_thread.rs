@@ -7,15 +7,17 @@
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
 
-use rigless::emulator::{self, Driver, Hit, Host, Settled, Start, Stop};
+use rigless::emulator::{self, Driver, Hit, Host, Resume, Settled, Start, Stop};
 use rigless::image::Image;
 use rigless::session::Session;
 use rigless::time::VirtualNanos;
 
-use super::Error;
 use super::log::{self, Log};
+use super::{Error, Firmware};
 use crate::board::{FlashWatch, NucleoH743zi2, Pins, SerialLine};
 
+/// Symbol of the firmware's RTT control block.
+const LOG_CONTROL: &str = "_SEGGER_RTT";
 /// How often, in virtual time, the log is drained and a wait for serial bytes looks.
 const STEP_NS: u64 = 1_000_000;
 
@@ -107,13 +109,31 @@ impl Callbacks {
 }
 
 impl CoreThread {
-    /// Starts the core on `board` with `images` placed, and waits until it stands before its first
-    /// instruction.
-    pub(super) fn start(
-        board: NucleoH743zi2,
+    /// Starts the core of a new board with `records` in its record flash, and waits until it stands
+    /// before its first instruction.
+    pub(super) fn start(firmware: &Firmware, records: Image, pins: &Pins) -> Result<Self, Error> {
+        let images = vec![firmware.image().clone(), records];
+        Self::run_images(firmware, images, pins, session(pins)?, None)
+    }
+
+    /// Starts the core where `restore` puts a new session.
+    pub(super) fn go_on(
+        firmware: &Firmware,
+        pins: &Pins,
+        restore: impl FnOnce(&mut Session<NucleoH743zi2>) -> Result<Resume<'static>, Error>,
+    ) -> Result<Self, Error> {
+        let mut session = session(pins)?;
+        let resume = restore(&mut session)?;
+        let images = vec![firmware.image().clone()];
+        Self::run_images(firmware, images, pins, session, Some(resume))
+    }
+
+    fn run_images(
+        firmware: &Firmware,
         images: Vec<Image>,
         pins: &Pins,
-        log_control: Option<u64>,
+        session: Session<NucleoH743zi2>,
+        resume: Option<Resume<'static>>,
     ) -> Result<Self, Error> {
         let (commands, for_callbacks) = channel();
         let (reached, from_callbacks) = channel();
@@ -126,16 +146,16 @@ impl CoreThread {
             wake: false,
             serial: pins.serial.clone(),
             flash: pins.flash.clone(),
-            log_control,
+            log_control: firmware.symbol(LOG_CONTROL).ok(),
             log,
             hits,
         };
-        let session = Session::new(Box::new(board), 0, VirtualNanos(0))
-            .map_err(|error| Error::Ended(error.to_string()))?;
         let thread = std::thread::Builder::new()
             .name("emulated core".into())
             .spawn(move || {
-                emulator::run(session, &Start::new(&images), callbacks)
+                let mut start = Start::new(&images);
+                start.resume = resume.as_ref();
+                emulator::run(session, &start, callbacks)
                     .map(drop)
                     .map_err(|error| error.to_string())
             })
@@ -219,6 +239,13 @@ impl CoreThread {
             None => "it stopped before".into(),
         })
     }
+}
+
+/// A session of a new board.
+fn session(pins: &Pins) -> Result<Session<NucleoH743zi2>, Error> {
+    let ended = |error: &dyn std::fmt::Display| Error::Ended(error.to_string());
+    let board = NucleoH743zi2::new(pins.clone()).map_err(|error| ended(&error))?;
+    Session::new(Box::new(board), 0, VirtualNanos(0)).map_err(|error| ended(&error))
 }
 
 fn panic_message(panic: &(dyn std::any::Any + Send)) -> String {

@@ -10,11 +10,9 @@ use super::memory::RECORD_FLASH_BYTES;
 use super::passages::{Mark, Passages};
 use super::{Error, Firmware, Log, memory};
 use crate::board::usb::UsbPort;
-use crate::board::{FlashWatch, Leds, NucleoH743zi2, PartFault, Pins, RECORD_FLASH, SerialLine};
+use crate::board::{FlashWatch, Leds, PartFault, Pins, RECORD_FLASH, SerialLine};
 use crate::rig_port::{DRIVE_MID_CODE, RigPort};
 
-/// Symbol of the firmware's RTT control block.
-const LOG_CONTROL: &str = "_SEGGER_RTT";
 /// Longest virtual time of one step: the emulator's clock is 64 bit nanoseconds.
 const FOREVER: Duration = Duration::from_secs(1 << 32);
 
@@ -27,9 +25,9 @@ pub struct Gap(pub String);
 /// Time stands still between calls. The same image, rig and calls give the same run.
 pub struct Emulator {
     pub(super) core: CoreThread,
-    firmware: Firmware,
+    pub(super) firmware: Firmware,
     pub(super) pins: Pins,
-    log: Log,
+    pub(super) log: Log,
     pub(super) power_ons: u64,
     /// Virtual time at which the supply last came.
     pub(super) powered_at: Duration,
@@ -363,15 +361,10 @@ fn start(firmware: &Firmware, pins: &Pins, flash: &[u8]) -> Result<CoreThread, E
         });
     }
     let ended = |error: &dyn std::fmt::Display| Error::Ended(error.to_string());
-    let board = NucleoH743zi2::new(pins.clone()).map_err(|error| ended(&error))?;
     let name = std::path::Path::new("record flash");
     let records = Image::new(name, flash.to_vec(), Some(RECORD_FLASH));
-    let images = vec![
-        firmware.image().clone(),
-        records.map_err(|error| ended(&error))?,
-    ];
-    let log_control = firmware.symbol(LOG_CONTROL).ok();
-    let mut core = CoreThread::start(board, images, pins, log_control)?;
+    let records = records.map_err(|error| ended(&error))?;
+    let mut core = CoreThread::start(firmware, records, pins)?;
     core.act(move |_, host, _| memory::scramble(host, 0))?
         .map_err(|error| ended(&error))?;
     Ok(core)

@@ -36,6 +36,14 @@ pub enum Error {
         /// Size of what was given.
         found: usize,
     },
+    /// A run cannot be kept, or not be gone on with.
+    #[error("the run at {}: {reason}", path.display())]
+    Keep {
+        /// The file.
+        path: PathBuf,
+        /// Why not.
+        reason: String,
+    },
     /// The image has no such symbol.
     #[error("the firmware image has no function called {0}")]
     NoSymbol(String),

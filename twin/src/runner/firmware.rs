@@ -99,6 +99,11 @@ impl Firmware {
             .ok_or_else(missing)
     }
 
+    /// SHA-256 of the image and where it goes.
+    pub(super) fn digest(&self) -> [u8; 32] {
+        rigless::image::digest(std::slice::from_ref(&self.image), None)
+    }
+
     pub(super) fn image(&self) -> &Image {
         &self.image
     }

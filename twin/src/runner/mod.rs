@@ -14,6 +14,7 @@ mod core_thread;
 mod emulator;
 mod error;
 mod firmware;
+mod keep;
 mod log;
 mod memory;
 mod paced;

@@ -29,6 +29,12 @@ pub(in super::super) struct Common {
     bus_hz: u64,
 }
 
+rigless::store!(Common {
+    values: [kernel_hz, bus_hz],
+    parts: [pair],
+    built: [lines],
+});
+
 impl Common {
     pub(in super::super) fn new(pair: SharedPair, lines: RequestLines) -> Self {
         Self {

@@ -23,6 +23,12 @@ pub(in super::super) struct Converter {
     enable: Option<EventId>,
 }
 
+rigless::store!(Converter {
+    values: [regulator, calibration, enable],
+    parts: [],
+    built: [nth, pair],
+});
+
 impl Converter {
     /// ADC1 is number 0, ADC2 number 1.
     pub(in super::super) fn new(nth: usize, pair: SharedPair) -> Self {

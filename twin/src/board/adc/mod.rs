@@ -22,6 +22,7 @@ mod converter;
 use std::sync::{Arc, Mutex, MutexGuard};
 
 use rigless::device::{DeviceContext, Level};
+use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::soc::FieldSpec;
 use rigless::soc::stm32h743::generated::adc3::{cfgr, cr, isr};
 use rigless::time::VirtualNanos;
@@ -57,7 +58,7 @@ struct Pair {
 }
 
 /// One converter's registers as the pair needs them: the register file belongs to its instance.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, serde::Serialize, serde::Deserialize)]
 struct State {
     control: u64,
     configuration: u64,
@@ -72,6 +73,22 @@ struct State {
 /// A shared handle of the pair.
 #[derive(Debug, Clone)]
 pub(super) struct SharedPair(Arc<Mutex<Pair>>);
+
+rigless::store!(Pair {
+    values: [clock_hz, converters, unread, busy_until],
+    parts: [],
+    built: [analog],
+});
+
+impl Store for SharedPair {
+    fn store(&self, to: &mut Writer) -> Result<(), snapshot::Error> {
+        self.lock().store(to)
+    }
+
+    fn load(&mut self, from: &mut Reader) -> Result<(), snapshot::Error> {
+        self.lock().load(from)
+    }
+}
 
 impl SharedPair {
     pub(super) fn new(analog: Analog) -> Self {

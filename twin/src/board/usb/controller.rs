@@ -28,7 +28,7 @@ pub(super) enum Answer {
 }
 
 /// Registers, FIFOs and endpoints of the core.
-#[derive(Debug, Default)]
+#[derive(Debug, Default, serde::Serialize, serde::Deserialize)]
 pub(super) struct Controller {
     vbus: bool,
     suspended: bool,

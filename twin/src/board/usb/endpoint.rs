@@ -8,7 +8,7 @@ use super::registers::*;
 const CONTROL_PACKET: [u32; 4] = [64, 32, 16, 8];
 
 /// What both directions have.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, serde::Serialize, serde::Deserialize)]
 pub(super) struct Endpoint {
     stored: u32,
     nak: bool,
@@ -107,7 +107,7 @@ impl Endpoint {
 }
 
 /// An IN endpoint with its transmit FIFO.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, serde::Serialize, serde::Deserialize)]
 pub(super) struct InEndpoint {
     pub(super) common: Endpoint,
     pub(super) fifo: VecDeque<u32>,

@@ -33,6 +33,8 @@ pub use bus::{Pipes, Transferred};
 pub use transfer::{Setup, UsbError};
 pub(super) use window::UsbWindow;
 
+use rigless::snapshot::{self, Reader, Store, Writer};
+
 use bus::Bus;
 use controller::Controller;
 
@@ -70,6 +72,25 @@ impl Usb {
 /// A handle of the USB port: the board holds one, a host holds others.
 #[derive(Debug, Clone, Default)]
 pub struct UsbPort(Arc<Mutex<Usb>>);
+
+/// A run is kept with its cable out: what is under way on a bus belongs to the host as well.
+impl Store for UsbPort {
+    fn store(&self, to: &mut Writer) -> Result<(), snapshot::Error> {
+        let usb = self.lock();
+        match usb.controller.has_vbus() {
+            true => Err(snapshot::Error::Unsaved("a USB port with its cable in")),
+            false => to.put(&usb.controller),
+        }
+    }
+
+    fn load(&mut self, from: &mut Reader) -> Result<(), snapshot::Error> {
+        *self.lock() = Usb {
+            controller: from.take()?,
+            ..Usb::default()
+        };
+        Ok(())
+    }
+}
 
 impl UsbPort {
     /// Plugs the cable in or pulls it out: VBUS comes or goes.

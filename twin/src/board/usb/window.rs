@@ -26,6 +26,12 @@ pub(in super::super) struct UsbWindow {
     slot: Option<EventId>,
 }
 
+rigless::store!(UsbWindow {
+    values: [line, slot],
+    parts: [port],
+    built: [layout],
+});
+
 impl UsbWindow {
     /// Adds the window to `bus`; its slot and its model.
     pub(in super::super) fn add_to(bus: &mut Bus, port: UsbPort) -> Result<(usize, Self), Error> {
