@@ -38,6 +38,10 @@ pub struct Where {
     pub p_value: f64,
     /// Parity or class of the structure.
     pub class: &'static str,
+    /// Course of the ratio's magnitude over frequency in words, where a simple one describes it:
+    /// `1/f^2`, `1/f`, `log f`, `f`, `f^2`, `corner` (constant below, `1/f^2` above), joined by
+    /// " or " where the data allow several.
+    pub shape: Option<String>,
 }
 
 /// Value and standard uncertainty of a parameter.

@@ -11,6 +11,7 @@ use crate::engine::search::{Limits, Scored, Search, search, search_from};
 use crate::engine::significance::two_sided;
 use crate::engine::structure::{Structure, examine};
 use crate::error::GapError;
+use crate::model::row::RATIO;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -37,13 +38,16 @@ impl Default for Options {
 }
 
 /// Structure left by the best set at which "none of these" is the answer.
-const NONE_BELOW: f64 = 0.01;
+pub(crate) const NONE_BELOW: f64 = 0.01;
 /// Structure left by the nominal simulation at which there is a gap without a name.
 const GAP_BELOW: f64 = 0.002;
 /// Probability above which a set leads clearly.
 const CLEAR: f64 = 0.8;
 /// Smallest probability that is listed.
-const LISTED: f64 = 0.01;
+pub(crate) const LISTED: f64 = 0.01;
+
+/// Probability above which a set is possible beside the leading one.
+const POSSIBLE: f64 = 0.05;
 
 /// Diagnoses a dataset folder.
 ///
@@ -215,23 +219,19 @@ fn held_out(training: &Problem, testing: &Problem, part: &Search, verdict: Verdi
 }
 
 pub(crate) fn verdict(found: &Search, left: &Structure) -> Verdict {
-    let Some(best) = found.sets.first() else {
-        return Verdict::NoGap;
-    };
-    if best.fit.effects.is_empty() {
-        return if left.p_value < GAP_BELOW {
-            Verdict::Unexplained
-        } else {
-            Verdict::NoGap
-        };
-    }
-    if left.p_value < NONE_BELOW {
-        return Verdict::Unexplained;
-    }
-    if best.probability >= CLEAR {
-        Verdict::Explained
-    } else {
-        Verdict::Ambiguous
+    let best = found.sets.first();
+    let leading = best.filter(|set| !set.fit.effects.is_empty());
+    conclude(leading.map(|set| set.probability), left.p_value)
+}
+
+/// Verdict from the probability of the leading set, if there is one, and the p-value of what is left.
+pub(crate) fn conclude(leading: Option<f64>, p_value: f64) -> Verdict {
+    match leading {
+        None if p_value < GAP_BELOW => Verdict::Unexplained,
+        None => Verdict::NoGap,
+        Some(_) if p_value < NONE_BELOW => Verdict::Unexplained,
+        Some(probability) if probability >= CLEAR => Verdict::Explained,
+        Some(_) => Verdict::Ambiguous,
     }
 }
 
@@ -327,21 +327,24 @@ fn nominal_parameters(
 
 /// Sets that the data hardly separate, and effects that no data of this kind can.
 fn confusable(causes: &[Cause], verdict: Verdict, problem: &Problem) -> Vec<Vec<String>> {
-    let name = |c: &Cause| c.effects.join("+");
-    let (first, rest) = match (verdict, causes.split_first()) {
-        (Verdict::NoGap, _) | (_, None) => return Vec::new(),
-        (_, Some(split)) => split,
-    };
-    let mut pairs: Vec<Vec<String>> = rest
-        .iter()
-        .filter(|c| c.probability > 0.05)
-        .map(|c| vec![name(first), name(c)])
-        .collect();
-    if problem.facts.drive && !problem.facts.current {
+    let mut pairs = hardly_separated(causes, verdict);
+    if verdict != Verdict::NoGap && problem.facts.drive && !problem.facts.current {
         // Bl^2/R and the damping of the suspension only ever act as a sum on the drive.
         pairs.push(vec!["mechanical_damping".into(), "back_emf".into()]);
     }
     pairs
+}
+
+/// The leading set with each other that these data leave possible.
+pub(crate) fn hardly_separated(causes: &[Cause], verdict: Verdict) -> Vec<Vec<String>> {
+    let name = |c: &Cause| c.effects.join("+");
+    match causes {
+        [first, rest @ ..] if verdict != Verdict::NoGap => {
+            let possible = rest.iter().filter(|c| c.probability > POSSIBLE);
+            possible.map(|c| vec![name(first), name(c)]).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 fn next_measurement(
@@ -413,6 +416,7 @@ fn places(
     }
     let excess =
         (nominal.residual.iter().map(|r| r * r).sum::<f64>() - problem.len() as f64).max(1.0);
+    let shape = crate::stages::of_ratio(problem, &found.nominal, work);
     let mut places = Vec::new();
     for (stage, share) in crate::stages::rank(problem, found, nominal, verdict, work) {
         let (slot, axis, z) = crate::stages::evidence(
@@ -431,6 +435,9 @@ fn places(
             share: (share / excess).clamp(0.0, 1.0),
             p_value: (two_sided(z) * tests).min(1.0),
             class: class(slot, axis),
+            shape: shape
+                .clone()
+                .filter(|_| slot == RATIO && axis == "frequency_hz"),
         });
     }
     places
@@ -452,6 +459,7 @@ fn local(problem: &Problem, nominal: &Structure, left: &Structure, places: &[Whe
             share: (bump.square / excess).clamp(0.0, 1.0),
             p_value: bump.p_value,
             class: LOCAL,
+            shape: None,
         })
         .collect()
 }

@@ -32,6 +32,10 @@ pub(crate) struct Facts {
     pub(crate) frequencies_hz: Vec<f64>,
     pub(crate) warmest_k: f64,
     pub(crate) noise_v: f64,
+    /// Noise of each channel beyond the healthy one, r.m.s., in the median row; 0 where it was not measured.
+    pub(crate) excess_noise_v: [f64; 2],
+    /// The same over the rate of change of the channel's voltage: a scatter of the sampling instants, in s.
+    pub(crate) excess_noise_s: f64,
     /// Level over peak voltage of reference and device under test, in (m/s2)/V r.m.s.
     pub(crate) ms2_per_v: [f64; 2],
     pub(crate) tilt_varies: bool,
@@ -49,6 +53,23 @@ fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
             (a.min(v), b.max(v))
         })
+}
+
+/// Noise of a channel in a row beyond the healthy one, in V.
+fn excess_v(row: &Row, channel: usize, healthy_v: f64) -> Option<f64> {
+    let slot = NOISE + channel;
+    let power_v2 = (2.0 * row.value[slot]).exp() - healthy_v * healthy_v;
+    // Scatter of 1 % about the healthy noise is no excess.
+    let counts = power_v2 > 0.05 * healthy_v * healthy_v;
+    row.u[slot]
+        .is_finite()
+        .then_some(if counts { power_v2.sqrt() } else { 0.0 })
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut sorted: Vec<f64> = values.filter(|v| v.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
 }
 
 impl Facts {
@@ -95,6 +116,17 @@ impl Facts {
             frequencies_hz,
             warmest_k: span(rows.iter().map(|r| r.warmer_k.abs())).1,
             noise_v,
+            excess_noise_v: [0, 1].map(|channel| {
+                median(
+                    rows.iter()
+                        .filter_map(|row| excess_v(row, channel, noise_v)),
+                )
+            }),
+            excess_noise_s: median(rows.iter().filter_map(|row| {
+                let rate_v_per_s = row.omega * row.ref_peak_v / std::f64::consts::SQRT_2;
+                let scatter = excess_v(row, 0, noise_v)? / rate_v_per_s;
+                (scatter > 0.0).then_some(scatter)
+            })),
             ms2_per_v: [level.1 / reference.1, level.1 / dut.1],
             tilt_varies: varies(span(rows.iter().map(|r| r.vertical)), 0.05),
             block_known: rows.iter().any(|r| r.bin_hz.is_finite()),

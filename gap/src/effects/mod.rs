@@ -47,7 +47,7 @@ pub(crate) trait Effect: Sync {
     }
 
     /// More starts around the best one, for effects that only scatter: first other
-    /// sizes (round 0), then other details.
+    /// sizes (rounds 0 and 1), then other details.
     fn around(&self, _best: &[f64], _round: usize, _facts: &Facts) -> Vec<Vec<f64>> {
         Vec::new()
     }

@@ -4,8 +4,8 @@ use super::about::{About, Parameter, Stage};
 use super::start::{Start, ratios};
 use super::{Effect, Facts};
 use crate::model::chain::{Chain, Transfer};
-use crate::model::leakage::leaking;
-use crate::model::row::Row;
+use crate::model::leakage::{leaking, taken};
+use crate::model::row::{NOISE, Row};
 use std::f64::consts::{SQRT_2, TAU};
 
 /// Mains lines in the channel of the device under test.
@@ -66,13 +66,24 @@ static AMBIENT_TONE: About = About {
     parameters: &[
         Parameter::log("motion_ms2", "m/s2", 1e-7, 10.0),
         Parameter::log("tone_ms2", "m/s2", 1e-7, 10.0),
-        Parameter::linear("tone_hz", "Hz", 0.5, 45.0),
+        Parameter::linear("tone_hz", "Hz", 0.8, 32.0),
     ],
     ..AMBIENT
 };
 
 /// Factors on the size of the best of the coarse starts.
 const FINE: [f64; 7] = [0.75, 0.82, 0.9, 1.0, 1.1, 1.21, 1.33];
+/// The same around the best of those: noise is known to 1 % a row, and a size off by more
+/// looks worse than no effect.
+const FINER: [f64; 7] = [0.955, 0.97, 0.985, 1.0, 1.015, 1.03, 1.045];
+
+/// Sizes to start from, with the one that the noise columns show in the median row.
+fn with_measured(mut sizes: Vec<f64>, measured: f64) -> Vec<f64> {
+    if measured > 0.0 {
+        sizes.push(measured);
+    }
+    sizes
+}
 
 impl Effect for MainsPickup {
     fn about(&self) -> &'static About {
@@ -86,7 +97,8 @@ impl Effect for MainsPickup {
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let largest = 0.3 * facts.largest_peak_v[1].max(10.0 * facts.noise_v);
-        ratios(0.1 * facts.noise_v.max(1e-6), largest, 24)
+        let coarse = ratios(0.1 * facts.noise_v.max(1e-6), largest, 24);
+        with_measured(coarse, facts.excess_noise_v[1])
             .into_iter()
             .map(|v| Start::shape(vec![v, 0.0]))
             .collect()
@@ -94,6 +106,7 @@ impl Effect for MainsPickup {
     fn around(&self, best: &[f64], round: usize, facts: &Facts) -> Vec<Vec<f64>> {
         match round {
             0 => FINE.map(|factor| vec![best[0] * factor, best[1]]).into(),
+            1 => FINER.map(|factor| vec![best[0] * factor, best[1]]).into(),
             _ if !(facts.ratio && facts.block_known) => Vec::new(),
             _ => [0.1, 0.3, 0.6, 1.0]
                 .map(|share| vec![best[0], share])
@@ -102,7 +115,7 @@ impl Effect for MainsPickup {
     }
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
         chain.noise_v2[1] += p[0] * p[0];
-        let rms_v = row.dut_peak_v / SQRT_2 * chain.dut_gain;
+        let rms_v = row.seen_v[1];
         if !row.bin_hz.is_finite() || !rms_v.is_finite() || p[1] == 0.0 {
             return;
         }
@@ -110,6 +123,7 @@ impl Effect for MainsPickup {
         let relative = 0.5 * power_v2 / (rms_v * rms_v);
         chain.leakage[0] += relative * row.mains_leak[0];
         if matches!(self, Self::Everywhere) {
+            chain.taken_v2[1] += p[0] * p[0] * row.mains_taken;
             for k in 0..4 {
                 chain.harmonic_leakage[1][k] += relative * row.mains_leak[k + 1];
             }
@@ -130,25 +144,23 @@ impl Effect for SamplingJitter {
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let largest = 0.3 / (TAU * facts.highest_hz);
-        ratios(1e-5 * largest, largest, 24)
+        with_measured(ratios(1e-5 * largest, largest, 24), facts.excess_noise_s)
             .into_iter()
             .map(|v| Start::shape(vec![v]))
             .collect()
     }
     fn around(&self, best: &[f64], round: usize, _facts: &Facts) -> Vec<Vec<f64>> {
-        if round > 0 {
-            return Vec::new();
+        match round {
+            0 => FINE.map(|factor| vec![best[0] * factor]).into(),
+            1 => FINER.map(|factor| vec![best[0] * factor]).into(),
+            _ => Vec::new(),
         }
-        FINE.map(|factor| vec![best[0] * factor]).into()
     }
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
         let share = 1.0 - (-(row.omega * p[0]).powi(2)).exp();
-        for (channel, peak_v) in [row.ref_peak_v, row.dut_peak_v * chain.dut_gain]
-            .into_iter()
-            .enumerate()
-        {
-            if peak_v.is_finite() {
-                chain.noise_v2[channel] += share * peak_v * peak_v / 2.0;
+        for (power, rms_v) in chain.noise_v2.iter_mut().zip(row.seen_v) {
+            if rms_v.is_finite() {
+                *power += share * rms_v * rms_v;
             }
         }
     }
@@ -172,7 +184,7 @@ impl Effect for AmbientVibration {
         match self {
             Self::Broadband => noise,
             Self::ToneNearby | Self::ToneEverywhere => {
-                facts.drive && facts.level_known && facts.block_known && facts.lowest_hz < 40.0
+                facts.drive && facts.level_known && facts.block_known && facts.lowest_hz < 32.0
             }
         }
     }
@@ -181,27 +193,30 @@ impl Effect for AmbientVibration {
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let smallest = 0.1 * facts.noise_v.max(1e-6) * facts.ms2_per_v[0];
-        ratios(smallest, 3e4 * smallest, 20)
+        let measured = facts.excess_noise_v.iter().zip(facts.ms2_per_v);
+        let measured = measured.map(|(v, ms2_per_v)| v * ms2_per_v * SQRT_2);
+        let measured = measured.fold(0.0, f64::max);
+        with_measured(ratios(smallest, 3e4 * smallest, 20), measured)
             .into_iter()
             .map(|size| match self {
                 Self::Broadband => Start::shape(vec![size]),
-                _ => Start::shape(vec![size, 0.1 * size, facts.lowest_hz.clamp(0.5, 45.0)]),
+                _ => Start::shape(vec![size, 0.1 * size, facts.lowest_hz.clamp(0.8, 32.0)]),
             })
             .collect()
     }
     fn around(&self, best: &[f64], round: usize, facts: &Facts) -> Vec<Vec<f64>> {
-        if round == 0 {
+        if round < 2 {
             let sized = |factor: f64| {
                 let mut parameters = best.to_vec();
                 parameters[0] *= factor;
                 parameters
             };
-            return FINE.map(sized).into();
+            return if round == 0 { FINE } else { FINER }.map(sized).into();
         }
         if matches!(self, Self::Broadband) {
             return Vec::new();
         }
-        let near = facts.frequencies_hz.iter().filter(|f| **f < 40.0);
+        let near = facts.frequencies_hz.iter().filter(|f| **f < 32.0);
         let tones = near.take(12).flat_map(|tone| {
             [0.03, 0.1, 0.3, 1.0].map(|part| vec![best[0], best[0] * part, *tone])
         });
@@ -218,9 +233,12 @@ impl Effect for AmbientVibration {
         if matches!(self, Self::Broadband) || !row.bin_hz.is_finite() {
             return;
         }
+        // The tone is part of the motion: where noise was measured it shows there.
+        let seen = row.u[NOISE].min(row.u[NOISE + 1]).is_finite();
+        let tone_ms2 = if seen { p[1].min(p[0]) } else { p[1] };
         let everywhere = matches!(self, Self::ToneEverywhere);
         let bins = |order: f64| (order * row.frequency_hz - p[2]) / row.bin_hz;
-        let relative = 0.5 * (p[1] / row.level_ms2).powi(2);
+        let relative = 0.5 * (tone_ms2 / row.level_ms2).powi(2);
         if everywhere || bins(1.0).abs() < 1.0 {
             chain.leakage[1] += relative * leaking(bins(1.0));
         }
@@ -231,16 +249,14 @@ impl Effect for AmbientVibration {
                 chain.harmonic_leakage[1][k] += share;
             }
             for (power, v) in chain.dc_leakage_v2.iter_mut().zip(v_per_ms2) {
-                *power += (p[1] * v).powi(2) * leaking(bins(0.0));
+                *power += (tone_ms2 * v).powi(2) * leaking(bins(0.0));
             }
         }
-        if everywhere && bins(1.0).abs() < 1.0 {
-            // What a component takes of the tone is not left as noise.
-            let taken = leaking(bins(1.0)) * p[1].min(p[0]).powi(2);
-            for (power, v) in chain.noise_v2.iter_mut().zip(v_per_ms2) {
-                *power -= taken * v * v;
+        if everywhere {
+            let taken_ms2 = tone_ms2 * taken(p[2], row.frequency_hz, row.bin_hz).sqrt();
+            for (power, v) in chain.taken_v2.iter_mut().zip(v_per_ms2) {
+                *power += (taken_ms2 * v).powi(2);
             }
-            chain.noise_open.iter_mut().for_each(|o| *o += 0.02);
         }
     }
 }

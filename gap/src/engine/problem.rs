@@ -358,15 +358,7 @@ impl Problem {
         effects: &[Active<'_>],
         theta: &[f64],
     ) -> (Nominal, Vec<Chain>) {
-        // The noise of a healthy channel goes back to its stated value: a fit without
-        // the effect has stretched it.
-        let mut relaxed = theta.to_vec();
-        for (value, free) in relaxed.iter_mut().zip(&self.free) {
-            if matches!(free.kind, Nuisance::Noise(_)) {
-                *value = 0.0;
-            }
-        }
-        let nominal = self.nominal(&relaxed);
+        let nominal = self.nominal(&self.stated_noise(theta));
         let chains = self.rows.iter().map(|row| {
             let mut chain = Chain {
                 dut_gain: nominal.dut_gain,
@@ -377,6 +369,19 @@ impl Problem {
         });
         let chains = chains.collect();
         (nominal, chains)
+    }
+
+    /// Nuisance values with the noise of healthy channels at its stated value: a fit
+    /// without an effect that makes noise has stretched it.
+    pub(crate) fn stated_noise(&self, theta: &[f64]) -> Vec<f64> {
+        let relaxed = self.free.iter().zip(theta).map(|(free, value)| {
+            if matches!(free.kind, Nuisance::Noise(_)) {
+                0.0
+            } else {
+                *value
+            }
+        });
+        relaxed.collect()
     }
 
     /// Gain of the objective when an effect that only scatters is added, all
@@ -426,9 +431,8 @@ impl Problem {
                 if at != ABSENT {
                     let at = at as usize;
                     let healthy = base.0.noise_v[channel].powi(2);
-                    let power = healthy + after.noise_v2[channel];
-                    let open =
-                        after.noise_open[channel].powi(2) - before.noise_open[channel].powi(2);
+                    let (power, open) = after.noise(channel, healthy);
+                    let open = open - before.noise(channel, healthy).1;
                     let difference = self.measured[at] - 0.5 * power.ln();
                     noise[channel].add(difference, healthy / power, here.weight[at], open);
                     before_noise += here.residual[at].powi(2);

@@ -139,7 +139,7 @@ impl Atoms {
             }
         }
         for (entry, effect) in library().iter().enumerate() {
-            for round in 0..2 {
+            for round in 0..3 {
                 let Some(coarse) = best[entry].as_ref().filter(|_| effect.scatters()) else {
                     continue;
                 };

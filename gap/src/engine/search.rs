@@ -247,10 +247,13 @@ impl Searcher<'_> {
 
     /// The base moved to where the screening expects it beside the new effect, if that is an improvement.
     fn shifted(&mut self, base: &Fit, promise: &Promise) -> Fit {
-        let Some(shift) = &promise.shift else {
-            return base.clone();
+        let there = match &promise.shift {
+            Some(shift) => moved(self.problem, base, shift),
+            None => Fit {
+                theta: self.problem.stated_noise(&base.theta),
+                ..base.clone()
+            },
         };
-        let there = moved(self.problem, base, shift);
         let mut objective = |base: &Fit| {
             let mut effects = base.effects.clone();
             effects.push(active(promise.entry, promise.parameters.clone()));

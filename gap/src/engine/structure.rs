@@ -8,6 +8,8 @@ use crate::model::row::{NOISE, REF_HARMONICS, Row, SLOTS};
 
 /// Effective number of open data that a test of them needs.
 const FEWEST_OPEN: f64 = 12.0;
+/// Factor to which the size of open scatter is known.
+const ROUGHLY: f64 = 3.0;
 /// Bands of the tests for local structure.
 pub(crate) const BANDS: usize = 14;
 
@@ -157,9 +159,12 @@ impl<'a> OpenData<'a> {
         Self { tests, open }
     }
 
-    /// Largest deviate over the tests, the scatter taken from the data themselves.
+    /// Largest deviate over the tests, the scatter taken from the data themselves, and of a
+    /// single datum, whose scatter is known to a factor.
     fn largest(&self, problem: &Problem, residual: &[f64]) -> f64 {
-        self.tests.iter().fold(0.0, |most: f64, test| {
+        let open = residual.iter().zip(&self.open).filter(|(_, open)| **open);
+        let outlier = open.fold(0.0, |m: f64, (r, _)| m.max(r.abs() / ROUGHLY));
+        self.tests.iter().fold(outlier, |most: f64, test| {
             let (slot, values) = &test.column.parts[0];
             let range = problem.slots[*slot].clone();
             let inside = values

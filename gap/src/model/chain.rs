@@ -31,6 +31,9 @@ pub(crate) struct Chain {
     pub(crate) dut_harmonics: [f64; 4],
     /// Mean square noise added in the channels: reference, device under test, in V^2.
     pub(crate) noise_v2: [f64; 2],
+    /// Mean square of it that components of the block may have taken: what is computed as a
+    /// harmonic or as d.c. is not left as noise.
+    pub(crate) taken_v2: [f64; 2],
     /// Standard deviation of the logarithm of the noise that the effect leaves open.
     pub(crate) noise_open: [f64; 2],
     /// Variance, per part, of the relative error of ratio and drive by leakage.
@@ -56,11 +59,30 @@ impl Default for Chain {
             dut_adc: None,
             dut_harmonics: [0.0; 4],
             noise_v2: [0.0; 2],
+            taken_v2: [0.0; 2],
             noise_open: [0.0; 2],
             leakage: [0.0; 2],
             harmonic_leakage: [[0.0; 4]; 2],
             dc_leakage_v2: [0.0; 2],
         }
+    }
+}
+
+impl Chain {
+    /// Mean square noise of a channel in V^2, and the variance of its logarithm that stays open.
+    ///
+    /// How a line shares its power with the components depends on where it lies in its bin
+    /// and on the window: the size of the reduction is open by itself.
+    pub(crate) fn noise(&self, channel: usize, healthy_v2: f64) -> (f64, f64) {
+        let all = healthy_v2 + self.noise_v2[channel];
+        let left = (all - self.taken_v2[channel]).max(healthy_v2).min(all);
+        let reduction = if left > 0.0 {
+            0.5 * (all / left).ln()
+        } else {
+            0.0
+        };
+        let open = self.noise_open[channel].powi(2) + reduction * reduction;
+        (left, open)
     }
 }
 

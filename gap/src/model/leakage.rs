@@ -30,3 +30,30 @@ pub(crate) fn leaked_mains(frequency_hz: f64, mains_hz: f64, bin_hz: f64) -> f64
     });
     lines.sum::<f64>() / LINE_POWER
 }
+
+/// Share of a line's power that the components of a block take: orders 1..5 of the frequency, and d.c.
+pub(crate) fn taken(line_hz: f64, frequency_hz: f64, bin_hz: f64) -> f64 {
+    let orders = (1..=5).map(|n| leaking((f64::from(n) * frequency_hz - line_hz) / bin_hz));
+    // The mean takes real values only: all of a slow line's swing about zero.
+    (orders.sum::<f64>() + 2.0 * leaking(line_hz / bin_hz)).min(1.0)
+}
+
+/// The same for the line at a multiple of the mains that loses most.
+pub(crate) fn taken_mains(frequency_hz: f64, mains_hz: f64, bin_hz: f64) -> f64 {
+    let lines = (1..=LINES).map(|n| taken(n as f64 * mains_hz, frequency_hz, bin_hz));
+    lines.fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A line on the second harmonic is all in it; one 10 bins from everything has left less than
+    /// 1/(2 pi^2 100) in each of the nearest.
+    #[test]
+    fn a_line_on_a_component_is_not_left_as_noise() {
+        assert!((taken(50.0, 25.0, 3.0) - 1.0).abs() < 1e-12);
+        assert!(taken(50.0, 400.0, 3.0) < 0.01);
+        assert!((taken_mains(150.0, 50.0, 3.0) - 1.0).abs() < 1e-12);
+    }
+}

@@ -417,13 +417,13 @@ fn write_harmonics(row: &Row, slot: usize, harmonics: &[Complex64; 4], out: &mut
 fn noise(nominal: &Nominal, chain: &Chain, out: &mut Prediction) {
     for channel in 0..2 {
         let healthy = nominal.noise_v[channel] * nominal.noise_v[channel];
-        let power = healthy + chain.noise_v2[channel];
+        let (power, open) = chain.noise(channel, healthy);
         if power > 0.0 {
             out.value[NOISE + channel] = 0.5 * power.ln();
             out.noise_power_v2[channel] = power;
             out.noise_share[channel] = healthy / power;
         }
-        out.open[NOISE + channel] += chain.noise_open[channel] * chain.noise_open[channel];
+        out.open[NOISE + channel] += open;
     }
 }
 

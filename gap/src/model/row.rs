@@ -1,6 +1,6 @@
 //! One point, prepared for the model: conditions and measured values by slot.
 
-use super::leakage::leaked_mains;
+use super::leakage::{leaked_mains, taken_mains};
 use crate::dataset::{Harmonic, Point, Rig};
 use std::f64::consts::{SQRT_2, TAU};
 
@@ -61,6 +61,10 @@ pub(crate) struct Row {
     /// Peak voltages at the digitiser as the nominal simulation has them; NaN if unknown.
     pub(crate) ref_peak_v: f64,
     pub(crate) dut_peak_v: f64,
+    /// Measured r.m.s. voltages of both channels where there are any, else the nominal ones; NaN if unknown.
+    pub(crate) seen_v: [f64; 2],
+    /// Share of a mains line that the components of the block take: the nearest line's, orders 1..5 and d.c.
+    pub(crate) mains_taken: f64,
     /// Width of one bin of the block, in Hz; NaN if unknown.
     pub(crate) bin_hz: f64,
     /// Only the amplitude of the harmonics is known.
@@ -114,6 +118,15 @@ impl Row {
             level_ms2: level.unwrap_or(f64::NAN),
             ref_peak_v: ref_v.map_or(f64::NAN, |v| v * SQRT_2),
             dut_peak_v: dut_v.map_or(f64::NAN, |v| v * SQRT_2),
+            seen_v: [
+                point.ref_v.or(ref_v),
+                point
+                    .dut_v
+                    .or_else(|| Some(point.ratio? * point.ref_v.or(ref_v)?))
+                    .or(dut_v),
+            ]
+            .map(|v| v.unwrap_or(f64::NAN)),
+            mains_taken: bin.map_or(0.0, |bin| taken_mains(point.frequency_hz, mains_hz, bin)),
             bin_hz: bin.unwrap_or(f64::NAN),
             bare_harmonics: [false; 8],
             value: [0.0; SLOTS],

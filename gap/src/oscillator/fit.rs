@@ -1,8 +1,8 @@
 //! Least squares of the simulated against the recorded output.
 
 use super::model::{
-    DEAD_ZONE, HELD_BACK, HIGHPASS, HYSTERESIS, LINEAR, SATURATION, SECOND_MODE, TERMS, VALUES,
-    places, simulate, states,
+    DEAD_ZONE, HELD_BACK, HIGHPASS, HYSTERESIS, LINEAR, LOSSES, SATURATION, SECOND_MODE, TERMS,
+    VALUES, places, simulate, states,
 };
 use crate::dataset::Record;
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -43,8 +43,8 @@ fn free(terms: &[usize]) -> Vec<usize> {
         .collect()
 }
 
-/// Measured minus simulated output, without the samples that settle; none where it diverges.
-pub(crate) fn residual(values: &[f64; VALUES], record: &Record) -> Option<Vec<f64>> {
+/// Measured minus simulated output after the settling samples; `None` where the simulation diverges.
+pub(super) fn residual(values: &[f64; VALUES], record: &Record) -> Option<Vec<f64>> {
     let simulated = simulate(values, record.interval_s, &record.input)?;
     Some(
         record
@@ -81,6 +81,10 @@ fn nudge(values: &[f64; VALUES], index: usize, unit: f64) -> f64 {
 /// Keeps damping, widths and frequencies where the simulation can follow them.
 fn bound(values: &mut [f64; VALUES], record: &Record, scale: f64) {
     values[1] = values[1].clamp(1e-5, 2.0);
+    // Friction and damping take energy out.
+    for loss in LOSSES {
+        values[loss] = values[loss].max(0.0);
+    }
     // A mode must lie below half the rate at which the force is known.
     let highest = (std::f64::consts::PI / record.interval_s).ln() - values[0];
     values[SECOND_MODE + 1] = values[SECOND_MODE + 1].clamp(-7.0, highest);
@@ -88,7 +92,7 @@ fn bound(values: &mut [f64; VALUES], record: &Record, scale: f64) {
     values[DEAD_ZONE] = values[DEAD_ZONE].clamp(0.0, 10.0 * scale);
     values[HIGHPASS] = values[HIGHPASS].clamp(0.0, std::f64::consts::PI / record.interval_s);
     values[SATURATION] = values[SATURATION].max(0.0);
-    values[HYSTERESIS] = values[HYSTERESIS].clamp(-0.95, 10.0);
+    values[HYSTERESIS] = values[HYSTERESIS].clamp(0.0, 10.0);
     let yields_at = values[HYSTERESIS + 1];
     values[HYSTERESIS + 1] = yields_at.clamp((1e-3 * scale).ln(), (30.0 * scale).ln());
 }
@@ -273,7 +277,8 @@ fn columns(
     free.iter().map(of).collect()
 }
 
-fn normal(columns: &[Vec<f64>], left: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
+/// Normal matrix and gradient of columns.
+pub(super) fn normal(columns: &[Vec<f64>], left: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
     let count = columns.len();
     let mut matrix = DMatrix::zeros(count, count);
@@ -291,6 +296,18 @@ fn normal(columns: &[Vec<f64>], left: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
     }
     let gradient = DVector::from_iterator(count, columns.iter().map(|c| dot(c, left)));
     (matrix, gradient)
+}
+
+/// Change of the simulated output with the values a fit moves, or with those at the given places.
+pub(super) fn columns_of(
+    record: &Record,
+    fit: &Fitted,
+    left: &[f64],
+    places: &[usize],
+) -> Option<Vec<Vec<f64>>> {
+    let moved = free(&fit.terms);
+    let wanted = if places.is_empty() { &moved } else { places };
+    columns(record, &fit.values, left, wanted, scale_of(record))
 }
 
 /// Linear fit from the rig's resonance, by growing parts of the record.

@@ -5,38 +5,99 @@
 //! of a band-limited signal (a zero-order hold costs half a sample of delay, a
 //! cubic through the neighbours a part of the amplitude above a fifth of the rate).
 
+use crate::effects::Stage;
+
+const COEFFICIENT: &[&str] = &["coefficient"];
+
 /// Candidate terms; the values of each follow those of the one before.
 pub(crate) const TERMS: [Term; 11] = [
-    Term::of_one("cubic_stiffness", true),
-    Term::of_one("quadratic_stiffness", true),
-    Term::of_one("quadratic_damping", false),
-    Term::of_one("cubic_damping", false),
-    Term::of_one("coulomb_friction", false),
-    Term::of_one("input_delay", true),
+    Term {
+        name: "cubic_stiffness",
+        leading: true,
+        has_kink: false,
+        stage: Stage::Dut,
+        parameters: COEFFICIENT,
+        separate_by: "the same record at half and at twice the amplitude",
+    },
+    Term {
+        name: "quadratic_stiffness",
+        leading: true,
+        has_kink: false,
+        stage: Stage::Dut,
+        parameters: COEFFICIENT,
+        separate_by: "the same input with its sign turned, and one with a steady offset",
+    },
+    Term {
+        name: "quadratic_damping",
+        leading: false,
+        has_kink: false,
+        stage: Stage::Dut,
+        parameters: COEFFICIENT,
+        separate_by: "a sine at the resonance at several amplitudes: the loss per cycle over amplitude",
+    },
+    Term {
+        name: "cubic_damping",
+        leading: false,
+        has_kink: false,
+        stage: Stage::Dut,
+        parameters: COEFFICIENT,
+        separate_by: "a sine at the resonance at several amplitudes: the loss per cycle over amplitude",
+    },
+    Term {
+        name: "coulomb_friction",
+        leading: false,
+        has_kink: true,
+        stage: Stage::Dut,
+        parameters: COEFFICIENT,
+        separate_by: "a decay from the resonance down to rest, and the smallest amplitudes",
+    },
+    Term {
+        name: "input_delay",
+        leading: true,
+        has_kink: false,
+        stage: Stage::Amplifier,
+        parameters: COEFFICIENT,
+        separate_by: "frequencies far above the resonance",
+    },
     Term {
         name: "input_saturation",
         leading: true,
+        has_kink: true,
+        stage: Stage::Amplifier,
         parameters: &["threshold"],
+        separate_by: "an input of half the peak value, and the input as it arrives",
     },
     Term {
         name: "output_highpass",
         leading: true,
+        has_kink: false,
+        stage: Stage::Conditioning,
         parameters: &["corner_hz"],
+        separate_by: "frequencies far below the resonance",
     },
     Term {
         name: "second_mode",
         leading: true,
+        has_kink: false,
+        stage: Stage::Dut,
         parameters: &["gain", "mode_hz", "damping"],
+        separate_by: "a small-amplitude sweep around the second frequency",
     },
     Term {
         name: "dead_zone",
         leading: false,
+        has_kink: true,
+        stage: Stage::Dut,
         parameters: &["half_width"],
+        separate_by: "the smallest amplitudes, below and above the play",
     },
     Term {
         name: "hysteresis",
         leading: false,
+        has_kink: true,
+        stage: Stage::Dut,
         parameters: &["alpha", "yield_deflection"],
+        separate_by: "slow loading and unloading: the path of the restoring force",
     },
 ];
 
@@ -47,24 +108,22 @@ pub(crate) struct Term {
     pub(crate) name: &'static str,
     /// Whether it comes early in an expansion of the forces in powers.
     pub(crate) leading: bool,
+    /// Whether its force has a kink, which the integration meets between two steps.
+    pub(crate) has_kink: bool,
+    /// Where it sits.
+    pub(crate) stage: Stage,
+    /// The record that tells it from the others.
+    pub(crate) separate_by: &'static str,
     /// Names of its values.
     pub(crate) parameters: &'static [&'static str],
-}
-
-impl Term {
-    const fn of_one(name: &'static str, leading: bool) -> Self {
-        Self {
-            name,
-            leading,
-            parameters: &["coefficient"],
-        }
-    }
 }
 
 /// Values every simulation has: ln w0, delta, gain, offset, and the state at the first sample.
 pub(crate) const LINEAR: usize = 6;
 /// All values of a simulation.
 pub(crate) const VALUES: usize = LINEAR + 17;
+/// Coefficients of damping and friction.
+pub(crate) const LOSSES: std::ops::Range<usize> = LINEAR + 2..LINEAR + 5;
 /// One over the input at which it saturates.
 pub(crate) const SATURATION: usize = LINEAR + 6;
 /// Corner of the output's high-pass, in rad/s.

@@ -1,6 +1,7 @@
 //! Which stage a gap points to, by what explains it and by its class.
 
 mod pattern;
+mod shape;
 
 use crate::answer::Verdict;
 use crate::effects::{About, Stage, list};
@@ -11,6 +12,8 @@ use crate::engine::structure::{BANDS, Outcome, Structure};
 use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
 use pattern::{Found, Kind};
 use std::collections::BTreeMap;
+
+pub(crate) use shape::of_ratio;
 
 /// Stages in the order of what speaks for them, with the chi-square they account for.
 pub(crate) fn rank(

@@ -55,7 +55,7 @@ pub(crate) struct Found {
 }
 
 /// A rule with one choice of free courses.
-struct Pattern {
+pub(super) struct Pattern {
     kind: Kind,
     columns: Vec<Column>,
     loads: Vec<DVector<f64>>,
@@ -65,7 +65,12 @@ struct Pattern {
 }
 
 impl Pattern {
-    fn new(problem: &Problem, tangent: &Tangent, kind: Kind, columns: Vec<Column>) -> Option<Self> {
+    pub(super) fn new(
+        problem: &Problem,
+        tangent: &Tangent,
+        kind: Kind,
+        columns: Vec<Column>,
+    ) -> Option<Self> {
         let loads: Vec<DVector<f64>> = columns.iter().map(|c| tangent.load(c)).collect();
         let mut matrix = DMatrix::zeros(columns.len(), columns.len());
         for i in 0..columns.len() {
@@ -88,7 +93,7 @@ impl Pattern {
     }
 
     /// Sizes of the columns that fit a residual best, and the chi-square they take out.
-    fn fit(&self, problem: &Problem, residual: &[f64]) -> (DVector<f64>, f64) {
+    pub(super) fn fit(&self, problem: &Problem, residual: &[f64]) -> (DVector<f64>, f64) {
         let dots = self.columns.iter().map(|c| c.dot_data(problem, residual));
         let vector = DVector::from_iterator(self.columns.len(), dots);
         let sizes = self.factor.solve(&vector);
@@ -146,7 +151,7 @@ pub(crate) fn classes(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Vec
 }
 
 /// The residual where the nuisances stand still: a fit may have stopped a little before.
-fn at_the_optimum(
+pub(super) fn at_the_optimum(
     problem: &Problem,
     fit: &Fit,
     tangent: &Tangent,
@@ -167,7 +172,7 @@ fn at_the_optimum(
 }
 
 /// A course over frequency: one function of the frequency for each free amount.
-type Course = Vec<Box<dyn Fn(f64) -> f64>>;
+pub(super) type Course = Vec<Box<dyn Fn(f64) -> f64>>;
 
 /// Chebyshev polynomials of the logarithm of frequency.
 fn smooth(problem: &Problem, order: usize) -> Course {
@@ -187,7 +192,7 @@ fn smooth(problem: &Problem, order: usize) -> Course {
 }
 
 /// Steps, one for each few of the frequencies.
-fn bands(problem: &Problem) -> Course {
+pub(super) fn bands(problem: &Problem) -> Course {
     let frequencies = &problem.facts.frequencies_hz;
     let count = MOST_BANDS.min(frequencies.len());
     let edge = |b: usize| {
@@ -202,7 +207,7 @@ fn bands(problem: &Problem) -> Course {
 }
 
 /// Slots of a rule with the sign of the deviation in each.
-type Parts = [(usize, f64)];
+pub(super) type Parts = [(usize, f64)];
 
 const IN_RATIO: [&Parts; 2] = [&[(RATIO, 1.0)], &[(RATIO + 1, 1.0)]];
 const SIZE_OF_RATIO: [&Parts; 1] = [&[(RATIO, 1.0)]];
@@ -333,25 +338,8 @@ impl<'a> Library<'a> {
         self.push(kind, columns);
     }
 
-    /// A column of whitened data; what is not finite or was not measured deviates by nothing.
     fn column(&self, parts: &Parts, shape: &dyn Fn(&Row) -> f64) -> Column {
-        let value = |at: usize| {
-            let value = shape(&self.problem.rows[self.problem.row_of[at]]);
-            if value.is_finite() {
-                value * self.weight[at]
-            } else {
-                0.0
-            }
-        };
-        let filled = parts.iter().map(|(slot, sign)| {
-            let range = self.problem.slots[*slot].clone();
-            (*slot, range.map(|at| sign * value(at)).collect::<Vec<_>>())
-        });
-        Column {
-            parts: filled
-                .filter(|(_, v)| v.iter().any(|x| *x != 0.0))
-                .collect(),
-        }
+        column(self.problem, self.weight, parts, shape)
     }
 
     fn push(&mut self, kind: Kind, mut columns: Vec<Column>) {
@@ -361,6 +349,32 @@ impl<'a> Library<'a> {
         }
         self.patterns
             .extend(Pattern::new(self.problem, self.tangent, kind, columns));
+    }
+}
+
+/// A column of whitened data; what is not finite or was not measured deviates by nothing.
+pub(super) fn column(
+    problem: &Problem,
+    weight: &[f64],
+    parts: &Parts,
+    shape: &dyn Fn(&Row) -> f64,
+) -> Column {
+    let value = |at: usize| {
+        let value = shape(&problem.rows[problem.row_of[at]]);
+        if value.is_finite() {
+            value * weight[at]
+        } else {
+            0.0
+        }
+    };
+    let filled = parts.iter().map(|(slot, sign)| {
+        let range = problem.slots[*slot].clone();
+        (*slot, range.map(|at| sign * value(at)).collect::<Vec<_>>())
+    });
+    Column {
+        parts: filled
+            .filter(|(_, v)| v.iter().any(|x| *x != 0.0))
+            .collect(),
     }
 }
 

@@ -8,12 +8,16 @@ use rayon::prelude::*;
 const SAMPLES: usize = 3000;
 
 fn answer(name: &str, text: &str) -> Answer {
+    answer_with(name, text, &Options::default())
+}
+
+fn answer_with(name: &str, text: &str, options: &Options) -> Answer {
     let folder =
         std::env::temp_dir().join(format!("calib-oscillator-{}-{name}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder for the record");
     std::fs::write(folder.join("rig.toml"), RIG).expect("the rig is written");
     std::fs::write(folder.join("record.csv"), text).expect("the record is written");
-    let answer = diagnose(&folder, &Options::default()).expect("the record is good");
+    let answer = diagnose(&folder, options).expect("the record is good");
     let _ = std::fs::remove_dir_all(&folder);
     answer
 }
@@ -46,14 +50,19 @@ fn every_effect_of_an_oscillator_is_named() {
                 .first()
                 .map(|c| c.effects.clone())
                 .unwrap_or_default();
-            let right = first.first() == Some(name) && answer.gap.closed.is_some_and(|c| c > 0.9);
+            let right = first.first() == Some(name)
+                && answer.verdict != Verdict::Unexplained
+                && answer.gap.closed.is_some_and(|c| c > 0.9);
             (!right).then(|| {
                 let causes: Vec<_> = answer
                     .causes
                     .iter()
                     .map(|c| (&c.effects, c.probability))
                     .collect();
-                format!("{name}: {:?} {causes:?} {:?}", answer.verdict, answer.gap)
+                format!(
+                    "{name}: {:?} p = {:e} {causes:?} {:?}",
+                    answer.verdict, answer.none_of_these_p_value, answer.gap
+                )
             })
         })
         .collect();
@@ -65,4 +74,20 @@ fn a_linear_oscillator_has_no_gap() {
     let text = record(&Default::default(), SAMPLES, &mut Random::new(899));
     let answer = answer("linear", &text);
     assert_eq!(answer.verdict, Verdict::NoGap, "{:?}", answer.gap);
+}
+
+#[test]
+fn an_oscillator_whose_effect_has_no_name_is_unexplained() {
+    let text = record(&added("second_mode"), SAMPLES, &mut Random::new(898));
+    let options = Options {
+        without: vec!["second_mode".into()],
+        ..Options::default()
+    };
+    let answer = answer_with("withheld", &text, &options);
+    assert_eq!(answer.verdict, Verdict::Unexplained, "{:?}", answer.gap);
+    assert!(
+        answer.none_of_these_p_value < 1e-6,
+        "{:e}",
+        answer.none_of_these_p_value
+    );
 }

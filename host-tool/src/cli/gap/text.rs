@@ -53,13 +53,17 @@ pub(super) fn answer(answer: &Answer) -> String {
     for place in &answer.r#where {
         let _ = writeln!(
             text,
-            "  where   {} in {} along {}, {:.4} .. {:.4} ({}), share {:.0} %, p = {:.1e}",
+            "  where   {} in {} along {}, {:.4} .. {:.4} ({}{}), share {:.0} %, p = {:.1e}",
             place.stage,
             place.observable,
             place.axis,
             place.from,
             place.to,
             place.class,
+            place
+                .shape
+                .as_ref()
+                .map_or(String::new(), |shape| format!(", as {shape}")),
             100.0 * place.share,
             place.p_value
         );
