@@ -5,8 +5,11 @@ use crate::engine::fit::{Fit, Linearised, Workspace};
 use crate::engine::problem::{Column, Problem};
 use crate::model::row::RATIO;
 
+/// A function of the frequency.
+type Course = fn(f64) -> f64;
+
 /// Courses that have a word.
-const POWERS: [(&str, fn(f64) -> f64); 5] = [
+const POWERS: [(&str, Course); 5] = [
     ("1/f^2", |f| 1.0 / (f * f)),
     ("1/f", |f| 1.0 / f),
     ("log f", f64::ln),
