@@ -404,8 +404,8 @@ pub(crate) fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
         .iter_mut()
         .zip(problem.free.iter().zip(step.iter()))
     {
-        let bound = if free.bounded { 10.0 } else { 200.0 };
-        *theta += change.clamp(-bound, bound);
+        let longest = free.longest_step();
+        *theta += change.clamp(-longest, longest);
     }
     let mut at = nuisances;
     for active in &mut trial.effects {

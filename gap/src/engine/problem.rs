@@ -35,6 +35,19 @@ pub(crate) struct Free {
     pub(crate) bounded: bool,
 }
 
+impl Free {
+    /// Most that one step may change it, in its unit. A value of the exciter turns the shape of
+    /// the response, which slopes foresee for a while only; a gain just shifts it, and a run's may
+    /// have taken on a drift hundreds of its units wide before the drift was among the effects.
+    pub(crate) fn longest_step(&self) -> f64 {
+        match self.kind {
+            _ if !self.bounded => 200.0,
+            Nuisance::Exciter(_) => 10.0,
+            _ => 10.0_f64.max(0.5 / self.unit),
+        }
+    }
+}
+
 /// The fitting problem.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem {

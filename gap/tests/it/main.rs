@@ -3,6 +3,7 @@
 #[path = "../../examples/bench_gap/case.rs"]
 #[allow(dead_code)]
 mod case;
+mod large;
 mod oscillators;
 mod real_data;
 #[path = "../sealed/mod.rs"]
