@@ -117,7 +117,8 @@ pub fn follow(
 }
 
 /// [`follow`] for who asks the calibrator for other things meanwhile. A request or
-/// two at each look: a stop waits for them.
+/// two at each look: a stop waits for them. An error of `observe` stops the run as
+/// well, for nobody follows it any more.
 ///
 /// # Errors
 /// As [`run`], and what `observe` returns.
@@ -141,7 +142,15 @@ pub fn follow_beside(
             points: &follower.results,
             fraction: fraction(points, &status),
         };
-        let flow = observe(&progress, follower.client)?;
+        let flow = match observe(&progress, follower.client) {
+            Ok(flow) => flow,
+            Err(error) => {
+                // Nobody follows any more: the exciter must not go on. If the
+                // link is broken, its first error says it.
+                let _ = follower.client.stop();
+                return Err(error);
+            }
+        };
         if matches!(
             status.state,
             RunState::Finished | RunState::Stopped | RunState::Failed

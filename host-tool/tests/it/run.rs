@@ -2,8 +2,9 @@
 
 use crate::device::Device;
 use crate::memory_link::{client, shared};
-use calib_host::session;
-use calib_protocol::message::RunState;
+use calib_core::point::ExcitationKind;
+use calib_host::{Error, session};
+use calib_protocol::message::{Request, RunState};
 use calib_protocol::record::RunLabels;
 use std::ops::ControlFlow;
 
@@ -52,6 +53,25 @@ fn a_run_is_stopped_when_the_observer_says_so() {
     .expect("run");
     assert_eq!(outcome.state, RunState::Stopped);
     assert_eq!(outcome.points.len(), 5);
+}
+
+#[test]
+fn an_observer_that_fails_stops_the_run_and_keeps_its_error() {
+    let device = shared(Device::new());
+    let points = session::default_points(10.0);
+    let mut client = client(&device);
+    let kind = ExcitationKind::SingleSine;
+    let id = session::begin(&mut client, &points, kind, RunLabels::default()).expect("begins");
+    let error = session::follow_beside(&mut client, id, &points, |state, _| {
+        match state.points.len() {
+            0..3 => Ok(ControlFlow::Continue(())),
+            _ => Err(Error::NotPassed("nothing to look at".to_owned())),
+        }
+    })
+    .expect_err("the observer's");
+    assert!(error.to_string().contains("nothing to look at"), "{error}");
+    let device = device.lock().expect("device");
+    assert_eq!(device.requests.last(), Some(&Request::Stop));
 }
 
 #[test]
