@@ -5,6 +5,7 @@
 //! the same result on every machine.
 
 pub mod bench;
+pub mod boardless;
 pub mod browser;
 pub mod capture;
 pub mod coverage;

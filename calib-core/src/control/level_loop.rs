@@ -4,7 +4,8 @@ use super::limits::{check_level, full_output_peak_ms2};
 use crate::settings::Limits;
 use crate::verdict::Reason;
 
-/// First drive, relative to the drive limit.
+/// First drive, relative to the drive limit, unless the set level is so low that
+/// even the search must not go there: then its limit.
 const PROBE_REL: f32 = 0.005;
 /// Drive up to which an exciter that shows nothing is driven, relative to the
 /// limit: one that is only weak would show a twentieth of its level there.
@@ -53,6 +54,7 @@ const TRUSTED_REL: f32 = 1.45;
 pub struct LevelLoop {
     set_peak_ms2: f32,
     drive_limit_peak_v: f32,
+    probe_peak_v: f32,
     search_limit_peak_v: f32,
 }
 
@@ -78,6 +80,8 @@ enum Stage {
 pub struct LevelState {
     stage: Stage,
     drive_peak_v: f32,
+    /// The drive before, whose motion may still ring.
+    previous_drive_peak_v: f32,
     /// Relative size of the last change of drive.
     change_rel: f32,
     /// Level of the block before, when the drive was the same.
@@ -89,7 +93,8 @@ pub struct LevelState {
     waits: u8,
     blocks: u16,
     highest_peak_ms2: f32,
-    /// Highest level per drive of any block with little noise, m/s2 per V.
+    /// Highest level per drive of any block with little noise, m/s2 per V; while
+    /// blocks do not agree, per the larger of the drive now and before.
     highest_gain: f32,
 }
 
@@ -99,6 +104,7 @@ impl LevelState {
         Self {
             stage: Stage::Probe,
             drive_peak_v: 0.0,
+            previous_drive_peak_v: 0.0,
             change_rel: f32::INFINITY,
             previous: None,
             origin: None,
@@ -146,7 +152,8 @@ impl LevelLoop {
         Ok(Self {
             set_peak_ms2,
             drive_limit_peak_v: limits.drive_peak_v,
-            search_limit_peak_v: share.clamp(PROBE_REL, SEARCH_REL) * limits.drive_peak_v,
+            probe_peak_v: share.min(PROBE_REL) * limits.drive_peak_v,
+            search_limit_peak_v: share.min(SEARCH_REL) * limits.drive_peak_v,
         })
     }
 
@@ -158,7 +165,7 @@ impl LevelLoop {
     /// The state before the first block, with the drive to begin with.
     pub fn start(&self) -> LevelState {
         LevelState {
-            drive_peak_v: PROBE_REL * self.drive_limit_peak_v,
+            drive_peak_v: self.probe_peak_v,
             ..LevelState::silent()
         }
     }
@@ -170,13 +177,15 @@ impl LevelLoop {
         if !(level.peak_ms2 <= OVERLOAD_REL * self.set_peak_ms2) {
             return Next::Failed(Reason::Overload);
         }
-        if level.noise_ms2 <= PROBE_NOISE_REL * level.peak_ms2 {
-            state.highest_gain = state.highest_gain.max(level.peak_ms2 / state.drive_peak_v);
-        }
         if state.blocks > MAX_BLOCKS {
             return Next::Failed(Reason::NotSettled);
         }
-        if let Some(previous) = self.unsteady(state, level) {
+        let unsteady = self.unsteady(state, level);
+        if level.noise_ms2 <= PROBE_NOISE_REL * level.peak_ms2 {
+            let gain = gain_seen(state, level, unsteady.is_some());
+            state.highest_gain = state.highest_gain.max(gain);
+        }
+        if let Some(previous) = unsteady {
             state.previous = Some(previous);
             state.waits += 1;
             return Next::Hold;
@@ -274,11 +283,27 @@ impl LevelLoop {
     fn change(&self, state: &mut LevelState, wanted_peak_v: f32, stage: Stage) -> Next {
         let drive_peak_v = wanted_peak_v.min(self.drive_limit_peak_v);
         state.change_rel = (drive_peak_v / state.drive_peak_v - 1.0).abs();
+        state.previous_drive_peak_v = state.drive_peak_v;
         state.drive_peak_v = drive_peak_v;
         state.stage = stage;
         state.waits = 0;
         Next::Drive(drive_peak_v)
     }
+}
+
+/// Level per drive that a block shows, m/s2 per V.
+///
+/// Behind a lower drive the exciter still rings with the motion of the higher
+/// one: of `G D1 + G (D0 - D1) r`, with `r` below 1 what is left of it. Taken
+/// for the gain at `D1` alone, that is up to `D0 / D1` times what there is, and
+/// the way back up would look like a reference that has lost its signal. Over
+/// the larger drive it is never more than `G`.
+fn gain_seen(state: &LevelState, level: Level, unsteady: bool) -> f32 {
+    let drive_peak_v = match unsteady {
+        true => state.drive_peak_v.max(state.previous_drive_peak_v),
+        false => state.drive_peak_v,
+    };
+    level.peak_ms2 / drive_peak_v
 }
 
 /// How the level grows with the drive: the exponent between the last two
@@ -368,6 +393,67 @@ mod tests {
     fn a_reference_that_dies_after_the_approach_is_named() {
         let (end, _) = run(|block| if block < 3 { 1.0 } else { 0.0 });
         assert_eq!(end, Next::Failed(Reason::LevelNotFollowing));
+    }
+
+    /// Runs the loop on an exciter that rings: the first block behind a change
+    /// of drive shows `left` of the motion that is to go.
+    fn run_ringing(set_peak_ms2: f32, gain: f32, left: f32) -> (Next, f32) {
+        let level_loop = LevelLoop::new(&LIMITS, 80.0, set_peak_ms2).expect("within limits");
+        let mut state = level_loop.start();
+        let (mut drive, mut ringing, mut highest) = (0.0_f32, 0.0_f32, 0.0_f32);
+        for _ in 0..=MAX_BLOCKS {
+            if state.drive_peak_v() != drive {
+                ringing = gain * (drive - state.drive_peak_v()).max(0.0);
+                drive = state.drive_peak_v();
+            }
+            ringing *= left;
+            let peak_ms2 = gain * drive + ringing;
+            highest = highest.max(peak_ms2);
+            let level = Level {
+                peak_ms2,
+                noise_ms2: 1.0e-4 * set_peak_ms2,
+            };
+            match level_loop.step(&mut state, level) {
+                Next::Hold | Next::Drive(_) => {}
+                end => return (end, highest),
+            }
+        }
+        panic!("the loop gives up by itself");
+    }
+
+    #[test]
+    fn a_motion_that_still_rings_is_no_higher_gain() {
+        // The limits say 20 m/s2 per volt; this exciter does up to 2.9 times that,
+        // so its probe is above the set level, if still below 1.5 times it.
+        for gain in [20.0, 30.0, 40.0, 50.0, 58.0] {
+            for left in [0.0, 0.3, 0.6, 0.8] {
+                for set_peak_ms2 in [0.7, 1.414, 2.0, 4.0] {
+                    let (end, _) = run_ringing(set_peak_ms2, gain, left);
+                    assert_eq!(end, Next::Settled, "{gain} {left} {set_peak_ms2}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_probe_of_a_low_level_is_half_of_what_the_limits_say() {
+        // By hand: 0.2 of the 200 m/s2 at 10 V are 10 mV, half of it is 5 mV. The
+        // 0.5 % of the drive limit that higher levels begin with would be 50 mV:
+        // 1 m/s2, five times the level.
+        let level_loop = LevelLoop::new(&LIMITS, 160.0, 0.2).expect("within limits");
+        assert!((level_loop.start().drive_peak_v() - 0.005).abs() < 1.0e-6);
+        let (end, highest) = run_ringing(0.2, 20.0, 0.0);
+        assert_eq!(end, Next::Settled);
+        assert!(highest <= 0.2 * 1.001, "{highest}");
+        // And nothing is searched beyond it.
+        let mut state = level_loop.start();
+        let nothing = Level {
+            peak_ms2: 0.0,
+            noise_ms2: 1.0e-4,
+        };
+        assert_eq!(level_loop.step(&mut state, nothing), Next::Hold);
+        let end = level_loop.step(&mut state, nothing);
+        assert_eq!(end, Next::Failed(Reason::ReferenceDead));
     }
 
     #[test]

@@ -11,7 +11,7 @@ const OFFSET: u32 = 0x8000_8000;
 /// divides no period of the preferred frequencies, so that the squared places
 /// are spread evenly over the cycle however often it repeats in the fold; test
 /// `squared_places_are_spread_over_the_cycle`.
-pub(super) const SQUARE_STRIDE: usize = 13;
+pub const SQUARE_STRIDE: usize = 13;
 
 /// Pairs folded without a look at the end: whole buffers and the usual folds are
 /// multiples of it.

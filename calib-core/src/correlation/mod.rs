@@ -25,4 +25,4 @@ mod tests;
 
 pub use block::Block;
 pub use estimate::{ChannelEstimate, PairEstimate};
-pub use fold::{Correlator, Energy, FoldMemory};
+pub use fold::{Correlator, Energy, FoldMemory, SQUARE_STRIDE};

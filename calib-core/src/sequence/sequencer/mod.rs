@@ -6,7 +6,7 @@ mod result;
 use super::checks::judge;
 use crate::control::level_loop::OVERLOAD_REL;
 use crate::control::{Level, LevelLoop, LevelState, Next};
-use crate::correlation::{Block, Correlator, Energy, FoldMemory, PairEstimate};
+use crate::correlation::{Block, Correlator, Energy, FoldMemory, PairEstimate, SQUARE_STRIDE};
 use crate::generator::{Drive, ramp_samples};
 use crate::output::Command;
 use crate::point::{PointResult, PointSpec};
@@ -81,10 +81,12 @@ struct Plan {
     tone: Tone,
     reference: ReferenceSensitivity,
     level_loop: LevelLoop,
-    /// Mean square of whole cycles, in codes, that no wanted level can reach.
-    overload_square: f32,
+    /// Amplitude, in codes, that no wanted level reaches.
+    overload_peak: f32,
     /// Angle of the tone per sample, rad.
     angle_rad: f32,
+    /// Bound of the sum of a sine of 1 over the places whose squares are summed.
+    place_sum: f32,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -254,14 +256,16 @@ impl<'m> Sequencer<'m> {
             LevelLoop::new(&self.settings.limits, frequency_hz, set_peak_ms2).map_err(refuse)?;
         let code_per_ms2 =
             reference.sensitivity_v_per_ms2 / self.settings.reference_input.volt_per_code;
-        let overload_peak = OVERLOAD_REL * set_peak_ms2 * code_per_ms2;
+        let angle_rad = TAU * frequency_hz / rate_hz;
+        let half_step_rad = 0.5 * SQUARE_STRIDE as f32 * angle_rad;
         Ok(Plan {
             spec,
             tone,
             reference,
             level_loop,
-            overload_square: 0.5 * overload_peak * overload_peak,
-            angle_rad: TAU * frequency_hz / rate_hz,
+            overload_peak: OVERLOAD_REL * set_peak_ms2 * code_per_ms2,
+            angle_rad,
+            place_sum: 2.0 / libm::sinf(half_step_rad).abs(),
         })
     }
 
@@ -289,12 +293,19 @@ impl<'m> Sequencer<'m> {
     /// `A^2/2 (1 + min(1, 1/b))`, wherever it begins. Of places that happen to
     /// be all at the crest it is `A^2`, still below the bound at 1.06 times the
     /// set level.
+    ///
+    /// An offset `m` adds `m^2 + 2 m A mean(sin)`, and part of a cycle has a mean:
+    /// over `n` places an angle `t` apart at most `1 / (n sin(t/2))`, twice that
+    /// where the fold begins anew between them, and 1.
     fn overloaded(&self, energy: Energy, taken: usize) -> bool {
         let long_enough = taken as f32 >= 0.005 * self.timing.sample_rate_hz;
         match (self.plan, self.reference_mean) {
             (Some(plan), Some(mean)) if long_enough => {
                 let place = 1.0 + (1.0 / (plan.angle_rad * taken as f32)).min(1.0);
-                energy.mean_square(0) - mean * mean > place * plan.overload_square
+                let sine_mean = (plan.place_sum / energy.samples as f32).min(1.0);
+                let peak = plan.overload_peak;
+                let by_offset = mean * mean + 2.0 * mean.abs() * peak * sine_mean;
+                energy.mean_square(0) > by_offset + 0.5 * place * peak * peak
             }
             _ => false,
         }

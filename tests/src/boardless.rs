@@ -1,0 +1,78 @@
+//! The measuring core on the twin's plant, without a board between: the same
+//! samples, commands and delays as on the instrument, thousands of points in
+//! the time an emulated board takes for a few.
+
+use calib_core::broadband::PeriodMemory;
+use calib_core::correlation::FoldMemory;
+use calib_core::output::{Command, Output};
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::sequence::{Sequencer, Timing};
+use calib_core::settings::Settings;
+use calib_twin::plant::Plant;
+use calib_twin::rig::Rig;
+use calib_twin::rig_port::{DRIVE_MID_CODE, RigPort};
+
+const RATE_HZ: f32 = 50_000.0;
+const PERIOD_NS: u64 = 20_000;
+/// Pairs of a block, and codes of a half of the output's ring, as in the firmware.
+const BLOCK: usize = 500;
+/// A point that takes longer never ends.
+const LONGEST_S: f32 = 60.0;
+
+/// Measures the points of one run on a rig at rest, also behind one that would
+/// end a run; the last is missing when it does not end within a minute.
+pub fn measure(rig: &Rig, settings: &Settings, specs: &[PointSpec]) -> Vec<PointResult> {
+    let timing = Timing {
+        sample_rate_hz: RATE_HZ,
+        latency_samples: 2 * BLOCK as u32 + 2,
+    };
+    let (mut fold, mut period) = (FoldMemory::new(), PeriodMemory::new());
+    let mut calibrator = Calibrator {
+        sequencer: Sequencer::new(&mut fold, timing, settings.clone()),
+        output: Output::new(&mut period, settings.drive_full_scale_peak_v, 1),
+        plant: Plant::new(rig),
+        ring: [[DRIVE_MID_CODE; BLOCK]; 2],
+    };
+    calibrator.sequencer.start_run(settings.clone());
+    specs
+        .iter()
+        .map_while(|spec| calibrator.measure(*spec))
+        .collect()
+}
+
+struct Calibrator<'m> {
+    sequencer: Sequencer<'m>,
+    output: Output<'m>,
+    plant: Plant,
+    /// What is played now, and what is queued behind it.
+    ring: [[u16; BLOCK]; 2],
+}
+
+impl Calibrator<'_> {
+    fn measure(&mut self, spec: PointSpec) -> Option<PointResult> {
+        self.sequencer.start_point(spec);
+        let blocks = (LONGEST_S * RATE_HZ) as usize / BLOCK;
+        (0..blocks).find_map(|_| self.block())
+    }
+
+    /// Plays a block, takes its samples, and queues the block after the next.
+    fn block(&mut self) -> Option<PointResult> {
+        let plant = &mut self.plant;
+        let pairs = self.ring[0].map(|code| {
+            plant.hold(code, PERIOD_NS);
+            let [reference, dut] = plant.sample().map(u32::from);
+            dut << 16 | reference
+        });
+        let result = self.sequencer.feed(&pairs);
+        self.ring[0] = self.ring[1];
+        match self.sequencer.command() {
+            Command::Mute => {
+                self.output.mute();
+                self.ring[0] = [DRIVE_MID_CODE; BLOCK];
+            }
+            command => self.output.apply(command),
+        }
+        self.output.fill(&mut self.ring[1]);
+        result
+    }
+}

@@ -1,0 +1,42 @@
+//! A healthy rig is never refused: low levels, where the first probe, an offset
+//! or the ringing of the suspension is as large as what is wanted.
+
+use calib_core::points::default_points;
+use calib_core::settings::Settings;
+use calib_core::verdict::Verdict;
+use calib_tests::bench::point;
+use calib_tests::boardless;
+use calib_twin::rig::Rig;
+
+/// Rigs of the demo: exciters, devices and offsets drawn anew. Seeds 7 and 12 have the most
+/// acceleration per volt of the first forty at 80 Hz, 2 and 13 the largest offsets.
+const SEEDS: [u64; 4] = [2, 7, 12, 13];
+
+#[test]
+fn no_healthy_rig_is_refused_at_low_levels() {
+    // Two blocks suffice for the checks; how long a point takes is mostly settling.
+    let settings = Settings {
+        blocks: 2,
+        ..Settings::field_calibrator()
+    };
+    let mut refused = Vec::new();
+    for seed in SEEDS {
+        let rig = Rig::draw(seed);
+        for level_ms2 in [0.5, 1.0, 2.0] {
+            let specs: Vec<_> = default_points()
+                .iter()
+                .filter(|spec| spec.frequency_hz >= 20.0)
+                .map(|spec| point(spec.frequency_hz, level_ms2))
+                .collect();
+            let results = boardless::measure(&rig, &settings, &specs);
+            assert_eq!(
+                results.len(),
+                specs.len(),
+                "seed {seed}: a point never ends"
+            );
+            let bad = results.iter().filter(|r| r.verdict != Verdict::Pass);
+            refused.extend(bad.map(|r| (seed, r.spec, r.verdict)));
+        }
+    }
+    assert!(refused.is_empty(), "{refused:#?}");
+}
