@@ -28,5 +28,6 @@ pub mod reference;
 pub mod requirements;
 pub mod sequence;
 pub mod settings;
+pub mod thermometer;
 pub mod tone;
 pub mod verdict;

@@ -84,6 +84,10 @@ pub struct PointResult {
     /// not measured; signal to noise is what the coherence says of both
     /// channels together.
     pub coherence: Option<f32>,
+    /// Temperature of the instrument's processor when the point ended, degrees
+    /// Celsius, good to some kelvin ([`crate::thermometer`]); none when it could
+    /// not be read.
+    pub instrument_temperature_c: Option<f32>,
 }
 
 impl PointResult {
@@ -119,6 +123,7 @@ impl PointResult {
             settling_s: 0.0,
             overshoot_rel: 0.0,
             coherence: None,
+            instrument_temperature_c: None,
         }
     }
 }

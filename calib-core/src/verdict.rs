@@ -64,6 +64,9 @@ pub enum Reason {
     /// The device under test distorts more than the motion it is given:
     /// saturated, loose or striking something.
     DutDistortion,
+    /// The instrument is colder or hotter than it is made for
+    /// ([`crate::thermometer`]).
+    TemperatureOutOfRange,
 }
 
 impl Reason {
@@ -76,6 +79,7 @@ impl Reason {
                 | Self::Overload
                 | Self::Overrun
                 | Self::Stopped
+                | Self::TemperatureOutOfRange
         )
     }
 }

@@ -5,6 +5,8 @@ use crate::state::{self, Order};
 use crate::tasks::store::SharedArchive;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
+use calib_core::thermometer::may_work_at;
+use calib_core::verdict::Reason;
 use calib_firmware::command::{Instrument, RecordPage, RecordPart};
 use calib_firmware::session::LinkName;
 use calib_protocol::capture::CapturePart;
@@ -47,6 +49,7 @@ impl Instrument for Calibrator {
             records: self.archive.records(),
             uptime_ms: Instant::now().as_millis(),
             stack_unused_bytes: crate::board::unused_stack_bytes(),
+            instrument_temperature_c: state::temperature_c(),
         }
     }
 
@@ -63,6 +66,9 @@ impl Instrument for Calibrator {
         // No await from here on: the other link cannot come in between.
         if state::status().state.is_running() {
             return Err(Refusal::Busy);
+        }
+        if state::temperature_c().is_some_and(|value| !may_work_at(value)) {
+            return Err(Refusal::TemperatureOutOfRange);
         }
         let points = spec.points.len() as u16;
         state::RUN.lock(|run| {
@@ -83,7 +89,7 @@ impl Instrument for Calibrator {
     }
 
     async fn stop(&mut self) {
-        state::ORDERS.send(Order::Stop).await;
+        state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
     }
 
     async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal> {

@@ -1,6 +1,7 @@
 //! The one exit: exciter to rest, reason kept over the reset, reset.
 //!
-//! Panics, hard faults, clock failures and unexpected interrupts all end here. The reason is
+//! Panics, hard faults, clock failures, a supply that falls and unexpected interrupts all end
+//! here. The reason is
 //! written to a part of RAM that no start-up code touches, with a checksum,
 //! and reported by the next start.
 
@@ -11,6 +12,7 @@ use core::fmt::Write;
 use core::panic::PanicInfo;
 use core::sync::atomic::{AtomicBool, Ordering, compiler_fence};
 use cortex_m_rt::{ExceptionFrame, exception};
+use embassy_stm32::interrupt;
 use heapless::String;
 
 /// Longest reason kept, bytes.
@@ -149,6 +151,12 @@ unsafe fn NonMaskableInt() -> ! {
     leave(format_args!(
         "clock failure: the 8 MHz of the board are gone"
     ))
+}
+
+/// The supply falls: silent while there is still enough of it to be silent with.
+#[interrupt]
+fn PVD_AVD() {
+    leave(format_args!("the supply fell below 2.8 V"))
 }
 
 #[exception]

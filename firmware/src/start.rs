@@ -6,7 +6,7 @@ use crate::instrument::Calibrator;
 use crate::state;
 use crate::tasks::acquire::Block;
 use crate::tasks::store::SharedArchive;
-use crate::tasks::{acquire, drive, link, measure, store, supervise};
+use crate::tasks::{acquire, drive, link, measure, store, supervise, thermometer};
 use calib_firmware::archive::{Directory, LastAccess, MAX_ITEM, Memory};
 use calib_firmware::session::LinkName;
 use calib_protocol::record::Record;
@@ -72,6 +72,7 @@ pub(crate) async fn start(spawner: Spawner) {
     converter.spawn(drive::drive(board.exciter).unwrap());
     metrology.spawn(measure::measure(receiver).unwrap());
     spawner.spawn(store::store(archive, identity).unwrap());
+    spawner.spawn(thermometer::thermometer(board.sensor_converter).unwrap());
     let serial = instrument(LinkName::Serial);
     spawner.spawn(link::serial_link(board.port, board.port_buffers, serial).unwrap());
     let usb = instrument(LinkName::Usb);

@@ -2,6 +2,7 @@
 
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
+use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
 use calib_firmware::session::Session;
 use calib_protocol::message::{RunSpec, Status};
@@ -97,8 +98,8 @@ pub(crate) fn with_capture<T>(look: impl FnOnce(&mut Capture) -> T) -> T {
 pub(crate) enum Order {
     /// Measure the points of [`RUN`].
     Start,
-    /// Silence the exciter and end the run.
-    Stop,
+    /// Silence the exciter and end the run, for this reason.
+    Stop(Reason),
 }
 
 /// Orders to the measuring task. A start is only given when it is idle.
@@ -106,6 +107,20 @@ pub(crate) static ORDERS: Channel<CriticalSectionRawMutex, Order, 4> = Channel::
 
 /// The measuring task has ended a run: it can be stored.
 pub(crate) static RUN_ENDED: Signal<CriticalSectionRawMutex, ()> = Signal::new();
+
+static TEMPERATURE_C: CriticalSectionMutex<Cell<Option<f32>>> =
+    CriticalSectionMutex::new(Cell::new(None));
+
+/// Temperature of the processor, degrees Celsius, when it was last read; none
+/// while it cannot be read.
+pub(crate) fn temperature_c() -> Option<f32> {
+    TEMPERATURE_C.lock(Cell::get)
+}
+
+/// Takes a reading, or that there is none.
+pub(crate) fn set_temperature_c(temperature_c: Option<f32>) {
+    TEMPERATURE_C.lock(|cell| cell.set(temperature_c));
+}
 
 /// Rises while samples come in.
 pub(crate) static ACQUIRE_ALIVE: AtomicU32 = AtomicU32::new(0);

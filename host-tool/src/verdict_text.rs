@@ -36,6 +36,7 @@ pub fn reason(reason: Reason) -> &'static str {
             "the level does not follow the drive: reference, cable or amplifier"
         }
         Reason::DutDistortion => "the device under test distorts",
+        Reason::TemperatureOutOfRange => "the instrument is too cold or too hot",
         _ => "for a reason this tool does not know",
     }
 }

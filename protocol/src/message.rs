@@ -183,6 +183,9 @@ pub enum Refusal {
     /// The settings change the calibration of the reference, and the button on
     /// the instrument is not held; nothing was changed.
     ButtonNotHeld,
+    /// The instrument is colder or hotter than it is made for
+    /// ([`calib_core::thermometer`]).
+    TemperatureOutOfRange,
 }
 
 /// New settings, and what the log of a change says of it.
@@ -243,6 +246,9 @@ pub struct Info {
     /// Bytes of the stack that were never used since the start: what is left of
     /// it at its deepest.
     pub stack_unused_bytes: u32,
+    /// Temperature of the processor, degrees Celsius, good to some kelvin
+    /// ([`calib_core::thermometer`]); none when it could not be read.
+    pub instrument_temperature_c: Option<f32>,
 }
 
 /// Why the board started.
@@ -354,6 +360,7 @@ mod tests {
             records: 0,
             uptime_ms: 0,
             stack_unused_bytes: 0,
+            instrument_temperature_c: None,
         }
     }
 

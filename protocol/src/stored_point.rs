@@ -6,6 +6,7 @@
 //! | acceleration reached | millionths of the set level | 5e-7 of the set level |
 //! | expanded uncertainties, coverage factor | upper 24 bits of the f32 | 1.6e-5 |
 //! | repeatability, degrees of freedom, distortion, noise, drive ... | upper 16 bits | 0.2 % |
+//! | temperature of the instrument | hundredths of a degree | 0.005 K |
 //!
 //! Rounded values are for reading; the host evaluates the budget again where it
 //! needs every digit. Round frequencies and levels take two or three bytes.
@@ -105,6 +106,26 @@ struct StoredPoint {
     uncertainty_phase: [u8; 3],
     blocks: u16,
     diagnostics: [[u8; 2]; DIAGNOSTICS],
+    /// Hundredths of a degree Celsius, or [`NO_TEMPERATURE`].
+    temperature: [u8; 2],
+}
+
+/// In place of a temperature that could not be read.
+const NO_TEMPERATURE: i16 = i16::MIN;
+
+/// Hundredths of a degree: up to 327 degrees, far beyond any silicon.
+fn hundredths(temperature_c: Option<f32>) -> i16 {
+    match temperature_c {
+        Some(value) if value.is_finite() => {
+            let nearest = round(f64::from(value) * 100.0);
+            nearest.clamp(-i32::from(i16::MAX), i32::from(i16::MAX)) as i16
+        }
+        _ => NO_TEMPERATURE,
+    }
+}
+
+fn temperature_c(hundredths: i16) -> Option<f32> {
+    (hundredths != NO_TEMPERATURE).then(|| f32::from(hundredths) / 100.0)
 }
 
 /// Values of the diagnostics, in the order of [`diagnostics`].
@@ -149,6 +170,7 @@ impl From<&PointResult> for StoredPoint {
             uncertainty_phase: Upper::from(point.expanded_uncertainty_phase_rad).0,
             blocks: point.blocks,
             diagnostics: diagnostics(point).map(|value| Upper::from(value).0),
+            temperature: hundredths(point.instrument_temperature_c).to_le_bytes(),
         }
     }
 }
@@ -209,6 +231,7 @@ impl From<StoredPoint> for PointResult {
             settling_s,
             overshoot_rel,
             coherence,
+            instrument_temperature_c: temperature_c(i16::from_le_bytes(stored.temperature)),
         }
     }
 }
@@ -308,6 +331,7 @@ mod tests {
             settling_s: 0.3568,
             overshoot_rel: 0.0123,
             coherence: None,
+            instrument_temperature_c: Some(47.126),
             ..PointResult::refused(
                 PointSpec {
                     frequency_hz: 63.0,
@@ -376,6 +400,21 @@ mod tests {
         let once = as_stored(&before);
         assert_eq!(as_stored(&once), once);
         assert_eq!(as_stored(&point()).coherence, None);
+    }
+
+    #[test]
+    fn temperatures_are_kept_to_hundredths_and_no_temperature_stays_none() {
+        let kept = |temperature_c| {
+            let mut point = point();
+            point.instrument_temperature_c = temperature_c;
+            as_stored(&point).instrument_temperature_c
+        };
+        assert_eq!(kept(Some(47.126)), Some(47.13));
+        assert_eq!(kept(Some(-9.994)), Some(-9.99));
+        assert_eq!(kept(Some(1.0e9)), Some(327.67));
+        assert_eq!(kept(Some(-1.0e9)), Some(-327.67));
+        assert_eq!(kept(Some(f32::NAN)), None);
+        assert_eq!(kept(None), None);
     }
 
     #[test]

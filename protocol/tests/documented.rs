@@ -139,6 +139,7 @@ fn the_tables_list_every_message_with_its_number() {
         Refusal::NotCaptured,
         Refusal::CaptureBroken,
         Refusal::ButtonNotHeld,
+        Refusal::TemperatureOutOfRange,
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     // A number further on would be one the page does not have.
@@ -150,7 +151,7 @@ fn the_tables_list_every_message_with_its_number() {
     };
     assert!(behind(&[13, 0, 0, 0, 0, 0, 0, 0, 0, 0]).0);
     assert!(behind(&[10, 0, 0, 0, 0, 0, 0, 0, 0, 0]).1);
-    assert!(postcard::from_bytes::<Refusal>(&[13]).is_err());
+    assert!(postcard::from_bytes::<Refusal>(&[14]).is_err());
 }
 
 fn info() -> Info {
@@ -165,6 +166,7 @@ fn info() -> Info {
         records: 0,
         uptime_ms: 0,
         stack_unused_bytes: 0,
+        instrument_temperature_c: None,
     }
 }
 

@@ -103,4 +103,8 @@ impl RigPort for Witness {
         self.sight.seen().note_pair();
         self.plant.sample()
     }
+
+    fn processor_c(&self) -> f64 {
+        self.plant.processor_c()
+    }
 }

@@ -43,7 +43,7 @@ fn recorded(rig: &Rig, points: &[PointSpec], waveforms: bool) -> (Known, Recorde
     client.write_settings(settings).expect("taken");
     let setting = Setting {
         payload_kg: rig.exciter.payload_kg,
-        temperature_c: known.nominal.environment.reference_temperature_c,
+        temperature_c: Some(known.nominal.environment.reference_temperature_c),
         ..Setting::default()
     };
     let go_on = |_: &Progress<'_>, _: &[PointSpec]| ControlFlow::Continue(());

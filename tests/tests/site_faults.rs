@@ -2,6 +2,8 @@
 //! table that runs away. The scenarios are the files in `scenarios/site`.
 
 use calib_core::verdict::Verdict;
+use calib_host::Error;
+use calib_host::session::Outcome;
 use calib_protocol::message::RunState;
 use calib_tests::bench::{Bench, Fault, point};
 use calib_tests::witness::Witness;
@@ -16,6 +18,9 @@ const HIGHEST_REL: f64 = 1.5;
 /// Longest time the exciter is driven once a block has told that it must not be. Evaluating a block and
 /// overwriting the ring take part of it; the ring itself would last 20 ms.
 const BEYOND_DETECTION_MS: f64 = 3.0;
+
+/// A run that is refused was silent long before it was asked for.
+const STILL_SILENT: Duration = Duration::from_millis(200);
 
 /// A fault and what must come of it.
 #[derive(Deserialize)]
@@ -37,6 +42,12 @@ struct Scenario {
     /// What all blocks of the point together tell: its tone ends as that of every point does.
     #[serde(default)]
     judged_at_the_end: bool,
+    /// From mounting the rig to asking for the run, s.
+    #[serde(default)]
+    mounted_for_s: f64,
+    /// The run is refused for this: there is no point, and no record.
+    #[serde(default)]
+    not_started: Option<String>,
 }
 
 fn usual_highest_rel() -> f64 {
@@ -51,11 +62,11 @@ fn every_fault_ends_in_its_verdict_silence_and_a_record() -> Result<(), Fault> {
     let mut failures = Vec::new();
     let files = scenario_files()?;
     assert!(files.len() >= 20, "{} scenarios", files.len());
-    for (index, file) in files.iter().enumerate() {
+    for file in &files {
         let scenario: Scenario = toml::from_str(&std::fs::read_to_string(file)?)
             .map_err(|error| format!("{}: {error}", file.display()))?;
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        for failure in carry_out(&mut bench, &scenario, index as u32 + 1)? {
+        for failure in carry_out(&mut bench, &scenario)? {
             failures.push(format!("{name} ({}): {failure}", scenario.what));
         }
     }
@@ -64,7 +75,7 @@ fn every_fault_ends_in_its_verdict_silence_and_a_record() -> Result<(), Fault> {
 }
 
 /// Runs one point and says what was not as it must be.
-fn carry_out(bench: &mut Bench, scenario: &Scenario, record_id: u32) -> Result<Vec<String>, Fault> {
+fn carry_out(bench: &mut Bench, scenario: &Scenario) -> Result<Vec<String>, Fault> {
     let mut rig = Rig::standard();
     for effect in &scenario.effects {
         rig.effects.push(effect.parse()?);
@@ -76,7 +87,15 @@ fn carry_out(bench: &mut Bench, scenario: &Scenario, record_id: u32) -> Result<V
     let pairs = bench.board().sample_pairs();
     let (witness, seen) = Witness::new(&rig, HIGHEST_REL * set_peak_ms2, pairs);
     drop(bench.board().replace_rig(Box::new(witness)));
-    let outcome = bench.run(&[point(scenario.frequency_hz, scenario.level_ms2)])?;
+    let records = bench.client.records()?.len();
+    bench
+        .client
+        .wait(Duration::from_secs_f64(scenario.mounted_for_s))?;
+    let started = bench.run(&[point(scenario.frequency_hz, scenario.level_ms2)]);
+    if let Some(reason) = &scenario.not_started {
+        return not_started(bench, started, reason, records);
+    }
+    let outcome = started?;
     let mut failures = Vec::new();
     let mut check = |holds: bool, failure: String| {
         if !holds {
@@ -93,7 +112,10 @@ fn carry_out(bench: &mut Bench, scenario: &Scenario, record_id: u32) -> Result<V
         format!("verdict {verdict}"),
     );
     check(outcome.state != RunState::Failed, "not stored".into());
-    check(outcome.record_id == record_id, "another record".into());
+    check(
+        outcome.record_id as usize == records + 1,
+        "another record".into(),
+    );
     let seen = seen.take();
     let highest_rel = seen.highest_ms2 / set_peak_ms2;
     println!(
@@ -123,6 +145,34 @@ fn carry_out(bench: &mut Bench, scenario: &Scenario, record_id: u32) -> Result<V
         "the record does not say so".into(),
     );
     check(bench.client.status()?.overruns == 0, "samples lost".into());
+    Ok(failures)
+}
+
+/// What is wrong where the instrument must not start: it declines, stays silent, and stores nothing.
+fn not_started(
+    bench: &mut Bench,
+    started: Result<Outcome, Fault>,
+    reason: &str,
+    records: usize,
+) -> Result<Vec<String>, Fault> {
+    let mut failures = Vec::new();
+    let refusal = match started {
+        Ok(_) => "started".to_owned(),
+        Err(fault) => match fault.downcast_ref::<Error>() {
+            Some(Error::Refused(refused)) => format!("{:?}", refused.refusal),
+            _ => return Err(fault),
+        },
+    };
+    if refusal != reason {
+        failures.push(format!("{refusal} in place of {reason}"));
+    }
+    if bench.board().silent_for() < Some(STILL_SILENT) {
+        failures.push("the exciter moved".to_owned());
+    }
+    if bench.client.records()?.len() != records {
+        failures.push("a record of nothing".to_owned());
+    }
+    println!("{refusal:<20} and silent");
     Ok(failures)
 }
 

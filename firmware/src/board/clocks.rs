@@ -42,6 +42,9 @@ pub(crate) fn config() -> Config {
     rcc.apb4_pre = APBPrescaler::DIV2;
     // 960 MHz / 20: what full-speed USB wants, as exact as the crystal.
     rcc.mux.usbsel = mux::Usbsel::PLL1_Q;
+    // The internal oscillator, for ADC3 alone: the pair of ADC1 and ADC2 runs
+    // on the bus clock.
+    rcc.mux.adcsel = mux::Adcsel::PER;
     config
 }
 

@@ -9,6 +9,7 @@
 //! does not depend on the DMA.
 
 use super::axi_sram::axi_static;
+use super::converter::{NotReady, calibrate, enable};
 use defmt::Format;
 use embassy_stm32::dma::{self, ReadableRingBuffer, TransferOptions};
 use embassy_stm32::pac::{
@@ -17,7 +18,7 @@ use embassy_stm32::pac::{
     adccommon::vals::{Ckmode, Damdf, Dual},
 };
 use embassy_stm32::{Peri, gpio, peripherals, rcc};
-use embassy_time::{Duration, Timer, with_timeout};
+use embassy_time::{Duration, Timer};
 
 /// Sample pairs handed over at once: 10 ms, half of the DMA ring.
 pub(crate) const BLOCK_PAIRS: usize = 500;
@@ -28,11 +29,6 @@ const REFERENCE_CHANNEL: u8 = 15;
 const DUT_CHANNEL: u8 = 10;
 /// `tim6_trgo` among the triggers of a regular group (RM0433 Rev 8, table 209).
 const TRIGGER_TIM6: u8 = 13;
-/// The converter is ready within microseconds.
-const ENABLE_LIMIT: Duration = Duration::from_millis(1);
-/// Longest offset and linearity calibration: 165 010 cycles of the converter
-/// clock (DS12110 Rev 10, table 87), with a margin of two.
-const CALIBRATION_LIMIT: Duration = Duration::from_millis(20);
 
 axi_static!(RING: [u32; 2 * BLOCK_PAIRS]);
 
@@ -47,6 +43,12 @@ pub(crate) enum DigitiserFault {
     Silent,
     /// A converter did not become ready at start.
     NotReady,
+}
+
+impl From<NotReady> for DigitiserFault {
+    fn from(NotReady: NotReady) -> Self {
+        Self::NotReady
+    }
 }
 
 /// The pair of converters with its DMA ring.
@@ -84,7 +86,7 @@ impl Digitiser {
             w.set_damdf(Damdf::FORMAT32TO10);
         });
         for (adc, channel) in [(pac::ADC1, REFERENCE_CHANNEL), (pac::ADC2, DUT_CHANNEL)] {
-            calibrate(adc).await?;
+            calibrate(adc, vals::Boost::LT50).await?;
             enable(adc).await?;
             select(adc, channel);
         }
@@ -157,29 +159,6 @@ fn converter_overrun() -> bool {
     status.ovr_mst() || status.ovr_slv()
 }
 
-/// Powers a converter and measures its offset and linearity (25.4.8).
-async fn calibrate(adc: Adc) -> Result<(), DigitiserFault> {
-    adc.cr().modify(|w| {
-        w.set_deeppwd(false);
-        w.set_advregen(true);
-        w.set_boost(vals::Boost::LT50);
-    });
-    // Start-up of the regulator, t_ADCVREG_STUP (DS12110 Rev 10, table 87).
-    Timer::after_micros(10).await;
-    adc.cr().modify(|w| {
-        w.set_adcaldif(vals::Adcaldif::SINGLE_ENDED);
-        w.set_adcallin(true);
-        w.set_adcal(true);
-    });
-    within(CALIBRATION_LIMIT, || !adc.cr().read().adcal()).await
-}
-
-async fn enable(adc: Adc) -> Result<(), DigitiserFault> {
-    adc.isr().write(|w| w.set_adrdy(true));
-    adc.cr().modify(|w| w.set_aden(true));
-    within(ENABLE_LIMIT, || adc.isr().read().adrdy()).await
-}
-
 /// One conversion of `channel` per trigger, 16 bit.
 fn select(adc: Adc, channel: u8) {
     adc.cfgr().modify(|w| w.set_res(vals::Res::BITS16));
@@ -193,15 +172,4 @@ fn select(adc: Adc, channel: u8) {
         w.set_l(0);
         w.set_sq(0, channel);
     });
-}
-
-/// Looks every 0.1 ms until `ready`, at most for `limit`.
-async fn within(limit: Duration, ready: impl Fn() -> bool) -> Result<(), DigitiserFault> {
-    let poll = async {
-        while !ready() {
-            Timer::after_micros(100).await;
-        }
-    };
-    let late = |_| DigitiserFault::NotReady;
-    with_timeout(limit, poll).await.map_err(late)
 }

@@ -6,6 +6,7 @@
 //! | device under test | ADC2 INP10 | PC0 (A1) | with ADC1 |
 //! | exciter | DAC1 channel 1 | PA4 | DMA1 stream 1 |
 //! | sample clock | TIM6 | | |
+//! | temperature of the processor | ADC3 INP18, INP19 | | |
 //! | host link | USART3 | PD8 (TX), PD9 (RX) | DMA1 streams 2, 3 |
 //! | host link | OTG FS | PA11 (D-), PA12 (D+), PA9 (VBUS) | |
 //! | LEDs | GPIO | PB0 green, PE1 yellow, PB14 red | |
@@ -13,21 +14,27 @@
 //! | records | FLASH bank 2 | | |
 //! | time | TIM2 | | |
 //! | watchdog | IWDG1 | | |
+//! | fall of the supply | PWR (PVD), EXTI line 16 | | |
 
 mod axi_sram;
 mod cache;
 mod clocks;
+mod converter;
 mod digitiser;
 mod exciter;
 mod sample_clock;
 mod stack;
+mod supply;
+mod thermometer;
 mod usb;
 
 pub(crate) use axi_sram::{AllZero, axi_static};
+pub(crate) use converter::NotReady;
 pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser};
 pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
 pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
 pub(crate) use stack::unused_bytes as unused_stack_bytes;
+pub(crate) use thermometer::{SensorConverter, factory_codes};
 pub(crate) use usb::{PACKET_BYTES, UsbDriver, UsbParts, UsbPort, run as run_usb, usb_port};
 
 use digitiser::DigitiserParts;
@@ -99,6 +106,7 @@ pub(crate) struct Board {
     pub(crate) usb: UsbParts,
     pub(crate) digitiser: Digitiser,
     pub(crate) exciter: Exciter,
+    pub(crate) sensor_converter: SensorConverter,
     pub(crate) sample_clock: SampleClock,
     pub(crate) flash: RecordFlash,
     pub(crate) watchdog: Watchdog,
@@ -115,6 +123,7 @@ impl Board {
         unsafe { axi_sram::clear() };
         let p: Peripherals = embassy_stm32::init(clocks::config());
         clocks::watch();
+        supply::watch().await;
         cache::enable_instruction_cache();
         let lamp = |pin: Peri<'static, AnyPin>| Output::new(pin, Level::Low, Speed::Low);
         let exciter = Exciter::new(ExciterParts {
@@ -152,6 +161,7 @@ impl Board {
             },
             digitiser: digitiser.await.expect("converters"),
             exciter,
+            sensor_converter: SensorConverter::new(p.ADC3),
             sample_clock: SampleClock::new(p.TIM6),
             flash: Flash::new(p.FLASH, Irqs),
             watchdog: IndependentWatchdog::new(p.IWDG1, WATCHDOG_US),

@@ -62,6 +62,7 @@ impl Instrument for Bench {
             records: 0,
             uptime_ms: 0,
             stack_unused_bytes: 0,
+            instrument_temperature_c: None,
         }
     }
     fn status(&mut self) -> Status {

@@ -90,11 +90,11 @@ impl Runner {
     fn obey(&mut self, order: Order) {
         match (order, self.running) {
             (Order::Start, None) => self.start_run(),
-            (Order::Stop, Some(_)) => {
+            (Order::Stop(reason), Some(_)) => {
                 self.stopping = true;
-                self.interrupt(Reason::Stopped);
+                self.interrupt(reason);
             }
-            (Order::Start, Some(_)) | (Order::Stop, None) => {}
+            (Order::Start, Some(_)) | (Order::Stop(_), None) => {}
         }
     }
 
@@ -159,7 +159,8 @@ impl Runner {
         }
     }
 
-    fn finish_point(&mut self, result: PointResult) {
+    fn finish_point(&mut self, mut result: PointResult) {
+        result.instrument_temperature_c = state::temperature_c();
         defmt::info!(
             "{} Hz: {}, {} V/(m/s2) at {} m/s2",
             result.spec.frequency_hz,

@@ -7,6 +7,7 @@
 //! | measure | metrology | blocks, orders | drive commands, results |
 //! | store | thread | ended runs | archive |
 //! | serial_link, usb_link | thread | bytes of a host | answers |
+//! | thermometer | thread | sensor in the processor | status, orders |
 //! | supervise | thread | button, heartbeats | lamps, orders, watchdog |
 //!
 //! The converter executor interrupts the metrology executor, which interrupts
@@ -19,3 +20,4 @@ pub(crate) mod link;
 pub(crate) mod measure;
 pub(crate) mod store;
 pub(crate) mod supervise;
+pub(crate) mod thermometer;

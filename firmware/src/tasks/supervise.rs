@@ -5,7 +5,7 @@ use crate::instrument::Calibrator;
 use crate::state::{self, Order};
 use calib_core::point::ExcitationKind;
 use calib_core::points::default_points;
-use calib_core::verdict::Verdict;
+use calib_core::verdict::{Reason, Verdict};
 use calib_firmware::button::{Button, PERIOD_MS, Press};
 use calib_firmware::command::Instrument;
 use calib_protocol::message::{RunSpec, RunState};
@@ -93,7 +93,7 @@ async fn look(button: &mut Button, is_down: bool, instrument: &mut Calibrator) {
     match button.look(is_down) {
         Press::Down if state::status().state.is_exciting() => {
             button.consume();
-            state::ORDERS.send(Order::Stop).await;
+            state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
         }
         Press::Tap => start_default_list(instrument).await,
         Press::Down | Press::Nothing => {}

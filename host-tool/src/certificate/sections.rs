@@ -256,31 +256,45 @@ fn adjustment(adjustment: Adjustment) -> Option<Value> {
 fn conditions(record: &Record, particulars: &Particulars) -> Section {
     let stated = &particulars.conditions;
     let transducer = record.head.labels.temperature_centi_c;
-    section(
-        "conditions",
-        vec![
-            (
-                "transducer_temperature",
-                "ISO 16063-21 7 a, b",
-                transducer.map(|centi| Value::Number(f64::from(centi) / 100.0, 1, "°C")),
-            ),
-            (
-                "ambient_temperature",
-                "ISO 16063-21 7 a",
-                exact(stated.ambient_temperature_c, "°C"),
-            ),
-            (
-                "temperature_difference",
-                "ISO 16063-21 7 a",
-                exact(stated.temperature_difference_k, "K"),
-            ),
-            (
-                "humidity",
-                "ISO/IEC 17025 7.8.4.1 b",
-                exact(stated.humidity_percent, "%"),
-            ),
-        ],
-    )
+    let mut lines = vec![
+        (
+            "transducer_temperature",
+            "ISO 16063-21 7 a, b",
+            transducer.map(|centi| Value::Number(f64::from(centi) / 100.0, 1, "°C")),
+        ),
+        (
+            "ambient_temperature",
+            "ISO 16063-21 7 a",
+            exact(stated.ambient_temperature_c, "°C"),
+        ),
+        (
+            "temperature_difference",
+            "ISO 16063-21 7 a",
+            exact(stated.temperature_difference_k, "K"),
+        ),
+        (
+            "humidity",
+            "ISO/IEC 17025 7.8.4.1 b",
+            exact(stated.humidity_percent, "%"),
+        ),
+    ];
+    // No clause asks for it, so it is no statement that may be missing.
+    if let Some(processor_c) = instrument_temperature_c(record) {
+        let value = Value::Number(processor_c, 0, "°C");
+        let clause = "ISO/IEC 17025 7.8.4.1 b";
+        lines.push(("instrument_temperature", clause, Some(value)));
+    }
+    section("conditions", lines)
+}
+
+/// Mean over the points that have one. The processor's: good to some kelvin,
+/// and some 25 K above the ambient air.
+fn instrument_temperature_c(record: &Record) -> Option<f64> {
+    let points = record.points.iter();
+    let seen: Vec<f64> = points
+        .filter_map(|point| point.instrument_temperature_c.map(f64::from))
+        .collect();
+    (!seen.is_empty()).then(|| seen.iter().sum::<f64>() / seen.len() as f64)
 }
 
 fn mounting(record: &Record, particulars: &Particulars) -> Section {

@@ -165,6 +165,7 @@ pub(crate) fn point(frequency_hz: f32) -> PointResult {
         settling_s: 0.21,
         overshoot_rel: 0.01,
         coherence: None,
+        instrument_temperature_c: Some(48.25),
     }
 }
 

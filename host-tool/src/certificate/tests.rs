@@ -291,6 +291,30 @@ fn what_is_not_stated_is_printed_as_missing() {
 }
 
 #[test]
+fn the_instruments_temperature_is_a_mean_and_no_ambient_temperature() {
+    let mut record = record(&[160.0, 1000.0, 2000.0]);
+    let seen = [Some(47.4), None, Some(51.2)];
+    for (point, temperature_c) in record.points.iter_mut().zip(seen) {
+        point.instrument_temperature_c = temperature_c;
+    }
+    let certificate = Certificate::from_record(&record, &Particulars::default());
+    match certificate.statement("conditions", "instrument_temperature") {
+        // 49.3 in halves; the bound is that of two f32.
+        Some(Value::Number(mean_c, 0, "°C")) => assert!((mean_c - 49.3).abs() < 1.0e-5),
+        other => panic!("{other:?}"),
+    }
+    assert_eq!(
+        certificate.statement("conditions", "ambient_temperature"),
+        None
+    );
+    record.points.clear();
+    let certificate = Certificate::from_record(&record, &Particulars::default());
+    let conditions = certificate.sections.iter().find(|s| s.key == "conditions");
+    let mut entries = conditions.expect("a section").entries.iter();
+    assert!(entries.all(|entry| entry.key != "instrument_temperature"));
+}
+
+#[test]
 fn a_reference_past_its_due_date_is_an_error() {
     let mut record = record(&[160.0]);
     record.settings.reference.due_day = 20_000; // 2024-10-04, the run is 2025-11-21

@@ -17,6 +17,16 @@ impl Info {
     }
 }
 
+/// In words, with what the number is not.
+fn temperature(processor_c: Option<f32>) -> String {
+    match processor_c {
+        Some(value) => {
+            format!("{value:.0} degrees Celsius inside the processor, within some kelvin")
+        }
+        None => "not read".to_owned(),
+    }
+}
+
 fn text(info: &DeviceInfo) -> String {
     let mut lines = vec![
         format!("serial number  {}", info.serial),
@@ -35,6 +45,10 @@ fn text(info: &DeviceInfo) -> String {
         format!(
             "stack          {} bytes left at its deepest",
             info.stack_unused_bytes
+        ),
+        format!(
+            "temperature    {}",
+            temperature(info.instrument_temperature_c)
         ),
     ];
     if let Some(panic) = &info.last_panic {

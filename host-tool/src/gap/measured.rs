@@ -55,7 +55,10 @@ impl Row {
             rotation_deg: of("rotation_deg", 0.0),
             tilt_deg: of("tilt_deg", 0.0),
             payload_kg: of("payload_kg", 0.0),
-            temperature_c: of("temperature_c", nominal.environment.reference_temperature_c),
+            temperature_c: Some(of(
+                "temperature_c",
+                nominal.environment.reference_temperature_c,
+            )),
         }
     }
 }

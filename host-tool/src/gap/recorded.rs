@@ -7,7 +7,8 @@
 //! | `coil_v` | the voltage the generator commands, behind its hold and the known output filter: no sensor at the coil |
 //! | `time_s` | sample clock, while the point is measured |
 //! | `ref_h2` .., `dut_h2` .., `ref_dc_v`, `dut_dc_v` | a capture while the point is held, fitted here; means without those at rest |
-//! | conditions | as the operator states them |
+//! | `temperature_c` | as the operator states it; else that of the instrument's processor, less what it warms itself: good to 10 K, its changes to some tenths |
+//! | other conditions | as the operator states them |
 //!
 //! `rig.toml` has no place for filters, so what is known of them comes out of the rows: [`Known`].
 
@@ -17,6 +18,7 @@ use crate::Result;
 use crate::link::Client;
 use crate::session::{self, Progress};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::thermometer::SELF_HEATING_K;
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
@@ -46,8 +48,8 @@ pub struct Setting {
     pub tilt_deg: f64,
     /// Mass mounted, kg.
     pub payload_kg: f64,
-    /// Transducer temperature, degrees Celsius.
-    pub temperature_c: f64,
+    /// Transducer temperature, degrees Celsius; what the instrument shows where nobody states it.
+    pub temperature_c: Option<f64>,
 }
 
 /// What one run gave.
@@ -174,10 +176,7 @@ impl Pass<'_> {
                 };
             }
             if let Some(waveforms) = &mut self.waveforms {
-                waveforms.look(client, status).inspect_err(|_| {
-                    // Nobody follows any more. If the link is broken, its first error says it.
-                    let _ = client.stop();
-                })?;
+                waveforms.look(client, status)?;
             }
             Ok(observe(progress, points))
         })?;
@@ -229,7 +228,9 @@ pub fn under(rig: &Rig, setting: &Setting, nominal: &Nominal, start_s: f64) -> R
     rig.exciter.payload_kg = setting.payload_kg;
     rig.surroundings.rotation_deg = setting.rotation_deg;
     rig.surroundings.tilt_deg = setting.tilt_deg;
-    rig.surroundings.warmer_k = setting.temperature_c - nominal.environment.reference_temperature_c;
+    if let Some(temperature_c) = setting.temperature_c {
+        rig.surroundings.warmer_k = temperature_c - nominal.environment.reference_temperature_c;
+    }
     rig.surroundings.time_s += start_s;
     rig.noise_seed = rig.noise_seed.wrapping_add(setting.run as u64) & i64::MAX as u64;
     rig
@@ -243,6 +244,12 @@ fn is_measured(point: &PointResult) -> bool {
         None | Some(Reason::Distortion | Reason::DutDistortion)
     );
     steady && point.blocks >= 2
+}
+
+/// Temperature around the instrument as its processor shows it, degrees Celsius.
+fn surroundings_c(point: &PointResult) -> Option<f64> {
+    let processor_c = point.instrument_temperature_c.map(f64::from);
+    processor_c.map(|processor_c| processor_c - f64::from(SELF_HEATING_K))
 }
 
 /// One reported point as a row.
@@ -266,7 +273,7 @@ fn row(
         run: setting.run,
         frequency_hz,
         time_s: Some(look.time_s),
-        temperature_c: Some(setting.temperature_c),
+        temperature_c: setting.temperature_c.or_else(|| surroundings_c(point)),
         rotation_deg: Some(setting.rotation_deg),
         tilt_deg: Some(setting.tilt_deg),
         payload_kg: Some(setting.payload_kg),

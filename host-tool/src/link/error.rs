@@ -137,6 +137,7 @@ fn reason(refusal: Refusal) -> &'static str {
         Refusal::ButtonNotHeld => {
             "they change the calibration of its reference, and its button is not held"
         }
+        Refusal::TemperatureOutOfRange => "it is too cold or too hot to measure",
         _ => "for a reason this tool does not know",
     }
 }
@@ -158,6 +159,9 @@ impl Refused {
             Refusal::ButtonNotHeld => {
                 "hold the button on the instrument and repeat meanwhile; a press counts for a minute. \
                  The change is logged as a record"
+            }
+            Refusal::TemperatureOutOfRange => {
+                "`calib info` shows its temperature: let it cool down or warm up, and repeat"
             }
             Refusal::Busy => {
                 "wait for its end, or stop it: `calib stop`, or the button on the instrument"

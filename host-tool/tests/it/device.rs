@@ -159,6 +159,7 @@ impl Device {
             records: self.records.len() as u32,
             uptime_ms: 1234,
             stack_unused_bytes: 12_000,
+            instrument_temperature_c: Some(48.0),
         }
     }
 
@@ -386,6 +387,7 @@ pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResul
         settling_s: 0.5,
         overshoot_rel: 0.01,
         coherence: None,
+        instrument_temperature_c: Some(48.25),
     })
 }
 

@@ -206,6 +206,7 @@ impl Instrument for Notes {
             records: 0,
             uptime_ms: 0,
             stack_unused_bytes: 0,
+            instrument_temperature_c: None,
         }
     }
 

@@ -87,6 +87,11 @@ impl Analog {
         pins.rig.sample()
     }
 
+    /// Temperature of the processor, hundredths of a degree Celsius.
+    pub(super) fn processor_centi_c(&self) -> i32 {
+        (self.lock().rig.processor_c() * 100.0).round() as i32
+    }
+
     /// Lets the rig live on to `now` without a conversion.
     pub fn advance(&self, now: VirtualNanos) {
         self.lock().advance(now);

@@ -8,6 +8,7 @@ use rigless::image::Image;
 use rigless::machine::armv7m;
 use rigless::mcu::{Mcu, Operate};
 
+use super::SUPPLY_MV;
 use super::part::Part;
 
 /// SYSCLK of the shipping firmware, which drives SysTick alone (480 MHz, VOS0).
@@ -32,6 +33,12 @@ const UNIQUE_ID_AT: u64 = 0x1FF1_E800;
 /// Flash size in KiB (section 61.2).
 const FLASH_SIZE_KIB: u16 = 2048;
 const FLASH_SIZE_AT: u64 = 0x1FF1_E880;
+/// What the factory reads of the temperature sensor at 30 and 110 degrees Celsius and of the internal
+/// reference, with 3.3 V as the converter's reference, in 16 bits (DS12110 Rev 11, tables 118 and 181):
+/// 620 mV, 780 mV (2 mV/K) and 1216 mV, the typical values of tables 180 and 117, which the emulator's
+/// ADC3 converts.
+const FACTORY_CODES: [(u64, u32); 3] =
+    [(0x1FF1_E820, 620), (0x1FF1_E840, 780), (0x1FF1_E860, 1216)];
 /// ES0392 Rev 15, section 2.1, in the layout of PM0253 Rev 6, table 52.
 const CPUID: u32 = 0x411F_C271;
 
@@ -88,13 +95,17 @@ pub(super) fn spec(part: &Part) -> CoreSpec {
     spec
 }
 
-/// What the vendor programs into the system memory: the part's identity and its flash size.
+/// What the vendor programs into the system memory: the part's identity, its flash size, and codes of
+/// its sensors.
 fn factory_images() -> Vec<Image> {
+    let code = |millivolt: u32| (millivolt * 0xFFFF / SUPPLY_MV) as u16;
+    let sensors = FACTORY_CODES.map(|(at, millivolt)| (at, code(millivolt).to_le_bytes().to_vec()));
     [
         (UNIQUE_ID_AT, UNIQUE_ID.to_vec()),
         (FLASH_SIZE_AT, FLASH_SIZE_KIB.to_le_bytes().to_vec()),
     ]
     .into_iter()
+    .chain(sensors)
     .filter_map(|(address, bytes)| {
         let name = std::path::Path::new("system memory");
         Image::new(name, bytes, Some(address)).ok()

@@ -7,9 +7,10 @@
 use rigless::device::{Device, ErasedDevice, ResetCause, Told};
 use rigless::mcu::{Mcu, Operate};
 use rigless::soc::stm32h743::Stm32h743;
-use rigless::soc::stm32h743::generated::{dbgmcu, rcc, rtc};
+use rigless::soc::stm32h743::generated::pwr::csr1;
+use rigless::soc::stm32h743::generated::{EXTI, dbgmcu, exti, pwr, rcc, rtc};
 use rigless::soc::stm32h743::peripherals::dbg::KEPT_BY_A_SYSTEM_RESET;
-use rigless::soc::{Bus, Error};
+use rigless::soc::{Bus, Error, Layout, Width};
 use rigless::time::VirtualNanos;
 
 use super::adc::{self, Common, Converter, SharedPair};
@@ -23,6 +24,11 @@ use super::overdrive::{self, WatchedSyscfg};
 use super::tim6::{self, Tim6};
 use super::usb::UsbWindow;
 use super::{HSE_HZ, Pins, SUPPLY_MV, USART3};
+
+/// Bit of the voltage detector in the registers of EXTI lines 0 to 31.
+const DETECTOR_LINE: u64 = 1 << 16;
+/// Place of ADC3 among the emulator's converters.
+const ADC3: usize = 2;
 
 /// Our own models, and how a slot finds its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,6 +78,10 @@ pub struct Part {
     own: Box<[Option<Own>]>,
     usart3_slot: usize,
     slots: SampleSlots,
+    /// ADC3 is the emulator's; it is told how warm the part is.
+    adc3_slot: usize,
+    /// The rail the board gives the part.
+    supply_mv: u32,
 }
 
 /// Where on the bus the instances are that a sample passes.
@@ -83,11 +93,11 @@ struct SampleSlots {
 }
 
 rigless::store!(Part {
-    values: [],
+    values: [supply_mv],
     parts: [
         base, tim6, dac, dmamux, dma1, converters, common, flash, iwdg, syscfg, usb, pins,
     ],
-    built: [usb_slot, own, usart3_slot, slots],
+    built: [usb_slot, own, usart3_slot, adc3_slot, slots],
 });
 
 impl Part {
@@ -114,6 +124,8 @@ impl Part {
         };
         let mut part = Self {
             usart3_slot: base.bus().slot("USART3")?,
+            adc3_slot: base.bus().slot("ADC3")?,
+            supply_mv: SUPPLY_MV,
             base,
             tim6: Tim6::new(),
             dac: Dac::new(pins.analog.clone(), lines.clone()),
@@ -229,6 +241,22 @@ impl Part {
         }
     }
 
+    /// The rail becomes `millivolts`. Where that is below the level of the voltage detector, its edge
+    /// reaches the interrupt controller (RM0433 Rev 9, sections 6.5.3 and 20.4, line 16), which the
+    /// emulator's models leave out.
+    pub(crate) fn set_supply(&mut self, at: VirtualNanos, millivolts: u32) {
+        let below = |part: &Self| csr1::PVDO.is_set(part.register(pwr::Register::Csr1, "PWR"));
+        let before = below(self);
+        self.supply_mv = millivolts;
+        self.base.set_supply(millivolts);
+        let rising = self.register(exti::Register::Rtsr1, "EXTI") & DETECTOR_LINE != 0;
+        if !before && below(self) && rising {
+            let address = EXTI.base + u64::from(exti::Register::Swier1.spec().offset);
+            // Refused only where there is no such register.
+            self.write(at, address, Width::W32, DETECTOR_LINE).ok();
+        }
+    }
+
     /// Cuts the supply of the part, or gives it back, when the run goes on.
     pub(crate) fn power(&mut self, at: VirtualNanos, on: bool) {
         let slot = self.usart3_slot;
@@ -262,6 +290,8 @@ impl Mcu for Part {
         if cause != ResetCause::PowerOn {
             self.inherit(&mut fresh, cause);
         }
+        fresh.supply_mv = self.supply_mv;
+        fresh.base.set_supply(self.supply_mv);
         self.pins.flash.abandon();
         self.pins.usb.part_reset();
         // PA4 floats from here on, until a firmware enables the converter again.
@@ -285,6 +315,10 @@ impl Mcu for Part {
     }
 
     fn split(&mut self, slot: usize) -> (&mut Bus, Option<&mut dyn ErasedDevice>) {
+        if slot == self.adc3_slot {
+            let centi_c = self.pins.analog.processor_centi_c();
+            self.base.adc[ADC3].set_temperature(centi_c);
+        }
         let Some(own) = self.own.get(slot).copied().flatten() else {
             return self.base.split(slot);
         };

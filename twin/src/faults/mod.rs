@@ -23,6 +23,8 @@ pub struct Faults {
     pub drive: Vec<DriveFault>,
     /// Of what moves.
     pub body: Vec<BodyFault>,
+    /// From an instant on, s, the processor has this temperature, degrees Celsius.
+    pub processor_c: Option<(f64, f64)>,
 }
 
 impl Faults {

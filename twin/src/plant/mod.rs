@@ -30,7 +30,7 @@ use self::simulation::Simulation;
 use crate::faults::{BodyFault, Faults};
 use crate::model::Model;
 use crate::rig::Rig;
-use crate::rig_port::{INPUT_CHANNELS, RigPort};
+use crate::rig_port::{AIR_C, INPUT_CHANNELS, RigPort, SELF_HEATING_K};
 
 /// A simulated rig at work.
 ///
@@ -193,6 +193,14 @@ impl RigPort for Plant {
         self.noise.set_word_pos(from.take()?);
         self.simulation.go_on(from.take()?);
         Ok(())
+    }
+
+    fn processor_c(&self) -> f64 {
+        let elapsed_s = self.simulation.elapsed_s();
+        match self.faults.processor_c {
+            Some((at_s, celsius)) if elapsed_s >= at_s => celsius,
+            _ => AIR_C + self.rig.surroundings.warmer_k + SELF_HEATING_K,
+        }
     }
 }
 

@@ -85,6 +85,18 @@ impl Emulator {
         Ok(torn)
     }
 
+    /// The rail of the part becomes `millivolts`, 3300 otherwise: what its voltage detector sees. The
+    /// converters' own reference does not follow, and the part stops only when the supply is cut.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn set_supply(&mut self, millivolts: u32) -> Result<(), Error> {
+        self.core.act(move |session, _, stop| {
+            session.board_mut().part.set_supply(stop.at, millivolts);
+        })
+    }
+
     /// Runs until operation number `ordinal` on the record flash, counted from 1 at the first
     /// power-on, is at `fraction` (0 to 1) of its time, at most for `limit`; answers whether it is.
     ///

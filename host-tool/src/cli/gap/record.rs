@@ -73,12 +73,12 @@ pub(crate) struct RecordVerb {
     /// Mass on the armature, kg; default: that of the rig file, else 0.
     #[arg(long, value_name = "KG,...", value_delimiter = ',')]
     payload: Vec<f64>,
-    /// Transducer temperature, degrees Celsius.
+    /// Transducer temperature, degrees Celsius; default: what the instrument's own sensor shows,
+    /// less what its processor warms itself.
     #[arg(
         long,
         value_name = "C,...",
         value_delimiter = ',',
-        default_value = "23",
         allow_negative_numbers = true
     )]
     temperature: Vec<f64>,
@@ -240,7 +240,7 @@ impl RecordVerb {
             rotation_deg: of(&self.rotation).unwrap_or(0.0),
             tilt_deg: of(&self.tilt).unwrap_or(0.0),
             payload_kg: of(&self.payload).unwrap_or(known.payload_kg()),
-            temperature_c: of(&self.temperature).unwrap_or(23.0),
+            temperature_c: of(&self.temperature),
         }
     }
 
@@ -248,13 +248,15 @@ impl RecordVerb {
     fn remount(&self, context: &Context, setting: &Setting) -> Result<()> {
         let what = format!(
             "run {} of {}: mount the device under test anew: rotation {} degrees, tilt {} degrees, \
-             payload {} kg, {} degrees Celsius",
+             payload {} kg{}",
             setting.run + 1,
             self.runs,
             setting.rotation_deg,
             setting.tilt_deg,
             setting.payload_kg,
-            setting.temperature_c
+            setting
+                .temperature_c
+                .map_or_else(String::new, |value| format!(", {value} degrees Celsius"))
         );
         if self.yes {
             context.remark(&what);

@@ -15,6 +15,7 @@ mod dut_falls_off;
 mod iepe;
 mod iepe_open;
 mod iepe_short;
+mod instrument_temperature;
 mod transducer_dead;
 mod transducer_fading;
 mod transducer_saturated;
@@ -37,7 +38,7 @@ const AT_S: Parameter = Parameter::new("at_s", "s", [0.0, 1e6], 0.0);
 const CHANNEL: Parameter = Parameter::new("channel", "0 or 1", [0.0, 1.0], 1.0);
 
 /// All faults, by name.
-pub static FAULTS: [FaultEffect; 13] = [
+pub static FAULTS: [FaultEffect; 14] = [
     amplifier_gain::EFFECT,
     amplifier_off::EFFECT,
     amplifier_rail::EFFECT,
@@ -48,6 +49,7 @@ pub static FAULTS: [FaultEffect; 13] = [
     dut_falls_off::EFFECT,
     iepe_open::EFFECT,
     iepe_short::EFFECT,
+    instrument_temperature::EFFECT,
     transducer_dead::EFFECT,
     transducer_fading::EFFECT,
     transducer_saturated::EFFECT,

@@ -1,0 +1,49 @@
+//! Bringing a converter of the part up: what ADC1, ADC2 and ADC3 have in common.
+//!
+//! Source: RM0433 Rev 8, sections 25.4.6 to 25.4.9.
+
+use embassy_stm32::pac::adc::{Adc, vals};
+use embassy_time::{Duration, Timer, with_timeout};
+
+/// The converter is ready within microseconds.
+const ENABLE_LIMIT: Duration = Duration::from_millis(1);
+/// Longest offset and linearity calibration: 165 010 cycles of the converter
+/// clock (DS12110 Rev 10, table 87), of 16 MHz at least, with a margin of two.
+const CALIBRATION_LIMIT: Duration = Duration::from_millis(20);
+
+/// A converter does not answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, defmt::Format)]
+pub(crate) struct NotReady;
+
+/// Powers a converter and measures its offset and linearity (25.4.8).
+pub(super) async fn calibrate(adc: Adc, boost: vals::Boost) -> Result<(), NotReady> {
+    adc.cr().modify(|w| {
+        w.set_deeppwd(false);
+        w.set_advregen(true);
+        w.set_boost(boost);
+    });
+    // Start-up of the regulator, t_ADCVREG_STUP (DS12110 Rev 10, table 87).
+    Timer::after_micros(10).await;
+    adc.cr().modify(|w| {
+        w.set_adcaldif(vals::Adcaldif::SINGLE_ENDED);
+        w.set_adcallin(true);
+        w.set_adcal(true);
+    });
+    within(CALIBRATION_LIMIT, || !adc.cr().read().adcal()).await
+}
+
+pub(super) async fn enable(adc: Adc) -> Result<(), NotReady> {
+    adc.isr().write(|w| w.set_adrdy(true));
+    adc.cr().modify(|w| w.set_aden(true));
+    within(ENABLE_LIMIT, || adc.isr().read().adrdy()).await
+}
+
+/// Looks every 0.1 ms until `ready`, at most for `limit`.
+pub(super) async fn within(limit: Duration, ready: impl Fn() -> bool) -> Result<(), NotReady> {
+    let poll = async {
+        while !ready() {
+            Timer::after_micros(100).await;
+        }
+    };
+    with_timeout(limit, poll).await.map_err(|_| NotReady)
+}
