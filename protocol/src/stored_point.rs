@@ -426,12 +426,12 @@ mod tests {
     }
 
     #[test]
-    fn a_point_takes_less_than_fifty_bytes() {
+    fn a_point_takes_little_more_than_fifty_bytes() {
         let mut buffer = [0; 128];
         let length = postcard::to_slice(&StoredPoint::from(&point()), &mut buffer)
             .expect("fits")
             .len();
-        assert!(length <= 50, "{length}");
+        assert!(length <= 52, "{length}");
         let mut plain = [0; 128];
         let before = postcard::to_slice(&point(), &mut plain)
             .expect("fits")
