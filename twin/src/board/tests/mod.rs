@@ -5,6 +5,8 @@ mod dma;
 mod drive;
 mod panel;
 mod sample_clock;
+mod supply;
+mod temperature;
 mod watchdog;
 
 use std::sync::{Arc, Mutex};
