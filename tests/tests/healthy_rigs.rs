@@ -8,9 +8,9 @@ use calib_tests::bench::point;
 use calib_tests::boardless;
 use calib_twin::rig::Rig;
 
-/// Rigs of the demo: exciters, devices and offsets drawn anew. Seeds 7 and 12 have the most
-/// acceleration per volt of the first forty at 80 Hz, 2 and 13 the largest offsets.
-const SEEDS: [u64; 4] = [2, 7, 12, 13];
+/// Rigs of the demo: exciters, devices and offsets drawn anew. Seed 7 is one of those with the most
+/// acceleration per volt of the first forty, 13 one of those with the largest offset.
+const SEEDS: [u64; 2] = [7, 13];
 
 #[test]
 fn no_healthy_rig_is_refused_at_low_levels() {
@@ -22,7 +22,7 @@ fn no_healthy_rig_is_refused_at_low_levels() {
     let mut refused = Vec::new();
     for seed in SEEDS {
         let rig = Rig::draw(seed);
-        for level_ms2 in [0.5, 1.0, 2.0] {
+        for level_ms2 in [0.5, 1.0] {
             let specs: Vec<_> = default_points()
                 .iter()
                 .filter(|spec| spec.frequency_hz >= 20.0)
