@@ -2,7 +2,7 @@
 
 use crate::engine::fit::Workspace;
 use crate::engine::problem::Problem;
-use crate::engine::search::Scored;
+use crate::engine::score::Scored;
 use crate::engine::significance::Gauss;
 
 const DRAWS: usize = 100;

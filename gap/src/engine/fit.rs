@@ -1,7 +1,8 @@
 //! Refinement of a set of effects: damped Gauss-Newton on the posterior.
 
 use super::normal::{Tangent, gram};
-use super::problem::{Column, Evaluation, Nuisance, Problem};
+use super::nuisance::Nuisance;
+use super::problem::{Column, Evaluation, Problem};
 use crate::effects::{Active, Scale};
 use crate::model::predict::Memory;
 use nalgebra::{Cholesky, DVector};

@@ -1,10 +1,13 @@
 //! From a dataset to an answer.
 //!
 //! ```text
-//! problem    whitened data, nuisances, slots
+//! problem    whitened data, slots, comparison with the simulation
+//! nuisance   what a fit moves that is no effect
+//! scatter    sums over noise
 //! screen     every start of every effect against the residual of a fit
 //! fit        refinement of a set of effects
-//! search     none, singles, pairs; posterior probabilities
+//! search     none, singles, pairs
+//! score      how the sets found compare: posterior probabilities
 //! structure  what is left: tests by class
 //! significance  how surprising that is, calibrated by simulation
 //! holdout    the share closed on rows that took no part
@@ -15,7 +18,10 @@ pub(crate) mod across;
 pub(crate) mod fit;
 pub(crate) mod holdout;
 pub(crate) mod normal;
+pub(crate) mod nuisance;
 pub(crate) mod problem;
+mod scatter;
+pub(crate) mod score;
 pub(crate) mod screen;
 pub(crate) mod search;
 pub(crate) mod significance;

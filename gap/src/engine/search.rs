@@ -2,12 +2,11 @@
 
 use super::fit::{Effort, Fit, Slopes, Workspace, moved, refine, refine_with};
 use super::problem::Problem;
+use super::score::{Scored, score};
 use super::screen::{Atoms, Promise, active};
 use crate::effects::library;
 use std::rc::Rc;
 
-/// Prior odds of one more effect, spread over the names of the library.
-const PRIOR_OF_MORE: f64 = 0.5;
 /// Gain of -2 ln likelihood below which a promise is not worth a refinement.
 const WORTH_REFINING: f64 = 5.0;
 /// Singles from which pairs are grown.
@@ -16,8 +15,6 @@ const BASES: usize = 7;
 const SLACK: f64 = 0.1;
 /// Difference in score, on part of the rows, above which a set is not tried on all of them.
 const SEEDED: f64 = 60.0;
-/// Difference of score by which an earlier entry of the library is preferred.
-const TIE: f64 = 1e-4;
 /// Least cost of one more effect in the score.
 pub(crate) const COST: f64 = 12.0;
 /// Difference in score above which a set is not worth listing.
@@ -39,15 +36,6 @@ pub(crate) struct Search {
     pub(crate) sets: Vec<Scored>,
     /// All refined fits, those that a subset does better included.
     pub(crate) every: Vec<Fit>,
-}
-
-/// A refined set with its score, -2 ln of the (unnormalised) posterior probability.
-#[derive(Clone)]
-pub(crate) struct Scored {
-    pub(crate) fit: Fit,
-    pub(crate) bic: f64,
-    pub(crate) score: f64,
-    pub(crate) probability: f64,
 }
 
 /// What a search may do.
@@ -489,60 +477,4 @@ fn chosen(promises: &[Promise], overall: usize, per_group: usize, floor: f64) ->
         }
     }
     list
-}
-
-/// Scores the sets, keeps the best variant of each, drops what a subset does better.
-fn score(problem: &Problem, nominal: &Fit, found: Vec<Fit>, allowed: &[bool]) -> Vec<Scored> {
-    let mut names: Vec<&str> = library()
-        .iter()
-        .zip(allowed)
-        .filter(|(e, ok)| **ok && e.applies(&problem.facts))
-        .map(|(e, _)| e.about().id)
-        .collect();
-    names.dedup();
-    let per_name = 2.0 * (names.len().max(1) as f64 / PRIOR_OF_MORE).ln();
-    let per_parameter = (problem.len() as f64).ln();
-    let mut sets: Vec<Scored> = std::iter::once(nominal.clone())
-        .chain(found)
-        .map(|fit| {
-            let bic = fit.objective + per_parameter * fit.parameter_count() as f64;
-            // Equals come in the order of the library.
-            let order: usize = fit.effects.iter().map(|e| e.entry).sum();
-            let score = bic + per_name * fit.effects.len() as f64 + TIE * order as f64;
-            Scored {
-                fit,
-                bic,
-                score,
-                probability: 0.0,
-            }
-        })
-        .collect();
-    sets.sort_by(|a, b| a.score.total_cmp(&b.score));
-    let mut kept: Vec<Scored> = Vec::new();
-    for set in sets {
-        let names = sorted(set.fit.names());
-        // Occam's window: a set is not considered beside a better one made of part of it.
-        // (No effect at all is part of every set: a gap too faint to be claimed has possible causes.)
-        if !kept.iter().any(|k| {
-            let part = sorted(k.fit.names());
-            part.iter().all(|n| names.contains(n)) && (!part.is_empty() || names.is_empty())
-        }) {
-            kept.push(set);
-        }
-    }
-    normalise(&mut kept);
-    kept
-}
-
-fn sorted(mut names: Vec<&'static str>) -> Vec<&'static str> {
-    names.sort_unstable();
-    names
-}
-
-fn normalise(sets: &mut [Scored]) {
-    let best = sets.first().map_or(0.0, |s| s.score);
-    let total: f64 = sets.iter().map(|s| (-0.5 * (s.score - best)).exp()).sum();
-    for set in sets {
-        set.probability = (-0.5 * (set.score - best)).exp() / total;
-    }
 }

@@ -3,7 +3,8 @@
 use super::candidates::observable;
 use crate::engine::fit::{Fit, Linearised, Workspace};
 use crate::engine::normal::difference;
-use crate::engine::problem::{Column, Nuisance, Problem};
+use crate::engine::nuisance::Nuisance;
+use crate::engine::problem::{Column, Problem};
 use crate::model::row::SLOTS;
 use nalgebra::{Cholesky, DMatrix, DVector};
 

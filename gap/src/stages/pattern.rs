@@ -8,7 +8,8 @@
 
 use crate::engine::fit::{Fit, Linearised, Workspace};
 use crate::engine::normal::Tangent;
-use crate::engine::problem::{Column, Nuisance, Problem};
+use crate::engine::nuisance::Nuisance;
+use crate::engine::problem::{Column, Problem};
 use crate::model::row::{CURRENT, DRIVE, NOISE, RATIO, Row, SLOTS};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 

@@ -1,0 +1,79 @@
+//! How sets of effects compare: evidence with a cost for each effect and parameter.
+
+use super::fit::Fit;
+use super::problem::Problem;
+use crate::effects::library;
+
+/// Prior odds of one more effect, spread over the names of the library.
+const PRIOR_OF_MORE: f64 = 0.5;
+/// Difference of score by which an earlier entry of the library is preferred.
+const TIE: f64 = 1e-4;
+/// A refined set with its score, -2 ln of the (unnormalised) posterior probability.
+#[derive(Clone)]
+pub(crate) struct Scored {
+    pub(crate) fit: Fit,
+    pub(crate) bic: f64,
+    pub(crate) score: f64,
+    pub(crate) probability: f64,
+}
+
+/// Scores the sets, keeps the best variant of each, drops what a subset does better.
+pub(super) fn score(
+    problem: &Problem,
+    nominal: &Fit,
+    found: Vec<Fit>,
+    allowed: &[bool],
+) -> Vec<Scored> {
+    let mut names: Vec<&str> = library()
+        .iter()
+        .zip(allowed)
+        .filter(|(e, ok)| **ok && e.applies(&problem.facts))
+        .map(|(e, _)| e.about().id)
+        .collect();
+    names.dedup();
+    let per_name = 2.0 * (names.len().max(1) as f64 / PRIOR_OF_MORE).ln();
+    let per_parameter = (problem.len() as f64).ln();
+    let mut sets: Vec<Scored> = std::iter::once(nominal.clone())
+        .chain(found)
+        .map(|fit| {
+            let bic = fit.objective + per_parameter * fit.parameter_count() as f64;
+            // Equals come in the order of the library.
+            let order: usize = fit.effects.iter().map(|e| e.entry).sum();
+            let score = bic + per_name * fit.effects.len() as f64 + TIE * order as f64;
+            Scored {
+                fit,
+                bic,
+                score,
+                probability: 0.0,
+            }
+        })
+        .collect();
+    sets.sort_by(|a, b| a.score.total_cmp(&b.score));
+    let mut kept: Vec<Scored> = Vec::new();
+    for set in sets {
+        let names = sorted(set.fit.names());
+        // Occam's window: a set is not considered beside a better one made of part of it.
+        // (No effect at all is part of every set: a gap too faint to be claimed has possible causes.)
+        if !kept.iter().any(|k| {
+            let part = sorted(k.fit.names());
+            part.iter().all(|n| names.contains(n)) && (!part.is_empty() || names.is_empty())
+        }) {
+            kept.push(set);
+        }
+    }
+    normalise(&mut kept);
+    kept
+}
+
+fn sorted(mut names: Vec<&'static str>) -> Vec<&'static str> {
+    names.sort_unstable();
+    names
+}
+
+fn normalise(sets: &mut [Scored]) {
+    let best = sets.first().map_or(0.0, |s| s.score);
+    let total: f64 = sets.iter().map(|s| (-0.5 * (s.score - best)).exp()).sum();
+    for set in sets {
+        set.probability = (-0.5 * (set.score - best)).exp() / total;
+    }
+}
