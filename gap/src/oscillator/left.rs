@@ -19,8 +19,9 @@ pub(super) const FORCES: [(usize, Parity); 6] = [
     (5, Parity::Linear),
 ];
 
-/// Share of the output, r.m.s., by which the integration and the interpolation of the input err.
-const RESOLVED: f64 = 1e-4;
+/// Share of the output, r.m.s., by which the integration and the interpolation of the input err:
+/// (w0 T/2)^4/120 of the classical method, 1.3e-4 at nine samples a period, and the input's part.
+const RESOLVED: f64 = 2e-4;
 /// The same where a force has a kink.
 const RESOLVED_WITH_KINK: f64 = 1e-3;
 
