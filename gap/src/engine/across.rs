@@ -14,6 +14,8 @@ use crate::model::row::Row;
 
 /// Most levels, or bands, of a dataset: equal steps of the logarithm.
 const MOST: usize = 4;
+/// Relative difference of levels, or frequencies, that were meant to be the same.
+const ALIKE: f64 = 0.005;
 /// From fits to all rows the rest needs few steps.
 const EFFORT: Effort = Effort {
     most_steps: 4,
@@ -43,7 +45,7 @@ pub(crate) fn left_out(
         work,
     };
     [LEVEL, BAND].map(|axis| {
-        let groups = groups(&problem.rows, axis);
+        let groups = groups(&stated(&problem.rows, axis));
         let score = |(at, group): (usize, &Group)| {
             let mut slice = whole.without(group, axis)?;
             slice.beyond = at == 0 || at + 1 == groups.len();
@@ -62,7 +64,7 @@ pub(crate) fn of_other(
     best: &Fit,
 ) -> [Vec<Slice>; 2] {
     [LEVEL, BAND].map(|axis| {
-        let known = range(&fitted.rows, axis);
+        let known = range(&stated(&fitted.rows, axis));
         let of = |group: &Group| {
             let part = other.subset(rig, &|row| group.holds(axis(&other.rows[row])));
             let gap = score_on(fitted, &part, nominal, best);
@@ -70,7 +72,7 @@ pub(crate) fn of_other(
             slice.beyond = group.from < known.0 || group.to > known.1;
             slice
         };
-        groups(&other.rows, axis).iter().map(of).collect()
+        groups(&stated(&other.rows, axis)).iter().map(of).collect()
     })
 }
 
@@ -132,30 +134,48 @@ impl Group {
     }
 }
 
-/// Lowest and highest value of what was stated.
-fn range(rows: &[Row], axis: Axis) -> (f64, f64) {
-    let stated = rows.iter().map(axis).filter(|v| *v > 0.0 && v.is_finite());
-    stated.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)))
+/// What was stated of an axis.
+fn stated(rows: &[Row], axis: Axis) -> Vec<f64> {
+    let values = rows.iter().map(axis);
+    values.filter(|v| *v > 0.0 && v.is_finite()).collect()
 }
 
-/// Groups of rows by equal steps of a logarithm; none where there is one value only.
-fn groups(rows: &[Row], axis: Axis) -> Vec<Group> {
-    let (lowest, highest) = range(rows, axis);
+/// Lowest and highest value.
+fn range(values: &[f64]) -> (f64, f64) {
+    let ends = (f64::INFINITY, 0.0_f64);
+    values.iter().fold(ends, |(a, b), v| (a.min(*v), b.max(*v)))
+}
+
+/// Groups of values by equal steps of the logarithm; none where there is one value only.
+fn groups(values: &[f64]) -> Vec<Group> {
+    let (lowest, highest) = range(values);
     if highest <= 1.01 * lowest {
         return Vec::new();
     }
     let step = (highest / lowest).ln() / MOST as f64;
-    let place = |value: f64| (((value / lowest).ln() / step) as usize).min(MOST - 1);
+    // Levels that were held alike are one level.
+    let place = |value: f64| {
+        let alike = ((value / lowest).ln() / ALIKE).round() * ALIKE;
+        ((alike / step + 1e-9) as usize).min(MOST - 1)
+    };
     let of = |at: usize| {
-        let stated = rows.iter().map(axis).filter(|v| *v > 0.0 && v.is_finite());
-        let inside = stated.filter(|v| place(*v) == at);
-        inside.fold(None, |group: Option<Group>, value| {
-            let (from, to) = group.map_or((value, value), |g| (g.from, g.to));
-            Some(Group {
-                from: value.min(from),
-                to: value.max(to),
-            })
-        })
+        let inside: Vec<f64> = values.iter().copied().filter(|v| place(*v) == at).collect();
+        let (from, to) = range(&inside);
+        (!inside.is_empty()).then_some(Group { from, to })
     };
     (0..MOST).filter_map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_that_were_held_alike_stay_together() {
+        // Two decades in four steps: edges at 3.16, 10 and 31.6.
+        let levels = [1.0, 3.0, 9.999_999, 10.0, 10.000_001, 30.0, 100.0];
+        let found: Vec<(f64, f64)> = groups(&levels).iter().map(|g| (g.from, g.to)).collect();
+        assert_eq!(found, [(1.0, 3.0), (9.999_999, 30.0), (100.0, 100.0)]);
+        assert!(groups(&[10.0, 10.000_001]).is_empty());
+    }
 }

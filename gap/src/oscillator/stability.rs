@@ -10,12 +10,13 @@ const DRAWS: usize = 100;
 ///
 /// Errors are correlated over a few periods of the resonance, so stretches of
 /// `length` samples are drawn, not samples. The values stay as fitted;
-/// `score(fit, square)` weighs a fit with the given sum of squared errors.
+/// `score(fit, square, least)` weighs a fit with a sum of squared errors, where `least`
+/// is the least of all.
 pub(super) fn stability(
     fits: &[&Fitted],
     record: &Record,
     length: usize,
-    score: impl Fn(&Fitted, f64) -> f64,
+    score: impl Fn(&Fitted, f64, f64) -> f64,
 ) -> Vec<f64> {
     let stretches = |fit: &&Fitted| -> Vec<f64> {
         let left = residual(&fit.values, record).unwrap_or_default();
@@ -29,10 +30,13 @@ pub(super) fn stability(
     for _ in 0..DRAWS {
         let place = |u: f64| ((u * count as f64) as usize).min(count.saturating_sub(1));
         let drawn: Vec<usize> = (0..count).map(|_| place(random.uniform())).collect();
-        let scored = fits.iter().zip(&squares).map(|(fit, squares)| {
-            let square: f64 = drawn.iter().map(|at| squares[*at]).sum();
-            score(fit, square)
-        });
+        let sum = |squares: &Vec<f64>| drawn.iter().map(|at| squares[*at]).sum::<f64>();
+        let sums: Vec<f64> = squares.iter().map(sum).collect();
+        let least = sums.iter().copied().fold(f64::INFINITY, f64::min);
+        let scored = fits
+            .iter()
+            .zip(&sums)
+            .map(|(fit, sum)| score(fit, *sum, least));
         let best = scored.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
         if let Some((at, _)) = best {
             led[at] += 1.0;

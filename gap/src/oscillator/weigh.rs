@@ -75,8 +75,7 @@ pub(super) fn causes(step: &Step, part: &Record, resonance_hz: f64) -> Vec<Cause
     let listed: Vec<_> = weigh(step).into_iter().filter(|l| l.1 > LISTED).collect();
     let fits: Vec<&Fitted> = listed.iter().map(|l| l.0).collect();
     let length = stretch(resonance_hz, part.interval_s);
-    // Drawn again, every set may come out better than the best does on average.
-    let drawn = |f: &Fitted, square: f64| score(step, f, square, 0.0);
+    let drawn = |f: &Fitted, square: f64, least: f64| score(step, f, square, least);
     let stability = stability(&fits, part, length, drawn);
     let causes = listed.into_iter().zip(stability);
     causes

@@ -92,12 +92,10 @@ fn sentence(answer: &Answer) -> String {
 fn unexplained(answer: &Answer, best: &str) -> String {
     let place = answer.r#where.first().map_or(String::new(), |place| {
         format!(
-            " It points to {} and shows in {}, for {} from {} to {}.",
+            " It points to {} and shows in {}, {}.",
             plain::stage(place.stage),
             plain::observable(place.observable),
-            escape(place.axis),
-            super::short(place.from),
-            super::short(place.to)
+            escape(&plain::range(place.axis, place.from, place.to)),
         )
     });
     let closed = match (best, answer.gap.closed) {

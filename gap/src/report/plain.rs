@@ -35,6 +35,24 @@ pub(super) fn observable(name: &str) -> &'static str {
     }
 }
 
+/// A range of a condition.
+pub(super) fn range(axis: &str, from: f64, to: f64) -> String {
+    let (words, unit) = match axis {
+        "frequency_hz" => ("at frequencies", "Hz"),
+        "acceleration_ms2" | "inverse level" => ("at levels", "m/s\u{b2}"),
+        "travel_m" => ("at a travel", "m"),
+        "time_s" => ("over time,", "s"),
+        "payload_kg" => ("with the payload,", "kg"),
+        "temperature_c" => ("with temperature,", "K above the reference"),
+        "rotation_deg" => ("with the rotation,", "\u{b0}"),
+        "tilt_deg" => ("with the tilt,", "\u{b0}"),
+        "coil_v" => ("at coil voltages", "V"),
+        other => (other, ""),
+    };
+    let (from, to) = (super::short(from), super::short(to));
+    format!("{words} from {from} to {to}\u{a0}{unit}")
+}
+
 const EFFECTS: [(&str, &str); 52] = [
     (
         "dut_resonance",

@@ -42,6 +42,15 @@ fn a_simulated_effect_is_named_and_the_dataset_does_not_tell_it() {
         "{resonance}"
     );
     every_field_is_there(&answer);
+    // A linear effect is predicted at every level from the others. Each level has 10 rows
+    // of 26 values or more, whose root mean square scatters by 1/sqrt(2 x 260) = 0.044.
+    let levels = answer["gap"]["by_level"].as_array().expect("levels");
+    assert!(levels.len() > 2, "{levels:?}");
+    for level in levels {
+        assert_eq!(level["chosen"][0], "dut_resonance", "{level}");
+        let chi = level["chi_after"].as_f64();
+        assert!(chi.is_some_and(|chi| chi < 1.3), "{level}");
+    }
     let page = std::fs::read_to_string(path.join("a.html")).expect("written");
     for part in ["has a resonance", "Where", "Which", "How far", "What next"] {
         assert!(page.contains(part), "{part}");

@@ -36,7 +36,7 @@ pub(super) fn answer(answer: &Answer) -> String {
             cause
                 .stability_over_runs
                 .map_or(String::new(), |share| format!(
-                    ", without any one of {:.0} % of the runs",
+                    " and in {:.0} % with a run left out",
                     100.0 * share
                 ))
         );
@@ -90,16 +90,24 @@ pub(super) fn answer(answer: &Answer) -> String {
 fn slices(text: &mut String, answer: &Answer) {
     let record = answer.gap.rms_before.is_some();
     let unit = if record { "" } else { " m/s2" };
+    if !(answer.gap.by_level.is_empty() && answer.gap.by_band.is_empty()) {
+        let how = if record {
+            "the held-out record, by its largest output and by its spectrum"
+        } else {
+            "each level and each band left out, and predicted from the others"
+        };
+        let _ = writeln!(text, "          {how}:");
+    }
     for (what, unit, slices) in [
         ("level", unit, &answer.gap.by_level),
         ("band ", " Hz", &answer.gap.by_band),
     ] {
         for slice in slices {
             let note = match (slice.beyond, slice.chosen == answer.gap.chosen) {
-                (true, true) => "  (beyond the fit)",
-                (true, false) => "  (beyond the fit, which chose otherwise)",
+                (true, true) => "  (extrapolated)",
+                (true, false) => "  (extrapolated; the others show another cause, or none)",
                 (false, true) => "",
-                (false, false) => "  (the fit chose otherwise)",
+                (false, false) => "  (the others show another cause, or none)",
             };
             let range = format!("{} .. {}{unit}", short(slice.from), short(slice.to));
             let _ = writeln!(
@@ -117,6 +125,9 @@ fn slices(text: &mut String, answer: &Answer) {
 
 /// Three significant digits.
 fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
     let decimals = 2 - value.abs().max(1e-9).log10().floor() as i32;
     format!("{value:.*}", decimals.clamp(0, 9) as usize)
 }
