@@ -154,9 +154,11 @@ impl Effect for Adc {
                 .into_iter()
                 .map(|d| Start::positive(vec![d], 0))
                 .collect(),
+            // Just below the largest output nothing but the noise of the highest levels shows.
             Bend::Clipping => ratios(0.4 * large, 0.87 * large, 9)
                 .into_iter()
-                .chain([0.9, 0.92, 0.94, 0.955, 0.97, 0.98, 0.99, 0.997].map(|s| s * large))
+                .chain([0.9, 0.92, 0.94, 0.955, 0.97, 0.98, 0.99].map(|s| s * large))
+                .chain([0.997, 0.9985, 0.9993, 0.9998].map(|s| s * large))
                 .map(|c| Start::shape(vec![c]))
                 .collect(),
         }

@@ -72,6 +72,18 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
     sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
 }
 
+/// Sensitivity of the device over its nominal one: that is 5 % off easily, and a
+/// threshold just below the largest output lies above the nominal one then.
+fn dut_gain(rows: &[Row]) -> f64 {
+    let measured = rows.iter().filter(|r| r.u[RATIO].is_finite());
+    let of_row = |r: &Row| r.value[RATIO].exp() * r.ref_peak_v / r.dut_peak_v;
+    let gains: Vec<f64> = measured.map(of_row).filter(|g| g.is_finite()).collect();
+    if gains.is_empty() {
+        return 1.0;
+    }
+    median(gains.into_iter())
+}
+
 impl Facts {
     /// Collects the facts of prepared rows.
     pub(crate) fn new(rows: &[Row], exciter: Option<[f64; 6]>, noise_v: f64) -> Self {
@@ -82,7 +94,8 @@ impl Facts {
         let (lowest_hz, highest_hz) = span(rows.iter().map(|r| r.frequency_hz));
         let level = span(rows.iter().map(|r| r.level_ms2));
         let reference = span(rows.iter().map(|r| r.ref_peak_v));
-        let dut = span(rows.iter().map(|r| r.dut_peak_v));
+        let gain = dut_gain(rows);
+        let dut = span(rows.iter().map(|r| gain * r.dut_peak_v));
         let varies = |(low, high): (f64, f64), by: f64| high - low > by;
         let mut frequencies_hz: Vec<f64> = rows.iter().map(|r| r.frequency_hz).collect();
         frequencies_hz.sort_by(f64::total_cmp);

@@ -62,6 +62,19 @@ fn a_simulated_effect_is_named_and_the_dataset_does_not_tell_it() {
     assert_eq!(calib(path, &again).status.code(), Some(6));
 }
 
+/// With this seed the device is 6.4 % more sensitive than stated and reaches 1.504 V at
+/// 100 m/s2, where the nominal one reaches 1.414 V: the threshold is above all that is nominal.
+#[test]
+fn clipping_just_below_the_largest_output_is_named() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path();
+    let effect = "adc_clipping=threshold_v:1.5,channel:1";
+    simulate(path, "a", &["--effect", effect, "--seed", "11"]);
+    let answer = json(&calib(path, &["gap", "diagnose", "a", "--json"]));
+    assert_eq!(answer["verdict"], "explained");
+    assert_eq!(answer["causes"][0]["effects"][0], "adc_clipping");
+}
+
 /// The shape that was promised; null where there is no such number.
 fn every_field_is_there(answer: &Value) {
     let has = |value: &Value, fields: &[&str]| {

@@ -49,11 +49,15 @@ impl Challenge {
         context.print(&sealed, || {
             format!(
                 "{} datasets in {}\ntruth in {}: keep it away from whoever answers\n\
-                 SHA-256 of the truth, to be published now: {}",
+                 SHA-256 of the truth, to be published now: {}\n\
+                 answer with  calib gap diagnose {} --json > answers.jsonl\n\
+                 open with    calib gap score answers.jsonl {}",
                 sealed.cases,
                 sealed.folder.display(),
                 sealed.truth.display(),
-                sealed.truth_sha256
+                sealed.truth_sha256,
+                sealed.folder.display(),
+                sealed.truth.display()
             )
         })
     }
@@ -74,6 +78,12 @@ pub(crate) struct ScoreVerb {
 impl ScoreVerb {
     /// Opens the truth and prints what the answers are worth.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
+        if !self.truth.exists() {
+            return Err(Error::Usage {
+                problem: format!("there is no truth {}", self.truth.display()),
+                hint: "`calib gap challenge OUT` writes it as OUT-truth.json; it comes second, after the answers".into(),
+            });
+        }
         let published = match self.sha256.clone() {
             Some(sum) => sum,
             None => published_beside(&self.truth)?,
@@ -86,9 +96,11 @@ impl ScoreVerb {
 }
 
 fn published_beside(truth: &Path) -> Result<String> {
-    let missing = || Error::Usage {
-        problem: format!("there is no {MANIFEST} beside {}", truth.display()),
-        hint: "give the SHA-256 that was published with --sha256".into(),
+    let missing = || {
+        Error::Usage {
+        problem: format!("{} is not the truth of a set whose {MANIFEST} is beside it", truth.display()),
+        hint: "answers come first, the truth second; if the set is elsewhere, give the SHA-256 that was published with --sha256".into(),
+    }
     };
     let stem = truth.file_stem().unwrap_or_default().to_string_lossy();
     let folder = truth.with_file_name(stem.strip_suffix("-truth").ok_or_else(missing)?);
@@ -100,14 +112,22 @@ fn percent(share: Option<Share>) -> String {
     share.map_or("-".to_owned(), |s| format!("{:.1}", 100.0 * s.share))
 }
 
+/// What the columns say.
+const LEGEND: &str = "\
+first: the truth leads; covered: it is listed with more than 5 %; alarms: a gap where there is none;
+detected: any gap where there is one; wrong: `explained`, by something else; stage: that of the truth is
+among the first two of `where`; closed: median share of the gap on held-out rows. Every size counts, also
+effects too small to be seen.
+";
+
 fn table(score: &Score) -> String {
     let mut text = format!(
         "{:<12} {:>5} {:>6} {:>8} {:>8} {:>8} {:>6} {:>8} {:>9} {:>6} {:>6}\n",
         "in percent",
         "cases",
-        "top-1",
+        "first",
         "covered",
-        "false al",
+        "alarms",
         "detected",
         "wrong",
         "unexpl.",
@@ -148,6 +168,7 @@ fn table(score: &Score) -> String {
             100.0 * s.best_possible
         );
     }
+    text.push_str(LEGEND);
     let number = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.3}"));
     let _ = write!(
         text,

@@ -10,6 +10,8 @@ use clap::Args;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+/// Rigs that are built in.
+const NAMES: [&str; 2] = ["standard", "oscillator"];
 /// Pairs that are printed.
 const MOST_PAIRS: usize = 12;
 
@@ -45,6 +47,12 @@ fn is_dataset(input: &Path) -> bool {
 
 /// The usual session of the rig says which conditions are in reach.
 fn of_rig(rig: &Path, most: usize) -> Result<Plan> {
+    if !rig.exists() && rig.extension().is_none() && !NAMES.iter().any(|n| rig == Path::new(n)) {
+        return Err(Error::Usage {
+            problem: format!("there is no {}", rig.display()),
+            hint: "give a dataset folder, a rig.toml, a rig file of the emulated calibrator, or `standard`".into(),
+        });
+    }
     let believed = Believed::load(rig)?;
     let failed = |e| Error::file("create", &std::env::temp_dir(), e);
     let folder = tempfile::tempdir().map_err(failed)?;
