@@ -503,7 +503,11 @@ def main():
     np.seterr(all="ignore")
     for folder in sys.argv[1:]:
         begun = time.process_time()
-        answer = diagnose(folder)
+        try:
+            answer = diagnose(folder)
+        except (ValueError, np.linalg.LinAlgError) as error:
+            # A fit that meets no finite number is a wrong answer, not the end.
+            answer = {"first": ["failed"], "error": str(error)}
         answer["seconds"] = time.process_time() - begun
         print(json.dumps(answer), flush=True)
 
