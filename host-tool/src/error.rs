@@ -86,6 +86,17 @@ impl Error {
         }
     }
 
+    /// The same complaint about an input, where it is this file that was meant.
+    #[must_use]
+    pub fn of_file(self, path: &Path) -> Self {
+        match self {
+            Self::Input { problem, hint, .. } => {
+                Self::input(path.display().to_string(), problem, hint)
+            }
+            other => other,
+        }
+    }
+
     /// What the user can do about it, if the message does not say it already.
     pub fn hint(&self) -> Option<&str> {
         match self {

@@ -1,7 +1,7 @@
 //! The fuzz targets on mutated seeds: a few seconds, the same inputs each time.
-//! `cargo fuzz` (see `fuzz/`) goes on from here.
+//! `./run bench fuzz` goes on from here.
 
-use calib_tests::hostile::{self, Mutator, Seed};
+use calib_tests::hostile::{self, Mutator, Seed, files};
 use std::path::{Path, PathBuf};
 
 fn corpus() -> PathBuf {
@@ -45,6 +45,18 @@ fn records_of_any_bytes_are_read_or_refused() {
 #[test]
 fn the_client_survives_a_device_that_answers_anything() {
     smoke("client", 40_000, hostile::client);
+}
+
+#[test]
+fn files_of_any_content_are_read_or_refused() {
+    smoke("points", 2_000, files::points);
+    smoke("settings", 4_000, files::settings);
+    smoke("particulars", 300, files::particulars);
+    smoke("teds", 3_000, files::teds);
+    smoke("rig", 5_000, files::rig);
+    smoke("dataset", 300, files::dataset);
+    smoke("bench", 200, files::bench);
+    smoke("metrology", 4_000, files::metrology);
 }
 
 /// `cargo run --release -p calib-tests --example fuzz_seeds` writes them.

@@ -1,8 +1,11 @@
 //! Benchmarks: programs that print a table and write `target/bench/NAME.json`.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{demo, elf, python};
+use crate::{demo, elf, fuzz, python};
 use anyhow::{Result, bail};
+
+/// Name of the one that is built in another way.
+const FUZZ: &str = "fuzz";
 
 /// One benchmark: an example program of a crate.
 struct Bench {
@@ -32,6 +35,12 @@ const BENCHES: &[Bench] = &[
         package: "calib-gap",
         example: "bench_gap",
         what: "sealed sets: how often the diagnosis is right, by stratum",
+    },
+    Bench {
+        name: "hard-hostile",
+        package: "calib-tests",
+        example: "bench_hard_hostile",
+        what: "hosts that flood, babble, reset and race while it measures: [RESETS]",
     },
     Bench {
         name: "hard-long",
@@ -94,6 +103,11 @@ const PEER_OF_GAP: &str = "scipy==1.15.*";
 
 /// Runs one benchmark, or all of them.
 pub(crate) fn run(arguments: &[String]) -> Result<()> {
+    if let Some((name, rest)) = arguments.split_first()
+        && name == FUZZ
+    {
+        return fuzz::run(rest);
+    }
     let chosen: Vec<&Bench> = match arguments.first() {
         None => BENCHES.iter().collect(),
         Some(name) => BENCHES.iter().filter(|bench| bench.goes_by(name)).collect(),
@@ -101,7 +115,12 @@ pub(crate) fn run(arguments: &[String]) -> Result<()> {
     if chosen.is_empty() {
         let known: Vec<_> = BENCHES
             .iter()
-            .map(|bench| format!("  {:<12} {}", bench.name, bench.what))
+            .map(|bench| (bench.name, bench.what))
+            .chain([(
+                FUZZ,
+                "the fuzz targets, 10 minutes each: [MINUTES [TARGET ...]]",
+            )])
+            .map(|(name, what)| format!("  {name:<12} {what}"))
             .collect();
         bail!("no such benchmark; there are\n{}", known.join("\n"));
     }
@@ -136,5 +155,8 @@ pub(crate) fn run(arguments: &[String]) -> Result<()> {
         }
         shell::run(&mut command)?;
     }
-    Ok(())
+    match arguments.is_empty() {
+        true => fuzz::run(&[]),
+        false => Ok(()),
+    }
 }

@@ -3,11 +3,11 @@
 //! Debian's Chromium with its WebDriver. CI installs them; on a person's computer
 //! nothing is installed unasked: without them those tests say so and pass.
 
+use crate::packages::{find, install};
 use crate::shell::{self, cargo};
 use crate::{demo, elf};
 use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
-use std::process::Command;
 
 const PROGRAMS: [&str; 2] = ["chromedriver", "chromium"];
 const INSTALL: &str = "apt-get install chromium chromium-driver";
@@ -21,7 +21,7 @@ pub(crate) fn driver() -> Result<Option<PathBuf>> {
         eprintln!("no Chromium with WebDriver: the tests of the page say so and pass ({INSTALL})");
         return Ok(None);
     }
-    install()?;
+    install(&["chromium", "chromium-driver"])?;
     match find(PROGRAMS[0]) {
         Some(driver) => Ok(Some(driver)),
         None => bail!("chromedriver is not there after `{INSTALL}`"),
@@ -42,28 +42,4 @@ pub(crate) fn screenshots() -> Result<()> {
         .env("CALIB_TOOL", demo::tool())
         .env("CALIB_CHROMEDRIVER", driver);
     shell::run(&mut command)
-}
-
-fn find(program: &str) -> Option<PathBuf> {
-    let path = std::env::var_os("PATH")?;
-    let candidates = std::env::split_paths(&path).map(|folder| folder.join(program));
-    candidates.into_iter().find(|file| file.is_file())
-}
-
-fn install() -> Result<()> {
-    eprintln!("installing the browser of the tests ...");
-    // An outdated list is no reason to give up: the packages may be there.
-    let _ = shell::run(apt_get().args(["update", "-qq"]));
-    let mut install = apt_get();
-    install.args(["install", "-y", "-qq", "--no-install-recommends"]);
-    shell::run(install.args(["chromium", "chromium-driver"]))
-}
-
-/// As root, or by way of `sudo`.
-fn apt_get() -> Command {
-    let user = Command::new("id").arg("-u").output();
-    let root = user.is_ok_and(|user| user.stdout.trim_ascii() == b"0");
-    let mut command = Command::new(if root { "env" } else { "sudo" });
-    command.args(["DEBIAN_FRONTEND=noninteractive", "apt-get"]);
-    command
 }

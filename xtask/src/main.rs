@@ -7,10 +7,13 @@ mod bench;
 mod browser;
 mod demo;
 mod elf;
+mod fuzz;
 mod no_panic;
+mod packages;
 mod python;
 mod shell;
 mod test;
+mod tshark;
 
 use anyhow::{Result, bail};
 

@@ -1,7 +1,7 @@
 //! Every test there is, in the order that fails soonest.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{browser, demo, elf, no_panic, python};
+use crate::{browser, demo, elf, no_panic, python, tshark};
 use anyhow::{Result, bail};
 
 /// Format, lints, image, tool, tests. With a filter: only tests of that name.
@@ -24,6 +24,9 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         .env("CALIB_TOOL", demo::tool());
     if let Some(interpreter) = python::interpreter()? {
         tests.env("CALIB_PYTHON", interpreter);
+    }
+    if let Some(tshark) = tshark::program()? {
+        tests.env("CALIB_TSHARK", tshark);
     }
     if let Some(driver) = browser::driver()? {
         tests.env("CALIB_CHROMEDRIVER", driver);

@@ -109,7 +109,7 @@ impl Identify {
             prewarp: self.pre_warp,
             input_delay_s: self.input_delay_s,
         };
-        let result = shock::identify(&record, &choice)?;
+        let result = shock::identify(&record, &choice).map_err(|error| error.of_file(path))?;
         if let Some(chart) = &self.chart {
             file::replace(chart, shock::simulation_chart(&record, &result).as_bytes())?;
         }
@@ -128,7 +128,8 @@ impl Identify {
             true => Weighting::None,
             false => Weighting::Covariance,
         };
-        let identification = identify::identify(&points, weighting, self.significance)?;
+        let identification = identify::identify(&points, weighting, self.significance)
+            .map_err(|error| error.of_file(path))?;
         let monte_carlo = match weighting {
             Weighting::Covariance if self.trials > 0 => {
                 identify::propagate(&points, &identification, self.trials.max(1000), self.seed)

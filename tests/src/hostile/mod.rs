@@ -1,5 +1,5 @@
-//! Bytes of any kind against the decoder, the command layer, records and the
-//! host's client: what must hold whatever they are.
+//! Bytes of any kind against the decoder, the command layer, records, the host's
+//! client and its readers of files: what must hold whatever they are.
 //!
 //! Each function is the body of a fuzz target in `fuzz/` and panics when
 //! something does not hold; `tests/fuzz_smoke.rs` runs the same bodies on
@@ -7,6 +7,7 @@
 
 mod client;
 mod commands;
+pub mod files;
 mod frames;
 mod mutate;
 mod records;

@@ -49,6 +49,7 @@ pub fn seeds() -> Vec<Seed> {
         name: "record".to_owned(),
         bytes: record(),
     });
+    seeds.extend(super::files::seeds());
     seeds
 }
 
@@ -126,7 +127,8 @@ fn answers() -> Vec<Response> {
     ]
 }
 
-fn record() -> Vec<u8> {
+/// A record of two points.
+pub(super) fn record() -> Vec<u8> {
     let result = PointResult::refused(spec(), None, Reason::NotSettled);
     let record = Record {
         head: RecordHead {

@@ -1,0 +1,37 @@
+//! Programs of the system that tests use, from its packages.
+//!
+//! CI installs them; on a person's computer nothing is installed unasked.
+
+use crate::shell;
+use anyhow::Result;
+use std::path::PathBuf;
+use std::process::Command;
+
+/// Where a program is, if it is in the path.
+pub(crate) fn find(program: &str) -> Option<PathBuf> {
+    let path = std::env::var_os("PATH")?;
+    let candidates = std::env::split_paths(&path).map(|folder| folder.join(program));
+    candidates.into_iter().find(|file| file.is_file())
+}
+
+/// Installs Debian packages.
+pub(crate) fn install(packages: &[&str]) -> Result<()> {
+    eprintln!("installing {} for the tests ...", packages.join(", "));
+    // An outdated list is no reason to give up: the packages may be there.
+    let _ = shell::run(apt_get().args(["update", "-qq"]));
+    let mut install = apt_get();
+    install.args(["install", "-y", "-qq", "--no-install-recommends"]);
+    shell::run(install.args(packages))
+}
+
+/// As root, or by way of `sudo`.
+fn apt_get() -> Command {
+    let user = Command::new("id").arg("-u").output();
+    let root = user.is_ok_and(|user| user.stdout.trim_ascii() == b"0");
+    let mut command = Command::new(if root { "env" } else { "sudo" });
+    if !root {
+        command.arg("env");
+    }
+    command.args(["DEBIAN_FRONTEND=noninteractive", "apt-get"]);
+    command
+}
