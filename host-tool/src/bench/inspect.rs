@@ -1,8 +1,8 @@
 //! Every sum and number checked again.
 
 use super::Bench;
+use super::records::Content;
 use crate::Result;
-use calib_protocol::record;
 
 impl Bench {
     /// Looks at the file, at every record, and at every number made of one.
@@ -33,8 +33,8 @@ impl Bench {
     /// What the list says about a record, against the record.
     fn inspect_record(&self, id: i64, bytes: &[u8]) -> Result<Vec<String>> {
         let place = format!("record {id}");
-        let record = match record::decode(bytes) {
-            Ok(record) => record,
+        let content = match Content::of(bytes) {
+            Ok(content) => content,
             Err(error) => return Ok(vec![format!("{place}: {error}")]),
         };
         let sql = "SELECT instrument, number, unix_time_s, sensor_serial, points,
@@ -52,13 +52,14 @@ impl Bench {
                 ))
             })
             .map_err(|error| self.failure(error))?;
+        let (head, points) = (content.head(), content.points());
         let truth = (
-            record.head.instrument_serial.to_string(),
-            record.head.id,
-            i64::try_from(record.head.labels.unix_time_s).unwrap_or(0),
-            record.head.labels.dut_serial.to_string(),
-            record.points.len() as i64,
-            record.points.len() as i64,
+            head.instrument_serial.to_string(),
+            head.id,
+            i64::try_from(head.labels.unix_time_s).unwrap_or(0),
+            head.labels.dut_serial.to_string(),
+            points.len() as i64,
+            points.len() as i64,
         );
         Ok(match listed == truth {
             true => Vec::new(),

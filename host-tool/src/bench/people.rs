@@ -2,7 +2,8 @@
 
 use super::Bench;
 use crate::Result;
-use calib_protocol::record::Record;
+use calib_core::settings::Settings;
+use calib_protocol::record::RecordHead;
 use jiff::{Timestamp, tz::TimeZone};
 use rusqlite::{Transaction, params};
 use serde::Serialize;
@@ -76,9 +77,13 @@ impl Bench {
 }
 
 /// Enters who and what a record names. An older record changes nothing.
-pub(super) fn enter(transaction: &Transaction<'_>, record: &Record) -> rusqlite::Result<()> {
-    let time_s = i64::try_from(record.head.labels.unix_time_s).unwrap_or(0);
-    let operator = record.head.labels.operator.trim();
+pub(super) fn enter(
+    transaction: &Transaction<'_>,
+    head: &RecordHead,
+    settings: &Settings,
+) -> rusqlite::Result<()> {
+    let time_s = i64::try_from(head.labels.unix_time_s).unwrap_or(0);
+    let operator = head.labels.operator.trim();
     if !operator.is_empty() {
         transaction
             .prepare_cached(
@@ -88,7 +93,7 @@ pub(super) fn enter(transaction: &Transaction<'_>, record: &Record) -> rusqlite:
             )?
             .execute(params![operator, time_s])?;
     }
-    let reference = &record.settings.reference;
+    let reference = &settings.reference;
     let table = serde_json::to_string(&reference.points).unwrap_or_default();
     transaction
         .prepare_cached(
@@ -100,8 +105,8 @@ pub(super) fn enter(transaction: &Transaction<'_>, record: &Record) -> rusqlite:
              last_s = excluded.last_s WHERE excluded.last_s >= last_s",
         )?
         .execute(params![
-            record.head.instrument_serial.as_str(),
-            record.head.firmware.as_str(),
+            head.instrument_serial.as_str(),
+            head.firmware.as_str(),
             reference.serial.as_str(),
             reference.certificate.as_str(),
             day(reference.due_day),

@@ -1,11 +1,13 @@
-//! Records: kept as they were downloaded, listed by what people look for.
+//! Records of both kinds: kept as they were downloaded, listed by what people look for.
 
 use super::Bench;
 use crate::certificate::{Certificate, Particulars};
 use crate::{Error, Result, verdict_text};
 use calib_core::point::PointResult;
+use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
-use calib_protocol::record::{self, Record, Sha256Sum};
+use calib_protocol::change::{self, ReferenceChange};
+use calib_protocol::record::{self, Record, RecordError, RecordHead, RecordKind, Sha256Sum};
 use rusqlite::{OptionalExtension, Transaction, params};
 use serde::Serialize;
 
@@ -39,6 +41,8 @@ pub struct Listed {
     pub points: u32,
     /// Points refused.
     pub refused: u32,
+    /// A calibration, or the log of a change of the reference, which has no points.
+    pub kind: RecordKind,
     /// Frequency of the reference point (clause 5.3), Hz.
     pub reference_frequency_hz: Option<f64>,
     /// Sensitivity there, V/(m/s2).
@@ -60,7 +64,9 @@ pub struct Filter {
 
 const LISTED: &str = "SELECT id, instrument, number, unix_time_s, sensor_serial, sensor_model,
     operator, points, refused, reference_frequency_hz, sensitivity_v_per_ms2,
-    expanded_uncertainty_rel FROM records";
+    expanded_uncertainty_rel,
+    points = 0 AND (SELECT substr(bytes, 2, 1) = x'01' FROM contents WHERE record = id)
+    FROM records";
 
 impl Bench {
     /// Keeps the bytes of a record as `calib download` wrote them. Instrument
@@ -85,10 +91,10 @@ impl Bench {
         let transaction = self.connection.transaction().map_err(failed)?;
         let mut kept = Vec::new();
         for bytes in all {
-            let record = record::decode(bytes).map_err(|error| {
+            let content = Content::of(bytes).map_err(|error| {
                 Error::input("record", error.to_string(), "download it once more")
             })?;
-            kept.push(keep_one(&transaction, bytes, &record).map_err(failed)?);
+            kept.push(keep_one(&transaction, bytes, &content).map_err(failed)?);
         }
         transaction.commit().map_err(failed)?;
         Ok(kept)
@@ -168,13 +174,56 @@ fn listed(row: &rusqlite::Row<'_>) -> rusqlite::Result<Listed> {
         reference_frequency_hz: row.get(9)?,
         sensitivity_v_per_ms2: row.get(10)?,
         expanded_uncertainty_rel: row.get(11)?,
+        kind: match row.get::<_, Option<bool>>(12)? {
+            Some(true) => RecordKind::ReferenceChange,
+            _ => RecordKind::Calibration,
+        },
     })
+}
+
+/// A record of either kind.
+pub(super) enum Content {
+    Calibration(Box<Record>),
+    ReferenceChange(Box<ReferenceChange>),
+}
+
+impl Content {
+    pub(super) fn of(bytes: &[u8]) -> Result<Self, RecordError> {
+        match record::decode(bytes) {
+            Err(RecordError::Kind {
+                found: RecordKind::ReferenceChange,
+            }) => Ok(Self::ReferenceChange(Box::new(change::decode(bytes)?))),
+            other => Ok(Self::Calibration(Box::new(other?))),
+        }
+    }
+
+    pub(super) fn head(&self) -> &RecordHead {
+        match self {
+            Self::Calibration(record) => &record.head,
+            Self::ReferenceChange(change) => &change.head,
+        }
+    }
+
+    /// What is in force from it on.
+    fn settings(&self) -> &Settings {
+        match self {
+            Self::Calibration(record) => &record.settings,
+            Self::ReferenceChange(change) => &change.settings,
+        }
+    }
+
+    pub(super) fn points(&self) -> &[PointResult] {
+        match self {
+            Self::Calibration(record) => &record.points,
+            Self::ReferenceChange(_) => &[],
+        }
+    }
 }
 
 fn keep_one(
     transaction: &Transaction<'_>,
     bytes: &[u8],
-    record: &Record,
+    content: &Content,
 ) -> rusqlite::Result<Kept> {
     let sum = record::digest(bytes);
     let known = "SELECT id FROM records WHERE sha256 = ?1";
@@ -185,28 +234,33 @@ fn keep_one(
     if let Some(id) = known {
         return Ok(Kept::Known(id));
     }
-    let id = insert_line(transaction, record, sum)?;
+    let id = insert_line(transaction, content, sum)?;
     transaction
         .prepare_cached("INSERT INTO contents (record, bytes) VALUES (?1, ?2)")?
         .execute(params![id, bytes])?;
-    for (position, point) in record.points.iter().enumerate() {
+    for (position, point) in content.points().iter().enumerate() {
         insert_point(transaction, id, position as i64, point)?;
     }
-    super::people::enter(transaction, record)?;
+    super::people::enter(transaction, content.head(), content.settings())?;
     Ok(Kept::Added(id))
 }
 
 fn insert_line(
     transaction: &Transaction<'_>,
-    record: &Record,
+    content: &Content,
     sum: Sha256Sum,
 ) -> rusqlite::Result<i64> {
-    let certificate = Certificate::from_record(record, &Particulars::default());
-    let reference = certificate.reference_result();
-    let refused = record
-        .points
-        .iter()
-        .filter(|point| point.verdict != Verdict::Pass);
+    let (complete, certificate) = match content {
+        Content::Calibration(record) => {
+            let particulars = Particulars::default();
+            let certificate = Certificate::from_record(record, &particulars);
+            (record.complete, Some(certificate))
+        }
+        Content::ReferenceChange(_) => (true, None),
+    };
+    let reference = certificate.as_ref().and_then(Certificate::reference_result);
+    let (head, points) = (content.head(), content.points());
+    let refused = points.iter().filter(|point| point.verdict != Verdict::Pass);
     transaction
         .prepare_cached(
             "INSERT INTO records (sha256, instrument, number, unix_time_s, sensor_serial,
@@ -216,14 +270,14 @@ fn insert_line(
         )?
         .insert(params![
             &sum[..],
-            record.head.instrument_serial.as_str(),
-            record.head.id,
-            i64::try_from(record.head.labels.unix_time_s).unwrap_or(0),
-            record.head.labels.dut_serial.as_str(),
-            record.head.labels.dut_model.as_str(),
-            record.head.labels.operator.as_str(),
-            record.complete,
-            record.points.len() as i64,
+            head.instrument_serial.as_str(),
+            head.id,
+            i64::try_from(head.labels.unix_time_s).unwrap_or(0),
+            head.labels.dut_serial.as_str(),
+            head.labels.dut_model.as_str(),
+            head.labels.operator.as_str(),
+            complete,
+            points.len() as i64,
             refused.count() as i64,
             reference.map(|(point, _)| point.nominal_frequency_hz),
             reference.map(|(_, values)| values.sensitivity_v_per_ms2),

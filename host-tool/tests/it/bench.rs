@@ -4,7 +4,8 @@ use crate::command_line::{calib, json, serve, text};
 use crate::device::{Device, record};
 use crate::python;
 use calib_host::bench::{Bench, Filter, Issue, Kept, Sensor, export};
-use calib_protocol::record::{Record, digest, encode};
+use calib_protocol::change;
+use calib_protocol::record::{Record, RecordKind, digest, encode};
 use std::path::Path;
 
 /// A year of 365.25 days, s.
@@ -66,6 +67,40 @@ fn a_record_is_kept_once_and_comes_back_byte_for_byte() {
     assert_eq!(bench.instruments().expect("instruments")[0].serial, "MEM-1");
     let nonsense = bench.keep(b"no record").expect_err("refused");
     assert_eq!(nonsense.exit_code(), 6);
+    assert_eq!(bench.inspect().expect("readable"), Vec::<String>::new());
+}
+
+/// A laboratory keeps what it downloads: without it the chain of the records has a gap.
+#[test]
+fn the_log_of_a_change_of_the_reference_is_kept_like_any_record() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut bench = bench(folder.path());
+    let run = record(3, 1);
+    let (mut head, mut settings) = (run.head.clone(), run.settings.clone());
+    head.id = 4;
+    head.labels.dut_serial.clear();
+    head.labels.operator = "M. Beispiel".try_into().expect("short");
+    head.labels.unix_time_s += YEAR_S;
+    settings.reference.certificate = "R-2027-01".try_into().expect("short");
+    let before = run.settings.reference_channel();
+    let mut change = vec![0; 8192];
+    let length = change::encode(&head, &settings, &before, &mut change).expect("fits");
+    change.truncate(length);
+    bench.keep(&bytes(&run)).expect("kept");
+    let Kept::Added(id) = bench.keep(&change).expect("kept too") else {
+        panic!("it is new");
+    };
+    assert_eq!(bench.keep(&change).expect("known"), Kept::Known(id));
+    assert_eq!(bench.record(id).expect("there"), change);
+    let numbered = bench.numbered(&head.instrument_serial, 4).expect("read");
+    assert_eq!(numbered, Some(change));
+    let listed = bench.records(&Filter::default()).expect("a list");
+    let kinds: Vec<_> = listed.iter().map(|line| (line.kind, line.points)).collect();
+    let (log, calibration) = (RecordKind::ReferenceChange, RecordKind::Calibration);
+    assert_eq!(kinds, [(log, 0), (calibration, 1)], "newest first");
+    let instruments = bench.instruments().expect("instruments");
+    assert_eq!(instruments[0].reference_certificate, "R-2027-01");
+    assert_eq!(bench.operators().expect("operators")[0].name, "M. Beispiel");
     assert_eq!(bench.inspect().expect("readable"), Vec::<String>::new());
 }
 

@@ -4,6 +4,7 @@ use super::sensors::cut;
 use crate::cli::{Context, table::Table, time};
 use calib_host::bench::{Bench, Filter, Instrument, Issued, Kept, Listed, Operator};
 use calib_host::{Error, Result, file};
+use calib_protocol::record::RecordKind;
 use clap::{Args, Subcommand};
 use jiff::{civil::Date, tz::TimeZone};
 use serde::Serialize;
@@ -118,12 +119,7 @@ fn add(context: &Context, mut bench: Bench, files: Vec<PathBuf>) -> Result<()> {
     let mut added = Vec::new();
     for path in files {
         let bytes = std::fs::read(&path).map_err(|error| Error::file("read", &path, error))?;
-        let kept = bench.keep(&bytes).map_err(|error| match error {
-            Error::Input { problem, hint, .. } => {
-                Error::input(path.display().to_string(), problem, hint)
-            }
-            other => other,
-        })?;
+        let kept = bench.keep(&bytes).map_err(|error| error.of_file(&path))?;
         let (record, new) = match kept {
             Kept::Added(id) => (id, true),
             Kept::Known(id) => (id, false),
@@ -177,7 +173,10 @@ fn record_table(records: &[Listed]) -> String {
         table.row([
             record.id.to_string(),
             when(record.unix_time_s),
-            cut(&record.sensor_serial, 16),
+            match record.kind {
+                RecordKind::Calibration => cut(&record.sensor_serial, 16),
+                RecordKind::ReferenceChange => "(reference)".to_owned(),
+            },
             record.points.to_string(),
             record.refused.to_string(),
             record
