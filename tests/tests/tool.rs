@@ -1,6 +1,7 @@
 //! The program `calib` with the shipping image: demo, emulated calibrator, Ctrl-C.
 #![cfg(unix)]
 
+use calib_tests::capture;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
@@ -166,7 +167,7 @@ fn the_demo_finds_the_truth_within_its_uncertainty() {
 }
 
 #[test]
-fn an_emulated_calibrator_is_used_over_tcp_and_keeps_its_records() {
+fn an_emulated_calibrator_is_used_over_tcp_and_usb_and_keeps_its_records() {
     let folder = folder();
     let start = || Emulated::start(folder.path(), &["--tcp", "0", "--flash", "flash.bin"]);
     let emulated = start();
@@ -191,8 +192,10 @@ fn an_emulated_calibrator_is_used_over_tcp_and_keeps_its_records() {
     assert!(said.contains("hold the button"), "{said}");
     emulated.switch_off();
 
-    // Power off and on: what follows comes from flash. Now there is a hand.
+    // Power off and on: what follows comes from flash, and over the USB port of
+    // the board. Now there is a hand.
     let held = ["--tcp", "0", "--flash", "flash.bin", "--hold-button"];
+    let held = [&held[..], &["--usb", "--usb-pcap", "usb.pcap"]].concat();
     let emulated = Emulated::start(folder.path(), &held);
     let device = emulated.address.clone();
     let signed = [&write[..], &["--operator", "M. Beispiel"]].concat();
@@ -233,6 +236,39 @@ fn an_emulated_calibrator_is_used_over_tcp_and_keeps_its_records() {
     let missing = output(folder.path(), &["download", "7", "-d", &device]);
     assert_eq!(missing.status.code(), Some(5));
     assert!(String::from_utf8_lossy(&missing.stderr).contains("`calib records` lists"));
+    emulated.switch_off();
+    all_went_over_usb(folder.path(), &stored);
+    all_are_kept(folder.path(), &all);
+}
+
+/// The capture of the bus holds what was downloaded.
+fn all_went_over_usb(folder: &Path, record: &[u8]) {
+    let file = std::fs::read(folder.join("usb.pcap")).expect("a capture");
+    let packets = capture::read(&file).expect("packets");
+    let answers = packets
+        .iter()
+        .filter(|packet| packet.transfer == 3 && packet.endpoint & 0x80 != 0);
+    let bytes: usize = answers.map(|packet| packet.data.len()).sum();
+    // Downloaded once whole, and once without its first 777 bytes.
+    assert!(bytes > 2 * record.len() - 777, "{bytes}");
+}
+
+/// The bench keeps every record that was downloaded, of either kind.
+fn all_are_kept(folder: &Path, downloaded: &Value) {
+    let downloads = downloaded.as_array().expect("downloads");
+    let files: Vec<&str> = downloads
+        .iter()
+        .map(|download| download["file"].as_str().expect("a path"))
+        .collect();
+    let add = ["--bench", "kept.sqlite", "bench", "add"];
+    let added = json(folder, &[&add[..], &files].concat());
+    let is_new = |added: &Value| added["new"] == true;
+    assert_eq!(added.as_array().expect("added").len(), 3);
+    assert!(added.as_array().expect("added").iter().all(is_new));
+    let listed = json(folder, &["--bench", "kept.sqlite", "bench", "records"]);
+    let changes = listed.as_array().expect("a list").iter();
+    let changes = changes.filter(|line| line["kind"] == "reference_change");
+    assert_eq!(changes.count(), 2, "{listed}");
 }
 
 /// The certificate of a file and that of the record in the calibrator are one.

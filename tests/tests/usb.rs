@@ -14,6 +14,7 @@ use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
 use calib_twin::runner::SharedEmulator;
 use calib_twin::usb_host::{self, HostError, UsbHost};
+use std::ffi::OsStr;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::Command;
@@ -82,7 +83,7 @@ fn a_record_comes_over_usb_as_over_the_serial_line() -> Result<(), Fault> {
     let held = record_in(&answers);
     assert_eq!(held[..record.len()], record, "the capture holds the record");
     check_packets(&packets, &answers);
-    ask_tshark(&file, packets.len())?;
+    ask_tshark(&file, packets.len(), &serial)?;
     let unused = bench.unused_stack_bytes()?;
     assert!(unused >= 8 << 10, "less than 8 KiB are left");
     Ok(())
@@ -165,25 +166,69 @@ fn check_packets(packets: &[Packet], answers: &[Vec<u8>]) {
     );
 }
 
-/// Wireshark's word on the capture, where it is installed.
-fn ask_tshark(file: &Path, packets: usize) -> Result<(), Fault> {
-    let fields = ["frame.protocols", "_ws.malformed"];
-    let mut tshark = Command::new("tshark");
-    tshark.arg("-r").arg(file).args(["-T", "fields"]);
-    tshark.args(fields.iter().flat_map(|field| ["-e", field]));
-    let Ok(output) = tshark.output() else {
+/// Who the device says it is, as Wireshark prints the fields of its descriptor
+/// (USB 2.0, table 9-8).
+const DESCRIPTOR: [(&str, &str); 9] = [
+    ("usb.bLength", "18"),
+    ("usb.bcdUSB", "0x0210"),
+    ("usb.bDeviceClass", "0xef"),
+    ("usb.bDeviceSubClass", "2"),
+    ("usb.bDeviceProtocol", "1"),
+    ("usb.bMaxPacketSize0", "64"),
+    ("usb.idVendor", "0x1209"),
+    ("usb.idProduct", "0x0001"),
+    ("usb.bNumConfigurations", "1"),
+];
+
+/// Wireshark's word on the capture, where it is installed: in CI it must be.
+fn ask_tshark(file: &Path, packets: usize, serial: &str) -> Result<(), Fault> {
+    let named = std::env::var_os("CALIB_TSHARK");
+    let fields = ["frame.protocols", "_ws.malformed", "_ws.expert"];
+    let Some(text) = tshark(named.as_deref(), file, "usb", &fields)? else {
+        assert!(std::env::var_os("CI").is_none(), "tshark is missing");
         println!("tshark is not installed: the capture was read by this test's own reader alone");
         return Ok(());
     };
-    assert!(output.status.success(), "{output:?}");
-    let text = String::from_utf8(output.stdout)?;
-    assert_eq!(text.lines().count(), packets);
+    assert_eq!(text.lines().count(), packets, "every packet is USB");
     for line in text.lines() {
-        let (protocols, malformed) = line.split_once('\t').unwrap_or((line, ""));
-        assert!(protocols.starts_with("usb"), "{line}");
-        assert_eq!(malformed.trim(), "", "{line}");
+        let columns: Vec<&str> = line.split('\t').collect();
+        assert!(columns[0].starts_with("usb"), "{line}");
+        assert_eq!(columns[1..], ["", ""], "malformed, or doubtful: {line}");
     }
+    // The whole descriptor: the eight bytes asked for first have no vendor.
+    let (names, values): (Vec<_>, Vec<_>) = DESCRIPTOR.into_iter().unzip();
+    let found = tshark(
+        named.as_deref(),
+        file,
+        "usb.idVendor && usb.bcdDevice",
+        &names,
+    )?;
+    assert_eq!(found.unwrap_or_default().trim_end(), values.join("\t"));
+    let strings = tshark(named.as_deref(), file, "usb.bString", &["usb.bString"])?;
+    let strings = strings.unwrap_or_default();
+    let expected = ["calib", "Field vibration calibrator", serial];
+    assert_eq!(strings.lines().collect::<Vec<_>>(), expected);
     Ok(())
+}
+
+/// What tshark prints of these fields of the packets it shows; nothing when it is not there.
+fn tshark(
+    named: Option<&OsStr>,
+    file: &Path,
+    shown: &str,
+    fields: &[&str],
+) -> Result<Option<String>, Fault> {
+    let mut tshark = Command::new(named.unwrap_or(OsStr::new("tshark")));
+    tshark
+        .arg("-r")
+        .arg(file)
+        .args(["-Y", shown, "-T", "fields"]);
+    tshark.args(fields.iter().flat_map(|field| ["-e", field]));
+    let Ok(output) = tshark.output() else {
+        return Ok(None);
+    };
+    assert!(output.status.success(), "{output:?}");
+    Ok(Some(String::from_utf8(output.stdout)?))
 }
 
 /// Sets the device up and asks it for a long answer.
