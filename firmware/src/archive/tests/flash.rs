@@ -92,6 +92,14 @@ impl Cells {
         }
     }
 
+    /// Puts whole words where they are, as a cut-off erase may leave them.
+    pub(super) fn put(&mut self, at: usize, bytes: &[u8]) {
+        self.bytes[at..at + bytes.len()].copy_from_slice(bytes);
+        for word in at / WORD..(at + bytes.len()).div_ceil(WORD) {
+            self.programmed[word] = true;
+        }
+    }
+
     /// Counts an operation; true when the power fails in it.
     fn fails(&mut self) -> Result<bool, FlashError> {
         self.operations += 1;

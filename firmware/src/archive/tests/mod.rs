@@ -307,3 +307,70 @@ fn a_half_erased_sector_keeps_nothing_else_from_being_found() {
         }
     }
 }
+
+/// A flash with one sector whose first and last words hold these bytes.
+fn with_torn_words<const SECTOR: usize>(sector: usize, first: u8, last: u8) -> MockFlash<SECTOR> {
+    let flash = MockFlash::<SECTOR>::erased(SECTORS);
+    {
+        let mut cells = flash.0.borrow_mut();
+        let (start, end) = (sector * SECTOR, (sector + 1) * SECTOR);
+        cells.put(start, &[first; flash::WORD]);
+        cells.put(end - flash::WORD, &[last; flash::WORD]);
+    }
+    flash
+}
+
+/// Marks are all zeros or all ones; a sector whose first word is neither passes for no state of a
+/// sector, whatever stands in its last.
+#[test]
+fn a_sector_whose_first_word_is_torn_is_erased_at_the_next_start() {
+    for (first, last) in [(0x5A, 0x00), (0x7F, 0xA5), (0x01, 0xFF), (0xFE, 0x7F)] {
+        let flash = with_torn_words::<SMALL>(3, first, last);
+        Desk::new().open(&flash).expect("opens");
+        let cells = flash.0.borrow();
+        assert_eq!(cells.erases, [0, 0, 0, 1, 0, 0, 0, 0], "{first:x} {last:x}");
+        assert!(cells.bytes.iter().all(|byte| *byte == 0xFF));
+    }
+}
+
+/// Remains of an erase that kept both marks: a word that looks like the head of an item longer than
+/// any, its check sum right.
+#[test]
+fn a_head_of_an_item_longer_than_any_is_passed_over() {
+    let flash = MockFlash::<SMALL>::erased(SECTORS);
+    let settings = Settings::field_calibrator();
+    let mut desk = Desk::new();
+    let stored = {
+        let mut archive = desk.open(&flash).expect("opens");
+        store(&mut archive, 6, 1, &settings).expect("stores")
+    };
+    let longest = MAX_ITEM as u16;
+    for length in [longest + 1, 0x7FFF, 0xFFFE] {
+        let torn = flash.duplicate(1);
+        {
+            let mut cells = torn.0.borrow_mut();
+            // Sector 7 as closed: marks at both ends, the head behind the first.
+            let start = 7 * SMALL;
+            cells.put(start, &[0; flash::WORD]);
+            cells.put(start + SMALL - flash::WORD, &[0; flash::WORD]);
+            let mut head = [0xFF; flash::WORD];
+            head[..4].copy_from_slice(&0x1234_5678_u32.to_le_bytes());
+            head[4..6].copy_from_slice(&length.to_le_bytes());
+            head[6..8].copy_from_slice(&crc_16(&length.to_le_bytes()).to_le_bytes());
+            cells.put(start + flash::WORD, &head);
+        }
+        let mut archive = desk.open(&torn).expect("opens");
+        assert_eq!(download(&mut archive, stored.0).as_ref(), Ok(&stored.1));
+        store(&mut archive, 6, 2, &settings).expect("and goes on");
+    }
+}
+
+/// The check sum the queue gives the length of an item: CRC-16F/4.2 of Koopman, reflected polynomial
+/// 1A2E, initial value and final inversion FFFF.
+fn crc_16(bytes: &[u8]) -> u16 {
+    !bytes.iter().fold(u16::MAX, |sum, byte| {
+        (0..8).fold(sum ^ u16::from(*byte), |sum, _| {
+            (sum >> 1) ^ (0x1A2E & (sum & 1).wrapping_neg())
+        })
+    })
+}
