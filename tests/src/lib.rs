@@ -13,5 +13,6 @@ pub mod hostile;
 pub mod judge;
 pub mod live;
 pub mod served;
+pub mod siege;
 pub mod supply;
 pub mod witness;

@@ -6,38 +6,15 @@
 use calib_core::point::ExcitationKind;
 use calib_core::verdict::Verdict;
 use calib_host::link::{Client, EmulatedUsbTransport};
-use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
+use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, SERIAL_BAUD};
 use calib_protocol::message::{Request, Response, RunSpec, RunState};
 use calib_protocol::record::RunLabels;
 use calib_tests::bench::{Bench, Fault, point};
-use calib_tests::hostile::{Mutator, Whole, seeds, whole_frames};
+use calib_tests::siege::{AFTER_DAMAGE, Ammunition, PROMPT, frame};
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
 use calib_twin::runner::SharedEmulator;
 use std::time::Duration;
-
-/// Longest time to an answer.
-const PROMPT: Duration = Duration::from_millis(100);
-
-/// What any host may ask for, whoever holds the session.
-const STOP: [u8; 1] = [4];
-
-/// Frames of requests: what a host that replays has heard, but for those whose
-/// answers alone take the serial line longer than [`PROMPT`].
-fn heard() -> Vec<Vec<u8>> {
-    let seeds = seeds().into_iter();
-    seeds
-        .filter(|seed| seed.target == "commands" && seed.name != "request-07")
-        .map(|seed| seed.bytes)
-        .collect()
-}
-
-fn frame(sequence: u16, request: &Request) -> Vec<u8> {
-    let mut buffer = vec![0; MAX_FRAME];
-    let length = encode(sequence, request, &mut buffer).expect("fits");
-    buffer.truncate(length);
-    buffer
-}
 
 /// Fails unless a request of each kind is answered in time.
 fn expect_answers(board: &SharedEmulator, client: &mut Client) -> Result<(), Fault> {
@@ -85,10 +62,10 @@ fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(
     let started = exchange(&mut bench, &start)?;
     assert_eq!(started, Response::Started { record_id: 1 });
 
-    let mut fire = Mutator::new(heard(), 2);
+    let mut fire = Ammunition::new(2);
     let mut bytes = 0;
     let ended = loop {
-        let salvo = salvo(&mut fire, 10_000, |whole| whole.message != STOP);
+        let salvo = fire.no_stop(10_000);
         bytes += salvo.len();
         usb.send(&salvo);
         bench.client.wait(Duration::from_millis(50))?;
@@ -117,19 +94,6 @@ fn a_run_under_fire_from_the_other_link_is_measured_like_any_other() -> Result<(
     Ok(())
 }
 
-/// Inputs of so many bytes together whose whole frames, if any, are `allowed`.
-fn salvo(fire: &mut Mutator, length: usize, allowed: fn(&Whole) -> bool) -> Vec<u8> {
-    let mut salvo = Vec::new();
-    while salvo.len() < length {
-        let input = fire.next_input();
-        if whole_frames(&input).iter().all(allowed) {
-            salvo.extend(input);
-            salvo.push(0);
-        }
-    }
-    salvo
-}
-
 /// Sends a frame as it is over the serial line; its answer.
 fn exchange(bench: &mut Bench, frame: &[u8]) -> Result<Response, Fault> {
     bench.board().write_serial(frame);
@@ -150,25 +114,41 @@ fn after_any_bytes_the_next_request_is_answered_and_nothing_is_changed() -> Resu
     let board = bench.shared();
     let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(board.clone())?));
     let before = bench.client.settings()?;
-    let mut mutator = Mutator::new(heard(), 3);
+    let mut fire = Ammunition::new(3);
     let write = frame(1, &Request::SettingsWrite(before.clone().into()));
     // Whole frames would be answered, one after the other, at the speed of the line.
-    let none = |_: &Whole| false;
-    let noise = salvo(&mut mutator, 3000, none);
+    let noise = fire.noise(3000);
     let noise = noise.iter().map(|byte| byte.wrapping_mul(151)).collect();
-    for (what, bytes) in [
-        ("noise", noise),
-        ("a frame without an end", vec![0x55; 2 * MAX_FRAME]),
-        ("half a frame", write[..write.len() / 2].to_vec()),
-        ("zeros", vec![0; 2000]),
-        ("frames of the other host", heard().concat()),
-        ("damaged frames", salvo(&mut mutator, 3000, none)),
+    let other_rate = [Ammunition::heard().concat(), fire.no_stop(30_000)].concat();
+    for (what, baud, bytes) in [
+        ("noise", SERIAL_BAUD, noise),
+        ("no end", SERIAL_BAUD, vec![0x55; 2 * MAX_FRAME]),
+        ("a line without an end", SERIAL_BAUD, vec![b'A'; 600]),
+        (
+            "half a frame",
+            SERIAL_BAUD,
+            write[..write.len() / 2].to_vec(),
+        ),
+        ("zeros", SERIAL_BAUD, vec![0; 2000]),
+        (
+            "frames of the other host",
+            SERIAL_BAUD,
+            Ammunition::heard().concat(),
+        ),
+        ("damaged frames", SERIAL_BAUD, fire.noise(3000)),
+        ("frames at 3 Mbaud", 3_000_000, other_rate),
     ] {
         // From now on the host on the USB holds the session.
         usb.release(0)?;
-        bench.board().write_serial(&bytes);
+        let line = bench.board().serial().clone();
+        line.send_at(&bytes, baud, SERIAL_BAUD);
         while bench.board().serial().is_sending() {
             bench.client.wait(Duration::from_millis(1))?;
+        }
+        if baud != SERIAL_BAUD {
+            // Nothing of it is heard, and nothing that was heard before is heard again.
+            bench.client.wait(AFTER_DAMAGE)?;
+            assert!(bench.board().read_serial().is_empty());
         }
         expect_answers(&board, &mut bench.client).map_err(|error| format!("{what}: {error}"))?;
     }

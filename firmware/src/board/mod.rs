@@ -76,12 +76,15 @@ pub(crate) type RecordFlash = Flash<'static>;
 /// The watchdog.
 pub(crate) type Watchdog = IndependentWatchdog<'static, peripherals::IWDG1>;
 
-axi_static!(RECEIVE: [u8; 4096]);
+/// Bytes of the ring the serial line is received into: 350 ms at 115 200 baud.
+pub(crate) const RECEIVE_BYTES: usize = 4096;
+
+axi_static!(RECEIVE: [u8; RECEIVE_BYTES]);
 axi_static!(TRANSMIT: [u8; 512]);
 
 /// Memory the port's DMA reaches.
 pub(crate) struct PortBuffers {
-    /// Ring of received bytes: 350 ms at 115 200 baud.
+    /// Ring of received bytes.
     pub(crate) receive: &'static mut [u8],
     /// Bytes on their way out.
     pub(crate) transmit: &'static mut [u8],

@@ -1,12 +1,16 @@
 //! The links to hosts: bytes in, answers out.
 
-use crate::board::{PACKET_BYTES, Port, PortBuffers, UsbDriver, UsbPort, axi_static, run_usb};
+use crate::board::{
+    PACKET_BYTES, Port, PortBuffers, RECEIVE_BYTES, UsbDriver, UsbPort, axi_static, run_usb,
+};
 use crate::instrument::Calibrator;
 use calib_firmware::link::{Aftermath, Link};
 use calib_firmware::scpi::Console;
+use core::task::Poll;
 use embassy_futures::join::join;
+use embassy_futures::poll_once;
 use embassy_stm32::mode::Async;
-use embassy_stm32::usart::UartTx;
+use embassy_stm32::usart::{RingBufferedUartRx, UartTx};
 use embassy_time::{Duration, TimeoutError, Timer, with_timeout};
 use embassy_usb::UsbDevice;
 use embassy_usb::class::cdc_acm::Sender;
@@ -19,6 +23,10 @@ const HOST_PATIENCE: Duration = Duration::from_secs(1);
 /// 115 200 baud bytes follow each other within 0.1 ms; a busy computer's driver
 /// may pause for some 100 ms.
 const SENDER_GONE: Duration = Duration::from_secs(2);
+
+/// How long the serial line is not listened to after damage: bounds what a line
+/// full of noise costs the processor.
+const AFTER_DAMAGE: Duration = Duration::from_millis(2);
 
 /// Time between two looks at a run whose end a host waits for.
 const LOOK: Duration = Duration::from_millis(20);
@@ -123,8 +131,37 @@ pub(crate) async fn serial_link(port: Port, buffers: PortBuffers, instrument: Ca
         // Bytes were lost.
         if went_on.is_err() {
             conversation.forget();
+            until_whole(&mut input, &mut bytes).await;
         }
     }
+}
+
+/// Listens again after damage, once bytes arrive whole or not at all.
+async fn until_whole(input: &mut RingBufferedUartRx<'static>, bytes: &mut [u8]) {
+    loop {
+        Timer::after(AFTER_DAMAGE).await;
+        if is_restarted(input, bytes) {
+            return;
+        }
+    }
+}
+
+/// Starts reception anew and drops what is in the ring; false when that was damaged too.
+///
+/// An error stops the driver's DMA (embassy-stm32 0.6). It starts at the beginning
+/// of the ring again while the driver goes on where it was: what follows there, up
+/// to a whole ring of requests answered long ago, would be heard once more.
+fn is_restarted(input: &mut RingBufferedUartRx<'static>, bytes: &mut [u8]) -> bool {
+    // The first look only takes away the errors of bytes nobody listened to.
+    let _ = poll_once(input.read(bytes));
+    for _ in 0..=RECEIVE_BYTES.div_ceil(bytes.len()) + 1 {
+        match poll_once(input.read(bytes)) {
+            Poll::Pending => return true,
+            Poll::Ready(Ok(_)) => {}
+            Poll::Ready(Err(_)) => return false,
+        }
+    }
+    false
 }
 
 /// Answers on their way through USART3.

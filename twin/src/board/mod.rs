@@ -13,7 +13,7 @@
 //! | `flash` | flash interface, watched: what a power cut leaves behind |
 //! | `iwdg` | watchdog |
 //! | `overdrive` | SYSCFG's switch to voltage scale 0 |
-//! | `serial_line` | USART3 to the virtual COM port |
+//! | `serial_line`, `line_rate` | USART3 to the virtual COM port; what it hears of another rate |
 //! | `usb` | OTG FS in device mode, and the host's end of its cable |
 //! | `front_panel` | LEDs and button |
 //! | `part_faults` | what can fail in the part |
@@ -31,6 +31,7 @@ mod dmamux;
 mod flash;
 mod front_panel;
 mod iwdg;
+mod line_rate;
 mod memory_map;
 mod overdrive;
 mod part;

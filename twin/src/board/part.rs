@@ -307,6 +307,8 @@ impl Mcu for Part {
         // Two instances have something outside that speaks on its own, and this is called at every
         // stop: ask them only when it has.
         if self.pins.serial.is_sending() {
+            let errors = self.base.usart[USART3].errors_mut();
+            self.pins.serial.garble(errors);
             self.poll_slot(self.usart3_slot, now);
         }
         if self.pins.usb.has_news() {

@@ -6,14 +6,24 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard};
 
 use rigless::chip::Timeline;
-use rigless::chip::uart::Peer;
+use rigless::chip::uart::{Errors, Peer, Rate};
 use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::time::VirtualNanos;
+
+use super::line_rate;
 
 #[derive(Debug, Default, serde::Serialize, serde::Deserialize)]
 struct Queues {
     to_board: VecDeque<u8>,
     from_board: VecDeque<u8>,
+    garble: Garble,
+}
+
+/// How many of the bytes for the board arrive with an error, in a million.
+#[derive(Debug, Default, Clone, Copy, serde::Serialize, serde::Deserialize)]
+struct Garble {
+    noise: u32,
+    framing: u32,
 }
 
 /// A handle of the line: the board's port holds one, the host side holds others.
@@ -24,7 +34,41 @@ impl SerialLine {
     /// Queues `bytes` for the board. They reach it one frame after another from the next instant at
     /// which the emulator looks outside.
     pub fn send(&self, bytes: &[u8]) {
-        self.lock().to_board.extend(bytes);
+        let mut queues = self.lock();
+        queues.garble = Garble::default();
+        queues.to_board.extend(bytes);
+    }
+
+    /// Queues what the board, at `board_baud`, hears of `bytes` that a host sends at `host_baud`
+    /// without a pause. As many bytes as should arrive with noise or a framing error; which of them
+    /// is drawn. What was queued before counts as sent at that rate too.
+    pub fn send_at(&self, bytes: &[u8], host_baud: u32, board_baud: u32) {
+        let heard = line_rate::heard(bytes, host_baud, board_baud);
+        let share = |is: fn(&line_rate::Heard) -> bool| {
+            let count = heard.iter().filter(|heard| is(heard)).count() as u64;
+            let all = heard.len().max(1) as u64;
+            (count * u64::from(Rate::EVERY_WORD) / all) as u32
+        };
+        let mut queues = self.lock();
+        queues.garble = Garble {
+            noise: share(|heard| heard.noise),
+            framing: share(|heard| heard.framing),
+        };
+        let bytes = heard.iter().map(|heard| heard.byte);
+        queues.to_board.extend(bytes);
+    }
+
+    /// Tells the emulator's receiver how bytes arrive.
+    pub(super) fn garble(&self, errors: &mut Errors) {
+        let Garble { noise, framing } = self.lock().garble;
+        errors.noise = Rate {
+            name: "line.noise",
+            per_million: noise,
+        };
+        errors.framing = Rate {
+            name: "line.framing",
+            per_million: framing,
+        };
     }
 
     /// Takes everything the board has sent since the last call.

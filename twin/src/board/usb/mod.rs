@@ -156,6 +156,12 @@ impl UsbPort {
         self.change().bus.outgoing.extend(bytes);
     }
 
+    /// Bytes that still wait for the device.
+    #[must_use]
+    pub fn waiting(&self) -> usize {
+        self.lock().bus.outgoing.len()
+    }
+
     /// Takes what the device has sent.
     #[must_use]
     pub fn receive(&self) -> Vec<u8> {
