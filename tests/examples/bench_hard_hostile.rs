@@ -19,8 +19,15 @@ fn main() -> Result<(), Fault> {
         Siege::quiet_record(End::Usb, &points)?,
     ];
     println!(
-        "{:<44} {:>6} {:>9} {:>7} {:>8} {:>5} {:>8}",
-        "attack on a calibrator that measures", "blows", "kB", "asked", "slowest", "runs", "time"
+        "{:<44} {:>6} {:>9} {:>7} {:>6} {:>8} {:>5} {:>8}",
+        "attack on a calibrator that measures",
+        "blows",
+        "kB",
+        "asked",
+        "twice",
+        "slowest",
+        "runs",
+        "time"
     );
     let mut all = Vec::new();
     for assault in Assault::ALL {
@@ -35,7 +42,9 @@ fn main() -> Result<(), Fault> {
     all.push((name, toll));
     print(name, &toll);
     let seconds = start.elapsed().as_secs_f64();
-    println!("no answer late, no record, setting or sample changed, no restart; {seconds:.0} s");
+    println!(
+        "no other answer late, no record, setting or sample changed, no restart; {seconds:.0} s"
+    );
     if let Some(path) = std::env::var_os("CALIB_BENCH_JSON") {
         let json = serde_json::json!({ "attacks": all, "seconds": seconds });
         std::fs::write(path, json.to_string())?;
@@ -55,10 +64,11 @@ fn points() -> Vec<PointSpec> {
 
 fn print(name: &str, toll: &Toll) {
     println!(
-        "{name:<44} {:>6} {:>9.1} {:>7} {:>5.1} ms {:>5} {:>6.1} s",
+        "{name:<44} {:>6} {:>9.1} {:>7} {:>6} {:>5.1} ms {:>5} {:>6.1} s",
         toll.blows,
         toll.bytes as f64 / 1000.0,
         toll.asked,
+        toll.repeated,
         toll.slowest_ms,
         toll.runs,
         toll.virtual_s,

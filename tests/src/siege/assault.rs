@@ -113,7 +113,7 @@ impl Siege {
         if !answers.is_empty() {
             return Err(format!("noise was answered: {answers:x?}").into());
         }
-        self.ask(End::Serial)
+        self.ask_twice(End::Serial)
     }
 
     /// 90 ms of questions whose answers take the line ten times as long: what the receiver has no

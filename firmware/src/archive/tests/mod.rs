@@ -337,7 +337,7 @@ fn a_sector_whose_first_word_is_torn_is_erased_at_the_next_start() {
 /// any, its check sum right.
 #[test]
 fn a_head_of_an_item_longer_than_any_is_passed_over() {
-    let flash = MockFlash::<SMALL>::erased(SECTORS);
+    let flash = MockFlash::<REAL>::erased(SECTORS);
     let settings = Settings::field_calibrator();
     let mut desk = Desk::new();
     let stored = {
@@ -350,9 +350,9 @@ fn a_head_of_an_item_longer_than_any_is_passed_over() {
         {
             let mut cells = torn.0.borrow_mut();
             // Sector 7 as closed: marks at both ends, the head behind the first.
-            let start = 7 * SMALL;
+            let start = 7 * REAL;
             cells.put(start, &[0; flash::WORD]);
-            cells.put(start + SMALL - flash::WORD, &[0; flash::WORD]);
+            cells.put(start + REAL - flash::WORD, &[0; flash::WORD]);
             let mut head = [0xFF; flash::WORD];
             head[..4].copy_from_slice(&0x1234_5678_u32.to_le_bytes());
             head[4..6].copy_from_slice(&length.to_le_bytes());
