@@ -4,8 +4,8 @@ use crate::hostile::{Mutator, Whole, seeds, whole_frames};
 use calib_protocol::frame::{MAX_FRAME, encode};
 use calib_protocol::message::Request;
 
-/// What any host may ask for, whoever holds the session.
-const STOP: [u8; 1] = [4];
+/// Number of what any host may ask for, whoever holds the session.
+const STOP: u8 = 4;
 
 /// A request as it goes over the line.
 pub fn frame(sequence: u16, request: &Request) -> Vec<u8> {
@@ -50,7 +50,7 @@ impl Ammunition {
 
     /// Anything but what stops a run, which any host may ask for.
     pub fn no_stop(&mut self, length: usize) -> Vec<u8> {
-        self.salvo(length, |whole| whole.message != STOP)
+        self.salvo(length, |whole| whole.message.first() != Some(&STOP))
     }
 
     /// Nothing that is answered.
