@@ -7,7 +7,9 @@
 //!   record.csv   input and output over time (kind = "oscillator")
 //! ```
 
+mod contradiction;
 mod points;
+mod range;
 mod record;
 mod rig;
 
@@ -79,7 +81,7 @@ impl Dataset {
             Kind::Calibrator => points::read(input)?,
             Kind::Oscillator => Measured::Record(record::read(input)?),
         };
-        sampled_fast_enough(&rig, &measured)?;
+        contradiction::check(&rig, &measured)?;
         let sha256 = hash.finalize().iter().map(|b| format!("{b:02x}")).collect();
         Ok(Self {
             rig,
@@ -104,25 +106,6 @@ fn without_table(table: &Path, kind: Kind, source: std::io::Error) -> GapError {
         };
     }
     GapError::file(table, source)
-}
-
-/// No sampled system sees a component at or above half its sample rate.
-fn sampled_fast_enough(rig: &Rig, measured: &Measured) -> Result<(), GapError> {
-    let (Some(rate_hz), Measured::Points { points, .. }) = (rig.digitiser.sample_rate_hz, measured)
-    else {
-        return Ok(());
-    };
-    let highest_hz = points.iter().map(|p| p.frequency_hz).fold(0.0, f64::max);
-    if highest_hz < 0.5 * rate_hz {
-        return Ok(());
-    }
-    Err(GapError::Table {
-        file: "points.csv",
-        problem: format!(
-            "holds a point at {highest_hz} Hz, which digitiser.sample_rate_hz = {rate_hz} in rig.toml cannot see; \
-             correct one of them"
-        ),
-    })
 }
 
 /// Takes carriage returns away: a parser that meets them counts lines differently.

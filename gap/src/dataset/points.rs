@@ -1,6 +1,7 @@
 //! `points.csv`: steady-state sine points.
 
 use super::Measured;
+use super::range::{Range, columns};
 use crate::error::GapError;
 use num_complex::Complex64;
 use std::collections::HashMap;
@@ -92,56 +93,6 @@ impl Harmonic {
         self.phase_rad
             .map(|phase| Complex64::from_polar(self.amplitude, phase))
     }
-}
-
-/// What a cell may hold.
-#[derive(Clone, Copy, PartialEq)]
-enum Range {
-    Positive,
-    NotNegative,
-    Any,
-}
-
-fn columns() -> Vec<(String, Range)> {
-    use Range::{Any, NotNegative, Positive};
-    let fixed = [
-        ("frequency_hz", Positive),
-        ("time_s", Any),
-        ("temperature_c", Any),
-        ("rotation_deg", Any),
-        ("tilt_deg", Any),
-        ("payload_kg", NotNegative),
-        ("acceleration_ms2", Positive),
-        ("coil_v", Positive),
-        ("coil_a", Positive),
-        ("coil_a_deg", Any),
-        ("ref_v", Positive),
-        ("ref_deg", Any),
-        ("dut_v", Positive),
-        ("dut_deg", Any),
-        ("ratio", Positive),
-        ("ref_dc_v", Any),
-        ("dut_dc_v", Any),
-        ("ref_noise_v", Positive),
-        ("dut_noise_v", Positive),
-        ("u_ratio", Positive),
-        ("u_phase_deg", Positive),
-        ("u_drive", Positive),
-        ("u_current", Positive),
-        ("u_harmonic", Positive),
-        ("u_dc_v", Positive),
-    ];
-    let mut all: Vec<_> = fixed
-        .into_iter()
-        .map(|(name, range)| (name.to_owned(), range))
-        .collect();
-    for channel in ["ref", "dut"] {
-        for order in 2..=5 {
-            all.push((format!("{channel}_h{order}"), NotNegative));
-            all.push((format!("{channel}_h{order}_deg"), Any));
-        }
-    }
-    all
 }
 
 /// Reads the table of points.
@@ -261,11 +212,9 @@ impl Layout {
                     "\"{text}\" is not finite; leave the cell empty if nothing was measured"
                 )));
             }
-            if *range == Range::Positive && value <= 0.0
-                || *range == Range::NotNegative && value < 0.0
-            {
+            if let Some(problem) = range.problem(value) {
                 return Err(cell(format!(
-                    "{text} must be positive; leave the cell empty if nothing was measured"
+                    "{text} {problem}; leave the cell empty if nothing was measured"
                 )));
             }
             values.insert(name.as_str(), value);
@@ -343,8 +292,26 @@ impl Cells<'_> {
             u_dc_v: self.get("u_dc_v"),
         };
         self.check_uncertainties(&point)?;
+        self.check_phases()?;
         self.check_ratio(&point)?;
         Ok(point)
+    }
+
+    /// The phase of a harmonic says nothing without its amplitude, and nothing is dropped in silence.
+    fn check_phases(&self) -> Result<(), GapError> {
+        for column in ["ref", "dut"]
+            .into_iter()
+            .flat_map(|channel| (2..=5).map(move |order| format!("{channel}_h{order}")))
+        {
+            let phase = format!("{column}_deg");
+            if self.get(&phase).is_some() && self.get(&column).is_none() {
+                return Err(self.unusable(
+                    &phase,
+                    format!("is given without its amplitude; fill in {column} or leave both empty"),
+                ));
+            }
+        }
+        Ok(())
     }
 
     /// A ratio stated twice must be one ratio.

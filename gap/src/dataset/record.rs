@@ -6,6 +6,9 @@ use std::io::Read;
 /// Longest record that is read; more samples than this never change a diagnosis.
 pub(crate) const MOST_SAMPLES: usize = 2_000_000;
 
+/// Sampling intervals that some instrument has, in s.
+const STEPS_S: std::ops::RangeInclusive<f64> = 1e-12..=1e6;
+
 /// A uniformly sampled record.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Record {
@@ -66,8 +69,11 @@ pub(super) fn read(input: impl Read) -> Result<Record, GapError> {
         }
     }
     let [time, input, output] = columns;
+    let interval_s = interval(&time)?;
+    varies("input", &input)?;
+    varies("output", &output)?;
     Ok(Record {
-        interval_s: interval(&time)?,
+        interval_s,
         input,
         output,
     })
@@ -84,6 +90,13 @@ fn interval(time_s: &[f64]) -> Result<f64, GapError> {
     let uneven = time_s
         .windows(2)
         .position(|w| (w[1] - w[0] - interval).abs() > 0.01 * interval.abs());
+    if !(interval <= 0.0 || uneven.is_some()) && !STEPS_S.contains(&interval) {
+        return Err(table(format!(
+            "column time_s: a step of {interval:e} s is out of the range {:e} s to {:e} s",
+            STEPS_S.start(),
+            STEPS_S.end()
+        )));
+    }
     if interval <= 0.0 || uneven.is_some() {
         return Err(GapError::Cell {
             file: FILE,
@@ -93,6 +106,16 @@ fn interval(time_s: &[f64]) -> Result<f64, GapError> {
         });
     }
     Ok(interval)
+}
+
+/// A constant says nothing about an oscillator, and cannot be scaled.
+fn varies(column: &str, values: &[f64]) -> Result<(), GapError> {
+    if values.windows(2).all(|w| w[0] == w[1]) {
+        return Err(table(format!(
+            "column {column} is the same in all rows; a fit needs a record of motion"
+        )));
+    }
+    Ok(())
 }
 
 fn table(problem: String) -> GapError {

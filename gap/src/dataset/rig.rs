@@ -166,6 +166,9 @@ pub(crate) struct Rig {
     pub(crate) oscillator: Oscillator,
 }
 
+/// Magnitudes of the entries of a rig, each in its unit, from the inductance of a single turn to the stiffest mounting.
+const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e15;
+
 impl Rig {
     /// Parses and checks the text of a `rig.toml`.
     ///
@@ -190,6 +193,14 @@ impl Rig {
                     quantity.value
                 ));
             }
+            if !MAGNITUDES.contains(&quantity.value) {
+                return Err(format!(
+                    "{name}: value {:e} is out of the range {:e} to {:e} of any rig; check its unit",
+                    quantity.value,
+                    MAGNITUDES.start(),
+                    MAGNITUDES.end()
+                ));
+            }
             if !(quantity.u.is_finite() && quantity.u >= 0.0) {
                 return Err(format!(
                     "{name}: u {} must be zero (exact) or positive",
@@ -206,6 +217,13 @@ impl Rig {
         for (name, value) in self.plain_values() {
             if !(value.is_finite() && value > 0.0) {
                 return Err(format!("{name}: {value} must be a positive number"));
+            }
+            if !MAGNITUDES.contains(&value) {
+                return Err(format!(
+                    "{name}: {value:e} is out of the range {:e} to {:e} of any rig",
+                    MAGNITUDES.start(),
+                    MAGNITUDES.end()
+                ));
             }
         }
         for (name, value) in [
