@@ -376,6 +376,7 @@ impl Problem {
             added.chain(row, &mut after);
             let mut transfer = Transfer::default();
             added.transfer(row, row.frequency_hz, &mut transfer);
+            let loss = [0.0, transfer.reference.norm().ln()];
             let mut part = |slot: usize, change: f64, open: f64| {
                 let at = self.place[index][slot];
                 if at == ABSENT || (change == 0.0 && open <= 0.0) {
@@ -390,8 +391,7 @@ impl Problem {
             for channel in 0..2 {
                 let open = after.leakage[channel] - before.leakage[channel];
                 let slot = [RATIO, DRIVE][channel];
-                let loss = transfer.reference.norm().ln();
-                part(slot, if channel == 1 { loss } else { 0.0 }, open);
+                part(slot, loss[channel], open);
                 part(slot + 1, 0.0, open);
                 for k in 0..4 {
                     let open =

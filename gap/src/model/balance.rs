@@ -454,16 +454,7 @@ mod tests {
     /// What is remembered is a start, not part of the answer: both solutions hold to the tolerance.
     #[test]
     fn a_balance_does_not_depend_on_what_another_bend_left() {
-        let exciter = Exciter {
-            mass_kg: 0.09,
-            stiffness_n_per_m: 8000.0,
-            damping_ns_per_m: 3.0,
-            force_factor_n_per_a: 7.0,
-            resistance_ohm: 4.0,
-            inductance_h: 1.2e-4,
-            emf_ratio: 1.0,
-            inductance_exponent: 1.0,
-        };
+        let exciter = Exciter::example();
         let even = Bend {
             quadratic_n_per_m2: 2e5,
             gravity_ms2: 9.81,

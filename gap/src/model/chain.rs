@@ -75,14 +75,17 @@ impl Chain {
     /// and on the window: the size of the reduction is open by itself.
     pub(crate) fn noise(&self, channel: usize, healthy_v2: f64) -> (f64, f64) {
         let all = healthy_v2 + self.noise_v2[channel];
+        let own = self.noise_open[channel].powi(2);
+        if self.taken_v2[channel] == 0.0 {
+            return (all, own);
+        }
         let left = (all - self.taken_v2[channel]).max(healthy_v2).min(all);
         let reduction = if left > 0.0 {
             0.5 * (all / left).ln()
         } else {
             0.0
         };
-        let open = self.noise_open[channel].powi(2) + reduction * reduction;
-        (left, open)
+        (left, own + reduction * reduction)
     }
 }
 

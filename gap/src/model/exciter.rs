@@ -112,19 +112,31 @@ impl Exciter {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn exciter() -> Exciter {
-        Exciter {
-            mass_kg: 0.08,
+impl Exciter {
+    /// The standard rig with 40 g on it and an ideal inductance.
+    pub(crate) fn example() -> Self {
+        Self {
+            mass_kg: 0.09,
             stiffness_n_per_m: 8000.0,
             damping_ns_per_m: 3.0,
             force_factor_n_per_a: 7.0,
             resistance_ohm: 4.0,
             inductance_h: 1.2e-4,
             emf_ratio: 1.0,
+            inductance_exponent: 1.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn exciter() -> Exciter {
+        Exciter {
+            mass_kg: 0.08,
             inductance_exponent: 0.7,
+            ..Exciter::example()
         }
     }
 

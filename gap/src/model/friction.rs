@@ -97,16 +97,7 @@ mod tests {
     /// at 160 Hz, at this level. A sum of 15 orders alone misses it by 7.5e-4.
     #[test]
     fn the_third_harmonic_is_that_of_the_motion_in_time() {
-        let exciter = Exciter {
-            mass_kg: 0.09,
-            stiffness_n_per_m: 8000.0,
-            damping_ns_per_m: 3.0,
-            force_factor_n_per_a: 7.0,
-            resistance_ohm: 4.0,
-            inductance_h: 1.2e-4,
-            emf_ratio: 1.0,
-            inductance_exponent: 1.0,
-        };
+        let exciter = Exciter::example();
         let friction = Bend {
             friction_n: 0.0154,
             ..Bend::default()
