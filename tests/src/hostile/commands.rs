@@ -19,11 +19,12 @@ use std::pin::pin;
 use std::task::{Context, Poll, Waker};
 
 /// Numbers of the requests that change something (docs/protocol.md).
-const START: u8 = 3;
-const SETTINGS_WRITE: u8 = 8;
-const RESET: u8 = 9;
-const RELEASE: u8 = 10;
-const CAPTURE: u8 = 11;
+const START: u32 = 3;
+const STOP: u32 = 4;
+const SETTINGS_WRITE: u32 = 8;
+const RESET: u32 = 9;
+const RELEASE: u32 = 10;
+const CAPTURE: u32 = 11;
 
 /// Feeds `data` to a link whose host holds the session, and to one whose host
 /// does not.
@@ -37,6 +38,8 @@ pub fn commands(data: &[u8]) {
         let sequences: Vec<u16> = asked.iter().map(|whole| whole.sequence).collect();
         assert_eq!(answered, sequences, "one answer each");
         let changes = instrument.changes;
+        let stopping = count(&asked, STOP) + words(&lines, b"ABOR") + words(&lines, b"*RST");
+        assert!(instrument.stops <= stopping, "a stop nobody asked for");
         if holder == LinkName::Serial {
             let asked_for = |number| count(&asked, number);
             let initiates = lines.iter().filter(|line| names(line, b"INIT")).count();
@@ -58,6 +61,24 @@ pub fn commands(data: &[u8]) {
         assert_eq!(instrument.settings.validate(), Ok(()));
         instrument.expect_info();
     }
+}
+
+/// What a link makes of bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Heard {
+    /// Frames that were answered.
+    pub answers: usize,
+    /// Stops, by frames or by lines.
+    pub stops: usize,
+}
+
+/// What the firmware's own link and command layer make of bytes from a host that does not hold the
+/// session.
+pub fn heard(data: &[u8]) -> Heard {
+    let mut instrument = Notes::held_by(LinkName::Usb);
+    let answers = instrument.hear(data).len();
+    let stops = instrument.stops;
+    Heard { answers, stops }
 }
 
 /// Parts what a host sent as docs/scpi.md does: after a frame or a line, text up
@@ -99,9 +120,23 @@ fn names(line: &[u8], word: &[u8]) -> bool {
         .any(|part| part.eq_ignore_ascii_case(word))
 }
 
-fn count(asked: &[Whole], number: u8) -> usize {
-    let first = |whole: &&Whole| whole.message.first() == Some(&number);
+/// How often lines hold `word`, in letters of any case.
+fn words(lines: &[&[u8]], word: &[u8]) -> usize {
+    let parts = lines.iter().flat_map(|line| line.windows(word.len()));
+    parts.filter(|part| part.eq_ignore_ascii_case(word)).count()
+}
+
+fn count(asked: &[Whole], number: u32) -> usize {
+    let first = |whole: &&Whole| number_of(&whole.message) == Some(number);
     asked.iter().filter(first).count()
+}
+
+/// The number a message begins with: seven bits a byte, lowest first. A number written longer than
+/// it need be is read as well.
+fn number_of(message: &[u8]) -> Option<u32> {
+    let last = message.iter().take(5).position(|byte| *byte < 0x80)?;
+    let bytes = message.iter().take(last + 1).rev();
+    Some(bytes.fold(0, |number, byte| (number << 7) | u32::from(byte & 0x7F)))
 }
 
 /// How often something was changed.
@@ -123,6 +158,8 @@ struct Notes {
     settings: Settings,
     hand_on_button: bool,
     changes: Changes,
+    /// Anyone may stop: this is no change that only the holder may ask for.
+    stops: usize,
     capture: Box<Capture>,
 }
 
@@ -139,6 +176,7 @@ impl Notes {
             settings: Settings::field_calibrator(),
             hand_on_button: false,
             changes: Changes::default(),
+            stops: 0,
             capture: Box::default(),
         }
     }
@@ -228,7 +266,9 @@ impl Instrument for Notes {
         Ok(1)
     }
 
-    async fn stop(&mut self) {}
+    async fn stop(&mut self) {
+        self.stops += 1;
+    }
 
     async fn records(&mut self, _: u32) -> Result<RecordPage, Refusal> {
         Ok(RecordPage::default())

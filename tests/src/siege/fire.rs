@@ -1,11 +1,8 @@
 //! What hostile hosts send.
 
-use crate::hostile::{Mutator, Whole, seeds, whole_frames};
+use crate::hostile::{Heard, Mutator, heard, seeds};
 use calib_protocol::frame::{MAX_FRAME, encode};
 use calib_protocol::message::Request;
-
-/// Number of what any host may ask for, whoever holds the session.
-const STOP: u8 = 4;
 
 /// A request as it goes over the line.
 pub fn frame(sequence: u16, request: &Request) -> Vec<u8> {
@@ -35,14 +32,15 @@ impl Ammunition {
             .collect()
     }
 
-    /// Inputs of so many bytes together whose whole frames, if any, are `allowed`.
-    pub fn salvo(&mut self, length: usize, allowed: fn(&Whole) -> bool) -> Vec<u8> {
+    /// Inputs of so many bytes together of which the firmware's own link makes what is `allowed`.
+    pub fn salvo(&mut self, length: usize, allowed: fn(Heard) -> bool) -> Vec<u8> {
         let mut salvo = Vec::new();
         while salvo.len() < length {
-            let input = self.0.next_input();
-            if whole_frames(&input).iter().all(allowed) {
-                salvo.extend(input);
-                salvo.push(0);
+            // The zero before it ended a frame, or is the first of the next one: after the one a
+            // line may begin, after the other none.
+            let input = [&[0], self.0.next_input().as_slice(), &[0]].concat();
+            if [&input[1..], &input].map(heard).into_iter().all(allowed) {
+                salvo.extend_from_slice(&input[1..]);
             }
         }
         salvo
@@ -50,11 +48,29 @@ impl Ammunition {
 
     /// Anything but what stops a run, which any host may ask for.
     pub fn no_stop(&mut self, length: usize) -> Vec<u8> {
-        self.salvo(length, |whole| whole.message.first() != Some(&STOP))
+        self.salvo(length, |heard| heard.stops == 0)
     }
 
     /// Nothing that is answered.
     pub fn noise(&mut self, length: usize) -> Vec<u8> {
-        self.salvo(length, |_| false)
+        self.salvo(length, |heard| heard.answers == 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::hostile::whole_frames;
+
+    /// LF, an empty line, parts what a decoder of frames alone takes for one damaged frame. Such
+    /// salvos ended the runs that were to go on.
+    #[test]
+    fn no_salvo_holds_a_stop_wherever_its_lines_end() {
+        let stop = [vec![b'\n'], frame(0x0104, &Request::Stop)].concat();
+        assert_eq!(whole_frames(&stop), []);
+        assert_eq!(heard(&stop).stops, 1);
+        let mut fire = Ammunition::new(5);
+        let salvos: Vec<u8> = (0..90).flat_map(|_| fire.no_stop(20_000)).collect();
+        assert_eq!(heard(&salvos).stops, 0);
     }
 }
