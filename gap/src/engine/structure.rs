@@ -5,6 +5,7 @@ use super::normal::Tangent;
 use super::problem::{Column, Evaluation, Problem};
 use super::significance::{chi_square_tail, of_smallest, two_sided};
 use crate::model::row::{NOISE, REF_HARMONICS, Row, SLOTS};
+use nalgebra::DVector;
 
 /// Effective number of open data that a test of them needs.
 const FEWEST_OPEN: f64 = 12.0;
@@ -52,13 +53,16 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
         };
     };
     // Where an effect leaves scatter open its size is a rough guess: such data count less.
-    let left: Vec<f64> = evaluation
+    let counted: Vec<f64> = evaluation
         .residual
         .iter()
         .zip(&evaluation.weight)
         .enumerate()
         .map(|(at, (r, w))| r * (w * problem.uncertainty(at)).powi(2))
         .collect();
+    // A search ends a little beside the best values, and they move with how much data count; a test
+    // of a direction that hardly differs from one of theirs would enlarge the rest of the way.
+    let (left, theta) = settled(problem, fit, &tangent, &counted);
     let tests = battery(problem);
     let loads: Vec<_> = tests.iter().map(|t| tangent.load(&t.column)).collect();
     let norms: Vec<f64> = tests
@@ -90,8 +94,7 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
         })
     };
     let open = OpenData::new(problem, &evaluation, &tests);
-    let pull =
-        pulls(&mut fit.theta.iter().copied()).max(open.largest(problem, &evaluation.residual));
+    let pull = pulls(&mut theta.iter().copied()).max(open.largest(problem, &evaluation.residual));
     let here = fit_scores(&scores(&left), &left, problem, &tangent).min(two_sided(pull));
     let p_value = of_smallest(here, |draw| {
         let mut noise: Vec<f64> = (0..problem.len()).map(|_| draw.next()).collect();
@@ -123,6 +126,37 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Str
         p_value,
         residual: evaluation.residual,
     }
+}
+
+/// What is left at the best values of a tangent space, and the nuisances there.
+fn settled(problem: &Problem, fit: &Fit, tangent: &Tangent, left: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let nuisances = problem.free.iter().zip(&fit.theta);
+    let pulled = nuisances.map(|(free, value)| if free.bounded { *value } else { 0.0 });
+    // A parameter stays at its bound.
+    let stays = fit.effects.iter().flat_map(|effect| {
+        let bounds = effect.effect.about().parameters.iter();
+        let values = bounds.zip(&effect.parameters);
+        values.map(|(bound, value)| *value <= bound.lower || *value >= bound.upper)
+    });
+    let moves = vec![true; problem.free.len()];
+    let moves = moves.into_iter().chain(stays.map(|stays| !stays));
+    let pulled = pulled.chain(std::iter::repeat(0.0));
+    let columns = tangent.columns.iter().zip(moves).zip(pulled);
+    let gradient = columns.map(|((column, moves), pulled)| {
+        if moves {
+            column.dot_data(problem, left) - pulled
+        } else {
+            0.0
+        }
+    });
+    let gradient = DVector::from_iterator(tangent.columns.len(), gradient);
+    let step = tangent.solve(&gradient);
+    let mut left = left.to_vec();
+    for (column, by) in tangent.columns.iter().zip(step.iter()) {
+        column.add_to(problem, &mut left, -by);
+    }
+    let theta = fit.theta.iter().zip(step.iter());
+    (left, theta.map(|(value, by)| value + by).collect())
 }
 
 /// Tests of data whose scatter an effect leaves open: they may scatter, but not follow a pattern.
@@ -338,4 +372,83 @@ fn legendre(order: usize, x: f64) -> f64 {
         (a, b) = (b, ((2.0 * k + 1.0) * x * b - k * a) / (k + 1.0));
     }
     b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::nuisance::Nuisance;
+    use super::super::problem::Memories;
+    use super::super::significance::Gauss;
+    use super::*;
+    use crate::dataset::{Point, Rig};
+
+    const RIG: &str = r#"
+kind = "calibrator"
+[reference]
+sensitivity_v_per_ms2 = { value = 0.0102, u = 0.00003 }
+[exciter]
+moving_mass_kg = { value = 0.05, u = 0.0005 }
+stiffness_n_per_m = { value = 8000.0, u = 400.0 }
+damping_ns_per_m = { value = 3.0, u = 0.6 }
+force_factor_n_per_a = { value = 7.0, u = 0.2 }
+coil_resistance_ohm = { value = 4.0, u = 0.05 }
+coil_inductance_h = { value = 0.00012, u = 0.00001 }
+"#;
+
+    /// Points of a healthy rig with the scatter they state.
+    fn healthy() -> (Rig, Vec<Point>) {
+        let rig: Rig = toml::from_str(RIG).expect("the rig is good");
+        let blank = |i: usize| Point {
+            frequency_hz: 5.0 * 1.06_f64.powi(i as i32),
+            acceleration_ms2: Some(10.0),
+            payload_kg: Some(0.04),
+            coil_v: Some(1.0),
+            ref_v: Some(1.0),
+            ref_rad: Some(0.0),
+            coil_a: Some(1.0),
+            coil_a_rad: Some(0.0),
+            u_drive: Some(5e-4),
+            u_current: Some(5e-4),
+            ..Point::default()
+        };
+        let mut points: Vec<Point> = (0..120).map(blank).collect();
+        let problem = Problem::new(&rig, &points);
+        let mut memory = problem.memory();
+        let mut draw = Gauss::new(8);
+        let mut noise = || 5e-4 * draw.next();
+        let theta = vec![0.0; problem.free.len()];
+        problem.predictions(&[], &theta, Memories::Keep(&mut memory), |row, found| {
+            let [drive, drive_rad, current, current_rad] =
+                [2, 3, 4, 5].map(|slot| found.value[slot] + noise());
+            let point = &mut points[row];
+            (point.ref_v, point.ref_rad) = (Some(drive.exp()), Some(drive_rad));
+            (point.coil_a, point.coil_a_rad) = (Some(current.exp()), Some(current_rad));
+        });
+        (rig, points)
+    }
+
+    /// A gain that is off by one of its standard uncertainties costs 1 in the sum of squares, and
+    /// any search may stop there. No structure is left by it.
+    #[test]
+    fn where_a_search_stops_is_no_structure() {
+        let (rig, points) = healthy();
+        let problem = Problem::new(&rig, &points);
+        let mut work = Workspace::new(&problem);
+        let start = vec![0.0; problem.free.len()];
+        let effort = super::super::fit::Effort::FULL;
+        let mut fit = super::super::fit::refine(&problem, Vec::new(), start, effort, &mut work);
+        let at_best = examine(&problem, &fit, &mut work).p_value;
+        assert!(at_best > 0.01, "{at_best}");
+        let gain = problem
+            .free
+            .iter()
+            .position(|f| f.kind == Nuisance::DriveGain);
+        let gain = gain.expect("the drive has a gain");
+        let (_, tangent) = Linearised::new(&problem, &fit, &mut work)
+            .tangent()
+            .expect("the rig can be fitted");
+        fit.theta[gain] += tangent.covariance()[(gain, gain)].sqrt();
+        let beside = examine(&problem, &fit, &mut work).p_value;
+        assert!((beside / at_best - 1.0).abs() < 0.05, "{beside} {at_best}");
+    }
 }

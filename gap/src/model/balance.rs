@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 /// Highest harmonic of the balance.
 pub(crate) const ORDERS: usize = 15;
 /// Points of the time grid; a cubic force of 15 orders folds back onto orders above 18 only.
-const GRID: usize = 64;
+pub(super) const GRID: usize = 64;
 /// Largest number of corrections.
 const MOST_CORRECTIONS: usize = 60;
 /// Correction of the motion, relative to its fundamental, at which the balance holds.
@@ -78,6 +78,8 @@ pub(crate) struct Balanced {
     pub(crate) stiffness: Complex64,
     /// Acceleration of orders 2..5 over the fundamental, phase relative to n times its phase.
     pub(crate) harmonics: [Complex64; 4],
+    /// The same of the orders above 5.
+    pub(crate) above: [Complex64; ORDERS - 5],
     /// Mean square of the orders above 5 over that of the fundamental.
     pub(crate) remainder: f64,
     /// Whether the balance was reached.
@@ -147,7 +149,7 @@ pub(crate) fn balance(
 
 /// Orders that can arise: forces that are odd in the motion make odd orders only.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Parity {
+pub(super) enum Parity {
     All,
     Odd,
 }
@@ -353,6 +355,7 @@ impl<'a> Work<'a> {
             admittance: state.current_1 / state.voltage[1],
             stiffness: state.force_1 / motion[1],
             harmonics: std::array::from_fn(|k| relative(k + 2)),
+            above: std::array::from_fn(|k| relative(k + 6)),
             remainder: (6..=ORDERS).map(|n| relative(n).norm_sqr()).sum(),
             converged,
         }
@@ -360,7 +363,7 @@ impl<'a> Work<'a> {
 }
 
 /// Values on the grid of a sum of harmonics.
-fn synthesize(orders: &Motion) -> [f64; GRID] {
+pub(super) fn synthesize(orders: &Motion) -> [f64; GRID] {
     let t = tables();
     // Cosine and sine part of the even and of the odd orders.
     let mut part = [[[0.0; QUARTER]; 2]; 2];
@@ -386,7 +389,7 @@ fn synthesize(orders: &Motion) -> [f64; GRID] {
 }
 
 /// Harmonics of the values on the grid.
-fn analyse(signal: &[f64; GRID], parity: Parity) -> Motion {
+pub(super) fn analyse(signal: &[f64; GRID], parity: Parity) -> Motion {
     let t = tables();
     let mut folded = [[[0.0; QUARTER]; 2]; 2];
     for i in 0..=GRID / 4 {

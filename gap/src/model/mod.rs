@@ -6,9 +6,11 @@
 
 pub(crate) mod balance;
 pub(crate) mod chain;
+mod channels;
 pub(crate) mod exciter;
 mod friction;
 pub(crate) mod leakage;
 pub(crate) mod predict;
 pub(crate) mod row;
+mod wave;
 pub(crate) mod waveform;

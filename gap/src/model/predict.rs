@@ -2,6 +2,7 @@
 
 use super::balance::{Balanced, Bend, Motion, ORDERS, Purpose, balance};
 use super::chain::{Chain, Transfer};
+use super::channels::{Path, Reference, channels};
 use super::exciter::{Added, Exciter, Linear};
 use super::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, Row, SLOTS};
 use crate::effects::Active;
@@ -71,8 +72,8 @@ pub(crate) enum Recall<'a> {
 }
 
 impl Recall<'_> {
-    fn balance(self, exciter: &Exciter, bend: &Bend, omega: f64, peak_ms2: f64) -> Balanced {
-        let memory = match &self {
+    fn balance(&mut self, exciter: &Exciter, bend: &Bend, omega: f64, peak_ms2: f64) -> Balanced {
+        let memory = match &*self {
             Self::Keep(memory) => &**memory,
             Self::Look(memory) => memory,
         };
@@ -83,7 +84,7 @@ impl Recall<'_> {
         }
         let mut motion = memory.motion;
         // Only from a balance nearby is the first correction the size of the step aside.
-        let purpose = match (&self, &memory.last) {
+        let purpose = match (&*self, &memory.last) {
             (Self::Look(_), Some((.., near))) if near.converged => Purpose::Slope,
             _ => Purpose::Value,
         };
@@ -95,6 +96,9 @@ impl Recall<'_> {
         balanced
     }
 }
+
+/// Times the level is corrected for what a bent reference channel makes of the harmonics.
+const MOST_LEVELS: usize = 4;
 
 /// Simulates one row.
 pub(crate) fn predict(
@@ -121,22 +125,29 @@ pub(crate) fn predict(
         noise_share: [1.0; 2],
         diverged: false,
     };
-    let reference = ReferenceInput::new(row, &chain);
-    let motion = nominal.exciter.map(|values| {
-        let level =
-            reference.input_ms2(row) / size(first.reference * first.table) / nominal.reference_gain;
-        drive(row, &values, &chain, level, memory)
-    });
-    let balanced = motion.as_ref().and_then(|m| m.balanced);
-    let table = balanced.map_or([Complex64::ZERO; 4], |b| b.harmonics);
-    let harmonics = Harmonics {
-        table,
-        remainder: balanced.map_or(0.0, |b| b.remainder),
-        row,
-        effects,
-        first,
+    let mut memory = memory;
+    let mut reference = Reference::new(row, &chain);
+    let mut tries = 0;
+    let (motion, path) = loop {
+        let motion = nominal.exciter.map(|values| {
+            let level = reference.input_ms2(row)
+                / size(first.reference * first.table)
+                / nominal.reference_gain;
+            drive(row, &values, &chain, level, &mut memory)
+        });
+        let balanced = motion.as_ref().and_then(|m| m.balanced.as_ref());
+        let path = Path::new(row, effects, first, balanced);
+        // What bends the reference channel meets the harmonics of the motion, which follow the level.
+        match reference
+            .behind(&chain, &path)
+            .filter(|_| tries < MOST_LEVELS)
+        {
+            Some(next) => reference = next,
+            None => break (motion, path),
+        }
+        tries += 1;
     };
-    let (ref_gain, dut_gain) = channels(row, nominal, &chain, &reference, &harmonics, &mut out);
+    let [ref_gain, dut_gain] = channels(nominal, &chain, &reference, &path, &mut out);
     let ratio = ln(first.dut / first.reference * dut_gain / ref_gain);
     put(&mut out, RATIO, ratio + nominal.ratio_ln);
     if let Some(motion) = motion {
@@ -161,16 +172,17 @@ fn ln(value: Complex64) -> Complex64 {
 }
 
 /// Size of a value, likewise.
-fn size(value: Complex64) -> f64 {
+pub(super) fn size(value: Complex64) -> f64 {
     value.norm_sqr().sqrt()
 }
 
-fn put(out: &mut Prediction, slot: usize, value: Complex64) {
+pub(super) fn put(out: &mut Prediction, slot: usize, value: Complex64) {
     out.value[slot] = value.re;
     out.value[slot + 1] = value.im;
 }
 
-fn transfer(row: &Row, effects: &[Active<'_>], frequency_hz: f64) -> Transfer {
+/// Linear responses of all effects together.
+pub(super) fn transfer(row: &Row, effects: &[Active<'_>], frequency_hz: f64) -> Transfer {
     let mut transfer = Transfer::default();
     for effect in effects {
         effect.transfer(row, frequency_hz, &mut transfer);
@@ -178,45 +190,18 @@ fn transfer(row: &Row, effects: &[Active<'_>], frequency_hz: f64) -> Transfer {
     transfer
 }
 
-/// The reference channel holds the level: what enters it follows from what it shows.
-struct ReferenceInput {
-    peak_v: f64,
-    gain: f64,
-    spectrum: Option<super::waveform::Spectrum>,
-}
-
-impl ReferenceInput {
-    fn new(row: &Row, chain: &Chain) -> Self {
-        match chain.ref_adc {
-            Some(adc) if row.ref_peak_v.is_finite() => {
-                let peak_v = adc.input_for(row.ref_peak_v);
-                let spectrum = adc.spectrum(peak_v);
-                Self {
-                    peak_v,
-                    gain: spectrum.order[1] / peak_v,
-                    spectrum: Some(spectrum),
-                }
-            }
-            _ => Self {
-                peak_v: row.ref_peak_v,
-                gain: 1.0,
-                spectrum: None,
-            },
-        }
-    }
-
-    /// Held level corrected for the channel, r.m.s.
-    fn input_ms2(&self, row: &Row) -> f64 {
-        row.level_ms2 / self.gain
-    }
-}
-
 struct Drive {
     linear: Linear,
     balanced: Option<Balanced>,
 }
 
-fn drive(row: &Row, values: &[f64; 6], chain: &Chain, level_ms2: f64, memory: Recall<'_>) -> Drive {
+fn drive(
+    row: &Row,
+    values: &[f64; 6],
+    chain: &Chain,
+    level_ms2: f64,
+    memory: &mut Recall<'_>,
+) -> Drive {
     let exciter = Exciter {
         mass_kg: values[0] + row.payload_kg + chain.mass_kg,
         stiffness_n_per_m: values[1],
@@ -274,144 +259,6 @@ fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) ->
         + 3.0 * bend.cubic_n_per_m3.abs() * travel * travel;
     slope < 1e-7 * exciter.dynamic_stiffness(row.omega).norm()
         && bend.droop_per_m2.abs() * travel * travel < 1e-7
-}
-
-/// Harmonics of the table as the channels receive them.
-struct Harmonics<'a> {
-    table: [Complex64; 4],
-    /// Mean square of what the table moves beyond them, over that of the fundamental.
-    remainder: f64,
-    row: &'a Row,
-    effects: &'a [Active<'a>],
-    first: Transfer,
-}
-
-impl Harmonics<'_> {
-    fn moving(&self) -> bool {
-        self.table.iter().any(|h| *h != Complex64::ZERO)
-    }
-
-    /// Relative harmonics after the linear part of reference and DUT chain.
-    fn received(&self) -> [[Complex64; 4]; 2] {
-        if !self.moving() {
-            return [[Complex64::ZERO; 4]; 2];
-        }
-        let mut out = [[Complex64::ZERO; 4]; 2];
-        let (first_ref, first_dut) = (
-            self.first.table * self.first.reference,
-            self.first.table * self.first.dut,
-        );
-        let [to_ref, to_dut] = &mut out;
-        for (k, (to_ref, to_dut)) in to_ref.iter_mut().zip(to_dut).enumerate() {
-            let n = k as u32 + 2;
-            let t = transfer(self.row, self.effects, self.row.frequency_hz * f64::from(n));
-            *to_ref = self.table[k] * carried(t.table * t.reference, first_ref, n);
-            *to_dut = self.table[k] * carried(t.table * t.dut, first_dut, n);
-        }
-        out
-    }
-
-    /// What the linear DUT chain makes of harmonics that arise at its mount.
-    fn through_dut(&self, relative: [f64; 4]) -> [Complex64; 4] {
-        std::array::from_fn(|k| {
-            if relative[k] == 0.0 {
-                return Complex64::ZERO;
-            }
-            let n = k as u32 + 2;
-            let t = transfer(self.row, self.effects, self.row.frequency_hz * f64::from(n));
-            carried(t.dut, self.first.dut, n) * relative[k]
-        })
-    }
-}
-
-/// Response at order n relative to the fundamental, phase relative to n times its phase.
-fn carried(at_order: Complex64, at_first: Complex64, n: u32) -> Complex64 {
-    let first = size(at_first);
-    at_order / first * (at_first / first).powu(n).conj()
-}
-
-/// Fills harmonics and d.c.; returns the complex gains of both channels.
-fn channels(
-    row: &Row,
-    nominal: &Nominal,
-    chain: &Chain,
-    reference: &ReferenceInput,
-    harmonics: &Harmonics<'_>,
-    out: &mut Prediction,
-) -> (f64, f64) {
-    let [mut in_ref, mut in_dut] = harmonics.received();
-    let mut dut_gain = 1.0;
-    let mut dut_peak_v = row.dut_peak_v * nominal.dut_gain * size(harmonics.first.dut)
-        / size(harmonics.first.reference)
-        / reference.gain;
-    for (channel, peak_v) in [(0, reference.peak_v), (1, dut_peak_v)] {
-        if harmonics.remainder > 0.0 && peak_v.is_finite() {
-            let mean_square_v2 = 0.5 * peak_v * peak_v * harmonics.remainder;
-            out.remainder_v2[channel] += mean_square_v2;
-            // Orders above those of the balance, and how the channels carry them, stay open.
-            out.remainder_open[channel] = 0.2;
-        }
-    }
-    if let (Some(mount), true) = (chain.mount, row.level_ms2.is_finite()) {
-        let peak_ms2 = row.level_ms2 * SQRT_2 / reference.gain / size(harmonics.first.reference);
-        let spectrum = mount.spectrum(peak_ms2);
-        dut_gain *= spectrum.order[1] / peak_ms2;
-        let relative = std::array::from_fn(|k| spectrum.order[k + 2] / spectrum.order[1]);
-        for (sum, added) in in_dut.iter_mut().zip(harmonics.through_dut(relative)) {
-            *sum += added;
-        }
-        let v_per_ms2 = dut_peak_v / peak_ms2;
-        out.remainder_v2[1] += spectrum.remainder_mean_square * v_per_ms2 * v_per_ms2;
-        dut_peak_v *= dut_gain;
-    }
-    for (sum, added) in in_dut
-        .iter_mut()
-        .zip(harmonics.through_dut(chain.dut_harmonics))
-    {
-        *sum += added;
-    }
-    let mut ref_gain = 1.0;
-    if let Some(spectrum) = &reference.spectrum {
-        ref_gain = reference.gain;
-        digitise(0, spectrum, reference.peak_v, &mut in_ref, out);
-    }
-    if let (Some(adc), true) = (chain.dut_adc, dut_peak_v.is_finite()) {
-        let spectrum = adc.spectrum(dut_peak_v);
-        dut_gain *= spectrum.order[1] / dut_peak_v;
-        digitise(1, &spectrum, dut_peak_v, &mut in_dut, out);
-    }
-    write_harmonics(row, REF_HARMONICS, &in_ref, out);
-    write_harmonics(row, DUT_HARMONICS, &in_dut, out);
-    (ref_gain, dut_gain)
-}
-
-/// Adds what a bent converter does to harmonics and d.c.
-fn digitise(
-    channel: usize,
-    spectrum: &super::waveform::Spectrum,
-    peak_v: f64,
-    harmonics: &mut [Complex64; 4],
-    out: &mut Prediction,
-) {
-    let gain = spectrum.order[1] / peak_v;
-    for (k, h) in harmonics.iter_mut().enumerate() {
-        *h = *h / gain + spectrum.order[k + 2] / spectrum.order[1];
-    }
-    out.value[DC + channel] += spectrum.order[0];
-    out.remainder_v2[channel] += spectrum.remainder_mean_square;
-}
-
-fn write_harmonics(row: &Row, slot: usize, harmonics: &[Complex64; 4], out: &mut Prediction) {
-    for (k, h) in harmonics.iter().enumerate() {
-        let at = slot + 2 * k;
-        if row.bare_harmonics[(at - REF_HARMONICS) / 2] {
-            // The amplitude of pure noise has the mean u sqrt(pi/2).
-            out.value[at] =
-                (h.norm_sqr() + row.u[at] * row.u[at] * std::f64::consts::FRAC_PI_2).sqrt();
-        } else {
-            put(out, at, *h);
-        }
-    }
 }
 
 fn noise(nominal: &Nominal, chain: &Chain, out: &mut Prediction) {
