@@ -24,6 +24,11 @@ const BOOT: Duration = Duration::from_millis(300);
 /// Time after which the firmware has seen the button go up or down.
 const BUTTON_SEEN: Duration = Duration::from_millis(60);
 
+/// What a conversation counts its requests from, so that every run sends the same bytes; a later one
+/// not from where an earlier one stands, or the device takes its first start for a repetition.
+const FIRST: u16 = 0x1000;
+const AFTER_KEEPING: u16 = 0x8000;
+
 /// An emulated calibrator with its rig, and a client that speaks to it.
 pub struct Bench {
     emulator: SharedEmulator,
@@ -47,7 +52,7 @@ impl Bench {
     pub fn with_port(port: Box<dyn RigPort>) -> Result<Self, Fault> {
         let firmware = Firmware::shipping()?;
         let emulator = Arc::new(Mutex::new(Emulator::power_on(&firmware, port)?));
-        let mut client = Client::new(Box::new(EmulatedTransport::new(emulator.clone())));
+        let mut client = conversation(&emulator, FIRST);
         client.wait(BOOT)?;
         client.info()?;
         Ok(Self { emulator, client })
@@ -60,7 +65,7 @@ impl Bench {
     /// The run cannot be kept, or the board does not answer.
     pub fn keep(&mut self, path: &Path) -> Result<(), Fault> {
         self.board().keep(path)?;
-        self.client = Client::new(Box::new(EmulatedTransport::new(self.emulator.clone())));
+        self.client = conversation(&self.emulator, AFTER_KEEPING);
         self.client.info()?;
         Ok(())
     }
@@ -73,7 +78,7 @@ impl Bench {
         let firmware = Firmware::shipping()?;
         let board = Emulator::go_on(&firmware, Box::new(Plant::new(rig)), path)?;
         let emulator = Arc::new(Mutex::new(board));
-        let mut client = Client::new(Box::new(EmulatedTransport::new(emulator.clone())));
+        let mut client = conversation(&emulator, AFTER_KEEPING);
         client.info()?;
         Ok(Self { emulator, client })
     }
@@ -169,6 +174,11 @@ impl Bench {
             None => Err(format!("the drive output is at code {}", board.drive_code()).into()),
         }
     }
+}
+
+fn conversation(emulator: &SharedEmulator, counted_from: u16) -> Client {
+    let line = EmulatedTransport::new(emulator.clone());
+    Client::new(Box::new(line)).counting_from(counted_from)
 }
 
 /// One point of a list.

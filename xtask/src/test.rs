@@ -18,7 +18,9 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     // build of its own would compile half of the tree a second time, since the
     // features of shared crates differ.
     let mut tests = cargo("test");
+    // The programs of the benches are left to the lints: each would be linked here and never run.
     tests.args(["--release", "--workspace", "--no-fail-fast"]);
+    tests.args(["--lib", "--bins", "--tests"]);
     tests
         .env("CALIB_FIRMWARE_ELF", image)
         .env("CALIB_TOOL", demo::tool());
@@ -33,6 +35,7 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     }
     shell::run(tests.arg("--").args(filter))?;
     if filter.is_empty() {
+        shell::run(cargo("test").args(["--release", "--workspace", "--doc", "--quiet"]))?;
         lint()?;
     }
     eprintln!(

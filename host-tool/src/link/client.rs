@@ -70,6 +70,14 @@ impl Client {
         }
     }
 
+    /// The same conversation, with a first request that bears the number after `sequence` instead
+    /// of one by chance: what is sent is then the same in every run of a test.
+    #[must_use]
+    pub fn counting_from(mut self, sequence: u16) -> Self {
+        self.exchange.count_from(sequence);
+        self
+    }
+
     /// Address of the calibrator, for messages.
     pub fn name(&self) -> String {
         self.exchange.name()

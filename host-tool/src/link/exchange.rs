@@ -69,6 +69,10 @@ impl Exchange {
         }
     }
 
+    pub(super) fn count_from(&mut self, sequence: u16) {
+        self.sequence = sequence;
+    }
+
     pub(super) fn name(&self) -> String {
         self.transport.name()
     }

@@ -69,7 +69,7 @@ impl Desk {
     pub fn cut(&mut self, cut: Cut) -> Result<Met, Fault> {
         let failure = Failure::default();
         let link = FailingLink::new(self.board.clone(), cut, failure.clone());
-        let mut client = Client::new(Box::new(link));
+        let mut client = conversation(link);
         // It ends by an error: that of the supply, or one that matters.
         let error = self.session(&mut client).err();
         let Some(torn) = failure.torn() else {
@@ -89,7 +89,7 @@ impl Desk {
     pub fn look(&mut self) -> Result<(), Fault> {
         let never = Cut::After(Duration::MAX);
         let link = FailingLink::new(self.board.clone(), never, Failure::default());
-        let mut client = Client::new(Box::new(link));
+        let mut client = conversation(link);
         client.wait(BOOT)?;
         self.told.look(&mut client, &self.folder)
     }
@@ -117,7 +117,7 @@ impl Desk {
     pub fn fill(&mut self) -> Result<(), Fault> {
         let never = Cut::After(Duration::MAX);
         let link = FailingLink::new(self.board.clone(), never, Failure::default());
-        let mut client = Client::new(Box::new(link));
+        let mut client = conversation(link);
         client.wait(BOOT)?;
         self.told.look(&mut client, &self.folder)?;
         let before = self.erases();
@@ -144,4 +144,10 @@ impl Desk {
         }
         Ok(())
     }
+}
+
+/// A host's conversation over `link`. It always counts its requests alike, so that the same cuts meet
+/// the same instructions in every run: the restart before each of them forgets the last one's.
+fn conversation(link: FailingLink) -> Client {
+    Client::new(Box::new(link)).counting_from(0)
 }

@@ -1,0 +1,20 @@
+//! The shipping image on the emulated board, behaviour by behaviour.
+//!
+//! One program, so that it is linked once and its tests share the cores; what waits in real time, for
+//! a process or a browser, is in programs of its own beside it.
+
+mod board;
+mod board_faults;
+mod broadband;
+mod capture;
+mod coverage;
+mod first_light;
+mod fuzz_smoke;
+mod gap_loop;
+mod healthy_rigs;
+mod hostile_hosts;
+mod power_cut;
+mod reference_change;
+mod site_faults;
+mod usb;
+mod verdicts;
