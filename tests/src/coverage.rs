@@ -69,7 +69,7 @@ impl Kind {
 /// Draws that share an instrument, one after the other. A whole number of them
 /// is a worker's turn, so that what an instrument saw before a draw depends on
 /// no core and no clock.
-const TURN: u64 = 10;
+const TURN: u64 = 25;
 
 /// How often the stated interval contained the truth.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
