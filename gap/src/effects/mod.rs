@@ -29,6 +29,7 @@ pub(crate) use start::Start;
 use crate::error::GapError;
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
+use crate::model::scatter::Scatter;
 
 /// One entry of the library.
 pub(crate) trait Effect: Sync {
@@ -52,8 +53,12 @@ pub(crate) trait Effect: Sync {
         Vec::new()
     }
 
-    /// Acts on exciter, amplifier, digitiser and noise of a row.
+    /// Acts on exciter, amplifier and digitiser of a row.
     fn chain(&self, _parameters: &[f64], _row: &Row, _chain: &mut Chain) {}
+
+    /// Adds noise and leakage to a row; `dut_gain` is the gain of the device under test
+    /// relative to its nominal value.
+    fn scatter(&self, _parameters: &[f64], _row: &Row, _dut_gain: f64, _scatter: &mut Scatter) {}
 
     /// Multiplies linear responses at a frequency (of the fundamental or a harmonic).
     fn transfer(
@@ -105,6 +110,11 @@ pub(crate) struct Active<'a> {
 impl Active<'_> {
     pub(crate) fn chain(&self, row: &Row, chain: &mut Chain) {
         self.effect.chain(&self.parameters, row, chain);
+    }
+
+    pub(crate) fn scatter(&self, row: &Row, dut_gain: f64, scatter: &mut Scatter) {
+        self.effect
+            .scatter(&self.parameters, row, dut_gain, scatter);
     }
 
     pub(crate) fn transfer(&self, row: &Row, frequency_hz: f64, transfer: &mut Transfer) {

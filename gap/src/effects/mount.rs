@@ -5,6 +5,7 @@ use super::start::{Start, ratios};
 use super::{Effect, Facts};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
+use crate::model::scatter::Scatter;
 use crate::model::waveform::Characteristic;
 
 /// Standard acceleration of free fall, in m/s2 (ISO 80000-3).
@@ -153,13 +154,15 @@ impl Effect for LooseMount {
             threshold,
             upper: self.upper,
         });
+    }
+    fn scatter(&self, p: &[f64], row: &Row, _dut_gain: f64, scatter: &mut Scatter) {
         let peak = row.level_ms2 * std::f64::consts::SQRT_2;
-        let excess = peak - threshold;
+        let excess = peak - self.threshold(p, row);
         if excess > 0.0 && peak.is_finite() {
             let impact_v = p[1] * excess * row.dut_peak_v / peak;
-            chain.noise_v2[1] += impact_v * impact_v;
+            scatter.noise_v2[1] += impact_v * impact_v;
             // How impacts grow above the threshold depends on the contact: only that they grow is used.
-            chain.noise_open[1] += 0.3 * (1.0 - (-impact_v / 1e-5).exp());
+            scatter.noise_open[1] += 0.3 * (1.0 - (-impact_v / 1e-5).exp());
         }
     }
 }

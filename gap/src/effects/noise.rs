@@ -3,9 +3,10 @@
 use super::about::{About, Parameter, Stage};
 use super::start::{Start, ratios};
 use super::{Effect, Facts};
-use crate::model::chain::{Chain, Transfer};
-use crate::model::leakage::{leaking, taken};
+use crate::model::chain::Transfer;
+use crate::model::leakage::{Line, taken};
 use crate::model::row::{NOISE, Row};
+use crate::model::scatter::Scatter;
 use std::f64::consts::{SQRT_2, TAU};
 
 /// Mains lines in the channel of the device under test.
@@ -113,21 +114,21 @@ impl Effect for MainsPickup {
                 .into(),
         }
     }
-    fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
-        chain.noise_v2[1] += p[0] * p[0];
+    fn scatter(&self, p: &[f64], row: &Row, _dut_gain: f64, scatter: &mut Scatter) {
+        scatter.noise_v2[1] += p[0] * p[0];
         let rms_v = row.seen_v[1];
         if !row.bin_hz.is_finite() || !rms_v.is_finite() || p[1] == 0.0 {
             return;
         }
         let power_v2 = (p[0] * p[1]).powi(2);
         let relative = 0.5 * power_v2 / (rms_v * rms_v);
-        chain.leakage[0] += relative * row.mains_leak[0];
+        scatter.leaks.response[0] += relative * row.mains_leak[0];
         if matches!(self, Self::Everywhere) {
-            chain.taken_v2[1] += p[0] * p[0] * row.mains_taken;
+            scatter.taken_v2[1] += p[0] * p[0] * row.mains_taken;
             for k in 0..4 {
-                chain.harmonic_leakage[1][k] += relative * row.mains_leak[k + 1];
+                scatter.leaks.harmonics[1][k] += relative * row.mains_leak[k + 1];
             }
-            chain.dc_leakage_v2[1] += power_v2 * row.mains_leak_dc;
+            scatter.leaks.dc_v2[1] += power_v2 * row.mains_leak_dc;
         }
     }
 }
@@ -156,9 +157,9 @@ impl Effect for SamplingJitter {
             _ => Vec::new(),
         }
     }
-    fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
+    fn scatter(&self, p: &[f64], row: &Row, _dut_gain: f64, scatter: &mut Scatter) {
         let share = 1.0 - (-(row.omega * p[0]).powi(2)).exp();
-        for (power, rms_v) in chain.noise_v2.iter_mut().zip(row.seen_v) {
+        for (power, rms_v) in scatter.noise_v2.iter_mut().zip(row.seen_v) {
             if rms_v.is_finite() {
                 *power += share * rms_v * rms_v;
             }
@@ -222,10 +223,10 @@ impl Effect for AmbientVibration {
         });
         tones.collect()
     }
-    fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
+    fn scatter(&self, p: &[f64], row: &Row, dut_gain: f64, scatter: &mut Scatter) {
         let v_per_ms2 =
-            [row.ref_peak_v, row.dut_peak_v * chain.dut_gain].map(|v| v / (SQRT_2 * row.level_ms2));
-        for (power, v) in chain.noise_v2.iter_mut().zip(v_per_ms2) {
+            [row.ref_peak_v, row.dut_peak_v * dut_gain].map(|v| v / (SQRT_2 * row.level_ms2));
+        for (power, v) in scatter.noise_v2.iter_mut().zip(v_per_ms2) {
             if v.is_finite() {
                 *power += (p[0] * v).powi(2);
             }
@@ -236,27 +237,25 @@ impl Effect for AmbientVibration {
         // The tone is part of the motion: where noise was measured it shows there.
         let seen = row.u[NOISE].min(row.u[NOISE + 1]).is_finite();
         let tone_ms2 = if seen { p[1].min(p[0]) } else { p[1] };
-        let everywhere = matches!(self, Self::ToneEverywhere);
-        let bins = |order: f64| (order * row.frequency_hz - p[2]) / row.bin_hz;
+        let tone = Line::new(p[2], row.frequency_hz, row.bin_hz);
         let relative = 0.5 * (tone_ms2 / row.level_ms2).powi(2);
-        if everywhere || bins(1.0).abs() < 1.0 {
-            chain.leakage[1] += relative * leaking(bins(1.0));
+        if matches!(self, Self::ToneNearby) {
+            if tone.bins(1).abs() < 1.0 {
+                scatter.leaks.response[1] += relative * tone.leaking(1);
+            }
+            return;
         }
-        if everywhere {
-            for k in 0..4 {
-                let share = relative * leaking(bins((k + 2) as f64));
-                chain.harmonic_leakage[0][k] += share;
-                chain.harmonic_leakage[1][k] += share;
-            }
-            for (power, v) in chain.dc_leakage_v2.iter_mut().zip(v_per_ms2) {
-                *power += (tone_ms2 * v).powi(2) * leaking(bins(0.0));
+        let leaking: [f64; 6] = std::array::from_fn(|order| tone.leaking(order));
+        scatter.leaks.response[1] += relative * leaking[1];
+        for harmonics in &mut scatter.leaks.harmonics {
+            for (variance, share) in harmonics.iter_mut().zip(&leaking[2..]) {
+                *variance += relative * share;
             }
         }
-        if everywhere {
-            let taken_ms2 = tone_ms2 * taken(p[2], row.frequency_hz, row.bin_hz).sqrt();
-            for (power, v) in chain.taken_v2.iter_mut().zip(v_per_ms2) {
-                *power += (taken_ms2 * v).powi(2);
-            }
+        let taken_ms2 = tone_ms2 * taken(&leaking).sqrt();
+        for (channel, v) in v_per_ms2.into_iter().enumerate() {
+            scatter.leaks.dc_v2[channel] += (tone_ms2 * v).powi(2) * leaking[0];
+            scatter.taken_v2[channel] += (taken_ms2 * v).powi(2);
         }
     }
 }

@@ -3,8 +3,9 @@
 //! ```text
 //! problem    whitened data, slots, comparison with the simulation
 //! nuisance   what a fit moves that is no effect
-//! scatter    sums over noise
+//! remainder  harmonics above those that are reported, as noise
 //! screen     every start of every effect against the residual of a fit
+//! scatter    the same of effects that only scatter
 //! fit        refinement of a set of effects
 //! search     none, singles, pairs
 //! score      how the sets found compare: posterior probabilities
@@ -20,6 +21,7 @@ pub(crate) mod holdout;
 pub(crate) mod normal;
 pub(crate) mod nuisance;
 pub(crate) mod problem;
+mod remainder;
 mod scatter;
 pub(crate) mod score;
 pub(crate) mod screen;

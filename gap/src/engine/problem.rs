@@ -1,12 +1,11 @@
 //! A dataset as a fitting problem: whitened data, nuisance parameters, slots.
 
 use super::nuisance::{Free, Nuisance, nuisances, slope, stretched, stretched_slope};
-use super::scatter::{NoiseSum, Remainders};
+use super::remainder::Remainders;
 use crate::dataset::{Measured, Point, Rig};
 use crate::effects::{Active, Facts};
-use crate::model::chain::{Chain, Transfer};
 use crate::model::predict::{Memory, Nominal, Prediction, Recall, predict};
-use crate::model::row::{CURRENT, DC, DRIVE, NOISE, RATIO, REF_HARMONICS, Row, SLOTS};
+use crate::model::row::{CURRENT, DRIVE, NOISE, RATIO, Row, SLOTS};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
@@ -22,7 +21,7 @@ pub(crate) struct Problem {
     pub(crate) slots: [Range<usize>; SLOTS],
     base: Nominal,
     exciter_u: [f64; 6],
-    measured: Vec<f64>,
+    pub(super) measured: Vec<f64>,
     u: Vec<f64>,
     /// Place of each row's slots in the data.
     place: Vec<[u32; SLOTS]>,
@@ -160,6 +159,12 @@ impl Problem {
             .unwrap_or(SLOTS - 1)
     }
 
+    /// Datum in a slot of a row, if it was measured.
+    pub(super) fn datum(&self, row: usize, slot: usize) -> Option<usize> {
+        let at = self.place[row][slot];
+        (at != ABSENT).then_some(at as usize)
+    }
+
     /// Stated standard uncertainty of a datum.
     pub(crate) fn uncertainty(&self, datum: usize) -> f64 {
         self.u[datum]
@@ -176,7 +181,7 @@ impl Problem {
         value * stretched(self.exciter_u[index] * theta, self.exciter_u[index])
     }
 
-    fn nominal(&self, theta: &[f64]) -> Nominal {
+    pub(super) fn nominal(&self, theta: &[f64]) -> Nominal {
         let mut nominal = self.base.clone();
         for (free, &value) in self.free.iter().zip(theta) {
             let change = value * free.unit;
@@ -327,25 +332,6 @@ impl Problem {
         }
     }
 
-    /// Noise and openness of each row as a set of effects leaves them.
-    pub(crate) fn scatter_base(
-        &self,
-        effects: &[Active<'_>],
-        theta: &[f64],
-    ) -> (Nominal, Vec<Chain>) {
-        let nominal = self.nominal(&self.stated_noise(theta));
-        let chains = self.rows.iter().map(|row| {
-            let mut chain = Chain {
-                dut_gain: nominal.dut_gain,
-                ..Chain::default()
-            };
-            effects.iter().for_each(|e| e.chain(row, &mut chain));
-            chain
-        });
-        let chains = chains.collect();
-        (nominal, chains)
-    }
-
     /// Nuisance values with the noise of healthy channels at its stated value: a fit
     /// without an effect that makes noise has stretched it.
     pub(crate) fn stated_noise(&self, theta: &[f64]) -> Vec<f64> {
@@ -357,73 +343,6 @@ impl Problem {
             }
         });
         relaxed.collect()
-    }
-
-    /// Gain of the objective when an effect that only scatters is added, all
-    /// else but the healthy noise kept.
-    pub(crate) fn scatter_gain(
-        &self,
-        base: &(Nominal, Vec<Chain>),
-        added: &Active<'_>,
-        here: &Evaluation,
-        theta: &[f64],
-    ) -> f64 {
-        let mut gain = 0.0;
-        let mut noise = [NoiseSum::default(); 2];
-        let mut before_noise = 0.0;
-        for (index, (row, before)) in self.rows.iter().zip(&base.1).enumerate() {
-            let mut after = before.clone();
-            added.chain(row, &mut after);
-            let mut transfer = Transfer::default();
-            added.transfer(row, row.frequency_hz, &mut transfer);
-            let loss = [0.0, transfer.reference.norm().ln()];
-            let mut part = |slot: usize, change: f64, open: f64| {
-                let at = self.place[index][slot];
-                if at == ABSENT || (change == 0.0 && open <= 0.0) {
-                    return;
-                }
-                let at = at as usize;
-                let (weight, difference) = (here.weight[at], here.residual[at] / here.weight[at]);
-                let ratio = 1.0 + open * weight * weight;
-                let new = (difference - change).powi(2) * weight * weight / ratio;
-                gain += here.residual[at].powi(2) - new - ratio.ln();
-            };
-            for channel in 0..2 {
-                let open = after.leakage[channel] - before.leakage[channel];
-                let slot = [RATIO, DRIVE][channel];
-                part(slot, loss[channel], open);
-                part(slot + 1, 0.0, open);
-                for k in 0..4 {
-                    let open =
-                        after.harmonic_leakage[channel][k] - before.harmonic_leakage[channel][k];
-                    for half in 0..2 {
-                        part(REF_HARMONICS + 8 * channel + 2 * k + half, 0.0, open);
-                    }
-                }
-                let open = after.dc_leakage_v2[channel] - before.dc_leakage_v2[channel];
-                part(DC + channel, 0.0, open);
-                let at = self.place[index][NOISE + channel];
-                if at != ABSENT {
-                    let at = at as usize;
-                    let healthy = base.0.noise_v[channel].powi(2);
-                    let (power, open) = after.noise(channel, healthy);
-                    let open = open - before.noise(channel, healthy).1;
-                    let difference = self.measured[at] - 0.5 * power.ln();
-                    noise[channel].add(difference, healthy / power, here.weight[at], open);
-                    before_noise += here.residual[at].powi(2);
-                }
-            }
-        }
-        gain += before_noise;
-        for (channel, sum) in noise.iter().enumerate() {
-            let at = self
-                .free
-                .iter()
-                .position(|f| f.kind == Nuisance::Noise(channel));
-            gain += at.map_or(0.0, |i| theta[i] * theta[i])
-                - sum.least(at.map_or(0.0, |i| self.free[i].unit));
-        }
-        gain
     }
 
     fn prior(&self, theta: &[f64]) -> f64 {

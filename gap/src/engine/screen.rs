@@ -3,6 +3,7 @@
 use super::fit::{Fit, Linearised, Slopes, Workspace};
 use super::normal::{Tangent, difference, gram};
 use super::problem::{Column, Evaluation, Problem, wrapped};
+use super::scatter::{QuietSums, Scene};
 use crate::effects::{Active, Effect, Parameter, Scale, Stage, Start, library};
 use crate::model::chain::Transfer;
 use crate::model::row::{DC, DRIVE, RATIO, REF_HARMONICS};
@@ -31,6 +32,7 @@ pub(crate) struct Promise {
 pub(crate) struct Atoms {
     list: Vec<Atom>,
     scattering: Vec<(usize, Vec<f64>)>,
+    quiet: QuietSums,
 }
 
 impl Atoms {
@@ -45,6 +47,7 @@ impl Atoms {
         let mut atoms = Self {
             list: Vec::new(),
             scattering: Vec::new(),
+            quiet: QuietSums::default(),
         };
         for (entry, effect) in library()
             .iter()
@@ -88,7 +91,7 @@ impl Atoms {
     /// The best promise of every entry that the fit does not hold yet, best first,
     /// and the slopes at the fit.
     pub(crate) fn scan(
-        &self,
+        &mut self,
         problem: &Problem,
         fit: &Fit,
         work: &mut Workspace,
@@ -116,18 +119,18 @@ impl Atoms {
     }
 
     fn scan_scatter(
-        &self,
+        &mut self,
         problem: &Problem,
         fit: &Fit,
         evaluation: &Evaluation,
         best: &mut [Option<Promise>],
     ) {
-        let base = problem.scatter_base(&fit.effects, &fit.theta);
-        let promise = |entry: usize, parameters: Vec<f64>| {
+        let scene = Scene::new(problem, &fit.effects, &fit.theta, evaluation);
+        let mut promise = |entry: usize, parameters: Vec<f64>| {
             let added = active(entry, parameters.clone());
             Promise {
                 entry,
-                gain: problem.scatter_gain(&base, &added, evaluation, &fit.theta),
+                gain: scene.gain(&added, &mut self.quiet),
                 parameters,
                 shift: None,
                 group: 2,

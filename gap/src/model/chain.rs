@@ -1,14 +1,13 @@
 //! What effects do to one row: the places where they may act.
 
 use super::balance::Bend;
+use super::scatter::Scatter;
 use super::waveform::Characteristic;
 use num_complex::Complex64;
 
 /// Changes of the exciter, the amplifier, the digitiser and the noise in one row.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Chain {
-    /// Gain of the device under test relative to its nominal value (given, not changed).
-    pub(crate) dut_gain: f64,
     /// Added to the moving mass, in kg.
     pub(crate) mass_kg: f64,
     /// Added to the mechanical damping, in N s/m.
@@ -29,25 +28,13 @@ pub(crate) struct Chain {
     pub(crate) dut_adc: Option<Characteristic>,
     /// Relative harmonics 2..5 added in the device under test.
     pub(crate) dut_harmonics: [f64; 4],
-    /// Mean square noise added in the channels: reference, device under test, in V^2.
-    pub(crate) noise_v2: [f64; 2],
-    /// Mean square of it that components of the block may have taken: what is computed as a
-    /// harmonic or as d.c. is not left as noise.
-    pub(crate) taken_v2: [f64; 2],
-    /// Standard deviation of the logarithm of the noise that the effect leaves open.
-    pub(crate) noise_open: [f64; 2],
-    /// Variance, per part, of the relative error of ratio and drive by leakage.
-    pub(crate) leakage: [f64; 2],
-    /// The same for relative harmonics 2..5 of reference and device under test.
-    pub(crate) harmonic_leakage: [[f64; 4]; 2],
-    /// Variance of the d.c. values by leakage, in V^2.
-    pub(crate) dc_leakage_v2: [f64; 2],
+    /// Noise and leakage.
+    pub(crate) scatter: Scatter,
 }
 
 impl Default for Chain {
     fn default() -> Self {
         Self {
-            dut_gain: 1.0,
             mass_kg: 0.0,
             damping_ns_per_m: 0.0,
             resistance: 1.0,
@@ -58,34 +45,8 @@ impl Default for Chain {
             ref_adc: None,
             dut_adc: None,
             dut_harmonics: [0.0; 4],
-            noise_v2: [0.0; 2],
-            taken_v2: [0.0; 2],
-            noise_open: [0.0; 2],
-            leakage: [0.0; 2],
-            harmonic_leakage: [[0.0; 4]; 2],
-            dc_leakage_v2: [0.0; 2],
+            scatter: Scatter::default(),
         }
-    }
-}
-
-impl Chain {
-    /// Mean square noise of a channel in V^2, and the variance of its logarithm that stays open.
-    ///
-    /// How a line shares its power with the components depends on where it lies in its bin
-    /// and on the window: the size of the reduction is open by itself.
-    pub(crate) fn noise(&self, channel: usize, healthy_v2: f64) -> (f64, f64) {
-        let all = healthy_v2 + self.noise_v2[channel];
-        let own = self.noise_open[channel].powi(2);
-        if self.taken_v2[channel] == 0.0 {
-            return (all, own);
-        }
-        let left = (all - self.taken_v2[channel]).max(healthy_v2).min(all);
-        let reduction = if left > 0.0 {
-            0.5 * (all / left).ln()
-        } else {
-            0.0
-        };
-        (left, own + reduction * reduction)
     }
 }
 

@@ -13,4 +13,5 @@ pub(crate) mod leakage;
 pub(crate) mod predict;
 pub(crate) mod row;
 mod wave;
+pub(crate) mod scatter;
 pub(crate) mod waveform;

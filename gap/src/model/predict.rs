@@ -107,12 +107,10 @@ pub(crate) fn predict(
     effects: &[Active<'_>],
     memory: Recall<'_>,
 ) -> Prediction {
-    let mut chain = Chain {
-        dut_gain: nominal.dut_gain,
-        ..Chain::default()
-    };
+    let mut chain = Chain::default();
     for effect in effects {
         effect.chain(row, &mut chain);
+        effect.scatter(row, nominal.dut_gain, &mut chain.scatter);
     }
     let first = transfer(row, effects, row.frequency_hz);
     let mut out = Prediction {
@@ -162,7 +160,11 @@ pub(crate) fn predict(
         out.diverged = motion.balanced.is_some_and(|b| !b.converged);
     }
     noise(nominal, &chain, &mut out);
-    leakage(row, &chain, &mut out);
+    if chain.scatter.leaks.any() {
+        for (slot, open) in out.open[..NOISE].iter_mut().enumerate() {
+            *open += chain.scatter.leaks.of(slot);
+        }
+    }
     out
 }
 
@@ -264,34 +266,12 @@ fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) ->
 fn noise(nominal: &Nominal, chain: &Chain, out: &mut Prediction) {
     for channel in 0..2 {
         let healthy = nominal.noise_v[channel] * nominal.noise_v[channel];
-        let (power, open) = chain.noise(channel, healthy);
+        let (power, open) = chain.scatter.noise(channel, healthy);
         if power > 0.0 {
             out.value[NOISE + channel] = 0.5 * power.ln();
             out.noise_power_v2[channel] = power;
             out.noise_share[channel] = healthy / power;
         }
         out.open[NOISE + channel] += open;
-    }
-}
-
-fn leakage(row: &Row, chain: &Chain, out: &mut Prediction) {
-    for part in 0..2 {
-        out.open[RATIO + part] += chain.leakage[0];
-        out.open[DRIVE + part] += chain.leakage[1];
-    }
-    for (channel, slot) in [(0, REF_HARMONICS), (1, DUT_HARMONICS)] {
-        for k in 0..4 {
-            for part in 0..2 {
-                out.open[slot + 2 * k + part] += chain.harmonic_leakage[channel][k];
-            }
-        }
-    }
-    for (channel, v2) in chain.dc_leakage_v2.iter().enumerate() {
-        out.open[DC + channel] += v2;
-    }
-    for slot in 0..SLOTS {
-        if row.u[slot].is_infinite() {
-            out.open[slot] = 0.0;
-        }
     }
 }

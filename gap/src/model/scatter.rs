@@ -1,0 +1,68 @@
+//! Noise and leakage that effects add to one row.
+
+use super::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS};
+
+/// What effects add to the noise of a row, and to the uncertainty of its components.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Scatter {
+    /// Mean square noise added in the channels: reference, device under test, in V^2.
+    pub(crate) noise_v2: [f64; 2],
+    /// Mean square of it that components of the block may have taken: what is computed as a
+    /// harmonic or as d.c. is not left as noise.
+    pub(crate) taken_v2: [f64; 2],
+    /// Standard deviation of the logarithm of the noise that the effect leaves open.
+    pub(crate) noise_open: [f64; 2],
+    /// Variances that leak into the components.
+    pub(crate) leaks: Leaks,
+}
+
+/// Variances of components by leakage.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Leaks {
+    /// Per part, of the relative error of ratio and drive.
+    pub(crate) response: [f64; 2],
+    /// The same for relative harmonics 2..5 of reference and device under test.
+    pub(crate) harmonics: [[f64; 4]; 2],
+    /// Of the d.c. values of both channels, in V^2.
+    pub(crate) dc_v2: [f64; 2],
+}
+
+impl Scatter {
+    /// Mean square noise of a channel in V^2, and the variance of its logarithm that stays open.
+    ///
+    /// How a line shares its power with the components depends on where it lies in its bin
+    /// and on the window: the size of the reduction is open by itself.
+    pub(crate) fn noise(&self, channel: usize, healthy_v2: f64) -> (f64, f64) {
+        let all = healthy_v2 + self.noise_v2[channel];
+        let own = self.noise_open[channel].powi(2);
+        if self.taken_v2[channel] == 0.0 {
+            return (all, own);
+        }
+        let left = (all - self.taken_v2[channel]).max(healthy_v2).min(all);
+        let reduction = if left > 0.0 {
+            0.5 * (all / left).ln()
+        } else {
+            0.0
+        };
+        (left, own + reduction * reduction)
+    }
+}
+
+impl Leaks {
+    /// Variance of the value in a slot.
+    pub(crate) fn of(&self, slot: usize) -> f64 {
+        match slot {
+            RATIO..DRIVE => self.response[0],
+            DRIVE..CURRENT => self.response[1],
+            REF_HARMONICS..DUT_HARMONICS => self.harmonics[0][(slot - REF_HARMONICS) / 2],
+            DUT_HARMONICS..DC => self.harmonics[1][(slot - DUT_HARMONICS) / 2],
+            DC..NOISE => self.dc_v2[slot - DC],
+            _ => 0.0,
+        }
+    }
+
+    /// Whether anything leaks.
+    pub(crate) fn any(&self) -> bool {
+        *self != Self::default()
+    }
+}
