@@ -5,6 +5,7 @@
 //! nuisance   what a fit moves that is no effect
 //! remainder  harmonics above those that are reported, as noise
 //! screen     every start of every effect against the residual of a fit
+//! noise_sum  sums over the noise columns
 //! scatter    the same of effects that only scatter
 //! fit        refinement of a set of effects
 //! search     none, singles, pairs
@@ -18,6 +19,7 @@
 pub(crate) mod across;
 pub(crate) mod fit;
 pub(crate) mod holdout;
+mod noise_sum;
 pub(crate) mod normal;
 pub(crate) mod nuisance;
 pub(crate) mod problem;

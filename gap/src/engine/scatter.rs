@@ -1,8 +1,10 @@
 //! Screening of effects that only scatter: noise and leakage, no response.
 //!
 //! Beside a fit that makes no noise of its own the noise columns say the same of a
-//! start whatever else the fit holds: that part is summed once for a dataset.
+//! start whatever else the fit holds: that part is summed once for a dataset. What
+//! leaks into the components is computed only where it could make a start the best.
 
+use super::noise_sum::NoiseSum;
 use super::nuisance::Nuisance;
 use super::problem::{Evaluation, Problem};
 use crate::effects::Active;
@@ -11,17 +13,20 @@ use crate::model::row::{DRIVE, NOISE};
 use crate::model::scatter::Scatter;
 use std::collections::HashMap;
 
-/// Sums over noise of starts beside fits that make no noise, by entry and parameters.
+/// What starts do beside fits that make no noise, by entry and parameters.
 #[derive(Default)]
-pub(super) struct QuietSums {
-    of_start: HashMap<(usize, Vec<u64>), StartSums>,
+pub(super) struct QuietStarts {
+    of_start: HashMap<(usize, Vec<u64>), Shown>,
 }
 
-/// What a start does beside such a fit.
+/// What a start shows in the noise columns, and where else it shows.
 #[derive(Clone, Copy)]
-struct StartSums {
+struct Shown {
     noise: [NoiseSum; 2],
-    leaks: bool,
+    /// Slots below the noise into which it leaks.
+    leaks: [bool; NOISE],
+    /// Whether the drive loses by it.
+    loses: bool,
 }
 
 /// A fit as effects are added to it that only scatter, all else but the healthy noise kept.
@@ -36,8 +41,10 @@ pub(super) struct Scene<'a> {
     before: Vec<Scatter>,
     /// Whether there is none, and no noise was judged by another rule.
     quiet: bool,
-    /// Square of each residual and of each weight.
-    squares: Vec<[f64; 2]>,
+    /// Most that leakage into a slot can gain, whatever its size.
+    most_leaked: [f64; NOISE],
+    /// Most that a smaller drive can gain.
+    most_lost: f64,
 }
 
 impl<'a> Scene<'a> {
@@ -56,9 +63,13 @@ impl<'a> Scene<'a> {
             scatter
         });
         let before: Vec<Scatter> = before.collect();
-        let squares = here.residual.iter().zip(&here.weight);
         let mut noise = problem.slots[NOISE].start..problem.len();
         let as_stated = noise.all(|at| here.weight[at] == 1.0 / problem.uncertainty(at));
+        let squares = |slot: usize| {
+            here.residual[problem.slots[slot].clone()]
+                .iter()
+                .map(|r| r * r)
+        };
         Self {
             problem,
             here,
@@ -67,26 +78,52 @@ impl<'a> Scene<'a> {
             healthy_v2: nominal.noise_v.map(|v| v * v),
             quiet: as_stated && before.iter().all(|s| *s == Scatter::default()),
             before,
-            squares: squares.map(|(r, w)| [r * r, w * w]).collect(),
+            // A variance widened by the factor q gains r2 (1 - 1/q) - ln q: most at q = r2.
+            most_leaked: std::array::from_fn(|slot| {
+                let gains = squares(slot)
+                    .filter(|r2| *r2 > 1.0)
+                    .map(|r2| r2 - 1.0 - r2.ln());
+                gains.sum()
+            }),
+            most_lost: squares(DRIVE).sum(),
         }
     }
 
-    /// Gain of the objective when an effect is added.
-    pub(super) fn gain(&self, added: &Active<'_>, known: &mut QuietSums) -> f64 {
-        let bits = added.parameters.iter().map(|p| p.to_bits()).collect();
-        let key = (added.entry, bits);
-        let sums = match known.of_start.get(&key).filter(|_| self.quiet) {
-            Some(sums) => *sums,
-            None => {
-                let sums = self.sums(added);
-                if self.quiet {
-                    known.of_start.insert(key, sums);
-                }
-                sums
+    /// The best of some starts of an entry and its gain, if it gains more than `floor`.
+    pub(super) fn best(
+        &self,
+        starts: impl Iterator<Item = Active<'static>>,
+        mut floor: f64,
+        known: &mut QuietStarts,
+    ) -> Option<(Active<'static>, f64)> {
+        let bounded = starts.map(|start| {
+            let shown = self.shown(&start, known);
+            let noise = self.noise(&shown.noise);
+            (start, shown, noise, noise + self.most(&shown))
+        });
+        let mut bounded: Vec<_> = bounded.collect();
+        bounded.sort_by(|a, b| b.3.total_cmp(&a.3));
+        let mut best = None;
+        for (start, shown, noise, most) in bounded {
+            if most <= floor {
+                break;
             }
-        };
-        let leaked = if sums.leaks { self.leaked(added) } else { 0.0 };
-        leaked + self.lost(added) + self.noise(&sums.noise)
+            let gain = noise + self.leaked(&start, &shown) + self.lost(&start, &shown);
+            if gain.is_finite() && gain > floor {
+                (floor, best) = (gain, Some((start, gain)));
+            }
+        }
+        best
+    }
+
+    /// Most that a start can gain outside of the noise columns.
+    fn most(&self, shown: &Shown) -> f64 {
+        let slots = self.most_leaked.iter().zip(shown.leaks);
+        let leaked: f64 = slots
+            .filter(|(_, leaks)| *leaks)
+            .map(|(most, _)| most)
+            .sum();
+        leaked + if shown.loses { self.most_lost } else { 0.0 }
     }
 
     fn after(&self, row: usize, added: &Active<'_>) -> Scatter {
@@ -95,15 +132,30 @@ impl<'a> Scene<'a> {
         after
     }
 
-    fn sums(&self, added: &Active<'_>) -> StartSums {
-        let mut sums = StartSums {
+    fn shown(&self, added: &Active<'_>, known: &mut QuietStarts) -> Shown {
+        if !self.quiet {
+            return self.look(added);
+        }
+        let bits = added.parameters.iter().map(|p| p.to_bits()).collect();
+        let known = known.of_start.entry((added.entry, bits));
+        *known.or_insert_with(|| self.look(added))
+    }
+
+    fn look(&self, added: &Active<'_>) -> Shown {
+        let mut shown = Shown {
             noise: [NoiseSum::default(); 2],
-            leaks: false,
+            leaks: [false; NOISE],
+            loses: false,
         };
         for (row, before) in self.before.iter().enumerate() {
             let after = self.after(row, added);
-            sums.leaks |= after.leaks != before.leaks;
-            for (channel, sum) in sums.noise.iter_mut().enumerate() {
+            if after.leaks != before.leaks {
+                for (slot, leaks) in shown.leaks.iter_mut().enumerate() {
+                    *leaks |= after.leaks.of(slot) != before.leaks.of(slot);
+                }
+            }
+            shown.loses |= self.transfer(row, added) != Transfer::default();
+            for (channel, sum) in shown.noise.iter_mut().enumerate() {
                 let Some(at) = self.problem.datum(row, NOISE + channel) else {
                     continue;
                 };
@@ -114,13 +166,13 @@ impl<'a> Scene<'a> {
                 sum.add(difference, healthy / power, self.here.weight[at], open);
             }
         }
-        sums
+        shown
     }
 
     /// Gain in the noise columns, the healthy noise fitted anew.
     fn noise(&self, sums: &[NoiseSum; 2]) -> f64 {
         let data = self.problem.slots[NOISE].start..self.problem.len();
-        let mut gain: f64 = self.squares[data].iter().map(|[r2, _]| r2).sum();
+        let mut gain: f64 = self.here.residual[data].iter().map(|r| r * r).sum();
         for (channel, sum) in sums.iter().enumerate() {
             let mut free = self.problem.free.iter().zip(self.theta);
             let healthy = free.find(|(f, _)| f.kind == Nuisance::Noise(channel));
@@ -131,42 +183,50 @@ impl<'a> Scene<'a> {
     }
 
     /// Gain where residuals count less, minus what it costs that they do.
-    fn leaked(&self, added: &Active<'_>) -> f64 {
+    fn leaked(&self, added: &Active<'_>, shown: &Shown) -> f64 {
+        let slots = (0..NOISE).filter(|slot| shown.leaks[*slot]);
+        let slots: Vec<usize> = slots.collect();
+        if slots.is_empty() {
+            return 0.0;
+        }
         let rows = 0..self.before.len();
         let after: Vec<Scatter> = rows.map(|row| self.after(row, added)).collect();
         let mut gain = 0.0;
         let mut ratios = Product::default();
-        for slot in 0..NOISE {
-            let range = self.problem.slots[slot].clone();
-            let data = self.squares[range.clone()].iter();
-            for ([r2, w2], row) in data.zip(&self.problem.row_of[range]) {
-                let open = after[*row].leaks.of(slot) - self.before[*row].leaks.of(slot);
-                let wider = open * w2;
-                gain += r2 * wider / (1.0 + wider);
+        for slot in slots {
+            for at in self.problem.slots[slot].clone() {
+                let row = self.problem.row_of[at];
+                let open = after[row].leaks.of(slot) - self.before[row].leaks.of(slot);
+                let (residual, weight) = (self.here.residual[at], self.here.weight[at]);
+                let wider = open * weight * weight;
+                gain += residual * residual * wider / (1.0 + wider);
                 ratios.times(1.0 + wider);
             }
         }
         gain - ratios.ln()
     }
 
+    fn transfer(&self, row: usize, added: &Active<'_>) -> Transfer {
+        let row = &self.problem.rows[row];
+        let mut transfer = Transfer::default();
+        added.transfer(row, row.frequency_hz, &mut transfer);
+        transfer
+    }
+
     /// Gain by the response that goes with the scatter: the reference loses, the ratio does not.
-    fn lost(&self, added: &Active<'_>) -> f64 {
-        let range = self.problem.slots[DRIVE].clone();
-        let change = |(at, row): (usize, &usize)| {
-            let row = &self.problem.rows[*row];
-            let mut transfer = Transfer::default();
-            added.transfer(row, row.frequency_hz, &mut transfer);
-            if transfer == Transfer::default() {
-                return 0.0;
-            }
-            let moved = transfer.reference.norm().ln() * self.here.weight[at];
+    fn lost(&self, added: &Active<'_>, shown: &Shown) -> f64 {
+        if !shown.loses {
+            return 0.0;
+        }
+        let change = |at: usize| {
+            let loss = self
+                .transfer(self.problem.row_of[at], added)
+                .reference
+                .norm();
+            let moved = loss.ln() * self.here.weight[at];
             moved * (2.0 * self.here.residual[at] - moved)
         };
-        range
-            .clone()
-            .zip(&self.problem.row_of[range])
-            .map(change)
-            .sum()
+        self.problem.slots[DRIVE].clone().map(change).sum()
     }
 }
 
@@ -196,31 +256,5 @@ impl Product {
 
     fn ln(self) -> f64 {
         self.ln + self.factors.ln()
-    }
-}
-
-/// Sums over the noise of one channel, from which its healthy noise is fitted.
-#[derive(Clone, Copy, Default)]
-pub(super) struct NoiseSum {
-    square: f64,
-    mixed: f64,
-    share: f64,
-    widened: f64,
-}
-
-impl NoiseSum {
-    /// One more datum.
-    pub(super) fn add(&mut self, difference: f64, share: f64, weight: f64, open: f64) {
-        let ratio = 1.0 + open * weight * weight;
-        let w2 = weight * weight / ratio;
-        self.square += difference * difference * w2;
-        self.mixed += difference * share * w2;
-        self.share += share * share * w2;
-        self.widened += ratio.ln();
-    }
-
-    /// Least sum of squares over the healthy noise with its prior of one unit.
-    pub(super) fn least(&self, unit: f64) -> f64 {
-        self.square + self.widened - (unit * self.mixed).powi(2) / (1.0 + unit * unit * self.share)
     }
 }

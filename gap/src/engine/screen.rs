@@ -3,7 +3,7 @@
 use super::fit::{Fit, Linearised, Slopes, Workspace};
 use super::normal::{Tangent, difference, gram};
 use super::problem::{Column, Evaluation, Problem, wrapped};
-use super::scatter::{QuietSums, Scene};
+use super::scatter::{QuietStarts, Scene};
 use crate::effects::{Active, Effect, Parameter, Scale, Stage, Start, library};
 use crate::model::chain::Transfer;
 use crate::model::row::{DC, DRIVE, RATIO, REF_HARMONICS};
@@ -31,8 +31,9 @@ pub(crate) struct Promise {
 /// All starts of all effects that apply, with their changes at the nominal fit.
 pub(crate) struct Atoms {
     list: Vec<Atom>,
-    scattering: Vec<(usize, Vec<f64>)>,
-    quiet: QuietSums,
+    /// Entries that only scatter, with their starts.
+    scattering: Vec<(usize, Vec<Vec<f64>>)>,
+    quiet: QuietStarts,
 }
 
 impl Atoms {
@@ -47,7 +48,7 @@ impl Atoms {
         let mut atoms = Self {
             list: Vec::new(),
             scattering: Vec::new(),
-            quiet: QuietSums::default(),
+            quiet: QuietStarts::default(),
         };
         for (entry, effect) in library()
             .iter()
@@ -55,6 +56,11 @@ impl Atoms {
             .filter(|(i, e)| allowed[*i] && e.applies(&problem.facts))
         {
             let mut starts = effect.starts(&problem.facts);
+            if effect.scatters() {
+                let list = starts.into_iter().map(|s| s.members[0].clone());
+                atoms.scattering.push((entry, list.collect()));
+                continue;
+            }
             if effect.bends() {
                 // One balance per row and start: the screening takes the smallest start only.
                 if effect.about().id != "amplifier_clipping" {
@@ -67,10 +73,6 @@ impl Atoms {
                 }
             }
             for start in starts {
-                if effect.scatters() {
-                    atoms.scattering.push((entry, start.members[0].clone()));
-                    continue;
-                }
                 let columns: Vec<Column> = start
                     .members
                     .iter()
@@ -118,6 +120,7 @@ impl Atoms {
         (list, Some(Slopes::new(tangent.columns, evaluation.weight)))
     }
 
+    /// The best start of each effect that only scatters, then other sizes and details around it.
     fn scan_scatter(
         &mut self,
         problem: &Problem,
@@ -126,28 +129,25 @@ impl Atoms {
         best: &mut [Option<Promise>],
     ) {
         let scene = Scene::new(problem, &fit.effects, &fit.theta, evaluation);
-        let mut promise = |entry: usize, parameters: Vec<f64>| {
-            let added = active(entry, parameters.clone());
-            Promise {
-                entry,
-                gain: scene.gain(&added, &mut self.quiet),
-                parameters,
-                shift: None,
-                group: 2,
-            }
-        };
-        for (entry, parameters) in &self.scattering {
-            if !fit.has(*entry) {
-                keep(best, promise(*entry, parameters.clone()));
-            }
-        }
-        for (entry, effect) in library().iter().enumerate() {
-            for round in 0..3 {
-                let Some(coarse) = best[entry].as_ref().filter(|_| effect.scatters()) else {
-                    continue;
+        for (entry, starts) in self.scattering.iter().filter(|(e, _)| !fit.has(*e)) {
+            for round in [None, Some(0), Some(1), Some(2)] {
+                let list = match (round, &best[*entry]) {
+                    (None, _) => starts.clone(),
+                    (Some(round), Some(found)) => {
+                        library()[*entry].around(&found.parameters, round, &problem.facts)
+                    }
+                    (Some(_), None) => break,
                 };
-                for parameters in effect.around(&coarse.parameters.clone(), round, &problem.facts) {
-                    keep(best, promise(entry, parameters));
+                let floor = best[*entry].as_ref().map_or(f64::NEG_INFINITY, |p| p.gain);
+                let starts = list.into_iter().map(|p| active(*entry, p));
+                if let Some((start, gain)) = scene.best(starts, floor, &mut self.quiet) {
+                    best[*entry] = Some(Promise {
+                        entry: *entry,
+                        gain,
+                        parameters: start.parameters,
+                        shift: None,
+                        group: 2,
+                    });
                 }
             }
         }
