@@ -12,6 +12,6 @@ mod friction;
 pub(crate) mod leakage;
 pub(crate) mod predict;
 pub(crate) mod row;
-mod wave;
 pub(crate) mod scatter;
+mod wave;
 pub(crate) mod waveform;

@@ -4,7 +4,7 @@ use super::balance::{Balanced, Bend, Motion, ORDERS, Purpose, balance};
 use super::chain::{Chain, Transfer};
 use super::channels::{Path, Reference, channels};
 use super::exciter::{Added, Exciter, Linear};
-use super::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, Row, SLOTS};
+use super::row::{CURRENT, DRIVE, NOISE, RATIO, Row, SLOTS};
 use crate::effects::Active;
 use num_complex::Complex64;
 use std::f64::consts::SQRT_2;
