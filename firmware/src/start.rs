@@ -90,7 +90,7 @@ async fn open_archive(flash: RecordFlash) -> &'static SharedArchive {
     axi_static!(DIRECTORY: Directory);
     axi_static!(SCRATCH: [u8; MAX_ITEM]);
     // Some 20 KB: too large for a stack.
-    static RECORD: ConstStaticCell<Record> = ConstStaticCell::new(store::empty_record());
+    static RECORD: ConstStaticCell<Record> = ConstStaticCell::new(Record::BLANK);
     static LAST_ACCESS: LastAccess = LastAccess::new();
     static ARCHIVE: StaticCell<SharedArchive> = StaticCell::new();
     let memory = Memory {

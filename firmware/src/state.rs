@@ -13,7 +13,7 @@ use embassy_sync::blocking_mutex::CriticalSectionMutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::channel::Channel;
 use embassy_sync::signal::Signal;
-use heapless::{String, Vec};
+use heapless::Vec;
 
 static STATUS: CriticalSectionMutex<Cell<Status>> =
     CriticalSectionMutex::new(Cell::new(Status::IDLE));
@@ -45,16 +45,6 @@ pub(crate) fn with_session<T>(look: impl FnOnce(&mut Session) -> T) -> T {
     })
 }
 
-/// Labels of a run nobody described, as a constant.
-pub(crate) const NO_LABELS: RunLabels = RunLabels {
-    unix_time_s: 0,
-    dut_model: String::new(),
-    dut_serial: String::new(),
-    operator: String::new(),
-    temperature_centi_c: None,
-    mounting: String::new(),
-};
-
 /// The running or last run.
 pub(crate) struct Run {
     /// What was asked.
@@ -75,7 +65,7 @@ pub(crate) static RUN: CriticalSectionMutex<RefCell<Run>> =
         spec: RunSpec {
             points: Vec::new(),
             excitation: ExcitationKind::SingleSine,
-            labels: NO_LABELS,
+            labels: RunLabels::BLANK,
         },
         results: Vec::new(),
         complete: false,

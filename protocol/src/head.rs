@@ -24,6 +24,18 @@ pub struct RecordHead {
     pub labels: RunLabels,
 }
 
+impl RecordHead {
+    /// A head of nothing, for memory that waits for one.
+    pub const BLANK: Self = Self {
+        id: 0,
+        previous_sha256: [0; 32],
+        instrument_serial: String::new(),
+        firmware: String::new(),
+        sample_rate_hz: 0.0,
+        labels: RunLabels::BLANK,
+    };
+}
+
 /// What the operator says about a run.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RunLabels {
@@ -39,4 +51,16 @@ pub struct RunLabels {
     pub temperature_centi_c: Option<i16>,
     /// Mounting, in the operator's words.
     pub mounting: String<96>,
+}
+
+impl RunLabels {
+    /// Labels of an operator who says nothing.
+    pub const BLANK: Self = Self {
+        unix_time_s: 0,
+        dut_model: String::new(),
+        dut_serial: String::new(),
+        operator: String::new(),
+        temperature_centi_c: None,
+        mounting: String::new(),
+    };
 }

@@ -63,6 +63,17 @@ pub struct Record {
     pub points: Vec<PointResult, MAX_POINTS>,
 }
 
+impl Record {
+    /// A record of nothing, for memory that waits for one.
+    pub const BLANK: Self = Self {
+        head: RecordHead::BLANK,
+        settings: Settings::BLANK,
+        incident: None,
+        complete: false,
+        points: Vec::new(),
+    };
+}
+
 /// One line of the record list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RecordSummary {
@@ -307,44 +318,22 @@ pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
 mod tests {
     use super::*;
     use calib_core::point::PointSpec;
-    use calib_core::settings::{Example, InputScale, Limits, Method, ReferenceCalibration};
     use calib_core::verdict::Reason;
 
     fn record() -> Record {
+        let head = RecordHead {
+            id: 7,
+            previous_sha256: [3; 32],
+            instrument_serial: "A1".try_into().expect("short"),
+            firmware: "0.1.0".try_into().expect("short"),
+            sample_rate_hz: 50_000.0,
+            ..RecordHead::BLANK
+        };
+        let complete = true;
         Record {
-            head: RecordHead {
-                id: 7,
-                previous_sha256: [3; 32],
-                instrument_serial: "A1".try_into().expect("short"),
-                firmware: "0.1.0".try_into().expect("short"),
-                sample_rate_hz: 50_000.0,
-                labels: RunLabels::default(),
-            },
-            settings: Settings {
-                method: Method::Calibrator,
-                example: Example::Example2,
-                reference: ReferenceCalibration {
-                    serial: String::new(),
-                    certificate: String::new(),
-                    calibrated_day: 0,
-                    due_day: 0,
-                    points: Vec::new(),
-                },
-                reference_input: InputScale { volt_per_code: 1.0 },
-                dut_input: InputScale { volt_per_code: 1.0 },
-                drive_full_scale_peak_v: 10.0,
-                limits: Limits {
-                    drive_peak_v: 10.0,
-                    acceleration_peak_ms2: 50.0,
-                    velocity_peak_ms: 0.5,
-                    displacement_peak_m: 0.005,
-                },
-                blocks: 5,
-                influences: Vec::new(),
-            },
-            incident: None,
-            complete: true,
-            points: Vec::new(),
+            head,
+            complete,
+            ..Record::BLANK
         }
     }
 

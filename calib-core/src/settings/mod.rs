@@ -153,6 +153,30 @@ pub struct Settings {
 }
 
 impl Settings {
+    /// Settings of nothing, for memory that waits for some: [`Settings::validate`] refuses them.
+    pub const BLANK: Self = Self {
+        method: Method::Calibrator,
+        example: Example::Example2,
+        reference: ReferenceCalibration {
+            serial: String::new(),
+            certificate: String::new(),
+            calibrated_day: 0,
+            due_day: 0,
+            points: Vec::new(),
+        },
+        reference_input: InputScale { volt_per_code: 0.0 },
+        dut_input: InputScale { volt_per_code: 0.0 },
+        drive_full_scale_peak_v: 0.0,
+        limits: Limits {
+            drive_peak_v: 0.0,
+            acceleration_peak_ms2: 0.0,
+            velocity_peak_ms: 0.0,
+            displacement_peak_m: 0.0,
+        },
+        blocks: 0,
+        influences: Vec::new(),
+    };
+
     /// What is set of the reference's channel.
     pub fn reference_channel(&self) -> ReferenceChannel {
         ReferenceChannel {

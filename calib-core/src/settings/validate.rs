@@ -147,6 +147,11 @@ mod tests {
     use super::*;
 
     #[test]
+    fn what_waits_in_memory_is_no_setting() {
+        assert!(Settings::BLANK.validate().is_err());
+    }
+
+    #[test]
     fn every_impossible_setting_is_named() {
         type Change = fn(&mut Settings);
         let wrong: [(Change, SettingsError); 10] = [

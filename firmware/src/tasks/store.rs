@@ -3,14 +3,13 @@
 use crate::board::{RECORD_AREA, RecordFlash};
 use crate::identity::Identity;
 use crate::state;
-use calib_core::settings::{Example, InputScale, Limits, Method, ReferenceCalibration, Settings};
+use calib_core::settings::Settings;
 use calib_firmware::archive::{Archive, ArchiveError, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
 use calib_protocol::message::{Refusal, RunState, SettingsChange};
-use calib_protocol::record::{Record, RecordHead, RunLabels};
+use calib_protocol::record::{Record, RunLabels};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::mutex::{Mutex, MutexGuard};
-use heapless::{String, Vec};
 
 /// The archive behind a lock. Nobody waits for it on behalf of a host: while
 /// it is being written, a host hears that the calibrator is busy.
@@ -74,7 +73,7 @@ impl SharedArchive {
         record.head.labels = RunLabels {
             unix_time_s: change.unix_time_s,
             operator: change.operator.clone(),
-            ..state::NO_LABELS
+            ..RunLabels::BLANK
         };
         record.settings.clone_from(&change.settings);
         Ok(archive.log_change().await?)
@@ -131,43 +130,4 @@ fn sign(record: &mut Record, identity: &Identity) {
     record.head.instrument_serial.clone_from(&identity.serial);
     record.head.firmware = identity.firmware();
     record.head.sample_rate_hz = crate::board::SAMPLE_RATE_HZ as f32;
-}
-
-/// A record of nothing.
-pub(crate) const fn empty_record() -> Record {
-    Record {
-        head: RecordHead {
-            id: 0,
-            previous_sha256: [0; 32],
-            instrument_serial: String::new(),
-            firmware: String::new(),
-            sample_rate_hz: crate::board::SAMPLE_RATE_HZ as f32,
-            labels: state::NO_LABELS,
-        },
-        settings: Settings {
-            method: Method::Calibrator,
-            example: Example::Example2,
-            reference: ReferenceCalibration {
-                serial: String::new(),
-                certificate: String::new(),
-                calibrated_day: 0,
-                due_day: 0,
-                points: Vec::new(),
-            },
-            reference_input: InputScale { volt_per_code: 0.0 },
-            dut_input: InputScale { volt_per_code: 0.0 },
-            drive_full_scale_peak_v: 0.0,
-            limits: Limits {
-                drive_peak_v: 0.0,
-                acceleration_peak_ms2: 0.0,
-                velocity_peak_ms: 0.0,
-                displacement_peak_m: 0.0,
-            },
-            blocks: 0,
-            influences: Vec::new(),
-        },
-        incident: None,
-        complete: false,
-        points: Vec::new(),
-    }
 }
