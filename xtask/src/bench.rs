@@ -82,7 +82,7 @@ const BENCHES: &[Bench] = &[
         name: "speed",
         package: "calib-tests",
         example: "bench_speed",
-        what: "emulator, correlation on this computer, image size, settling",
+        what: "emulator, rig, correlation on this computer, image size, settling",
     },
     Bench {
         name: "target",

@@ -1,7 +1,6 @@
-//! Datasets against what is stated about them, and their speed.
+//! Datasets against what is stated about them.
 
 use std::collections::BTreeMap;
-use std::time::Instant;
 
 use super::*;
 use crate::effects::ActiveEffect;
@@ -183,26 +182,6 @@ fn a_written_rig_is_read_back() {
         message.contains("my.toml") && message.contains("mains_hz"),
         "{message}"
     );
-}
-
-#[test]
-fn a_dataset_takes_a_fraction_of_a_second() {
-    for effects in [
-        &["dut_resonance"][..],
-        &["suspension_cubic", "coulomb_friction"],
-        &["adc_cubic", "amplifier_clipping"],
-    ] {
-        let start = Instant::now();
-        let generated = made(effects, &Options::default());
-        let second = start.elapsed().as_secs_f64();
-        println!(
-            "dataset: {effects:?} {:.0} ms, {} left out",
-            second * 1e3,
-            generated.left_out
-        );
-        // The bound is wide since other programs may share the core.
-        assert!(second < 3.0, "{second}");
-    }
 }
 
 #[test]

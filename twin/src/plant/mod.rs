@@ -35,8 +35,8 @@ use crate::rig_port::{AIR_C, INPUT_CHANNELS, RigPort, SELF_HEATING_K};
 /// A simulated rig at work.
 ///
 /// # Timing
-/// One hold of a sample period and one sample take about 0.2 us on a present-day core: test
-/// `a_second_of_plant_takes_a_fraction_of_a_second`. With nonlinear effects about 2 us.
+/// One hold of a sample period and one sample take about 0.2 us on a present-day core: `./run bench
+/// speed`. With nonlinear effects about 2 us.
 #[derive(Clone, Debug)]
 pub struct Plant {
     rig: Rig,

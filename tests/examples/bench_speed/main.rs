@@ -1,6 +1,8 @@
 //! Speed on this computer, size of the image, and how fast levels settle:
 //! `./run bench speed`.
 
+mod twin;
+
 use calib_core::correlation::{Block, Correlator, FoldMemory};
 use calib_core::point::PointResult;
 use calib_core::tone::Tone;
@@ -31,6 +33,7 @@ fn main() -> Result<(), Fault> {
         "emulator, first run        {cold:>8.2} x real time, with the translation of the image"
     );
     println!("emulator, second run       {warm:>8.2} x real time, aim 3");
+    let rig = twin::measure()?;
     println!(
         "\n{:>9} {:>10} {:>10} {:>11}",
         "Hz", "settled s", "cycles", "overshoot %"
@@ -44,6 +47,7 @@ fn main() -> Result<(), Fault> {
             "image_bytes": size,
             "emulator_first_run_x_real_time": cold,
             "emulator_x_real_time": warm,
+            "twin": rig,
             "settling": points.iter().map(settling).collect::<Vec<_>>(),
         });
         std::fs::write(path, serde_json::to_string_pretty(&json)?)?;

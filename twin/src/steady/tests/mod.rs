@@ -1,7 +1,8 @@
 //! Steady states against the first-order shapes of each effect, derived by hand.
 
 use std::f64::consts::{PI, SQRT_2, TAU};
-use std::time::Instant;
+
+mod channels;
 
 use super::*;
 use crate::effects::{ActiveEffect, Effect};
@@ -403,124 +404,6 @@ fn a_loose_device_is_cut_on_one_side() {
     assert!(relative(&state.dut, 2).norm() > 0.01 && state.reference.noise_rms_v == 0.0);
 }
 
-/// r, and where it differs d, of every linear effect of the channels, as its formula says.
-#[test]
-fn channel_effects_have_their_first_order_shape() {
-    let conditions = Conditions {
-        time_s: 1000.0,
-        warmer_k: 5.0,
-        rotation_rad: 0.7,
-        tilt_rad: 0.0,
-        payload_kg: 0.08,
-        mains_hz: 50.0,
-    };
-    let j = Complex::new(0.0, 1.0);
-    let one = Complex::new(1.0, 0.0);
-    for f in [10.0, 160.0, 8000.0] {
-        let resonance = |fr: f64, q: f64| 1.0 / (1.0 - (f / fr).powi(2) + j * f / (q * fr));
-        let mounted = (2e9_f64 / 0.08).sqrt() / TAU;
-        let direction = (0.7_f64 - 0.5).cos();
-        let high = j * f / 0.8 / (1.0 + j * f / 0.8);
-        for (text, r, d) in [
-            (
-                "dut_resonance=resonance_hz:30e3,quality:25",
-                resonance(30e3, 25.0),
-                one,
-            ),
-            (
-                "reference_resonance=resonance_hz:30e3,quality:25",
-                1.0 / resonance(30e3, 25.0),
-                resonance(30e3, 25.0),
-            ),
-            (
-                "mount_compliance=stiffness_n_per_m:2e9,quality:20",
-                resonance(mounted, 20.0),
-                one,
-            ),
-            (
-                "relative_motion=kappa_per_kg_hz2:5e-9",
-                one - 5e-9 * 0.08 * f * f,
-                one,
-            ),
-            (
-                "transverse_motion=t0:0.004,beta_rad:0.5,t1:0.01,rocking_hz:2500,quality:12",
-                1.0 + (0.004 + 0.01 * resonance(2500.0, 12.0)) * direction,
-                one,
-            ),
-            (
-                "base_strain=strain:0.01,corner_hz:30",
-                one + 0.02 / (1.0 + (f / 30.0).powi(2)),
-                one,
-            ),
-            (
-                "gravity_tilt=tilt_hz2:0.5",
-                one + 0.5 * 0.7_f64.cos() / (f * f),
-                one,
-            ),
-            (
-                "dut_frequency_slope=slope_per_decade:0.02",
-                one - 0.02 * (f / 160.0).log10(),
-                one,
-            ),
-            ("dut_temperature=alpha_per_k:1e-3", one * 1.005, one),
-            (
-                "reference_temperature=alpha_per_k:1e-3",
-                one / 1.005,
-                one * 1.005,
-            ),
-            ("reference_drift=drift_per_s:2e-6", one / 0.998, one * 0.998),
-            ("dut_drift=drift_per_s:2e-6", one * 1.002, one),
-            ("dut_gain=gain:0.01", one * 1.01, one),
-            ("reference_gain=gain:0.01", one / 1.01, one * 1.01),
-            ("dut_highpass=corner_hz:0.8", high, one),
-            ("reference_highpass=corner_hz:0.8", 1.0 / high, high),
-            (
-                "dut_lowpass_1=corner_hz:80e3",
-                1.0 / (1.0 + j * f / 80e3),
-                one,
-            ),
-            (
-                "dut_lowpass_2=corner_hz:50e3,quality:0.7",
-                resonance(50e3, 0.7),
-                one,
-            ),
-            (
-                "averaging_window=duration_s:1e-5",
-                (PI * f * 1e-5).sin() / (PI * f * 1e-5) * (-j * PI * f * 1e-5).exp(),
-                one,
-            ),
-            ("crosstalk=inverse_fx_s:5e-7", one + j * f * 5e-7, one),
-            ("channel_skew=tau_s:1e-6", (-j * TAU * f * 1e-6).exp(), one),
-            ("clock_offset=delta:5e-11", (-j * TAU * f * 5e-8).exp(), one),
-            (
-                "sampling_jitter=sigma_s:3e-8",
-                one,
-                one * (-0.5 * (TAU * f * 3e-8).powi(2)).exp(),
-            ),
-            ("armature_mode=kappa:0.3,mode_hz:8000,zeta:0.02", one, {
-                let q = f / 8000.0;
-                1.0 + 0.3 * q * q / (1.0 - q * q + 2.0 * j * 0.02 * q)
-            }),
-            (
-                "dut_level_nonlinearity=gamma_per_ms2:1e-3",
-                one * 1.002,
-                one,
-            ),
-        ] {
-            let state = hold(&[text], &conditions, f, 2.0);
-            let plain = hold(&[], &conditions, f, 2.0);
-            let drive = |state: &SteadyState| state.reference.harmonics_v[0] / state.coil_v;
-            let ratio = state.dut.harmonics_v[0] / state.reference.harmonics_v[0];
-            // Exact but for the level, which is held to 1e-4 of itself.
-            assert!((ratio / r - 1.0).norm() < 1e-6, "{text} {f}: {ratio} {r}");
-            assert!(
-                (drive(&state) / drive(&plain) / d - 1.0).norm() < 1e-9,
-                "{text} {f}"
-            );
-        }
-    }
-}
-
 #[test]
 fn every_effect_changes_something() {
     let solver = Solver::default();
@@ -541,25 +424,4 @@ fn every_effect_changes_something() {
             assert!(held.is_ok(), "{} {frequency_hz} {held:?}", effect.id);
         }
     }
-}
-
-#[test]
-fn a_nonlinear_point_takes_a_few_milliseconds_at_most() {
-    let start = Instant::now();
-    let mut count = 0;
-    for text in [
-        "suspension_cubic",
-        "coulomb_friction",
-        "force_factor_droop",
-        "suspension_asymmetry",
-    ] {
-        for frequency_hz in [6.3, 20.0, 50.0, 200.0, 1e3, 1e4] {
-            let level = f64::min(10.0, 0.04 * f64::powi(frequency_hz, 2));
-            hold(&[text], &usual(), frequency_hz, level);
-            count += 1;
-        }
-    }
-    let each_ms = start.elapsed().as_secs_f64() * 1e3 / f64::from(count);
-    println!("steady: {each_ms:.2} ms per nonlinear point");
-    assert!(each_ms < 20.0, "{each_ms}");
 }
