@@ -25,7 +25,7 @@ const DATASETS: [&[&str]; 3] = [
 ///
 /// # Errors
 /// An effect nobody knows.
-pub fn measure() -> Result<Value, Fault> {
+pub(crate) fn measure() -> Result<Value, Fault> {
     let sample_ns = plant_sample_ns();
     println!("plant alone                {sample_ns:>8.0} ns a sample of {TICK_NS}");
     let mut datasets = serde_json::Map::new();
