@@ -131,6 +131,9 @@ impl Effect for Adc {
             Bend::Clipping => &CLIPPING,
         }
     }
+    fn distorts(&self) -> bool {
+        true
+    }
     fn applies(&self, facts: &Facts) -> bool {
         let seen = match self.bend {
             Bend::Quadratic => [

@@ -126,6 +126,9 @@ impl Effect for LevelNonlinearity {
             &LEVEL
         }
     }
+    fn distorts(&self) -> bool {
+        !matches!(self, Self::Plain)
+    }
     fn applies(&self, facts: &Facts) -> bool {
         facts.level_varies && facts.ratio && (matches!(self, Self::Plain) || facts.dut_harmonics)
     }

@@ -80,6 +80,11 @@ pub(crate) trait Effect: Sync {
         false
     }
 
+    /// Whether it makes harmonics, of the exciter or of a channel.
+    fn distorts(&self) -> bool {
+        self.bends()
+    }
+
     /// Whether the response depends on level so steeply that the gain of each run matters.
     fn saturates(&self) -> bool {
         false

@@ -127,6 +127,9 @@ impl Effect for LooseMount {
     fn about(&self) -> &'static About {
         &LOOSE
     }
+    fn distorts(&self) -> bool {
+        true
+    }
     fn opens(&self) -> bool {
         true
     }

@@ -5,10 +5,12 @@
 //! to all other rows, and only what is better there by more than the cost of its
 //! effects is taken to the rows left out. The fits start from those to all rows.
 
-use super::fit::{Effort, Fit, Linearised, Slopes, Workspace, follow};
+use super::fit::{Effort, Fit, Workspace, follow};
 use super::holdout::{Slice, score_on};
+use super::linear::Linearised;
 use super::problem::Problem;
 use super::search::COST;
+use super::slopes::Slopes;
 use crate::dataset::Rig;
 use crate::model::row::Row;
 

@@ -2,12 +2,17 @@
 //!
 //! ```text
 //! problem    whitened data, slots, comparison with the simulation
+//! evaluation  simulation and measurement compared
 //! nuisance   what a fit moves that is no effect
 //! remainder  harmonics above those that are reported, as noise
 //! screen     every start of every effect against the residual of a fit
 //! noise_sum  sums over the noise columns
+//! atom       one start; values: of effects that just change values of the exciter
 //! scatter    the same of effects that only scatter
-//! fit        refinement of a set of effects
+//! column     a column of a Jacobian; normal: normal equations, tangent space
+//! linear     slopes at a fit; nuisance_columns, response: of which no row is computed anew
+//! slopes     slopes of earlier steps
+//! fit        refinement of a set of effects; step, polish
 //! search     none, singles, pairs
 //! score      how the sets found compare: posterior probabilities
 //! structure  what is left: tests by class
@@ -17,16 +22,26 @@
 //! ```
 
 pub(crate) mod across;
+pub(crate) mod atom;
+pub(crate) mod column;
+pub(crate) mod evaluation;
 pub(crate) mod fit;
 pub(crate) mod holdout;
+pub(crate) mod linear;
 mod noise_sum;
 pub(crate) mod normal;
 pub(crate) mod nuisance;
+mod nuisance_columns;
+mod polish;
 pub(crate) mod problem;
 mod remainder;
+mod response;
 mod scatter;
 pub(crate) mod score;
 pub(crate) mod screen;
 pub(crate) mod search;
 pub(crate) mod significance;
+mod slopes;
+mod step;
 pub(crate) mod structure;
+mod values;

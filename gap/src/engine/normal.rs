@@ -1,71 +1,9 @@
 //! Normal equations of sparse columns, and projection off a tangent space.
 
-use super::problem::{Column, Evaluation, Problem, is_phase, wrapped};
+use super::column::Column;
+use super::evaluation::Evaluation;
+use super::problem::{Problem, is_phase, wrapped};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
-
-impl Column {
-    /// Inner product with another column.
-    pub(crate) fn dot(&self, other: &Self) -> f64 {
-        let mut sum = 0.0;
-        for (slot, a) in &self.parts {
-            if let Some((_, b)) = other.parts.iter().find(|(s, _)| s == slot) {
-                sum += inner(a, b);
-            }
-        }
-        sum
-    }
-
-    /// Inner product with a vector over all data.
-    pub(crate) fn dot_data(&self, problem: &Problem, data: &[f64]) -> f64 {
-        self.parts
-            .iter()
-            .map(|(slot, a)| inner(a, &data[problem.slots[*slot].clone()]))
-            .sum()
-    }
-
-    /// Square of the length.
-    pub(crate) fn norm2(&self) -> f64 {
-        self.parts.iter().map(|(_, a)| inner(a, a)).sum()
-    }
-
-    /// Adds a multiple of the column to a vector over all data.
-    pub(crate) fn add_to(&self, problem: &Problem, data: &mut [f64], factor: f64) {
-        for (slot, values) in &self.parts {
-            for (d, v) in data[problem.slots[*slot].clone()].iter_mut().zip(values) {
-                *d += factor * v;
-            }
-        }
-    }
-
-    /// Column of differences `(b - a) * scale` over all data, zero slots left out.
-    pub(crate) fn difference(problem: &Problem, a: &[f64], b: &[f64], scale: f64) -> Self {
-        let mut parts = Vec::new();
-        for (slot, range) in problem.slots.iter().enumerate() {
-            let values: Vec<f64> = a[range.clone()]
-                .iter()
-                .zip(&b[range.clone()])
-                .map(|(a, b)| (b - a) * scale)
-                .collect();
-            if values.iter().any(|v| v.abs() > 1e-11 * scale.abs()) {
-                parts.push((slot, values));
-            }
-        }
-        Self { parts }
-    }
-}
-
-/// Inner product in four lanes, so that the compiler may use vector instructions.
-fn inner(a: &[f64], b: &[f64]) -> f64 {
-    let mut lanes = [0.0; 4];
-    let ((chunks_a, rest_a), (chunks_b, rest_b)) = (a.as_chunks::<4>(), b.as_chunks::<4>());
-    for (x, y) in chunks_a.iter().zip(chunks_b) {
-        for lane in 0..4 {
-            lanes[lane] += x[lane] * y[lane];
-        }
-    }
-    let rest: f64 = rest_a.iter().zip(rest_b).map(|(x, y)| x * y).sum();
-    lanes.iter().sum::<f64>() + rest
-}
 
 /// Tangent space of a fit: columns, their priors, and the factor of the normal matrix.
 pub(crate) struct Tangent {

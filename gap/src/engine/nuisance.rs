@@ -2,8 +2,7 @@
 
 use crate::dataset::{Exciter, Measurand, Rig};
 use crate::effects::Facts;
-use crate::model::predict::Prediction;
-use crate::model::row::{CURRENT, DRIVE, RATIO, Row};
+use crate::model::row::Row;
 
 /// A parameter of the simulation that is not an effect, in units of its uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,31 +141,6 @@ trait RelativeUnits {
 impl RelativeUnits for Option<[crate::dataset::Quantity; 6]> {
     fn unwrap_or_default_units(self) -> [f64; 6] {
         self.map_or([0.0; 6], |e| e.map(|q| q.u / q.value))
-    }
-}
-
-/// Slope of ln values against the relative change of a nuisance.
-pub(super) fn slope(kind: Nuisance, slot: usize, row: &Row, prediction: &Prediction) -> f64 {
-    match kind {
-        Nuisance::RatioGain | Nuisance::DriveGain => 1.0,
-        Nuisance::RunDut(run) => f64::from(u8::from(row.run == run)),
-        Nuisance::RunReference(run) if row.run != run => 0.0,
-        Nuisance::RunReference(_) => {
-            if slot == RATIO {
-                -1.0
-            } else {
-                1.0
-            }
-        }
-        Nuisance::Exciter(i) => prediction
-            .slopes
-            .map_or(0.0, |(drive, current)| match slot {
-                DRIVE => drive[i].re,
-                CURRENT => current[i].re,
-                s if s == DRIVE + 1 => drive[i].im,
-                _ => current[i].im,
-            }),
-        Nuisance::Noise(channel) => prediction.noise_share[channel],
     }
 }
 

@@ -4,9 +4,10 @@
 //! start whatever else the fit holds: that part is summed once for a dataset. What
 //! leaks into the components is computed only where it could make a start the best.
 
+use super::evaluation::Evaluation;
 use super::noise_sum::NoiseSum;
 use super::nuisance::Nuisance;
-use super::problem::{Evaluation, Problem};
+use super::problem::Problem;
 use crate::effects::Active;
 use crate::model::chain::Transfer;
 use crate::model::row::{DRIVE, NOISE};
@@ -194,12 +195,18 @@ impl<'a> Scene<'a> {
         let mut gain = 0.0;
         let mut ratios = Product::default();
         for slot in slots {
-            for at in self.problem.slots[slot].clone() {
-                let row = self.problem.row_of[at];
-                let open = after[row].leaks.of(slot) - self.before[row].leaks.of(slot);
-                let (residual, weight) = (self.here.residual[at], self.here.weight[at]);
-                let wider = open * weight * weight;
-                gain += residual * residual * wider / (1.0 + wider);
+            let rows = after.iter().zip(&self.before);
+            let open: Vec<f64> = rows
+                .map(|(after, before)| after.leaks.of(slot) - before.leaks.of(slot))
+                .collect();
+            let range = self.problem.slots[slot].clone();
+            let (residual, weight) = (
+                &self.here.residual[range.clone()],
+                &self.here.weight[range.clone()],
+            );
+            for ((row, r), w) in self.problem.row_of[range].iter().zip(residual).zip(weight) {
+                let wider = open[*row] * w * w;
+                gain += r * r * wider / (1.0 + wider);
                 ratios.times(1.0 + wider);
             }
         }

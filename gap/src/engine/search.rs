@@ -1,9 +1,12 @@
 //! Which set of effects: none, singles, pairs, with their probabilities.
 
-use super::fit::{Effort, Fit, Slopes, Workspace, moved, refine, refine_with};
+use super::atom::{Promise, active};
+use super::fit::{Effort, Fit, Workspace, refine, refine_with};
 use super::problem::Problem;
 use super::score::{Scored, score};
-use super::screen::{Atoms, Promise, active};
+use super::screen::Atoms;
+use super::slopes::Slopes;
+use super::step::moved;
 use crate::effects::library;
 use std::rc::Rc;
 

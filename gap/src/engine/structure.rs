@@ -1,8 +1,11 @@
 //! What a fit leaves: tests by class, their significance calibrated by simulation.
 
-use super::fit::{Fit, Linearised, Workspace};
+use super::column::Column;
+use super::evaluation::Evaluation;
+use super::fit::{Fit, Workspace};
+use super::linear::Linearised;
 use super::normal::Tangent;
-use super::problem::{Column, Evaluation, Problem};
+use super::problem::Problem;
 use super::significance::{chi_square_tail, of_smallest, two_sided};
 use crate::model::row::{NOISE, REF_HARMONICS, Row, SLOTS};
 use nalgebra::DVector;
@@ -376,8 +379,8 @@ fn legendre(order: usize, x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::evaluation::Memories;
     use super::super::nuisance::Nuisance;
-    use super::super::problem::Memories;
     use super::super::significance::Gauss;
     use super::*;
     use crate::dataset::{Point, Rig};

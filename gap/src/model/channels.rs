@@ -55,6 +55,11 @@ impl<'a> Path<'a> {
         }
     }
 
+    /// Whether the table moves without harmonics.
+    fn is_sine(&self) -> bool {
+        self.others == 0.0 && self.remainder == 0.0
+    }
+
     /// Relative harmonics up to an order behind a response.
     fn carry(&self, wave: &Wave, highest: usize, of: fn(&Transfer) -> Complex64) -> Wave {
         let mut out = [Complex64::ZERO; ORDERS + 1];
@@ -230,6 +235,10 @@ fn of_reference(
     out: &mut Prediction,
 ) -> Complex64 {
     let adc = chain.ref_adc.filter(|_| reference.peak_v.is_finite());
+    if adc.is_none() && path.is_sine() {
+        write_sine(path.row, REF_HARMONICS, out);
+        return Complex64::ONE;
+    }
     let whole = mixes(adc, reference.peak_v, path.others);
     let mut wave = path.to_reference(highest(whole));
     let mut gain = Complex64::ONE;
@@ -252,6 +261,11 @@ fn of_dut(
     out: &mut Prediction,
 ) -> Complex64 {
     let (row, first) = (path.row, &path.first);
+    let is_bent = chain.mount.is_some() || chain.dut_adc.is_some();
+    if !is_bent && path.is_sine() && chain.dut_harmonics == [0.0; 4] {
+        write_sine(row, DUT_HARMONICS, out);
+        return Complex64::ONE;
+    }
     let held = reference.gain * size(first.reference);
     let mut peak_v = row.dut_peak_v * nominal.dut_gain * size(first.dut) / held;
     let peak_ms2 = row.level_ms2 * SQRT_2 / held / nominal.reference_gain;
@@ -320,6 +334,13 @@ fn remainder(
     }
 }
 
+/// A channel that nothing has bent: amplitudes without a phase are those of noise.
+fn write_sine(row: &Row, slot: usize, out: &mut Prediction) {
+    if row.bare_harmonics.contains(&true) {
+        write_harmonics(row, slot, &[Complex64::ZERO; ORDERS + 1], out);
+    }
+}
+
 fn write_harmonics(row: &Row, slot: usize, wave: &Wave, out: &mut Prediction) {
     for (k, h) in wave[2..REPORTED].iter().enumerate() {
         let at = slot + 2 * k;
@@ -337,7 +358,8 @@ mod tests {
     use super::*;
     use crate::dataset::{Harmonic, Point, Rig};
     use crate::effects::library;
-    use crate::model::predict::{Memory, Recall, predict};
+    use crate::model::memory::{Memory, Recall};
+    use crate::model::predict::predict;
     use crate::model::row::{DRIVE, RATIO};
     use std::f64::consts::TAU;
 
@@ -395,6 +417,7 @@ coil_inductance_h = { value = 0.00012, u = 0.0 }
             dut_gain: 1.0,
             reference_gain: 1.0,
             noise_v: [1e-5; 2],
+            noise_ln: [1e-5_f64.ln(); 2],
         };
         predict(
             &row,

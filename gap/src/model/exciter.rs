@@ -35,6 +35,10 @@ pub(crate) struct Added {
     pub(crate) damping_ns_per_m: f64,
 }
 
+/// Relative slopes against the relative changes of mass, stiffness, damping, force factor,
+/// resistance and inductance.
+pub(crate) type Slopes = [Complex64; 6];
+
 /// Responses to the coil voltage at one frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Linear {
@@ -42,11 +46,8 @@ pub(crate) struct Linear {
     pub(crate) acceleration_per_v: Complex64,
     /// Coil current over coil voltage, in S.
     pub(crate) admittance: Complex64,
-    /// Relative derivative of both with respect to the relative change of
-    /// mass, stiffness, damping, force factor, resistance, inductance.
-    pub(crate) drive_slope: [Complex64; 6],
-    /// See `drive_slope`.
-    pub(crate) current_slope: [Complex64; 6],
+    /// Of the one and of the other.
+    pub(crate) slopes: [Slopes; 2],
 }
 
 impl Exciter {
@@ -71,6 +72,15 @@ impl Exciter {
             self.stiffness_n_per_m - self.mass_kg * omega * omega,
             self.damping_ns_per_m * omega,
         )
+    }
+
+    /// Acceleration over coil voltage at one frequency, in (m/s2)/V.
+    pub(crate) fn acceleration_per_v(&self, omega: f64) -> Complex64 {
+        let s = Complex64::new(0.0, omega);
+        let bl = self.force_factor_n_per_a;
+        let denominator =
+            self.dynamic_stiffness(omega) * self.impedance(omega) + s * bl * bl * self.emf_ratio;
+        s * s * bl / denominator
     }
 
     /// Responses at one frequency. `stiffness` replaces [`Exciter::dynamic_stiffness`]
@@ -105,8 +115,7 @@ impl Exciter {
         Linear {
             acceleration_per_v: s * s * bl / denominator,
             admittance: stiffness / denominator,
-            drive_slope,
-            current_slope,
+            slopes: [drive_slope, current_slope],
         }
     }
 }
@@ -170,11 +179,8 @@ mod tests {
             let (up, down) = (moved(1.0), moved(-1.0));
             let drive = (up.acceleration_per_v.ln() - down.acceleration_per_v.ln()) / (2.0 * step);
             let current = (up.admittance.ln() - down.admittance.ln()) / (2.0 * step);
-            assert!((drive - linear.drive_slope[i]).norm() < 1e-7, "drive {i}");
-            assert!(
-                (current - linear.current_slope[i]).norm() < 1e-7,
-                "current {i}"
-            );
+            assert!((drive - linear.slopes[0][i]).norm() < 1e-7, "drive {i}");
+            assert!((current - linear.slopes[1][i]).norm() < 1e-7, "current {i}");
         }
     }
 }

@@ -7,9 +7,11 @@
 pub(crate) mod balance;
 pub(crate) mod chain;
 mod channels;
+mod drive;
 pub(crate) mod exciter;
 mod friction;
 pub(crate) mod leakage;
+pub(crate) mod memory;
 pub(crate) mod predict;
 pub(crate) mod row;
 pub(crate) mod scatter;

@@ -1,13 +1,13 @@
 //! From nominal values and effects to every observable of a row.
 
-use super::balance::{Balanced, Bend, Motion, ORDERS, Purpose, balance};
 use super::chain::{Chain, Transfer};
 use super::channels::{Path, Reference, channels};
-use super::exciter::{Added, Exciter, Linear};
+use super::drive::drive;
+use super::exciter::Slopes;
+use super::memory::Recall;
 use super::row::{CURRENT, DRIVE, NOISE, RATIO, Row, SLOTS};
 use crate::effects::Active;
 use num_complex::Complex64;
-use std::f64::consts::SQRT_2;
 
 /// Nominal values of a rig as a fit moves them.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +23,8 @@ pub(crate) struct Nominal {
     pub(crate) reference_gain: f64,
     /// Noise of a healthy channel: reference, device under test, in V.
     pub(crate) noise_v: [f64; 2],
+    /// Its logarithm.
+    pub(crate) noise_ln: [f64; 2],
 }
 
 /// What the simulation says about one row.
@@ -33,7 +35,7 @@ pub(crate) struct Prediction {
     /// Variance that the effects leave open, per slot.
     pub(crate) open: [f64; SLOTS],
     /// Slopes of drive and current against the six exciter values, relative.
-    pub(crate) slopes: Option<([Complex64; 6], [Complex64; 6])>,
+    pub(crate) slopes: Option<[Slopes; 2]>,
     /// Mean square of the harmonics above 5 in each channel, in V^2.
     pub(crate) remainder_v2: [f64; 2],
     /// Share of it that is not known better.
@@ -44,57 +46,6 @@ pub(crate) struct Prediction {
     pub(crate) noise_share: [f64; 2],
     /// The balance of a nonlinear exciter was not reached.
     pub(crate) diverged: bool,
-}
-
-/// Memory of the harmonic balance of one row between evaluations.
-#[derive(Debug, Clone)]
-pub(crate) struct Memory {
-    motion: Motion,
-    /// What was balanced last, and the result: many effects leave the exciter as it was.
-    last: Option<(Exciter, Bend, f64, Balanced)>,
-}
-
-impl Default for Memory {
-    fn default() -> Self {
-        Self {
-            motion: [Complex64::ZERO; ORDERS + 1],
-            last: None,
-        }
-    }
-}
-
-/// How an evaluation uses the memory of a row.
-pub(crate) enum Recall<'a> {
-    /// Starts from it, and leaves its own solution there.
-    Keep(&'a mut Memory),
-    /// Starts from it and leaves it as it is: for a small step aside.
-    Look(&'a Memory),
-}
-
-impl Recall<'_> {
-    fn balance(&mut self, exciter: &Exciter, bend: &Bend, omega: f64, peak_ms2: f64) -> Balanced {
-        let memory = match &*self {
-            Self::Keep(memory) => &**memory,
-            Self::Look(memory) => memory,
-        };
-        if let Some((e, b, level, balanced)) = &memory.last
-            && (e, b, level) == (exciter, bend, &peak_ms2)
-        {
-            return *balanced;
-        }
-        let mut motion = memory.motion;
-        // Only from a balance nearby is the first correction the size of the step aside.
-        let purpose = match (&*self, &memory.last) {
-            (Self::Look(_), Some((.., near))) if near.converged => Purpose::Slope,
-            _ => Purpose::Value,
-        };
-        let balanced = balance(exciter, bend, omega, peak_ms2, &mut motion, purpose);
-        if let Self::Keep(memory) = self {
-            memory.motion = motion;
-            memory.last = Some((*exciter, *bend, peak_ms2, balanced));
-        }
-        balanced
-    }
 }
 
 /// Times the level is corrected for what a bent reference channel makes of the harmonics.
@@ -149,15 +100,15 @@ pub(crate) fn predict(
     let ratio = ln(first.dut / first.reference * dut_gain / ref_gain);
     put(&mut out, RATIO, ratio + nominal.ratio_ln);
     if let Some(motion) = motion {
-        let per_v = motion.linear.acceleration_per_v
-            * first.table
-            * first.reference
-            * first.drive
-            * ref_gain;
-        put(&mut out, DRIVE, ln(per_v) + nominal.drive_ln);
-        put(&mut out, CURRENT, ln(motion.linear.admittance));
-        out.slopes = Some((motion.linear.drive_slope, motion.linear.current_slope));
-        out.diverged = motion.balanced.is_some_and(|b| !b.converged);
+        let shown = ln(first.table * first.reference * first.drive * ref_gain);
+        put(
+            &mut out,
+            DRIVE,
+            motion.first.ln[0] + shown + nominal.drive_ln,
+        );
+        put(&mut out, CURRENT, motion.first.ln[1]);
+        out.slopes = Some(motion.first.slopes);
+        out.diverged = motion.balanced.as_ref().is_some_and(|b| !b.converged);
     }
     noise(nominal, &chain, &mut out);
     if chain.scatter.leaks.any() {
@@ -169,7 +120,10 @@ pub(crate) fn predict(
 }
 
 /// Logarithm without the care for overflow that the library's takes: no value here is near it.
-fn ln(value: Complex64) -> Complex64 {
+pub(super) fn ln(value: Complex64) -> Complex64 {
+    if value == Complex64::ONE {
+        return Complex64::ZERO;
+    }
     Complex64::new(0.5 * value.norm_sqr().ln(), value.im.atan2(value.re))
 }
 
@@ -192,83 +146,17 @@ pub(super) fn transfer(row: &Row, effects: &[Active<'_>], frequency_hz: f64) -> 
     transfer
 }
 
-struct Drive {
-    linear: Linear,
-    balanced: Option<Balanced>,
-}
-
-fn drive(
-    row: &Row,
-    values: &[f64; 6],
-    chain: &Chain,
-    level_ms2: f64,
-    memory: &mut Recall<'_>,
-) -> Drive {
-    let exciter = Exciter {
-        mass_kg: values[0] + row.payload_kg + chain.mass_kg,
-        stiffness_n_per_m: values[1],
-        damping_ns_per_m: values[2] + chain.damping_ns_per_m,
-        force_factor_n_per_a: values[3],
-        resistance_ohm: values[4] * chain.resistance,
-        inductance_h: values[5],
-        emf_ratio: chain.emf,
-        inductance_exponent: chain.inductance_exponent,
-    };
-    let added = Added {
-        mass_kg: row.payload_kg + chain.mass_kg,
-        damping_ns_per_m: chain.damping_ns_per_m,
-    };
-    let mut stiffness = exciter.dynamic_stiffness(row.omega);
-    if chain.bend.is_linear()
-        || !level_ms2.is_finite()
-        || is_negligible(row, &exciter, chain, level_ms2)
-    {
-        return Drive {
-            linear: exciter.linear(row.omega, added, stiffness),
-            balanced: None,
-        };
-    }
-    let balanced = memory.balance(&exciter, &chain.bend, row.omega, level_ms2 * SQRT_2);
-    stiffness = balanced.stiffness;
-    let mut linear = exciter.linear(row.omega, added, stiffness);
-    linear.acceleration_per_v = balanced.acceleration_per_v;
-    linear.admittance = balanced.admittance;
-    Drive {
-        linear,
-        balanced: Some(balanced),
-    }
-}
-
-/// At high frequency the travel is too small to bend anything; the row is then linear to 1e-7.
-fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) -> bool {
-    let bend = &chain.bend;
-    if bend.friction_n != 0.0 || bend.even_per_v != 0.0 {
-        return false;
-    }
-    if let Some(threshold) = bend.clip_v {
-        let stiffness = exciter.dynamic_stiffness(row.omega);
-        let per_v = exciter
-            .linear(row.omega, Added::default(), stiffness)
-            .acceleration_per_v
-            .norm();
-        if level_ms2 * SQRT_2 / per_v > 0.75 * threshold {
-            return false;
-        }
-    }
-    let sag = bend.gravity_ms2.abs() * exciter.mass_kg / exciter.stiffness_n_per_m;
-    let travel = level_ms2 * SQRT_2 / (row.omega * row.omega);
-    let slope = 2.0 * bend.quadratic_n_per_m2.abs() * (travel + sag)
-        + 3.0 * bend.cubic_n_per_m3.abs() * travel * travel;
-    slope < 1e-7 * exciter.dynamic_stiffness(row.omega).norm()
-        && bend.droop_per_m2.abs() * travel * travel < 1e-7
-}
-
 fn noise(nominal: &Nominal, chain: &Chain, out: &mut Prediction) {
     for channel in 0..2 {
         let healthy = nominal.noise_v[channel] * nominal.noise_v[channel];
         let (power, open) = chain.scatter.noise(channel, healthy);
         if power > 0.0 {
-            out.value[NOISE + channel] = 0.5 * power.ln();
+            // Most sets make no noise: its logarithm is known.
+            out.value[NOISE + channel] = if power == healthy {
+                nominal.noise_ln[channel]
+            } else {
+                0.5 * power.ln()
+            };
             out.noise_power_v2[channel] = power;
             out.noise_share[channel] = healthy / power;
         }

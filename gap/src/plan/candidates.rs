@@ -3,7 +3,8 @@
 use super::Measurement;
 use super::duel::Duel;
 use crate::dataset::{Harmonic, Point, Rig};
-use crate::engine::problem::{Memories, Problem};
+use crate::engine::evaluation::Memories;
+use crate::engine::problem::Problem;
 use crate::model::row::{CURRENT, DC, DRIVE, NOISE, RATIO, REF_HARMONICS, SLOTS};
 
 /// Points in one-third octaves.

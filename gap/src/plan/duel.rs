@@ -1,10 +1,12 @@
 //! Two sets of effects: one is true, the other is refitted as well as it can be.
 
 use super::candidates::observable;
-use crate::engine::fit::{Fit, Linearised, Workspace};
+use crate::engine::column::Column;
+use crate::engine::fit::{Fit, Workspace};
+use crate::engine::linear::Linearised;
 use crate::engine::normal::difference;
 use crate::engine::nuisance::Nuisance;
-use crate::engine::problem::{Column, Problem};
+use crate::engine::problem::Problem;
 use crate::model::row::SLOTS;
 use nalgebra::{Cholesky, DMatrix, DVector};
 

@@ -2,10 +2,10 @@
 
 use crate::answer::Verdict;
 use crate::effects::{Active, Start, library};
+use crate::engine::atom::active;
 use crate::engine::fit::{Fit, Workspace};
 use crate::engine::normal::difference;
 use crate::engine::problem::Problem;
-use crate::engine::screen::active;
 use crate::engine::search::{Limits, search};
 use crate::engine::structure::examine;
 use rayon::prelude::*;

@@ -6,10 +6,12 @@
 //! [`Kind`] is such a rule with free courses; the one that accounts for most of the residual, less
 //! the cost of what it leaves free, is the class of the gap.
 
-use crate::engine::fit::{Fit, Linearised, Workspace};
+use crate::engine::column::Column;
+use crate::engine::fit::{Fit, Workspace};
+use crate::engine::linear::Linearised;
 use crate::engine::normal::Tangent;
 use crate::engine::nuisance::Nuisance;
-use crate::engine::problem::{Column, Problem};
+use crate::engine::problem::Problem;
 use crate::model::row::{CURRENT, DRIVE, NOISE, RATIO, Row, SLOTS};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 

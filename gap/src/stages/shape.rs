@@ -1,8 +1,10 @@
 //! The course of a ratio's deviation over frequency, in words.
 
 use super::pattern::{Kind, Pattern, at_the_optimum, bands, column};
-use crate::engine::fit::{Fit, Linearised, Workspace};
-use crate::engine::problem::{Column, Problem};
+use crate::engine::column::Column;
+use crate::engine::fit::{Fit, Workspace};
+use crate::engine::linear::Linearised;
+use crate::engine::problem::Problem;
 use crate::model::row::RATIO;
 
 /// A function of the frequency.

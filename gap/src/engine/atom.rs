@@ -1,0 +1,212 @@
+//! One start of one effect: its change of the prediction, and what that promises.
+
+use super::column::Column;
+use super::evaluation::Evaluation;
+use super::fit::{Fit, Workspace};
+use super::normal::{Tangent, difference, gram};
+use super::problem::Problem;
+use super::response::response_added;
+use super::values::by_values;
+use crate::effects::{Active, Parameter, Scale, Stage, Start, library};
+use crate::model::row::{DC, REF_HARMONICS};
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+/// What an effect promises.
+#[derive(Clone)]
+pub(crate) struct Promise {
+    pub(crate) entry: usize,
+    pub(crate) gain: f64,
+    pub(crate) parameters: Vec<f64>,
+    /// Step of the nuisances and of the effects already there that goes with it.
+    pub(crate) shift: Option<DVector<f64>>,
+    /// Group of observables in which the gain lies: response, harmonics and d.c., noise.
+    pub(crate) group: usize,
+}
+
+/// A start with the change of the weighted prediction of each member.
+pub(crate) struct Atom {
+    pub(crate) entry: usize,
+    start: Start,
+    pub(super) columns: Vec<Column>,
+    group: usize,
+}
+
+/// An entry of the library with values.
+pub(crate) fn active(entry: usize, parameters: Vec<f64>) -> Active<'static> {
+    let effect = library()[entry];
+    let unit = |(value, about): (&f64, &Parameter)| match about.scale {
+        Scale::Log => 1.0,
+        Scale::Linear if *value != 0.0 => value.abs(),
+        Scale::Linear => 1e-3 * (about.upper - about.lower).min(1.0),
+    };
+    let unit = parameters.iter().zip(effect.about().parameters).map(unit);
+    Active {
+        entry,
+        effect,
+        unit: unit.collect(),
+        parameters,
+    }
+}
+
+/// Change of the weighted prediction when one effect is added to the nominal fit.
+fn change(
+    problem: &Problem,
+    entry: usize,
+    parameters: &[f64],
+    nominal: &Fit,
+    base: &Evaluation,
+    work: &mut Workspace,
+) -> Column {
+    let effect = library()[entry];
+    if effect.is_linear() {
+        let added = active(entry, parameters.to_vec());
+        return response_added(problem, &added, &base.weight);
+    }
+    let effects = [active(entry, parameters.to_vec())];
+    let there = problem.evaluate(&effects, &nominal.theta, &mut work.memory);
+    let unweighted: Vec<f64> = there
+        .residual
+        .iter()
+        .zip(&there.weight)
+        .zip(&base.weight)
+        .map(|((r, wt), wb)| r / wt * wb)
+        .collect();
+    Column::difference(problem, &unweighted, &base.residual, 1.0)
+}
+
+impl Atom {
+    /// A start with its changes at the nominal fit; `None` where nothing changes.
+    pub(super) fn new(
+        problem: &Problem,
+        entry: usize,
+        start: Start,
+        nominal: &Fit,
+        base: &Evaluation,
+        work: &mut Workspace,
+    ) -> Option<Self> {
+        let members = start.members.iter();
+        let columns = members.map(|m| change(problem, entry, m, nominal, base, work));
+        let columns: Vec<Column> = columns.collect();
+        let any = columns.iter().any(|c| c.norm2() > 0.0);
+        any.then(|| Self {
+            entry,
+            start,
+            group: group(&columns),
+            columns,
+        })
+    }
+
+    /// Whether the effect changes the linear exciter, and with it the harmonics of a bent one.
+    pub(super) fn moves_exciter(&self) -> bool {
+        let effect = library()[self.entry];
+        effect.about().stage == Stage::Exciter && !effect.is_linear() && !effect.bends()
+    }
+
+    /// The changes beside the effects that a fit holds.
+    pub(super) fn beside(
+        &self,
+        problem: &Problem,
+        fit: &Fit,
+        (here, tangent): (&Evaluation, &Tangent),
+        work: &Workspace,
+    ) -> Vec<Column> {
+        let members = self.start.members.iter();
+        let columns = members.map(|parameters| {
+            let added = active(self.entry, parameters.clone());
+            let known = by_values(problem, fit, &added, &tangent.columns);
+            known.unwrap_or_else(|| {
+                let mut effects = fit.effects.clone();
+                effects.push(added);
+                let there = problem.evaluate_aside(&effects, &fit.theta, &work.memory);
+                let left = difference(problem, here, &there);
+                let none = vec![0.0; left.len()];
+                Column::difference(problem, &none, &left, 1.0)
+            })
+        });
+        columns.collect()
+    }
+
+    /// What the effect promises with the given changes, if it is more than `floor`.
+    pub(super) fn promise(
+        &self,
+        columns: &[Column],
+        problem: &Problem,
+        (evaluation, tangent): (&Evaluation, &Tangent),
+        floor: f64,
+    ) -> Option<Promise> {
+        let loads: Vec<DVector<f64>> = columns.iter().map(|c| tangent.load(c)).collect();
+        let (matrix, vector) = left_over(columns, &loads, problem, evaluation)?;
+        let mut amplitude = Cholesky::new(matrix.clone())?.solve(&vector);
+        if let [size] = amplitude.as_mut_slice() {
+            let (low, high) = self.sizes();
+            *size = size.clamp(low, high);
+        }
+        let gain =
+            2.0 * amplitude.dot(&vector) - (amplitude.transpose() * &matrix * &amplitude)[(0, 0)];
+        if !gain.is_finite() || gain <= floor {
+            return None;
+        }
+        let effect = library()[self.entry];
+        let parameters = effect.combine(&self.start, amplitude.as_slice());
+        let mut taken = DVector::zeros(tangent.columns.len());
+        for (load, size) in loads.iter().zip(amplitude.iter()) {
+            taken.axpy(-size, load, 1.0);
+        }
+        Some(Promise {
+            entry: self.entry,
+            gain,
+            parameters,
+            shift: Some(tangent.unload(taken)),
+            group: self.group,
+        })
+    }
+
+    /// Smallest and largest factor on the start.
+    fn sizes(&self) -> (f64, f64) {
+        if self.start.signed {
+            (f64::NEG_INFINITY, f64::INFINITY)
+        } else if self.start.amplitude.is_some() {
+            (0.0, 1e4)
+        } else {
+            (0.3, 3.0)
+        }
+    }
+}
+
+/// Normal matrix of columns and their products with the residual, the tangent space taken out;
+/// `None` where it takes over a column completely.
+fn left_over(
+    columns: &[Column],
+    loads: &[DVector<f64>],
+    problem: &Problem,
+    evaluation: &Evaluation,
+) -> Option<(DMatrix<f64>, DVector<f64>)> {
+    let count = columns.len();
+    let mut matrix: DMatrix<f64> = gram(columns, &vec![0.0; count]);
+    let mut vector = DVector::zeros(count);
+    for i in 0..count {
+        // At the optimum the nuisances' own gradients are balanced by their priors.
+        vector[i] = columns[i].dot_data(problem, &evaluation.residual);
+        for j in 0..count {
+            matrix[(i, j)] -= loads[i].dot(&loads[j]);
+        }
+        // A direction that the nuisances can take over completely promises nothing.
+        // (One that they take over against their priors does: the priors are the evidence.)
+        if matrix[(i, i)] < 1e-11 * columns[i].norm2() {
+            return None;
+        }
+    }
+    Some((matrix, vector))
+}
+
+/// Group of observables in which most of a change lies: response, or harmonics and d.c.
+fn group(columns: &[Column]) -> usize {
+    let weight = |from: usize, to: usize| -> f64 {
+        let parts = columns.iter().flat_map(|c| &c.parts);
+        let inside = parts.filter(|p| (from..to).contains(&p.0));
+        inside
+            .map(|(_, v)| v.iter().map(|x| x * x).sum::<f64>())
+            .sum()
+    };
+    usize::from(weight(REF_HARMONICS, DC + 2) > weight(0, REF_HARMONICS))
+}

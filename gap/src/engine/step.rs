@@ -1,0 +1,46 @@
+//! A fit after a step of nuisances and parameters, within physical bounds.
+
+use super::fit::Fit;
+use super::problem::Problem;
+use crate::effects::{Active, Scale};
+use nalgebra::DVector;
+
+/// A fit after a step in internal units.
+pub(crate) fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
+    let mut trial = fit.clone();
+    let nuisances = problem.free.len();
+    for (theta, (free, change)) in trial
+        .theta
+        .iter_mut()
+        .zip(problem.free.iter().zip(step.iter()))
+    {
+        let longest = free.longest_step();
+        *theta += change.clamp(-longest, longest);
+    }
+    let mut at = nuisances;
+    for active in &mut trial.effects {
+        let of = active.effect.about().parameters.iter().zip(&active.unit);
+        for (value, (parameter, unit)) in active.parameters.iter_mut().zip(of) {
+            match parameter.scale {
+                Scale::Log => *value *= step[at].clamp(-1.0, 1.0).exp(),
+                Scale::Linear => *value += step[at] * unit,
+            }
+            at += 1;
+        }
+    }
+    clamp(&mut trial.effects);
+    trial
+}
+
+/// Takes parameters back into their bounds.
+pub(super) fn clamp(effects: &mut [Active<'static>]) {
+    for active in effects {
+        for (value, parameter) in active
+            .parameters
+            .iter_mut()
+            .zip(active.effect.about().parameters)
+        {
+            *value = value.clamp(parameter.lower, parameter.upper);
+        }
+    }
+}

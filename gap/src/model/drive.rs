@@ -1,0 +1,100 @@
+//! The exciter of one row at the level that is held.
+
+use super::balance::Balanced;
+use super::chain::Chain;
+use super::exciter::{Added, Exciter, Linear, Slopes};
+use super::memory::Recall;
+use super::predict::{ln, size};
+use super::row::Row;
+use num_complex::Complex64;
+use std::f64::consts::SQRT_2;
+
+/// What the exciter does to one row.
+pub(super) struct Drive {
+    pub(super) first: Fundamental,
+    /// A balance of harmonics where the exciter is nonlinear.
+    pub(super) balanced: Option<Balanced>,
+}
+
+/// What it does to the fundamental.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fundamental {
+    /// Logarithms of acceleration and of current over coil voltage.
+    pub(super) ln: [Complex64; 2],
+    /// Their slopes against the values of the exciter.
+    pub(super) slopes: [Slopes; 2],
+}
+
+/// Drives a row to the level that is held.
+pub(super) fn drive(
+    row: &Row,
+    values: &[f64; 6],
+    chain: &Chain,
+    level_ms2: f64,
+    memory: &mut Recall<'_>,
+) -> Drive {
+    let exciter = Exciter {
+        mass_kg: values[0] + row.payload_kg + chain.mass_kg,
+        stiffness_n_per_m: values[1],
+        damping_ns_per_m: values[2] + chain.damping_ns_per_m,
+        force_factor_n_per_a: values[3],
+        resistance_ohm: values[4] * chain.resistance,
+        inductance_h: values[5],
+        emf_ratio: chain.emf,
+        inductance_exponent: chain.inductance_exponent,
+    };
+    let added = Added {
+        mass_kg: row.payload_kg + chain.mass_kg,
+        damping_ns_per_m: chain.damping_ns_per_m,
+    };
+    if chain.bend.is_linear()
+        || !level_ms2.is_finite()
+        || is_negligible(row, &exciter, chain, level_ms2)
+    {
+        let first = memory.still(&exciter, added, || {
+            let stiffness = exciter.dynamic_stiffness(row.omega);
+            Fundamental::new(&exciter.linear(row.omega, added, stiffness))
+        });
+        return Drive {
+            first,
+            balanced: None,
+        };
+    }
+    let balanced = memory.balance(&exciter, &chain.bend, row.omega, level_ms2 * SQRT_2);
+    let mut linear = exciter.linear(row.omega, added, balanced.stiffness);
+    linear.acceleration_per_v = balanced.acceleration_per_v;
+    linear.admittance = balanced.admittance;
+    Drive {
+        first: Fundamental::new(&linear),
+        balanced: Some(balanced),
+    }
+}
+
+impl Fundamental {
+    fn new(linear: &Linear) -> Self {
+        Self {
+            ln: [ln(linear.acceleration_per_v), ln(linear.admittance)],
+            slopes: linear.slopes,
+        }
+    }
+}
+
+/// At high frequency the travel is too small to bend anything; the row is then linear to 1e-7.
+fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) -> bool {
+    let bend = &chain.bend;
+    if bend.friction_n != 0.0 || bend.even_per_v != 0.0 {
+        return false;
+    }
+    if let Some(threshold) = bend.clip_v {
+        let per_v = size(exciter.acceleration_per_v(row.omega));
+        if level_ms2 * SQRT_2 / per_v > 0.75 * threshold {
+            return false;
+        }
+    }
+    let sag = bend.gravity_ms2.abs() * exciter.mass_kg / exciter.stiffness_n_per_m;
+    let travel = level_ms2 * SQRT_2 / (row.omega * row.omega);
+    let slope = 2.0 * bend.quadratic_n_per_m2.abs() * (travel + sag)
+        + 3.0 * bend.cubic_n_per_m3.abs() * travel * travel;
+    slope < 1e-7 * exciter.dynamic_stiffness(row.omega).norm()
+        && bend.droop_per_m2.abs() * travel * travel < 1e-7
+}
