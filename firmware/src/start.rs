@@ -89,8 +89,7 @@ pub(crate) async fn start(spawner: Spawner) {
 async fn open_archive(flash: RecordFlash) -> &'static SharedArchive {
     axi_static!(DIRECTORY: Directory);
     axi_static!(SCRATCH: [u8; MAX_ITEM]);
-    // Some 20 KB: too large for a stack.
-    static RECORD: ConstStaticCell<Record> = ConstStaticCell::new(Record::BLANK);
+    axi_static!(RECORD: Record);
     static LAST_ACCESS: LastAccess = LastAccess::new();
     static ARCHIVE: StaticCell<SharedArchive> = StaticCell::new();
     let memory = Memory {

@@ -19,15 +19,8 @@ fn main() -> Result<(), Fault> {
         Siege::quiet_record(End::Usb, &points)?,
     ];
     println!(
-        "{:<44} {:>6} {:>9} {:>7} {:>6} {:>8} {:>5} {:>8}",
-        "attack on a calibrator that measures",
-        "blows",
-        "kB",
-        "asked",
-        "twice",
-        "slowest",
-        "runs",
-        "time"
+        "{:<44} {:>6} {:>9} {:>7} {:>8} {:>5} {:>8}",
+        "attack on a calibrator that measures", "blows", "kB", "asked", "slowest", "runs", "time"
     );
     let mut all = Vec::new();
     for assault in Assault::ALL {
@@ -64,11 +57,10 @@ fn points() -> Vec<PointSpec> {
 
 fn print(name: &str, toll: &Toll) {
     println!(
-        "{name:<44} {:>6} {:>9.1} {:>7} {:>6} {:>5.1} ms {:>5} {:>6.1} s",
+        "{name:<44} {:>6} {:>9.1} {:>7} {:>5.1} ms {:>5} {:>6.1} s",
         toll.blows,
         toll.bytes as f64 / 1000.0,
         toll.asked,
-        toll.repeated,
         toll.slowest_ms,
         toll.runs,
         toll.virtual_s,

@@ -29,6 +29,12 @@ const BUTTON_SEEN: Duration = Duration::from_millis(60);
 const FIRST: u16 = 0x1000;
 const AFTER_KEEPING: u16 = 0x8000;
 
+/// A byte of `cortex_m_rt::STACK_PAINT_VALUE`.
+const PAINT: u8 = 0xCC;
+
+/// Bytes of the stack that are in use while every task sleeps, and some.
+const IDLE_STACK: usize = 2048;
+
 /// An emulated calibrator with its rig, and a client that speaks to it.
 pub struct Bench {
     emulator: SharedEmulator,
@@ -88,13 +94,39 @@ impl Bench {
         let _ = self.board().replace_rig(Box::new(Plant::new(rig)));
     }
 
+    /// Paints the stack anew but for its first [`IDLE_STACK`] bytes, as soon as the processor sleeps:
+    /// what it is used for from here on shows.
+    ///
+    /// # Errors
+    /// As [`Bench::unused_stack_bytes`], and when the processor does not sleep within 10 ms.
+    pub fn paint_stack(&self) -> Result<(), Fault> {
+        let mut board = self.board();
+        let (end, start) = (board.symbol("_stack_end")?, board.symbol("_stack_start")?);
+        for _ in 0..1000 {
+            let before = board.instructions();
+            board.run_for(Duration::from_micros(10))?;
+            if board.instructions() == before {
+                let length = (start - end) as usize - IDLE_STACK;
+                return Ok(board.fill_memory(end, length, PAINT)?);
+            }
+        }
+        Err("the processor never sleeps".into())
+    }
+
+    /// Bytes of the stack, used or not.
+    ///
+    /// # Errors
+    /// When the image has no such symbol.
+    pub fn stack_bytes(&self) -> Result<usize, Fault> {
+        let board = self.board();
+        Ok((board.symbol("_stack_start")? - board.symbol("_stack_end")?) as usize)
+    }
+
     /// Bytes of the stack that still hold what the start-up code filled it with.
     ///
     /// # Errors
     /// When the image or the board cannot be read.
     pub fn unused_stack_bytes(&self) -> Result<usize, Fault> {
-        /// A byte of `cortex_m_rt::STACK_PAINT_VALUE`.
-        const PAINT: u8 = 0xCC;
         let mut board = self.board();
         let (end, start) = (board.symbol("_stack_end")?, board.symbol("_stack_start")?);
         let stack = board.read_memory(end, (start - end) as usize)?;

@@ -153,10 +153,11 @@ pub struct Settings {
 }
 
 impl Settings {
-    /// Settings of nothing, for memory that waits for some: [`Settings::validate`] refuses them.
+    /// Settings of nothing, for memory that waits for some: [`Settings::validate`] refuses them. Every
+    /// byte is zero, so that they may lie in memory that is cleared at the start.
     pub const BLANK: Self = Self {
         method: Method::Calibrator,
-        example: Example::Example2,
+        example: Example::Example1,
         reference: ReferenceCalibration {
             serial: String::new(),
             certificate: String::new(),

@@ -10,6 +10,7 @@ use calib_core::broadband::{PeriodMemory, SpectraMemory};
 use calib_core::correlation::FoldMemory;
 use calib_firmware::archive::Directory;
 use calib_firmware::link::Link;
+use calib_protocol::record::Record;
 
 unsafe extern "C" {
     static mut __axisram_start: u32;
@@ -42,7 +43,7 @@ pub(crate) unsafe trait AllZero {
 }
 
 // Note(unsafe): numbers; sums of zero; a vector of length zero; a link on which
-// nothing came.
+// nothing came; a record of empty texts and lists, first variants and zeros.
 unsafe impl<const N: usize> AllZero for [u8; N] {
     const ZERO: Self = [0; N];
 }
@@ -66,6 +67,9 @@ unsafe impl AllZero for Directory {
 }
 unsafe impl AllZero for Link {
     const ZERO: Self = Link::new();
+}
+unsafe impl AllZero for Record {
+    const ZERO: Self = Record::BLANK;
 }
 
 /// Declares a static in AXI SRAM, to be taken once.

@@ -13,8 +13,9 @@ use std::time::Duration;
 const OTHER_BAUD: u32 = 3_000_000;
 /// Bytes kept queued for a USB port that is to have no pause: 16 ms of the bus.
 const USB_QUEUE: usize = 20_000;
-/// Time after a damaged byte from which requests are heard again (docs/protocol.md), and some.
-pub const AFTER_DAMAGE: Duration = Duration::from_millis(4);
+/// Time after a damaged byte from which requests are heard again (docs/protocol.md): 2 ms, and the
+/// evaluation of a block, which is over when the next one comes, 10 ms later.
+pub const AFTER_DAMAGE: Duration = Duration::from_millis(12);
 /// Every so many blows the attack pauses, and the attacked link is asked something.
 const PAUSE: u32 = 10;
 
@@ -113,7 +114,7 @@ impl Siege {
         if !answers.is_empty() {
             return Err(format!("noise was answered: {answers:x?}").into());
         }
-        self.ask_twice(End::Serial)
+        self.ask(End::Serial)
     }
 
     /// 90 ms of questions whose answers take the line ten times as long: what the receiver has no

@@ -4,12 +4,12 @@ use crate::hostile::{Heard, Mutator, heard, seeds};
 use calib_protocol::frame::{MAX_FRAME, encode};
 use calib_protocol::message::Request;
 
-/// A request as it goes over the line.
+/// A request as a host sends it: a zero before it, without which a frame may be taken for a line.
 pub fn frame(sequence: u16, request: &Request) -> Vec<u8> {
-    let mut buffer = vec![0; MAX_FRAME];
+    let mut buffer = vec![0; 1 + MAX_FRAME];
     // Any request of this version fits.
-    let length = encode(sequence, request, &mut buffer).unwrap_or_default();
-    buffer.truncate(length);
+    let length = encode(sequence, request, &mut buffer[1..]).unwrap_or_default();
+    buffer.truncate(1 + length);
     buffer
 }
 
@@ -66,11 +66,20 @@ mod tests {
     /// salvos ended the runs that were to go on.
     #[test]
     fn no_salvo_holds_a_stop_wherever_its_lines_end() {
-        let stop = [vec![b'\n'], frame(0x0104, &Request::Stop)].concat();
+        let stop = [b"\n", &frame(0x0104, &Request::Stop)[1..]].concat();
         assert_eq!(whole_frames(&stop), []);
         assert_eq!(heard(&stop).stops, 1);
         let mut fire = Ammunition::new(5);
         let salvos: Vec<u8> = (0..90).flat_map(|_| fire.no_stop(20_000)).collect();
         assert_eq!(heard(&salvos).stops, 0);
+    }
+
+    /// Request 10 in a frame of eight bytes without a zero begins with a tab and holds an LF.
+    #[test]
+    fn a_zero_before_it_tells_a_frame_from_a_line() {
+        let release = frame(0x0101, &Request::Release { through: 9 });
+        assert_eq!(release[1..5], [b'\t', 1, 1, b'\n']);
+        assert_eq!(heard(&release[1..]).answers, 0);
+        assert_eq!(heard(&release).answers, 1);
     }
 }

@@ -49,8 +49,6 @@ pub struct Toll {
     pub bytes: usize,
     /// Questions meanwhile, each answered in time.
     pub asked: u32,
-    /// Questions after another rate that had to be asked twice, and were then answered in time.
-    pub repeated: u32,
     /// Longest time to an answer, ms.
     pub slowest_ms: f64,
     /// Runs that went on meanwhile.
@@ -167,15 +165,6 @@ impl Siege {
         }
         self.toll.asked += 1;
         self.toll.slowest_ms = self.toll.slowest_ms.max(took.as_secs_f64() * 1000.0);
-        Ok(())
-    }
-
-    /// As [`Siege::ask`], and once more when the first question is lost.
-    fn ask_twice(&mut self, end: End) -> Result<(), Fault> {
-        if self.ask(end).is_err() {
-            self.toll.repeated += 1;
-            return self.ask(end);
-        }
         Ok(())
     }
 

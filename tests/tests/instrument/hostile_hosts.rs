@@ -164,3 +164,59 @@ fn after_any_bytes_the_next_request_is_answered_and_nothing_is_changed() -> Resu
     );
     Ok(())
 }
+
+/// Bytes of the stack above the deepest answer and the deepest evaluation together: for a driver's
+/// interrupt that comes on top, and what the panic path needs to say why.
+const STACK_MARGIN: usize = 8 << 10;
+
+/// The task that measures interrupts the ones that answer, wherever they are: both depths add up. A
+/// host that asked for the list of records when a point was being evaluated once overran the stack.
+#[test]
+fn the_deepest_answer_and_the_deepest_evaluation_fit_on_the_stack_together() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    // Faster than the serial line: the first to change something, so it holds the session.
+    let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(bench.shared())?));
+    let settings = bench.client.settings()?;
+    let mut questions: Vec<Vec<u8>> = [
+        Request::Info,
+        Request::Status,
+        Request::Point { index: 0 },
+        Request::Records { from: 1 },
+        Request::ReadRecord { id: 1, offset: 0 },
+        Request::SettingsRead,
+        Request::SettingsWrite(settings.into()),
+        Request::Release { through: 1 },
+        Request::Capture { pairs: 64 },
+        Request::ReadCapture { offset: 0 },
+    ]
+    .iter()
+    .map(|request| frame(1, request))
+    .collect();
+    questions.push(b"MMEM:CAT?\n".to_vec());
+    bench.paint_stack()?;
+    for question in &questions {
+        bench.board().write_serial(question);
+        bench.board().usb().send(question);
+        // The longest answer takes the serial line 130 ms.
+        bench.client.wait(Duration::from_millis(150))?;
+    }
+    let stack = bench.stack_bytes()?;
+    let answering = stack - bench.unused_stack_bytes()?;
+    let _ = bench.board().read_serial();
+
+    let run = RunSpec {
+        // Folds into as many places as there are samples: the longest evaluation.
+        points: [point(315.0, 10.0)].into_iter().collect(),
+        excitation: ExcitationKind::SingleSine,
+        labels: RunLabels::default(),
+    };
+    usb.start(run)?;
+    bench.paint_stack()?;
+    // Nobody asks meanwhile.
+    bench.client.wait(Duration::from_secs(2))?;
+    let measuring = stack - bench.unused_stack_bytes()?;
+    assert_eq!(bench.client.status()?.state, RunState::Finished);
+    println!("answering {answering} bytes, measuring {measuring}, of {stack}");
+    assert!(answering + measuring + STACK_MARGIN <= stack);
+    Ok(())
+}

@@ -338,6 +338,17 @@ impl Emulator {
             .map_err(|error| Error::Ended(error.to_string()))
     }
 
+    /// Fills `length` bytes of the board's RAM with `byte`, as a debugger does.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails or nothing is at `address`.
+    pub fn fill_memory(&mut self, address: u64, length: usize, byte: u8) -> Result<(), Error> {
+        self.core
+            .act(move |_, host, _| memory::fill(host, address, length, byte))?
+            .map_err(|error| Error::Ended(error.to_string()))
+    }
+
     fn after(&self, duration: Duration) -> VirtualNanos {
         let until = self.elapsed() + duration.min(FOREVER);
         VirtualNanos(until.as_nanos() as u64)

@@ -46,6 +46,19 @@ pub(super) fn scramble(host: &mut dyn Host, seed: u64) -> Result<(), EmulatorErr
     Ok(())
 }
 
+/// Fills `length` bytes from `address`, a multiple of 8 both, with `byte`.
+pub(super) fn fill(
+    host: &mut dyn Host,
+    address: u64,
+    length: usize,
+    byte: u8,
+) -> Result<(), EmulatorError> {
+    for at in (address..address + length as u64).step_by(8) {
+        host.write(at, Width::W64, u64::from_le_bytes([byte; 8]))?;
+    }
+    Ok(())
+}
+
 /// Puts `bytes` into flash at `address`, a multiple of 8 both, as they are.
 pub(super) fn program(
     host: &mut dyn Host,
