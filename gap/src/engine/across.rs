@@ -6,10 +6,10 @@
 //! effects is taken to the rows left out. The fits start from those to all rows.
 
 use super::fit::{Effort, Fit, Workspace, follow};
+use super::found::COST;
 use super::holdout::{Slice, score_on};
 use super::linear::Linearised;
 use super::problem::Problem;
-use super::search::COST;
 use super::slopes::Slopes;
 use crate::dataset::Rig;
 use crate::model::row::Row;

@@ -13,7 +13,8 @@
 //! linear     slopes at a fit; nuisance_columns, response: of which no row is computed anew
 //! slopes     slopes of earlier steps
 //! fit        refinement of a set of effects; step, polish
-//! search     none, singles, pairs
+//! search     none, singles, pairs, within limits
+//! proposal   which effects to add to which sets; race: their refinement; found: what came of it
 //! score      how the sets found compare: posterior probabilities
 //! structure  what is left: tests by class
 //! significance  how surprising that is, calibrated by simulation
@@ -26,7 +27,9 @@ pub(crate) mod atom;
 pub(crate) mod column;
 pub(crate) mod evaluation;
 pub(crate) mod fit;
+pub(crate) mod found;
 pub(crate) mod holdout;
+pub(crate) mod limits;
 pub(crate) mod linear;
 mod noise_sum;
 pub(crate) mod normal;
@@ -34,6 +37,8 @@ pub(crate) mod nuisance;
 mod nuisance_columns;
 mod polish;
 pub(crate) mod problem;
+mod proposal;
+mod race;
 mod remainder;
 mod response;
 mod scatter;

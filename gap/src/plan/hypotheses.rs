@@ -4,9 +4,10 @@ use crate::answer::Verdict;
 use crate::effects::{Active, Start, library};
 use crate::engine::atom::active;
 use crate::engine::fit::{Fit, Workspace};
+use crate::engine::limits::Limits;
 use crate::engine::normal::difference;
 use crate::engine::problem::Problem;
-use crate::engine::search::{Limits, search};
+use crate::engine::search::search;
 use crate::engine::structure::examine;
 use rayon::prelude::*;
 
