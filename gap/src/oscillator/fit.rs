@@ -2,13 +2,17 @@
 
 use super::model::{
     DEAD_ZONE, HELD_BACK, HIGHPASS, HYSTERESIS, LINEAR, LOSSES, SATURATION, SECOND_MODE, TERMS,
-    VALUES, places, simulate, states,
+    VALUES, places, states,
 };
+use super::run::{REACH, Run};
+use super::simulate::simulate;
 use crate::dataset::Record;
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Samples at the start that only settle the state.
 pub(crate) const SETTLING: usize = 50;
+/// Samples at the end beyond which the interpolation of the input would have to look.
+const ENDING: usize = REACH;
 /// Longest part of a record that is fitted.
 const MOST_SAMPLES: usize = 20_000;
 
@@ -22,6 +26,17 @@ pub(crate) struct Fitted {
     pub(crate) square: f64,
     /// Covariance of the free values, residual variance included.
     pub(crate) covariance: DMatrix<f64>,
+    /// Estimated error of the integration, r.m.s.; zero where nobody asked.
+    pub(crate) integration: f64,
+}
+
+impl Fitted {
+    /// Difference, r.m.s., to an integration in other steps.
+    pub(super) fn off(&self, run: &Run, finer: &Run) -> Option<f64> {
+        let (here, there) = (simulate(&self.values, run)?, simulate(&self.values, finer)?);
+        let off: Vec<f64> = here.iter().zip(&there).map(|(a, b)| a - b).collect();
+        Some(rms(compared(&off)))
+    }
 }
 
 /// The part of a record that is fitted.
@@ -34,27 +49,35 @@ pub(crate) fn fitted_part(record: &Record) -> Record {
     }
 }
 
-/// Values that a fit moves. What a high-pass held back before the record is
-/// forgotten soon; left free it would be an offset of the output.
-fn free(terms: &[usize]) -> Vec<usize> {
+/// Times a record is longer than the memory of a high-pass from which what it held back
+/// before is fitted; left free in a slower one it would be an offset of the output.
+const REMEMBERED: f64 = 8.0;
+
+/// Values that a fit moves from there.
+fn free(terms: &[usize], values: &[f64; VALUES], record: &Run) -> Vec<usize> {
+    let duration_s = record.interval_s * record.input.len() as f64;
+    let forgets = values[HIGHPASS] * duration_s > REMEMBERED;
+    let states = states(terms).into_iter();
     (0..LINEAR)
         .chain(terms.iter().flat_map(|t| places(*t)))
-        .chain(states(terms).into_iter().filter(|s| *s > HELD_BACK))
+        .chain(states.filter(|s| *s > HELD_BACK || *s == HELD_BACK && forgets))
         .collect()
 }
 
 /// Measured minus simulated output after the settling samples; `None` where the simulation diverges.
-pub(super) fn residual(values: &[f64; VALUES], record: &Record) -> Option<Vec<f64>> {
-    let simulated = simulate(values, record.interval_s, &record.input)?;
-    Some(
-        record
-            .output
-            .iter()
-            .zip(simulated)
-            .skip(SETTLING)
-            .map(|(m, s)| m - s)
-            .collect(),
-    )
+pub(super) fn residual(values: &[f64; VALUES], record: &Run) -> Option<Vec<f64>> {
+    let simulated = simulate(values, record)?;
+    let both = compared(&record.output).iter().zip(compared(&simulated));
+    Some(both.map(|(m, s)| m - s).collect())
+}
+
+/// The samples that are compared: the first settle the state, and at the last the input
+/// that follows is not known.
+pub(super) fn compared(values: &[f64]) -> &[f64] {
+    let end = values.len().saturating_sub(ENDING).max(SETTLING);
+    values
+        .get(SETTLING..end.min(values.len()))
+        .unwrap_or_default()
 }
 
 /// Size of a step of each value for the slopes.
@@ -78,15 +101,20 @@ fn nudge(values: &[f64; VALUES], index: usize, unit: f64) -> f64 {
     }
 }
 
+/// Logarithm of half the rate over the lowest resonance that is tried.
+const LOWEST: f64 = 20.0;
+
 /// Keeps damping, widths and frequencies where the simulation can follow them.
-fn bound(values: &mut [f64; VALUES], record: &Record, scale: f64) {
+fn bound(values: &mut [f64; VALUES], record: &Run, scale: f64) {
     values[1] = values[1].clamp(1e-5, 2.0);
     // Friction and damping take energy out.
     for loss in LOSSES {
         values[loss] = values[loss].max(0.0);
     }
-    // A mode must lie below half the rate at which the force is known.
-    let highest = (std::f64::consts::PI / record.interval_s).ln() - values[0];
+    // A mode must lie below half the rate at which the force is known, the first one too.
+    let half_rate = (std::f64::consts::PI / record.interval_s).ln();
+    values[0] = values[0].clamp(half_rate - LOWEST, half_rate);
+    let highest = half_rate - values[0];
     values[SECOND_MODE + 1] = values[SECOND_MODE + 1].clamp(-7.0, highest);
     values[SECOND_MODE + 2] = values[SECOND_MODE + 2].clamp(1e-4, 1.0);
     values[DEAD_ZONE] = values[DEAD_ZONE].clamp(0.0, 10.0 * scale);
@@ -98,7 +126,7 @@ fn bound(values: &mut [f64; VALUES], record: &Record, scale: f64) {
 }
 
 /// Root mean square of the output.
-fn scale_of(record: &Record) -> f64 {
+fn scale_of(record: &Run) -> f64 {
     rms(&record.output).max(f64::MIN_POSITIVE)
 }
 
@@ -111,7 +139,7 @@ const MODES: usize = 90;
 const MODE_DAMPING: f64 = 0.05;
 
 /// Where the fit of a term begins: the most promising values of those it is not linear in.
-pub(crate) fn begin(record: &Record, base: &[f64; VALUES], term: usize) -> [f64; VALUES] {
+pub(crate) fn begin(record: &Run, base: &[f64; VALUES], term: usize) -> [f64; VALUES] {
     let scale = scale_of(record);
     let with = |changes: &[(usize, f64)]| {
         let mut values = *base;
@@ -153,19 +181,20 @@ pub(crate) fn begin(record: &Record, base: &[f64; VALUES], term: usize) -> [f64;
 
 /// The candidate that, scaled, takes most out of what the base leaves beside the linear values.
 fn most_promising(
-    record: &Record,
+    record: &Run,
     base: &[f64; VALUES],
     term: usize,
     candidates: &[[f64; VALUES]],
 ) -> Option<[f64; VALUES]> {
-    let count = record.input.len().min(COMPARED);
-    let part = Record {
-        interval_s: record.interval_s,
-        input: record.input[..count].to_vec(),
-        output: record.output[..count].to_vec(),
-    };
+    let part = record.head(COMPARED);
     let left = residual(base, &part)?;
-    let linear = columns(&part, base, &left, &free(&[]), scale_of(record))?;
+    let linear = columns(
+        &part,
+        base,
+        &left,
+        &free(&[], base, &part),
+        scale_of(record),
+    )?;
     let amplitude = places(term).start;
     let gain = |candidate: &[f64; VALUES]| -> Option<(f64, f64)> {
         let there = residual(candidate, &part)?;
@@ -189,12 +218,12 @@ fn most_promising(
 
 /// Refines the linear values and the given terms.
 pub(crate) fn refine(
-    record: &Record,
+    record: &Run,
     start: [f64; VALUES],
     terms: &[usize],
     steps: usize,
 ) -> Option<Fitted> {
-    let free = free(terms);
+    let free = free(terms, &start, record);
     let count = record.output.len() as f64;
     let scale = scale_of(record);
     let mut values = start;
@@ -211,6 +240,9 @@ pub(crate) fn refine(
         let mut trial = values;
         for (&index, change) in free.iter().zip(step.iter()) {
             trial[index] += change;
+        }
+        if trial.iter().any(|v| !v.is_finite()) {
+            break;
         }
         bound(&mut trial, record, scale);
         let next = residual(&trial, record);
@@ -240,12 +272,13 @@ pub(crate) fn refine(
         terms: terms.to_vec(),
         square,
         covariance,
+        integration: 0.0,
     })
 }
 
 /// Normal matrix and gradient by differences.
 fn slopes(
-    record: &Record,
+    record: &Run,
     values: &[f64; VALUES],
     left: &[f64],
     free: &[usize],
@@ -256,7 +289,7 @@ fn slopes(
 
 /// Change of the simulated output with each value, by differences.
 fn columns(
-    record: &Record,
+    record: &Run,
     values: &[f64; VALUES],
     left: &[f64],
     free: &[usize],
@@ -300,18 +333,21 @@ pub(super) fn normal(columns: &[Vec<f64>], left: &[f64]) -> (DMatrix<f64>, DVect
 
 /// Change of the simulated output with the values a fit moves, or with those at the given places.
 pub(super) fn columns_of(
-    record: &Record,
+    record: &Run,
     fit: &Fitted,
     left: &[f64],
     places: &[usize],
 ) -> Option<Vec<Vec<f64>>> {
-    let moved = free(&fit.terms);
+    let moved = free(&fit.terms, &fit.values, record);
     let wanted = if places.is_empty() { &moved } else { places };
     columns(record, &fit.values, left, wanted, scale_of(record))
 }
 
+/// Size of a first stretch over that of the whole record below which it says nothing.
+const QUIET: f64 = 0.1;
+
 /// Linear fit from the rig's resonance, by growing parts of the record.
-pub(crate) fn linear(record: &Record, resonance_hz: f64, delta: f64) -> Option<Fitted> {
+pub(crate) fn linear(record: &Run, resonance_hz: f64, delta: f64) -> Option<Fitted> {
     let mut best: Option<Fitted> = None;
     for factor in [1.0, 0.9, 1.1, 0.8, 1.25] {
         let mut values = [0.0; VALUES];
@@ -320,15 +356,14 @@ pub(crate) fn linear(record: &Record, resonance_hz: f64, delta: f64) -> Option<F
         values[2] = 1.0;
         values[4] = record.output[0];
         for count in [2_000, 8_000, usize::MAX] {
-            let count = record.input.len().min(count);
-            let part = Record {
-                interval_s: record.interval_s,
-                input: record.input[..count].to_vec(),
-                output: record.output[..count].to_vec(),
-            };
+            let part = record.head(count);
+            // A stretch before a shock shows nothing but noise.
+            if rms(&part.output) < QUIET * scale_of(record) {
+                continue;
+            }
             if let Some(fit) = refine(&part, values, &[], 30) {
                 values = fit.values;
-                if count == record.input.len()
+                if part.input.len() == record.input.len()
                     && best.as_ref().is_none_or(|b| fit.square < b.square)
                 {
                     best = Some(fit);
@@ -343,31 +378,35 @@ pub(crate) fn linear(record: &Record, resonance_hz: f64, delta: f64) -> Option<F
 }
 
 /// Whether a fit describes most of the output.
-fn explains(fit: &Fitted, record: &Record) -> bool {
+fn explains(fit: &Fitted, record: &Run) -> bool {
     fit.square < 0.3 * record.output.iter().map(|x| x * x).sum::<f64>()
 }
 
 /// Simulation errors on another record: only the state at its start is fitted.
-pub(crate) fn validation(fit: &Fitted, record: &Record) -> Option<Vec<f64>> {
-    let head = Record {
-        interval_s: record.interval_s,
-        input: record.input[..record.input.len().min(400)].to_vec(),
-        output: record.output[..record.output.len().min(400)].to_vec(),
-    };
+pub(crate) fn validation(fit: &Fitted, record: &Run) -> Option<Vec<f64>> {
+    let head = record.head(400);
     let mut values = fit.values;
     let states = states(&fit.terms);
     states.iter().for_each(|state| values[*state] = 0.0);
-    values[4] = head.output[0];
-    for _ in 0..6 {
-        // The first samples determine the states; SETTLING samples take part here only.
-        let here = simulate(&values, head.interval_s, &head.input)?;
-        let errors = head.output.iter().zip(&here).take(SETTLING);
+    (values[4], values[5]) = first_state(&head, values[0]);
+    // The first samples determine the states; SETTLING samples take part here only. A few of
+    // them first: over many periods a bent spring's phase has more than one solution.
+    for count in [
+        SETTLING / 4,
+        SETTLING / 4,
+        SETTLING / 2,
+        SETTLING,
+        SETTLING,
+        SETTLING,
+    ] {
+        let here = simulate(&values, &head)?;
+        let errors = head.output.iter().zip(&here).take(count);
         let left: Vec<f64> = errors.map(|(m, s)| m - s).collect();
         let of = |&state: &usize| {
             let mut there = values;
             there[state] += 1e-6;
-            let moved = simulate(&there, head.interval_s, &head.input)?;
-            let change = moved.iter().zip(&here).take(SETTLING);
+            let moved = simulate(&there, &head)?;
+            let change = moved.iter().zip(&here).take(count);
             Some(change.map(|(a, b)| (a - b) / 1e-6).collect())
         };
         let columns: Vec<Vec<f64>> = states.iter().map(of).collect::<Option<_>>()?;
@@ -378,6 +417,17 @@ pub(crate) fn validation(fit: &Fitted, record: &Record) -> Option<Vec<f64>> {
         }
     }
     residual(&values, record)
+}
+
+/// Displacement and velocity at the first sample, from the first three; `ln_w0` as in a simulation.
+pub(super) fn first_state(run: &Run, ln_w0: f64) -> (f64, f64) {
+    match run.output[..] {
+        [x0, x1, x2, ..] => {
+            let interval = ln_w0.exp() * run.interval_s;
+            (x0, (4.0 * x1 - 3.0 * x0 - x2) / (2.0 * interval))
+        }
+        _ => (0.0, 0.0),
+    }
 }
 
 /// Root mean square.

@@ -1,11 +1,14 @@
 //! One term at a time: what is tried, and when it stops.
 
+use super::finely::{MOST_STEPS, REFINED, integrate_finely};
 use super::fit::{Fitted, all_terms, begin, refine};
+use super::gross;
 use super::left::{Left, examine};
 use super::model::TERMS;
+use super::run::Run;
 use super::weigh::{cost_of_last, weigh};
-use crate::dataset::Record;
 use crate::diagnose::{NONE_BELOW, Options};
+use rayon::prelude::*;
 
 /// Share of the squared error a term must remove to be named, where what is left is no noise.
 ///
@@ -13,12 +16,8 @@ use crate::diagnose::{NONE_BELOW, Options};
 /// "significant". One counts if it lowers the simulation error by 5 %.
 const WORTH_NAMING: f64 = 0.1;
 
-/// Steps after which terms are compared, and steps of those that lead.
+/// Steps after which terms are compared.
 const FIRST_STEPS: usize = 4;
-const MOST_STEPS: usize = 10;
-/// Terms that are refined to the end.
-const REFINED: usize = 5;
-
 /// One step: the fit, what it leaves, and the sets of its size that were tried.
 pub(super) struct Step {
     pub(super) fit: Fitted,
@@ -28,7 +27,7 @@ pub(super) struct Step {
 
 impl Step {
     /// The set that errs least is not always the most probable.
-    fn led_by_the_most_probable(mut self, record: &Record) -> Option<Self> {
+    fn led_by_the_most_probable(mut self, record: &Run) -> Option<Self> {
         let first = weigh(&self).first().map(|w| w.0.clone())?;
         if first.terms != self.fit.terms {
             self.left = examine(record, &first)?;
@@ -39,8 +38,9 @@ impl Step {
 }
 
 /// From the linear oscillator on, the best term is added until none is worth a name.
-pub(super) fn grow(record: &Record, start: Fitted, options: &Options) -> Option<Vec<Step>> {
-    let left = examine(record, &start)?;
+pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<Step>, Run)> {
+    let mut run = run;
+    let left = examine(&run, &start)?;
     let mut steps = vec![Step {
         fit: start,
         left,
@@ -51,9 +51,16 @@ pub(super) fn grow(record: &Record, start: Fitted, options: &Options) -> Option<
         if base.left.unresolved {
             break;
         }
-        let tried = tried(record, &base.fit, options);
+        let far = may_add(&base.fit, gross::SPRING, options)
+            .then(|| gross::spring(&run, &base.fit))
+            .flatten();
+        if let Some((_, steps)) = &far {
+            run = run.stretch(usize::MAX, *steps);
+        }
+        let mut tried = tried(&run, &base.fit, far.map(|f| f.0), options);
+        run = integrate_finely(run, &mut tried);
         let Some(best) = tried.first() else { break };
-        let left = examine(record, best)?;
+        let left = examine(&run, best)?;
         if !worth(&base.fit, best, &left) {
             break;
         }
@@ -62,27 +69,42 @@ pub(super) fn grow(record: &Record, start: Fitted, options: &Options) -> Option<
             left,
             tried,
         };
-        steps.push(step.led_by_the_most_probable(record)?);
+        steps.push(step.led_by_the_most_probable(&run)?);
     }
-    Some(steps)
+    Some((steps, run))
 }
 
-/// Every further term beside those of a fit, best first.
-fn tried(record: &Record, base: &Fitted, options: &Options) -> Vec<Fitted> {
-    let free =
-        |t: &usize| !base.terms.contains(t) && !options.without.iter().any(|w| w == TERMS[*t].name);
-    let with = |t: usize| {
-        let mut terms = base.terms.clone();
-        terms.push(t);
-        refine(record, begin(record, &base.values, t), &terms, FIRST_STEPS)
+fn may_add(base: &Fitted, term: usize, options: &Options) -> bool {
+    let withheld = options.without.iter().any(|w| w == TERMS[term].name);
+    !withheld && !base.terms.contains(&term)
+}
+
+/// Every further term beside those of a fit, best first; `far` is one that was found otherwise.
+fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Vec<Fitted> {
+    // Errors of the integration up to the size of the noise do not change who leads.
+    let coarse = if far.is_some() {
+        run.stretch(usize::MAX, run.steps)
+    } else {
+        run.coarser()
     };
-    let mut tried: Vec<Fitted> = all_terms().filter(free).filter_map(with).collect();
+    let with = |t: usize| {
+        let terms = [base.terms.as_slice(), &[t]].concat();
+        let start = begin(&coarse, &base.values, t);
+        let near = refine(&coarse, start, &terms, FIRST_STEPS);
+        let far = far.clone().filter(|far| far.terms == terms);
+        near.into_iter()
+            .chain(far)
+            .min_by(|a, b| a.square.total_cmp(&b.square))
+    };
+    let free: Vec<usize> = all_terms().filter(|t| may_add(base, *t, options)).collect();
+    let mut tried: Vec<Fitted> = free.into_par_iter().filter_map(with).collect();
     tried.sort_by(|a, b| a.square.total_cmp(&b.square));
-    for fit in tried.iter_mut().take(REFINED) {
-        if let Some(further) = refine(record, fit.values, &fit.terms, MOST_STEPS) {
+    let leading = tried.len().min(REFINED);
+    tried[..leading].par_iter_mut().for_each(|fit| {
+        if let Some(further) = refine(run, fit.values, &fit.terms, MOST_STEPS) {
             *fit = further;
         }
-    }
+    });
     tried.sort_by(|a, b| a.square.total_cmp(&b.square));
     tried
 }

@@ -1,8 +1,8 @@
 //! What a fitted oscillator leaves: is it white noise?
 
 use super::fit::{Fitted, columns_of, residual, rms};
-use super::model::{LINEAR, TERMS};
-use crate::dataset::Record;
+use super::model::LINEAR;
+use super::run::{INTERPOLATED, Run};
 use crate::engine::significance::{Gauss, chi_square_tail, of_smallest, two_sided};
 use nalgebra::{Cholesky, DVector, Dyn};
 
@@ -19,11 +19,8 @@ pub(super) const FORCES: [(usize, Parity); 6] = [
     (5, Parity::Linear),
 ];
 
-/// Share of the output, r.m.s., by which the integration and the interpolation of the input err:
-/// (w0 T/2)^4/120 of the classical method, 1.3e-4 at nine samples a period, and the input's part.
-const RESOLVED: f64 = 2e-4;
-/// The same where a force has a kink.
-const RESOLVED_WITH_KINK: f64 = 1e-3;
+/// Share of what is left, r.m.s., that the integration may err by: more would be taken for structure.
+const RESOLVED: f64 = 0.3;
 
 /// What a force does when the motion is mirrored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,7 +47,7 @@ pub(super) struct Left {
 }
 
 /// Tests the residual for memory and for traces of forces; the null is simulated.
-pub(super) fn examine(record: &Record, fit: &Fitted) -> Option<Left> {
+pub(super) fn examine(record: &Run, fit: &Fitted) -> Option<Left> {
     let left = residual(&fit.values, record)?;
     let columns = columns_of(record, fit, &left, &[])?;
     let space = Space::new(columns)?;
@@ -59,9 +56,11 @@ pub(super) fn examine(record: &Record, fit: &Fitted) -> Option<Left> {
     let places: Vec<usize> = missing.iter().map(|f| LINEAR + f.0).collect();
     let traces = columns_of(record, fit, &left, &places)?;
     let traces: Vec<Vec<f64>> = traces.into_iter().map(|t| unit(space.off(t))).collect();
-    let kink = fit.terms.iter().any(|t| TERMS[*t].has_kink);
-    let resolved = if kink { RESOLVED_WITH_KINK } else { RESOLVED };
-    let unresolved = rms(&left) < resolved * rms(&record.output);
+    let known = RESOLVED * rms(&left);
+    let unresolved = known
+        < fit
+            .integration
+            .max(INTERPOLATED * RESOLVED * rms(&record.output));
     let left = space.off(left);
     let here = smallest(&left, &traces);
     let count = left.len();

@@ -2,11 +2,15 @@
 
 mod across;
 mod estimates;
+mod finely;
 mod fit;
+mod gross;
 mod grow;
 mod left;
 mod model;
+mod run;
 mod score;
+mod simulate;
 mod stability;
 mod weigh;
 
@@ -17,10 +21,11 @@ use crate::effects::Stage;
 use crate::error::GapError;
 use crate::pictures::{Pictures, Trace};
 use estimates::linear_parameters;
-use fit::{SETTLING, fitted_part, linear, rms};
+use fit::{compared, fitted_part, linear, rms};
 use grow::{Step, grow};
 use left::Parity;
 use model::TERMS;
+use run::{FEWEST_STEPS, Run};
 use score::Scored;
 use weigh::causes;
 
@@ -60,10 +65,12 @@ pub(crate) fn diagnose(
     } else {
         fitted_part(&first_part(record))
     };
+    let part = Run::new(&part, FEWEST_STEPS);
     let start = linear(&part, resonance, delta)
         .ok_or_else(|| unusable("no linear oscillator fits the record at all"))?;
-    let steps = grow(&part, start, options)
+    let (steps, part) = grow(part, start, options)
         .ok_or_else(|| unusable("the fitted oscillator diverges beside its best values"))?;
+    let held = Run::new(&held, part.steps);
     let scored = Scored::new(&steps, &part, &held)
         .ok_or_else(|| unusable("the fitted oscillator diverges on the held-out record"))?;
     let summary = DatasetSummary {
@@ -77,8 +84,8 @@ pub(crate) fn diagnose(
 
 fn answer(
     steps: &[Step],
-    part: &Record,
-    held: &Record,
+    part: &Run,
+    held: &Run,
     mut scored: Scored,
     dataset: DatasetSummary,
 ) -> Answer {
@@ -119,7 +126,7 @@ fn verdict(leading: Option<f64>, last: &Step, scored: &Scored) -> Verdict {
 }
 
 /// Where the linear oscillator and the record differ: by the set that was found, and by the parity of the traces.
-fn place(verdict: Verdict, steps: &[Step], held: &Record) -> Vec<Where> {
+fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
     if verdict == Verdict::NoGap {
         return Vec::new();
     }
@@ -196,7 +203,7 @@ fn last_quarter(record: &Record) -> Record {
 /// Samples of a stretch that is drawn.
 const MOST_DRAWN: usize = 4000;
 
-fn trace(held: &Record, [before, after]: [Vec<f64>; 2]) -> Pictures {
+fn trace(held: &Run, [before, after]: [Vec<f64>; 2]) -> Pictures {
     // The stretch in which the linear simulation errs most.
     let parts = before.chunks(MOST_DRAWN).map(rms).enumerate();
     let worst = parts.max_by(|a, b| a.1.total_cmp(&b.1));
@@ -206,7 +213,7 @@ fn trace(held: &Record, [before, after]: [Vec<f64>; 2]) -> Pictures {
     };
     Pictures::Record(Trace {
         interval_s: held.interval_s,
-        measured: drawn(held.output.get(SETTLING..).unwrap_or_default()),
+        measured: drawn(compared(&held.output)),
         before: drawn(&before),
         after: drawn(&after),
     })

@@ -1,10 +1,10 @@
 //! How far the error shrinks on a record that took no part.
 
 use super::across;
-use super::fit::{Fitted, SETTLING, rms, validation};
+use super::fit::{Fitted, compared, rms, validation};
 use super::grow::Step;
+use super::run::Run;
 use super::weigh::names_of;
-use crate::dataset::Record;
 use crate::engine::holdout::{Gap, ObservableGap};
 use std::collections::BTreeMap;
 
@@ -17,7 +17,7 @@ pub(super) struct Scored {
 
 impl Scored {
     /// `None` if a simulation diverges on the held-out record.
-    pub(super) fn new(steps: &[Step], part: &Record, held: &Record) -> Option<Self> {
+    pub(super) fn new(steps: &[Step], part: &Run, held: &Run) -> Option<Self> {
         let last = &steps[steps.len() - 1];
         let errors = [
             validation(&steps[0].fit, held)?,
@@ -40,7 +40,7 @@ impl Scored {
             chi_after: after / floor,
         };
         let across = across::Errors {
-            output: held.output.get(SETTLING..).unwrap_or_default(),
+            output: compared(&held.output),
             before: &errors[0],
             after: &errors[1],
             noise: floor,
@@ -80,7 +80,7 @@ pub(super) fn peak(values: &[f64]) -> f64 {
 }
 
 /// Noise of the output from its fourth differences: what no smooth motion can follow.
-fn noise_floor(record: &Record) -> f64 {
+fn noise_floor(record: &Run) -> f64 {
     // The resonance lies far below the sampling rate; differences of order 8
     // suppress it and amplify white noise by sqrt(C(16, 8)) = 113.4.
     let mut signal = record.output.clone();

@@ -1,7 +1,7 @@
 //! How often each set of terms leads when the stretches of a record are drawn again.
 
 use super::fit::{Fitted, residual};
-use crate::dataset::Record;
+use super::run::Run;
 use crate::engine::significance::Gauss;
 
 const DRAWS: usize = 100;
@@ -14,7 +14,7 @@ const DRAWS: usize = 100;
 /// is the least of all.
 pub(super) fn stability(
     fits: &[&Fitted],
-    record: &Record,
+    record: &Run,
     length: usize,
     score: impl Fn(&Fitted, f64, f64) -> f64,
 ) -> Vec<f64> {

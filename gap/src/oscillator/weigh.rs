@@ -5,9 +5,9 @@ use super::estimates::term_parameters;
 use super::fit::Fitted;
 use super::grow::Step;
 use super::model::{TERMS, places};
+use super::run::Run;
 use super::stability::stability;
 use crate::answer::Cause;
-use crate::dataset::Record;
 use crate::diagnose::{LISTED, NONE_BELOW};
 
 /// Share of squared errors below which two sets do equally well where both leave more than
@@ -68,7 +68,7 @@ pub(super) fn cost_of_last(fit: &Fitted, samples: f64) -> f64 {
 }
 
 /// Sets that are worth listing.
-pub(super) fn causes(step: &Step, part: &Record, resonance_hz: f64) -> Vec<Cause> {
+pub(super) fn causes(step: &Step, part: &Run, resonance_hz: f64) -> Vec<Cause> {
     if step.fit.terms.is_empty() {
         return Vec::new();
     }

@@ -1,6 +1,6 @@
 //! Every effect of an oscillator that has a name is found by it.
 
-use super::sealed::oscillator::{RIG, added, record};
+use super::sealed::oscillator::{Added, RIG, added, record, record_with};
 use super::sealed::random::Random;
 use calib_gap::{Answer, Options, Verdict, diagnose};
 use rayon::prelude::*;
@@ -90,4 +90,36 @@ fn an_oscillator_whose_effect_has_no_name_is_unexplained() {
         "{:e}",
         answer.none_of_these_p_value
     );
+}
+
+/// At a noise of 1e-5 of the motion an integration that errs by more hides a spring that moves
+/// it by as little, or shows as a delay where there is nothing.
+#[test]
+fn a_faint_spring_is_found_at_little_noise() {
+    let faint = Added {
+        quadratic: 2e-4,
+        ..Added::default()
+    };
+    let quiet = |added: &Added, seed| record_with(added, SAMPLES, 1e-6, &mut Random::new(seed));
+    let found = answer("faint", &quiet(&faint, 897));
+    assert_eq!(found.causes[0].effects, ["quadratic_stiffness"]);
+    assert_eq!(found.verdict, Verdict::Explained, "{:?}", found.gap);
+    let none = answer("quiet", &quiet(&Added::default(), 895));
+    assert_eq!(none.verdict, Verdict::NoGap, "{:?}", none.gap);
+}
+
+/// A spring whose stiffness half doubles at the amplitude of the record: the resonance of the
+/// linear fit is a quarter above that of small motion.
+#[test]
+fn a_spring_that_hardens_grossly_is_found() {
+    let gross = Added {
+        cubic: 15.0,
+        ..Added::default()
+    };
+    let answer = answer("gross", &record(&gross, SAMPLES, &mut Random::new(896)));
+    let first = &answer.causes[0];
+    assert_eq!(first.effects, ["cubic_stiffness"], "{:?}", answer.gap);
+    assert_eq!(answer.verdict, Verdict::Explained, "{:?}", answer.gap);
+    let found = &first.parameters["cubic_stiffness"]["coefficient"];
+    assert!((found.value / 15.0 - 1.0).abs() < 1e-3, "{found:?}");
 }

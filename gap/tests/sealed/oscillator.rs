@@ -120,6 +120,11 @@ fn rate(a: &Added, s: &State, input: f64) -> State {
 
 /// `record.csv` of a settled motion.
 pub(crate) fn record(a: &Added, samples: usize, random: &mut Random) -> String {
+    record_with(a, samples, 1e-5, random)
+}
+
+/// The same with another noise of the output.
+pub(crate) fn record_with(a: &Added, samples: usize, noise: f64, random: &mut Random) -> String {
     let lines = lines(random);
     let input = |t: f64| -> f64 {
         lines
@@ -134,7 +139,7 @@ pub(crate) fn record(a: &Added, samples: usize, random: &mut Random) -> String {
         let t = n as f64 / RATE_HZ;
         if n >= settle {
             let seen = s[0] + s[2] - if a.corner_hz > 0.0 { s[5] } else { 0.0 };
-            let noisy = seen + 1e-5 * random.normal();
+            let noisy = seen + noise * random.normal();
             let _ = writeln!(
                 text,
                 "{:.6},{:.9e},{noisy:.9e}",
