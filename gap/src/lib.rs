@@ -12,21 +12,26 @@ mod effects;
 mod engine;
 mod error;
 mod model;
+mod options;
 mod oscillator;
 mod pictures;
 mod plan;
+mod points;
 mod report;
 mod stability;
 mod stages;
 mod tuning;
+mod verdict;
 
 pub use answer::{Answer, Cause, Confirmation, DatasetSummary, Distance, Estimate, Verdict, Where};
-pub use diagnose::{Options, diagnose, diagnose_all, misfit};
+pub use diagnose::{diagnose, diagnose_all};
 pub use effects::{
     About, NEVER_IDENTIFIABLE, Parameter, Scale, Stage, check_name, list as effects,
 };
 pub use engine::holdout::{Gap, ObservableGap, Slice};
 pub use error::GapError;
+pub use options::Options;
 pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 pub use plan::{ENOUGH_SIGMA, Measurement, Pair, Plan, plan};
+pub use points::misfit;
 pub use report::report;

@@ -7,7 +7,8 @@ use super::left::{Left, examine};
 use super::model::TERMS;
 use super::run::Run;
 use super::weigh::{cost_of_last, weigh};
-use crate::diagnose::{NONE_BELOW, Options};
+use crate::options::Options;
+use crate::verdict::NONE_BELOW;
 use rayon::prelude::*;
 
 /// Share of the squared error a term must remove to be named, where what is left is no noise.

@@ -16,10 +16,11 @@ mod weigh;
 
 use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where};
 use crate::dataset::{Dataset, Measured, Record};
-use crate::diagnose::{Options, conclude, hardly_separated};
 use crate::effects::Stage;
 use crate::error::GapError;
+use crate::options::Options;
 use crate::pictures::{Pictures, Trace};
+use crate::verdict::{conclude, hardly_separated};
 use estimates::linear_parameters;
 use fit::{compared, fitted_part, linear, rms};
 use grow::{Step, grow};

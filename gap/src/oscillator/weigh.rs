@@ -8,7 +8,7 @@ use super::model::{TERMS, places};
 use super::run::Run;
 use super::stability::stability;
 use crate::answer::Cause;
-use crate::diagnose::{LISTED, NONE_BELOW};
+use crate::verdict::{LISTED, NONE_BELOW};
 
 /// Share of squared errors below which two sets do equally well where both leave more than
 /// noise: 3 % in amplitude. What is left is model error, and favours none of them.

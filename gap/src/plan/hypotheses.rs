@@ -32,7 +32,7 @@ pub(super) fn of_data<'a>(
     let found = search(problem, &Limits::without(&[], 2));
     let best = found.sets.first().map_or(&found.nominal, |s| &s.fit);
     let left = examine(problem, best, &mut Workspace::new(problem));
-    let verdict = crate::diagnose::verdict(&found, &left);
+    let verdict = crate::verdict::verdict(&found, &left);
     if verdict == Verdict::NoGap {
         return (Some(verdict), of_library(reach));
     }

@@ -1,0 +1,121 @@
+//! The causes with their parameters, and what they may be mistaken for.
+
+use crate::answer::{Cause, Estimate, Verdict};
+use crate::effects::Scale;
+use crate::engine::fit::{Fit, Workspace};
+use crate::engine::linear::Linearised;
+use crate::engine::nuisance::{EXCITER_NAMES, Nuisance};
+use crate::engine::problem::Problem;
+use crate::engine::score::Scored;
+use crate::engine::search::Search;
+use crate::verdict::{LISTED, hardly_separated};
+use std::collections::BTreeMap;
+
+/// Most causes that are listed.
+const MOST: usize = 12;
+
+/// The causes that are probable enough to be listed, best first.
+pub(super) fn causes(problem: &Problem, found: &Search, work: &mut Workspace) -> Vec<Cause> {
+    let smallest = found
+        .sets
+        .iter()
+        .map(|s| s.bic)
+        .fold(f64::INFINITY, f64::min);
+    let every = found.sets.iter().enumerate();
+    let listed: Vec<(usize, &Scored)> = every
+        .filter(|(_, s)| !s.fit.effects.is_empty() && s.probability >= LISTED)
+        .take(MOST)
+        .collect();
+    let stability = crate::stability::stability(problem, &found.sets, work);
+    listed
+        .into_iter()
+        .map(|(at, set)| Cause {
+            effects: set.fit.names(),
+            probability: set.probability,
+            delta_bic: set.bic - smallest,
+            stability: stability[at].rows,
+            stability_over_runs: stability[at].runs,
+            parameters: parameters(problem, &set.fit, work),
+        })
+        .collect()
+}
+
+fn parameters(
+    problem: &Problem,
+    fit: &Fit,
+    work: &mut Workspace,
+) -> BTreeMap<&'static str, BTreeMap<&'static str, Estimate>> {
+    let covariance = Linearised::new(problem, fit, work)
+        .tangent()
+        .map(|(_, t)| t.covariance());
+    let mut at = problem.free.len();
+    let mut all = BTreeMap::new();
+    for active in &fit.effects {
+        let about = active.effect.about();
+        let mut values = BTreeMap::new();
+        let of = about.parameters.iter().zip(&active.unit);
+        for ((parameter, unit), &value) in of.zip(&active.parameters) {
+            let step = covariance.as_ref().map_or(f64::NAN, |c| c[(at, at)].sqrt());
+            let scale = if parameter.scale == Scale::Log {
+                value
+            } else {
+                *unit
+            };
+            // A parameter the data do not move is known no better than its bounds.
+            let u = (step * scale).min(parameter.upper - parameter.lower);
+            values.insert(parameter.name, Estimate { value, u });
+            at += 1;
+        }
+        all.insert(about.id, values);
+    }
+    all
+}
+
+/// Nominal values as fitted within their uncertainties.
+pub(super) fn nominal_parameters(
+    problem: &Problem,
+    fit: &Fit,
+    work: &mut Workspace,
+) -> BTreeMap<&'static str, Estimate> {
+    let covariance = Linearised::new(problem, fit, work)
+        .tangent()
+        .map(|(_, t)| t.covariance());
+    let mut all = BTreeMap::new();
+    for (i, (free, &theta)) in problem.free.iter().zip(&fit.theta).enumerate() {
+        let sigma = covariance.as_ref().map_or(f64::NAN, |c| c[(i, i)].sqrt());
+        let relative = |value: f64| Estimate {
+            value,
+            u: sigma * free.unit * value,
+        };
+        match free.kind {
+            Nuisance::RatioGain => {
+                all.insert("ratio_gain", relative((theta * free.unit).exp()));
+            }
+            Nuisance::DriveGain => {
+                all.insert("drive_gain", relative((theta * free.unit).exp()));
+            }
+            Nuisance::Exciter(index) => {
+                all.insert(
+                    EXCITER_NAMES[index],
+                    relative(problem.exciter_value(index, theta)),
+                );
+            }
+            _ => {}
+        }
+    }
+    all
+}
+
+/// Sets that the data hardly separate, and effects that no data of this kind can.
+pub(super) fn confusable(
+    causes: &[Cause],
+    verdict: Verdict,
+    problem: &Problem,
+) -> Vec<Vec<String>> {
+    let mut pairs = hardly_separated(causes, verdict);
+    if verdict != Verdict::NoGap && problem.facts.drive && !problem.facts.current {
+        // Bl^2/R and the damping of the suspension only ever act as a sum on the drive.
+        pairs.push(vec!["mechanical_damping".into(), "back_emf".into()]);
+    }
+    pairs
+}

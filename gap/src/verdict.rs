@@ -1,0 +1,46 @@
+//! The verdict: from the probability of the leading set, and from what it leaves.
+
+use crate::answer::{Cause, Verdict};
+use crate::engine::search::Search;
+use crate::engine::structure::Structure;
+
+/// Structure left by the best set at which "none of these" is the answer.
+pub(crate) const NONE_BELOW: f64 = 0.01;
+/// Structure left by the nominal simulation at which there is a gap without a name.
+const GAP_BELOW: f64 = 0.002;
+/// Probability above which a set leads clearly.
+const CLEAR: f64 = 0.8;
+/// Smallest probability that is listed.
+pub(crate) const LISTED: f64 = 0.01;
+/// Probability above which a set is possible beside the leading one.
+const POSSIBLE: f64 = 0.05;
+
+/// Verdict on a search and what its best set leaves.
+pub(crate) fn verdict(found: &Search, left: &Structure) -> Verdict {
+    let best = found.sets.first();
+    let leading = best.filter(|set| !set.fit.effects.is_empty());
+    conclude(leading.map(|set| set.probability), left.p_value)
+}
+
+/// Verdict from the probability of the leading set, if there is one, and the p-value of what is left.
+pub(crate) fn conclude(leading: Option<f64>, p_value: f64) -> Verdict {
+    match leading {
+        None if p_value < GAP_BELOW => Verdict::Unexplained,
+        None => Verdict::NoGap,
+        Some(_) if p_value < NONE_BELOW => Verdict::Unexplained,
+        Some(probability) if probability >= CLEAR => Verdict::Explained,
+        Some(_) => Verdict::Ambiguous,
+    }
+}
+
+/// The leading set with each other that these data leave possible.
+pub(crate) fn hardly_separated(causes: &[Cause], verdict: Verdict) -> Vec<Vec<String>> {
+    let name = |c: &Cause| c.effects.join("+");
+    match causes {
+        [first, rest @ ..] if verdict != Verdict::NoGap => {
+            let possible = rest.iter().filter(|c| c.probability > POSSIBLE);
+            possible.map(|c| vec![name(first), name(c)]).collect()
+        }
+        _ => Vec::new(),
+    }
+}
