@@ -42,8 +42,7 @@ pub fn commands(data: &[u8]) {
         assert!(instrument.stops <= stopping, "a stop nobody asked for");
         if holder == LinkName::Serial {
             let asked_for = |number| count(&asked, number);
-            let initiates = lines.iter().filter(|line| names(line, b"INIT")).count();
-            assert!(changes.starts <= asked_for(START) + initiates);
+            assert!(changes.starts <= asked_for(START) + words(&lines, b"INIT"));
             assert!(changes.writes <= asked_for(SETTINGS_WRITE));
             assert!(changes.resets <= asked_for(RESET));
             assert!(changes.releases <= asked_for(RELEASE));
@@ -112,12 +111,6 @@ fn past_frame(data: &[u8]) -> usize {
     let ends = |pair: &[u8]| pair[0] != 0 && pair[1] == 0;
     let end = data.windows(2).position(ends);
     end.map_or(data.len(), |at| at + 2)
-}
-
-/// Whether a line holds `word`, in letters of any case.
-fn names(line: &[u8], word: &[u8]) -> bool {
-    line.windows(word.len())
-        .any(|part| part.eq_ignore_ascii_case(word))
 }
 
 /// How often lines hold `word`, in letters of any case.
