@@ -283,7 +283,10 @@ impl<'a> Work<'a> {
             added = analyse(&force, self.parity);
         }
         if let Some(friction) = self.friction {
-            for (added, order) in added.iter_mut().zip(friction.force(motion)) {
+            for (added, order) in added
+                .iter_mut()
+                .zip(friction.force(motion, self.parity == Parity::Odd))
+            {
                 *added += order;
             }
         }

@@ -25,11 +25,16 @@ impl Friction {
         }
     }
 
-    /// Fourier coefficients of the force, from the two zeros of the velocity.
-    pub(super) fn force(&self, motion: &Motion) -> Motion {
+    /// Fourier coefficients of the force, from the two zeros of the velocity; `odd` where the
+    /// motion has odd orders only, and its second half is the first one mirrored.
+    pub(super) fn force(&self, motion: &Motion, odd: bool) -> Motion {
         // x = -|x1| cos: the velocity is positive between the zeros near 0 and pi.
-        let start = zero(motion, 0.0, self.tail_m);
-        let end = zero(motion, PI, -self.tail_m);
+        let start = zero(motion, 0.0, self.tail_m, odd);
+        let end = if odd {
+            start + PI
+        } else {
+            zero(motion, PI, -self.tail_m, odd)
+        };
         let mut force = [Complex64::ZERO; ORDERS + 1];
         force[0] = Complex64::from(self.force_n * ((end - start) / PI - 1.0));
         let from = Complex64::from_polar(1.0, -start);
@@ -46,17 +51,19 @@ impl Friction {
 }
 
 /// Angle near `angle` at which the velocity over omega, and what is missing in it, vanish.
-fn zero(motion: &Motion, mut angle: f64, missing_m: f64) -> f64 {
+fn zero(motion: &Motion, mut angle: f64, missing_m: f64, odd: bool) -> f64 {
+    let stride = if odd { 2 } else { 1 };
     for _ in 0..8 {
         let (mut value, mut slope) = (missing_m, 0.0);
         let turn = Complex64::from_polar(1.0, angle);
-        let mut turned = Complex64::ONE;
-        for (n, x) in motion.iter().enumerate().skip(1) {
+        let by = if odd { turn * turn } else { turn };
+        let mut turned = turn;
+        for (n, x) in motion.iter().enumerate().skip(1).step_by(stride) {
             let k = n as f64;
-            turned *= turn;
             let velocity = x * turned * k;
             value -= velocity.im;
             slope -= k * velocity.re;
+            turned *= by;
         }
         let step = (value / slope).clamp(-0.3, 0.3);
         angle -= step;
