@@ -26,6 +26,8 @@ pub(crate) mod across;
 pub(crate) mod atom;
 pub(crate) mod column;
 pub(crate) mod evaluation;
+#[cfg(test)]
+mod example;
 pub(crate) mod fit;
 pub(crate) mod found;
 pub(crate) mod holdout;

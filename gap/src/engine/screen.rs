@@ -4,10 +4,14 @@ use super::atom::{Atom, Promise, active};
 use super::evaluation::Evaluation;
 use super::fit::{Fit, Workspace};
 use super::linear::Linearised;
+use super::nuisance::Nuisance;
 use super::problem::Problem;
 use super::scatter::{QuietStarts, Scene};
 use super::slopes::Slopes;
 use crate::effects::library;
+
+/// Pull of a value of the exciter, in standard uncertainties, from which its slopes are taken anew.
+const PULLED: f64 = 2.0;
 
 /// All starts of all effects that apply, with their changes at the nominal fit.
 pub(crate) struct Atoms {
@@ -74,13 +78,18 @@ impl Atoms {
         };
         let mut best: Vec<Option<Promise>> = vec![None; library().len()];
         let bent = fit.effects.iter().any(|e| e.effect.bends());
+        // Changes of the exciter at its nominal values are others than beside values far from them.
+        let pulled =
+            problem.free.iter().zip(&fit.theta).any(|(free, value)| {
+                matches!(free.kind, Nuisance::Exciter(_)) && value.abs() > PULLED
+            });
         for atom in &self.list {
             if fit.has(atom.entry) {
                 continue;
             }
             let at = (&evaluation, &tangent);
-            let beside =
-                (bent && atom.moves_exciter()).then(|| atom.beside(problem, fit, at, work));
+            let beside = ((bent || pulled) && atom.moves_exciter())
+                .then(|| atom.beside(problem, fit, at, work));
             let columns = beside.as_ref().unwrap_or(&atom.columns);
             let best = &mut best[atom.entry];
             let floor = best.as_ref().map_or(f64::NEG_INFINITY, |p| p.gain);
@@ -125,5 +134,39 @@ impl Atoms {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::example::measured;
+    use super::super::fit::{Effort, refine};
+    use super::*;
+
+    /// A damping 10 of its standard uncertainties off costs 100 as a pull and nothing as an
+    /// effect, which leaves no other trace: that is what it promises beside the armature's mode,
+    /// within what slopes foresee of so large a change.
+    #[test]
+    fn an_effect_that_only_pulls_a_nominal_value_promises_its_pull() {
+        let mode = ("armature_mode", vec![0.3, 5000.0, 0.03]);
+        let (rig, points) = measured(&[mode.clone(), ("mechanical_damping", vec![6.0])]);
+        let problem = Problem::new(&rig, &points);
+        let mut work = Workspace::new(&problem);
+        let mut fit = |effects: Vec<_>| {
+            let start = vec![0.0; problem.free.len()];
+            refine(&problem, effects, start, Effort::FULL, &mut work)
+        };
+        let entry = |name: &str| {
+            let mut entries = library().iter();
+            entries.position(|e| e.about().id == name).expect("a name")
+        };
+        let (nominal, beside) = (fit(vec![]), fit(vec![active(entry(mode.0), mode.1)]));
+        let allowed = vec![true; library().len()];
+        let mut atoms = Atoms::new(&problem, &allowed, &nominal, &mut work);
+        let (promises, _) = atoms.scan(&problem, &beside, &mut work);
+        let damping = entry("mechanical_damping");
+        let promise = promises.iter().find(|p| p.entry == damping);
+        let gain = promise.map_or(0.0, |p| p.gain);
+        assert!((80.0..125.0).contains(&gain), "{gain} {:?}", beside.theta);
     }
 }
