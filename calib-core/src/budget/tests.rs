@@ -207,18 +207,87 @@ fn full_correlation_is_the_bound_of_the_sum() {
 /// Combined and expanded uncertainty as printed.
 type Printed = (&'static str, &'static str);
 
-/// EA-4/02 M:2022, supplements with a normal result, unit as printed there.
-fn supplements() -> [(&'static str, std::vec::Vec<Component<'static>>, Printed); 7] {
-    let known = |u: f32| standard(u, f32::INFINITY);
-    let triangular = |half_width: f32| line(half_width, Distribution::Triangular);
-    let scaled = |component: Component<'static>, c: f32| component.with_sensitivity_coefficient(c);
-    // The rows of S7 as rounded in its table.
-    let tabulated = [
-        9.0e-3, 2.5e-3, 1.1e-3, 2.0e-2, 1.7e-3, 3.0e-4, 3.0e-4, 2.0e-3, 2.0e-3,
+/// A supplement of EA-4/02 M:2022 with a normal result, unit as printed there.
+type Supplement = (&'static str, std::vec::Vec<Component<'static>>, Printed);
+
+fn known(u: f32) -> Component<'static> {
+    standard(u, f32::INFINITY)
+}
+
+fn scaled(component: Component<'static>, coefficient: f32) -> Component<'static> {
+    component.with_sensitivity_coefficient(coefficient)
+}
+
+/// 8.95 as printed, though 15 / sqrt(3) is 8.66.
+fn supplement_2() -> Supplement {
+    let rows = [22.5, 8.95, 5.77, 5.77].map(known);
+    let rows = [rows.to_vec(), std::vec![standard(14.4, 2.0)]].concat();
+    ("S2, mg", rows, ("29.3", "59"))
+}
+
+fn supplement_3() -> Supplement {
+    let rows = std::vec![
+        known(2.5),
+        line(10.0, RECTANGULAR),
+        line(2.75, RECTANGULAR),
+        line(5.5, RECTANGULAR),
+        scaled(line(1.0e-6, Distribution::Triangular), 1.0e7),
+        scaled(standard(0.07e-6, 4.0), 1.0e7),
     ];
-    // And from its statements: readings 30.033, 30.058, 30.018, 30.052 dB,
-    // U = 0.005, limits 0.002, 0.003 and twice 0.0005, mismatch 0.02, zeros
-    // twice 0.002.
+    ("S3, milliohm", rows, ("8.33", "17"))
+}
+
+fn supplement_4() -> Supplement {
+    let rows = std::vec![
+        line(30.0, TWO),
+        line(30.0, RECTANGULAR),
+        standard(5.37, 4.0),
+        line(32.0, RECTANGULAR),
+        scaled(line(0.05, RECTANGULAR), -575.0),
+        scaled(known(0.236), 50.0),
+        scaled(line(6.7, RECTANGULAR), -1.0),
+    ];
+    ("S4, nm", rows, ("36.4", "73"))
+}
+
+fn supplement_5() -> Supplement {
+    let rows = std::vec![
+        known(0.1),
+        scaled(known(1.0), 0.077),
+        scaled(line(0.5, RECTANGULAR), 0.077),
+        scaled(line(2.0, RECTANGULAR), 0.077),
+        scaled(line(0.1, RECTANGULAR), -0.407),
+        line(0.3, TWO),
+        line(0.3, RECTANGULAR),
+        line(1.0, RECTANGULAR),
+    ];
+    ("S5, degree Celsius", rows, ("0.641", "1.3"))
+}
+
+/// Calibration factor 0.956 x 0.97597 = 0.93302 with limits of the mismatch
+/// 0.0008, 0.014, 0.0008 and 0.0168 (u-shaped), U of the reference 0.011, drift
+/// within 0.002, power ratio 0.00142, readings 0.9772, 0.9671, 0.9836 with
+/// u = 0.0048029.
+fn supplement_6() -> Supplement {
+    let u_shaped = |limit: f32| line(limit, Distribution::UShaped);
+    let (p, k_x) = (0.975_967, 0.933_024);
+    let rows = std::vec![
+        scaled(line(0.011, TWO), p),
+        scaled(line(0.002, RECTANGULAR), p),
+        scaled(u_shaped(0.000_8), k_x),
+        scaled(u_shaped(0.014), -k_x),
+        scaled(u_shaped(0.000_8), -k_x),
+        scaled(u_shaped(0.016_8), k_x),
+        scaled(known(0.001_42), k_x),
+        scaled(known(0.000_142), k_x),
+        scaled(standard(0.004_802_9, 2.0), 0.956),
+    ];
+    ("S6", rows, ("0.0162", "0.032"))
+}
+
+/// From its statements: readings 30.033, 30.058, 30.018, 30.052 dB, U = 0.005,
+/// limits 0.002, 0.003 and twice 0.0005, mismatch 0.02, zeros twice 0.002.
+fn supplement_7() -> Supplement {
     let root = 3.0_f32.sqrt();
     let stated = [
         9.132_1e-3,
@@ -231,90 +300,27 @@ fn supplements() -> [(&'static str, std::vec::Vec<Component<'static>>, Printed);
         2.0e-3,
         2.0e-3,
     ];
-    // S6: calibration factor 0.956 x 0.97597 = 0.93302 with limits of the
-    // mismatch 0.0008, 0.014, 0.0008 and 0.0168 (u-shaped), U of the reference
-    // 0.011, drift within 0.002, power ratio 0.00142, readings 0.9772, 0.9671,
-    // 0.9836 with u = 0.0048029.
-    let u_shaped = |limit: f32| line(limit, Distribution::UShaped);
-    let (p, k_x) = (0.975_967, 0.933_024);
+    ("S7", stated.map(known).to_vec(), ("0.0224", "0.045"))
+}
+
+/// The rows as rounded in its table.
+fn supplement_7_as_tabulated() -> Supplement {
+    let rows = [
+        9.0e-3, 2.5e-3, 1.1e-3, 2.0e-2, 1.7e-3, 3.0e-4, 3.0e-4, 2.0e-3, 2.0e-3,
+    ];
+    let rows = rows.map(known).to_vec();
+    ("S7, as tabulated", rows, ("0.0224", "0.045"))
+}
+
+fn supplements() -> [Supplement; 7] {
     [
-        // 8.95 as printed, though 15 / sqrt(3) is 8.66.
-        (
-            "S2, mg",
-            [
-                known(22.5),
-                known(8.95),
-                standard(14.4, 2.0),
-                known(5.77),
-                known(5.77),
-            ]
-            .to_vec(),
-            ("29.3", "59"),
-        ),
-        (
-            "S3, milliohm",
-            [
-                known(2.5),
-                line(10.0, RECTANGULAR),
-                line(2.75, RECTANGULAR),
-                line(5.5, RECTANGULAR),
-                scaled(triangular(1.0e-6), 1.0e7),
-                scaled(standard(0.07e-6, 4.0), 1.0e7),
-            ]
-            .to_vec(),
-            ("8.33", "17"),
-        ),
-        (
-            "S4, nm",
-            [
-                line(30.0, TWO),
-                line(30.0, RECTANGULAR),
-                standard(5.37, 4.0),
-                line(32.0, RECTANGULAR),
-                scaled(line(0.05, RECTANGULAR), -575.0),
-                scaled(known(0.236), 50.0),
-                scaled(line(6.7, RECTANGULAR), -1.0),
-            ]
-            .to_vec(),
-            ("36.4", "73"),
-        ),
-        (
-            "S5, degree Celsius",
-            [
-                known(0.1),
-                scaled(known(1.0), 0.077),
-                scaled(line(0.5, RECTANGULAR), 0.077),
-                scaled(line(2.0, RECTANGULAR), 0.077),
-                scaled(line(0.1, RECTANGULAR), -0.407),
-                line(0.3, TWO),
-                line(0.3, RECTANGULAR),
-                line(1.0, RECTANGULAR),
-            ]
-            .to_vec(),
-            ("0.641", "1.3"),
-        ),
-        (
-            "S6",
-            [
-                scaled(line(0.011, TWO), p),
-                scaled(line(0.002, RECTANGULAR), p),
-                scaled(u_shaped(0.000_8), k_x),
-                scaled(u_shaped(0.014), -k_x),
-                scaled(u_shaped(0.000_8), -k_x),
-                scaled(u_shaped(0.016_8), k_x),
-                scaled(known(0.001_42), k_x),
-                scaled(known(0.000_142), k_x),
-                scaled(standard(0.004_802_9, 2.0), 0.956),
-            ]
-            .to_vec(),
-            ("0.0162", "0.032"),
-        ),
-        ("S7", stated.map(known).to_vec(), ("0.0224", "0.045")),
-        (
-            "S7, as tabulated",
-            tabulated.map(known).to_vec(),
-            ("0.0224", "0.045"),
-        ),
+        supplement_2(),
+        supplement_3(),
+        supplement_4(),
+        supplement_5(),
+        supplement_6(),
+        supplement_7(),
+        supplement_7_as_tabulated(),
     ]
 }
 
