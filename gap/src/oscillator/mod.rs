@@ -7,11 +7,13 @@ mod fit;
 mod gross;
 mod grow;
 mod left;
+mod mode;
 mod model;
 mod run;
 mod score;
 mod simulate;
 mod stability;
+mod terms;
 mod weigh;
 
 use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where};

@@ -1,0 +1,203 @@
+//! What a channel shows of a bent wave, against the wave itself sampled in time.
+
+use super::*;
+use crate::dataset::{Harmonic, Point, Rig};
+use crate::effects::library;
+use crate::model::memory::{Memory, Recall};
+use crate::model::predict::predict;
+use crate::model::row::{DRIVE, RATIO};
+use std::f64::consts::TAU;
+
+const RIG: &str = r#"
+kind = "calibrator"
+[reference]
+sensitivity_v_per_ms2 = { value = 0.01, u = 0.0 }
+[dut]
+sensitivity_v_per_ms2 = { value = 0.02, u = 0.0 }
+[exciter]
+moving_mass_kg = { value = 0.05, u = 0.0 }
+stiffness_n_per_m = { value = 8000.0, u = 0.0 }
+damping_ns_per_m = { value = 3.0, u = 0.0 }
+force_factor_n_per_a = { value = 7.0, u = 0.0 }
+coil_resistance_ohm = { value = 4.0, u = 0.0 }
+coil_inductance_h = { value = 0.00012, u = 0.0 }
+"#;
+const LEVEL_MS2: f64 = 10.0;
+
+/// The effects at 20 Hz, 10 m/s2, on a reference of 10 mV and a device of 20 mV per m/s2.
+fn predicted(effects: &[(&str, usize, Vec<f64>)]) -> Prediction {
+    let rig: Rig = toml::from_str(RIG).expect("the rig is good");
+    let harmonic = Harmonic {
+        amplitude: 0.0,
+        phase_rad: Some(0.0),
+    };
+    let point = Point {
+        frequency_hz: 20.0,
+        acceleration_ms2: Some(LEVEL_MS2),
+        payload_kg: Some(0.04),
+        ref_harmonics: [Some(harmonic); 4],
+        dut_harmonics: [Some(harmonic); 4],
+        u_harmonic: Some(1e-4),
+        ..Point::default()
+    };
+    let row = Row::new(&point, &rig);
+    let active: Vec<Active<'_>> = effects
+        .iter()
+        .map(|(name, variant, parameters)| {
+            let entries = library().iter().enumerate();
+            let mut named = entries.filter(|(_, e)| e.about().id == *name);
+            let (entry, effect) = named.nth(*variant).expect("an entry of the library");
+            Active {
+                entry,
+                effect: *effect,
+                parameters: parameters.clone(),
+                unit: vec![1.0; parameters.len()],
+            }
+        })
+        .collect();
+    let nominal = Nominal {
+        exciter: Some([0.05, 8000.0, 3.0, 7.0, 4.0, 1.2e-4]),
+        drive_ln: 0.01_f64.ln(),
+        ratio_ln: 2.0_f64.ln(),
+        dut_gain: 1.0,
+        reference_gain: 1.0,
+        noise_v: [1e-5; 2],
+        noise_ln: [1e-5_f64.ln(); 2],
+    };
+    predict(
+        &row,
+        &nominal,
+        &active,
+        Recall::Keep(&mut Memory::default()),
+    )
+}
+
+fn harmonics(found: &Prediction, slot: usize) -> [Complex64; 4] {
+    std::array::from_fn(|k| {
+        Complex64::new(found.value[slot + 2 * k], found.value[slot + 2 * k + 1])
+    })
+}
+
+const SAMPLES: usize = 1 << 14;
+
+/// One period of a fundamental with relative harmonics.
+fn wave_in_time(peak: f64, harmonics: &[Complex64; 4]) -> Vec<f64> {
+    let at = |i: usize| {
+        let t = TAU * i as f64 / SAMPLES as f64;
+        let of =
+            |(k, h): (usize, &Complex64)| (h * Complex64::from_polar(1.0, (k + 2) as f64 * t)).re;
+        peak * (t.cos() + harmonics.iter().enumerate().map(of).sum::<f64>())
+    };
+    (0..SAMPLES).map(at).collect()
+}
+
+/// Peak phasor of an order.
+fn phasor(samples: &[f64], n: usize) -> Complex64 {
+    let of = |(i, v): (usize, &f64)| {
+        Complex64::from_polar(*v, -TAU * ((n * i) % SAMPLES) as f64 / SAMPLES as f64)
+    };
+    samples.iter().enumerate().map(of).sum::<Complex64>() * (2.0 / SAMPLES as f64)
+}
+
+fn relative(samples: &[f64]) -> [Complex64; 4] {
+    let first = phasor(samples, 1);
+    let turn = (first / first.norm()).conj();
+    std::array::from_fn(|k| phasor(samples, k + 2) / first.norm() * turn.powu(k as u32 + 2))
+}
+
+fn compare(found: &[Complex64; 4], expected: &[Complex64; 4], within: f64, what: &str) {
+    for (k, (a, b)) in found.iter().zip(expected).enumerate() {
+        assert!((a - b).norm() < within, "{what} {}: {a} for {b}", k + 2);
+    }
+}
+
+/// The table's orders above 5 (below 1e-4 here) are what the samples lack: times 3 c3 A^2 = 0.06.
+#[test]
+fn a_converter_bends_the_wave_of_a_bent_suspension() {
+    let bent = ("suspension_asymmetry", 0, vec![3e5]);
+    let table = harmonics(&predicted(std::slice::from_ref(&bent)), REF_HARMONICS);
+    assert!(table[0].norm() > 0.05, "{table:?}");
+    let cubic_per_v2 = 0.25;
+    let found = predicted(&[bent, ("adc_cubic", 1, vec![cubic_per_v2])]);
+    let peak_v = 0.02 * LEVEL_MS2 * SQRT_2;
+    let mut samples = wave_in_time(peak_v, &table);
+    samples
+        .iter_mut()
+        .for_each(|v| *v += cubic_per_v2 * v.powi(3));
+    let expected = relative(&samples);
+    compare(&harmonics(&found, DUT_HARMONICS), &expected, 5e-6, "dut");
+    compare(&harmonics(&found, REF_HARMONICS), &table, 1e-9, "ref");
+    let gain = phasor(&samples, 1) / peak_v;
+    assert!((found.value[RATIO] - (2.0 * gain.norm()).ln()).abs() < 5e-6);
+    assert!((found.value[RATIO + 1] - gain.arg()).abs() < 5e-6);
+}
+
+/// A kink of samples errs by (pi/N)^2, 4e-8; orders above 15 carry 1e-3 of the wave
+/// into 2 c2 A = 0.06 of it and are turned by the filter: 2e-5 as a bound.
+#[test]
+fn what_a_loose_mount_cuts_passes_the_filter_and_then_the_converter() {
+    let (threshold_ms2, corner_hz, second_per_v) = (12.0, 150.0, 0.1);
+    let found = predicted(&[
+        ("loose_mount", 0, vec![threshold_ms2, 1e-9]),
+        ("dut_lowpass_1", 0, vec![corner_hz]),
+        ("adc_quadratic", 1, vec![second_per_v]),
+    ]);
+    let filter = |n: usize| Complex64::new(1.0, 20.0 * n as f64 / corner_hz).inv();
+    let mut cut = wave_in_time(LEVEL_MS2 * SQRT_2, &[Complex64::ZERO; 4]);
+    cut.iter_mut().for_each(|a| *a = a.max(-threshold_ms2));
+    // All orders to 400: the last is 1e-5 of the first behind the filter.
+    let orders: Vec<Complex64> = (0..400)
+        .map(|n| {
+            if n == 0 {
+                Complex64::ZERO
+            } else {
+                0.02 * phasor(&cut, n) * filter(n)
+            }
+        })
+        .collect();
+    let at = |i: usize| -> f64 {
+        let turned = |(n, c): (usize, &Complex64)| {
+            (c * Complex64::from_polar(1.0, TAU * ((n * i) % SAMPLES) as f64 / SAMPLES as f64)).re
+        };
+        orders.iter().enumerate().map(turned).sum()
+    };
+    let shown: Vec<f64> = (0..SAMPLES)
+        .map(|i| at(i) + second_per_v * at(i).powi(2))
+        .collect();
+    compare(
+        &harmonics(&found, DUT_HARMONICS),
+        &relative(&shown),
+        2e-5,
+        "dut",
+    );
+    let gain = phasor(&shown, 1) / (0.02 * LEVEL_MS2 * SQRT_2);
+    assert!((found.value[RATIO] - (2.0 * gain.norm()).ln()).abs() < 2e-5);
+    assert!((found.value[RATIO + 1] - gain.arg()).abs() < 2e-5);
+}
+
+/// The level is what the reference shows: the table moves more where the channel saturates.
+#[test]
+fn the_level_is_held_by_what_a_saturating_reference_shows_of_a_bent_wave() {
+    let bent = ("suspension_asymmetry", 0, vec![3e5]);
+    let threshold_v = 0.138;
+    let found = predicted(&[bent, ("adc_clipping", 0, vec![threshold_v])]);
+    // The ratio tells how much more: the device shows all of it.
+    let more = (found.value[RATIO]).exp() / 2.0;
+    let table = harmonics(&found, DUT_HARMONICS);
+    let mut samples = wave_in_time(0.01 * LEVEL_MS2 * SQRT_2 * more, &table);
+    samples
+        .iter_mut()
+        .for_each(|v| *v = v.clamp(-threshold_v, threshold_v));
+    let shown_v = phasor(&samples, 1).norm();
+    let held_v = 0.01 * LEVEL_MS2 * SQRT_2;
+    // Orders above 5 of the table are missing in the samples: 1e-4 of the wave, where it is cut.
+    assert!((shown_v / held_v - 1.0).abs() < 2e-5, "{shown_v} {held_v}");
+    assert!(more > 1.005, "{more}");
+    compare(
+        &harmonics(&found, REF_HARMONICS),
+        &relative(&samples),
+        5e-5,
+        "ref",
+    );
+    assert!(found.value[DRIVE].is_finite());
+}
