@@ -10,10 +10,40 @@ use crate::model::row::NOISE;
 /// "What is left" after harmonics 2..5 holds the higher ones; an instrument
 /// that takes its noise between the harmonics leaves them out. It is one or the
 /// other for a whole dataset, so the better of the two speaks.
+///
+/// All of them, as one that samples counts them: those beyond half its rate are folded
+/// back. Or roughly as many, where filters or a finite sum keep some out.
 #[derive(Default)]
 pub(super) struct Remainders {
+    all: Counted,
+    roughly: Counted,
+}
+
+/// The noise as one way of counting has it, and what the dataset gains by it.
+#[derive(Default)]
+struct Counted {
     data: Vec<(usize, f64, f64)>,
     gain: f64,
+}
+
+impl Counted {
+    /// Takes the difference of one value, with a variance that stays open, in the place of the
+    /// residual that leaves the higher harmonics out.
+    fn add(&mut self, problem: &Problem, at: usize, difference: f64, open: f64, plain: Plain) {
+        let u = problem.uncertainty(at);
+        let ratio = 1.0 + open / (u * u);
+        let weight = 1.0 / (u * ratio.sqrt());
+        self.data.push((at, difference * weight, weight));
+        let residual = (difference * weight).powi(2) + ratio.ln();
+        self.gain += plain.residual.powi(2) + plain.ratio.ln() - residual;
+    }
+}
+
+/// A residual without the higher harmonics, and its variance over the stated one.
+#[derive(Clone, Copy)]
+struct Plain {
+    residual: f64,
+    ratio: f64,
 }
 
 impl Remainders {
@@ -36,26 +66,30 @@ impl Remainders {
             };
             let rise = 0.5 * (1.0 + added / power).ln();
             let difference = problem.measured[at] - prediction.value[NOISE + channel] - rise;
-            let open = prediction.open[NOISE + channel]
-                + (prediction.remainder_open[channel] * rise).powi(2);
-            let u = problem.uncertainty(at);
-            let ratio = 1.0 + open / (u * u);
-            let weight = 1.0 / (u * ratio.sqrt());
-            let before = evaluation.residual[at];
-            let plain = 1.0 / (u * evaluation.weight[at]).powi(2);
-            self.data.push((at, difference * weight, weight));
-            self.gain += before * before + plain.ln() - (difference * weight).powi(2) - ratio.ln();
+            let open = prediction.open[NOISE + channel];
+            let rough = open + (prediction.remainder_open[channel] * rise).powi(2);
+            let plain = Plain {
+                residual: evaluation.residual[at],
+                ratio: 1.0 / (problem.uncertainty(at) * evaluation.weight[at]).powi(2),
+            };
+            self.all.add(problem, at, difference, open, plain);
+            self.roughly.add(problem, at, difference, rough, plain);
         }
     }
 
     /// Takes the higher harmonics into the noise if the whole dataset gains by it.
     pub(super) fn settle(self, evaluation: &mut Evaluation) {
-        if self.gain > 0.0 {
-            for (at, residual, weight) in self.data {
+        let better = if self.all.gain > self.roughly.gain {
+            self.all
+        } else {
+            self.roughly
+        };
+        if better.gain > 0.0 {
+            for (at, residual, weight) in better.data {
                 evaluation.residual[at] = residual;
                 evaluation.weight[at] = weight;
             }
-            evaluation.objective -= self.gain;
+            evaluation.objective -= better.gain;
         }
     }
 }

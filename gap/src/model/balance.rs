@@ -82,6 +82,8 @@ pub(crate) struct Balanced {
     pub(crate) above: [Complex64; ORDERS - 5],
     /// Mean square of the orders above 5 over that of the fundamental.
     pub(crate) remainder: f64,
+    /// What of it lies above [`ORDERS`].
+    pub(crate) beyond: f64,
     /// Whether the balance was reached.
     pub(crate) converged: bool,
 }
@@ -353,13 +355,18 @@ impl<'a> Work<'a> {
         converged: bool,
     ) -> Balanced {
         let relative = |n: usize| motion[n] * (-(n as f64 * self.omega).powi(2) / acceleration);
+        let (above, beyond) = (
+            (6..=ORDERS).map(|n| relative(n).norm_sqr()).sum::<f64>(),
+            self.friction.map_or(0.0, |f| f.beyond) / (acceleration * acceleration),
+        );
         Balanced {
             acceleration_per_v: acceleration / state.voltage[1],
             admittance: state.current_1 / state.voltage[1],
             stiffness: state.force_1 / motion[1],
             harmonics: std::array::from_fn(|k| relative(k + 2)),
             above: std::array::from_fn(|k| relative(k + 6)),
-            remainder: (6..=ORDERS).map(|n| relative(n).norm_sqr()).sum(),
+            remainder: above + beyond,
+            beyond,
             converged,
         }
     }

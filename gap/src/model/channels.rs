@@ -30,6 +30,8 @@ pub(super) struct Path<'a> {
     others: f64,
     /// Mean square of the orders above 5 over that of the fundamental.
     remainder: f64,
+    /// What of it no wave holds.
+    beyond: f64,
 }
 
 impl<'a> Path<'a> {
@@ -52,6 +54,7 @@ impl<'a> Path<'a> {
             others: motion.map_or(0.0, |_| sizes(&table)),
             table,
             remainder: motion.map_or(0.0, |m| m.remainder),
+            beyond: motion.map_or(0.0, |m| m.beyond),
         }
     }
 
@@ -323,7 +326,7 @@ fn remainder(
     let over_fundamental = if whole {
         let mut above = *wave;
         above[..REPORTED].fill(Complex64::ZERO);
-        2.0 * mean_square(&above)
+        2.0 * mean_square(&above) + path.beyond
     } else {
         path.remainder
     };

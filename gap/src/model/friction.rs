@@ -15,13 +15,17 @@ pub(super) struct Friction {
     /// What the orders above [`ORDERS`] add to the velocity over omega where it turns
     /// upwards, in m.
     tail_m: f64,
+    /// Sum of the squares of the accelerations at those orders (peak), in (m/s2)^2.
+    pub(super) beyond: f64,
 }
 
 impl Friction {
     pub(super) fn new(force_n: f64, exciter: &Exciter, omega: f64) -> Self {
+        let (tail_m, beyond) = tail(force_n, exciter, omega);
         Self {
             force_n,
-            tail_m: tail_m(force_n, exciter, omega),
+            tail_m,
+            beyond,
         }
     }
 
@@ -78,18 +82,30 @@ fn zero(motion: &Motion, mut angle: f64, missing_m: f64, odd: bool) -> f64 {
 /// of orders rounds off: it misses the zero by a share that falls with the number of orders only
 /// as 1/n. The orders that are missing are known: the voltage has none of them, so the force of
 /// friction alone, -4 j F/(pi n) at the zero, moves mass, suspension and coil.
-fn tail_m(force_n: f64, exciter: &Exciter, omega: f64) -> f64 {
+///
+/// Answers what they add to the velocity over omega there, and the sum of the squares of their
+/// accelerations: what an instrument that samples sees of them, folded back, as noise.
+fn tail(force_n: f64, exciter: &Exciter, omega: f64) -> (f64, f64) {
     let bl = exciter.force_factor_n_per_a;
     let order = |n: usize| {
         let w = n as f64 * omega;
         let damping = Complex64::new(0.0, w * bl * bl * exciter.emf_ratio) / exciter.impedance(w);
-        (exciter.dynamic_stiffness(w) + damping).inv().re
+        (n as f64, (exciter.dynamic_stiffness(w) + damping).inv())
     };
     let first = ORDERS + 1 + ORDERS % 2;
-    let summed: f64 = (first..=SUMMED).step_by(2).map(order).sum();
+    let (mut turned, mut squares) = (0.0, 0.0);
+    for (n, yields) in (first..=SUMMED).step_by(2).map(order) {
+        turned += yields.re;
+        squares += n * n * yields.norm_sqr();
+    }
     // Beyond them the mass alone: the sum of 1/n^2 over odd n > N is 1/(2 (N + 1)), to N^-3.
-    let rest = -1.0 / (exciter.mass_kg * omega * omega * 2.0 * (SUMMED + 1) as f64);
-    -4.0 * force_n / PI * (summed + rest)
+    let mass = exciter.mass_kg * omega * omega;
+    let rest = 0.5 / (SUMMED + 1) as f64;
+    let force = 4.0 * force_n / PI;
+    (
+        -force * (turned - rest / mass),
+        (force * omega * omega).powi(2) * (squares + rest / (mass * mass)),
+    )
 }
 
 #[cfg(test)]
@@ -97,7 +113,7 @@ mod tests {
     use crate::model::balance::{Bend, ORDERS, Purpose, balance};
     use crate::model::exciter::Exciter;
     use num_complex::Complex64;
-    use std::f64::consts::TAU;
+    use std::f64::consts::{PI, TAU};
 
     /// The same rig was integrated in time, each turning point found by bisection and each piece
     /// solved exactly (matrix exponential), until it repeated: third harmonic over the fundamental
@@ -123,6 +139,39 @@ mod tests {
             (found.harmonics[1] - expected).norm() < 5e-6,
             "{}",
             found.harmonics[1]
+        );
+    }
+
+    /// On a mass alone the acceleration of friction is a square wave of F/m: 2 (F/m)^2 in all orders
+    /// (Parseval), of which (4/(pi n))^2 are in order n. The suspension and the coil add some 1e-5,
+    /// and the fifteen orders of the balance are as good as the zeros: 1e-4.
+    #[test]
+    fn the_orders_above_the_fifth_hold_what_is_left_of_a_square_wave() {
+        let exciter = Exciter {
+            stiffness_n_per_m: 1.0,
+            damping_ns_per_m: 0.0,
+            force_factor_n_per_a: 1.0,
+            resistance_ohm: 1e4,
+            ..Exciter::example()
+        };
+        let friction = Bend {
+            friction_n: 0.02,
+            ..Bend::default()
+        };
+        let (omega, level) = (TAU * 160.0, 10.0);
+        let mut motion = [Complex64::ZERO; ORDERS + 1];
+        let purpose = Purpose::Value;
+        let found = balance(&exciter, &friction, omega, level, &mut motion, purpose);
+        let reported: f64 = [1.0, 3.0, 5.0]
+            .map(|n: f64| (4.0 / (PI * n)).powi(2))
+            .iter()
+            .sum();
+        let share = friction.friction_n / exciter.mass_kg / level;
+        let expected = share * share * (2.0 - reported);
+        assert!(
+            (found.remainder / expected - 1.0).abs() < 1e-3,
+            "{} {expected}",
+            found.remainder
         );
     }
 }

@@ -5,6 +5,7 @@
 //! it: by the fundamental of the reference channel.
 
 mod coil;
+mod dry;
 mod spectrum;
 mod stepping;
 
@@ -217,7 +218,7 @@ impl<'a> Point<'a> {
         ChannelState {
             mean_v,
             harmonics_v,
-            remainder_rms_v,
+            remainder_rms_v: remainder_rms_v.hypot(self.dry_beyond_v2(channel).sqrt()),
             noise_rms_v: jitter_rms_v.hypot(noise_ms2 * gain.abs()),
         }
     }

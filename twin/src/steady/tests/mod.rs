@@ -180,6 +180,24 @@ fn friction_has_its_describing_function() {
     assert!((got / expected - 1.0).norm() < 5e-3, "{got} {expected}");
 }
 
+/// On a mass alone the acceleration of friction is a square wave of F/m, whose mean square is
+/// (F/m)^2; orders 1, 3 and 5 hold (4/(pi n))^2 / 2 of it. At 1 kHz suspension and coil add 1e-4;
+/// the turning points lie within a step of a period, which shifts the orders up to 48 by 1 %.
+#[test]
+fn friction_beyond_the_fifth_order_is_the_rest_of_a_square_wave() {
+    let friction_n = 0.02;
+    let text = format!("coulomb_friction=friction_n:{friction_n}");
+    let state = hold(&[&text], &usual(), 1000.0, 10.0);
+    let order = |n: f64| (4.0 / (PI * n)).powi(2) / 2.0;
+    let share = 1.0 - order(1.0) - order(3.0) - order(5.0);
+    let expected_v = 0.01 * friction_n / 0.07 * share.sqrt();
+    let found_v = state.reference.remainder_rms_v;
+    assert!(
+        (found_v / expected_v - 1.0).abs() < 0.01,
+        "{found_v} {expected_v}"
+    );
+}
+
 #[test]
 fn a_stuck_armature_does_not_move() {
     // 1 N holds against 7/4 N per volt of drive up to 0.57 V: the level cannot be reached gently,
