@@ -235,15 +235,15 @@ fn root(wave: &Wave, low: (f64, f64), high: (f64, f64)) -> f64 {
             to = t;
         }
         let next = t - v / slope;
-        let next = if next > from && next < to {
-            next
+        if next > from && next < to {
+            // Newton's step leaves about the square of its size.
+            if (next - t).abs() < 1e-7 {
+                return next;
+            }
+            t = next;
         } else {
-            0.5 * (from + to)
-        };
-        if (next - t).abs() < 1e-13 {
-            return next;
+            t = 0.5 * (from + to);
         }
-        t = next;
     }
     t
 }
