@@ -11,6 +11,7 @@ mod diagnose;
 mod effects;
 mod engine;
 mod error;
+mod lanes;
 mod model;
 mod options;
 mod oscillator;

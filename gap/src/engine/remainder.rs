@@ -27,23 +27,15 @@ struct Counted {
 }
 
 impl Counted {
-    /// Takes the difference of one value, with a variance that stays open, in the place of the
-    /// residual that leaves the higher harmonics out.
-    fn add(&mut self, problem: &Problem, at: usize, difference: f64, open: f64, plain: Plain) {
+    /// Takes the difference of one value, with a variance that stays open, in the place of what
+    /// `without` the higher harmonics costs.
+    fn add(&mut self, problem: &Problem, at: usize, difference: f64, open: f64, without: f64) {
         let u = problem.uncertainty(at);
         let ratio = 1.0 + open / (u * u);
         let weight = 1.0 / (u * ratio.sqrt());
         self.data.push((at, difference * weight, weight));
-        let residual = (difference * weight).powi(2) + ratio.ln();
-        self.gain += plain.residual.powi(2) + plain.ratio.ln() - residual;
+        self.gain += without - ((difference * weight).powi(2) + ratio.ln());
     }
-}
-
-/// A residual without the higher harmonics, and its variance over the stated one.
-#[derive(Clone, Copy)]
-struct Plain {
-    residual: f64,
-    ratio: f64,
 }
 
 impl Remainders {
@@ -68,12 +60,10 @@ impl Remainders {
             let difference = problem.measured[at] - prediction.value[NOISE + channel] - rise;
             let open = prediction.open[NOISE + channel];
             let rough = open + (prediction.remainder_open[channel] * rise).powi(2);
-            let plain = Plain {
-                residual: evaluation.residual[at],
-                ratio: 1.0 / (problem.uncertainty(at) * evaluation.weight[at]).powi(2),
-            };
-            self.all.add(problem, at, difference, open, plain);
-            self.roughly.add(problem, at, difference, rough, plain);
+            let narrowed = (problem.uncertainty(at) * evaluation.weight[at]).powi(2);
+            let without = evaluation.residual[at].powi(2) + (1.0 / narrowed).ln();
+            self.all.add(problem, at, difference, open, without);
+            self.roughly.add(problem, at, difference, rough, without);
         }
     }
 

@@ -10,6 +10,7 @@
 use super::exciter::Exciter;
 use super::friction::Friction;
 use super::waveform::{Characteristic, clipped_order};
+use crate::lanes::dot;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -427,17 +428,6 @@ pub(super) fn analyse(signal: &[f64; GRID], parity: Parity) -> Motion {
         );
     }
     orders
-}
-
-/// Inner product in four lanes, so that the compiler may use vector instructions.
-fn dot(a: &[f64; QUARTER], b: &[f64; QUARTER]) -> f64 {
-    let mut lanes = [0.0; 4];
-    for (x, y) in a.as_chunks::<4>().0.iter().zip(b.as_chunks::<4>().0) {
-        for lane in 0..4 {
-            lanes[lane] += x[lane] * y[lane];
-        }
-    }
-    lanes.iter().sum()
 }
 
 #[cfg(test)]

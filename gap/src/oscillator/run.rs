@@ -5,6 +5,7 @@
 //! the amplitude above a fifth of the rate.
 
 use crate::dataset::Record;
+use crate::lanes::dot;
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -163,17 +164,6 @@ fn bessel(x: f64) -> f64 {
         sum += term;
     }
     sum
-}
-
-/// Inner product in four lanes, so that the compiler may use vector instructions.
-fn dot(a: &[f64], b: &[f64; 2 * REACH]) -> f64 {
-    let mut lanes = [0.0; 4];
-    for (x, y) in a.as_chunks::<4>().0.iter().zip(b.as_chunks::<4>().0) {
-        for lane in 0..4 {
-            lanes[lane] += x[lane] * y[lane];
-        }
-    }
-    lanes.iter().sum()
 }
 
 #[cfg(test)]
