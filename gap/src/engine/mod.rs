@@ -16,7 +16,8 @@
 //! search     none, singles, pairs, within limits
 //! proposal   which effects to add to which sets; race: their refinement; found: what came of it
 //! score      how the sets found compare: posterior probabilities
-//! structure  what is left: tests by class
+//! settled    the best values beside those where a search stopped
+//! structure  what is left: tests by class; battery: their shapes; open_data: scatter left open
 //! significance  how surprising that is, calibrated by simulation
 //! holdout    the share closed on rows that took no part
 //! across     the same by whole levels and bands, each left out in turn
@@ -24,6 +25,7 @@
 
 pub(crate) mod across;
 pub(crate) mod atom;
+pub(crate) mod battery;
 pub(crate) mod column;
 pub(crate) mod evaluation;
 #[cfg(test)]
@@ -37,6 +39,7 @@ mod noise_sum;
 pub(crate) mod normal;
 pub(crate) mod nuisance;
 mod nuisance_columns;
+mod open_data;
 mod polish;
 pub(crate) mod problem;
 mod proposal;
@@ -47,6 +50,7 @@ mod scatter;
 pub(crate) mod score;
 pub(crate) mod screen;
 pub(crate) mod search;
+pub(crate) mod settled;
 pub(crate) mod significance;
 mod slopes;
 mod step;

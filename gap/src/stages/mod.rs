@@ -1,16 +1,29 @@
 //! Which stage a gap points to, by what explains it and by its class.
+//!
+//! ```text
+//! class     the class of a gap: which kind of deviation accounts for most of it
+//! kind      the kinds; rules: observables and courses of each; course: over frequency
+//! pattern   what columns with free amounts take out of a residual
+//! shape     the course of the ratio in words
+//! ```
 
+mod class;
+mod course;
+mod kind;
 mod pattern;
+mod rules;
 mod shape;
 
 use crate::answer::Verdict;
 use crate::effects::{About, Stage, list};
+use crate::engine::battery::BANDS;
 use crate::engine::fit::Workspace;
 use crate::engine::problem::Problem;
 use crate::engine::search::Search;
-use crate::engine::structure::{BANDS, Outcome, Structure};
+use crate::engine::structure::{Outcome, Structure};
 use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
-use pattern::{Found, Kind};
+use class::Found;
+use kind::Kind;
 use std::collections::BTreeMap;
 
 pub(crate) use shape::of_ratio;
@@ -24,7 +37,7 @@ pub(crate) fn rank(
     work: &mut Workspace,
 ) -> Vec<(Stage, f64)> {
     let by_effects = by_effects(found);
-    let classes = pattern::classes(problem, &found.nominal, work);
+    let classes = class::classes(problem, &found.nominal, work);
     let by_class = by_class(problem, nominal, &classes);
     let named: Vec<&About> = found.sets.first().map_or_else(Vec::new, |best| {
         best.fit.effects.iter().map(|e| e.effect.about()).collect()

@@ -1,10 +1,13 @@
 //! The course of a ratio's deviation over frequency, in words.
 
-use super::pattern::{Kind, Pattern, at_the_optimum, bands, column};
+use super::course::bands;
+use super::kind::Kind;
+use super::pattern::{Pattern, column};
 use crate::engine::column::Column;
 use crate::engine::fit::{Fit, Workspace};
 use crate::engine::linear::Linearised;
 use crate::engine::problem::Problem;
+use crate::engine::settled::Settled;
 use crate::model::row::RATIO;
 
 /// A function of the frequency.
@@ -32,7 +35,7 @@ const CLOSE: f64 = 6.0;
 pub(crate) fn of_ratio(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Option<String> {
     let (evaluation, tangent) = Linearised::new(problem, fit, work).tangent()?;
     let weight = &evaluation.weight;
-    let residual = at_the_optimum(problem, fit, &tangent, evaluation.residual.clone());
+    let residual = Settled::new(problem, fit, &tangent, evaluation.residual).left;
     let along = |course: &dyn Fn(f64) -> f64| {
         column(problem, weight, &[(RATIO, 1.0)], &|row| {
             course(row.frequency_hz)

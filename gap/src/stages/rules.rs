@@ -1,0 +1,162 @@
+//! Every rule of every class, with the courses that are left free.
+
+use super::course::{Course, bands, smooth};
+use super::kind::Kind;
+use super::pattern::{Parts, Pattern, column};
+use crate::engine::column::Column;
+use crate::engine::fit::Fit;
+use crate::engine::normal::Tangent;
+use crate::engine::nuisance::Nuisance;
+use crate::engine::problem::Problem;
+use crate::model::row::{CURRENT, DRIVE, NOISE, RATIO, Row};
+
+/// Orders of the smooth courses that are tried, before bands.
+const ORDERS: [usize; 3] = [0, 2, 5];
+
+const IN_RATIO: [&Parts; 2] = [&[(RATIO, 1.0)], &[(RATIO + 1, 1.0)]];
+const SIZE_OF_RATIO: [&Parts; 1] = [&[(RATIO, 1.0)]];
+const PHASE_OF_RATIO: [&Parts; 1] = [&[(RATIO + 1, 1.0)]];
+const IN_BOTH: [&Parts; 2] = [
+    &[(RATIO, -1.0), (DRIVE, 1.0)],
+    &[(RATIO + 1, -1.0), (DRIVE + 1, 1.0)],
+];
+const IN_DRIVE: [&Parts; 1] = [&[(DRIVE, 1.0)]];
+const IN_EXCITER: [&Parts; 4] = [
+    &[(DRIVE, 1.0)],
+    &[(DRIVE + 1, 1.0)],
+    &[(CURRENT, 1.0)],
+    &[(CURRENT + 1, 1.0)],
+];
+
+/// All rules with all courses.
+pub(super) struct Rules<'a> {
+    problem: &'a Problem,
+    weight: &'a [f64],
+    tangent: &'a Tangent,
+    pub(super) patterns: Vec<Pattern>,
+}
+
+impl<'a> Rules<'a> {
+    pub(super) fn new(
+        problem: &'a Problem,
+        weight: &'a [f64],
+        tangent: &'a Tangent,
+        fit: &Fit,
+    ) -> Self {
+        let mut rules = Self {
+            problem,
+            weight,
+            tangent,
+            patterns: Vec::new(),
+        };
+        for order in ORDERS {
+            let course = smooth(problem, order);
+            rules.add_sharp(&course);
+            rules.add_smooth(&course);
+        }
+        rules.add_sharp(&bands(problem));
+        rules.add_values(fit);
+        rules.add_noise();
+        rules
+    }
+
+    /// Rules whose course may have a resonance.
+    fn add_sharp(&mut self, course: &Course) {
+        let turning: [fn(&Row) -> f64; 2] = [|r| r.rotation.0, |r| r.rotation.1];
+        self.add(Kind::Ratio, &IN_RATIO, course, &[|_| 1.0]);
+        self.add(Kind::Mirrored, &IN_BOTH, course, &[|_| 1.0]);
+        self.add(Kind::Rotation, &IN_RATIO, course, &turning);
+        self.add(Kind::Payload, &IN_RATIO, course, &[|r| r.payload_kg]);
+        self.add(Kind::Exciter, &IN_EXCITER, course, &[|_| 1.0]);
+        self.add(Kind::Exciter, &IN_EXCITER[..2], course, &[|_| 1.0]);
+    }
+
+    /// Rules that depend on time, temperature or level, without sharp features.
+    fn add_smooth(&mut self, course: &Course) {
+        let slow: [fn(&Row) -> f64; 2] = [|r| r.warmer_k, |r| r.time_s];
+        let level: [fn(&Row) -> f64; 2] = [|r| r.level_ms2, |r| 1.0 / r.level_ms2];
+        self.add(Kind::PhaseInTime, &PHASE_OF_RATIO, course, &[slow[1]]);
+        self.add(Kind::Temperature, &SIZE_OF_RATIO, course, &[slow[0]]);
+        self.add(Kind::Time, &SIZE_OF_RATIO, course, &[slow[1]]);
+        self.add(Kind::DriveInTime, &IN_DRIVE, course, &[slow[1]]);
+        self.add(Kind::ExciterInTime, &IN_EXCITER, course, &[slow[1]]);
+        for one in slow {
+            self.add(Kind::MirroredSlow, &IN_BOTH[..1], course, &[one]);
+        }
+        for one in level {
+            self.add(Kind::Level, &SIZE_OF_RATIO, course, &[one]);
+            self.add(Kind::MirroredLevel, &IN_BOTH[..1], course, &[one]);
+            self.add(Kind::Exciter, &IN_EXCITER, course, &[one]);
+        }
+    }
+
+    /// The values of the exciter, beyond their stated uncertainty.
+    fn add_values(&mut self, fit: &Fit) {
+        let of_exciter = |i: &usize| matches!(self.problem.free[*i].kind, Nuisance::Exciter(_));
+        let every: Vec<usize> = (0..fit.theta.len()).filter(of_exciter).collect();
+        let columns = |list: &[usize]| -> Vec<Column> {
+            let columns = list.iter().map(|i| self.tangent.columns[*i].clone());
+            columns.collect()
+        };
+        let mut sets: Vec<Vec<Column>> = every.iter().map(|i| columns(&[*i])).collect();
+        sets.push(columns(&every));
+        for set in sets {
+            self.push(Kind::Exciter, set);
+        }
+    }
+
+    fn add_noise(&mut self) {
+        let shapes: [fn(&Row) -> f64; 3] = [
+            |_| 1.0,
+            |r| r.frequency_hz.ln(),
+            |r| {
+                if r.level_ms2 > 0.0 {
+                    r.level_ms2.ln()
+                } else {
+                    0.0
+                }
+            },
+        ];
+        for count in [1, 3] {
+            for (kind, channels) in [
+                (Kind::NoiseOfDut, &[1][..]),
+                (Kind::NoiseOfBoth, &[0]),
+                (Kind::NoiseOfBoth, &[0, 1]),
+            ] {
+                let columns = channels.iter().flat_map(|c| {
+                    let parts = [(NOISE + c, 1.0)];
+                    let of = |shape: &fn(&Row) -> f64| self.column(&parts, shape);
+                    shapes[..count].iter().map(of).collect::<Vec<_>>()
+                });
+                let columns = columns.collect();
+                self.push(kind, columns);
+            }
+        }
+    }
+
+    fn add(&mut self, kind: Kind, parts: &[&Parts], course: &Course, along: &[fn(&Row) -> f64]) {
+        let mut columns = Vec::new();
+        for part in parts {
+            for shape in course {
+                for condition in along {
+                    let value = |row: &Row| shape(row.frequency_hz) * condition(row);
+                    columns.push(self.column(part, &value));
+                }
+            }
+        }
+        self.push(kind, columns);
+    }
+
+    fn column(&self, parts: &Parts, shape: &dyn Fn(&Row) -> f64) -> Column {
+        column(self.problem, self.weight, parts, shape)
+    }
+
+    fn push(&mut self, kind: Kind, mut columns: Vec<Column>) {
+        columns.retain(|c| c.norm2() > 0.0);
+        if columns.is_empty() {
+            return;
+        }
+        self.patterns
+            .extend(Pattern::new(self.problem, self.tangent, kind, columns));
+    }
+}
