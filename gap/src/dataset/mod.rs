@@ -15,8 +15,7 @@ mod rig;
 
 pub(crate) use points::{Harmonic, Point};
 pub(crate) use record::Record;
-pub(crate) use rig::Rig;
-pub(crate) use rig::{Exciter, Kind, Measurand, Quantity, Transducer};
+pub(crate) use rig::{Exciter, Kind, Measurand, Quantity, Repeatability, Rig, Transducer};
 
 use crate::error::GapError;
 use sha2::{Digest, Sha256};

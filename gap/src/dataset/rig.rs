@@ -17,6 +17,13 @@ pub(crate) struct Quantity {
     pub(crate) u: f64,
 }
 
+impl Quantity {
+    /// Relative standard uncertainty.
+    pub(crate) fn relative_u(self) -> f64 {
+        self.u / self.value
+    }
+}
+
 /// What a dataset is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]

@@ -1,8 +1,9 @@
 //! What a fit moves that is no effect: gains, nominal values of the exciter, healthy noise.
 
-use crate::dataset::{Exciter, Measurand, Rig};
+use crate::dataset::{Exciter, Measurand, Quantity, Repeatability, Rig, Transducer};
 use crate::effects::Facts;
 use crate::model::row::Row;
+use std::f64::consts::SQRT_2;
 
 /// A parameter of the simulation that is not an effect, in units of its uncertainty.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,6 +33,24 @@ pub(crate) struct Free {
 }
 
 impl Free {
+    /// With a prior of the relative standard uncertainty `unit`.
+    fn known(kind: Nuisance, unit: f64) -> Self {
+        Self {
+            kind,
+            unit,
+            bounded: true,
+        }
+    }
+
+    /// Without a prior, in units of 1 %.
+    fn unknown(kind: Nuisance) -> Self {
+        Self {
+            kind,
+            unit: 0.01,
+            bounded: false,
+        }
+    }
+
     /// Most that one step may change it, in its unit. A value of the exciter turns the shape of
     /// the response, which slopes foresee for a while only; a gain just shifts it, and a run's may
     /// have taken on a drift hundreds of its units wide before the drift was among the effects.
@@ -46,102 +65,64 @@ impl Free {
 
 /// The nuisances of a rig for what was measured; exact values are none.
 pub(super) fn nuisances(rig: &Rig, rows: &[Row], facts: &Facts) -> Vec<Free> {
-    let mut free = Vec::new();
-    let relative = |t: Option<crate::dataset::Transducer>| {
-        t.and_then(|t| t.sensitivity_v_per_ms2)
-            .map(|q| q.u / q.value)
-    };
-    let (s1, s2) = (relative(rig.reference), relative(rig.dut));
-    let unbounded = |kind| Free {
-        kind,
-        unit: 0.01,
-        bounded: false,
-    };
-    if facts.ratio {
-        free.push(match (rig.measurand, s1.zip(s2)) {
-            (Measurand::Drive, Some((a, b))) => Free {
-                kind: Nuisance::RatioGain,
-                unit: a.hypot(b),
-                bounded: true,
-            },
-            _ => unbounded(Nuisance::RatioGain),
-        });
-    }
-    if facts.drive {
-        free.push(match (rig.measurand, s1) {
-            (Measurand::DutSensitivity, Some(u)) => Free {
-                kind: Nuisance::DriveGain,
-                unit: u,
-                bounded: true,
-            },
-            _ => unbounded(Nuisance::DriveGain),
-        });
-    }
+    let mut free: Vec<Free> = gains(rig, facts).collect();
     if facts.drive || facts.current {
-        let values = rig
-            .exciter
-            .and_then(|e| e.complete())
-            .unwrap_or_default_units();
-        for (i, unit) in values.into_iter().enumerate() {
-            free.push(Free {
-                kind: Nuisance::Exciter(i),
-                unit,
-                bounded: true,
-            });
-        }
+        free.extend(exciter(rig));
     }
-    let runs = rows.iter().map(|r| r.run).max().unwrap_or(0) + 1;
-    for run in 0..runs {
-        if facts.ratio || facts.drive {
-            free.push(Free {
-                kind: Nuisance::RunReference(run),
-                unit: rig.repeatability.reference_gain,
-                bounded: true,
-            });
-        }
-        if facts.ratio {
-            free.push(Free {
-                kind: Nuisance::RunDut(run),
-                unit: rig.repeatability.dut_gain,
-                bounded: true,
-            });
-        }
-    }
-    // One noise is stated for both channels: whether its error is shared is not said. With
-    // twice the variance in each, the mean of both has the stated uncertainty.
-    let shared = if facts.ref_noise && facts.dut_noise {
-        std::f64::consts::SQRT_2
-    } else {
-        1.0
-    };
-    let noise = shared * rig.digitiser.noise_v.map_or(0.0, |q| q.u / q.value);
-    if facts.ref_noise {
-        free.push(Free {
-            kind: Nuisance::Noise(0),
-            unit: noise,
-            bounded: true,
-        });
-    }
-    if facts.dut_noise {
-        free.push(Free {
-            kind: Nuisance::Noise(1),
-            unit: noise,
-            bounded: true,
-        });
-    }
+    free.extend(gains_of_runs(rig, rows, facts));
+    free.extend(noises(rig, facts));
     free.retain(|f| f.unit > 0.0);
     free
 }
 
-/// Relative uncertainties of the exciter entries.
-trait RelativeUnits {
-    fn unwrap_or_default_units(self) -> [f64; 6];
+/// Gains of ratio and drive; the one that is measured has no prior, nor has one of an unknown sensitivity.
+fn gains(rig: &Rig, facts: &Facts) -> impl Iterator<Item = Free> {
+    let relative = |t: Option<Transducer>| t?.sensitivity_v_per_ms2.map(Quantity::relative_u);
+    let (s1, s2) = (relative(rig.reference), relative(rig.dut));
+    let ratio = match (rig.measurand, s1.zip(s2)) {
+        (Measurand::Drive, Some((a, b))) => Free::known(Nuisance::RatioGain, a.hypot(b)),
+        _ => Free::unknown(Nuisance::RatioGain),
+    };
+    let drive = match (rig.measurand, s1) {
+        (Measurand::DutSensitivity, Some(u)) => Free::known(Nuisance::DriveGain, u),
+        _ => Free::unknown(Nuisance::DriveGain),
+    };
+    let ratio = facts.ratio.then_some(ratio);
+    ratio.into_iter().chain(facts.drive.then_some(drive))
 }
 
-impl RelativeUnits for Option<[crate::dataset::Quantity; 6]> {
-    fn unwrap_or_default_units(self) -> [f64; 6] {
-        self.map_or([0.0; 6], |e| e.map(|q| q.u / q.value))
-    }
+/// The values of a complete exciter.
+fn exciter(rig: &Rig) -> impl Iterator<Item = Free> {
+    let values = rig.exciter.and_then(|e| e.complete());
+    let values = values.into_iter().flatten().enumerate();
+    values.map(|(i, q)| Free::known(Nuisance::Exciter(i), q.relative_u()))
+}
+
+/// What the repeatability of both channels leaves to each run.
+fn gains_of_runs(rig: &Rig, rows: &[Row], facts: &Facts) -> impl Iterator<Item = Free> {
+    let Repeatability {
+        reference_gain,
+        dut_gain,
+    } = rig.repeatability;
+    let (ratio, drive) = (facts.ratio, facts.drive);
+    let runs = rows.iter().map(|r| r.run).max().unwrap_or(0) + 1;
+    (0..runs).flat_map(move |run| {
+        let reference = Free::known(Nuisance::RunReference(run), reference_gain);
+        let dut = Free::known(Nuisance::RunDut(run), dut_gain);
+        let reference = (ratio || drive).then_some(reference);
+        reference.into_iter().chain(ratio.then_some(dut))
+    })
+}
+
+/// Noise of the healthy channels.
+fn noises(rig: &Rig, facts: &Facts) -> impl Iterator<Item = Free> {
+    let measured = [facts.ref_noise, facts.dut_noise];
+    // One noise is stated for both channels: whether its error is shared is not said. With
+    // twice the variance in each, the mean of both has the stated uncertainty.
+    let shared = if measured == [true; 2] { SQRT_2 } else { 1.0 };
+    let unit = shared * rig.digitiser.noise_v.map_or(0.0, Quantity::relative_u);
+    let channels = (0..2).filter(move |channel| measured[*channel]);
+    channels.map(move |channel| Free::known(Nuisance::Noise(channel), unit))
 }
 
 /// Factor on a value for a relative change; large uncertainties stay positive.

@@ -1,7 +1,7 @@
 //! A dataset as a fitting problem: whitened data, nuisance parameters, slots.
 
 use super::nuisance::{Free, Nuisance, nuisances, stretched, stretched_slope};
-use crate::dataset::{Measured, Point, Rig};
+use crate::dataset::{Measured, Point, Quantity, Rig};
 use crate::effects::Facts;
 use crate::model::memory::Memory;
 use crate::model::predict::Nominal;
@@ -69,7 +69,7 @@ impl Problem {
             noise_v: [noise_v; 2],
             noise_ln: [noise_v.ln(); 2],
         };
-        let exciter_u = exciter.map_or([0.0; 6], |e| e.map(|q| q.u / q.value));
+        let exciter_u = exciter.map_or([0.0; 6], |e| e.map(Quantity::relative_u));
         let free = nuisances(rig, &rows, &facts);
         let mut problem = Self {
             rows,
