@@ -1,6 +1,6 @@
 //! The answer of a diagnosis, as it is written to JSON.
 
-use crate::engine::holdout::Gap;
+use crate::engine::gap::Gap;
 use crate::pictures::Pictures;
 use serde::Serialize;
 use std::collections::BTreeMap;

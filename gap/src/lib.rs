@@ -29,7 +29,7 @@ pub use diagnose::{diagnose, diagnose_all};
 pub use effects::{
     About, NEVER_IDENTIFIABLE, Parameter, Scale, Stage, check_name, list as effects,
 };
-pub use engine::holdout::{Gap, ObservableGap, Slice};
+pub use engine::gap::{Gap, ObservableGap, Slice};
 pub use error::GapError;
 pub use options::Options;
 pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};

@@ -7,7 +7,8 @@
 
 use super::fit::{Effort, Fit, Workspace, follow};
 use super::found::COST;
-use super::holdout::{Slice, score_on};
+use super::gap::Slice;
+use super::holdout::score_on;
 use super::linear::Linearised;
 use super::problem::Problem;
 use super::slopes::Slopes;

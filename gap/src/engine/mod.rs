@@ -19,7 +19,7 @@
 //! settled    the best values beside those where a search stopped
 //! structure  what is left: tests by class; battery: their shapes; open_data: scatter left open
 //! significance  how surprising that is, calibrated by simulation
-//! holdout    the share closed on rows that took no part
+//! holdout    the share closed on rows that took no part; errors: there; gap: as the answer states it
 //! across     the same by whole levels and bands, each left out in turn
 //! ```
 
@@ -27,11 +27,13 @@ pub(crate) mod across;
 pub(crate) mod atom;
 pub(crate) mod battery;
 pub(crate) mod column;
+pub(crate) mod errors;
 pub(crate) mod evaluation;
 #[cfg(test)]
 mod example;
 pub(crate) mod fit;
 pub(crate) mod found;
+pub(crate) mod gap;
 pub(crate) mod holdout;
 pub(crate) mod limits;
 pub(crate) mod linear;

@@ -5,7 +5,7 @@
 //! are split by frequency.
 
 use super::fit::rms;
-use crate::engine::holdout::Slice;
+use crate::engine::gap::Slice;
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 

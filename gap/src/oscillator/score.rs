@@ -5,7 +5,7 @@ use super::fit::{Fitted, compared, rms, validation};
 use super::grow::Step;
 use super::run::Run;
 use super::weigh::names_of;
-use crate::engine::holdout::{Gap, ObservableGap};
+use crate::engine::gap::{Gap, ObservableGap};
 use std::collections::BTreeMap;
 
 /// Errors on the held-out record before and after, and what is stated of them.

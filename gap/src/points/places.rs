@@ -1,8 +1,8 @@
 //! Where the gap lies.
 
 use crate::answer::{Verdict, Where};
+use crate::engine::errors::OBSERVABLES;
 use crate::engine::fit::Workspace;
-use crate::engine::holdout::OBSERVABLES;
 use crate::engine::problem::Problem;
 use crate::engine::search::Search;
 use crate::engine::significance::two_sided;

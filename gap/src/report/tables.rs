@@ -2,7 +2,7 @@
 
 use super::{escape, plain, short};
 use crate::answer::{Answer, Estimate};
-use crate::engine::holdout::Slice;
+use crate::engine::gap::Slice;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 

@@ -1,0 +1,136 @@
+//! Errors of a simulation on rows that took no part, observable by observable.
+
+use super::fit::Fit;
+use super::gap::ObservableGap;
+use super::problem::Problem;
+use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
+
+/// Observables with the slots they fill.
+pub(crate) const OBSERVABLES: [(&str, usize, usize); 7] = [
+    ("ratio", RATIO, DRIVE),
+    ("drive", DRIVE, CURRENT),
+    ("current", CURRENT, REF_HARMONICS),
+    ("ref_harmonics", REF_HARMONICS, DUT_HARMONICS),
+    ("dut_harmonics", DUT_HARMONICS, DC),
+    ("dc", DC, NOISE),
+    ("noise", NOISE, SLOTS),
+];
+
+/// Sums over the data of an observable.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Errors {
+    /// Of squared errors; relative to the signal where they are voltages.
+    pub(super) square: f64,
+    /// Of squared standard uncertainties, likewise.
+    pub(super) floor: f64,
+    /// Rows with data.
+    pub(super) rows: f64,
+    /// Of squared errors in standard uncertainties.
+    pub(super) chi: f64,
+    /// Number of data.
+    pub(super) data: f64,
+}
+
+impl Errors {
+    /// Errors of a fit of `training` on each observable of `testing`.
+    fn of(fit: &Fit, training: &Problem, testing: &Problem) -> [Self; OBSERVABLES.len()] {
+        let theta = testing.translate(training, &fit.theta);
+        let evaluation = testing.evaluate(&fit.effects, &theta, &mut testing.memory());
+        OBSERVABLES.map(|(_, from, to)| {
+            let mut errors = Self::default();
+            let mut seen = vec![false; testing.rows.len()];
+            for at in testing.slots[from].start..testing.slots[to - 1].end {
+                let difference = evaluation.residual[at] / evaluation.weight[at];
+                let scale = if from == DC {
+                    over_peak(testing, at)
+                } else {
+                    1.0
+                };
+                if scale.is_finite() {
+                    errors.square += (difference * scale).powi(2);
+                    errors.floor += (testing.uncertainty(at) * scale).powi(2);
+                }
+                errors.chi += evaluation.residual[at].powi(2);
+                errors.data += 1.0;
+                seen[testing.row_of[at]] = true;
+            }
+            errors.rows = seen.iter().filter(|s| **s).count() as f64;
+            errors
+        })
+    }
+}
+
+/// Factor that makes a mean, in V, relative to the amplitude of its channel.
+fn over_peak(problem: &Problem, at: usize) -> f64 {
+    let row = &problem.rows[problem.row_of[at]];
+    let of_dut = problem.slots[DC + 1].contains(&at);
+    1.0 / if of_dut {
+        row.dut_peak_v
+    } else {
+        row.ref_peak_v
+    }
+}
+
+/// Errors of the plain simulation and of one with effects on the same data.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Compared {
+    pub(super) before: Errors,
+    pub(super) after: Errors,
+}
+
+impl Compared {
+    /// Compares fits of `training` on each observable of `testing`.
+    pub(super) fn by_observable(
+        training: &Problem,
+        testing: &Problem,
+        nominal: &Fit,
+        chosen: &Fit,
+    ) -> [Self; OBSERVABLES.len()] {
+        let before = Errors::of(nominal, training, testing);
+        let after = Errors::of(chosen, training, testing);
+        std::array::from_fn(|i| Self {
+            before: before[i],
+            after: after[i],
+        })
+    }
+
+    /// Root mean square relative errors before and after, and what noise alone leaves, in percent.
+    pub(super) fn percent(&self) -> [f64; 3] {
+        let rows = self.before.rows.max(1.0);
+        let sums = [self.before.square, self.after.square, self.before.floor];
+        sums.map(|sum| 100.0 * (sum / rows).sqrt())
+    }
+
+    /// Root mean square of error over standard uncertainty, before and after.
+    pub(super) fn chi(&self) -> [f64; 2] {
+        let data = self.before.data.max(1.0);
+        [self.before, self.after].map(|errors| (errors.chi / data).sqrt())
+    }
+
+    /// Share of the gap that is closed; far worse counts as ninefold.
+    pub(super) fn share(&self) -> f64 {
+        let [before, after, floor] = self.percent();
+        ((before - after) / (before - floor)).clamp(-9.0, 1.0)
+    }
+
+    /// Chi-square of the plain simulation beyond what noise leaves.
+    pub(super) fn excess(&self) -> f64 {
+        self.before.chi - self.before.data
+    }
+
+    /// The gap of an observable; a share of it only where it stands out of the noise.
+    pub(super) fn gap(&self) -> ObservableGap {
+        let [before_percent, after_percent, floor_percent] = self.percent();
+        let [chi_before, chi_after] = self.chi();
+        let is_gap =
+            self.excess() > 4.0 * (2.0 * self.before.data).sqrt() && before_percent > floor_percent;
+        ObservableGap {
+            before_percent,
+            after_percent,
+            floor_percent,
+            closed: is_gap.then(|| self.share()),
+            chi_before,
+            chi_after,
+        }
+    }
+}
