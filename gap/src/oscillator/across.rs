@@ -4,7 +4,7 @@
 //! few periods, and these are put in order of their largest output; its errors
 //! are split by frequency.
 
-use super::fit::rms;
+use super::residual::rms;
 use crate::engine::gap::Slice;
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;

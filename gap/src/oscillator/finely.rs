@@ -1,6 +1,7 @@
 //! An integration as fine as what a fit leaves needs.
 
-use super::fit::{Fitted, refine, residual, rms};
+use super::fit::{Fitted, refine};
+use super::residual::{residual, rms};
 use super::run::Run;
 use rayon::prelude::*;
 

@@ -6,8 +6,9 @@
 //! are tried, each with springs from a softening to a hardening one.
 
 use super::finely::integrate_finely;
-use super::fit::{Fitted, first_state, refine, rms};
+use super::fit::{Fitted, refine};
 use super::model::LINEAR;
+use super::residual::rms;
 use super::run::Run;
 
 /// Share of the squared output from which a linear fit counts as poor.
@@ -46,7 +47,7 @@ pub(super) fn spring(run: &Run, base: &Fitted) -> Option<(Fitted, usize)> {
         values[2] /= lower * lower;
         values[LINEAR] = hardening / (3.0 * head * head);
         // The state at the first sample, from the samples: that of the linear fit is as wrong as it is.
-        (values[4], values[5]) = first_state(run, values[0]);
+        (values[4], values[5]) = run.first_state(values[0]);
         values
     };
     let (count, lowest, factor) = RESONANCES;

@@ -1,7 +1,8 @@
 //! One term at a time: what is tried, and when it stops.
 
+use super::begin::begin;
 use super::finely::{MOST_STEPS, REFINED, integrate_finely};
-use super::fit::{Fitted, all_terms, begin, refine};
+use super::fit::{Fitted, refine};
 use super::gross;
 use super::left::{Left, examine};
 use super::model::TERMS;
@@ -97,7 +98,9 @@ fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Ve
             .chain(far)
             .min_by(|a, b| a.square.total_cmp(&b.square))
     };
-    let free: Vec<usize> = all_terms().filter(|t| may_add(base, *t, options)).collect();
+    let free: Vec<usize> = (0..TERMS.len())
+        .filter(|t| may_add(base, *t, options))
+        .collect();
     let mut tried: Vec<Fitted> = free.into_par_iter().filter_map(with).collect();
     tried.sort_by(|a, b| a.square.total_cmp(&b.square));
     let leading = tried.len().min(REFINED);

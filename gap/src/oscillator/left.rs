@@ -1,8 +1,10 @@
 //! What a fitted oscillator leaves: is it white noise?
 
-use super::fit::{Fitted, columns_of, residual, rms};
+use super::fit::Fitted;
 use super::model::LINEAR;
+use super::residual::{residual, rms};
 use super::run::{INTERPOLATED, Run};
+use super::slopes::normal;
 use crate::engine::significance::{Gauss, chi_square_tail, of_smallest, two_sided};
 use nalgebra::{Cholesky, DVector, Dyn};
 
@@ -49,12 +51,12 @@ pub(super) struct Left {
 /// Tests the residual for memory and for traces of forces; the null is simulated.
 pub(super) fn examine(record: &Run, fit: &Fitted) -> Option<Left> {
     let left = residual(&fit.values, record)?;
-    let columns = columns_of(record, fit, &left, &[])?;
+    let columns = fit.columns(record, &left, &[])?;
     let space = Space::new(columns)?;
     let missing = FORCES.iter().filter(|f| !fit.terms.contains(&f.0));
     let missing: Vec<(usize, Parity)> = missing.copied().collect();
     let places: Vec<usize> = missing.iter().map(|f| LINEAR + f.0).collect();
-    let traces = columns_of(record, fit, &left, &places)?;
+    let traces = fit.columns(record, &left, &places)?;
     let traces: Vec<Vec<f64>> = traces.into_iter().map(|t| unit(space.off(t))).collect();
     let known = RESOLVED * rms(&left);
     let unresolved = known
@@ -115,7 +117,7 @@ impl Space {
     fn new(columns: Vec<Vec<f64>>) -> Option<Self> {
         let columns: Vec<Vec<f64>> = columns.into_iter().map(unit).collect();
         let zero = vec![0.0; columns.first()?.len()];
-        let (matrix, _) = super::fit::normal(&columns, &zero);
+        let (matrix, _) = normal(&columns, &zero);
         Some(Self {
             columns,
             factor: Cholesky::new(matrix)?,

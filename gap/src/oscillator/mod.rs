@@ -1,6 +1,18 @@
 //! Datasets of `kind = "oscillator"`: which term a linear oscillator lacks.
+//!
+//! ```text
+//! run, simulate, mode   a record on a fine grid, and the oscillator driven by it
+//! model, moves          the terms and their values, and what a fit moves in which steps
+//! residual, slopes      measured less simulated output, and how it changes with the values
+//! fit, begin            least squares, and where the fit of a term begins; gross: far away
+//! grow, finely          one term at a time; steps of the integration as fine as it takes
+//! left, score, across   what a fit leaves; its errors on what was held out, and by level and band
+//! validation            another record, of which the first state is fitted
+//! weigh, terms          probabilities of the sets; estimates, stability: what the answer says of them
+//! ```
 
 mod across;
+mod begin;
 mod estimates;
 mod finely;
 mod fit;
@@ -9,11 +21,15 @@ mod grow;
 mod left;
 mod mode;
 mod model;
+mod moves;
+mod residual;
 mod run;
 mod score;
 mod simulate;
+mod slopes;
 mod stability;
 mod terms;
+mod validation;
 mod weigh;
 
 use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where};
@@ -24,10 +40,11 @@ use crate::options::Options;
 use crate::pictures::{Pictures, Trace};
 use crate::verdict::{conclude, hardly_separated};
 use estimates::linear_parameters;
-use fit::{compared, fitted_part, linear, rms};
+use fit::linear;
 use grow::{Step, grow};
 use left::Parity;
 use model::TERMS;
+use residual::{compared, fitted_part, rms};
 use run::{FEWEST_STEPS, Run};
 use score::Scored;
 use weigh::causes;

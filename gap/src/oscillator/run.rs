@@ -70,6 +70,17 @@ impl Run {
         Self::of(self.interval_s, input.into(), output.into(), steps)
     }
 
+    /// Displacement and velocity at the first sample, from the first three; `ln_w0` as in a simulation.
+    pub(super) fn first_state(&self, ln_w0: f64) -> (f64, f64) {
+        match self.output[..] {
+            [x0, x1, x2, ..] => {
+                let interval = ln_w0.exp() * self.interval_s;
+                (x0, (4.0 * x1 - 3.0 * x0 - x2) / (2.0 * interval))
+            }
+            _ => (0.0, 0.0),
+        }
+    }
+
     /// The same in a quarter of the steps, if there are so many.
     pub(super) fn coarser(&self) -> Self {
         let steps = (self.steps / 4).max(FEWEST_STEPS);

@@ -1,9 +1,11 @@
 //! How far the error shrinks on a record that took no part.
 
 use super::across;
-use super::fit::{Fitted, compared, rms, validation};
+use super::fit::Fitted;
 use super::grow::Step;
+use super::residual::{compared, rms};
 use super::run::Run;
+use super::validation::validation;
 use super::weigh::names_of;
 use crate::engine::gap::{Gap, ObservableGap};
 use std::collections::BTreeMap;

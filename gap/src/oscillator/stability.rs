@@ -1,6 +1,7 @@
 //! How often each set of terms leads when the stretches of a record are drawn again.
 
-use super::fit::{Fitted, residual};
+use super::fit::Fitted;
+use super::residual::residual;
 use super::run::Run;
 use crate::engine::significance::Gauss;
 
