@@ -6,7 +6,8 @@ use super::remainder::Remainders;
 use crate::effects::Active;
 use crate::model::exciter::Slopes;
 use crate::model::memory::{Memory, Recall};
-use crate::model::predict::{Nominal, Prediction, predict};
+use crate::model::predict::predict;
+use crate::model::prediction::{Nominal, Prediction};
 use crate::model::row::{DRIVE, RATIO};
 
 /// State of the simulation for one set of effects and nuisance values.

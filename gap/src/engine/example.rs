@@ -1,16 +1,18 @@
-//! Points of an example rig, for tests.
+//! An example rig and points of it, for tests.
 
 use super::atom::active;
 use super::evaluation::Memories;
 use super::problem::Problem;
 use super::significance::Gauss;
 use crate::dataset::{Point, Rig};
-use crate::effects::library;
+use crate::effects::{Active, library};
 
 const RIG: &str = r#"
 kind = "calibrator"
 [reference]
-sensitivity_v_per_ms2 = { value = 0.0102, u = 0.00003 }
+sensitivity_v_per_ms2 = { value = 0.01, u = 0.00003 }
+[dut]
+sensitivity_v_per_ms2 = { value = 0.02, u = 0.0002 }
 [exciter]
 moving_mass_kg = { value = 0.05, u = 0.0005 }
 stiffness_n_per_m = { value = 8000.0, u = 400.0 }
@@ -20,9 +22,22 @@ coil_resistance_ohm = { value = 4.0, u = 0.05 }
 coil_inductance_h = { value = 0.00012, u = 0.00001 }
 "#;
 
-/// Points of a rig with some effects, and the scatter they state.
+/// The rig.
+pub(crate) fn rig() -> Rig {
+    toml::from_str(RIG).expect("the rig is good")
+}
+
+/// An effect of the library with values; entries of one name are told apart by their number.
+pub(crate) fn named(name: &str, number: usize, parameters: &[f64]) -> Active<'static> {
+    let entries = library().iter().enumerate();
+    let mut named = entries.filter(|(_, e)| e.about().id == name);
+    let (entry, _) = named.nth(number).expect("an entry of the library");
+    active(entry, parameters.to_vec())
+}
+
+/// Points of the rig with some effects, and the scatter they state.
 pub(super) fn measured(effects: &[(&str, Vec<f64>)]) -> (Rig, Vec<Point>) {
-    let rig: Rig = toml::from_str(RIG).expect("the rig is good");
+    let rig = rig();
     let blank = |i: usize| Point {
         frequency_hz: 5.0 * 1.07_f64.powi(i as i32),
         acceleration_ms2: Some(10.0),
@@ -42,12 +57,10 @@ pub(super) fn measured(effects: &[(&str, Vec<f64>)]) -> (Rig, Vec<Point>) {
     let mut draw = Gauss::new(8);
     let mut noise = || 5e-4 * draw.next();
     let theta = vec![0.0; problem.free.len()];
-    let named = |(name, parameters): &(&str, Vec<f64>)| {
-        let mut entries = library().iter();
-        let entry = entries.position(|e| e.about().id == *name);
-        active(entry.expect("a name of the library"), parameters.clone())
-    };
-    let active: Vec<_> = effects.iter().map(named).collect();
+    let effects = effects.iter();
+    let active: Vec<_> = effects
+        .map(|(name, values)| named(name, 0, values))
+        .collect();
     problem.predictions(
         &active,
         &theta,

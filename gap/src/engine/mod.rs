@@ -30,7 +30,7 @@ pub(crate) mod column;
 pub(crate) mod errors;
 pub(crate) mod evaluation;
 #[cfg(test)]
-mod example;
+pub(crate) mod example;
 pub(crate) mod fit;
 pub(crate) mod found;
 pub(crate) mod gap;

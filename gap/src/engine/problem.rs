@@ -4,7 +4,7 @@ use super::nuisance::{Free, Nuisance, nuisances, stretched, stretched_slope};
 use crate::dataset::{Measured, Point, Quantity, Rig};
 use crate::effects::Facts;
 use crate::model::memory::Memory;
-use crate::model::predict::Nominal;
+use crate::model::prediction::Nominal;
 use crate::model::row::{CURRENT, Row, SLOTS};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;

@@ -2,7 +2,7 @@
 
 use super::evaluation::Evaluation;
 use super::problem::Problem;
-use crate::model::predict::Prediction;
+use crate::model::prediction::Prediction;
 use crate::model::row::NOISE;
 
 /// Noise with the harmonics above 5 in it, for all rows at once.

@@ -2,11 +2,11 @@
 
 use super::balance::Balanced;
 use super::chain::Chain;
-use super::exciter::{Added, Exciter, Linear, Slopes};
+use super::complex::size;
+use super::exciter::{Added, Exciter};
+use super::fundamental::Fundamental;
 use super::memory::Recall;
-use super::predict::{ln, size};
 use super::row::Row;
-use num_complex::Complex64;
 use std::f64::consts::SQRT_2;
 
 /// What the exciter does to one row.
@@ -14,15 +14,6 @@ pub(super) struct Drive {
     pub(super) first: Fundamental,
     /// A balance of harmonics where the exciter is nonlinear.
     pub(super) balanced: Option<Balanced>,
-}
-
-/// What it does to the fundamental.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Fundamental {
-    /// Logarithms of acceleration and of current over coil voltage.
-    pub(super) ln: [Complex64; 2],
-    /// Their slopes against the values of the exciter.
-    pub(super) slopes: [Slopes; 2],
 }
 
 /// Drives a row to the level that is held.
@@ -67,15 +58,6 @@ pub(super) fn drive(
     Drive {
         first: Fundamental::new(&linear),
         balanced: Some(balanced),
-    }
-}
-
-impl Fundamental {
-    fn new(linear: &Linear) -> Self {
-        Self {
-            ln: [ln(linear.acceleration_per_v), ln(linear.admittance)],
-            slopes: linear.slopes,
-        }
     }
 }
 

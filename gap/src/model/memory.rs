@@ -1,8 +1,8 @@
 //! What is remembered of a row between evaluations.
 
 use super::balance::{Balanced, Bend, Motion, ORDERS, Purpose, balance};
-use super::drive::Fundamental;
 use super::exciter::{Added, Exciter};
+use super::fundamental::Fundamental;
 use num_complex::Complex64;
 
 /// Memory of the harmonic balance of one row between evaluations.

@@ -3,17 +3,36 @@
 //! Everything here works in the frequency domain, row by row; nothing is
 //! integrated over time, so the simulator that is judged and the model that
 //! judges it share parameters but no equations.
+//!
+//! ```text
+//! row          a point, prepared; scatter, leakage: noise and what leaks into its components
+//! prediction   what a simulation starts from, and what it says; predict: how it gets there
+//! chain        what effects do to a row; transfers: their linear responses
+//! drive        the exciter at a level: exciter, balance, friction, fundamental; memory: of a row
+//! held         the motion at which the reference shows the level that is held
+//! channels     what both channels make of it; path, passed: of a wave on its way
+//! wave         a wave of many orders; crossings, shaped: bent; waveform: the same of a cosine
+//! ```
 
 pub(crate) mod balance;
 pub(crate) mod chain;
 mod channels;
+mod complex;
+mod crossings;
 mod drive;
 pub(crate) mod exciter;
 mod friction;
+mod fundamental;
+mod held;
 pub(crate) mod leakage;
 pub(crate) mod memory;
+mod passed;
+mod path;
 pub(crate) mod predict;
+pub(crate) mod prediction;
 pub(crate) mod row;
 pub(crate) mod scatter;
+mod shaped;
+mod transfers;
 mod wave;
 pub(crate) mod waveform;

@@ -2,13 +2,15 @@
 //!
 //! ```text
 //! run, simulate, mode   a record on a fine grid, and the oscillator driven by it
-//! model, moves          the terms and their values, and what a fit moves in which steps
+//! model, terms          the terms and their values, and what they do at one instant
+//! moves                 which values a fit moves, between which bounds, in which steps
 //! residual, slopes      measured less simulated output, and how it changes with the values
 //! fit, begin            least squares, and where the fit of a term begins; gross: far away
 //! grow, finely          one term at a time; steps of the integration as fine as it takes
 //! left, score, across   what a fit leaves; its errors on what was held out, and by level and band
 //! validation            another record, of which the first state is fitted
-//! weigh, terms          probabilities of the sets; estimates, stability: what the answer says of them
+//! weigh, stability      probabilities of the sets, and how often each leads if stretches are drawn again
+//! estimates             values as an answer states them
 //! ```
 
 mod across;

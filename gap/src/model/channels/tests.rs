@@ -1,32 +1,17 @@
 //! What a channel shows of a bent wave, against the wave itself sampled in time.
 
 use super::*;
-use crate::dataset::{Harmonic, Point, Rig};
-use crate::effects::library;
+use crate::dataset::{Harmonic, Point};
+use crate::engine::example::{named, rig};
 use crate::model::memory::{Memory, Recall};
 use crate::model::predict::predict;
 use crate::model::row::{DRIVE, RATIO};
 use std::f64::consts::TAU;
 
-const RIG: &str = r#"
-kind = "calibrator"
-[reference]
-sensitivity_v_per_ms2 = { value = 0.01, u = 0.0 }
-[dut]
-sensitivity_v_per_ms2 = { value = 0.02, u = 0.0 }
-[exciter]
-moving_mass_kg = { value = 0.05, u = 0.0 }
-stiffness_n_per_m = { value = 8000.0, u = 0.0 }
-damping_ns_per_m = { value = 3.0, u = 0.0 }
-force_factor_n_per_a = { value = 7.0, u = 0.0 }
-coil_resistance_ohm = { value = 4.0, u = 0.0 }
-coil_inductance_h = { value = 0.00012, u = 0.0 }
-"#;
 const LEVEL_MS2: f64 = 10.0;
 
 /// The effects at 20 Hz, 10 m/s2, on a reference of 10 mV and a device of 20 mV per m/s2.
 fn predicted(effects: &[(&str, usize, Vec<f64>)]) -> Prediction {
-    let rig: Rig = toml::from_str(RIG).expect("the rig is good");
     let harmonic = Harmonic {
         amplitude: 0.0,
         phase_rad: Some(0.0),
@@ -40,20 +25,10 @@ fn predicted(effects: &[(&str, usize, Vec<f64>)]) -> Prediction {
         u_harmonic: Some(1e-4),
         ..Point::default()
     };
-    let row = Row::new(&point, &rig);
-    let active: Vec<Active<'_>> = effects
-        .iter()
-        .map(|(name, variant, parameters)| {
-            let entries = library().iter().enumerate();
-            let mut named = entries.filter(|(_, e)| e.about().id == *name);
-            let (entry, effect) = named.nth(*variant).expect("an entry of the library");
-            Active {
-                entry,
-                effect: *effect,
-                parameters: parameters.clone(),
-                unit: vec![1.0; parameters.len()],
-            }
-        })
+    let row = Row::new(&point, &rig());
+    let effects = effects.iter();
+    let active: Vec<_> = effects
+        .map(|(name, number, values)| named(name, *number, values))
         .collect();
     let nominal = Nominal {
         exciter: Some([0.05, 8000.0, 3.0, 7.0, 4.0, 1.2e-4]),

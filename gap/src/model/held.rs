@@ -1,0 +1,115 @@
+//! The motion of a row: the level is held by what the reference channel shows.
+
+use super::balance::ORDERS;
+use super::chain::Chain;
+use super::complex::size;
+use super::drive::{Drive, drive};
+use super::memory::Recall;
+use super::passed::{NEGLIGIBLE, mixes, shaped};
+use super::path::Path;
+use super::prediction::Nominal;
+use super::row::Row;
+use super::transfers::Transfers;
+
+/// Times the level is corrected for what a bent reference channel makes of the harmonics.
+const MOST_LEVELS: usize = 4;
+
+/// The motion at which the reference channel shows the level that is held.
+pub(super) struct Held<'a> {
+    /// What the exciter does; `None` without a complete exciter.
+    pub(super) motion: Option<Drive>,
+    pub(super) reference: Reference,
+    pub(super) path: Path<'a>,
+}
+
+impl<'a> Held<'a> {
+    pub(super) fn new(
+        transfers: Transfers<'a>,
+        nominal: &Nominal,
+        chain: &Chain,
+        mut memory: Recall<'_>,
+    ) -> Self {
+        let (row, first) = (transfers.row, transfers.first);
+        let mut at = |reference: Reference| {
+            let motion = nominal.exciter.map(|values| {
+                let level_ms2 = reference.input_ms2(row)
+                    / size(first.reference * first.table)
+                    / nominal.reference_gain;
+                drive(row, &values, chain, level_ms2, &mut memory)
+            });
+            let balanced = motion.as_ref().and_then(|m| m.balanced.as_ref());
+            let path = Path::new(transfers, balanced);
+            Self {
+                motion,
+                reference,
+                path,
+            }
+        };
+        let mut held = at(Reference::new(row, chain));
+        // What bends the reference channel meets the harmonics of the motion, which follow the level.
+        for _ in 0..MOST_LEVELS {
+            match held.reference.behind(chain, &held.path) {
+                Some(reference) => held = at(reference),
+                None => break,
+            }
+        }
+        held
+    }
+}
+
+/// The reference channel holds the level: what enters it follows from what it shows.
+pub(super) struct Reference {
+    /// Peak voltage that enters the converter.
+    pub(super) peak_v: f64,
+    /// What it shows over what enters.
+    pub(super) gain: f64,
+}
+
+impl Reference {
+    /// For a sine.
+    fn new(row: &Row, chain: &Chain) -> Self {
+        let peak_v = row.ref_peak_v;
+        let (peak_v, gain) = match chain.ref_adc {
+            Some(adc) if peak_v.is_finite() => {
+                let input_v = adc.input_for(peak_v);
+                (input_v, adc.spectrum(input_v).order[1] / input_v)
+            }
+            _ => (peak_v, 1.0),
+        };
+        Self { peak_v, gain }
+    }
+
+    /// For the wave that arrives; `None` where it makes no difference.
+    fn behind(&self, chain: &Chain, path: &Path<'_>) -> Option<Self> {
+        let adc = chain.ref_adc?;
+        if !mixes(Some(adc), self.peak_v, path.others) {
+            return None;
+        }
+        let arriving = path.to_reference(ORDERS);
+        let shown = path.transfers.row.ref_peak_v;
+        let gain = |peak: f64| size(shaped(adc, peak, &arriving).gain);
+        let mut next = Self {
+            peak_v: self.peak_v,
+            gain: gain(self.peak_v),
+        };
+        // A saturating channel may not be able to show what it does: then the last try holds.
+        for _ in 0..12 {
+            let off = shown / (next.peak_v * next.gain) - 1.0;
+            if off.abs() < 1e-10 {
+                break;
+            }
+            // The output grows less than the input where it saturates.
+            let (peak_v, step) = (next.peak_v * (1.0 + 1e-4), 1e-4);
+            let growth = (peak_v * gain(peak_v)) / (next.peak_v * next.gain) - 1.0;
+            let by = (off * step / growth.max(0.02 * step)).clamp(-0.5, 1.0);
+            next.peak_v *= 1.0 + by;
+            next.gain = gain(next.peak_v);
+        }
+        ((next.gain / self.gain - 1.0).abs() > NEGLIGIBLE).then_some(next)
+    }
+
+    /// Held level corrected for the channel, r.m.s.
+    fn input_ms2(&self, row: &Row) -> f64 {
+        row.level_ms2 / self.gain
+    }
+}

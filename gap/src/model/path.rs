@@ -1,0 +1,82 @@
+//! The wave of the table on its way through linear responses.
+
+use super::balance::{Balanced, ORDERS};
+use super::chain::Transfer;
+use super::complex::size;
+use super::transfers::Transfers;
+use super::wave::Wave;
+use super::waveform::REPORTED;
+use num_complex::Complex64;
+
+/// The wave of the table, and the linear responses on its way.
+pub(super) struct Path<'a> {
+    pub(super) transfers: Transfers<'a>,
+    /// Relative to the fundamental, whose phase is zero.
+    pub(super) table: Wave,
+    /// Sum of the sizes of its harmonics.
+    pub(super) others: f64,
+    /// Mean square of the orders above 5 over that of the fundamental.
+    pub(super) remainder: f64,
+    /// What of it no wave holds.
+    pub(super) beyond: f64,
+}
+
+impl<'a> Path<'a> {
+    /// The way from an exciter's motion; `None` is a sine.
+    pub(super) fn new(transfers: Transfers<'a>, motion: Option<&Balanced>) -> Self {
+        let mut table = [Complex64::ZERO; ORDERS + 1];
+        if let Some(motion) = motion {
+            table[2..REPORTED].copy_from_slice(&motion.harmonics);
+            table[REPORTED..].copy_from_slice(&motion.above);
+        }
+        Self {
+            transfers,
+            others: motion.map_or(0.0, |_| sizes(&table)),
+            table,
+            remainder: motion.map_or(0.0, |m| m.remainder),
+            beyond: motion.map_or(0.0, |m| m.beyond),
+        }
+    }
+
+    /// Whether the table moves without harmonics.
+    pub(super) fn is_sine(&self) -> bool {
+        self.others == 0.0 && self.remainder == 0.0
+    }
+
+    /// Relative harmonics up to an order behind a response.
+    pub(super) fn carry(
+        &self,
+        wave: &Wave,
+        highest: usize,
+        of: fn(&Transfer) -> Complex64,
+    ) -> Wave {
+        let mut out = [Complex64::ZERO; ORDERS + 1];
+        let first = of(&self.transfers.first);
+        for n in (2..=highest).filter(|n| wave[*n] != Complex64::ZERO) {
+            let there = self.transfers.at_order(n);
+            out[n] = wave[n] * carried(of(&there), first, n as u32);
+        }
+        out
+    }
+
+    /// What the reference channel receives.
+    pub(super) fn to_reference(&self, highest: usize) -> Wave {
+        self.carry(&self.table, highest, |t| t.table * t.reference)
+    }
+}
+
+/// Sum of the sizes of relative harmonics.
+fn sizes(wave: &Wave) -> f64 {
+    wave[2..].iter().map(|c| size(*c)).sum()
+}
+
+/// Response at order n relative to the fundamental, phase relative to n times its phase.
+fn carried(at_order: Complex64, at_first: Complex64, n: u32) -> Complex64 {
+    let first = size(at_first);
+    at_order / first * (at_first / first).powu(n).conj()
+}
+
+/// Orders that have to be followed: all where a wave is bent twice.
+pub(super) fn highest(twice: bool) -> usize {
+    if twice { ORDERS } else { REPORTED - 1 }
+}

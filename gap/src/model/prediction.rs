@@ -1,0 +1,64 @@
+//! What the simulation of a row starts from, and what it says.
+
+use super::exciter::Slopes;
+use super::row::SLOTS;
+use num_complex::Complex64;
+
+/// Nominal values of a rig as a fit moves them.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Nominal {
+    /// Mass, stiffness, damping, force factor, resistance, inductance.
+    pub(crate) exciter: Option<[f64; 6]>,
+    /// ln of reference sensitivity (0 if unknown), and of DUT over reference sensitivity.
+    pub(crate) drive_ln: f64,
+    pub(crate) ratio_ln: f64,
+    /// Gain of the device under test relative to its nominal value.
+    pub(crate) dut_gain: f64,
+    /// Sensitivity of the reference relative to its nominal value: the level is held by it.
+    pub(crate) reference_gain: f64,
+    /// Noise of a healthy channel: reference, device under test, in V.
+    pub(crate) noise_v: [f64; 2],
+    /// Its logarithm.
+    pub(crate) noise_ln: [f64; 2],
+}
+
+/// What the simulation says about one row.
+#[derive(Debug, Clone)]
+pub(crate) struct Prediction {
+    /// Value of each slot.
+    pub(crate) value: [f64; SLOTS],
+    /// Variance that the effects leave open, per slot.
+    pub(crate) open: [f64; SLOTS],
+    /// Slopes of drive and current against the six exciter values, relative.
+    pub(crate) slopes: Option<[Slopes; 2]>,
+    /// Mean square of the harmonics above 5 in each channel, in V^2.
+    pub(crate) remainder_v2: [f64; 2],
+    /// Share of it that is not known better.
+    pub(crate) remainder_open: [f64; 2],
+    /// Noise power of each channel without it, in V^2.
+    pub(crate) noise_power_v2: [f64; 2],
+    /// Share of the healthy noise in the noise power of each channel.
+    pub(crate) noise_share: [f64; 2],
+    /// The balance of a nonlinear exciter was not reached.
+    pub(crate) diverged: bool,
+}
+
+impl Prediction {
+    /// Without signal, scatter or noise.
+    pub(super) const EMPTY: Self = Self {
+        value: [0.0; SLOTS],
+        open: [0.0; SLOTS],
+        slopes: None,
+        remainder_v2: [0.0; 2],
+        remainder_open: [0.0; 2],
+        noise_power_v2: [0.0; 2],
+        noise_share: [1.0; 2],
+        diverged: false,
+    };
+
+    /// Sets the two slots of a complex observable.
+    pub(super) fn put(&mut self, slot: usize, value: Complex64) {
+        self.value[slot] = value.re;
+        self.value[slot + 1] = value.im;
+    }
+}
