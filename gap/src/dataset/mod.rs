@@ -12,6 +12,7 @@ mod points;
 mod range;
 mod record;
 mod rig;
+mod rig_file;
 
 pub(crate) use points::{Harmonic, Point};
 pub(crate) use record::Record;
@@ -64,7 +65,7 @@ impl Dataset {
         let rig_path = folder.join("rig.toml");
         let rig_text =
             std::fs::read_to_string(&rig_path).map_err(|e| GapError::file(&rig_path, e))?;
-        let rig = Rig::parse(&rig_text, &rig_path)?;
+        let rig = rig_file::parse(&rig_text, &rig_path)?;
         let mut hash = Sha256::new();
         hash.update(rig_text.as_bytes());
         let table = folder.join(match rig.kind {
