@@ -1,7 +1,7 @@
 //! One point, prepared for the model: conditions and measured values by slot.
 
 use super::leakage::{leaked_mains, taken_mains};
-use crate::dataset::{Harmonic, Point, Rig};
+use crate::dataset::{Harmonic, Point, Rig, Transducer};
 use std::f64::consts::{SQRT_2, TAU};
 
 /// Scalar observables of one row. Logarithms make gains additive.
@@ -78,56 +78,33 @@ pub(crate) struct Row {
 impl Row {
     /// Prepares a point.
     pub(crate) fn new(point: &Point, rig: &Rig) -> Self {
-        let s1 = rig
-            .reference
-            .and_then(|t| t.sensitivity_v_per_ms2)
-            .map(|q| q.value);
-        let s2 = rig
-            .dut
-            .and_then(|t| t.sensitivity_v_per_ms2)
-            .map(|q| q.value);
-        let from_ref = || Some(point.ref_v? / s1?);
-        let level = point.acceleration_ms2.or_else(from_ref);
-        let ref_v = level.and_then(|a| Some(a * s1?)).or(point.ref_v);
-        let dut_v = level
-            .and_then(|a| Some(a * s2?))
-            .or(point.dut_v)
-            .or_else(|| Some(point.ratio? * point.ref_v?));
+        let sizes = Sizes::new(point, rig);
+        let peak_v = |v: Option<f64>| v.map_or(f64::NAN, |v| v * SQRT_2);
         let rotation = point.rotation_rad.unwrap_or(0.0);
-        let bin = rig
-            .digitiser
-            .sample_rate_hz
-            .and_then(|rate| Some(rate / rig.digitiser.block_samples?));
+        let reference_c = rig.environment.reference_temperature_c.unwrap_or(23.0);
+        let bin_hz = bin_hz(rig);
         let mains_hz = rig.environment.mains_hz.unwrap_or(50.0);
-        let leaked = |hz: f64| bin.map_or(0.0, |bin| leaked_mains(hz, mains_hz, bin));
+        let leaked = |hz: f64| bin_hz.map_or(0.0, |bin| leaked_mains(hz, mains_hz, bin));
+        let taken = |bin| taken_mains(point.frequency_hz, mains_hz, bin);
         let mut row = Self {
             frequency_hz: point.frequency_hz,
             omega: TAU * point.frequency_hz,
             run: point.run,
             time_s: point.time_s.unwrap_or(0.0),
-            warmer_k: point.temperature_c.map_or(0.0, |t| {
-                t - rig.environment.reference_temperature_c.unwrap_or(23.0)
-            }),
+            warmer_k: point.temperature_c.map_or(0.0, |t| t - reference_c),
             rotation: (rotation.cos(), rotation.sin()),
             vertical: point.tilt_rad.unwrap_or(0.0).cos(),
             payload_kg: point.payload_kg.unwrap_or(0.0),
             payload_stated: point.payload_kg.is_some(),
             mains_leak: std::array::from_fn(|k| leaked(point.frequency_hz * (k + 1) as f64)),
             mains_leak_dc: leaked(0.0),
-            coil_peak_v: point.coil_v.map_or(f64::NAN, |v| v * SQRT_2),
-            level_ms2: level.unwrap_or(f64::NAN),
-            ref_peak_v: ref_v.map_or(f64::NAN, |v| v * SQRT_2),
-            dut_peak_v: dut_v.map_or(f64::NAN, |v| v * SQRT_2),
-            seen_v: [
-                point.ref_v.or(ref_v),
-                point
-                    .dut_v
-                    .or_else(|| Some(point.ratio? * point.ref_v.or(ref_v)?))
-                    .or(dut_v),
-            ]
-            .map(|v| v.unwrap_or(f64::NAN)),
-            mains_taken: bin.map_or(0.0, |bin| taken_mains(point.frequency_hz, mains_hz, bin)),
-            bin_hz: bin.unwrap_or(f64::NAN),
+            coil_peak_v: peak_v(point.coil_v),
+            level_ms2: sizes.level_ms2.unwrap_or(f64::NAN),
+            ref_peak_v: peak_v(sizes.ref_v),
+            dut_peak_v: peak_v(sizes.dut_v),
+            seen_v: sizes.seen_v.map(|v| v.unwrap_or(f64::NAN)),
+            mains_taken: bin_hz.map_or(0.0, taken),
+            bin_hz: bin_hz.unwrap_or(f64::NAN),
             bare_harmonics: [false; 8],
             value: [0.0; SLOTS],
             u: [f64::INFINITY; SLOTS],
@@ -180,4 +157,41 @@ impl Row {
             self.bare_harmonics[k] = true;
         }
     }
+}
+
+/// Level and voltages of a point, r.m.s.; none where they do not follow from what is stated.
+struct Sizes {
+    level_ms2: Option<f64>,
+    /// As the nominal simulation has them.
+    ref_v: Option<f64>,
+    dut_v: Option<f64>,
+    /// As measured where they were, else the nominal ones.
+    seen_v: [Option<f64>; 2],
+}
+
+impl Sizes {
+    fn new(point: &Point, rig: &Rig) -> Self {
+        let sensitivity = |t: Option<Transducer>| Some(t?.sensitivity_v_per_ms2?.value);
+        let (s1, s2) = (sensitivity(rig.reference), sensitivity(rig.dut));
+        let from_ref = || Some(point.ref_v? / s1?);
+        let level_ms2 = point.acceleration_ms2.or_else(from_ref);
+        let ref_v = level_ms2.and_then(|a| Some(a * s1?)).or(point.ref_v);
+        let dut_v = level_ms2
+            .and_then(|a| Some(a * s2?))
+            .or(point.dut_v)
+            .or_else(|| Some(point.ratio? * point.ref_v?));
+        let seen_ref_v = point.ref_v.or(ref_v);
+        let seen_dut_v = point.dut_v.or_else(|| Some(point.ratio? * seen_ref_v?));
+        Self {
+            level_ms2,
+            ref_v,
+            dut_v,
+            seen_v: [seen_ref_v, seen_dut_v.or(dut_v)],
+        }
+    }
+}
+
+/// Width of one bin of the block, in Hz.
+fn bin_hz(rig: &Rig) -> Option<f64> {
+    Some(rig.digitiser.sample_rate_hz? / rig.digitiser.block_samples?)
 }
