@@ -1,6 +1,9 @@
 //! What a dataset can show at all.
 
-use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, Row};
+use crate::model::row::{
+    CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, Row, SLOTS,
+};
+use std::ops::Range;
 
 /// Observables and ranges of a dataset.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,70 +87,86 @@ fn dut_gain(rows: &[Row]) -> f64 {
     median(gains.into_iter())
 }
 
+/// Noise of a channel beyond the healthy one in the median row, in V.
+fn excess_noise_v(rows: &[Row], channel: usize, healthy_v: f64) -> f64 {
+    let excess = rows.iter();
+    median(excess.filter_map(|row| excess_v(row, channel, healthy_v)))
+}
+
+/// The same of the reference over the rate of change of its voltage, in s.
+fn excess_noise_s(rows: &[Row], healthy_v: f64) -> f64 {
+    let scatter_s = rows.iter().filter_map(|row| {
+        let rate_v_per_s = row.omega * row.ref_peak_v / std::f64::consts::SQRT_2;
+        let scatter = excess_v(row, 0, healthy_v)? / rate_v_per_s;
+        (scatter > 0.0).then_some(scatter)
+    });
+    median(scatter_s)
+}
+
+/// Frequencies of the rows, each once, ascending.
+fn frequencies_hz(rows: &[Row]) -> Vec<f64> {
+    let mut frequencies_hz: Vec<f64> = rows.iter().map(|r| r.frequency_hz).collect();
+    frequencies_hz.sort_by(f64::total_cmp);
+    frequencies_hz.dedup();
+    frequencies_hz
+}
+
 impl Facts {
     /// Collects the facts of prepared rows.
     pub(crate) fn new(rows: &[Row], exciter: Option<[f64; 6]>, noise_v: f64) -> Self {
-        let any = |from: usize, to: usize| {
-            rows.iter()
-                .any(|r| r.u[from..to].iter().any(|u| u.is_finite()))
+        let any = |slots: Range<usize>| {
+            let mut u = rows.iter().flat_map(|r| &r.u[slots.clone()]);
+            u.any(|u| u.is_finite())
         };
-        let (lowest_hz, highest_hz) = span(rows.iter().map(|r| r.frequency_hz));
-        let level = span(rows.iter().map(|r| r.level_ms2));
-        let reference = span(rows.iter().map(|r| r.ref_peak_v));
+        let over = |value: fn(&Row) -> f64| span(rows.iter().map(value));
+        let varies = |value: fn(&Row) -> f64, by: f64| {
+            let (low, high) = over(value);
+            high - low > by
+        };
+        let (lowest_hz, highest_hz) = over(|r| r.frequency_hz);
+        let (lowest_ms2, highest_ms2) = over(|r| r.level_ms2);
+        let reference_v = over(|r| r.ref_peak_v);
         let gain = dut_gain(rows);
-        let dut = span(rows.iter().map(|r| gain * r.dut_peak_v));
-        let varies = |(low, high): (f64, f64), by: f64| high - low > by;
-        let mut frequencies_hz: Vec<f64> = rows.iter().map(|r| r.frequency_hz).collect();
-        frequencies_hz.sort_by(f64::total_cmp);
-        frequencies_hz.dedup();
+        let dut_v = span(rows.iter().map(|r| gain * r.dut_peak_v));
+        let value_of_exciter = |i: usize| exciter.map_or(f64::NAN, |e| e[i]);
         Self {
-            ratio: any(RATIO, RATIO + 1),
-            ratio_phase: any(RATIO + 1, RATIO + 2),
-            drive: any(DRIVE, DRIVE + 2),
-            current: any(CURRENT, CURRENT + 2),
-            ref_harmonics: any(REF_HARMONICS, DUT_HARMONICS),
-            dut_harmonics: any(DUT_HARMONICS, DC),
-            ref_dc: any(DC, DC + 1),
-            dut_dc: any(DC + 1, DC + 2),
-            ref_noise: any(NOISE, NOISE + 1),
-            dut_noise: any(NOISE + 1, NOISE + 2),
-            rotation_varies: varies(span(rows.iter().map(|r| r.rotation.0)), 0.05)
-                || varies(span(rows.iter().map(|r| r.rotation.1)), 0.05),
-            temperature_varies: varies(span(rows.iter().map(|r| r.warmer_k)), 0.05),
+            ratio: any(RATIO..RATIO + 1),
+            ratio_phase: any(RATIO + 1..DRIVE),
+            drive: any(DRIVE..CURRENT),
+            current: any(CURRENT..REF_HARMONICS),
+            ref_harmonics: any(REF_HARMONICS..DUT_HARMONICS),
+            dut_harmonics: any(DUT_HARMONICS..DC),
+            ref_dc: any(DC..DC + 1),
+            dut_dc: any(DC + 1..NOISE),
+            ref_noise: any(NOISE..NOISE + 1),
+            dut_noise: any(NOISE + 1..SLOTS),
+            rotation_varies: varies(|r| r.rotation.0, 0.05) || varies(|r| r.rotation.1, 0.05),
+            temperature_varies: varies(|r| r.warmer_k, 0.05),
             payload_stated: rows.iter().any(|r| r.payload_stated),
-            payload_varies: varies(span(rows.iter().map(|r| r.payload_kg)), 1e-4),
-            level_known: level.1 > 0.0,
-            level_varies: level.1 > 1.2 * level.0,
+            payload_varies: varies(|r| r.payload_kg, 1e-4),
+            level_known: highest_ms2 > 0.0,
+            level_varies: highest_ms2 > 1.2 * lowest_ms2,
             lowest_hz,
             highest_hz,
-            longest_s: span(rows.iter().map(|r| r.time_s)).1,
-            largest_payload_kg: span(rows.iter().map(|r| r.payload_kg)).1,
-            largest_level_ms2: level.1,
-            largest_travel_m: span(rows.iter().map(|r| r.level_ms2 / (r.omega * r.omega))).1,
-            largest_peak_v: [reference.1, dut.1],
-            smallest_peak_v: [reference.0, dut.0],
-            frequencies_hz,
-            warmest_k: span(rows.iter().map(|r| r.warmer_k.abs())).1,
+            longest_s: over(|r| r.time_s).1,
+            largest_payload_kg: over(|r| r.payload_kg).1,
+            largest_level_ms2: highest_ms2,
+            largest_travel_m: over(|r| r.level_ms2 / (r.omega * r.omega)).1,
+            largest_peak_v: [reference_v.1, dut_v.1],
+            smallest_peak_v: [reference_v.0, dut_v.0],
+            frequencies_hz: frequencies_hz(rows),
+            warmest_k: over(|r| r.warmer_k.abs()).1,
             noise_v,
-            excess_noise_v: [0, 1].map(|channel| {
-                median(
-                    rows.iter()
-                        .filter_map(|row| excess_v(row, channel, noise_v)),
-                )
-            }),
-            excess_noise_s: median(rows.iter().filter_map(|row| {
-                let rate_v_per_s = row.omega * row.ref_peak_v / std::f64::consts::SQRT_2;
-                let scatter = excess_v(row, 0, noise_v)? / rate_v_per_s;
-                (scatter > 0.0).then_some(scatter)
-            })),
-            ms2_per_v: [level.1 / reference.1, level.1 / dut.1],
-            tilt_varies: varies(span(rows.iter().map(|r| r.vertical)), 0.05),
+            excess_noise_v: [0, 1].map(|channel| excess_noise_v(rows, channel, noise_v)),
+            excess_noise_s: excess_noise_s(rows, noise_v),
+            ms2_per_v: [highest_ms2 / reference_v.1, highest_ms2 / dut_v.1],
+            tilt_varies: varies(|r| r.vertical, 0.05),
             block_known: rows.iter().any(|r| r.bin_hz.is_finite()),
             exciter_known: exciter.is_some(),
-            mass_kg: exciter.map_or(f64::NAN, |e| e[0]),
-            stiffness_n_per_m: exciter.map_or(f64::NAN, |e| e[1]),
-            damping_ns_per_m: exciter.map_or(f64::NAN, |e| e[2]),
-            largest_coil_peak_v: span(rows.iter().map(|r| r.coil_peak_v)).1,
+            mass_kg: value_of_exciter(0),
+            stiffness_n_per_m: value_of_exciter(1),
+            damping_ns_per_m: value_of_exciter(2),
+            largest_coil_peak_v: over(|r| r.coil_peak_v).1,
         }
     }
 }
