@@ -2,19 +2,12 @@
 
 use super::Measurement;
 use super::duel::Duel;
+use super::settings::{BEYOND, settings};
 use crate::dataset::{Harmonic, Point, Rig};
 use crate::engine::evaluation::Memories;
 use crate::engine::problem::Problem;
-use crate::model::row::{CURRENT, DC, DRIVE, NOISE, RATIO, REF_HARMONICS, SLOTS};
+use crate::model::row::{DRIVE, SLOTS};
 
-/// Points in one-third octaves.
-const PER_DECADE: f64 = 10.0;
-/// Highest frequency over sample rate that is proposed: what anti-aliasing filters usually pass.
-const BELOW_NYQUIST: f64 = 0.39;
-/// Travel and coil voltage beyond what the dataset has seen.
-const BEYOND: f64 = 1.1;
-/// Effort of a point that needs other hands than those on the generator.
-const DEAR: f64 = 1.5;
 /// Effort of a point with sensors the dataset does not have.
 const DEARER: f64 = 2.0;
 
@@ -115,82 +108,6 @@ impl Candidates {
     }
 }
 
-/// Frequencies times one change of condition at a time, each with its effort.
-fn settings(rig: &Rig, points: &[Point], measured: &Problem) -> Vec<(Point, f64)> {
-    let facts = &measured.facts;
-    let warm_c = rig.environment.reference_temperature_c.unwrap_or(23.0);
-    let of = |value: fn(&Point) -> Option<f64>| -> Vec<f64> {
-        let mut all: Vec<f64> = points.iter().filter_map(value).collect();
-        all.sort_by(f64::total_cmp);
-        all.dedup();
-        all
-    };
-    let level = |index: usize| {
-        let all = of(|p| p.acceleration_ms2);
-        let at = all.len().saturating_sub(1) * index / 2;
-        all.get(at).copied().unwrap_or(10.0)
-    };
-    let payloads = of(|p| p.payload_kg);
-    let usual = Point {
-        run: 0,
-        time_s: Some(facts.longest_s.max(0.0)),
-        temperature_c: Some(warm_c),
-        rotation_rad: Some(0.0),
-        tilt_rad: Some(0.0),
-        payload_kg: Some(payloads.get(payloads.len() / 2).copied().unwrap_or(0.04)),
-        acceleration_ms2: Some(level(1)),
-        ..Point::default()
-    };
-    let mut list = Vec::new();
-    let highest_hz = rig
-        .digitiser
-        .sample_rate_hz
-        .map_or(1.0, |rate| BELOW_NYQUIST * rate);
-    let highest_hz = highest_hz.min(2.0 * facts.highest_hz).max(facts.highest_hz);
-    for frequency_hz in frequencies(facts.lowest_hz, highest_hz) {
-        let largest =
-            facts.largest_travel_m * BEYOND * (std::f64::consts::TAU * frequency_hz).powi(2);
-        let mut add = |effort: f64, change: &dyn Fn(&mut Point)| {
-            let mut point = Point {
-                frequency_hz,
-                ..usual.clone()
-            };
-            change(&mut point);
-            if largest.is_finite() && largest > 0.0 {
-                point.acceleration_ms2 = point.acceleration_ms2.map(|a| a.min(largest));
-            }
-            list.push((point, effort));
-        };
-        add(1.0, &|_| {});
-        add(1.0, &|p| p.acceleration_ms2 = Some(level(0)));
-        add(1.0, &|p| p.acceleration_ms2 = Some(level(2)));
-        for quarter in 1..4 {
-            let angle = f64::from(quarter) * std::f64::consts::FRAC_PI_2;
-            add(DEAR, &|p| p.rotation_rad = Some(angle));
-        }
-        add(DEAR, &|p| p.tilt_rad = Some(std::f64::consts::FRAC_PI_2));
-        for payload_kg in [0.02, 0.1] {
-            add(DEAR, &|p| p.payload_kg = Some(payload_kg));
-        }
-        for warmer_k in [-8.0, 10.0] {
-            add(DEAR, &|p| p.temperature_c = Some(warm_c + warmer_k));
-        }
-        add(DEAR, &|p| {
-            p.time_s = Some(facts.longest_s.max(0.0) + 7200.0)
-        });
-    }
-    list
-}
-
-fn frequencies(lowest_hz: f64, highest_hz: f64) -> Vec<f64> {
-    let first = (PER_DECADE * lowest_hz.log10()).round() as i32;
-    let last = (PER_DECADE * highest_hz.log10()).round() as i32;
-    (first..=last)
-        .map(|n| 10.0_f64.powf(f64::from(n) / PER_DECADE))
-        .map(|f| f.clamp(lowest_hz, highest_hz))
-        .collect()
-}
-
 /// Uncertainties as the dataset states them, else those of a good instrument.
 fn with_columns(mut point: Point, rig: &Rig, points: &[Point]) -> Point {
     let median = |value: fn(&Point) -> Option<f64>, usual: f64| {
@@ -249,20 +166,4 @@ fn set_voltages(nominal: &Problem, grid: &mut [Point], largest_v: f64) -> Vec<bo
         kept[index] = volt <= largest_v;
     });
     kept
-}
-
-/// Observable of a slot.
-pub(super) fn observable(slot: usize) -> &'static str {
-    match slot {
-        RATIO => "ratio",
-        1 => "phase of the ratio",
-        DRIVE => "drive",
-        3 => "phase of the drive",
-        CURRENT => "coil current",
-        5 => "phase of the coil current",
-        REF_HARMONICS..14 => "harmonics of the reference",
-        14..DC => "harmonics of the device under test",
-        DC..NOISE => "d.c.",
-        _ => "noise",
-    }
 }

@@ -1,24 +1,14 @@
 //! Two sets of effects: one is true, the other is refitted as well as it can be.
 
-use super::candidates::observable;
-use crate::engine::column::Column;
-use crate::engine::fit::{Fit, Workspace};
-use crate::engine::linear::Linearised;
-use crate::engine::normal::difference;
-use crate::engine::nuisance::Nuisance;
+use super::parameters::Parameters;
+use super::side::{Datum, Side};
+use crate::engine::fit::Fit;
 use crate::engine::problem::Problem;
-use crate::model::row::SLOTS;
+use crate::model::row::{CURRENT, DC, DRIVE, NOISE, RATIO, REF_HARMONICS, SLOTS};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Keeps parameters that nothing has taught anything about.
 const RIDGE: f64 = 1e-8;
-
-/// One value of a point: slot, difference of the predictions, slopes of the refitted set.
-struct Datum {
-    slot: usize,
-    difference: f64,
-    slopes: DVector<f64>,
-}
 
 /// State of a comparison.
 pub(super) struct Duel {
@@ -27,10 +17,9 @@ pub(super) struct Duel {
     /// Names of the set that tries to look like it.
     pub(super) rival: Vec<&'static str>,
     rows: Vec<Vec<Datum>>,
-    /// Normal matrix of what is refitted, and its inverse.
-    matrix: DMatrix<f64>,
+    normal: Normal,
+    /// Inverse of the normal matrix.
     covariance: DMatrix<f64>,
-    gradient: DVector<f64>,
     /// How far the refitted parameters have moved to look alike.
     moved: DVector<f64>,
     square: f64,
@@ -44,51 +33,36 @@ impl Duel {
         of: &Problem,
         [truth, rival]: [&Fit; 2],
     ) -> Option<Self> {
-        let on = |problem: &Problem| {
-            if std::ptr::eq(problem, of) {
-                Side::new(problem, truth, rival)
-            } else {
-                let fits = [truth, rival].map(|fit| carried(fit, of, problem));
-                Side::new(problem, &fits[0], &fits[1])
-            }
-        };
-        let points = on(new);
-        let measured = old.map(on);
+        let fits = [truth, rival];
+        let points = Side::on(new, of, fits);
+        let measured = old.map(|old| Side::on(old, of, fits));
         let scales = points.scales(new.free.len());
         let names = Parameters::new(new, old, rival.parameter_count());
-        let count = names.count;
-        let mut matrix = DMatrix::from_diagonal(&names.prior(new, old));
         // Priors are data too: the refit may have moved far from what is stated already.
-        let start = |fit: &Fit| names.values(of, old, &fit.theta);
-        let (theta, true_theta) = (start(rival), start(truth));
-        let prior = matrix.diagonal();
-        let mut gradient = -prior.component_mul(&theta);
+        let prior = names.prior(new, old);
+        let [true_theta, theta] = fits.map(|fit| names.values(of, old, &fit.theta));
         let cost = |theta: &DVector<f64>| theta.dot(&prior.component_mul(theta));
         let mut square = cost(&theta) - cost(&true_theta);
-        if let (Some(problem), Some(side)) = (old, &measured) {
-            for datum in side
-                .rows(problem, &names.of_old, &scales, count)
-                .into_iter()
-                .flatten()
-            {
-                matrix.ger(1.0, &datum.slopes, &datum.slopes, 1.0);
-                gradient.axpy(datum.difference, &datum.slopes, 1.0);
+        let mut normal = Normal {
+            gradient: -prior.component_mul(&theta),
+            matrix: DMatrix::from_diagonal(&prior),
+        };
+        if let Some(side) = &measured {
+            let rows = side.rows(&names.of_old, &scales, names.count);
+            for datum in rows.iter().flatten() {
+                normal.add(datum);
                 square += datum.difference * datum.difference;
             }
         }
-        for i in 0..count {
-            matrix[(i, i)] += RIDGE * (1.0 + matrix[(i, i)]);
-        }
-        let covariance = Cholesky::new(matrix.clone())?.inverse();
-        let moved = &covariance * &gradient;
-        square -= gradient.dot(&moved);
+        normal.add_ridge();
+        let (covariance, moved) = normal.solve()?;
+        square -= normal.gradient.dot(&moved);
         Some(Self {
             truth: truth.names(),
             rival: rival.names(),
-            rows: points.rows(new, &names.of_new, &scales, count),
-            matrix,
+            rows: points.rows(&names.of_new, &scales, names.count),
+            normal,
             covariance,
-            gradient,
             moved,
             square: square.max(0.0),
         })
@@ -135,12 +109,10 @@ impl Duel {
     pub(super) fn add(&mut self, row: usize, slots: &[bool; SLOTS]) {
         self.square += self.gain(row, slots).0;
         for datum in self.rows[row].iter().filter(|d| slots[d.slot]) {
-            self.matrix.ger(1.0, &datum.slopes, &datum.slopes, 1.0);
-            self.gradient.axpy(datum.difference, &datum.slopes, 1.0);
+            self.normal.add(datum);
         }
-        if let Some(factor) = Cholesky::new(self.matrix.clone()) {
-            self.covariance = factor.inverse();
-            self.moved = &self.covariance * &self.gradient;
+        if let Some((covariance, moved)) = self.normal.solve() {
+            (self.covariance, self.moved) = (covariance, moved);
         }
     }
 
@@ -153,143 +125,44 @@ impl Duel {
     }
 }
 
-/// Differences and slopes on one problem.
-struct Side {
-    difference: Vec<f64>,
-    columns: Vec<Column>,
+/// Normal equations of what is refitted.
+struct Normal {
+    matrix: DMatrix<f64>,
+    gradient: DVector<f64>,
 }
 
-impl Side {
-    fn new(problem: &Problem, truth: &Fit, rival: &Fit) -> Self {
-        let mut work = Workspace::new(problem);
-        let there = problem.evaluate(&truth.effects, &truth.theta, &mut problem.memory());
-        let linear = Linearised::new(problem, rival, &mut work);
-        Self {
-            difference: difference(problem, &linear.evaluation, &there),
-            columns: linear.columns,
+impl Normal {
+    fn add(&mut self, datum: &Datum) {
+        self.matrix.ger(1.0, &datum.slopes, &datum.slopes, 1.0);
+        self.gradient.axpy(datum.difference, &datum.slopes, 1.0);
+    }
+
+    fn add_ridge(&mut self) {
+        for i in 0..self.gradient.len() {
+            self.matrix[(i, i)] += RIDGE * (1.0 + self.matrix[(i, i)]);
         }
     }
 
-    /// Units of the refitted effects' parameters that make them change all points by one.
-    fn scales(&self, nuisances: usize) -> Vec<f64> {
-        let effects = &self.columns[nuisances..];
-        let unit = |column: &Column| {
-            let norm = column.norm2().sqrt();
-            if norm > 0.0 { 1.0 / norm } else { 1.0 }
-        };
-        effects.iter().map(unit).collect()
-    }
-
-    /// By row; `place[i]` is where column i belongs among `count` parameters.
-    fn rows(
-        &self,
-        problem: &Problem,
-        place: &[usize],
-        scales: &[f64],
-        count: usize,
-    ) -> Vec<Vec<Datum>> {
-        let nuisances = self.columns.len() - scales.len();
-        let scale = |i: usize| {
-            if i < nuisances {
-                1.0
-            } else {
-                scales[i - nuisances]
-            }
-        };
-        let mut rows: Vec<Vec<Datum>> = problem.rows.iter().map(|_| Vec::new()).collect();
-        for slot in 0..SLOTS {
-            for at in problem.slots[slot].clone() {
-                let mut slopes = DVector::zeros(count);
-                for (i, (column, to)) in self.columns.iter().zip(place).enumerate() {
-                    if let Some((_, values)) = column.parts.iter().find(|p| p.0 == slot) {
-                        slopes[*to] = values[at - problem.slots[slot].start] * scale(i);
-                    }
-                }
-                let difference = self.difference[at];
-                if difference.abs() > 1e-6 || slopes.iter().any(|s| *s != 0.0) {
-                    rows[problem.row_of[at]].push(Datum {
-                        slot,
-                        difference,
-                        slopes,
-                    });
-                }
-            }
-        }
-        rows
+    /// Covariance of the parameters, and how far they move.
+    fn solve(&self) -> Option<(DMatrix<f64>, DVector<f64>)> {
+        let covariance = Cholesky::new(self.matrix.clone())?.inverse();
+        let moved = &covariance * &self.gradient;
+        Some((covariance, moved))
     }
 }
 
-/// A fit of one problem as a fit of another with the same rig; gains of runs stay behind.
-fn carried(fit: &Fit, from: &Problem, to: &Problem) -> Fit {
-    let mut theta = to.translate(from, &fit.theta);
-    for (value, free) in theta.iter_mut().zip(&to.free) {
-        if of_run(free.kind) {
-            *value = 0.0;
-        }
-    }
-    Fit {
-        effects: fit.effects.clone(),
-        theta,
-        objective: fit.objective,
-    }
-}
-
-fn of_run(kind: Nuisance) -> bool {
-    matches!(kind, Nuisance::RunReference(_) | Nuisance::RunDut(_))
-}
-
-/// Where the columns of both problems belong: shared nuisances once, runs apart.
-struct Parameters {
-    count: usize,
-    of_new: Vec<usize>,
-    of_old: Vec<usize>,
-}
-
-impl Parameters {
-    fn new(new: &Problem, old: Option<&Problem>, effects: usize) -> Self {
-        let shared = new.free.len();
-        let mut count = shared;
-        let mut of_old = Vec::new();
-        for free in old.map_or(&[][..], |o| &o.free) {
-            let same = new.free.iter().position(|f| f.kind == free.kind);
-            of_old.push(match same.filter(|_| !of_run(free.kind)) {
-                Some(at) => at,
-                None => {
-                    count += 1;
-                    count - 1
-                }
-            });
-        }
-        let mut of_new: Vec<usize> = (0..shared).collect();
-        of_new.extend(count..count + effects);
-        of_old.extend(count..count + effects);
-        Self {
-            count: count + effects,
-            of_new,
-            of_old,
-        }
-    }
-
-    /// Nuisance values of a fit of the problem `of`.
-    fn values(&self, of: &Problem, old: Option<&Problem>, theta: &[f64]) -> DVector<f64> {
-        let mut values = DVector::zeros(self.count);
-        let is_old = old.is_some_and(|old| std::ptr::eq(old, of));
-        let place = if is_old { &self.of_old } else { &self.of_new };
-        for (value, at) in theta.iter().zip(place) {
-            values[*at] = *value;
-        }
-        values
-    }
-
-    fn prior(&self, new: &Problem, old: Option<&Problem>) -> DVector<f64> {
-        let mut prior = DVector::zeros(self.count);
-        let bounded = |b: bool| f64::from(u8::from(b));
-        for (free, at) in new.free.iter().zip(&self.of_new) {
-            prior[*at] = bounded(free.bounded);
-        }
-        for (free, at) in old.map_or(&[][..], |o| &o.free).iter().zip(&self.of_old) {
-            prior[*at] = bounded(free.bounded);
-        }
-        prior
+/// Observable of a slot.
+fn observable(slot: usize) -> &'static str {
+    match slot {
+        RATIO => "ratio",
+        1 => "phase of the ratio",
+        DRIVE => "drive",
+        3 => "phase of the drive",
+        CURRENT => "coil current",
+        5 => "phase of the coil current",
+        REF_HARMONICS..14 => "harmonics of the reference",
+        14..DC => "harmonics of the device under test",
+        DC..NOISE => "d.c.",
+        _ => "noise",
     }
 }

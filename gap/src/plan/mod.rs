@@ -1,9 +1,11 @@
 //! Which measurements best separate what is still possible, and by how many sigma.
 //!
 //! ```text
+//! settings     what the rig can be set to
 //! candidates   points the rig can hold, with what would be measured there
 //! hypotheses   sets of effects that are still possible, as fitted or of a usual size
 //! duel         one set is true, the other is refitted: what is left, in sigma
+//! side         what both say of the same data; parameters: what is refitted
 //! ```
 //!
 //! # Equation
@@ -16,6 +18,9 @@
 mod candidates;
 mod duel;
 mod hypotheses;
+mod parameters;
+mod settings;
+mod side;
 
 use crate::answer::Verdict;
 use crate::dataset::{Dataset, Measured};
