@@ -1,6 +1,6 @@
 //! Judges the results of a certificate by specification and rule.
 
-use super::model::{Certificate, Entry, Remark, Section, Severity, Value};
+use super::model::{Certificate, Line, Remark, Section, Severity, Value};
 use crate::decision::specification::Name;
 use crate::decision::{Assessment, Decision, Rule, assess};
 
@@ -96,15 +96,9 @@ fn statement(certificate: &Certificate, decision: &Decision) -> Section {
         ("false_accept", "", largest(|a| a.false_accept)),
         ("false_reject", "", largest(|a| a.false_reject)),
     ];
-    let entries = lines
-        .into_iter()
-        .map(|(key, clause, value)| Entry { key, clause, value });
     // Risks of what did not happen are not missing, they do not exist.
-    let exists = |entry: &Entry| entry.value.is_some() || entry.key == "statement";
-    Section {
-        key: "decision",
-        entries: entries.filter(exists).collect(),
-    }
+    let exists = |(key, _, value): &Line| value.is_some() || *key == "statement";
+    Section::new("decision", lines.into_iter().filter(exists))
 }
 
 fn specification(name: &Name) -> Value {

@@ -99,6 +99,20 @@ pub struct Section {
     pub entries: Vec<Entry>,
 }
 
+/// Key, clause and value of a statement.
+pub(super) type Line = (&'static str, &'static str, Option<Value>);
+
+impl Section {
+    /// The statements `lines` under a key.
+    pub(super) fn new(key: &'static str, lines: impl IntoIterator<Item = Line>) -> Self {
+        let entry = |(key, clause, value)| Entry { key, clause, value };
+        Self {
+            key,
+            entries: lines.into_iter().map(entry).collect(),
+        }
+    }
+}
+
 /// One statement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
