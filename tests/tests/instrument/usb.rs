@@ -26,10 +26,13 @@ const PROMPT: Duration = Duration::from_millis(100);
 /// The address the emulated host gives the device.
 const ADDRESS: u8 = 7;
 
+/// Number of the first request over USB, away from those over the serial line.
+const FIRST_REQUEST: u16 = 0x2000;
+
 /// Plugs in and opens a client over USB.
 fn plug_in(board: &SharedEmulator) -> Result<Client, Fault> {
     let usb = EmulatedUsbTransport::plug_in(board.clone())?;
-    Ok(Client::new(Box::new(usb)).counting_from(0x2000))
+    Ok(Client::new(Box::new(usb)).counting_from(FIRST_REQUEST))
 }
 
 /// Fails unless `client` is answered in time.
@@ -53,7 +56,7 @@ fn a_record_comes_over_usb_as_over_the_serial_line() -> Result<(), Fault> {
     bench.board().usb().start_capture();
     let usb = EmulatedUsbTransport::plug_in(bench.shared())?;
     let names = usb.device().names.clone();
-    let mut client = Client::new(Box::new(usb)).counting_from(0x2000);
+    let mut client = Client::new(Box::new(usb)).counting_from(FIRST_REQUEST);
     let serial = client.info()?.serial.to_string();
     assert_eq!(names, ["calib", "Field vibration calibrator", &serial]);
 
