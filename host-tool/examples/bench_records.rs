@@ -80,20 +80,18 @@ fn stored(id: u32) -> Vec<u8> {
     let record = Record {
         head: RecordHead {
             id,
-            previous_sha256: [0; 32],
             instrument_serial: "BENCH".try_into().expect("short"),
-            firmware: heapless::String::new(),
             sample_rate_hz: 50_000.0,
             labels: RunLabels {
                 unix_time_s: 1_700_000_000 + 3600 * u64::from(id),
                 dut_serial: serial.as_str().try_into().expect("short"),
-                ..RunLabels::default()
+                ..RunLabels::BLANK
             },
+            ..RecordHead::BLANK
         },
         settings: Settings::field_calibrator(),
-        incident: None,
         complete: true,
-        points: heapless::Vec::new(),
+        ..Record::BLANK
     };
     let mut bytes = vec![0; 64 * 1024];
     let length = encode(&record, &mut bytes).expect("fits");

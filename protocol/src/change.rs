@@ -72,7 +72,7 @@ mod tests {
                 labels: RunLabels {
                     unix_time_s: 1_795_269_900,
                     operator: "M. Beispiel".try_into().expect("short"),
-                    ..RunLabels::default()
+                    ..RunLabels::BLANK
                 },
             },
             settings,

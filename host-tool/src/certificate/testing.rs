@@ -55,7 +55,6 @@ pub(crate) fn record(frequencies_hz: &[f32]) -> Record {
     Record {
         head: RecordHead {
             id: 17,
-            previous_sha256: [0; 32],
             instrument_serial: text("CAL-0042"),
             firmware: text("0.1.0 (1a2b3c4)"),
             sample_rate_hz: 50_000.0,
@@ -67,11 +66,12 @@ pub(crate) fn record(frequencies_hz: &[f32]) -> Record {
                 temperature_centi_c: Some(2310),
                 mounting: text("stud M5, 2 Nm, light oil, vertical"),
             },
+            ..RecordHead::BLANK
         },
         settings: settings(),
-        incident: None,
         complete: true,
         points,
+        ..Record::BLANK
     }
 }
 

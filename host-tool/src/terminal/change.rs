@@ -136,14 +136,12 @@ mod tests {
         let change = ReferenceChange {
             head: RecordHead {
                 id: 5,
-                previous_sha256: [0; 32],
                 instrument_serial: "CAL-1".try_into().expect("short"),
-                firmware: "0.1.0".try_into().expect("short"),
-                sample_rate_hz: 50_000.0,
                 labels: RunLabels {
                     unix_time_s: 1_795_269_900,
-                    ..RunLabels::default()
+                    ..RunLabels::BLANK
                 },
+                ..RecordHead::BLANK
             },
             settings,
             before: before.reference_channel(),

@@ -395,21 +395,21 @@ pub(crate) fn record(id: u32, points: u16) -> Record {
     Record {
         head: RecordHead {
             id,
-            previous_sha256: [0; 32],
             instrument_serial: "MEM-1".try_into().expect("short"),
             firmware: "0.1.0 0123abcd".try_into().expect("short"),
             sample_rate_hz: 50_000.0,
             labels: RunLabels {
                 unix_time_s: 1_795_269_900,
                 dut_serial: "DUT'1".try_into().expect("short"),
-                ..RunLabels::default()
+                ..RunLabels::BLANK
             },
+            ..RecordHead::BLANK
         },
         settings: settings(),
-        incident: None,
         complete: true,
         points: (0..points)
             .map(|n| result(20.0 + f32::from(n), 10.0))
             .collect(),
+        ..Record::BLANK
     }
 }

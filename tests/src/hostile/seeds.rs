@@ -133,16 +133,13 @@ pub(super) fn record() -> Vec<u8> {
     let record = Record {
         head: RecordHead {
             id: 1,
-            previous_sha256: [0; 32],
-            instrument_serial: heapless::String::new(),
-            firmware: heapless::String::new(),
             sample_rate_hz: 50_000.0,
-            labels: RunLabels::default(),
+            ..RecordHead::BLANK
         },
         settings: Settings::field_calibrator(),
-        incident: None,
         complete: true,
         points: [result, result].into_iter().collect(),
+        ..Record::BLANK
     };
     let mut bytes = vec![0; 1 << 13];
     // Longer than a record of two points.

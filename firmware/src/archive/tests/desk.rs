@@ -11,7 +11,7 @@ use calib_firmware::archive::{
     Archive, ArchiveError, Directory, LastAccess, MAX_ITEM, Memory, SECTORS,
 };
 use calib_protocol::message::Refusal;
-use calib_protocol::record::{self, Record, RecordHead, RecordSummary, RunLabels};
+use calib_protocol::record::{self, Record, RecordHead, RecordSummary};
 use embassy_futures::block_on;
 
 /// What an archive works in.
@@ -51,17 +51,14 @@ impl Desk {
 fn blank() -> Record {
     Record {
         head: RecordHead {
-            id: 0,
-            previous_sha256: [0; 32],
             instrument_serial: "SN-1".try_into().expect("short"),
             firmware: "0.1.0 0123456789ab".try_into().expect("short"),
             sample_rate_hz: 50_000.0,
-            labels: RunLabels::default(),
+            ..RecordHead::BLANK
         },
         settings: Settings::field_calibrator(),
-        incident: None,
         complete: true,
-        points: heapless::Vec::new(),
+        ..Record::BLANK
     }
 }
 
