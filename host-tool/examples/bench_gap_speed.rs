@@ -35,57 +35,67 @@ fn main() {
     let folder = tempfile::tempdir().expect("a folder");
     let stated = std::env::args().nth(1).and_then(|n| n.parse().ok());
     let many: usize = stated.unwrap_or(MANY).max(PEER);
-    let single = SINGLE.min(many);
     let sets: Vec<PathBuf> = (0..many)
         .into_par_iter()
         .map(|index| make(folder.path(), index))
         .collect();
-    let options = Options::default();
-    let runs: Vec<Run> = sets[..single]
-        .iter()
-        .enumerate()
-        .map(|(index, set)| {
-            let begun = processor_s();
-            let answer = diagnose(set, &options).expect("an answer");
-            Run {
-                seconds: processor_s() - begun,
-                right: leads(&answer) == truth(index),
-            }
-        })
-        .collect();
-    let [median_s, p90_s, worst_s] = quantiles(&runs);
-    let slowest = |(_, a): &(usize, &Run), (_, b): &(usize, &Run)| a.seconds.total_cmp(&b.seconds);
-    let worst = runs.iter().enumerate().max_by(slowest).map_or(0, |r| r.0);
+    let runs = one_by_one(&sets[..SINGLE.min(many)]);
     let begun = Instant::now();
-    let answers = diagnose_all(&sets, &options, |_, _| ());
+    let answers = diagnose_all(&sets, &Options::default(), |_, _| ());
     let call_s = begun.elapsed().as_secs_f64();
     assert!(answers.iter().all(Result::is_ok));
     let cores = rayon::current_num_threads();
-    println!("214 rows, all columns, 42 effects and their pairs   aim");
-    println!("  median on one core      {median_s:>8.3} s            0.3 s");
-    println!("  nine of ten below       {p90_s:>8.3} s");
-    println!(
-        "  worst on one core       {worst_s:>8.3} s            1.0 s  ({})",
-        name(worst)
-    );
+    let slowest = slowest(&runs);
+    print(&runs, slowest);
     println!("{many} datasets in one call  {call_s:>8.1} s on {cores} cores");
     let peer = peer(&sets[..PEER]);
     if let Some(peer) = &peer {
         beside(&runs[..PEER], peer);
     }
     if let Some(file) = std::env::var_os("CALIB_BENCH_JSON") {
-        let side = |runs: &[Run]| {
-            let [median_s, _, worst_s] = quantiles(runs);
-            let right = runs.iter().filter(|r| r.right).count();
-            json!({"datasets": runs.len(), "median_s": median_s, "worst_s": worst_s, "right": right})
-        };
+        let [median_s, p90_s, worst_s] = quantiles(&runs);
         let table = json!({
             "median_s": median_s, "p90_s": p90_s, "worst_s": worst_s,
-            "worst": name(worst), "datasets": many, "call_s": call_s, "cores": cores,
+            "worst": slowest, "datasets": many, "call_s": call_s, "cores": cores,
             "beside": { "calib": side(&runs[..PEER]), "scipy": peer.as_deref().map(side) },
         });
         std::fs::write(file, table.to_string()).expect("written");
     }
+}
+
+/// Each set diagnosed on one core, and the processor time of that.
+fn one_by_one(sets: &[PathBuf]) -> Vec<Run> {
+    let options = Options::default();
+    let run = |(index, set): (usize, &PathBuf)| {
+        let begun = processor_s();
+        let answer = diagnose(set, &options).expect("an answer");
+        Run {
+            seconds: processor_s() - begun,
+            right: leads(&answer) == truth(index),
+        }
+    };
+    sets.iter().enumerate().map(run).collect()
+}
+
+/// What the slowest dataset was made with.
+fn slowest(runs: &[Run]) -> &'static str {
+    let by_time = |(_, a): &(usize, &Run), (_, b): &(usize, &Run)| a.seconds.total_cmp(&b.seconds);
+    name(runs.iter().enumerate().max_by(by_time).map_or(0, |r| r.0))
+}
+
+fn print(runs: &[Run], slowest: &str) {
+    let [median_s, p90_s, worst_s] = quantiles(runs);
+    println!("214 rows, all columns, 42 effects and their pairs   aim");
+    println!("  median on one core      {median_s:>8.3} s            0.3 s");
+    println!("  nine of ten below       {p90_s:>8.3} s");
+    println!("  worst on one core       {worst_s:>8.3} s            1.0 s  ({slowest})");
+}
+
+/// Runs on the sets that the peer has too, as JSON.
+fn side(runs: &[Run]) -> Value {
+    let [median_s, _, worst_s] = quantiles(runs);
+    let right = runs.iter().filter(|r| r.right).count();
+    json!({"datasets": runs.len(), "median_s": median_s, "worst_s": worst_s, "right": right})
 }
 
 /// Both on the same datasets.

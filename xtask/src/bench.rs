@@ -3,6 +3,8 @@
 use crate::shell::{self, cargo, target_dir};
 use crate::{demo, elf, fuzz, python};
 use anyhow::{Result, bail};
+use std::path::PathBuf;
+use std::process::Command;
 
 /// Name of the one that is built in another way.
 const FUZZ: &str = "fuzz";
@@ -108,55 +110,86 @@ pub(crate) fn run(arguments: &[String]) -> Result<()> {
     {
         return fuzz::run(rest);
     }
-    let chosen: Vec<&Bench> = match arguments.first() {
-        None => BENCHES.iter().collect(),
-        Some(name) => BENCHES.iter().filter(|bench| bench.goes_by(name)).collect(),
+    let chosen = choose(arguments.first())?;
+    let prepared = Prepared::new()?;
+    for bench in chosen {
+        println!("\n== {}: {}\n", bench.name, bench.what);
+        let mut command = prepared.command(bench);
+        shell::run(command.args(arguments.iter().skip(1)))?;
+    }
+    match arguments.is_empty() {
+        true => fuzz::run(&[]),
+        false => Ok(()),
+    }
+}
+
+/// The benchmarks that go by `name`; all when there is none.
+fn choose(name: Option<&String>) -> Result<Vec<&'static Bench>> {
+    let Some(name) = name else {
+        return Ok(BENCHES.iter().collect());
     };
+    let chosen: Vec<&Bench> = BENCHES.iter().filter(|bench| bench.goes_by(name)).collect();
     if chosen.is_empty() {
-        let known: Vec<_> = BENCHES
-            .iter()
-            .map(|bench| (bench.name, bench.what))
-            .chain([(
-                FUZZ,
-                "the fuzz targets, 10 minutes each: [MINUTES [TARGET ...]]",
-            )])
+        let fuzz = (
+            FUZZ,
+            "the fuzz targets, 10 minutes each: [MINUTES [TARGET ...]]",
+        );
+        let benches = BENCHES.iter().map(|bench| (bench.name, bench.what));
+        let known: Vec<_> = benches
+            .chain([fuzz])
             .map(|(name, what)| format!("  {name:<12} {what}"))
             .collect();
         bail!("no such benchmark; there are\n{}", known.join("\n"));
     }
-    let image = elf::build()?;
-    let sizes = elf::totals(&image)?.map(|size| size.to_string()).join(" ");
-    let kernels = elf::build_package("calib-kernels")?;
-    demo::build_tool()?;
-    let interpreter = python::interpreter()?;
-    let folder = target_dir().join("bench");
-    std::fs::create_dir_all(&folder)?;
-    for bench in chosen {
-        println!("\n== {}: {}\n", bench.name, bench.what);
+    Ok(chosen)
+}
+
+/// What benchmarks measure, built, and where their numbers go.
+struct Prepared {
+    image: PathBuf,
+    /// Bytes of the image, as `CALIB_IMAGE_BYTES` states them.
+    sizes: String,
+    kernels: PathBuf,
+    interpreter: Option<PathBuf>,
+    folder: PathBuf,
+}
+
+impl Prepared {
+    fn new() -> Result<Self> {
+        let image = elf::build()?;
+        let sizes = elf::totals(&image)?.map(|size| size.to_string()).join(" ");
+        let kernels = elf::build_package("calib-kernels")?;
+        demo::build_tool()?;
+        let interpreter = python::interpreter()?;
+        let folder = target_dir().join("bench");
+        std::fs::create_dir_all(&folder)?;
+        Ok(Self {
+            image,
+            sizes,
+            kernels,
+            interpreter,
+            folder,
+        })
+    }
+
+    /// The call of `bench`, without arguments of its own.
+    fn command(&self, bench: &Bench) -> Command {
         let mut command = cargo("run");
         command.args(["--release", "--quiet", "--package", bench.package]);
+        command.args(["--example", bench.example, "--"]);
+        let json = self.folder.join(format!("{}.json", bench.name));
         command
-            .args(["--example", bench.example, "--"])
-            .args(arguments.iter().skip(1));
-        command
-            .env("CALIB_FIRMWARE_ELF", &image)
-            .env("CALIB_KERNELS_ELF", &kernels)
-            .env("CALIB_IMAGE_BYTES", &sizes)
-            .env("CALIB_TOOL", demo::tool());
-        command.env(
-            "CALIB_BENCH_JSON",
-            folder.join(format!("{}.json", bench.name)),
-        );
-        if let Some(interpreter) = &interpreter {
+            .env("CALIB_FIRMWARE_ELF", &self.image)
+            .env("CALIB_KERNELS_ELF", &self.kernels)
+            .env("CALIB_IMAGE_BYTES", &self.sizes)
+            .env("CALIB_TOOL", demo::tool())
+            .env("CALIB_BENCH_JSON", json);
+        if let Some(interpreter) = &self.interpreter {
             if bench.name == "gap-speed" && python::with(interpreter, PEER_OF_GAP).is_err() {
                 eprintln!("scipy could not be installed: no comparison");
             }
             command.env("CALIB_PYTHON", interpreter);
         }
-        shell::run(&mut command)?;
-    }
-    match arguments.is_empty() {
-        true => fuzz::run(&[]),
-        false => Ok(()),
+        command
     }
 }

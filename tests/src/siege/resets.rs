@@ -97,20 +97,35 @@ impl Siege {
         self.toll.bytes += question.len();
         // An answer of 1 kB takes the bus 1 ms and the serial line 90.
         let micros = Duration::from_micros(below(1500, random));
-        let port = self.port();
         if let Way::SerialClosed = way {
-            self.bench.board().write_serial(&question);
-            self.bench
-                .client
-                .wait(Duration::from_millis(20) + 50 * micros)?;
-            self.bench.board().serial().clear();
-            return Ok(());
+            return self.close_serial(&question, Duration::from_millis(20) + 50 * micros);
         }
+        let port = self.port();
         if let Way::CableOutAfterPackets = way {
             port.pull_after(below(25, random) as u32);
         }
         port.send(&question);
         host.wait(micros)?;
+        self.leave(way, host, device, micros)
+    }
+
+    /// Asks over the serial line, and throws away what came by `then`.
+    fn close_serial(&mut self, question: &[u8], then: Duration) -> Result<(), Fault> {
+        self.bench.board().write_serial(question);
+        self.bench.client.wait(then)?;
+        self.bench.board().serial().clear();
+        Ok(())
+    }
+
+    /// Goes, `micros` after the question, and comes back.
+    fn leave(
+        &mut self,
+        way: Way,
+        host: &UsbHost,
+        device: &mut Enumerated,
+        micros: Duration,
+    ) -> Result<(), Fault> {
+        let port = self.port();
         match way {
             Way::BusReset => {
                 *device = host.enumerate()?;

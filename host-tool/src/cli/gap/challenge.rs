@@ -121,6 +121,19 @@ effects too small to be seen.
 ";
 
 fn table(score: &Score) -> String {
+    let mut text = strata(score) + &sizes(score) + LEGEND;
+    let number = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.3}"));
+    let _ = write!(
+        text,
+        "calibration error of probability {}, AUROC of none_of_these_p_value {}",
+        number(score.calibration_error),
+        number(score.auroc)
+    );
+    text
+}
+
+/// A row a stratum.
+fn strata(score: &Score) -> String {
     let mut text = format!(
         "{:<12} {:>5} {:>6} {:>8} {:>8} {:>8} {:>6} {:>8} {:>9} {:>6} {:>6}\n",
         "in percent",
@@ -156,6 +169,12 @@ fn table(score: &Score) -> String {
             let _ = writeln!(text, "{:<12} {} without an answer", "", s.unanswered);
         }
     }
+    text
+}
+
+/// A line a size of the gap.
+fn sizes(score: &Score) -> String {
+    let mut text = String::new();
     for s in &score.sizes {
         let _ = writeln!(
             text,
@@ -168,13 +187,5 @@ fn table(score: &Score) -> String {
             100.0 * s.best_possible
         );
     }
-    text.push_str(LEGEND);
-    let number = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.3}"));
-    let _ = write!(
-        text,
-        "calibration error of probability {}, AUROC of none_of_these_p_value {}",
-        number(score.calibration_error),
-        number(score.auroc)
-    );
     text
 }

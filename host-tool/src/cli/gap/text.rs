@@ -1,89 +1,97 @@
 //! An answer in words.
 
-use calib_gap::{Answer, Confirmation, Verdict};
+use calib_gap::{Answer, Cause, Confirmation, Estimate, Gap, Verdict, Where};
 use std::fmt::Write;
 
 /// The answer for a terminal.
 pub(super) fn answer(answer: &Answer) -> String {
     let mut text = String::new();
-    let gap = &answer.gap;
-    let _ = writeln!(
-        text,
-        "{} ({} rows)",
-        answer.dataset.path, answer.dataset.rows
-    );
-    let verdict = match answer.verdict {
-        Verdict::NoGap => {
-            "no gap: the simulation describes the data within the stated uncertainties"
-        }
-        Verdict::Explained => "explained: one cause leads clearly, and what it leaves is noise",
-        Verdict::Ambiguous => "ambiguous: these data cannot tell the causes below apart",
-        Verdict::Unexplained => "unexplained: no cause in the library describes the gap",
-    };
-    let _ = writeln!(text, "  {verdict}");
+    let dataset = &answer.dataset;
+    let _ = writeln!(text, "{} ({} rows)", dataset.path, dataset.rows);
+    let _ = writeln!(text, "  {}", verdict(answer.verdict));
     // A gap too faint to be claimed has no cause, only what it might be.
     let word = match answer.verdict {
         Verdict::NoGap => "perhaps",
         _ => "cause",
     };
-    for cause in &answer.causes {
-        let _ = writeln!(
-            text,
-            "  {word:<7} {:<44} probability {:.3}, best in {:.0} % of repeats{}",
-            cause.effects.join(" + "),
-            cause.probability,
-            100.0 * cause.stability,
-            cause
-                .stability_over_runs
-                .map_or(String::new(), |share| format!(
-                    " and in {:.0} % with a run left out",
-                    100.0 * share
-                ))
-        );
-        for (effect, estimates) in &cause.parameters {
-            for (name, estimate) in estimates {
-                let _ = writeln!(
-                    text,
-                    "            {effect}: {name} = {:.6e}  (u = {:.1e})",
-                    estimate.value, estimate.u
-                );
-            }
-        }
+    for one in &answer.causes {
+        cause(&mut text, word, one);
     }
-    for place in &answer.r#where {
-        let _ = writeln!(
-            text,
-            "  where   {} in {} along {}, {:.4} .. {:.4} ({}{}), share {:.0} %, p = {:.1e}",
-            place.stage,
-            place.observable,
-            place.axis,
-            place.from,
-            place.to,
-            place.class,
-            place
-                .shape
-                .as_ref()
-                .map_or(String::new(), |shape| format!(", as {shape}")),
-            100.0 * place.share,
-            place.p_value
-        );
+    for one in &answer.r#where {
+        place(&mut text, one);
     }
     let _ = writeln!(
         text,
         "  noise would leave as much structure with probability {:.2e}",
         answer.none_of_these_p_value
     );
-    let closed = gap.closed.map_or(String::new(), |c| {
-        format!(", {:.1} % of it closed", 100.0 * c)
+    gap(&mut text, &answer.gap);
+    slices(&mut text, answer);
+    let _ = write!(text, "  next    {}", answer.next_measurement);
+    text + &(answer.confirmation.as_ref()).map_or(String::new(), confirmation)
+}
+
+fn verdict(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::NoGap => {
+            "no gap: the simulation describes the data within the stated uncertainties"
+        }
+        Verdict::Explained => "explained: one cause leads clearly, and what it leaves is noise",
+        Verdict::Ambiguous => "ambiguous: these data cannot tell the causes below apart",
+        Verdict::Unexplained => "unexplained: no cause in the library describes the gap",
+    }
+}
+
+/// What leads or might, with its parameters.
+fn cause(text: &mut String, word: &str, cause: &Cause) {
+    let over_runs = cause.stability_over_runs.map_or(String::new(), |share| {
+        format!(" and in {:.0} % with a run left out", 100.0 * share)
+    });
+    let _ = writeln!(
+        text,
+        "  {word:<7} {:<44} probability {:.3}, best in {:.0} % of repeats{over_runs}",
+        cause.effects.join(" + "),
+        cause.probability,
+        100.0 * cause.stability,
+    );
+    for (effect, estimates) in &cause.parameters {
+        for (name, Estimate { value, u, .. }) in estimates {
+            let _ = writeln!(
+                text,
+                "            {effect}: {name} = {value:.6e}  (u = {u:.1e})"
+            );
+        }
+    }
+}
+
+/// Where the gap lies.
+fn place(text: &mut String, place: &Where) {
+    let shape = place.shape.as_ref();
+    let shape = shape.map_or(String::new(), |shape| format!(", as {shape}"));
+    let _ = writeln!(
+        text,
+        "  where   {} in {} along {}, {:.4} .. {:.4} ({}{shape}), share {:.0} %, p = {:.1e}",
+        place.stage,
+        place.observable,
+        place.axis,
+        place.from,
+        place.to,
+        place.class,
+        100.0 * place.share,
+        place.p_value
+    );
+}
+
+/// How far the gap shrinks.
+fn gap(text: &mut String, gap: &Gap) {
+    let closed = gap.closed.map_or(String::new(), |share| {
+        format!(", {:.1} % of it closed", 100.0 * share)
     });
     let _ = writeln!(
         text,
         "  gap     {:.3} % before, {:.3} % after, {:.3} % noise, on {} rows that took no part{closed}",
         gap.before_percent, gap.after_percent, gap.floor_percent, gap.held_out_rows
     );
-    slices(&mut text, answer);
-    let _ = write!(text, "  next    {}", answer.next_measurement);
-    text + &(answer.confirmation.as_ref()).map_or(String::new(), confirmation)
 }
 
 /// How it does on levels and bands it was not fitted on.

@@ -93,64 +93,77 @@ pub(super) struct Estimator {
 /// # Source
 /// ISO 16063-43 (7) to (16), (37), (38).
 pub fn identify(points: &Points, weighting: Weighting, p: f64) -> Result<Identification> {
-    // mu in units of the mean frequency keeps the normal matrix well scaled.
-    let scale = TAU
-        * points
-            .points
-            .iter()
-            .map(|point| point.frequency_hz)
-            .sum::<f64>()
-        / points.points.len() as f64;
-    let rows: Vec<_> = points
-        .points
-        .iter()
-        .map(|point| Equation::new(point, scale, weighting))
-        .collect();
-    let normal: Matrix3<f64> = rows
-        .iter()
-        .map(|row| row.design.transpose() * row.weight * row.design)
-        .sum();
-    let inverse = normal.try_inverse().ok_or_else(|| no_resonance(points))?;
-    let right: Vector3<f64> = rows
-        .iter()
-        .map(|row| row.design.transpose() * row.weight * row.y)
-        .sum();
-    let scaled = inverse * right;
-    let chi2: f64 = rows
-        .iter()
-        .map(|row| {
-            let residual = row.y - row.design * scaled;
-            residual.dot(&(row.weight * residual))
-        })
-        .sum();
-    let unit = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0 / scale, 1.0 / (scale * scale)));
-    let degrees_of_freedom = 2 * rows.len() - 3;
-    // Without uncertainties the residuals stand in for them.
-    let variance = match weighting {
-        Weighting::Covariance => 1.0,
-        Weighting::None => chi2 / degrees_of_freedom as f64,
-    };
-    let blocks = rows
-        .iter()
-        .map(|row| unit * inverse * row.design.transpose() * row.weight)
-        .collect();
-    let mu = unit * scaled;
-    let covariance = unit * inverse * unit * variance;
-    let oscillator = Oscillator::from_inverse(&mu).ok_or_else(|| no_resonance(points))?;
-    let mut result = assemble(points, oscillator, &mu, &covariance, Estimator { blocks });
+    let fit = Fit::new(points, weighting).ok_or_else(|| no_resonance(points))?;
+    let mut result = fit.interpret(points)?;
     if weighting == Weighting::Covariance {
-        let limit = statistics::chi_squared_quantile(1.0 - p / 2.0, degrees_of_freedom as f64);
-        result.chi2 = Some(chi2);
+        let degrees_of_freedom = fit.degrees_of_freedom as f64;
+        let limit = statistics::chi_squared_quantile(1.0 - p / 2.0, degrees_of_freedom);
+        let p_value = statistics::chi_squared_survival(fit.chi2, degrees_of_freedom);
+        result.chi2 = Some(fit.chi2);
         result.chi2_limit = Some(limit);
-        result.p_value = Some(statistics::chi_squared_survival(
-            chi2,
-            degrees_of_freedom as f64,
-        ));
-        result.consistent = Some(chi2 <= limit);
+        result.p_value = Some(p_value);
+        result.consistent = Some(fit.chi2 <= limit);
     }
     result.weighting = weighting;
     result.warnings = advice::advise(points, &result);
     Ok(result)
+}
+
+/// The weighted least squares, solved.
+struct Fit {
+    rows: Vec<Equation>,
+    /// From scaled parameters to mu.
+    unit: Matrix3<f64>,
+    /// Inverse of the normal matrix, scaled.
+    inverse: Matrix3<f64>,
+    /// The solution, scaled.
+    scaled: Vector3<f64>,
+    /// Variance of an equation of weight one.
+    variance: f64,
+    chi2: f64,
+    degrees_of_freedom: usize,
+}
+
+impl Fit {
+    /// `None` when the equations have no solution.
+    fn new(points: &Points, weighting: Weighting) -> Option<Self> {
+        // mu in units of the mean frequency keeps the normal matrix well scaled.
+        let frequencies = points.points.iter().map(|point| point.frequency_hz);
+        let scale = TAU * frequencies.sum::<f64>() / points.points.len() as f64;
+        let equation = |point| Equation::new(point, scale, weighting);
+        let rows: Vec<Equation> = points.points.iter().map(equation).collect();
+        let normal: Matrix3<f64> = rows.iter().map(Equation::normal).sum();
+        let inverse = normal.try_inverse()?;
+        let right: Vector3<f64> = rows.iter().map(Equation::right).sum();
+        let scaled = inverse * right;
+        let chi2 = rows.iter().map(|row| row.chi2(&scaled)).sum();
+        let degrees_of_freedom = 2 * rows.len() - 3;
+        Some(Self {
+            rows,
+            unit: Matrix3::from_diagonal(&Vector3::new(1.0, 1.0 / scale, 1.0 / (scale * scale))),
+            inverse,
+            scaled,
+            // Without uncertainties the residuals stand in for them.
+            variance: match weighting {
+                Weighting::Covariance => 1.0,
+                Weighting::None => chi2 / degrees_of_freedom as f64,
+            },
+            chi2,
+            degrees_of_freedom,
+        })
+    }
+
+    /// What the solution says of the oscillator.
+    fn interpret(&self, points: &Points) -> Result<Identification> {
+        let Self { unit, inverse, .. } = self;
+        let block = |row: &Equation| unit * inverse * row.design.transpose() * row.weight;
+        let blocks = self.rows.iter().map(block).collect();
+        let mu = unit * self.scaled;
+        let covariance = unit * inverse * unit * self.variance;
+        let oscillator = Oscillator::from_inverse(&mu).ok_or_else(|| no_resonance(points))?;
+        let estimator = Estimator { blocks };
+        Ok(assemble(points, oscillator, &mu, &covariance, estimator))
+    }
 }
 
 /// Real and imaginary part of one inverse response.
@@ -171,6 +184,22 @@ impl Equation {
                 Weighting::None => Matrix2::identity(),
             },
         }
+    }
+
+    /// Its part of the normal matrix.
+    fn normal(&self) -> Matrix3<f64> {
+        self.design.transpose() * self.weight * self.design
+    }
+
+    /// Its part of the right side.
+    fn right(&self) -> Vector3<f64> {
+        self.design.transpose() * self.weight * self.y
+    }
+
+    /// Its part of the weighted sum of squares at these parameters.
+    fn chi2(&self, parameters: &Vector3<f64>) -> f64 {
+        let residual = self.y - self.design * parameters;
+        residual.dot(&(self.weight * residual))
     }
 }
 

@@ -180,8 +180,6 @@ impl Shape {
     #[inline(always)]
     fn fill(self, lanes: &mut Lanes, out: &mut [f64; BATCH]) {
         let (chunks, _) = out.as_chunks_mut::<LANES>();
-        let mut a = [0.0; LANES];
-        let mut b = [0.0; LANES];
         match self {
             Self::Normal { standard } => {
                 let (pairs, _) = chunks.as_chunks_mut::<2>();
@@ -203,41 +201,67 @@ impl Shape {
             }
             Self::Rectangular { half } => {
                 for chunk in chunks {
-                    lanes.uniform_into(chunk);
-                    for value in chunk.iter_mut() {
-                        *value = half * (2.0 * *value - 1.0);
-                    }
+                    rectangular_into(lanes, half, chunk);
                 }
             }
             Self::Triangular { half } => {
                 for chunk in chunks {
-                    lanes.uniform_into(&mut a);
-                    lanes.uniform_into(&mut b);
-                    for lane in 0..LANES {
-                        chunk[lane] = half * (a[lane] - b[lane]);
-                    }
+                    triangular_into(lanes, half, chunk);
                 }
             }
             Self::UShaped { half } => {
                 for chunk in chunks {
-                    lanes.uniform_into(chunk);
-                    for value in chunk.iter_mut() {
-                        *value = half * cos_sin_turn(*value).0;
-                    }
+                    u_shaped_into(lanes, half, chunk);
                 }
             }
             Self::Transverse { half } => {
                 for chunk in chunks {
-                    lanes.uniform_into(&mut a);
-                    lanes.uniform_into(&mut b);
-                    lanes.uniform_into(chunk);
-                    for lane in 0..LANES {
-                        let size = (2.0 * a[lane] - 1.0) * (2.0 * b[lane] - 1.0);
-                        chunk[lane] = half * size * cos_sin_turn(chunk[lane]).0;
-                    }
+                    transverse_into(lanes, half, chunk);
                 }
             }
         }
+    }
+}
+
+#[inline(always)]
+fn rectangular_into(lanes: &mut Lanes, half: f64, out: &mut [f64; LANES]) {
+    lanes.uniform_into(out);
+    for value in out.iter_mut() {
+        *value = half * (2.0 * *value - 1.0);
+    }
+}
+
+/// The difference of two rectangular ones.
+#[inline(always)]
+fn triangular_into(lanes: &mut Lanes, half: f64, out: &mut [f64; LANES]) {
+    let mut other = [0.0; LANES];
+    lanes.uniform_into(out);
+    lanes.uniform_into(&mut other);
+    for lane in 0..LANES {
+        out[lane] = half * (out[lane] - other[lane]);
+    }
+}
+
+/// The cosine of any angle.
+#[inline(always)]
+fn u_shaped_into(lanes: &mut Lanes, half: f64, out: &mut [f64; LANES]) {
+    lanes.uniform_into(out);
+    for value in out.iter_mut() {
+        *value = half * cos_sin_turn(*value).0;
+    }
+}
+
+/// Two rectangular factors and the cosine of any angle.
+#[inline(always)]
+fn transverse_into(lanes: &mut Lanes, half: f64, out: &mut [f64; LANES]) {
+    let mut a = [0.0; LANES];
+    let mut b = [0.0; LANES];
+    lanes.uniform_into(&mut a);
+    lanes.uniform_into(&mut b);
+    lanes.uniform_into(out);
+    for lane in 0..LANES {
+        let size = (2.0 * a[lane] - 1.0) * (2.0 * b[lane] - 1.0);
+        out[lane] = half * size * cos_sin_turn(out[lane]).0;
     }
 }
 

@@ -4,8 +4,13 @@ use super::fit::ShockIdentification;
 use crate::metrology::chart::{Axes, Axis, BLUE, GREY, RED, Scale, Svg};
 use crate::metrology::record::{TimeRecord, without_offset};
 
-/// Title, top and height, and lines with their colours.
-type Panel<'a> = (&'a str, f64, f64, Vec<(&'a [f64], &'a str)>);
+/// Lines over time with their colours.
+struct Panel<'a> {
+    title: &'a str,
+    top: f64,
+    height: f64,
+    lines: Vec<(&'a [f64], &'a str)>,
+}
 
 /// Measured and simulated output over time; their difference below.
 pub fn simulation_chart(record: &TimeRecord, result: &ShockIdentification) -> String {
@@ -18,45 +23,44 @@ pub fn simulation_chart(record: &TimeRecord, result: &ShockIdentification) -> St
         true => result.discrete.respond(&without_offset(input)),
         false => vec![0.0; measured.len()],
     };
-    let difference: Vec<f64> = measured
-        .iter()
-        .zip(&simulated)
-        .map(|(m, s)| m - s)
-        .collect();
-    let milliseconds = |index: usize| 1000.0 * index as f64 / result.sample_rate_hz;
-    let panels: [Panel<'_>; 2] = [
-        (
-            "output",
-            30.0,
-            300.0,
-            vec![(&measured, BLUE), (&simulated, RED)],
-        ),
-        (
-            "measured - simulated",
-            390.0,
-            120.0,
-            vec![(&difference, GREY)],
-        ),
-    ];
-    for (title, top, height, lines) in panels {
+    let pairs = measured.iter().zip(&simulated);
+    let difference: Vec<f64> = pairs.map(|(m, s)| m - s).collect();
+    let output = Panel {
+        title: "output",
+        top: 30.0,
+        height: 300.0,
+        lines: vec![(&measured, BLUE), (&simulated, RED)],
+    };
+    let left = Panel {
+        title: "measured - simulated",
+        top: 390.0,
+        height: 120.0,
+        lines: vec![(&difference, GREY)],
+    };
+    for panel in [output, left] {
+        panel.draw(&mut svg, measured.len(), result.sample_rate_hz);
+    }
+    svg.finish()
+}
+
+impl Panel<'_> {
+    fn draw(&self, svg: &mut Svg, samples: usize, sample_rate_hz: f64) {
+        let milliseconds = |index: usize| 1000.0 * index as f64 / sample_rate_hz;
+        let shown = self.lines.iter().flat_map(|line| line.0.iter().copied());
         let axes = Axes {
             x: Axis {
                 title: "time / ms".into(),
                 low: 0.0,
-                high: milliseconds(measured.len()),
+                high: milliseconds(samples),
                 scale: Scale::Linear,
             },
-            y: Axis::fitting(
-                title,
-                Scale::Linear,
-                lines.iter().flat_map(|(values, _)| values.iter().copied()),
-            ),
-            area: (80.0, top, 790.0, height),
+            y: Axis::fitting(self.title, Scale::Linear, shown),
+            area: (80.0, self.top, 790.0, self.height),
         };
-        axes.draw(&mut svg);
+        axes.draw(svg);
         // About two points for each pixel are enough.
-        let step = (measured.len() / 1600).max(1);
-        for (values, color) in lines {
+        let step = (samples / 1600).max(1);
+        for (values, color) in &self.lines {
             let points: Vec<_> = values
                 .iter()
                 .enumerate()
@@ -66,5 +70,4 @@ pub fn simulation_chart(record: &TimeRecord, result: &ShockIdentification) -> St
             svg.polyline(&points, color, 1.0);
         }
     }
-    svg.finish()
 }
