@@ -6,7 +6,7 @@ use calib_host::Error;
 use calib_host::session::Outcome;
 use calib_protocol::message::RunState;
 use calib_tests::bench::{Bench, Fault, point};
-use calib_tests::witness::Witness;
+use calib_tests::witness::{Seen, Witness};
 use calib_twin::rig::Rig;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -76,16 +76,9 @@ fn every_fault_ends_in_its_verdict_silence_and_a_record() -> Result<(), Fault> {
 
 /// Runs one point and says what was not as it must be.
 fn carry_out(bench: &mut Bench, scenario: &Scenario) -> Result<Vec<String>, Fault> {
-    let mut rig = Rig::standard();
-    for effect in &scenario.effects {
-        rig.effects.push(effect.parse()?);
-    }
-    for fault in &scenario.faults {
-        rig.faults.push(fault.parse()?);
-    }
     let set_peak_ms2 = f64::from(scenario.level_ms2) * std::f64::consts::SQRT_2;
     let pairs = bench.board().sample_pairs();
-    let (witness, seen) = Witness::new(&rig, HIGHEST_REL * set_peak_ms2, pairs);
+    let (witness, seen) = Witness::new(&scenario.rig()?, HIGHEST_REL * set_peak_ms2, pairs);
     drop(bench.board().replace_rig(Box::new(witness)));
     let records = bench.client.records()?.len();
     bench
@@ -95,56 +88,79 @@ fn carry_out(bench: &mut Bench, scenario: &Scenario) -> Result<Vec<String>, Faul
     if let Some(reason) = &scenario.not_started {
         return not_started(bench, started, reason, records);
     }
-    let outcome = started?;
-    let mut failures = Vec::new();
-    let mut check = |holds: bool, failure: String| {
-        if !holds {
-            failures.push(failure);
+    let mut failures = scenario.wrong_with_motion(&seen.take(), set_peak_ms2);
+    failures.extend(wrong_with_record(bench, scenario, &started?, records)?);
+    bench.expect_silence(Duration::from_millis(100))?;
+    if bench.client.status()?.overruns != 0 {
+        failures.push("samples lost".to_owned());
+    }
+    Ok(failures)
+}
+
+impl Scenario {
+    fn rig(&self) -> Result<Rig, Fault> {
+        let mut rig = Rig::standard();
+        for effect in &self.effects {
+            rig.effects.push(effect.parse()?);
         }
-    };
+        for fault in &self.faults {
+            rig.faults.push(fault.parse()?);
+        }
+        Ok(rig)
+    }
+
+    /// What the table did and must not.
+    fn wrong_with_motion(&self, seen: &Seen, set_peak_ms2: f64) -> Vec<String> {
+        let highest_rel = seen.highest_ms2 / set_peak_ms2;
+        let (above_ms, driven_ms) = (seen.above_for_ms, seen.driven_after_block_ms);
+        println!(
+            "{highest_rel:>8.2} of the set level, above 1.5 for {above_ms:.1} ms, driven for \
+             {driven_ms:.1} ms beyond the block that told: {}",
+            self.what
+        );
+        let mut failures = Vec::new();
+        if highest_rel > self.highest_rel {
+            failures.push(format!(
+                "the table reached {highest_rel:.2} of the set level"
+            ));
+        }
+        if above_ms > self.above_for_ms {
+            failures.push(format!("above 1.5 of the set level for {above_ms:.1} ms"));
+        }
+        if !self.judged_at_the_end && driven_ms > BEYOND_DETECTION_MS {
+            failures.push(format!("driven for {driven_ms:.2} ms beyond detection"));
+        }
+        failures
+    }
+}
+
+/// What result and record say and should not. There were `records` before.
+fn wrong_with_record(
+    bench: &mut Bench,
+    scenario: &Scenario,
+    outcome: &Outcome,
+    records: usize,
+) -> Result<Vec<String>, Fault> {
     let result = outcome.points.first().ok_or("no result")?;
     let verdict = match result.verdict {
         Verdict::Pass => "Pass".to_owned(),
         Verdict::Refused(reason) => format!("{reason:?}"),
     };
-    check(
-        scenario.verdicts.contains(&verdict),
-        format!("verdict {verdict}"),
-    );
-    check(outcome.state != RunState::Failed, "not stored".into());
-    check(
-        outcome.record_id as usize == records + 1,
-        "another record".into(),
-    );
-    let seen = seen.take();
-    let highest_rel = seen.highest_ms2 / set_peak_ms2;
-    println!(
-        "{verdict:<20} {highest_rel:>8.2} of the set level, above 1.5 for {:.1} ms, driven for {:.1} ms \
-         beyond the block that told: {}",
-        seen.above_for_ms, seen.driven_after_block_ms, scenario.what
-    );
-    check(
-        highest_rel <= scenario.highest_rel,
-        format!("the table reached {highest_rel:.2} of the set level"),
-    );
-    check(
-        seen.above_for_ms <= scenario.above_for_ms,
-        format!("above 1.5 of the set level for {:.1} ms", seen.above_for_ms),
-    );
-    check(
-        scenario.judged_at_the_end || seen.driven_after_block_ms <= BEYOND_DETECTION_MS,
-        format!(
-            "driven for {:.2} ms beyond detection",
-            seen.driven_after_block_ms
-        ),
-    );
-    bench.expect_silence(Duration::from_millis(100))?;
+    println!("{verdict:<20}");
+    let mut failures = Vec::new();
+    if !scenario.verdicts.contains(&verdict) {
+        failures.push(format!("verdict {verdict}"));
+    }
+    if outcome.state == RunState::Failed {
+        failures.push("not stored".to_owned());
+    }
+    if outcome.record_id as usize != records + 1 {
+        failures.push("another record".to_owned());
+    }
     let refused = bench.client.records()?.last().map(|record| record.refused);
-    check(
-        refused == Some(u16::from(verdict != "Pass")),
-        "the record does not say so".into(),
-    );
-    check(bench.client.status()?.overruns == 0, "samples lost".into());
+    if refused != Some(u16::from(verdict != "Pass")) {
+        failures.push("the record does not say so".to_owned());
+    }
     Ok(failures)
 }
 
