@@ -57,6 +57,7 @@ fn budgets() {
         toml(COMPONENT.replace("0.3", "-0.3"), 3, "never negative"),
         toml(COMPONENT.replace("k = 2", "k = 0"), 5, "greater than zero"),
         toml(COMPONENT.replace("0.3", "nan"), 3, "not a number"),
+        toml(COMPONENT.replace("0.3", "1e308"), 3, "at most 1e60"),
         toml(impossible, 27, "positive semidefinite"),
     ] {
         refused(&["budget"], &case);
@@ -83,6 +84,7 @@ fn comparisons() {
         csv(String::new(), 1, "empty"),
         csv(format!("{header}A,1,0.1,-1\n"), 2, "greater than zero"),
         csv(format!("{header}A,1,nan,1\n"), 2, "finite"),
+        csv(format!("{header}A,1,1e61,1\n"), 2, "finite"),
         csv(format!("{header}A,1,0,1\nA,1,0,1\n"), 3, "twice"),
     ] {
         refused(&["link", "--doe"], &case);

@@ -6,6 +6,7 @@
 //! (Hz)`, `frequency [Hz]` and `frequency_hz` are the same column.
 
 use super::Source;
+use super::values::LARGEST;
 use crate::Result;
 
 /// A table of cells with the lines they stood in.
@@ -183,10 +184,10 @@ impl Table {
         })
     }
 
-    /// A cell as a finite number.
+    /// A cell as a finite number of at most 1e60.
     ///
     /// # Errors
-    /// Empty, not a number, NaN or infinite; names line and column.
+    /// Empty, not a number, NaN, infinite or larger; names line and column.
     pub fn number(&self, row: &Row, column: &Column) -> Result<f64> {
         let cell = row.cells[column.index].as_str();
         let text = match self.decimal_comma {
@@ -194,10 +195,13 @@ impl Table {
             false => cell.to_owned(),
         };
         match text.parse::<f64>() {
-            Ok(value) if value.is_finite() => Ok(value),
+            Ok(value) if value.abs() <= LARGEST => Ok(value),
             _ => Err(self.source.at_line(
                 row.line,
-                format!("{} = '{cell}' is not a finite number", column.written),
+                format!(
+                    "{} = '{cell}' is not a finite number of at most {LARGEST:e}",
+                    column.written
+                ),
                 "write a number with a decimal point, or remove the row",
             )),
         }

@@ -10,29 +10,33 @@ pub type Number = Spanned<Value>;
 /// A text with its place.
 pub type Text = Spanned<String>;
 
-/// A finite number.
+/// Largest magnitude of a value: no quantity has it in any unit, and the fourth power
+/// (Welch-Satterthwaite) of what is made of it is still a number.
+pub(super) const LARGEST: f64 = 1.0e60;
+
+/// A finite number of at most 1e60.
 ///
 /// # Errors
-/// Not a number, NaN or infinite: named with its line.
+/// Not a number, NaN, infinite or larger: named with its line.
 pub fn finite(source: &Source, name: &str, number: &Number) -> Result<f64> {
     let value = plain(source, name, number)?;
-    if value.is_finite() {
+    if value.abs() <= LARGEST {
         return Ok(value);
     }
     Err(source.at(
         &number.span(),
-        format!("{name} = {value}: not a finite number"),
+        format!("{name} = {value:e}: not a finite number of at most {LARGEST:e}"),
         "write a finite number, or leave the key out",
     ))
 }
 
-/// A finite number above zero.
+/// A finite number above zero, from 1e-60 to 1e60.
 ///
 /// # Errors
-/// As [`finite`], and zero or negative values.
+/// As [`finite`], and smaller values.
 pub fn positive(source: &Source, name: &str, number: &Number) -> Result<f64> {
     let value = finite(source, name, number)?;
-    if value > 0.0 {
+    if value >= LARGEST.recip() {
         return Ok(value);
     }
     Err(source.at(
