@@ -22,6 +22,7 @@ pub mod serve;
 pub mod session;
 pub mod teds;
 pub mod terminal;
+pub mod text_file;
 pub mod verdict_text;
 
 pub use address::Address;

@@ -5,7 +5,10 @@ use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = cli::Arguments::parse();
+    let arguments = match cli::Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(said) => return cli::tell(&said),
+    };
     let context = cli::Context::new(&arguments.global);
     match arguments.command.run(&context) {
         Ok(()) => ExitCode::SUCCESS,

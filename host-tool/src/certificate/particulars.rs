@@ -20,7 +20,7 @@
 //! ```
 
 use super::words::Language;
-use crate::{Error, Result, decision};
+use crate::{Error, Result, decision, text_file};
 use jiff::civil::Date;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -257,11 +257,10 @@ impl Particulars {
     pub fn read(paths: &[PathBuf]) -> Result<Self> {
         let mut merged = toml::Table::new();
         for path in paths {
-            let text = std::fs::read_to_string(path).map_err(|e| Error::file("read", path, e))?;
+            let text = text_file::read(path)?;
             // The types are checked per file, so that an error has a line.
-            let own: Self = toml::from_str(&text).map_err(|e| located(path, &text, &e))?;
-            let mut table: toml::Table =
-                toml::from_str(&text).map_err(|e| located(path, &text, &e))?;
+            let own: Self = text_file::parse_toml(path, &text, HINT)?;
+            let mut table: toml::Table = text_file::parse_toml(path, &text, HINT)?;
             own.layout.check(path)?;
             own.laboratory.check("laboratory", path)?;
             own.customer.check("customer", path)?;
@@ -349,18 +348,7 @@ fn day<'de, D: serde::Deserializer<'de>>(
     text.parse().map(Some).map_err(wrong)
 }
 
-fn located(path: &Path, text: &str, error: &toml::de::Error) -> Error {
-    let start = error.span().map_or(0, |span| span.start).min(text.len());
-    let line = 1 + text.as_bytes()[..start]
-        .iter()
-        .filter(|byte| **byte == b'\n')
-        .count();
-    Error::input(
-        format!("{}:{line}", path.display()),
-        error.message(),
-        "docs/certificate.md lists every item of this file",
-    )
-}
+const HINT: &str = "docs/certificate.md lists every item of this file";
 
 /// Paths of a file are relative to it.
 fn anchor(table: &mut toml::Table, path: &Path) {

@@ -3,7 +3,7 @@
 use super::model::Certificate;
 use super::present::Presented;
 use super::words::Language;
-use crate::{Error, Result};
+use crate::{Error, Result, text_file};
 use calib_certificate_pdf::{File, printable};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -71,7 +71,7 @@ pub(super) fn render(
 }
 
 fn read_text(path: &Path) -> Result<String> {
-    std::fs::read_to_string(path).map_err(|e| Error::file("read", path, e))
+    text_file::read(path)
 }
 
 /// Name of the logo in the template, and its bytes.

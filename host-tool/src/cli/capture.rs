@@ -1,5 +1,6 @@
 //! `calib capture`: the waveforms of both channels.
 
+use super::number::positive;
 use super::run::stop_on_interrupt;
 use super::{Context, time};
 use calib_core::point::PointSpec;
@@ -41,10 +42,10 @@ is measured for it leaves a record in the calibrator, like any other.";
 pub(crate) struct CaptureVerb {
     /// Frequency of the tone, Hz; with --level it is played, without it must be
     /// the exact frequency of what is there.
-    #[arg(long, short, value_name = "HZ")]
+    #[arg(long, short, value_name = "HZ", value_parser = positive::<f64>)]
     frequency: Option<f64>,
     /// Play the tone at this acceleration, m/s2 r.m.s.
-    #[arg(long, short, value_name = "MS2", requires = "frequency")]
+    #[arg(long, short, value_name = "MS2", requires = "frequency", value_parser = positive::<f32>)]
     level: Option<f32>,
     /// Samples of each channel, 1 to 16384; default: ten cycles, at least 4096.
     #[arg(long, short, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=i64::from(MAX_CAPTURE_PAIRS)))]

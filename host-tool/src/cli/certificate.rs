@@ -16,7 +16,7 @@ pub(crate) struct CertificateVerb {
     /// File of a downloaded record, or the running number of one that is still
     /// in the calibrator (it is downloaded first).
     #[arg(required_unless_present = "write_template")]
-    record: Option<String>,
+    record: Option<PathBuf>,
     /// Directory for the files.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
@@ -40,7 +40,11 @@ pub(crate) struct CertificateVerb {
     as_found: Option<PathBuf>,
     /// Writes the built-in page as certificate.typ into a directory, to begin one's
     /// own with, and no certificate.
-    #[arg(long, value_name = "DIR", exclusive = true)]
+    #[arg(
+        long,
+        value_name = "DIR",
+        conflicts_with_all = ["record", "format", "language", "particulars", "as_found"]
+    )]
     write_template: Option<PathBuf>,
 }
 
@@ -67,7 +71,7 @@ impl CertificateVerb {
             return template(context, folder);
         }
         // Required by the command line, unless a template is written.
-        let name = self.record.as_deref().unwrap_or_default();
+        let name = self.record.as_deref().unwrap_or(Path::new(""));
         let found = source::find(context, name, &self.out)?;
         let record = found.calibration()?;
         let mut options = Options {

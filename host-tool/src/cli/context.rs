@@ -75,7 +75,7 @@ impl Context {
                 Error::input("result", error.to_string(), "report this as a defect")
             })?
         } else {
-            text()
+            shown(&text())
         };
         if !output.ends_with('\n') {
             output.push('\n');
@@ -113,11 +113,18 @@ impl Context {
             true => ("\x1b[1;31m", "\x1b[1;36m", "\x1b[0m"),
             false => ("", "", ""),
         };
-        let _ = writeln!(stderr, "{red}error{plain}: {error}");
+        let said = shown(&error.to_string());
+        let _ = writeln!(stderr, "{red}error{plain}: {said}");
         if let Some(hint) = error.hint() {
             let _ = writeln!(stderr, " {cyan}hint{plain}: {hint}");
         }
     }
+}
+
+/// Text for a terminal: what a record, a file or a device holds must not steer it.
+fn shown(text: &str) -> String {
+    let steers = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    text.replace(steers, "\u{fffd}")
 }
 
 fn only_likely_port() -> Result<String> {

@@ -1,7 +1,7 @@
 //! `calib emulate`: an emulated calibrator that other programs use like hardware.
 
 use super::{Context, run};
-use calib_host::emulated::EmulatedBoard;
+use calib_host::emulated::{EmulatedBoard, rig_file};
 use calib_host::{Error, Result, file};
 use calib_twin::board::usb::UsbPort;
 use calib_twin::rig::Rig;
@@ -96,9 +96,7 @@ impl Emulate {
     fn rig(&self) -> Result<Rig> {
         match &self.rig {
             None => Ok(Rig::draw(self.seed.unwrap_or(0))),
-            Some(path) => Rig::load(path).map_err(|error| {
-                Error::input("rig", error.to_string(), "docs/twin.md lists the values")
-            }),
+            Some(path) => rig_file::load(path),
         }
     }
 

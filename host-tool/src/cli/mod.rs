@@ -21,7 +21,9 @@ mod gap;
 mod identify;
 mod info;
 mod link;
+mod misuse;
 mod nomogram;
+mod number;
 mod phase;
 mod points;
 mod predict;
@@ -42,6 +44,7 @@ mod time;
 mod version;
 
 pub(crate) use context::Context;
+pub(crate) use misuse::tell;
 
 use calib_host::Result;
 use clap::{Args, Parser, Subcommand};
@@ -54,10 +57,13 @@ Exit codes:
   1  a file could not be read or written, or the tool itself failed
   2  wrong use of the command line
   3  link: no such device, no answer, damaged answers
-  4  the device speaks another protocol version
+  4  the device speaks another protocol version, or answers nonsense
   5  the device understood and refused
-  6  an input file (points, record, settings) is not usable
-  7  done, but at least one verdict is not \"pass\"";
+  6  an input file (points, record, settings, ...) is not usable
+  7  done, but a verdict is not \"pass\"";
+
+/// Heading of [`GlobalOptions`] in every help.
+const EVERYWHERE: &str = "Options of every verb";
 
 /// Calibrates vibration transducers with the open field calibrator.
 #[derive(Debug, Parser)]
@@ -75,7 +81,7 @@ pub(crate) struct Arguments {
 #[derive(Clone, Debug, Args)]
 pub(crate) struct GlobalOptions {
     /// Machine-readable output: one JSON document on standard output.
-    #[arg(long, global = true)]
+    #[arg(long, global = true, help_heading = EVERYWHERE)]
     pub(crate) json: bool,
     /// The calibrator: a serial port, `tcp:HOST:PORT`, `emulated`, or
     /// `emulated-usb`.
@@ -83,15 +89,16 @@ pub(crate) struct GlobalOptions {
         long,
         short,
         global = true,
+        help_heading = EVERYWHERE,
         env = "CALIB_DEVICE",
         value_name = "ADDRESS"
     )]
     pub(crate) device: Option<String>,
     /// The bench of records; default: one of this user's.
-    #[arg(long, global = true, env = "CALIB_BENCH", value_name = "FILE")]
+    #[arg(long, global = true, help_heading = EVERYWHERE, env = "CALIB_BENCH", value_name = "FILE")]
     pub(crate) bench: Option<PathBuf>,
     /// No progress and no remarks; errors are still printed.
-    #[arg(long, short, global = true)]
+    #[arg(long, short, global = true, help_heading = EVERYWHERE)]
     pub(crate) quiet: bool,
 }
 

@@ -1,11 +1,11 @@
 //! `calib run`: measures a point list.
 
-use super::{Context, bench, progress::RunProgress, text, time};
+use super::{Context, bench, number::positive, progress::RunProgress, text, time};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::verdict::Verdict;
 use calib_host::bench::{Kept, Sensor};
 use calib_host::link::Client;
-use calib_host::session::{self, Outcome};
+use calib_host::session::{self, Outcome, label, temperature_centi_c};
 use calib_host::{Error, Result};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
@@ -23,7 +23,7 @@ pub(crate) struct Run {
     #[arg(long, short, value_name = "FILE")]
     points: Option<PathBuf>,
     /// Set acceleration of points that state none, m/s2 r.m.s.
-    #[arg(long, short, default_value_t = 10.0, value_name = "MS2")]
+    #[arg(long, short, default_value_t = 10.0, value_name = "MS2", value_parser = positive::<f32>)]
     level: f32,
     /// How the exciter is driven (ISO 16063-21, 4.4 Note 1). Broadband: all
     /// points at once, moved to the lines of a record of 4096 samples; the level
@@ -112,12 +112,6 @@ impl Run {
     }
 
     fn points(&self) -> Result<Vec<PointSpec>> {
-        if !(self.level.is_finite() && self.level > 0.0) {
-            return Err(usage(
-                "--level",
-                "is an acceleration above zero in m/s2 r.m.s.",
-            ));
-        }
         match &self.points {
             Some(path) => session::read_points(path, self.level),
             None => Ok(session::default_points(self.level)),
@@ -136,17 +130,12 @@ impl Run {
             "" => sensor.mounting.as_deref().unwrap_or_default(),
             stated => stated,
         };
-        let temperature_centi_c = match self.temperature {
-            None => None,
-            Some(celsius) if celsius.abs() <= 300.0 => Some((100.0 * celsius).round() as i16),
-            Some(_) => return Err(usage("--temperature", "is between -300 and 300 degrees")),
-        };
         Ok(RunLabels {
             unix_time_s: time::unix_time_s(),
             dut_model: label("--model", &sensor.name())?,
             dut_serial: label("--serial", &sensor.serial)?,
             operator: label("--operator", &self.operator)?,
-            temperature_centi_c,
+            temperature_centi_c: temperature_centi_c("--temperature", self.temperature)?,
             mounting: label("--mounting", mounting)?,
         })
     }
@@ -166,22 +155,6 @@ fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Opt
     Ok(Some(match bench.keep(&bytes)? {
         Kept::Added(id) | Kept::Known(id) => id,
     }))
-}
-
-fn usage(option: &str, problem: &str) -> Error {
-    Error::Usage {
-        problem: format!("{option} {problem}"),
-        hint: "see `calib run --help`".to_owned(),
-    }
-}
-
-pub(super) fn label<const N: usize>(option: &str, text: &str) -> Result<heapless::String<N>> {
-    text.try_into().map_err(|_| {
-        usage(
-            option,
-            &format!("has room for {N} bytes, this is {}", text.len()),
-        )
-    })
 }
 
 /// Runs a list with progress. Ctrl-C stops it and silences the exciter.

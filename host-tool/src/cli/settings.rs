@@ -3,7 +3,7 @@
 use super::Context;
 use calib_core::settings::Settings as InstrumentSettings;
 use calib_host::link::Client;
-use calib_host::{Error, Result};
+use calib_host::{Error, Result, session, text_file};
 use calib_protocol::message::SettingsChange;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -71,7 +71,7 @@ impl Settings {
         let change = SettingsChange {
             settings,
             unix_time_s: super::time::unix_time_s(),
-            operator: super::run::label("--operator", &self.operator)?,
+            operator: session::label("--operator", &self.operator)?,
         };
         let mut looks = u32::from(self.wait) * LOOKS_PER_SECOND;
         loop {
@@ -93,12 +93,7 @@ impl Settings {
 }
 
 fn read(path: &Path) -> Result<InstrumentSettings> {
-    let text = std::fs::read_to_string(path).map_err(|error| Error::file("read", path, error))?;
-    toml::from_str(&text).map_err(|error| {
-        Error::input(
-            path.display().to_string(),
-            error.to_string(),
-            "`calib settings` prints a file of the right form",
-        )
-    })
+    let text = text_file::read(path)?;
+    let hint = "`calib settings` prints a file of the right form";
+    text_file::parse_toml(path, &text, hint)
 }

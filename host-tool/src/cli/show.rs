@@ -16,7 +16,7 @@ const COLUMNS: usize = 80;
 pub(crate) struct Show {
     /// File of a downloaded record, or the running number of one that is still
     /// in the calibrator (it is downloaded first).
-    record: String,
+    record: PathBuf,
     /// Where a download goes.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,

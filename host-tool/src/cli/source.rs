@@ -37,12 +37,11 @@ impl Found {
     }
 }
 
-/// The record of this file or, when the name is a number and no file, the one of
+/// The record of this file or, when its name is a number and no file, the one of
 /// this running number in the calibrator, which is downloaded into `out` first.
-pub(super) fn find(context: &Context, name: &str, out: &Path) -> Result<Found> {
-    let path = Path::new(name);
-    match name.parse::<u32>() {
-        Ok(id) if !path.exists() => {
+pub(super) fn find(context: &Context, path: &Path, out: &Path) -> Result<Found> {
+    match path.to_str().map(str::parse) {
+        Some(Ok(id)) if !path.exists() => {
             let mut client = context.connect()?;
             client.info()?;
             let fetched = session::fetch(&mut client, id, out, Existing::Keep, |_| ())?;

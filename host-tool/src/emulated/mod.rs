@@ -4,6 +4,7 @@
 //! then as fast as this computer can: a run is the same each time, bit by bit.
 
 mod kept;
+pub mod rig_file;
 mod settings;
 
 pub use kept::KeptBoard;

@@ -1,6 +1,7 @@
 //! What a simulation believes about a rig, read from any file that says it.
 
-use crate::{Error, Result};
+use crate::emulated::rig_file;
+use crate::{Error, Result, text_file};
 use calib_twin::dataset::{Nominal, NominalOscillator, Quantity};
 use calib_twin::rig::Rig;
 use serde::Deserialize;
@@ -51,16 +52,14 @@ impl Believed {
         } else {
             rig.to_owned()
         };
-        let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
-        Self::parse(&text, &path.display().to_string())
+        Self::parse(&text_file::read(&path)?, &path)
     }
 
-    fn parse(text: &str, file: &str) -> Result<Self> {
-        let unusable = |problem: String| {
-            let hint = "docs/gap.md shows a rig.toml; `standard` and `oscillator` are built in";
-            Error::input(file, problem, hint)
-        };
-        let head: Head = toml::from_str(text).map_err(|e| unusable(e.to_string()))?;
+    fn parse(text: &str, path: &Path) -> Result<Self> {
+        let hint = "docs/gap.md shows a rig.toml; `standard` and `oscillator` are built in";
+        let file = &path.display().to_string();
+        let unusable = |problem: String| Error::input(file, problem, hint);
+        let head: Head = text_file::parse_toml(path, text, hint)?;
         match head.kind.as_deref() {
             Some("calibrator") => Nominal::parse(text, file)
                 .map(|nominal| Self::Calibrator(Box::new(nominal)))
@@ -69,9 +68,10 @@ impl Believed {
             Some(other) => Err(unusable(format!(
                 "kind = \"{other}\" is neither \"calibrator\" nor \"oscillator\""
             ))),
-            None => Rig::parse(text, file)
-                .map(|rig| Self::Calibrator(Box::new(nominal_of(&rig))))
-                .map_err(|e| unusable(e.to_string())),
+            None => {
+                let rig = rig_file::parse(path, text)?;
+                Ok(Self::Calibrator(Box::new(nominal_of(&rig))))
+            }
         }
     }
 }
@@ -148,7 +148,7 @@ mod tests {
     fn every_form_of_a_rig_is_read() {
         let standard = Nominal::standard().to_toml().expect("plain numbers");
         for (text, mass_kg) in [(standard.as_str(), 0.050), (STANDARD_RIG_TOML, 0.050)] {
-            match Believed::parse(text, "rig.toml").expect(text) {
+            match Believed::parse(text, Path::new("rig.toml")).expect(text) {
                 Believed::Calibrator(nominal) => {
                     assert_eq!(nominal.exciter.moving_mass_kg.value, mass_kg);
                     // 1 % in the format's description.
@@ -160,7 +160,7 @@ mod tests {
         let oscillator = "kind = \"oscillator\"\n[oscillator]\nrho = { value = 1.0, u = 0.1 }\n\
                           resonance_hz = { value = 68.0, u = 5.0 }\ndelta = { value = 0.02, u = 0.002 }\n";
         assert!(matches!(
-            Believed::parse(oscillator, "rig.toml"),
+            Believed::parse(oscillator, Path::new("rig.toml")),
             Ok(Believed::Oscillator(_))
         ));
     }
@@ -178,7 +178,7 @@ mod tests {
             ("nonsense".to_owned(), "my.toml"),
             (String::new(), "name"),
         ] {
-            let error = Believed::parse(&text, "my.toml").expect_err(name);
+            let error = Believed::parse(&text, Path::new("my.toml")).expect_err(name);
             assert!(error.to_string().contains(name), "{error}");
             assert!(error.to_string().contains("my.toml"), "{error}");
         }

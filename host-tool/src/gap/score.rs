@@ -1,7 +1,7 @@
 //! What answers to a sealed set are worth.
 
 use super::truth::{TrueCase, Truth};
-use crate::{Error, Result};
+use crate::{Error, Result, text_file};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -128,7 +128,7 @@ pub struct Score {
 /// # Errors
 /// [`Error::File`]; [`Error::Input`] with the line.
 pub fn read_answers(path: &Path) -> Result<Vec<ScoredAnswer>> {
-    let text = std::fs::read_to_string(path).map_err(|e| Error::file("read", path, e))?;
+    let text = text_file::read(path)?;
     let broken = |line: usize, error: serde_json::Error| {
         let place = format!("{}:{line}", path.display());
         let hint = "answers are what `calib gap diagnose --json` prints, one per line";

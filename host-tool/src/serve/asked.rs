@@ -1,7 +1,8 @@
 //! What a page asks to be measured.
 
 use crate::bench::{Bench, Sensor};
-use crate::{Error, Result, session};
+use crate::session::{self, label, temperature_centi_c};
+use crate::{Error, Result};
 use calib_core::point::PointSpec;
 use calib_protocol::record::RunLabels;
 use serde::Deserialize;
@@ -73,17 +74,9 @@ impl Run {
             dut_model: label("model", &known.name())?,
             dut_serial: label("serial number", &known.serial)?,
             operator: label("operator", &self.operator)?,
-            temperature_centi_c: self.temperature_centi_c()?,
+            temperature_centi_c: temperature_centi_c("the temperature", self.temperature_c)?,
             mounting: label("mounting", &mounting)?,
         })
-    }
-
-    fn temperature_centi_c(&self) -> Result<Option<i16>> {
-        match self.temperature_c {
-            None => Ok(None),
-            Some(celsius) if celsius.abs() <= 300.0 => Ok(Some((100.0 * celsius).round() as i16)),
-            Some(_) => Err(usage("the temperature is between -300 and 300 degrees")),
-        }
     }
 }
 
@@ -92,10 +85,4 @@ fn usage(problem: &str) -> Error {
         problem: problem.to_owned(),
         hint: String::new(),
     }
-}
-
-fn label<const N: usize>(what: &str, text: &str) -> Result<heapless::String<N>> {
-    let length = text.len();
-    let full = |_| usage(&format!("{what} has room for {N} bytes, this is {length}"));
-    text.try_into().map_err(full)
 }

@@ -2,6 +2,7 @@
 
 mod broadband;
 mod download;
+mod labels;
 mod points;
 mod run;
 
@@ -9,5 +10,6 @@ pub use broadband::on_lines;
 pub use download::{
     Download, Fetched, Progress as DownloadProgress, download, download_with, evidence, fetch,
 };
+pub use labels::{label, temperature_centi_c};
 pub use points::{default_points, read_points};
 pub use run::{Outcome, Progress, begin, follow, follow_beside, run, run_excited, time_left};

@@ -17,7 +17,7 @@
 //! 1000,50
 //! ```
 
-use crate::{Error, Result};
+use crate::{Error, Result, text_file};
 use calib_core::point::PointSpec;
 use calib_protocol::record::MAX_POINTS;
 use serde::Deserialize;
@@ -41,7 +41,7 @@ pub fn default_points(level_rms_ms2: f32) -> Vec<PointSpec> {
 /// # Errors
 /// [`Error::File`] and [`Error::Input`] with file, line and the way out.
 pub fn read_points(path: &Path, level_rms_ms2: f32) -> Result<Vec<PointSpec>> {
-    let text = std::fs::read_to_string(path).map_err(|error| Error::file("read", path, error))?;
+    let text = text_file::read(path)?;
     let source = Source { path, text: &text };
     let extension = path.extension().and_then(|extension| extension.to_str());
     let points = match extension.map(str::to_lowercase).as_deref() {
@@ -53,14 +53,10 @@ pub fn read_points(path: &Path, level_rms_ms2: f32) -> Result<Vec<PointSpec>> {
             "docs/host-tool.md shows both",
         )),
     }?;
-    match points.len() {
-        0 => Err(source.error(0, "holds no point", "add at least one frequency")),
-        count if count > MAX_POINTS => Err(source.error(
-            0,
-            format!("holds {count} points, a run has {MAX_POINTS} at most"),
-            "split the list",
-        )),
-        _ => Ok(points),
+    source.expect_room_for(points.len())?;
+    match points.is_empty() {
+        true => Err(source.error(0, "holds no point", "add at least one frequency")),
+        false => Ok(points),
     }
 }
 
@@ -82,8 +78,19 @@ impl Source<'_> {
     }
 
     fn line_of(&self, span: Range<usize>) -> u64 {
-        let before = self.text.get(..span.start).unwrap_or(self.text);
-        1 + before.matches('\n').count() as u64
+        text_file::line_at(self.text.as_bytes(), span.start) as u64
+    }
+
+    /// Refuses more points than a run has.
+    fn expect_room_for(&self, count: usize) -> Result<()> {
+        match count > MAX_POINTS {
+            false => Ok(()),
+            true => Err(self.error(
+                0,
+                format!("holds {count} points, a run has {MAX_POINTS} at most"),
+                "split the list",
+            )),
+        }
     }
 
     /// A positive, finite value that f32 can hold.
@@ -118,14 +125,10 @@ struct PointEntry {
 }
 
 fn from_toml(source: &Source<'_>, level_rms_ms2: f32) -> Result<Vec<PointSpec>> {
-    let file: PointFile = toml::from_str(source.text).map_err(|error| {
-        let line = error.span().map_or(0, |span| source.line_of(span));
-        source.error(
-            line,
-            error.message(),
-            "docs/host-tool.md shows a point list",
-        )
-    })?;
+    let hint = "docs/host-tool.md shows a point list";
+    let file: PointFile = text_file::parse_toml(source.path, source.text, hint)?;
+    // Before the line of each is looked up, which takes time where they are millions.
+    source.expect_room_for(file.frequencies_hz.len() + file.point.len())?;
     let value = |name, spanned: &Spanned<f64>| {
         source.positive(source.line_of(spanned.span()), name, *spanned.get_ref())
     };
@@ -155,7 +158,7 @@ fn from_csv(source: &Source<'_>, level_rms_ms2: f32) -> Result<Vec<PointSpec>> {
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .flexible(true)
-        .from_reader(source.text.trim_start_matches('\u{feff}').as_bytes());
+        .from_reader(source.text.as_bytes());
     let columns = columns(source, &mut reader)?;
     let width = reader.headers().map_or(0, csv::StringRecord::len);
     let mut points = Vec::new();
@@ -348,6 +351,17 @@ mod tests {
         );
         let text = format!("frequency_hz\n{}", "20\n".repeat(MAX_POINTS));
         assert_eq!(read("a.csv", &text).expect("just fits").len(), MAX_POINTS);
+    }
+
+    #[test]
+    fn a_list_of_a_million_points_is_refused_at_once() {
+        // A million times the position of a line in five megabytes took hours.
+        let text = format!("frequencies_hz = [{}]", "100,\n".repeat(1_000_000));
+        let error = read("a.toml", &text).expect_err("too many");
+        assert!(
+            error.to_string().contains("holds 1000000 points"),
+            "{error}"
+        );
     }
 
     proptest! {

@@ -6,14 +6,21 @@ use calib_protocol::record::Record;
 use std::path::Path;
 use std::process::{Command, Output};
 
-fn calib(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_calib"))
-        .args(arguments)
+/// A program in `folder` that finds nothing the developer keeps.
+fn program(name: &str, folder: &Path) -> Command {
+    let mut command = Command::new(name);
+    command
         .current_dir(folder)
         .env("NO_COLOR", "1")
-        // What the developer keeps stays out of the test.
         .env("XDG_CONFIG_HOME", folder.join("config"))
-        .env_remove("CALIB_LABORATORY")
+        .env("CALIB_BENCH", folder.join("no-bench.sqlite"))
+        .env_remove("CALIB_LABORATORY");
+    command
+}
+
+fn calib(folder: &Path, arguments: &[&str]) -> Output {
+    program(env!("CARGO_BIN_EXE_calib"), folder)
+        .args(arguments)
         .output()
         .expect("calib starts")
 }
@@ -292,9 +299,8 @@ fn a_full_disk_leaves_nothing_half_written() {
     let folder = folder(&sample::record(&sample::THIRD_OCTAVES_HZ));
     // 8 blocks of 512 bytes: enough for the CSV, not for the PDF.
     let script = format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {}", ALL.join(" "));
-    let output = Command::new("sh")
+    let output = program("sh", folder.path())
         .args(["-c", &script, env!("CARGO_BIN_EXE_calib")])
-        .current_dir(folder.path())
         .output()
         .expect("sh starts");
     let said = text(&output.stderr);
@@ -303,9 +309,8 @@ fn a_full_disk_leaves_nothing_half_written() {
     assert!(names(&folder.path().join("out")).is_empty());
     // The list of files goes to a full device: said, not a panic.
     let script = format!("exec \"$0\" {} > /dev/full", ALL.join(" "));
-    let output = Command::new("sh")
+    let output = program("sh", folder.path())
         .args(["-c", &script, env!("CARGO_BIN_EXE_calib")])
-        .current_dir(folder.path())
         .output()
         .expect("sh starts");
     assert_eq!(output.status.code(), Some(1));

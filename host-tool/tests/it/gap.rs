@@ -494,7 +494,7 @@ fn a_recording_that_cannot_be_is_refused_before_anything_moves() {
             2,
             "not negative",
         ),
-        (&["--out", "a", "--emulated", "none.toml"], 6, "none.toml"),
+        (&["--out", "a", "--emulated", "none.toml"], 1, "none.toml"),
         (
             &["--out", "a", "--emulated", "demo", "--level", "0"],
             2,

@@ -11,6 +11,7 @@ mod gap;
 mod hostile;
 mod link;
 mod memory_link;
+mod odd_use;
 mod python;
 mod run;
 #[path = "../../src/certificate/testing.rs"]

@@ -1,10 +1,11 @@
 //! `calib gap record`: a dataset from a calibrator.
 
 use super::super::Context;
+use super::super::number::positive;
 use super::super::progress::RunProgress;
 use super::super::run::stop_on_interrupt;
 use calib_core::point::{PointResult, PointSpec};
-use calib_host::emulated::EmulatedBoard;
+use calib_host::emulated::{self, EmulatedBoard};
 use calib_host::gap::design::diagnostic_points;
 use calib_host::gap::known::Known;
 use calib_host::gap::recorded::{Recorded, Setting, record, under};
@@ -41,7 +42,7 @@ pub(crate) struct RecordVerb {
     points: Option<PathBuf>,
     /// Level of points that state none; the diagnostic plan goes from a fifth of it to ten
     /// times it. m/s2 r.m.s.
-    #[arg(long, default_value_t = 10.0, value_name = "MS2", value_parser = positive)]
+    #[arg(long, default_value_t = 10.0, value_name = "MS2", value_parser = positive::<f32>)]
     level: f32,
     /// Runs; before each one but the first the device under test is mounted anew.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=20))]
@@ -82,13 +83,6 @@ pub(crate) struct RecordVerb {
         allow_negative_numbers = true
     )]
     temperature: Vec<f64>,
-}
-
-fn positive(text: &str) -> Result<f32, String> {
-    match text.parse::<f32>() {
-        Ok(value) if value.is_finite() && value > 0.0 => Ok(value),
-        _ => Err("must be a number above zero".to_owned()),
-    }
 }
 
 fn usage(problem: impl Into<String>, hint: &str) -> Error {
@@ -217,7 +211,7 @@ impl RecordVerb {
     /// What is believed, and the rig to emulate.
     fn believed(&self, context: &Context) -> Result<(Known, Option<Rig>)> {
         if let Some(file) = &self.emulated {
-            let rig = rig_file(file)?;
+            let rig = rig_of(file)?;
             return Ok((Known::of(&rig), Some(rig)));
         }
         match &self.believed {
@@ -325,15 +319,9 @@ impl RecordVerb {
     }
 }
 
-fn rig_file(file: &Path) -> Result<Rig> {
+fn rig_of(file: &Path) -> Result<Rig> {
     if file.as_os_str() == "demo" {
         return Ok(Rig::standard());
     }
-    Rig::load(file).map_err(|error| {
-        Error::input(
-            file.display().to_string(),
-            error.to_string(),
-            "correct the rig file",
-        )
-    })
+    emulated::rig_file::load(file)
 }

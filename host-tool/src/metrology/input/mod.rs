@@ -6,7 +6,7 @@ mod values;
 pub use table::{Column, Row, Table};
 pub use values::{Number, Text, finite, plain, positive};
 
-use crate::{Error, Result};
+use crate::{Error, Result, text_file};
 use serde::de::DeserializeOwned;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -26,16 +26,7 @@ impl Source {
     /// # Errors
     /// Unreadable, not UTF-8, or nothing but white space in it.
     pub fn read(path: &Path) -> Result<Self> {
-        let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let line = 1 + count_lines(&error.as_bytes()[..error.utf8_error().valid_up_to()]);
-            Error::input(
-                format!("{}:{line}", path.display()),
-                "not a text file in UTF-8",
-                "save the file as plain text with UTF-8 encoding",
-            )
-        })?;
-        Self::from_text(path, text)
+        Self::from_text(path, text_file::read(path)?)
     }
 
     /// The same from text already at hand; `path` is only a name.
@@ -67,7 +58,7 @@ impl Source {
         problem: impl Into<String>,
         hint: impl Into<String>,
     ) -> Error {
-        Error::input(format!("{}:{line}", self.path.display()), problem, hint)
+        text_file::at_line(&self.path, line, problem, hint)
     }
 
     /// A complaint about the line in which a byte range begins.
@@ -77,8 +68,8 @@ impl Source {
         problem: impl Into<String>,
         hint: impl Into<String>,
     ) -> Error {
-        let before = &self.text.as_bytes()[..span.start.min(self.text.len())];
-        self.at_line(1 + count_lines(before), problem, hint)
+        let line = text_file::line_at(self.text.as_bytes(), span.start);
+        self.at_line(line, problem, hint)
     }
 
     /// Reads the text as TOML. Unknown keys are refused by the types.
@@ -86,15 +77,8 @@ impl Source {
     /// # Errors
     /// Not TOML, or a key that is missing, unknown or of the wrong type.
     pub fn parse_toml<T: DeserializeOwned>(&self, hint: &str) -> Result<T> {
-        toml::from_str(&self.text).map_err(|error| {
-            let span = error.span().unwrap_or(0..0);
-            self.at(&span, error.message().trim(), hint)
-        })
+        text_file::parse_toml(&self.path, &self.text, hint)
     }
-}
-
-fn count_lines(bytes: &[u8]) -> usize {
-    bytes.iter().filter(|byte| **byte == b'\n').count()
 }
 
 #[cfg(test)]

@@ -1,0 +1,41 @@
+//! What the reader of the command line says: help, the version, or that something is wrong with it.
+
+use serde_json::json;
+use std::io::{ErrorKind, Write};
+use std::process::ExitCode;
+
+/// Exit codes as in [`calib_host::error`].
+const NOT_WRITTEN: u8 = 1;
+const MISUSED: u8 = 2;
+
+/// Prints it, with `--json` a complaint as one document like all others.
+pub(crate) fn tell(said: &clap::Error) -> ExitCode {
+    if !said.use_stderr() {
+        return match said.print() {
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+                let _ = writeln!(
+                    std::io::stderr(),
+                    "error: cannot write standard output: {error}"
+                );
+                ExitCode::from(NOT_WRITTEN)
+            }
+            _ => ExitCode::SUCCESS,
+        };
+    }
+    if std::env::args_os().any(|argument| argument == "--json") {
+        let _ = writeln!(std::io::stderr(), "{}", document(&said.to_string()));
+    } else {
+        let _ = said.print();
+    }
+    ExitCode::from(MISUSED)
+}
+
+/// The first paragraph is what is wrong, the rest the way out.
+fn document(text: &str) -> serde_json::Value {
+    let (problem, rest) = text.trim().split_once("\n\n").unwrap_or((text.trim(), ""));
+    json!({
+        "error": problem.trim_start_matches("error: "),
+        "hint": rest,
+        "exit_code": MISUSED,
+    })
+}
