@@ -42,6 +42,14 @@ impl Sensor {
             .to_owned()
     }
 
+    fn texts(&self) -> impl Iterator<Item = &str> {
+        let stated = [&self.mounting, &self.owner].into_iter().flatten();
+        [&self.serial, &self.manufacturer, &self.model]
+            .into_iter()
+            .chain(stated)
+            .map(String::as_str)
+    }
+
     fn check(&self) -> Result<()> {
         let wrong = |what: &str| {
             Err(Error::Usage {
@@ -52,6 +60,9 @@ impl Sensor {
         let positive = |value: Option<f64>| value.is_none_or(|v| v.is_finite() && v > 0.0);
         if self.serial.trim().is_empty() {
             return wrong("a sensor has a serial number");
+        }
+        if self.texts().any(|text| text.contains(char::is_control)) {
+            return wrong("what is said about a sensor is one line, without control characters");
         }
         if !positive(self.sensitivity_v_per_ms2) || !positive(self.range_ms2) {
             return wrong("sensitivity and range are above zero");

@@ -1,7 +1,7 @@
 //! The file: where it is, how it is opened, and its failures in words.
 
 use crate::{Error, Result};
-use rusqlite::{Connection, ErrorCode, OpenFlags};
+use rusqlite::{Connection, ErrorCode, Transaction, TransactionBehavior};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -9,6 +9,8 @@ use std::time::Duration;
 const VERSION: i64 = 1;
 /// Mark of our files, in SQLite's `application_id`: "CALB".
 const APPLICATION: i64 = 0x4341_4c42;
+/// Mark and form of a file nobody has written to.
+const NEW: (i64, i64) = (0, 0);
 
 const SCHEMA: &str = include_str!("schema.sql");
 
@@ -42,7 +44,37 @@ impl Bench {
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
         }
-        Self::with_flags(path, OpenFlags::default())
+        let bench = Self::connect(path)?;
+        match bench.form()? {
+            NEW => bench.create()?,
+            form => bench.check(form)?,
+        }
+        Ok(bench)
+    }
+
+    /// Opens the bench that is there: who only reads makes none.
+    ///
+    /// # Errors
+    /// As [`Self::open`], and [`Error::Input`] when there is none, or an empty file.
+    pub fn open_existing(path: &Path) -> Result<Self> {
+        let none = || {
+            let hint = "`calib sensors add` and `calib bench add` make one; \
+                        another is named with --bench or CALIB_BENCH";
+            Error::input(
+                path.display().to_string(),
+                "there is no bench of records",
+                hint,
+            )
+        };
+        if !path.exists() {
+            return Err(none());
+        }
+        let bench = Self::connect(path)?;
+        match bench.form()? {
+            NEW if bench.is_empty()? => return Err(none()),
+            form => bench.check(form)?,
+        }
+        Ok(bench)
     }
 
     /// Opens the bench if there is one.
@@ -56,42 +88,41 @@ impl Bench {
         }
     }
 
-    fn with_flags(path: &Path, flags: OpenFlags) -> Result<Self> {
+    fn connect(path: &Path) -> Result<Self> {
         let failed = |error| failure(path, error);
-        let connection = Connection::open_with_flags(path, flags).map_err(failed)?;
-        let bench = Self {
-            connection,
-            path: path.to_owned(),
-        };
-        bench.prepare()?;
-        Ok(bench)
-    }
-
-    /// Settings of the connection; tables, if the file is new.
-    fn prepare(&self) -> Result<()> {
-        let failed = |error| failure(&self.path, error);
-        let connection = &self.connection;
+        let connection = Connection::open(path).map_err(failed)?;
         connection
             .busy_timeout(Duration::from_secs(5))
             .map_err(failed)?;
         connection
             .pragma_update(None, "foreign_keys", true)
             .map_err(failed)?;
-        let read = |pragma: &str| -> Result<i64> {
-            connection
-                .pragma_query_value(None, pragma, |row| row.get(0))
-                .map_err(failed)
-        };
-        match (read("application_id")?, read("user_version")?) {
+        Ok(Self {
+            connection,
+            path: path.to_owned(),
+        })
+    }
+
+    /// Whose file it is, and the form of the tables, both of one moment.
+    fn form(&self) -> Result<(i64, i64)> {
+        let both = "SELECT application_id, user_version \
+                    FROM pragma_application_id, pragma_user_version";
+        let pair = |row: &rusqlite::Row<'_>| Ok((row.get(0)?, row.get(1)?));
+        let pair = self.connection.query_row(both, [], pair);
+        pair.map_err(|error| self.failure(error))
+    }
+
+    fn check(&self, form: (i64, i64)) -> Result<()> {
+        let place = self.path.display().to_string();
+        match form {
             (APPLICATION, VERSION) => Ok(()),
             (APPLICATION, found) if found > VERSION => Err(Error::input(
-                self.path.display().to_string(),
+                place,
                 format!("is a bench of form {found}, this tool knows {VERSION}"),
                 "install the release of this tool that wrote it",
             )),
-            (0, 0) if self.is_empty()? => self.create(),
             _ => Err(Error::input(
-                self.path.display().to_string(),
+                place,
                 "is a database, and no bench of records",
                 "name another file with --bench or CALIB_BENCH",
             )),
@@ -104,14 +135,20 @@ impl Bench {
         Ok(count == 0)
     }
 
+    /// Makes the tables in an empty file, unless another program has just done so.
     fn create(&self) -> Result<()> {
+        let failed = |error| self.failure(error);
+        let alone = TransactionBehavior::Immediate;
+        let transaction = Transaction::new_unchecked(&self.connection, alone).map_err(failed)?;
+        match self.form()? {
+            NEW if self.is_empty()? => {}
+            form => return self.check(form),
+        }
         let script = format!(
-            "BEGIN IMMEDIATE;\n{SCHEMA}\nPRAGMA application_id = {APPLICATION};\n\
-             PRAGMA user_version = {VERSION};\nCOMMIT;"
+            "{SCHEMA}\nPRAGMA application_id = {APPLICATION};\nPRAGMA user_version = {VERSION};"
         );
-        self.connection
-            .execute_batch(&script)
-            .map_err(|error| failure(&self.path, error))
+        transaction.execute_batch(&script).map_err(failed)?;
+        transaction.commit().map_err(failed)
     }
 
     /// The file.
@@ -187,6 +224,38 @@ mod tests {
         assert!(Bench::open_if_there(&path).expect("none").is_none());
         Bench::open(&path).expect("created");
         assert!(Bench::open_if_there(&path).expect("opened").is_some());
+    }
+
+    #[test]
+    fn who_only_reads_makes_no_bench() {
+        let folder = tempfile::tempdir().expect("folder");
+        let path = folder.path().join("bench.sqlite");
+        // A file cut down to nothing is a database to SQLite.
+        for content in [None, Some(""), Some("x")] {
+            if let Some(content) = content {
+                std::fs::write(&path, content).expect("written");
+            }
+            let error = Bench::open_existing(&path).err().expect("none");
+            assert!(error.to_string().contains("there is no bench"), "{error}");
+            let after = std::fs::read_to_string(&path).ok();
+            assert_eq!(after.as_deref(), content);
+        }
+        Bench::open(&path).expect("created");
+        assert!(Bench::open_existing(&path).is_ok());
+    }
+
+    #[test]
+    fn several_programs_may_make_the_bench_at_once() {
+        let folder = tempfile::tempdir().expect("folder");
+        for round in 0..20 {
+            let path = folder.path().join(format!("{round}.sqlite"));
+            std::thread::scope(|scope| {
+                let makers: Vec<_> = (0..4).map(|_| scope.spawn(|| Bench::open(&path))).collect();
+                for maker in makers {
+                    maker.join().expect("no panic").expect("a bench");
+                }
+            });
+        }
     }
 
     #[test]

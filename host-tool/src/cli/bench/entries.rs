@@ -70,7 +70,10 @@ struct Written {
 impl BenchVerb {
     /// Carries it out.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let bench = context.bench()?;
+        let bench = match &self.what {
+            What::Add { .. } => context.bench_to_add_to()?,
+            _ => context.bench()?,
+        };
         match self.what {
             What::Add { files } => add(context, bench, files),
             What::Records {

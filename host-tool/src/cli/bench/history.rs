@@ -1,6 +1,6 @@
 //! `calib history SERIAL`: drift over the years beside the uncertainty.
 
-use crate::cli::{Context, table::Table, time};
+use crate::cli::{Context, number::positive, table::Table, time};
 use calib_host::bench::History as Drift;
 use calib_host::{Error, Result};
 use clap::Args;
@@ -17,7 +17,7 @@ pub(crate) struct History {
     /// Serial number of the sensor.
     serial: String,
     /// Frequency to compare at, Hz.
-    #[arg(long, value_name = "HZ", default_value_t = 160.0)]
+    #[arg(long, value_name = "HZ", default_value_t = 160.0, value_parser = positive::<f64>)]
     frequency: f64,
 }
 

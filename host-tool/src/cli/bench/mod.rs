@@ -15,8 +15,13 @@ use calib_host::Result;
 use calib_host::bench::{Bench, default_path};
 
 impl Context {
-    /// The bench, created if it is not there.
+    /// The bench to look into.
     fn bench(&self) -> Result<Bench> {
+        Bench::open_existing(&self.bench_path())
+    }
+
+    /// The bench to add to, created if it is not there.
+    fn bench_to_add_to(&self) -> Result<Bench> {
         Bench::open(&self.bench_path())
     }
 

@@ -106,7 +106,10 @@ impl About {
 impl Sensors {
     /// Carries it out.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let bench = context.bench()?;
+        let bench = match &self.what {
+            What::Add { .. } | What::Import { .. } => context.bench_to_add_to()?,
+            _ => context.bench()?,
+        };
         let sensor = match self.what {
             What::List { text } => {
                 let sensors = bench.sensors(&text)?;
