@@ -4,17 +4,12 @@
 //! standard uncertainties to either side, and what the best set of effects
 //! says that difference should be.
 
+use super::axes::{Axes, HEIGHT, LEFT, WIDTH};
 use super::{escape, short};
-use crate::pictures::{Conditions, Datum, Residuals, Trace};
+use crate::pictures::{Conditions, Datum, Residuals};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-const WIDTH: f64 = 860.0;
-const HEIGHT: f64 = 300.0;
-const LEFT: f64 = 78.0;
-const RIGHT: f64 = 835.0;
-const TOP: f64 = 14.0;
-const BOTTOM: f64 = 256.0;
 /// Plots of a report.
 const MOST_PLOTS: usize = 4;
 
@@ -63,21 +58,9 @@ pub(super) fn curves(page: &mut String, residuals: &Residuals, level_axis: bool)
         let data: Vec<&Datum> = residuals.data.iter().filter(|d| d.slot == at).collect();
         let level = level_axis && rank == 0;
         if level {
-            plot(
-                page,
-                residuals,
-                &data,
-                at,
-                ("level in m/s\u{b2}", |r| r.level_ms2),
-            );
+            Plot::new(residuals, &data, LEVEL).draw(page, slot(at));
         }
-        plot(
-            page,
-            residuals,
-            &data,
-            at,
-            ("frequency in Hz", |r| r.frequency_hz),
-        );
+        Plot::new(residuals, &data, FREQUENCY).draw(page, slot(at));
     }
 }
 
@@ -102,186 +85,118 @@ fn clearest(residuals: &Residuals) -> Vec<usize> {
     chosen
 }
 
+/// What a plot is drawn over: its words, and the value of a row.
 type Abscissa = (&'static str, fn(&Conditions) -> f64);
+const LEVEL: Abscissa = ("level in m/s\u{b2}", |r| r.level_ms2);
+const FREQUENCY: Abscissa = ("frequency in Hz", |r| r.frequency_hz);
 
-fn plot(page: &mut String, residuals: &Residuals, data: &[&Datum], at: usize, x: Abscissa) {
-    let (name, unit, factor) = slot(at);
-    let at_x = |d: &Datum| x.1(&residuals.rows[d.row]);
-    let drawn: Vec<&Datum> = data
-        .iter()
-        .copied()
-        .filter(|d| at_x(d).is_finite() && at_x(d) > 0.0)
-        .collect();
-    let range = |values: &mut dyn Iterator<Item = f64>| {
-        values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
-            (a.min(v), b.max(v))
-        })
-    };
-    let (low, high) = range(&mut drawn.iter().map(|d| at_x(d)));
-    let (bottom, top) = range(&mut drawn.iter().flat_map(|d| {
-        let model = d.before - d.after;
-        [d.before - 2.0 * d.u, d.before + 2.0 * d.u, model].map(|v| v * factor)
-    }));
-    if drawn.is_empty() || high <= low || top <= bottom {
-        return;
-    }
-    // So that no mark touches the frame.
-    let margin = 0.04 * (top - bottom);
-    let (bottom, top) = (bottom - margin, top + margin);
-    let to_x = |v: f64| LEFT + (RIGHT - LEFT) * (v / low).ln() / (high / low).ln();
-    let to_y = |v: f64| BOTTOM - (BOTTOM - TOP) * (v * factor - bottom) / (top - bottom);
-    let _ = write!(
-        page,
-        "<svg class=plot viewBox='0 0 {WIDTH} {HEIGHT}' role=img aria-label='{}'>",
-        escape(&name)
-    );
-    axes(page, (low, high), (bottom, top), to_x);
-    for d in &drawn {
-        let (px, py) = (to_x(at_x(d)), to_y(d.before));
-        let (up, down) = (to_y(d.before + 2.0 * d.u), to_y(d.before - 2.0 * d.u));
-        let row = &residuals.rows[d.row];
-        let class = if row.held_out { "held" } else { "dot" };
-        let _ = write!(
-            page,
-            "<path class=whisker d='M{px:.1} {up:.1}V{down:.1}'/><circle class={class} cx={px:.1} cy={py:.1} r=3><title>{} Hz: {} {unit}</title></circle>",
-            short(row.frequency_hz),
-            short(d.before * factor)
-        );
-    }
-    lines(page, residuals, &drawn, |d| {
-        (to_x(at_x(d)), to_y(d.before - d.after))
-    });
-    let _ = write!(
-        page,
-        "<text x={LEFT} y={}>{} in {unit}, over {}</text></svg>",
-        HEIGHT - 4.0,
-        escape(&name),
-        x.0
-    );
+/// Data of one slot over one condition.
+struct Plot<'a> {
+    residuals: &'a Residuals,
+    data: Vec<&'a Datum>,
+    over: Abscissa,
 }
 
-/// What the cause predicts: a cross per row, joined within rows of the same condition.
-fn lines(
-    page: &mut String,
-    residuals: &Residuals,
-    data: &[&Datum],
-    place: impl Fn(&Datum) -> (f64, f64),
-) {
-    let mut groups: BTreeMap<String, Vec<(f64, f64)>> = BTreeMap::new();
-    for datum in data {
-        let r = &residuals.rows[datum.row];
-        let key = format!(
-            "{} {} {} {:.4} {:.1e}",
-            r.run, r.rotation_deg, r.tilt_deg, r.payload_kg, r.level_ms2
-        );
-        groups.entry(key).or_default().push(place(datum));
+impl<'a> Plot<'a> {
+    fn new(residuals: &'a Residuals, data: &[&'a Datum], over: Abscissa) -> Self {
+        let at = |d: &Datum| over.1(&residuals.rows[d.row]);
+        let drawn = data.iter().copied();
+        Self {
+            residuals,
+            data: drawn.filter(|d| at(d).is_finite() && at(d) > 0.0).collect(),
+            over,
+        }
     }
-    for points in groups.values_mut() {
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        for (x, y) in points.iter() {
+
+    /// Value of the condition a datum was taken at.
+    fn at(&self, datum: &Datum) -> f64 {
+        self.over.1(&self.residuals.rows[datum.row])
+    }
+
+    /// Draws it, if it spans anything, with the name of the slot, its unit and the factor to that unit.
+    fn draw(&self, page: &mut String, (name, unit, factor): (String, &str, f64)) {
+        let marks = self.data.iter().flat_map(|d| {
+            let model = d.before - d.after;
+            [d.before - 2.0 * d.u, d.before + 2.0 * d.u, model].map(|v| v * factor)
+        });
+        let Some(axes) = Axes::over(self.data.iter().map(|d| self.at(d)), marks) else {
+            return;
+        };
+        let place = |d: &Datum, value: f64| (axes.to_x(self.at(d)), axes.to_y(value * factor));
+        let _ = write!(
+            page,
+            "<svg class=plot viewBox='0 0 {WIDTH} {HEIGHT}' role=img aria-label='{}'>",
+            escape(&name)
+        );
+        axes.draw(page);
+        self.draw_data(page, place, |v| format!("{} {unit}", short(v * factor)));
+        self.draw_model(page, |d| place(d, d.before - d.after));
+        let _ = write!(
+            page,
+            "<text x={LEFT} y={}>{} in {unit}, over {}</text></svg>",
+            HEIGHT - 4.0,
+            escape(&name),
+            self.over.0
+        );
+    }
+
+    /// A dot for each datum, with two standard uncertainties to either side.
+    fn draw_data(
+        &self,
+        page: &mut String,
+        place: impl Fn(&Datum, f64) -> (f64, f64),
+        words: impl Fn(f64) -> String,
+    ) {
+        for d in &self.data {
+            let (px, py) = place(d, d.before);
+            let up = place(d, d.before + 2.0 * d.u).1;
+            let down = place(d, d.before - 2.0 * d.u).1;
+            let row = &self.residuals.rows[d.row];
+            let class = if row.held_out { "held" } else { "dot" };
             let _ = write!(
                 page,
-                "<path class=cross d='M{:.1} {y:.1}h6M{x:.1} {:.1}v6'/>",
-                x - 3.0,
-                y - 3.0
+                "<path class=whisker d='M{px:.1} {up:.1}V{down:.1}'/><circle class={class} cx={px:.1} cy={py:.1} r=3><title>{} Hz: {}</title></circle>",
+                short(row.frequency_hz),
+                words(d.before)
             );
         }
-        // Several levels at one frequency make a line meaningless.
-        let one_each = points.windows(2).all(|w| w[1].0 - w[0].0 > 0.5);
-        if one_each && points.len() > 2 {
-            page.push_str("<polyline class=model points='");
-            for (x, y) in points.iter() {
-                let _ = write!(page, "{x:.1},{y:.1} ");
-            }
-            page.push_str("'/>");
+    }
+
+    /// What the cause predicts: a cross per row, joined within rows of the same condition.
+    fn draw_model(&self, page: &mut String, place: impl Fn(&Datum) -> (f64, f64)) {
+        let mut groups: BTreeMap<String, Vec<(f64, f64)>> = BTreeMap::new();
+        for datum in &self.data {
+            let r = &self.residuals.rows[datum.row];
+            let key = format!(
+                "{} {} {} {:.4} {:.1e}",
+                r.run, r.rotation_deg, r.tilt_deg, r.payload_kg, r.level_ms2
+            );
+            groups.entry(key).or_default().push(place(datum));
+        }
+        for mut points in groups.into_values() {
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            line(page, &points);
         }
     }
 }
 
-fn axes(page: &mut String, x: (f64, f64), y: (f64, f64), to_x: impl Fn(f64) -> f64) {
-    for value in decades(x.0, x.1) {
-        let at = to_x(value);
+/// Crosses in ascending order, and the line through them.
+fn line(page: &mut String, points: &[(f64, f64)]) {
+    for (x, y) in points {
         let _ = write!(
             page,
-            "<path class=grid d='M{at:.1} {TOP}V{BOTTOM}'/><text class=mid x={at:.1} y={}>{}</text>",
-            BOTTOM + 15.0,
-            short(value)
+            "<path class=cross d='M{:.1} {y:.1}h6M{x:.1} {:.1}v6'/>",
+            x - 3.0,
+            y - 3.0
         );
     }
-    let step = nice((y.1 - y.0) / 5.0);
-    let mut value = (y.0 / step).ceil() * step;
-    while value <= y.1 {
-        let at = BOTTOM - (BOTTOM - TOP) * (value - y.0) / (y.1 - y.0);
-        let class = if value.abs() < 0.5 * step {
-            "zero"
-        } else {
-            "grid"
-        };
-        let shown = if value.abs() < 0.5 * step { 0.0 } else { value };
-        let _ = write!(
-            page,
-            "<path class={class} d='M{LEFT} {at:.1}H{RIGHT}'/><text class=end x={} y={:.1}>{}</text>",
-            LEFT - 6.0,
-            at + 4.0,
-            short(shown)
-        );
-        value += step;
-    }
-}
-
-/// 1, 2 and 5 of each decade within the range.
-fn decades(low: f64, high: f64) -> Vec<f64> {
-    let first = low.log10().floor() as i32;
-    let last = high.log10().ceil() as i32;
-    (first..=last)
-        .flat_map(|decade| [1.0, 2.0, 5.0].map(|m| m * 10.0_f64.powi(decade)))
-        .filter(|v| (low * 0.999..=high * 1.001).contains(v))
-        .collect()
-}
-
-fn nice(step: f64) -> f64 {
-    let decade = 10.0_f64.powf(step.log10().floor());
-    let of = [1.0, 2.0, 5.0, 10.0];
-    of.iter()
-        .map(|m| m * decade)
-        .find(|v| *v >= step)
-        .unwrap_or(10.0 * decade)
-}
-
-/// Writes the error of a record over time, before and after.
-pub(super) fn trace(page: &mut String, trace: &Trace) {
-    page.push_str("<h2>Which: what is left of the held-out record</h2><p class=small>Grey: measured output. Red: measured minus the linear simulation. Blue: with the named terms added.</p>");
-    let all = trace.measured.iter().chain(&trace.before);
-    let largest = all.fold(1e-30_f64, |m, v| m.max(v.abs()));
-    let count = trace.measured.len().max(2) as f64;
-    let _ = write!(
-        page,
-        "<svg class=plot viewBox='0 0 {WIDTH} {HEIGHT}' role=img aria-label='error over time'>"
-    );
-    let seconds = count * trace.interval_s;
-    for (class, values) in [
-        ("measured", &trace.measured),
-        ("was", &trace.before),
-        ("model", &trace.after),
-    ] {
-        let _ = write!(page, "<polyline class={class} points='");
-        for (at, value) in values.iter().enumerate() {
-            let x = LEFT + (RIGHT - LEFT) * at as f64 / count;
-            let y = 0.5 * (TOP + BOTTOM) - 0.5 * (BOTTOM - TOP) * value / largest;
+    // Several levels at one frequency make a line meaningless.
+    let one_each = points.windows(2).all(|w| w[1].0 - w[0].0 > 0.5);
+    if one_each && points.len() > 2 {
+        page.push_str("<polyline class=model points='");
+        for (x, y) in points {
             let _ = write!(page, "{x:.1},{y:.1} ");
         }
         page.push_str("'/>");
     }
-    let _ = write!(
-        page,
-        "<text class=end x={} y={}>{}</text><text class=end x={} y={}>-{}</text><text x={LEFT} y={}>output over {} s</text></svg>",
-        LEFT - 6.0,
-        TOP + 8.0,
-        short(largest),
-        LEFT - 6.0,
-        BOTTOM,
-        short(largest),
-        HEIGHT - 4.0,
-        short(seconds)
-    );
 }

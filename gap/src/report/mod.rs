@@ -3,11 +3,13 @@
 //! ```text
 //! first    what a reader without training sees, with [`chain`] and words from [`plain`]
 //! map      residuals over frequency, level and condition
-//! curve    the most probable cause's curve through the data
+//! curve    the most probable cause's curve through the data; axes: the frame of a plot
+//! trace    of a record, the error over time
 //! confirmed  what the simulator says once it has the cause
 //! tables   the numbers
 //! ```
 
+mod axes;
 mod chain;
 mod confirmed;
 mod curve;
@@ -15,6 +17,7 @@ mod first;
 mod map;
 mod plain;
 mod tables;
+mod trace;
 
 use crate::answer::{Answer, Verdict};
 use crate::pictures::Pictures;
@@ -88,7 +91,7 @@ fn one(page: &mut String, answer: &Answer) {
         }
         Pictures::Record(trace) => {
             tables::places(page, answer);
-            curve::trace(page, trace);
+            trace::trace(page, trace);
         }
     }
     tables::causes(page, answer);
