@@ -6,6 +6,8 @@ use std::fmt::Write;
 
 /// An effect smaller than this, with its form known, is not asked for by name.
 const VISIBLE_SIGMA: f64 = 6.0;
+/// Probability from which a set is possible.
+const POSSIBLE: f64 = 0.05;
 /// A substitute that leaves less is as good as the truth.
 const LEFT_SIGMA: f64 = 3.0;
 
@@ -22,62 +24,93 @@ fn quantile(values: &mut [f64], at: f64) -> f64 {
         .unwrap_or(f64::NAN)
 }
 
-/// Rates of a stratum: name, hits, cases.
-fn rates(stratum: &str, all: &[Outcome]) -> Vec<(&'static str, (usize, usize))> {
-    let every: Vec<&Outcome> = all.iter().collect();
-    let visible: Vec<&Outcome> = all.iter().filter(|o| o.sigma > VISIBLE_SIGMA).collect();
-    let left: Vec<&Outcome> = all.iter().filter(|o| o.left_sigma > LEFT_SIGMA).collect();
-    let top = |o: &Outcome| o.place().is_some_and(|p| p.0 == 0);
-    let covered = |o: &Outcome| o.place().is_some_and(|p| p.1 > 0.05);
-    let listed = |o: &Outcome| {
-        o.answer
-            .causes
-            .iter()
-            .filter(|c| c.probability > 0.05)
-            .count()
+/// A rate: its name, hits and cases.
+type Rate = (&'static str, (usize, usize));
+
+/// The cases of a stratum by what may be asked of them.
+struct Cases<'a> {
+    every: Vec<&'a Outcome>,
+    /// Those whose effect stands out of the noise.
+    visible: Vec<&'a Outcome>,
+    /// Those of which any substitute leaves something.
+    left: Vec<&'a Outcome>,
+}
+
+/// Rates of a stratum.
+fn rates(stratum: &str, all: &[Outcome]) -> Vec<Rate> {
+    let cases = Cases {
+        every: all.iter().collect(),
+        visible: all.iter().filter(|o| o.sigma > VISIBLE_SIGMA).collect(),
+        left: all.iter().filter(|o| o.left_sigma > LEFT_SIGMA).collect(),
     };
     match stratum {
-        "null" | "off2u" => vec![("false alarm", share(&every, |o| !o.is(Verdict::NoGap)))],
-        "ratio" => vec![
-            ("covered, visible", share(&visible, covered)),
-            ("covered, all", share(&every, covered)),
-            ("at most 4 sets", share(&visible, |o| listed(o) <= 4)),
-            (
-                "several sets called ambiguous",
-                share(
-                    &visible
-                        .iter()
-                        .copied()
-                        .filter(|o| listed(o) > 1)
-                        .collect::<Vec<_>>(),
-                    |o| o.is(Verdict::Ambiguous) || o.answer.causes[0].probability > 0.8,
-                ),
-            ),
-        ],
-        "withheld" => vec![
-            (
-                "unexplained, > 3 sigma left",
-                share(&left, |o| o.is(Verdict::Unexplained)),
-            ),
-            (
-                "stage among first two, > 3 sigma left",
-                share(&left, Outcome::stage_found),
-            ),
-            (
-                "no answer claimed, all",
-                share(&every, |o| o.is(Verdict::Unexplained)),
-            ),
-        ],
-        _ => vec![
-            ("top 1, visible", share(&visible, top)),
-            ("in set > 5 %, visible", share(&visible, covered)),
-            ("top 1, all", share(&every, top)),
-            (
-                "called unexplained, visible",
-                share(&visible, |o| o.is(Verdict::Unexplained)),
-            ),
-        ],
+        "null" | "off2u" => vec![(
+            "false alarm",
+            share(&cases.every, |o| !o.is(Verdict::NoGap)),
+        )],
+        "ratio" => rates_of_ratios(&cases),
+        "withheld" => rates_of_withheld(&cases),
+        _ => rates_of_named(&cases),
     }
+}
+
+/// Where only the ratio was measured: the truth among few sets, and no more certainty than there is.
+fn rates_of_ratios(cases: &Cases<'_>) -> Vec<Rate> {
+    let listed = |o: &Outcome| {
+        let causes = o.answer.causes.iter();
+        causes.filter(|c| c.probability > POSSIBLE).count()
+    };
+    let several = cases.visible.iter().copied().filter(|o| listed(o) > 1);
+    vec![
+        ("covered, visible", share(&cases.visible, is_covered)),
+        ("covered, all", share(&cases.every, is_covered)),
+        ("at most 4 sets", share(&cases.visible, |o| listed(o) <= 4)),
+        (
+            "several sets called ambiguous",
+            share(&several.collect::<Vec<_>>(), |o| {
+                o.is(Verdict::Ambiguous) || o.answer.causes[0].probability > 0.8
+            }),
+        ),
+    ]
+}
+
+/// Where the library lacks the effect: no name for it, and the right part of the chain.
+fn rates_of_withheld(cases: &Cases<'_>) -> Vec<Rate> {
+    let unexplained = |o: &Outcome| o.is(Verdict::Unexplained);
+    vec![
+        (
+            "unexplained, > 3 sigma left",
+            share(&cases.left, unexplained),
+        ),
+        (
+            "stage among first two, > 3 sigma left",
+            share(&cases.left, Outcome::stage_found),
+        ),
+        ("no answer claimed, all", share(&cases.every, unexplained)),
+    ]
+}
+
+/// Where the library has the effects: their names.
+fn rates_of_named(cases: &Cases<'_>) -> Vec<Rate> {
+    vec![
+        ("top 1, visible", share(&cases.visible, is_first)),
+        ("in set > 5 %, visible", share(&cases.visible, is_covered)),
+        ("top 1, all", share(&cases.every, is_first)),
+        (
+            "called unexplained, visible",
+            share(&cases.visible, |o| o.is(Verdict::Unexplained)),
+        ),
+    ]
+}
+
+/// Whether the truth is the most probable set.
+fn is_first(outcome: &Outcome) -> bool {
+    outcome.place().is_some_and(|p| p.0 == 0)
+}
+
+/// Whether the truth is among the possible sets.
+fn is_covered(outcome: &Outcome) -> bool {
+    outcome.place().is_some_and(|p| p.1 > POSSIBLE)
 }
 
 /// Detection and naming over size: decade of sigma, cases, detected, named, detected at best.
@@ -89,7 +122,7 @@ fn curve(all: &[Outcome]) -> Vec<(f64, f64, usize, usize, usize, usize)> {
             .filter(|o| (edge[0]..edge[1]).contains(&o.sigma))
             .collect();
         let detected = share(&inside, |o| !o.is(Verdict::NoGap)).0;
-        let named = share(&inside, |o| o.place().is_some_and(|p| p.0 == 0)).0;
+        let named = share(&inside, is_first).0;
         // One parameter at 1 % false alarm: the likelihood ratio needs 2.6 sigma.
         let best = share(&inside, |o| o.sigma > 2.576).0;
         (edge[0], edge[1], inside.len(), detected, named, best)
@@ -103,7 +136,7 @@ fn calibration_error(all: &[Outcome]) -> f64 {
     for outcome in all.iter().filter(|o| o.sigma > VISIBLE_SIGMA) {
         if let Some(first) = outcome.answer.causes.first() {
             let bin = &mut bins[((first.probability * 10.0) as usize).min(9)];
-            let right = outcome.place().is_some_and(|p| p.0 == 0);
+            let right = is_first(outcome);
             *bin = (
                 bin.0 + first.probability,
                 bin.1 + f64::from(u8::from(right)),
