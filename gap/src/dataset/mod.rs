@@ -6,15 +6,25 @@
 //!   points.csv   steady-state sine points   (kind = "calibrator")
 //!   record.csv   input and output over time (kind = "oscillator")
 //! ```
+//!
+//! ```text
+//! rig, rig_file     what a rig.toml says, and how it is read
+//! points            reads points.csv: layout of its columns, cells of a row, point; range of a column
+//! record            reads record.csv
+//! contradiction     whether rig and table can belong together
+//! ```
 
+mod cells;
 mod contradiction;
+mod layout;
+mod point;
 mod points;
 mod range;
 mod record;
 mod rig;
 mod rig_file;
 
-pub(crate) use points::{Harmonic, Point};
+pub(crate) use point::{Harmonic, Point};
 pub(crate) use record::Record;
 pub(crate) use rig::{Exciter, Kind, Measurand, Quantity, Repeatability, Rig, Transducer};
 

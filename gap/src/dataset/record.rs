@@ -31,20 +31,8 @@ pub(super) fn read(input: impl Read) -> Result<Record, GapError> {
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .from_reader(input);
-    let header = reader.headers().map_err(|e| table(e.to_string()))?.clone();
-    if let Some(unknown) = header.iter().find(|name| !COLUMNS.contains(name)) {
-        return Err(table(format!(
-            "unknown column \"{unknown}\"; a record has {}",
-            COLUMNS.join(", ")
-        )));
-    }
-    let mut index = [0; 3];
-    for (slot, name) in index.iter_mut().zip(COLUMNS) {
-        *slot = header
-            .iter()
-            .position(|h| h == name)
-            .ok_or_else(|| table(format!("column {name} is missing")))?;
-    }
+    let header = reader.headers().map_err(|e| table(e.to_string()))?;
+    let index = places(header)?;
     let mut columns: [Vec<f64>; 3] = Default::default();
     let mut row = csv::StringRecord::new();
     while reader
@@ -58,14 +46,7 @@ pub(super) fn read(input: impl Read) -> Result<Record, GapError> {
             )));
         }
         for ((column, &at), name) in columns.iter_mut().zip(&index).zip(COLUMNS) {
-            let text = row.get(at).unwrap_or("");
-            let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
-            column.push(value.ok_or_else(|| GapError::Cell {
-                file: FILE,
-                line,
-                column: name.into(),
-                problem: format!("\"{text}\" is not a finite number"),
-            })?);
+            column.push(value(row.get(at).unwrap_or(""), line, name)?);
         }
     }
     let [time, input, output] = columns;
@@ -79,6 +60,35 @@ pub(super) fn read(input: impl Read) -> Result<Record, GapError> {
     })
 }
 
+/// Where each of [`COLUMNS`] stands.
+fn places(header: &csv::StringRecord) -> Result<[usize; 3], GapError> {
+    if let Some(unknown) = header.iter().find(|name| !COLUMNS.contains(name)) {
+        return Err(table(format!(
+            "unknown column \"{unknown}\"; a record has {}",
+            COLUMNS.join(", ")
+        )));
+    }
+    let mut index = [0; 3];
+    for (slot, name) in index.iter_mut().zip(COLUMNS) {
+        *slot = header
+            .iter()
+            .position(|h| h == name)
+            .ok_or_else(|| table(format!("column {name} is missing")))?;
+    }
+    Ok(index)
+}
+
+fn value(text: &str, line: usize, column: &str) -> Result<f64, GapError> {
+    let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
+    value.ok_or_else(|| GapError::Cell {
+        file: FILE,
+        line,
+        column: column.into(),
+        problem: format!("\"{text}\" is not a finite number"),
+    })
+}
+
+/// Time between two samples, in s.
 fn interval(time_s: &[f64]) -> Result<f64, GapError> {
     if time_s.len() < 100 {
         return Err(table(format!(

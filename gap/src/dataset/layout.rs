@@ -1,0 +1,110 @@
+//! Columns of a `points.csv`, and the values in one of its rows.
+
+use super::range::{Range, columns};
+use crate::error::GapError;
+use std::collections::HashMap;
+
+/// Name of the table.
+pub(super) const FILE: &str = "points.csv";
+
+/// Where each column stands.
+pub(super) struct Layout {
+    /// Name, range and place of each known column.
+    pub(super) columns: Vec<(String, Range, usize)>,
+    /// Place of the label of the run.
+    pub(super) run: Option<usize>,
+}
+
+impl Layout {
+    pub(super) fn new(header: &csv::StringRecord) -> Result<Self, GapError> {
+        let known = columns();
+        let (mut columns, mut run) = (Vec::<(String, Range, usize)>::new(), None);
+        for (at, name) in header.iter().enumerate() {
+            let name = name.trim_start_matches('\u{feff}');
+            if columns.iter().any(|c| c.0 == name) || (name == "run" && run.is_some()) {
+                return Err(table(format!("column {name} appears twice")));
+            }
+            if name == "run" {
+                run = Some(at);
+            } else if let Some((_, range)) = known.iter().find(|(n, _)| n == name) {
+                columns.push((name.to_owned(), *range, at));
+            } else {
+                let nearest = known
+                    .iter()
+                    .map(|(n, _)| n)
+                    .min_by_key(|n| distance(n, name));
+                let hint =
+                    nearest.map_or(String::new(), |n| format!("; the nearest known one is {n}"));
+                return Err(table(format!("unknown column \"{name}\"{hint}")));
+            }
+        }
+        if !columns.iter().any(|c| c.0 == "frequency_hz") {
+            return Err(table(
+                "column frequency_hz is missing; it is the one every table needs".into(),
+            ));
+        }
+        Ok(Self { columns, run })
+    }
+
+    /// Names of the columns that held values.
+    pub(super) fn names(&self, used: &[bool]) -> Vec<String> {
+        let used = self.columns.iter().zip(used).filter(|(_, used)| **used);
+        let names = used.map(|((name, ..), _)| name.clone());
+        names.chain(self.run.map(|_| "run".to_owned())).collect()
+    }
+
+    /// Values of a row by column; marks the columns that have one as used.
+    pub(super) fn parse<'a>(
+        &'a self,
+        row: &csv::StringRecord,
+        used: &mut [bool],
+    ) -> Result<HashMap<&'a str, f64>, GapError> {
+        let line = row.position().map_or(0, |p| p.line() as usize);
+        let mut values = HashMap::with_capacity(self.columns.len());
+        for ((name, range, at), used) in self.columns.iter().zip(used) {
+            let text = row.get(*at).unwrap_or("");
+            if text.is_empty() {
+                continue;
+            }
+            let cell = |problem: String| GapError::Cell {
+                file: FILE,
+                line,
+                column: name.clone(),
+                problem,
+            };
+            let value: f64 = text.parse().map_err(|_| {
+                cell(format!(
+                    "\"{text}\" is not a number; the decimal mark is a point"
+                ))
+            })?;
+            if !value.is_finite() {
+                return Err(cell(format!(
+                    "\"{text}\" is not finite; leave the cell empty if nothing was measured"
+                )));
+            }
+            if let Some(problem) = range.problem(value) {
+                return Err(cell(format!(
+                    "{text} {problem}; leave the cell empty if nothing was measured"
+                )));
+            }
+            values.insert(name.as_str(), value);
+            *used = true;
+        }
+        Ok(values)
+    }
+}
+
+/// Number of characters that differ, for the hint after a misspelt column.
+fn distance(a: &str, b: &str) -> usize {
+    let common =
+        a.chars().filter(|c| b.contains(*c)).count() + b.chars().filter(|c| a.contains(*c)).count();
+    (a.len() + b.len()).saturating_sub(common)
+}
+
+/// A problem of the table as a whole.
+pub(super) fn table(problem: String) -> GapError {
+    GapError::Table {
+        file: FILE,
+        problem,
+    }
+}
