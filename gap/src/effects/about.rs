@@ -89,11 +89,8 @@ impl Parameter {
         upper: f64,
     ) -> Self {
         Self {
-            name,
-            unit,
-            lower,
-            upper,
             scale: Scale::Log,
+            ..Self::linear(name, unit, lower, upper)
         }
     }
 }

@@ -22,38 +22,18 @@ pub(super) struct Adc {
 }
 
 impl Adc {
-    pub(super) const CUBIC_REF: Self = Self {
-        bend: Bend::Cubic,
-        channel: 0,
-    };
-    pub(super) const CUBIC_DUT: Self = Self {
-        bend: Bend::Cubic,
-        channel: 1,
-    };
-    pub(super) const QUADRATIC_REF: Self = Self {
-        bend: Bend::Quadratic,
-        channel: 0,
-    };
-    pub(super) const QUADRATIC_DUT: Self = Self {
-        bend: Bend::Quadratic,
-        channel: 1,
-    };
-    pub(super) const DEAD_ZONE_REF: Self = Self {
-        bend: Bend::DeadZone,
-        channel: 0,
-    };
-    pub(super) const DEAD_ZONE_DUT: Self = Self {
-        bend: Bend::DeadZone,
-        channel: 1,
-    };
-    pub(super) const CLIPPING_REF: Self = Self {
-        bend: Bend::Clipping,
-        channel: 0,
-    };
-    pub(super) const CLIPPING_DUT: Self = Self {
-        bend: Bend::Clipping,
-        channel: 1,
-    };
+    pub(super) const CUBIC_REF: Self = Self::of(Bend::Cubic, 0);
+    pub(super) const CUBIC_DUT: Self = Self::of(Bend::Cubic, 1);
+    pub(super) const QUADRATIC_REF: Self = Self::of(Bend::Quadratic, 0);
+    pub(super) const QUADRATIC_DUT: Self = Self::of(Bend::Quadratic, 1);
+    pub(super) const DEAD_ZONE_REF: Self = Self::of(Bend::DeadZone, 0);
+    pub(super) const DEAD_ZONE_DUT: Self = Self::of(Bend::DeadZone, 1);
+    pub(super) const CLIPPING_REF: Self = Self::of(Bend::Clipping, 0);
+    pub(super) const CLIPPING_DUT: Self = Self::of(Bend::Clipping, 1);
+
+    const fn of(bend: Bend, channel: usize) -> Self {
+        Self { bend, channel }
+    }
 
     fn characteristic(&self, p: f64) -> Characteristic {
         match self.bend {

@@ -1,7 +1,7 @@
 //! Errors of a simulation on rows that took no part, observable by observable.
 
 use super::fit::Fit;
-use super::gap::ObservableGap;
+use super::gap::{ObservableGap, closed_share};
 use super::problem::Problem;
 use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
 
@@ -107,10 +107,10 @@ impl Compared {
         [self.before, self.after].map(|errors| (errors.chi / data).sqrt())
     }
 
-    /// Share of the gap that is closed; far worse counts as ninefold.
+    /// Share of the gap that is closed.
     pub(super) fn share(&self) -> f64 {
         let [before, after, floor] = self.percent();
-        ((before - after) / (before - floor)).clamp(-9.0, 1.0)
+        closed_share(before, after, floor)
     }
 
     /// Chi-square of the plain simulation beyond what noise leaves.

@@ -54,6 +54,11 @@ pub struct Gap {
     pub by_band: Vec<Slice>,
 }
 
+/// Share of a gap that is closed: 1 where nothing but noise is left; far worse counts as ninefold.
+pub(crate) fn closed_share(before: f64, after: f64, floor: f64) -> f64 {
+    ((before - after) / (before - floor)).clamp(-9.0, 1.0)
+}
+
 /// Gap on one level or band that took no part in the fit.
 ///
 /// Of points: fitted to the rows of all other levels (bands). Of a record: the

@@ -34,37 +34,22 @@ fn column(
         weight: &evaluation.weight,
         unit,
     };
-    let in_run = |run: usize, sign: f64| {
-        move |row: usize| {
-            if problem.rows[row].run == run {
-                sign
-            } else {
-                0.0
-            }
-        }
-    };
-    let exciter = |observable: usize, i: usize| {
-        move |row: usize| match &responses.exciter[row] {
-            Some(slopes) => slopes[observable][i],
-            None => Complex64::ZERO,
-        }
-    };
     let mut parts = match free.kind {
         Nuisance::RatioGain => vec![at.part(RATIO, |_| 1.0)],
         Nuisance::DriveGain => vec![at.part(DRIVE, |_| 1.0)],
-        Nuisance::RunDut(run) => vec![at.part(RATIO, in_run(run, 1.0))],
-        Nuisance::RunReference(run) => vec![
-            at.part(RATIO, in_run(run, -1.0)),
-            at.part(DRIVE, in_run(run, 1.0)),
-        ],
+        Nuisance::RunDut(run) => vec![at.in_run(RATIO, run, 1.0)],
+        Nuisance::RunReference(run) => {
+            vec![at.in_run(RATIO, run, -1.0), at.in_run(DRIVE, run, 1.0)]
+        }
         Nuisance::Exciter(i) => {
-            let (drive, current) = (exciter(0, i), exciter(1, i));
-            vec![
-                at.part(DRIVE, |row| drive(row).re),
-                at.part(DRIVE + 1, |row| drive(row).im),
-                at.part(CURRENT, |row| current(row).re),
-                at.part(CURRENT + 1, |row| current(row).im),
-            ]
+            let slope = |observable: usize| {
+                move |row: usize| match &responses.exciter[row] {
+                    Some(slopes) => slopes[observable][i],
+                    None => Complex64::ZERO,
+                }
+            };
+            let [drive, current] = [at.both(DRIVE, slope(0)), at.both(CURRENT, slope(1))];
+            drive.into_iter().chain(current).collect()
         }
         Nuisance::Noise(channel) => {
             vec![at.part(NOISE + channel, |row| responses.noise_share[row][channel])]
@@ -81,13 +66,35 @@ struct Place<'a> {
     unit: f64,
 }
 
+/// Values of a slot.
+type Part = (usize, Vec<f64>);
+
 impl Place<'_> {
-    /// Values of a slot: slope of each row, times unit and weight.
-    fn part(&self, slot: usize, slope: impl Fn(usize) -> f64) -> (usize, Vec<f64>) {
+    /// Slope of each row, times unit and weight.
+    fn part(&self, slot: usize, slope: impl Fn(usize) -> f64) -> Part {
         let range = self.problem.slots[slot].clone();
         let data = self.weight[range.clone()].iter();
         let values = data.zip(&self.problem.row_of[range]);
         let weighted = values.map(|(w, row)| self.unit * slope(*row) * w);
         (slot, weighted.collect())
+    }
+
+    /// The same slope in all rows of a run.
+    fn in_run(&self, slot: usize, run: usize, slope: f64) -> Part {
+        self.part(slot, |row| {
+            if self.problem.rows[row].run == run {
+                slope
+            } else {
+                0.0
+            }
+        })
+    }
+
+    /// Both parts of a complex slope.
+    fn both(&self, slot: usize, slope: impl Fn(usize) -> Complex64) -> [Part; 2] {
+        [
+            self.part(slot, |row| slope(row).re),
+            self.part(slot + 1, |row| slope(row).im),
+        ]
     }
 }

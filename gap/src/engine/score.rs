@@ -8,6 +8,7 @@ use crate::effects::library;
 const PRIOR_OF_MORE: f64 = 0.5;
 /// Difference of score by which an earlier entry of the library is preferred.
 const TIE: f64 = 1e-4;
+
 /// A refined set with its score, -2 ln of the (unnormalised) posterior probability.
 #[derive(Clone)]
 pub(crate) struct Scored {
@@ -24,14 +25,7 @@ pub(super) fn score(
     found: Vec<Fit>,
     allowed: &[bool],
 ) -> Vec<Scored> {
-    let mut names: Vec<&str> = library()
-        .iter()
-        .zip(allowed)
-        .filter(|(e, ok)| **ok && e.applies(&problem.facts))
-        .map(|(e, _)| e.about().id)
-        .collect();
-    names.dedup();
-    let per_name = 2.0 * (names.len().max(1) as f64 / PRIOR_OF_MORE).ln();
+    let per_name = 2.0 * (possible_names(problem, allowed).max(1) as f64 / PRIOR_OF_MORE).ln();
     let per_parameter = (problem.len() as f64).ln();
     let mut sets: Vec<Scored> = std::iter::once(nominal.clone())
         .chain(found)
@@ -63,6 +57,15 @@ pub(super) fn score(
     }
     normalise(&mut kept);
     kept
+}
+
+/// Names of the library that may stand in this problem.
+fn possible_names(problem: &Problem, allowed: &[bool]) -> usize {
+    let entries = library().iter().zip(allowed);
+    let possible = entries.filter(|(e, ok)| **ok && e.applies(&problem.facts));
+    let mut names: Vec<&str> = possible.map(|(e, _)| e.about().id).collect();
+    names.dedup();
+    names.len()
 }
 
 fn sorted(mut names: Vec<&'static str>) -> Vec<&'static str> {

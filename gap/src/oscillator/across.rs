@@ -5,7 +5,7 @@
 //! are split by frequency.
 
 use super::residual::rms;
-use crate::engine::gap::Slice;
+use crate::engine::gap::{Slice, closed_share};
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 
@@ -127,8 +127,7 @@ impl Errors<'_> {
             before_percent: before,
             after_percent: after,
             floor_percent: floor,
-            closed: (before > floor)
-                .then(|| ((before - after) / (before - floor)).clamp(-9.0, 1.0)),
+            closed: (before > floor).then(|| closed_share(before, after, floor)),
             chi_before: before / floor,
             chi_after: after / floor,
         }

@@ -7,7 +7,7 @@ use super::residual::{compared, rms};
 use super::run::Run;
 use super::validation::validation;
 use super::weigh::names_of;
-use crate::engine::gap::{Gap, ObservableGap};
+use crate::engine::gap::{Gap, ObservableGap, closed_share};
 use std::collections::BTreeMap;
 
 /// Errors on the held-out record before and after, and what is stated of them.
@@ -29,18 +29,7 @@ impl Scored {
         // The differences see the motion too where the record is sampled coarsely; noise is no
         // larger than what the errors' own past does not predict.
         let floor = noise_floor(held).min(unpredicted(&errors[1]));
-        let size = rms(&held.output);
-        let percent = |e: f64| 100.0 * e / size;
-        let closed =
-            (before > floor).then(|| ((before - after) / (before - floor)).clamp(-9.0, 1.0));
-        let observable = ObservableGap {
-            before_percent: percent(before),
-            after_percent: percent(after),
-            floor_percent: percent(floor),
-            closed,
-            chi_before: before / floor,
-            chi_after: after / floor,
-        };
+        let observable = observable([before, after], floor, rms(&held.output));
         let across = across::Errors {
             output: compared(&held.output),
             before: &errors[0],
@@ -56,7 +45,7 @@ impl Scored {
             before_percent: observable.before_percent,
             after_percent: observable.after_percent,
             floor_percent: observable.floor_percent,
-            closed,
+            closed: observable.closed,
             chi_before: observable.chi_before,
             chi_after: observable.chi_after,
             held_out_rows: errors[0].len(),
@@ -68,6 +57,19 @@ impl Scored {
             by_band,
         };
         Some(Self { gap, errors })
+    }
+}
+
+/// Gap of the output, r.m.s. before and after, beside its noise and its size.
+fn observable([before, after]: [f64; 2], floor: f64, size: f64) -> ObservableGap {
+    let percent = |e: f64| 100.0 * e / size;
+    ObservableGap {
+        before_percent: percent(before),
+        after_percent: percent(after),
+        floor_percent: percent(floor),
+        closed: (before > floor).then(|| closed_share(before, after, floor)),
+        chi_before: before / floor,
+        chi_after: after / floor,
     }
 }
 
