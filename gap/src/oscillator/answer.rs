@@ -1,0 +1,135 @@
+//! What an answer states of a record: verdict, place, what next, pictures.
+
+use super::estimates::linear_parameters;
+use super::grow::Step;
+use super::left::Parity;
+use super::model::TERMS;
+use super::residual::{compared, rms};
+use super::run::Run;
+use super::score::{self, Scored};
+use super::weigh::causes;
+use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where};
+use crate::effects::Stage;
+use crate::pictures::{Pictures, Trace};
+use crate::verdict::{conclude, hardly_separated};
+
+/// Share closed from which sets that do equally well are called ambiguous although what they
+/// leave is not white: the model error of a real oscillator.
+const NEARLY_ALL: f64 = 0.95;
+/// Samples of a stretch that is drawn.
+const MOST_DRAWN: usize = 4000;
+
+/// The answer to a record of which `part` was fitted and `held` was not.
+pub(super) fn answer(
+    steps: &[Step],
+    part: &Run,
+    held: &Run,
+    mut scored: Scored,
+    dataset: DatasetSummary,
+) -> Answer {
+    let last = &steps[steps.len() - 1];
+    let causes = causes(last, part, score::resonance_hz(&steps[0].fit));
+    let leading = causes.first().map(|c| c.probability);
+    let verdict = verdict(leading, last, &scored);
+    if verdict == Verdict::NoGap {
+        scored.gap.closed = None;
+    }
+    Answer {
+        verdict,
+        r#where: place(verdict, steps, held),
+        none_of_these_p_value: last.left.p_value,
+        confusable: hardly_separated(&causes, verdict),
+        next_measurement: next_measurement(verdict, &causes),
+        gap: scored.gap,
+        nominal_parameters: linear_parameters(&last.fit),
+        dataset,
+        confirmation: None,
+        pictures: trace(held, scored.errors),
+        causes,
+    }
+}
+
+fn verdict(leading: Option<f64>, last: &Step, scored: &Scored) -> Verdict {
+    let concluded = conclude(leading, last.left.p_value);
+    let tied = leading.is_some_and(|p| conclude(Some(p), 1.0) == Verdict::Ambiguous);
+    let nearly_all = scored.gap.closed.is_some_and(|c| c > NEARLY_ALL);
+    match concluded {
+        Verdict::Unexplained if tied && nearly_all => Verdict::Ambiguous,
+        other => other,
+    }
+}
+
+/// Where the linear oscillator and the record differ: by the set that was found, and by the parity of the traces.
+fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
+    if verdict == Verdict::NoGap {
+        return Vec::new();
+    }
+    let (first, last) = (&steps[0], &steps[steps.len() - 1]);
+    let strongest = |parity: Parity| {
+        let of = first.left.traces.iter().filter(|t| t.0 == parity);
+        of.fold(0.0_f64, |m, t| m.max(t.1.abs()))
+    };
+    let [odd, even, linear] = [Parity::Odd, Parity::Even, Parity::Linear].map(strongest);
+    let class = if linear > odd.max(even) {
+        "frequency"
+    } else if even < 0.1 * odd {
+        "odd"
+    } else if odd < 0.1 * even {
+        "even"
+    } else {
+        "odd and even"
+    };
+    let stage = last
+        .fit
+        .terms
+        .first()
+        .map_or(Stage::Dut, |t| TERMS[*t].stage);
+    vec![Where {
+        stage: stage.name(),
+        observable: "output",
+        axis: "amplitude",
+        from: 0.0,
+        to: score::peak(&held.output),
+        share: 1.0 - last.fit.square / first.fit.square,
+        p_value: first.left.p_value,
+        class,
+        shape: None,
+    }]
+}
+
+fn next_measurement(verdict: Verdict, causes: &[Cause]) -> String {
+    let how = |name: &str| {
+        let term = TERMS.iter().find(|t| t.name == name);
+        term.map_or("another record", |t| t.separate_by)
+    };
+    let last = |c: &Cause| c.effects.last().copied().unwrap_or_default();
+    match (verdict, causes) {
+        (Verdict::NoGap, _) => "none needed: repeat the record after the next change".into(),
+        (Verdict::Ambiguous, [first, second, ..]) => format!(
+            "to tell {} from {}: {}",
+            first.effects.join("+"),
+            second.effects.join("+"),
+            how(last(second))
+        ),
+        (Verdict::Explained, [first, ..]) => {
+            format!("to confirm {}: {}", last(first), how(last(first)))
+        }
+        _ => "a record of larger amplitude, and one of half the amplitude".into(),
+    }
+}
+
+/// The stretch in which the linear simulation errs most.
+fn trace(held: &Run, [before, after]: [Vec<f64>; 2]) -> Pictures {
+    let parts = before.chunks(MOST_DRAWN).map(rms).enumerate();
+    let worst = parts.max_by(|a, b| a.1.total_cmp(&b.1));
+    let from = worst.map_or(0, |w| w.0) * MOST_DRAWN;
+    let drawn = |values: &[f64]| -> Vec<f64> {
+        values.iter().skip(from).take(MOST_DRAWN).copied().collect()
+    };
+    Pictures::Record(Trace {
+        interval_s: held.interval_s,
+        measured: drawn(compared(&held.output)),
+        before: drawn(&before),
+        after: drawn(&after),
+    })
+}
