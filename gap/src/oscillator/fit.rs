@@ -62,11 +62,7 @@ pub(crate) fn refine(
     let mut damping = 1e-3;
     let (mut matrix, mut gradient) = here.normal(record, &free, scale)?;
     for _ in 0..steps {
-        let mut values = here.values;
-        let step = damped_step(&matrix, &gradient, damping)?;
-        for (&index, change) in free.iter().zip(step.iter()) {
-            values[index] += change;
-        }
+        let mut values = here.moved(&free, &damped_step(&matrix, &gradient, damping)?);
         if values.iter().any(|v| !v.is_finite()) {
             break;
         }
@@ -115,6 +111,15 @@ impl Place {
             square: left.iter().map(|r| r * r).sum(),
             left,
         })
+    }
+
+    /// The values a step further.
+    fn moved(&self, free: &[usize], step: &DVector<f64>) -> [f64; VALUES] {
+        let mut values = self.values;
+        for (&index, change) in free.iter().zip(step.iter()) {
+            values[index] += change;
+        }
+        values
     }
 
     /// Normal matrix and gradient against the free values.

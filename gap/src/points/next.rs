@@ -13,46 +13,55 @@ pub(super) fn next_measurement(
     left: &Structure,
     problem: &Problem,
 ) -> String {
-    let about = |id: &str| list().into_iter().find(|a| a.id == id);
-    match verdict {
-        Verdict::NoGap => "none needed: repeat the plan after the next change of the rig".into(),
-        Verdict::Explained => {
+    match (verdict, causes) {
+        (Verdict::NoGap, _) => {
+            "none needed: repeat the plan after the next change of the rig".into()
+        }
+        (Verdict::Explained, _) => {
             let first = causes.first().map_or("", |c| c.effects[0]);
             format!(
                 "to confirm {first}: {}",
-                about(first).map_or("repeat with another run", |a| a.separate_by)
+                separate_by(first).unwrap_or("repeat with another run")
             )
         }
-        Verdict::Ambiguous => match causes {
-            [first, second, ..] => {
-                let differing = first
-                    .effects
-                    .iter()
-                    .find(|e| !second.effects.contains(*e))
-                    .unwrap_or(&first.effects[0]);
-                let how = about(differing).map_or("more points", |a| a.separate_by);
-                format!(
-                    "to tell {} from {}: {how}",
-                    first.effects.join("+"),
-                    second.effects.join("+")
-                )
-            }
-            _ => "repeat the points with the smallest probability of noise in another run".into(),
-        },
-        Verdict::Unexplained => {
-            let worst = left
-                .outcomes
-                .iter()
-                .max_by(|a, b| a.z.abs().total_cmp(&b.z.abs()));
-            let (name, axis) =
-                worst.map_or(("ratio", "frequency_hz"), |w| (observable(w.slot), w.axis));
-            let band = (problem.facts.lowest_hz, problem.facts.highest_hz);
-            format!(
-                "more points of {name} along {axis} between {} Hz and {} Hz, in at least two runs",
-                band.0, band.1
-            )
+        (Verdict::Ambiguous, [first, second, ..]) => to_tell(first, second),
+        (Verdict::Ambiguous, _) => {
+            "repeat the points with the smallest probability of noise in another run".into()
         }
+        (Verdict::Unexplained, _) => more_points(left, problem),
     }
+}
+
+/// The measurement that tells an effect from those it is mistaken for.
+fn separate_by(id: &str) -> Option<&'static str> {
+    let about = list().into_iter().find(|a| a.id == id);
+    about.map(|a| a.separate_by)
+}
+
+/// What the second cause lacks of the first is to be measured.
+fn to_tell(first: &Cause, second: &Cause) -> String {
+    let mut lacking = first
+        .effects
+        .iter()
+        .filter(|e| !second.effects.contains(*e));
+    let differing = lacking.next().unwrap_or(&first.effects[0]);
+    format!(
+        "to tell {} from {}: {}",
+        first.effects.join("+"),
+        second.effects.join("+"),
+        separate_by(differing).unwrap_or("more points")
+    )
+}
+
+/// More of what deviates most.
+fn more_points(left: &Structure, problem: &Problem) -> String {
+    let outcomes = left.outcomes.iter();
+    let worst = outcomes.max_by(|a, b| a.z.abs().total_cmp(&b.z.abs()));
+    let (name, axis) = worst.map_or(("ratio", "frequency_hz"), |w| (observable(w.slot), w.axis));
+    format!(
+        "more points of {name} along {axis} between {} Hz and {} Hz, in at least two runs",
+        problem.facts.lowest_hz, problem.facts.highest_hz
+    )
 }
 
 /// What tells where bumps come from.
