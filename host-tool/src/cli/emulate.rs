@@ -1,7 +1,7 @@
 //! `calib emulate`: an emulated calibrator that other programs use like hardware.
 
 use super::{Context, run};
-use calib_host::emulated::{EmulatedBoard, rig_file};
+use calib_host::emulated::{EmulatedBoard, FlashFile, rig_file};
 use calib_host::{Error, Result, file};
 use calib_twin::board::usb::UsbPort;
 use calib_twin::rig::Rig;
@@ -9,8 +9,7 @@ use calib_twin::runner::{Door, HostLine, Pace, TcpDoor, run_paced};
 use calib_twin::usb_host::capture;
 use clap::Args;
 use serde::Serialize;
-use std::io::ErrorKind;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// `calib emulate`.
@@ -52,7 +51,8 @@ impl Emulate {
     /// Runs the board at the pace of the wall until Ctrl-C.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let rig = self.rig()?;
-        let board = self.board(&rig)?;
+        let flash = self.flash.as_deref().map(FlashFile::hold).transpose()?;
+        let board = self.board(&rig, flash.as_ref())?;
         let usb = self.usb_port(&board)?;
         if self.hold_button {
             board.hold_button_once_up()?;
@@ -68,8 +68,8 @@ impl Emulate {
              Ctrl-C switches it off"
         ));
         let ended = serve(context, &board, usb.as_ref(), door);
-        if let Some(path) = &self.flash {
-            file::replace(path, &board.record_flash()?)?;
+        if let Some(flash) = &flash {
+            flash.keep(&board)?;
         }
         if let (Some(path), Some(usb)) = (&self.usb_pcap, &usb) {
             let mut content = Vec::new();
@@ -100,13 +100,10 @@ impl Emulate {
         }
     }
 
-    fn board(&self, rig: &Rig) -> Result<EmulatedBoard> {
-        let kept = match &self.flash {
-            None => None,
-            Some(path) => read_if_there(path)?,
-        };
-        match kept {
-            Some(flash) => EmulatedBoard::power_on_with_flash(rig, &flash),
+    fn board(&self, rig: &Rig, flash: Option<&FlashFile>) -> Result<EmulatedBoard> {
+        let kept = flash.map(|flash| flash.power_on(rig)).transpose()?;
+        match kept.flatten() {
+            Some(board) => Ok(board),
             None => EmulatedBoard::power_on_calibrated(rig, self.seed),
         }
     }
@@ -168,14 +165,6 @@ fn pseudo_terminal() -> Result<Box<dyn Door>> {
         problem: "this system has no pseudo terminals".to_owned(),
         hint: "use --tcp PORT".to_owned(),
     })
-}
-
-fn read_if_there(path: &Path) -> Result<Option<Vec<u8>>> {
-    match std::fs::read(path) {
-        Ok(content) => Ok(Some(content)),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(Error::file("read", path, error)),
-    }
 }
 
 /// Says when this computer cannot keep up, each time another second is lost.

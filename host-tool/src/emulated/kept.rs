@@ -1,10 +1,10 @@
 //! The emulated calibrator that remembers, as hardware does.
 
-use super::EmulatedBoard;
+use super::{EmulatedBoard, FlashFile};
+use crate::Result;
 use crate::link::Transport;
-use crate::{Error, Result, file};
 use calib_twin::rig::Rig;
-use std::io;
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -13,14 +13,14 @@ use std::time::Duration;
 pub struct KeptBoard {
     link: Box<dyn Transport>,
     board: EmulatedBoard,
-    flash_file: PathBuf,
+    flash: FlashFile,
 }
 
 impl KeptBoard {
     /// Switches the user's emulated calibrator on.
     ///
     /// # Errors
-    /// As [`EmulatedBoard::power_on`]; [`Error::File`].
+    /// As [`EmulatedBoard::power_on`] and [`FlashFile::hold`].
     pub fn power_on() -> Result<Self> {
         Self::power_on_and(|board| Ok(Box::new(board.link())))
     }
@@ -44,28 +44,26 @@ impl KeptBoard {
     fn power_on_and(
         connect: impl FnOnce(&EmulatedBoard) -> Result<Box<dyn Transport>>,
     ) -> Result<Self> {
-        let flash_file = flash_file();
+        let flash = FlashFile::hold(&flash_file())?;
         let rig = Rig::standard();
-        let board = match std::fs::read(&flash_file) {
-            Ok(flash) => EmulatedBoard::power_on_with_flash(&rig, &flash)?,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                EmulatedBoard::power_on_calibrated(&rig, None)?
-            }
-            Err(error) => return Err(Error::file("read", &flash_file, error)),
+        let board = match flash.power_on(&rig)? {
+            Some(board) => board,
+            None => EmulatedBoard::power_on_calibrated(&rig, None)?,
         };
         Ok(Self {
             link: connect(&board)?,
             board,
-            flash_file,
+            flash,
         })
     }
 }
 
 impl Drop for KeptBoard {
     fn drop(&mut self) {
-        // Nobody is left to be told; the next call finds the flash of before.
-        if let Ok(flash) = self.board.record_flash() {
-            let _ = file::replace(&self.flash_file, &flash);
+        // No caller is left to be told: the next one finds the flash of before.
+        if let Err(error) = self.flash.keep(&self.board) {
+            let lost = "the emulated calibrator forgets what was stored just now";
+            let _ = writeln!(io::stderr(), "{lost}: {error}");
         }
     }
 }

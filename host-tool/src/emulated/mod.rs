@@ -3,10 +3,12 @@
 //! Virtual time passes only while the host waits for an answer or says so, and
 //! then as fast as this computer can: a run is the same each time, bit by bit.
 
+mod flash_file;
 mod kept;
 pub mod rig_file;
 mod settings;
 
+pub use flash_file::FlashFile;
 pub use kept::KeptBoard;
 pub use settings::settings_for;
 
@@ -43,15 +45,6 @@ impl EmulatedBoard {
     pub fn power_on(rig: &Rig) -> Result<Self> {
         let emulator = Emulator::power_on(&firmware()?, Box::new(Plant::new(rig)));
         Self::around(emulator)
-    }
-
-    /// Switches on a board whose record flash has this content.
-    ///
-    /// # Errors
-    /// As [`Self::power_on`], and when the content is not the size of the flash.
-    pub fn power_on_with_flash(rig: &Rig, flash: &[u8]) -> Result<Self> {
-        let rig = Box::new(Plant::new(rig));
-        Self::around(Emulator::power_on_with_flash(&firmware()?, rig, flash))
     }
 
     /// Switches a new board on and tells it what is certified about the rig's
