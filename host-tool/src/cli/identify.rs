@@ -43,7 +43,13 @@ pub(crate) struct Identify {
     #[arg(long, requires = "shock")]
     pre_warp: bool,
     /// Shock: known delay of the input channel behind the output channel, s.
-    #[arg(long, requires = "shock", default_value_t = 0.0, value_name = "S")]
+    #[arg(
+        long,
+        requires = "shock",
+        default_value_t = 0.0,
+        value_name = "S",
+        allow_negative_numbers = true
+    )]
     input_delay_s: f64,
     /// Shock: uncertainty coefficient of (27) from a budget, for the test.
     #[arg(long, requires = "shock", value_name = "U0")]
