@@ -10,7 +10,7 @@
 //! atom       one start; values: of effects that just change values of the exciter
 //! scatter    the same of effects that only scatter
 //! column     a column of a Jacobian; normal: normal equations, tangent space
-//! linear     slopes at a fit; nuisance_columns, response: of which no row is computed anew
+//! linear     slopes at a fit; nuisance_columns, response: of which no row is computed anew; aside: the others
 //! slopes     slopes of earlier steps
 //! fit        refinement of a set of effects; step, polish
 //! search     none, singles, pairs, within limits
@@ -24,6 +24,7 @@
 //! ```
 
 pub(crate) mod across;
+mod aside;
 pub(crate) mod atom;
 pub(crate) mod battery;
 pub(crate) mod column;

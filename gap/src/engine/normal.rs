@@ -78,6 +78,19 @@ pub(crate) fn gram(columns: &[Column], prior: &[f64]) -> DMatrix<f64> {
     matrix
 }
 
+/// A step of Levenberg and Marquardt; none where the damped matrix is not positive definite.
+pub(crate) fn damped_step(
+    matrix: &DMatrix<f64>,
+    gradient: &DVector<f64>,
+    damping: f64,
+) -> Option<DVector<f64>> {
+    let mut damped = matrix.clone();
+    for i in 0..gradient.len() {
+        damped[(i, i)] *= 1.0 + damping;
+    }
+    Some(Cholesky::new(damped)?.solve(gradient))
+}
+
 /// Change of the weighted residual between two evaluations, weights of the first.
 pub(crate) fn difference(problem: &Problem, here: &Evaluation, there: &Evaluation) -> Vec<f64> {
     (0..problem.len())

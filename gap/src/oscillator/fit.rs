@@ -6,6 +6,7 @@ use super::residual::{compared, residual, rms, scale_of};
 use super::run::Run;
 use super::simulate::simulate;
 use super::slopes::{columns, normal};
+use crate::engine::normal::damped_step;
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Share of the squared error that a step must take out for another to follow.
@@ -132,19 +133,6 @@ impl Place {
         let columns = columns(record, &self.values, &self.left, free, scale)?;
         Some(normal(&columns, &self.left))
     }
-}
-
-/// A step of Levenberg and Marquardt.
-fn damped_step(
-    matrix: &DMatrix<f64>,
-    gradient: &DVector<f64>,
-    damping: f64,
-) -> Option<DVector<f64>> {
-    let mut damped = matrix.clone();
-    for i in 0..gradient.len() {
-        damped[(i, i)] *= 1.0 + damping;
-    }
-    Some(Cholesky::new(damped)?.solve(gradient))
 }
 
 /// Size of a first stretch over that of the whole record below which it says nothing.
