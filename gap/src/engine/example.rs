@@ -1,7 +1,7 @@
 //! An example rig and points of it, for tests.
 
 use super::atom::active;
-use super::evaluation::Memories;
+use super::evaluate::Memories;
 use super::problem::Problem;
 use super::significance::Gauss;
 use crate::dataset::{Point, Rig};

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! problem    whitened data, slots, comparison with the simulation
-//! evaluation  simulation and measurement compared
+//! evaluate   compares simulation and measurement; evaluation: what comes of it
 //! nuisance   what a fit moves that is no effect
 //! remainder  harmonics above those that are reported, as noise
 //! screen     every start of every effect against the residual of a fit
@@ -29,6 +29,7 @@ pub(crate) mod atom;
 pub(crate) mod battery;
 pub(crate) mod column;
 pub(crate) mod errors;
+pub(crate) mod evaluate;
 pub(crate) mod evaluation;
 #[cfg(test)]
 pub(crate) mod example;

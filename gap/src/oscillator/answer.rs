@@ -1,12 +1,12 @@
 //! What an answer states of a record: verdict, place, what next, pictures.
 
 use super::estimates::linear_parameters;
-use super::grow::Step;
 use super::left::Parity;
 use super::model::TERMS;
 use super::residual::{compared, rms};
 use super::run::Run;
 use super::score::{self, Scored};
+use super::step::Step;
 use super::weigh::causes;
 use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where};
 use crate::effects::Stage;

@@ -7,6 +7,7 @@ use super::gross;
 use super::left::{Left, examine};
 use super::model::TERMS;
 use super::run::Run;
+use super::step::Step;
 use super::weigh::{cost_of_last, weigh};
 use crate::options::Options;
 use crate::verdict::NONE_BELOW;
@@ -20,24 +21,6 @@ const WORTH_NAMING: f64 = 0.1;
 
 /// Steps after which terms are compared.
 const FIRST_STEPS: usize = 4;
-/// One step: the fit, what it leaves, and the sets of its size that were tried.
-pub(super) struct Step {
-    pub(super) fit: Fitted,
-    pub(super) left: Left,
-    pub(super) tried: Vec<Fitted>,
-}
-
-impl Step {
-    /// The set that errs least is not always the most probable.
-    fn led_by_the_most_probable(mut self, record: &Run) -> Option<Self> {
-        let first = weigh(&self).first().map(|w| w.0.clone())?;
-        if first.terms != self.fit.terms {
-            self.left = examine(record, &first)?;
-            self.fit = first;
-        }
-        Some(self)
-    }
-}
 
 /// From the linear oscillator on, the best term is added until none is worth a name.
 pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<Step>, Run)> {
@@ -71,7 +54,7 @@ pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<St
             left,
             tried,
         };
-        steps.push(step.led_by_the_most_probable(&run)?);
+        steps.push(led_by_the_most_probable(step, &run)?);
     }
     Some((steps, run))
 }
@@ -121,4 +104,14 @@ fn worth(base: &Fitted, best: &Fitted, left: &Left) -> bool {
     } else {
         best.square < base.square * (1.0 - WORTH_NAMING)
     }
+}
+
+/// The step with the most probable of its sets: that which errs least is not always it.
+fn led_by_the_most_probable(mut step: Step, record: &Run) -> Option<Step> {
+    let first = weigh(&step).first().map(|w| w.0.clone())?;
+    if first.terms != step.fit.terms {
+        step.left = examine(record, &first)?;
+        step.fit = first;
+    }
+    Some(step)
 }

@@ -6,7 +6,7 @@
 //! moves                 which values a fit moves, between which bounds, in which steps
 //! residual, slopes      measured less simulated output, and how it changes with the values
 //! fit, begin            least squares, and where the fit of a term begins; gross: far away
-//! grow, finely          one term at a time; steps of the integration as fine as it takes
+//! grow, step, finely    one term at a time; steps of the integration as fine as it takes
 //! left, score, across   what a fit leaves; its errors on what was held out, and by level and band
 //! validation            another record, of which the first state is fitted
 //! weigh, stability      probabilities of the sets, and how often each leads if stretches are drawn again
@@ -33,6 +33,7 @@ mod score;
 mod simulate;
 mod slopes;
 mod stability;
+mod step;
 mod terms;
 mod validation;
 mod weigh;

@@ -2,9 +2,9 @@
 
 use super::across;
 use super::fit::Fitted;
-use super::grow::Step;
 use super::residual::{compared, rms};
 use super::run::Run;
+use super::step::Step;
 use super::validation::validation;
 use super::weigh::names_of;
 use crate::engine::gap::{Gap, ObservableGap, closed_share};

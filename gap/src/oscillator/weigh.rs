@@ -3,10 +3,10 @@
 use super::across::stretch;
 use super::estimates::term_parameters;
 use super::fit::Fitted;
-use super::grow::Step;
 use super::model::{TERMS, places};
 use super::run::Run;
 use super::stability::stability;
+use super::step::Step;
 use crate::answer::Cause;
 use crate::verdict::{LISTED, NONE_BELOW};
 

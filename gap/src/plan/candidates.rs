@@ -1,10 +1,10 @@
 //! Points the rig can hold, and what would be measured there.
 
-use super::Measurement;
 use super::duel::Duel;
+use super::measurement::Measurement;
 use super::settings::{BEYOND, settings};
 use crate::dataset::{Harmonic, Point, Rig};
-use crate::engine::evaluation::Memories;
+use crate::engine::evaluate::Memories;
 use crate::engine::problem::Problem;
 use crate::model::row::{DRIVE, SLOTS};
 
