@@ -47,10 +47,14 @@ pub(crate) struct Bend {
 impl Bend {
     /// Whether anything is bent at all.
     pub(crate) fn is_linear(&self) -> bool {
+        self.friction_n == 0.0 && self.is_dry_only()
+    }
+
+    /// Whether nothing but dry friction bends.
+    fn is_dry_only(&self) -> bool {
         self.cubic_n_per_m3 == 0.0
             && self.quadratic_n_per_m2 == 0.0
             && self.droop_per_m2 == 0.0
-            && self.friction_n == 0.0
             && self.clip_v.is_none()
             && self.even_per_v == 0.0
     }
@@ -129,6 +133,11 @@ pub(crate) fn balance(
     }
     motion[1] = Complex64::from(travel);
     let work = Work::new(exciter, bend, omega);
+    if let Some(alone) = work.rubbed(travel) {
+        *motion = alone;
+        let state = work.voltages(motion);
+        return work.result(motion, &state, acceleration_peak_ms2, true);
+    }
     if work.parity == Parity::Odd {
         // What another bend has left there is not corrected.
         motion
@@ -210,6 +219,17 @@ impl<'a> Work<'a> {
             impedance,
             stiffness,
         }
+    }
+
+    /// The motion where dry friction is all that bends, which needs no correction; nothing where
+    /// something else bends as well, or where it sticks.
+    fn rubbed(&self, travel_m: f64) -> Option<Motion> {
+        let friction = self.friction.filter(|_| self.bend.is_dry_only())?;
+        friction.alone(travel_m, |n| {
+            let (w, bl) = (n as f64 * self.omega, self.exciter.force_factor_n_per_a);
+            let braked = Complex64::new(0.0, w * bl * bl * self.exciter.emf_ratio);
+            (self.stiffness[n] + braked / self.impedance[n]).inv()
+        })
     }
 
     /// Corrects the motion until the balance holds; whether it does.

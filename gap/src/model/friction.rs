@@ -29,6 +29,40 @@ impl Friction {
         }
     }
 
+    /// The motion with this fundamental (m, negative, phase zero) where nothing else bends.
+    ///
+    /// Each order of the force, -4 j F/(pi n) turned by n times the angle of the zero, then moves
+    /// what yields by `yields(n)` (m/N), and turns back at the zero: what the orders add to the
+    /// velocity there depends on no angle, and the zero is where the fundamental makes up for it.
+    /// None where it cannot: the armature sticks.
+    pub(super) fn alone(
+        &self,
+        travel_m: f64,
+        yields: impl Fn(usize) -> Complex64,
+    ) -> Option<Motion> {
+        let force = 4.0 * self.force_n / PI;
+        let mut motion = [Complex64::ZERO; ORDERS + 1];
+        let mut missing_m = self.tail_m;
+        for n in (3..=ORDERS).step_by(2) {
+            let moved = yields(n) * force;
+            missing_m -= moved.re;
+            motion[n] = Complex64::I * moved / n as f64;
+        }
+        // The fundamental adds -travel sin(angle), and the angle is near zero.
+        let sine = missing_m / travel_m;
+        if sine.abs() >= 1.0 {
+            return None;
+        }
+        let back = Complex64::new((1.0 - sine * sine).sqrt(), -sine);
+        let (mut turn, twice) = (back, back * back);
+        for order in motion.iter_mut().skip(3).step_by(2) {
+            turn *= twice;
+            *order *= turn;
+        }
+        motion[1] = Complex64::from(travel_m);
+        Some(motion)
+    }
+
     /// Fourier coefficients of the force, from the two zeros of the velocity; `odd` where the
     /// motion has odd orders only, and its second half is the first one mirrored.
     pub(super) fn force(&self, motion: &Motion, odd: bool) -> Motion {
@@ -42,7 +76,11 @@ impl Friction {
         let mut force = [Complex64::ZERO; ORDERS + 1];
         force[0] = Complex64::from(self.force_n * ((end - start) / PI - 1.0));
         let from = Complex64::from_polar(1.0, -start);
-        let to = Complex64::from_polar(1.0, -end);
+        let to = if odd {
+            -from
+        } else {
+            Complex64::from_polar(1.0, -end)
+        };
         let (mut at_start, mut at_end) = (Complex64::ONE, Complex64::ONE);
         for (n, order) in force.iter_mut().enumerate().skip(1) {
             at_start *= from;
@@ -71,7 +109,8 @@ fn zero(motion: &Motion, mut angle: f64, missing_m: f64, odd: bool) -> f64 {
         }
         let step = (value / slope).clamp(-0.3, 0.3);
         angle -= step;
-        if step.abs() < 1e-12 {
+        // What is left is of the order of its square.
+        if step.abs() < 1e-7 {
             break;
         }
     }
@@ -140,6 +179,37 @@ mod tests {
             "{}",
             found.harmonics[1]
         );
+    }
+
+    /// Without corrections the motion is the one that corrections lead to, to where these stop
+    /// (1e-9 of the fundamental); a cubic spring of nothing makes them necessary.
+    #[test]
+    fn friction_alone_needs_no_corrections() {
+        let exciter = Exciter::example();
+        for (friction_n, level) in [(0.005, 2.0), (0.02, 1.4), (0.5, 30.0)] {
+            let alone = Bend {
+                friction_n,
+                ..Bend::default()
+            };
+            let corrected = Bend {
+                cubic_n_per_m3: 1e-9,
+                ..alone
+            };
+            for frequency_hz in [5.0, 40.0, 160.0, 2500.0] {
+                let of = |bend| {
+                    let mut motion = [Complex64::ZERO; ORDERS + 1];
+                    let omega = TAU * frequency_hz;
+                    balance(&exciter, bend, omega, level, &mut motion, Purpose::Value)
+                };
+                let (found, expected) = (of(&alone), of(&corrected));
+                assert!(expected.converged && found.converged);
+                for (a, b) in found.harmonics.iter().zip(&expected.harmonics) {
+                    assert!((a - b).norm() < 1e-8, "{frequency_hz} Hz: {a} {b}");
+                }
+                let change = (found.acceleration_per_v / expected.acceleration_per_v - 1.0).norm();
+                assert!(change < 1e-8, "{frequency_hz} Hz: {change}");
+            }
+        }
     }
 
     /// On a mass alone the acceleration of friction is a square wave of F/m: 2 (F/m)^2 in all orders

@@ -16,7 +16,7 @@ mod section;
 
 pub use self::channel::{Channel, Characteristic, Pickup, Separation};
 pub use self::exciter::{COPPER_PER_K, CoilModel, InductanceLadder, LADDER_PAIRS};
-pub use self::friction::friction_n;
+pub use self::friction::friction;
 pub use self::section::{SecondOrder, Section};
 
 /// Standard acceleration of free fall, m/s2.

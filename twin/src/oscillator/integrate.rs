@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{Multisine, Oscillator};
-use crate::model::friction_n;
+use crate::model::friction;
 
 /// Deflection, velocity, hysteretic state, deflection and velocity of the second mode, low-pass of
 /// the output (whose difference to it is the high-pass).
@@ -101,14 +101,15 @@ fn advance(oscillator: &Oscillator, state: &mut State, force: &[f64], step_s: f6
     }
     if oscillator.friction != 0.0 {
         let omega = TAU * oscillator.resonance_hz;
-        let held = friction_n(
+        let rubbed = friction(
             before,
             state[1],
             step_s,
             omega * omega * oscillator.friction,
         );
-        state[1] += step_s * held;
-        state[0] += 0.5 * step_s * step_s * held;
+        state[1] += step_s * rubbed.mean_n;
+        // A force moves the further the earlier it acts: by the share of the step that is left.
+        state[0] += step_s * step_s * (rubbed.mean_n / 2.0 - rubbed.change_n / 12.0);
     }
 }
 

@@ -9,7 +9,7 @@ use super::bends::{Bends, Instant, Levels};
 use super::network::{Network, Signal};
 use super::stepper::Stepper;
 use super::wiring::{BASE_INPUT, DRIVE_INPUT, FRICTION_INPUT, RATE_INPUT, TERMS, Wiring};
-use crate::model::{AmbientMotion, Model, friction_n};
+use crate::model::{AmbientMotion, Model, friction};
 use crate::rig::Converter;
 use crate::rig_port::INPUT_CHANNELS;
 
@@ -235,8 +235,8 @@ impl Simulation {
                 self.stepper.advance(nonlinear.step_ns);
                 let free = self.instant().velocity_ms;
                 self.stepper.restore(&begun);
-                let force = friction_n(v0, free, nonlinear.velocity_per_newton, coulomb_n);
-                self.stepper.set_input(FRICTION_INPUT, force);
+                let rubbed = friction(v0, free, nonlinear.velocity_per_newton, coulomb_n);
+                self.stepper.set_input(FRICTION_INPUT, rubbed.mean_n);
             }
             self.stepper.advance(nonlinear.step_ns);
             let mut instant = self.instant();

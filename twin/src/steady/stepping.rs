@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, SMatrix, SVector};
 
 use super::spectrum::{Grid, SILENCE, Spectrum};
-use crate::model::{CoilModel, friction_n};
+use crate::model::{CoilModel, friction};
 use crate::plant::network::{MovingCoil, Network};
 
 /// Steps per period. A term that acts on the travel is resolved to `(pi h / N)^2 / 3` of itself at
@@ -151,7 +151,9 @@ impl<const N: usize> Stepping<N> {
         if coil.friction_n != 0.0 {
             let free = drive_after + end[VELOCITY];
             let gain = self.held_force[VELOCITY];
-            *end += self.held_force * friction_n(v0, free, gain, coil.friction_n);
+            let rubbed = friction(v0, free, gain, coil.friction_n);
+            *end += self.held_force * (rubbed.mean_n - 0.5 * rubbed.change_n)
+                + self.at_end[FORCE] * rubbed.change_n;
         }
     }
 }

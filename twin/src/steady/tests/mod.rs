@@ -180,6 +180,36 @@ fn friction_has_its_describing_function() {
     assert!((got / expected - 1.0).norm() < 5e-3, "{got} {expected}");
 }
 
+/// Friction that is a large part of the force, against the Fourier sum of its square wave: each order
+/// `4 F/(pi n)` moves what yields at n times the frequency, and the armature turns where the orders
+/// and the fundamental add up to no velocity. The velocity goes linearly over the step in which it
+/// turns, which places the turn to `(2 pi/512)^2 / 8` = 2e-5 rad: 1e-4 of the fifth harmonic.
+#[test]
+fn strong_friction_turns_where_the_velocity_does() {
+    let friction_n = 0.3;
+    let text = format!("coulomb_friction=friction_n:{friction_n}");
+    for frequency_hz in [25.0, 160.0, 2500.0] {
+        let state = hold(&[&text], &usual(), frequency_hz, 10.0);
+        let omega = TAU * frequency_hz;
+        let yields = |n: usize| {
+            let s = Complex::new(0.0, omega * n as f64);
+            1.0 / (s * s * 0.07 + s * 3.0 + 8000.0 + s * 49.0 / (s * 1.2e-4 + 4.0))
+        };
+        let force = 4.0 * friction_n / PI;
+        let travel = state.reference.harmonics_v[0].norm() / 0.01 / (omega * omega);
+        let orders = (3..200_000).step_by(2).map(|n| yields(n).re).sum::<f64>();
+        let turn = (force * orders / travel).asin();
+        for n in [3, 5] {
+            let moved = Complex::I * force / n as f64 * yields(n);
+            let share = moved / -travel * (n * n) as f64;
+            let expected = share * Complex::from_polar(1.0, -turn * n as f64);
+            let got = relative(&state.reference, n);
+            let error = (got / expected - 1.0).norm();
+            assert!(error < 1e-4, "{frequency_hz} Hz, {n}: {error:e}");
+        }
+    }
+}
+
 /// On a mass alone the acceleration of friction is a square wave of F/m, whose mean square is
 /// (F/m)^2; orders 1, 3 and 5 hold (4/(pi n))^2 / 2 of it. At 1 kHz suspension and coil add 1e-4;
 /// the turning points lie within a step of a period, which shifts the orders up to 48 by 1 %.
