@@ -225,11 +225,7 @@ impl<'a> Work<'a> {
     /// something else bends as well, or where it sticks.
     fn rubbed(&self, travel_m: f64) -> Option<Motion> {
         let friction = self.friction.filter(|_| self.bend.is_dry_only())?;
-        friction.alone(travel_m, |n| {
-            let (w, bl) = (n as f64 * self.omega, self.exciter.force_factor_n_per_a);
-            let braked = Complex64::new(0.0, w * bl * bl * self.exciter.emf_ratio);
-            (self.stiffness[n] + braked / self.impedance[n]).inv()
-        })
+        friction.alone(travel_m)
     }
 
     /// Corrects the motion until the balance holds; whether it does.

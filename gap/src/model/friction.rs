@@ -2,16 +2,15 @@
 
 use super::balance::{Motion, ORDERS};
 use super::exciter::Exciter;
+use super::yields::{SUMMED, Yields};
 use num_complex::Complex64;
 use std::f64::consts::PI;
-
-/// Highest order of the tail that is summed one by one.
-const SUMMED: usize = 47;
 
 /// The friction of one row.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Friction {
     force_n: f64,
+    yields: Yields,
     /// What the orders above [`ORDERS`] add to the velocity over omega where it turns
     /// upwards, in m.
     tail_m: f64,
@@ -21,9 +20,11 @@ pub(super) struct Friction {
 
 impl Friction {
     pub(super) fn new(force_n: f64, exciter: &Exciter, omega: f64) -> Self {
-        let (tail_m, beyond) = tail(force_n, exciter, omega);
+        let yields = Yields::new(exciter, omega);
+        let (tail_m, beyond) = tail(force_n, &yields, exciter.mass_kg, omega);
         Self {
             force_n,
+            yields,
             tail_m,
             beyond,
         }
@@ -32,19 +33,15 @@ impl Friction {
     /// The motion with this fundamental (m, negative, phase zero) where nothing else bends.
     ///
     /// Each order of the force, -4 j F/(pi n) turned by n times the angle of the zero, then moves
-    /// what yields by `yields(n)` (m/N), and turns back at the zero: what the orders add to the
-    /// velocity there depends on no angle, and the zero is where the fundamental makes up for it.
-    /// None where it cannot: the armature sticks.
-    pub(super) fn alone(
-        &self,
-        travel_m: f64,
-        yields: impl Fn(usize) -> Complex64,
-    ) -> Option<Motion> {
+    /// what yields to it, and turns back at the zero: what the orders add to the velocity there
+    /// depends on no angle, and the zero is where the fundamental makes up for it. None where it
+    /// cannot: the armature sticks.
+    pub(super) fn alone(&self, travel_m: f64) -> Option<Motion> {
         let force = 4.0 * self.force_n / PI;
         let mut motion = [Complex64::ZERO; ORDERS + 1];
         let mut missing_m = self.tail_m;
-        for n in (3..=ORDERS).step_by(2) {
-            let moved = yields(n) * force;
+        for (n, yields) in self.yields.orders(3).take_while(|(n, _)| *n <= ORDERS) {
+            let moved = yields * force;
             missing_m -= moved.re;
             motion[n] = Complex64::I * moved / n as f64;
         }
@@ -124,21 +121,14 @@ fn zero(motion: &Motion, mut angle: f64, missing_m: f64, odd: bool) -> f64 {
 ///
 /// Answers what they add to the velocity over omega there, and the sum of the squares of their
 /// accelerations: what an instrument that samples sees of them, folded back, as noise.
-fn tail(force_n: f64, exciter: &Exciter, omega: f64) -> (f64, f64) {
-    let bl = exciter.force_factor_n_per_a;
-    let order = |n: usize| {
-        let w = n as f64 * omega;
-        let damping = Complex64::new(0.0, w * bl * bl * exciter.emf_ratio) / exciter.impedance(w);
-        (n as f64, (exciter.dynamic_stiffness(w) + damping).inv())
-    };
-    let first = ORDERS + 1 + ORDERS % 2;
+fn tail(force_n: f64, yields: &Yields, mass_kg: f64, omega: f64) -> (f64, f64) {
     let (mut turned, mut squares) = (0.0, 0.0);
-    for (n, yields) in (first..=SUMMED).step_by(2).map(order) {
+    for (n, yields) in yields.orders(ORDERS + 1 + ORDERS % 2) {
         turned += yields.re;
-        squares += n * n * yields.norm_sqr();
+        squares += (n * n) as f64 * yields.norm_sqr();
     }
     // Beyond them the mass alone: the sum of 1/n^2 over odd n > N is 1/(2 (N + 1)), to N^-3.
-    let mass = exciter.mass_kg * omega * omega;
+    let mass = mass_kg * omega * omega;
     let rest = 0.5 / (SUMMED + 1) as f64;
     let force = 4.0 * force_n / PI;
     (

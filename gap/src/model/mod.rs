@@ -36,3 +36,4 @@ mod shaped;
 mod transfers;
 mod wave;
 pub(crate) mod waveform;
+mod yields;

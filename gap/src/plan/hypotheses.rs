@@ -31,8 +31,10 @@ pub(super) fn of_data<'a>(
 ) -> (Option<Verdict>, Pairs<'a>) {
     let found = search(problem, &Limits::without(&[], 2));
     let best = found.sets.first().map_or(&found.nominal, |s| &s.fit);
-    let left = examine(problem, best, &mut Workspace::new(problem));
-    let verdict = crate::verdict::verdict(&found, &left);
+    let mut work = Workspace::new(problem);
+    let left = examine(problem, best, &mut work);
+    let nominal_left = examine(problem, &found.nominal, &mut work);
+    let verdict = crate::verdict::verdict(&found, &left, &nominal_left);
     if verdict == Verdict::NoGap {
         return (Some(verdict), of_library(reach));
     }

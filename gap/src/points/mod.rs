@@ -43,7 +43,7 @@ pub(crate) fn diagnose_points(
     } else {
         examine(problem, best, &mut work)
     };
-    let verdict = match verdict(&found, &left) {
+    let verdict = match verdict(&found, &left, &nominal_left) {
         Verdict::Explained | Verdict::Ambiguous if cancels(problem, best) => Verdict::Unexplained,
         verdict => verdict,
     };
