@@ -89,6 +89,8 @@ pub(crate) struct Balanced {
     pub(crate) remainder: f64,
     /// What of it lies above [`ORDERS`].
     pub(crate) beyond: f64,
+    /// Whether the armature rests for part of the period, which no order describes well.
+    pub(crate) rests: bool,
     /// Whether the balance was reached.
     pub(crate) converged: bool,
 }
@@ -384,6 +386,7 @@ impl<'a> Work<'a> {
             above: std::array::from_fn(|k| relative(k + 6)),
             remainder: above + beyond,
             beyond,
+            rests: self.friction.is_some_and(|f| f.rests(motion[1].re)),
             converged,
         }
     }

@@ -6,6 +6,9 @@ use super::yields::{SUMMED, Yields};
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
+/// First odd order above [`ORDERS`].
+const FIRST_BEYOND: usize = ORDERS + 1 + ORDERS % 2;
+
 /// The friction of one row.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Friction {
@@ -14,6 +17,8 @@ pub(super) struct Friction {
     /// What the orders above [`ORDERS`] add to the velocity over omega where it turns
     /// upwards, in m.
     tail_m: f64,
+    /// Mass times omega squared, in N/m.
+    inertia_n_per_m: f64,
     /// Sum of the squares of the accelerations at those orders (peak), in (m/s2)^2.
     pub(super) beyond: f64,
 }
@@ -21,11 +26,13 @@ pub(super) struct Friction {
 impl Friction {
     pub(super) fn new(force_n: f64, exciter: &Exciter, omega: f64) -> Self {
         let yields = Yields::new(exciter, omega);
-        let (tail_m, beyond) = tail(force_n, &yields, exciter.mass_kg, omega);
+        let inertia_n_per_m = exciter.mass_kg * omega * omega;
+        let (tail_m, beyond) = tail(force_n, &yields, inertia_n_per_m, omega);
         Self {
             force_n,
             yields,
             tail_m,
+            inertia_n_per_m,
             beyond,
         }
     }
@@ -58,6 +65,20 @@ impl Friction {
         }
         motion[1] = Complex64::from(travel_m);
         Some(motion)
+    }
+
+    /// Whether the armature rests after it has turned: friction then acts against what pulls it, and
+    /// the acceleration, over omega^2 as all here, would have the wrong sign. It is that of the
+    /// fundamental and of the orders (in the middle of the jump), less half of the jump. So it is
+    /// where the suspension carries the motion, and friction makes it ring.
+    pub(super) fn rests(&self, travel_m: f64) -> bool {
+        let force = 4.0 * self.force_n / PI;
+        let drag: f64 = self
+            .yields
+            .orders(3)
+            .map(|(n, yields)| n as f64 * yields.im)
+            .sum();
+        travel_m.abs() + force * drag < self.force_n / self.inertia_n_per_m
     }
 
     /// Fourier coefficients of the force, from the two zeros of the velocity; `odd` where the
@@ -121,14 +142,13 @@ fn zero(motion: &Motion, mut angle: f64, missing_m: f64, odd: bool) -> f64 {
 ///
 /// Answers what they add to the velocity over omega there, and the sum of the squares of their
 /// accelerations: what an instrument that samples sees of them, folded back, as noise.
-fn tail(force_n: f64, yields: &Yields, mass_kg: f64, omega: f64) -> (f64, f64) {
+fn tail(force_n: f64, yields: &Yields, mass: f64, omega: f64) -> (f64, f64) {
     let (mut turned, mut squares) = (0.0, 0.0);
-    for (n, yields) in yields.orders(ORDERS + 1 + ORDERS % 2) {
+    for (n, yields) in yields.orders(FIRST_BEYOND) {
         turned += yields.re;
         squares += (n * n) as f64 * yields.norm_sqr();
     }
-    // Beyond them the mass alone: the sum of 1/n^2 over odd n > N is 1/(2 (N + 1)), to N^-3.
-    let mass = mass_kg * omega * omega;
+    // Beyond them the mass alone, in N/m: the sum of 1/n^2 over odd n > N is 1/(2 (N + 1)), to N^-3.
     let rest = 0.5 / (SUMMED + 1) as f64;
     let force = 4.0 * force_n / PI;
     (
@@ -139,6 +159,7 @@ fn tail(force_n: f64, yields: &Yields, mass_kg: f64, omega: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
+    use super::Friction;
     use crate::model::balance::{Bend, ORDERS, Purpose, balance};
     use crate::model::exciter::Exciter;
     use num_complex::Complex64;
@@ -200,6 +221,25 @@ mod tests {
                 assert!(change < 1e-8, "{frequency_hz} Hz: {change}");
             }
         }
+    }
+
+    /// Far above the resonance of the suspension the armature rests where friction is more than its
+    /// inertia, F/m against the peak acceleration. Below, at 5 Hz, the jump makes the suspension ring,
+    /// and it rests at less: an integration in time found it at 0.2 N and 4 m/s2, and none at 0.05 N.
+    #[test]
+    fn the_armature_rests_where_friction_stops_it_again() {
+        let exciter = Exciter {
+            mass_kg: 0.07,
+            ..Exciter::example()
+        };
+        let rests = |friction_n: f64, frequency_hz: f64, peak_ms2: f64| {
+            let omega = TAU * frequency_hz;
+            let travel_m = -peak_ms2 / (omega * omega);
+            Friction::new(friction_n, &exciter, omega).rests(travel_m)
+        };
+        assert!(rests(0.2, 5.0, 4.0) && !rests(0.05, 5.0, 4.0));
+        let limit_ms2 = 0.2 / exciter.mass_kg;
+        assert!(rests(0.2, 5000.0, 0.99 * limit_ms2) && !rests(0.2, 5000.0, 1.01 * limit_ms2));
     }
 
     /// On a mass alone the acceleration of friction is a square wave of F/m: 2 (F/m)^2 in all orders

@@ -1,12 +1,13 @@
 //! From nominal values and effects to every observable of a row.
 
+use super::balance::Balanced;
 use super::chain::Chain;
 use super::channels::channels;
 use super::complex::ln;
 use super::held::Held;
 use super::memory::Recall;
 use super::prediction::{Nominal, Prediction};
-use super::row::{CURRENT, DRIVE, NOISE, RATIO, Row};
+use super::row::{CURRENT, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, Row};
 use super::transfers::Transfers;
 use crate::effects::Active;
 
@@ -30,6 +31,9 @@ pub(crate) fn predict(
         out.put(DRIVE, motion.first.ln[0] + shown + nominal.drive_ln);
         out.put(CURRENT, motion.first.ln[1]);
         out.slopes = Some(motion.first.slopes);
+        if let Some(balanced) = motion.balanced.as_ref().filter(|b| b.rests) {
+            leave_rough(balanced, &mut out);
+        }
         out.diverged = motion.balanced.as_ref().is_some_and(|b| !b.converged);
     }
     noise(nominal, &chain, &mut out);
@@ -45,6 +49,23 @@ fn chain(row: &Row, nominal: &Nominal, effects: &[Active<'_>]) -> Chain {
         effect.scatter(row, nominal.dut_gain, &mut chain.scatter);
     }
     chain
+}
+
+/// Share of its largest harmonic to which an armature that rests for a while is described: 4 % of it
+/// were seen.
+const AT_REST: f64 = 0.1;
+
+/// An armature that rests for part of the period: its fundamental and odd orders are known roughly.
+fn leave_rough(balanced: &Balanced, out: &mut Prediction) {
+    let largest = balanced.harmonics.iter().map(|h| h.norm_sqr());
+    let open = AT_REST * AT_REST * largest.fold(0.0, f64::max);
+    let third_and_fifth = |first: usize| [first + 2, first + 6];
+    let [third, fifth] = third_and_fifth(REF_HARMONICS);
+    let [third_of_dut, fifth_of_dut] = third_and_fifth(DUT_HARMONICS);
+    for at in [DRIVE, CURRENT, third, fifth, third_of_dut, fifth_of_dut] {
+        out.open[at] += open;
+        out.open[at + 1] += open;
+    }
 }
 
 /// Noise of both channels, without the harmonics above those of a wave.
