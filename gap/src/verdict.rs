@@ -8,20 +8,18 @@ use crate::engine::structure::Structure;
 pub(crate) const NONE_BELOW: f64 = 0.01;
 /// Structure left by the nominal simulation at which there is a gap without a name.
 const GAP_BELOW: f64 = 5e-4;
-/// Probability of no effect at all above which no effect is claimed: below it the leading set is 50
-/// times as probable. At 0.1 one of 300 rigs off by 2 u had a cause.
-const DOUBT: f64 = 0.02;
 /// Probability above which a set leads clearly.
 const CLEAR: f64 = 0.8;
 /// Smallest probability that is listed.
 pub(crate) const LISTED: f64 = 0.01;
-/// Probability above which a set is possible beside the leading one.
+/// Probability above which a set is possible beside the leading one. No effect at all is such a set:
+/// where it is possible none is claimed.
 const POSSIBLE: f64 = 0.05;
 
 /// Verdict on a search, on what its best set leaves and on what the nominal simulation leaves.
 pub(crate) fn verdict(found: &Search, left: &Structure, nominal_left: &Structure) -> Verdict {
     let mut none = found.sets.iter().filter(|set| set.fit.effects.is_empty());
-    let doubtful = none.any(|set| set.probability > DOUBT);
+    let doubtful = none.any(|set| set.probability > POSSIBLE);
     if doubtful && nominal_left.p_value >= GAP_BELOW {
         return Verdict::NoGap;
     }
