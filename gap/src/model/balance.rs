@@ -8,7 +8,7 @@
 //! response (with the mean stiffness of the suspension) until that holds.
 
 use super::exciter::Exciter;
-use super::friction::Friction;
+use super::friction::{Friction, Rubbed};
 use super::waveform::{Characteristic, clipped_order};
 use crate::lanes::dot;
 use num_complex::Complex64;
@@ -200,6 +200,7 @@ struct State {
     current_1: Complex64,
     force_1: Complex64,
     mean_added_stiffness: f64,
+    rubbed: Option<Rubbed>,
 }
 
 impl<'a> Work<'a> {
@@ -224,10 +225,10 @@ impl<'a> Work<'a> {
     }
 
     /// The motion where dry friction is all that bends, which needs no correction; nothing where
-    /// something else bends as well, or where it sticks.
+    /// something else bends as well.
     fn rubbed(&self, travel_m: f64) -> Option<Motion> {
         let friction = self.friction.filter(|_| self.bend.is_dry_only())?;
-        friction.alone(travel_m)
+        Some(friction.alone(travel_m))
     }
 
     /// Corrects the motion until the balance holds; whether it does.
@@ -257,7 +258,14 @@ impl<'a> Work<'a> {
 
     /// Coil voltage that the assumed motion needs.
     fn voltages(&self, motion: &Motion) -> State {
-        let (added, mean_added_stiffness) = self.added_force(motion);
+        let (mut added, mean_added_stiffness) = self.suspended(motion);
+        let odd = self.parity == Parity::Odd;
+        let rubbed = self.friction.map(|friction| friction.force(motion, odd));
+        if let Some(rubbed) = &rubbed {
+            for (added, order) in added.iter_mut().zip(&rubbed.orders) {
+                *added += order;
+            }
+        }
         let mut force = [Complex64::ZERO; ORDERS + 1];
         for n in 0..=ORDERS {
             force[n] = self.stiffness[n] * motion[n] + added[n];
@@ -285,11 +293,12 @@ impl<'a> Work<'a> {
             current_1: current[1],
             force_1: force[1],
             mean_added_stiffness,
+            rubbed,
         }
     }
 
-    /// Force of the bent suspension and of friction, and its mean slope.
-    fn added_force(&self, motion: &Motion) -> (Motion, f64) {
+    /// Force of the bent suspension, and its mean slope.
+    fn suspended(&self, motion: &Motion) -> (Motion, f64) {
         let (k2, k3) = (self.bend.quadratic_n_per_m2, self.bend.cubic_n_per_m3);
         let mut added = [Complex64::ZERO; ORDERS + 1];
         let mut slope = 0.0;
@@ -302,14 +311,6 @@ impl<'a> Work<'a> {
             }
             slope /= GRID as f64;
             added = analyse(&force, self.parity);
-        }
-        if let Some(friction) = self.friction {
-            for (added, order) in added
-                .iter_mut()
-                .zip(friction.force(motion, self.parity == Parity::Odd))
-            {
-                *added += order;
-            }
         }
         (added, slope)
     }
@@ -337,14 +338,23 @@ impl<'a> Work<'a> {
         let wanted = self.amplifier(state.voltage[1]);
         let bl = self.exciter.force_factor_n_per_a;
         let mut moves = [Complex64::ZERO; ORDERS + 1];
-        let mut largest: f64 = 0.0;
+        let mut yields = [Complex64::ZERO; ORDERS + 1];
         for n in self.parity.orders().filter(|&n| n != 1) {
             let s = Complex64::new(0.0, n as f64 * self.omega);
             let stiffness = self.stiffness[n] + state.mean_added_stiffness;
             let response = self.impedance[n] * stiffness / bl + s * bl * self.exciter.emf_ratio;
             moves[n] = (wanted[n] - state.voltage[n]) / response * damping;
-            largest = largest.max(moves[n].norm_sqr() * (n * n * n * n) as f64);
+            if state.rubbed.is_some() {
+                yields[n] = self.impedance[n] / (response * bl);
+            }
         }
+        if let Some(rubbed) = &state.rubbed {
+            rubbed.follow(&mut moves, &yields);
+        }
+        let sizes = moves.iter().enumerate();
+        let largest = sizes.fold(0.0_f64, |m, (n, by)| {
+            m.max(by.norm_sqr() * (n * n * n * n) as f64)
+        });
         (moves, largest.sqrt())
     }
 
