@@ -7,58 +7,19 @@
 //! the amplifier puts out. Each harmonic is corrected by its own linear
 //! response (with the mean stiffness of the suspension) until that holds.
 
+use super::bend::Bend;
 use super::exciter::Exciter;
 use super::friction::{Friction, Rubbed};
+use super::grid::{GRID, Motion, ORDERS, Parity, analyse, synthesize};
 use super::waveform::{Characteristic, clipped_order};
-use crate::lanes::dot;
 use num_complex::Complex64;
-use std::f64::consts::TAU;
 
-/// Highest harmonic of the balance.
-pub(crate) const ORDERS: usize = 15;
-/// Points of the time grid; a cubic force of 15 orders folds back onto orders above 18 only.
-pub(super) const GRID: usize = 64;
 /// Largest number of corrections.
 const MOST_CORRECTIONS: usize = 60;
 /// Correction of the motion, relative to its fundamental, at which the balance holds.
 const TOLERANCE: f64 = 1e-9;
 /// The same, relative to the first correction, where only a slope is wanted.
 const SLOPE_TOLERANCE: f64 = 1e-3;
-
-/// What bends the exciter away from the linear one, in one row.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Bend {
-    /// Force k3 x^3, in N/m3.
-    pub(crate) cubic_n_per_m3: f64,
-    /// Force k2 x^2 about the unloaded position, in N/m2.
-    pub(crate) quadratic_n_per_m2: f64,
-    /// Bl(x) = Bl (1 - droop x^2), in 1/m2.
-    pub(crate) droop_per_m2: f64,
-    /// Dry friction, in N.
-    pub(crate) friction_n: f64,
-    /// Peak voltage at which the amplifier saturates.
-    pub(crate) clip_v: Option<f64>,
-    /// Amplifier output e + even e^2, in 1/V.
-    pub(crate) even_per_v: f64,
-    /// Weight along the axis of motion over mass: g cos(tilt), in m/s2.
-    pub(crate) gravity_ms2: f64,
-}
-
-impl Bend {
-    /// Whether anything is bent at all.
-    pub(crate) fn is_linear(&self) -> bool {
-        self.friction_n == 0.0 && self.is_dry_only()
-    }
-
-    /// Whether nothing but dry friction bends.
-    fn is_dry_only(&self) -> bool {
-        self.cubic_n_per_m3 == 0.0
-            && self.quadratic_n_per_m2 == 0.0
-            && self.droop_per_m2 == 0.0
-            && self.clip_v.is_none()
-            && self.even_per_v == 0.0
-    }
-}
 
 /// What a balance is for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,9 +29,6 @@ pub(crate) enum Purpose {
     /// The difference to the balance from which it starts.
     Slope,
 }
-
-/// Harmonics of the displacement, in m: order 0 is the rest position.
-pub(crate) type Motion = [Complex64; ORDERS + 1];
 
 /// The balanced row.
 #[derive(Debug, Clone, Copy)]
@@ -93,28 +51,6 @@ pub(crate) struct Balanced {
     pub(crate) rests: bool,
     /// Whether the balance was reached.
     pub(crate) converged: bool,
-}
-
-/// Points of the first quarter of the grid, both ends included, and zeros up to a multiple of four.
-const QUARTER: usize = 20;
-
-/// Cosine and sine of every order on the first quarter of the grid: the other
-/// quarters mirror it, with signs that depend on whether the order is even.
-struct Tables {
-    cos: [[f64; QUARTER]; ORDERS + 1],
-    sin: [[f64; QUARTER]; ORDERS + 1],
-}
-
-fn tables() -> &'static Tables {
-    static TABLES: std::sync::OnceLock<Tables> = std::sync::OnceLock::new();
-    TABLES.get_or_init(|| {
-        let angle = |n: usize, i: usize| TAU * ((n * i) % GRID) as f64 / GRID as f64;
-        let inside = |i: usize| f64::from(u8::from(i <= GRID / 4));
-        Tables {
-            cos: std::array::from_fn(|n| std::array::from_fn(|i| inside(i) * angle(n, i).cos())),
-            sin: std::array::from_fn(|n| std::array::from_fn(|i| inside(i) * angle(n, i).sin())),
-        }
-    })
 }
 
 /// Balances one row at the held acceleration (peak, phase zero).
@@ -161,30 +97,6 @@ pub(crate) fn balance(
     work.result(motion, &state, acceleration_peak_ms2, converged)
 }
 
-/// Orders that can arise: forces that are odd in the motion make odd orders only.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Parity {
-    All,
-    Odd,
-}
-
-impl Parity {
-    fn of(bend: &Bend) -> Self {
-        if bend.quadratic_n_per_m2 == 0.0 && bend.even_per_v == 0.0 {
-            Self::Odd
-        } else {
-            Self::All
-        }
-    }
-
-    fn orders(self) -> std::iter::StepBy<std::ops::RangeInclusive<usize>> {
-        match self {
-            Self::All => (0..=ORDERS).step_by(1),
-            Self::Odd => (1..=ORDERS).step_by(2),
-        }
-    }
-}
-
 struct Work<'a> {
     exciter: &'a Exciter,
     bend: &'a Bend,
@@ -207,7 +119,7 @@ impl<'a> Work<'a> {
     fn new(exciter: &'a Exciter, bend: &'a Bend, omega: f64) -> Self {
         let mut impedance = [Complex64::from(exciter.resistance_ohm); ORDERS + 1];
         let mut stiffness = [Complex64::from(exciter.stiffness_n_per_m); ORDERS + 1];
-        let parity = Parity::of(bend);
+        let parity = bend.parity();
         for n in parity.orders().filter(|&n| n > 0) {
             impedance[n] = exciter.impedance(n as f64 * omega);
             stiffness[n] = exciter.dynamic_stiffness(n as f64 * omega);
@@ -402,86 +314,10 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Values on the grid of a sum of harmonics.
-pub(super) fn synthesize(orders: &Motion) -> [f64; GRID] {
-    let t = tables();
-    // Cosine and sine part of the even and of the odd orders.
-    let mut part = [[[0.0; QUARTER]; 2]; 2];
-    for (n, c) in orders.iter().enumerate() {
-        if c.re == 0.0 && c.im == 0.0 {
-            continue;
-        }
-        let [cosine, sine] = &mut part[n % 2];
-        for i in 0..QUARTER {
-            cosine[i] += c.re * t.cos[n][i];
-            sine[i] -= c.im * t.sin[n][i];
-        }
-    }
-    let [[even_c, even_s], [odd_c, odd_s]] = part;
-    let mut out = [0.0; GRID];
-    for i in 0..=GRID / 4 {
-        out[i] = even_c[i] + even_s[i] + odd_c[i] + odd_s[i];
-        out[GRID / 2 - i] = even_c[i] - even_s[i] - odd_c[i] + odd_s[i];
-        out[GRID / 2 + i] = even_c[i] + even_s[i] - odd_c[i] - odd_s[i];
-        out[(GRID - i) % GRID] = even_c[i] - even_s[i] + odd_c[i] - odd_s[i];
-    }
-    out
-}
-
-/// Harmonics of the values on the grid.
-pub(super) fn analyse(signal: &[f64; GRID], parity: Parity) -> Motion {
-    let t = tables();
-    let mut folded = [[[0.0; QUARTER]; 2]; 2];
-    for i in 0..=GRID / 4 {
-        let four = [
-            signal[i],
-            signal[GRID / 2 - i],
-            signal[GRID / 2 + i],
-            signal[(GRID - i) % GRID],
-        ];
-        // The ends of the quarter belong to two of the four points each.
-        let share = if i == 0 || i == GRID / 4 { 0.5 } else { 1.0 };
-        let [a, b, c, d] = four.map(|v| share * v);
-        folded[0][0][i] = a + b + c + d;
-        folded[0][1][i] = a - b + c - d;
-        folded[1][0][i] = a - b - c + d;
-        folded[1][1][i] = a + b - c - d;
-    }
-    let mut orders = [Complex64::ZERO; ORDERS + 1];
-    for n in parity.orders() {
-        let scale = if n == 0 { 1.0 } else { 2.0 } / GRID as f64;
-        let [cosine, sine] = &folded[n % 2];
-        orders[n] = Complex64::new(
-            scale * dot(cosine, &t.cos[n]),
-            -scale * dot(sine, &t.sin[n]),
-        );
-    }
-    orders
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// Every order comes back, and its values are those of cosine and sine: rounding of 64 terms only.
-    #[test]
-    fn a_sum_of_harmonics_is_analysed_into_the_same_harmonics() {
-        let mut motion: Motion =
-            std::array::from_fn(|n| Complex64::new(1.0 / (n + 1) as f64, 0.3 - 0.1 * n as f64));
-        motion[0].im = 0.0;
-        let signal = synthesize(&motion);
-        for (i, value) in signal.iter().enumerate() {
-            let expected: f64 = motion
-                .iter()
-                .enumerate()
-                .map(|(n, c)| (c * Complex64::from_polar(1.0, TAU * (n * i) as f64 / 64.0)).re)
-                .sum();
-            assert!((value - expected).abs() < 1e-13, "{i}: {value} {expected}");
-        }
-        for (found, order) in analyse(&signal, Parity::All).iter().zip(&motion) {
-            assert!((found - order).norm() < 1e-14);
-        }
-    }
+    use std::f64::consts::TAU;
 
     /// What is remembered is a start, not part of the answer: both solutions hold to the tolerance.
     #[test]

@@ -1,6 +1,6 @@
 //! What effects do to one row: the places where they may act.
 
-use super::balance::Bend;
+use super::bend::Bend;
 use super::scatter::Scatter;
 use super::waveform::Characteristic;
 use num_complex::Complex64;

@@ -4,9 +4,9 @@
 //! linear responses, the converter. Each bends the wave that reaches it, and a
 //! response carries what arose before it.
 
-use super::balance::ORDERS;
 use super::chain::Chain;
 use super::complex::size;
+use super::grid::ORDERS;
 use super::held::Held;
 use super::passed::{bends_by, mixes, pass};
 use super::path::{Path, highest};

@@ -1,6 +1,6 @@
 //! Where a wave crosses zero.
 
-use super::balance::{GRID, synthesize};
+use super::grid::{GRID, synthesize};
 use super::wave::{Wave, value};
 use std::f64::consts::TAU;
 

@@ -1,7 +1,7 @@
 //! Dry friction in the harmonic balance: a force that turns where the velocity does.
 
-use super::balance::{Motion, ORDERS};
 use super::exciter::Exciter;
+use super::grid::{Motion, ORDERS};
 use super::yields::{SUMMED, Yields};
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -200,8 +200,9 @@ fn tail(force_n: f64, yields: &Yields, mass: f64, omega: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::Friction;
-    use crate::model::balance::{Bend, ORDERS, Purpose, balance};
+    use super::{Friction, ORDERS};
+    use crate::model::balance::{Purpose, balance};
+    use crate::model::bend::Bend;
     use crate::model::exciter::Exciter;
     use num_complex::Complex64;
     use std::f64::consts::{PI, TAU};

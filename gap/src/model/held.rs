@@ -1,9 +1,9 @@
 //! The motion of a row: the level is held by what the reference channel shows.
 
-use super::balance::ORDERS;
 use super::chain::Chain;
 use super::complex::size;
 use super::drive::{Drive, drive};
+use super::grid::ORDERS;
 use super::memory::Recall;
 use super::passed::{NEGLIGIBLE, mixes, shaped};
 use super::path::Path;

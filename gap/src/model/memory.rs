@@ -1,8 +1,10 @@
 //! What is remembered of a row between evaluations.
 
-use super::balance::{Balanced, Bend, Motion, ORDERS, Purpose, balance};
+use super::balance::{Balanced, Purpose, balance};
+use super::bend::Bend;
 use super::exciter::{Added, Exciter};
 use super::fundamental::Fundamental;
+use super::grid::{Motion, ORDERS};
 use num_complex::Complex64;
 
 /// Memory of the harmonic balance of one row between evaluations.

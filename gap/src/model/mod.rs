@@ -15,6 +15,7 @@
 //! ```
 
 pub(crate) mod balance;
+pub(crate) mod bend;
 pub(crate) mod chain;
 mod channels;
 mod complex;
@@ -23,6 +24,7 @@ mod drive;
 pub(crate) mod exciter;
 mod friction;
 mod fundamental;
+mod grid;
 mod held;
 pub(crate) mod leakage;
 pub(crate) mod memory;

@@ -3,8 +3,8 @@
 //! Where a wave is bent once only, the closed forms for a cosine do; harmonics
 //! so small that a second bend does nothing to them are added.
 
-use super::balance::ORDERS;
 use super::complex::size;
+use super::grid::ORDERS;
 use super::wave::Wave;
 use super::waveform::Characteristic;
 use num_complex::Complex64;

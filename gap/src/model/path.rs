@@ -1,8 +1,9 @@
 //! The wave of the table on its way through linear responses.
 
-use super::balance::{Balanced, ORDERS};
+use super::balance::Balanced;
 use super::chain::Transfer;
 use super::complex::size;
+use super::grid::ORDERS;
 use super::transfers::Transfers;
 use super::wave::Wave;
 use super::waveform::REPORTED;

@@ -4,8 +4,8 @@
 //! has already. A cut is integrated in closed form between the places where
 //! the wave crosses the threshold; a polynomial is exact on the grid.
 
-use super::balance::{ORDERS, Parity, analyse, synthesize};
 use super::crossings::positive;
+use super::grid::{ORDERS, Parity, analyse, synthesize};
 use super::wave::{Wave, mean_square};
 use super::waveform::Characteristic;
 use num_complex::Complex64;

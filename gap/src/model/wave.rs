@@ -1,6 +1,6 @@
 //! A wave of many orders.
 
-use super::balance::ORDERS;
+use super::grid::ORDERS;
 use num_complex::Complex64;
 
 /// Orders of a wave, the sum of Re(c_n e^(j n t)); order 0 is the mean.
