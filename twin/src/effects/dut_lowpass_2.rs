@@ -12,7 +12,7 @@ pub(super) const EFFECT: Effect = Effect {
     formula: "r = 1 / (1 - (f/fc)^2 + j f/(Q fc)), Q 0.5..1",
     parameters: &[
         Parameter::new("corner_hz", "Hz", [100.0, 1e7], 50e3),
-        Parameter::new("quality", "1", [0.3, 1.5], 0.7),
+        Parameter::new("quality", "1", [0.5, 1.0], 0.7),
     ],
     apply: |values, _conditions, model| {
         let section = SecondOrder::low_pass(values[0], values[1]);
