@@ -1,8 +1,10 @@
 //! The verdict: from the probability of the leading set, and from what it leaves.
 
 use crate::answer::{Cause, Verdict};
+use crate::engine::fit::Workspace;
+use crate::engine::problem::Problem;
 use crate::engine::search::Search;
-use crate::engine::structure::Structure;
+use crate::engine::structure::{Structure, examine};
 
 /// Structure left by the best set at which "none of these" is the answer.
 pub(crate) const NONE_BELOW: f64 = 0.01;
@@ -15,6 +17,22 @@ pub(crate) const LISTED: f64 = 0.01;
 /// Probability above which a set is possible beside the leading one. No effect at all is such a set:
 /// where it is possible none is claimed.
 const POSSIBLE: f64 = 0.05;
+
+/// What the nominal simulation leaves, and the best set of a search: the same where it has no effect.
+pub(crate) fn left_by(
+    problem: &Problem,
+    found: &Search,
+    work: &mut Workspace,
+) -> (Structure, Structure) {
+    let nominal_left = examine(problem, &found.nominal, work);
+    let best = found.best();
+    let left = if best.effects.is_empty() {
+        nominal_left.clone()
+    } else {
+        examine(problem, best, work)
+    };
+    (nominal_left, left)
+}
 
 /// Verdict on a search, on what its best set leaves and on what the nominal simulation leaves.
 pub(crate) fn verdict(found: &Search, left: &Structure, nominal_left: &Structure) -> Verdict {

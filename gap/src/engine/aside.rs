@@ -100,13 +100,7 @@ fn of_run(problem: &Problem, level: &Column, before: &Column, run: usize, units:
 
 /// Slope of the weighted prediction from two evaluations; weights are those of the first.
 fn column(problem: &Problem, here: &Evaluation, there: &Evaluation, step: f64) -> Column {
-    let residual: Vec<f64> = there
-        .residual
-        .iter()
-        .zip(&there.weight)
-        .zip(&here.weight)
-        .map(|((r, wt), wh)| r / wt * wh)
-        .collect();
+    let residual = there.residual_as_weighted_by(here);
     let mut column = Column::difference(problem, &residual, &here.residual, 1.0 / step);
     for (slot, values) in &mut column.parts {
         if super::problem::is_phase(*slot) {

@@ -64,13 +64,7 @@ fn change(
     }
     let effects = [active(entry, parameters.to_vec())];
     let there = problem.evaluate(&effects, &nominal.theta, &mut work.memory);
-    let unweighted: Vec<f64> = there
-        .residual
-        .iter()
-        .zip(&there.weight)
-        .zip(&base.weight)
-        .map(|((r, wt), wb)| r / wt * wb)
-        .collect();
+    let unweighted = there.residual_as_weighted_by(base);
     Column::difference(problem, &unweighted, &base.residual, 1.0)
 }
 

@@ -15,6 +15,17 @@ pub(crate) struct Evaluation {
     pub(crate) diverged: usize,
 }
 
+impl Evaluation {
+    /// The residual with the weights of another evaluation.
+    pub(super) fn residual_as_weighted_by(&self, other: &Self) -> Vec<f64> {
+        let weights = self.weight.iter().zip(&other.weight);
+        let reweighed = self.residual.iter().zip(weights);
+        reweighed
+            .map(|(r, (own, others))| r / own * others)
+            .collect()
+    }
+}
+
 /// What the slopes against the nuisances need of each row.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Responses {

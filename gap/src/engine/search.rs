@@ -25,6 +25,13 @@ pub(crate) struct Search {
     pub(crate) every: Vec<Fit>,
 }
 
+impl Search {
+    /// The leading set; the nominal simulation where there is none.
+    pub(crate) fn best(&self) -> &Fit {
+        self.sets.first().map_or(&self.nominal, |set| &set.fit)
+    }
+}
+
 struct Searcher<'a> {
     problem: &'a Problem,
     atoms: Atoms,

@@ -43,12 +43,12 @@ impl Friction {
     /// what yields to it, and turns back at the zero: what the orders add to the velocity there
     /// depends on no angle, and the zero is where the fundamental makes up for it.
     pub(super) fn alone(&self, travel_m: f64) -> Motion {
-        let force = 4.0 * self.force_n / PI;
+        let force = square_wave(self.force_n);
         let back = self.turn(travel_m).conj();
         let (mut turn, twice) = (back, back * back);
         let mut motion = [Complex64::ZERO; ORDERS + 1];
         motion[1] = Complex64::from(travel_m);
-        for (n, yields) in self.yields.orders(3).take_while(|(n, _)| *n <= ORDERS) {
+        for (n, yields) in self.within() {
             turn *= twice;
             motion[n] = Complex64::I * yields * (force / n as f64) * turn;
         }
@@ -60,7 +60,7 @@ impl Friction {
     /// fundamental and of the orders (in the middle of the jump), less half of the jump. So it is
     /// where the suspension carries the motion, and friction makes it ring.
     pub(super) fn rests(&self, travel_m: f64) -> bool {
-        let force = 4.0 * self.force_n / PI;
+        let force = square_wave(self.force_n);
         let orders = self.yields.orders(3);
         let drag: f64 = orders.map(|(n, yields)| n as f64 * yields.im).sum();
         let pull_m = travel_m.abs() * self.turn(travel_m).re + force * drag;
@@ -70,12 +70,16 @@ impl Friction {
     /// `e^{j angle}` where the velocity turns upwards if nothing else bends; at most a quarter turn,
     /// where the fundamental cannot make up for the orders.
     fn turn(&self, travel_m: f64) -> Complex64 {
-        let within = self.yields.orders(3).take_while(|(n, _)| *n <= ORDERS);
-        let turned: f64 = within.map(|(_, yields)| yields.re).sum();
-        let missing_m = self.tail_m - 4.0 * self.force_n / PI * turned;
+        let turned: f64 = self.within().map(|(_, yields)| yields.re).sum();
+        let missing_m = self.tail_m - square_wave(self.force_n) * turned;
         // The fundamental adds -travel sin(angle).
         let sine = (missing_m / travel_m).clamp(-1.0, 1.0);
         Complex64::new((1.0 - sine * sine).sqrt(), sine)
+    }
+
+    /// The harmonics up to [`ORDERS`], with what yields to them.
+    fn within(&self) -> impl Iterator<Item = (usize, Complex64)> + '_ {
+        self.yields.orders(3).take_while(|(n, _)| *n <= ORDERS)
     }
 
     /// The force, from the two zeros of the velocity; `odd` where the motion has odd orders only, and
@@ -102,6 +106,11 @@ impl Friction {
         let turn = odd.then(|| (from.conj(), start.slope_m));
         Rubbed { orders, turn }
     }
+}
+
+/// Fundamental of a force that jumps between `force_n` and its negative; order n has 1/n of it.
+fn square_wave(force_n: f64) -> f64 {
+    4.0 * force_n / PI
 }
 
 /// The force of friction for an assumed motion.
@@ -191,7 +200,7 @@ fn tail(force_n: f64, yields: &Yields, mass: f64, omega: f64) -> (f64, f64) {
     }
     // Beyond them the mass alone, in N/m: the sum of 1/n^2 over odd n > N is 1/(2 (N + 1)), to N^-3.
     let rest = 0.5 / (SUMMED + 1) as f64;
-    let force = 4.0 * force_n / PI;
+    let force = square_wave(force_n);
     (
         -force * (turned - rest / mass),
         (force * omega * omega).powi(2) * (squares + rest / (mass * mass)),

@@ -8,7 +8,7 @@ use crate::engine::limits::Limits;
 use crate::engine::normal::difference;
 use crate::engine::problem::Problem;
 use crate::engine::search::search;
-use crate::engine::structure::examine;
+use crate::verdict::{left_by, verdict};
 use rayon::prelude::*;
 
 /// Probability above which a set is still possible.
@@ -30,11 +30,9 @@ pub(super) fn of_data<'a>(
     reach: &'a Problem,
 ) -> (Option<Verdict>, Pairs<'a>) {
     let found = search(problem, &Limits::without(&[], 2));
-    let best = found.sets.first().map_or(&found.nominal, |s| &s.fit);
-    let mut work = Workspace::new(problem);
-    let left = examine(problem, best, &mut work);
-    let nominal_left = examine(problem, &found.nominal, &mut work);
-    let verdict = crate::verdict::verdict(&found, &left, &nominal_left);
+    let best = found.best();
+    let (nominal_left, left) = left_by(problem, &found, &mut Workspace::new(problem));
+    let verdict = verdict(&found, &left, &nominal_left);
     if verdict == Verdict::NoGap {
         return (Some(verdict), of_library(reach));
     }

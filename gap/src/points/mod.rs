@@ -12,10 +12,9 @@ use crate::engine::fit::Workspace;
 use crate::engine::limits::Limits;
 use crate::engine::problem::Problem;
 use crate::engine::search::search_from;
-use crate::engine::structure::examine;
 use crate::options::Options;
 use crate::tuning::cancels;
-use crate::verdict::verdict;
+use crate::verdict::{left_by, verdict};
 use causes::{causes, confusable, nominal_parameters};
 use next::{next_measurement, sweep};
 use places::{local, places};
@@ -36,13 +35,8 @@ pub(crate) fn diagnose_points(
     let unseen = Unseen::new(dataset, problem, validate, &limits);
     let found = search_from(problem, &limits, unseen.searched());
     let mut work = Workspace::new(problem);
-    let best = found.sets.first().map_or(&found.nominal, |s| &s.fit);
-    let nominal_left = examine(problem, &found.nominal, &mut work);
-    let left = if best.effects.is_empty() {
-        nominal_left.clone()
-    } else {
-        examine(problem, best, &mut work)
-    };
+    let best = found.best();
+    let (nominal_left, left) = left_by(problem, &found, &mut work);
     let verdict = match verdict(&found, &left, &nominal_left) {
         Verdict::Explained | Verdict::Ambiguous if cancels(problem, best) => Verdict::Unexplained,
         verdict => verdict,
