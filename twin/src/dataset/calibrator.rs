@@ -81,7 +81,8 @@ pub fn generate(
     let mut rig = TrueRig::new(nominal, options.parameters_off_by, &mut random);
     let mut instrument = Instrument::new(nominal, options.uncertainties, random);
     let solver = Solver::default();
-    let measure = |setting: &Setting| {
+    let measure = |(index, setting): (usize, &Setting)| {
+        instrument.begin_row(index);
         let conditions = conditions(nominal, setting);
         let model = rig.model(setting, &conditions, effects);
         let level_v = setting.level_ms2 * nominal.reference.sensitivity_v_per_ms2.value;
@@ -96,7 +97,7 @@ pub fn generate(
             point
         })
     };
-    let points: Vec<Point> = design.iter().filter_map(measure).collect();
+    let points: Vec<Point> = design.iter().enumerate().filter_map(measure).collect();
     Generated {
         left_out: design.len() - points.len(),
         points,

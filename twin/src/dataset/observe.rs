@@ -53,6 +53,12 @@ impl Instrument {
         instrument
     }
 
+    /// Turns to the row of setting `index`: its noise depends on no other row, nor on rows left out.
+    pub(super) fn begin_row(&mut self, index: usize) {
+        self.random.set_stream(1 + index as u64);
+        self.random.set_word_pos(0);
+    }
+
     fn normal(&mut self) -> f64 {
         StandardNormal.sample(&mut self.random)
     }

@@ -91,6 +91,34 @@ fn an_effect_is_the_only_difference_between_two_datasets_of_one_seed() {
     }
 }
 
+/// The noise of a row is its own: rows that a clipped amplifier cannot hold are left out, and those
+/// below its threshold stay as they were.
+#[test]
+fn rows_left_out_do_not_change_the_noise_of_the_others() {
+    let options = Options::default();
+    let plain = made(&[], &options);
+    let clipped = made(&["amplifier_clipping=threshold_v:5"], &options);
+    assert!(clipped.left_out > plain.left_out, "{}", clipped.left_out);
+    let mut count = 0;
+    for point in &clipped.points {
+        let same = |p: &&Point| (p.time_s, p.frequency_hz) == (point.time_s, point.frequency_hz);
+        let without = plain
+            .points
+            .iter()
+            .find(same)
+            .expect("held without clipping");
+        if point.coil_v.is_some_and(|v| v > 3.0) {
+            continue;
+        }
+        let noise = |p: &Point| p.ref_noise_v.zip(p.dut_dc_v).expect("measured");
+        let (here, there) = (noise(point), noise(without));
+        assert!((here.0 / there.0 - 1.0).abs() < 1e-9, "{here:?} {there:?}");
+        assert!((here.1 - there.1).abs() < 1e-12, "{here:?} {there:?}");
+        count += 1;
+    }
+    assert!(count > 100, "{count}");
+}
+
 #[test]
 fn rows_of_one_run_share_their_gains() {
     let sharp = Uncertainties {
