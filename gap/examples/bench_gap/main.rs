@@ -26,7 +26,7 @@ const STRATA: [(&str, u64); 7] = [
     ("size", 420),
 ];
 /// Not used while the engine was developed.
-const SEED: u64 = 20_261_126;
+const SEED: u64 = 20261127;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

@@ -159,6 +159,7 @@ impl Effect for LevelNonlinearity {
         transfer.dut *= 1.0 + p[0] * row.level_ms2;
     }
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
+        chain.dut_level_per_ms2 += p[0];
         match self {
             Self::Plain => {}
             Self::Second => chain.dut_harmonics[0] += p[1] * row.level_ms2,

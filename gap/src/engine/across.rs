@@ -5,12 +5,13 @@
 //! to all other rows, and only what is better there by more than the cost of its
 //! effects is taken to the rows left out. The fits start from those to all rows.
 
-use super::fit::{Effort, Fit, Workspace, follow};
+use super::fit::{Fit, Workspace};
 use super::found::COST;
 use super::gap::Slice;
 use super::holdout::score_on;
 use super::linear::Linearised;
 use super::problem::Problem;
+use super::refine::{Effort, follow};
 use super::slopes::Slopes;
 use crate::dataset::Rig;
 use crate::model::row::Row;

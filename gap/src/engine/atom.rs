@@ -126,10 +126,11 @@ impl Atom {
         columns: &[Column],
         problem: &Problem,
         (evaluation, tangent): (&Evaluation, &Tangent),
+        owed: &DVector<f64>,
         floor: f64,
     ) -> Option<Promise> {
         let loads: Vec<DVector<f64>> = columns.iter().map(|c| tangent.load(c)).collect();
-        let (matrix, vector) = left_over(columns, &loads, problem, evaluation)?;
+        let (matrix, vector) = left_over(columns, &loads, owed, problem, evaluation)?;
         let mut amplitude = Cholesky::new(matrix.clone())?.solve(&vector);
         if let [size] = amplitude.as_mut_slice() {
             let (low, high) = self.sizes();
@@ -172,6 +173,7 @@ impl Atom {
 fn left_over(
     columns: &[Column],
     loads: &[DVector<f64>],
+    owed: &DVector<f64>,
     problem: &Problem,
     evaluation: &Evaluation,
 ) -> Option<(DMatrix<f64>, DVector<f64>)> {
@@ -179,8 +181,9 @@ fn left_over(
     let mut matrix: DMatrix<f64> = gram(columns, &vec![0.0; count]);
     let mut vector = DVector::zeros(count);
     for i in 0..count {
-        // At the optimum the nuisances' own gradients are balanced by their priors.
-        vector[i] = columns[i].dot_data(problem, &evaluation.residual);
+        // At an optimum the fit owes nothing: its own gradients are balanced by their priors. A
+        // parameter that is stuck at a bound has a slope left, which is no promise of others.
+        vector[i] = columns[i].dot_data(problem, &evaluation.residual) - loads[i].dot(owed);
         for j in 0..count {
             matrix[(i, j)] -= loads[i].dot(&loads[j]);
         }

@@ -4,7 +4,7 @@
 //! problem    whitened data, slots, comparison with the simulation
 //! evaluate   compares simulation and measurement; evaluation: what comes of it
 //! nuisance   what a fit moves that is no effect
-//! remainder  harmonics above those that are reported, as noise
+//! remainder  harmonics above those that are reported, as noise; higher: where they would show
 //! screen     every start of every effect against the residual of a fit
 //! noise_sum  sums over the noise columns
 //! atom       one start; values: of effects that just change values of the exciter
@@ -12,7 +12,8 @@
 //! column     a column of a Jacobian; normal: normal equations, tangent space
 //! linear     slopes at a fit; nuisance_columns, response: of which no row is computed anew; aside: the others
 //! slopes     slopes of earlier steps
-//! fit        refinement of a set of effects; step, polish
+//! fit        a set of effects as a search has it
+//! refine     its refinement; step, polish
 //! search     none, singles, pairs, within limits
 //! proposal   which effects to add to which sets; race: their refinement; found: what came of it
 //! score      how the sets found compare: posterior probabilities
@@ -36,6 +37,7 @@ pub(crate) mod example;
 pub(crate) mod fit;
 pub(crate) mod found;
 pub(crate) mod gap;
+mod higher;
 pub(crate) mod holdout;
 pub(crate) mod limits;
 pub(crate) mod linear;
@@ -48,6 +50,7 @@ mod polish;
 pub(crate) mod problem;
 mod proposal;
 mod race;
+mod refine;
 mod remainder;
 mod response;
 mod scatter;

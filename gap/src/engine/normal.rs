@@ -29,6 +29,14 @@ impl Tangent {
         inner
     }
 
+    /// L^-1 g for a gradient g.
+    pub(crate) fn halfway(&self, mut gradient: DVector<f64>) -> DVector<f64> {
+        self.factor
+            .l_dirty()
+            .solve_lower_triangular_mut(&mut gradient);
+        gradient
+    }
+
     /// L'^-1 v: the parameters that a load stands for.
     pub(crate) fn unload(&self, mut load: DVector<f64>) -> DVector<f64> {
         self.factor

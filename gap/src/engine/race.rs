@@ -1,10 +1,11 @@
 //! Refinement of a proposed set: a few steps, and all of them where it is within reach.
 
 use super::atom::{Promise, active};
-use super::fit::{Effort, Fit, Workspace, refine, refine_with};
+use super::fit::{Fit, Workspace};
 use super::found::Found;
 use super::problem::Problem;
 use super::proposal::Plan;
+use super::refine::{Effort, refine, refine_with};
 use super::step::moved;
 use crate::effects::{Active, library};
 

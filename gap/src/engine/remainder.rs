@@ -59,10 +59,12 @@ impl Remainders {
             let rise = 0.5 * (1.0 + added / power).ln();
             let difference = problem.measured[at] - prediction.value[NOISE + channel] - rise;
             let open = prediction.open[NOISE + channel];
-            let rough = open + (prediction.remainder_open[channel] * rise).powi(2);
+            let widened = |share: f64| open + (share * rise).powi(2);
+            let carried = widened(prediction.remainder_carried[channel]);
+            let rough = widened(prediction.remainder_open[channel]);
             let narrowed = (problem.uncertainty(at) * evaluation.weight[at]).powi(2);
             let without = evaluation.residual[at].powi(2) + (1.0 / narrowed).ln();
-            self.all.add(problem, at, difference, open, without);
+            self.all.add(problem, at, difference, carried, without);
             self.roughly.add(problem, at, difference, rough, without);
         }
     }

@@ -49,15 +49,20 @@ pub(super) struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
+    /// `higher_v2` is the power of the harmonics of each row that count as noise.
     pub(super) fn new(
         problem: &'a Problem,
         effects: &[Active<'_>],
         theta: &'a [f64],
         here: &'a Evaluation,
+        higher_v2: Option<&[[f64; 2]]>,
     ) -> Self {
         let nominal = problem.nominal(&problem.stated_noise(theta));
-        let before = problem.rows.iter().map(|row| {
-            let mut scatter = Scatter::default();
+        let before = problem.rows.iter().enumerate().map(|(at, row)| {
+            let mut scatter = Scatter {
+                noise_v2: higher_v2.map_or([0.0; 2], |all| all[at]),
+                ..Scatter::default()
+            };
             for effect in effects {
                 effect.scatter(row, nominal.dut_gain, &mut scatter);
             }

@@ -1,12 +1,13 @@
 //! Screening: how much each effect could explain of what a fit leaves.
 
 use super::atom::{Atom, Promise, active};
-use super::evaluation::Evaluation;
 use super::fit::{Fit, Workspace};
+use super::higher::higher_harmonics;
 use super::linear::Linearised;
 use super::nuisance::Nuisance;
 use super::problem::Problem;
 use super::scatter::{QuietStarts, Scene};
+use super::settled::gradient;
 use super::slopes::Slopes;
 use crate::effects::library;
 
@@ -83,6 +84,8 @@ impl Atoms {
             problem.free.iter().zip(&fit.theta).any(|(free, value)| {
                 matches!(free.kind, Nuisance::Exciter(_)) && value.abs() > PULLED
             });
+        let slope = gradient(problem, fit, &tangent, &evaluation.residual);
+        let owed = tangent.halfway(slope);
         for atom in &self.list {
             if fit.has(atom.entry) {
                 continue;
@@ -93,11 +96,15 @@ impl Atoms {
             let columns = beside.as_ref().unwrap_or(&atom.columns);
             let best = &mut best[atom.entry];
             let floor = best.as_ref().map_or(f64::NEG_INFINITY, |p| p.gain);
-            if let Some(promise) = atom.promise(columns, problem, at, floor) {
+            if let Some(promise) = atom.promise(columns, problem, at, &owed, floor) {
                 *best = Some(promise);
             }
         }
-        self.scan_scatter(problem, fit, &evaluation, &mut best);
+        let higher_v2 = higher_harmonics(problem, fit, work);
+        for higher_v2 in std::iter::once(None).chain(higher_v2.as_deref().map(Some)) {
+            let scene = Scene::new(problem, &fit.effects, &fit.theta, &evaluation, higher_v2);
+            self.scan_scatter(problem, fit, &scene, &mut best);
+        }
         let mut list: Vec<Promise> = best.into_iter().flatten().collect();
         list.sort_by(|a, b| b.gain.total_cmp(&a.gain));
         (list, Some(Slopes::new(tangent.columns, evaluation.weight)))
@@ -108,10 +115,9 @@ impl Atoms {
         &mut self,
         problem: &Problem,
         fit: &Fit,
-        evaluation: &Evaluation,
+        scene: &Scene<'_>,
         best: &mut [Option<Promise>],
     ) {
-        let scene = Scene::new(problem, &fit.effects, &fit.theta, evaluation);
         for (entry, starts) in self.scattering.iter().filter(|(e, _)| !fit.has(*e)) {
             for round in [None, Some(0), Some(1), Some(2)] {
                 let list = match (round, &best[*entry]) {
@@ -140,7 +146,7 @@ impl Atoms {
 #[cfg(test)]
 mod tests {
     use super::super::example::measured;
-    use super::super::fit::{Effort, refine};
+    use super::super::refine::{Effort, refine};
     use super::*;
 
     /// A damping 10 of its standard uncertainties off costs 100 as a pull and nothing as an

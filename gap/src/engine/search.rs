@@ -1,11 +1,12 @@
 //! Which set of effects: none, singles, pairs, with their probabilities.
 
-use super::fit::{Effort, Fit, Workspace, refine};
+use super::fit::{Fit, Workspace};
 use super::found::Found;
 use super::limits::Limits;
 use super::problem::Problem;
 use super::proposal::{Base, Plan, WORTH_REFINING, chosen};
 use super::race::race;
+use super::refine::{Effort, refine};
 use super::score::{Scored, score};
 use super::screen::Atoms;
 use std::rc::Rc;

@@ -20,7 +20,11 @@ pub(crate) struct Settled {
 impl Settled {
     /// One step in the tangent space of a fit from its residual `left`.
     pub(crate) fn new(problem: &Problem, fit: &Fit, tangent: &Tangent, mut left: Vec<f64>) -> Self {
-        let step = tangent.solve(&gradient(problem, fit, tangent, &left));
+        let slope = gradient(problem, fit, tangent, &left);
+        let mut step = tangent.solve(&slope);
+        if leaves_bounds(problem, fit, tangent, &step) {
+            step = tangent.solve(&slope.component_mul(&movable(problem, fit)));
+        }
         for (column, by) in tangent.columns.iter().zip(step.iter()) {
             column.add_to(problem, &mut left, -by);
         }
@@ -32,25 +36,46 @@ impl Settled {
     }
 }
 
-/// Slope of the objective against nuisances and parameters, zero where they cannot move.
-fn gradient(problem: &Problem, fit: &Fit, tangent: &Tangent, left: &[f64]) -> DVector<f64> {
+/// Deviate from which noise alone does not lead beyond a bound.
+const BEYOND_NOISE: f64 = 3.0;
+
+/// Whether a step leads beyond a bound by more than noise does. By less it may: what is left of a
+/// value that stays, though the data have it a little farther out, would look like structure.
+fn leaves_bounds(problem: &Problem, fit: &Fit, tangent: &Tangent, step: &DVector<f64>) -> bool {
+    let movable = movable(problem, fit);
+    if movable.iter().all(|moves| *moves == 1.0) {
+        return false;
+    }
+    let covariance = tangent.covariance();
+    let stuck = (0..step.len()).filter(|at| movable[*at] == 0.0);
+    stuck
+        .into_iter()
+        .any(|at| step[at].abs() > BEYOND_NOISE * covariance[(at, at)].sqrt())
+}
+
+/// 1 for what can move, 0 for a parameter at its bound: nuisances, then parameters.
+fn movable(problem: &Problem, fit: &Fit) -> DVector<f64> {
+    let parameters = fit.effects.iter().flat_map(|effect| {
+        let bounds = effect.effect.about().parameters.iter();
+        let values = bounds.zip(&effect.parameters);
+        values.map(|(bound, value)| *value > bound.lower && *value < bound.upper)
+    });
+    let all = std::iter::repeat_n(true, problem.free.len()).chain(parameters);
+    let all: Vec<f64> = all.map(|moves| f64::from(u8::from(moves))).collect();
+    DVector::from_vec(all)
+}
+
+/// Slope of the objective against nuisances and parameters.
+pub(super) fn gradient(
+    problem: &Problem,
+    fit: &Fit,
+    tangent: &Tangent,
+    left: &[f64],
+) -> DVector<f64> {
     let nuisances = problem.free.iter().zip(&fit.theta);
     let pulled = nuisances.map(|(free, value)| if free.bounded { *value } else { 0.0 });
     let pulled = pulled.chain(std::iter::repeat(0.0));
-    // A parameter stays at its bound.
-    let stays = fit.effects.iter().flat_map(|effect| {
-        let bounds = effect.effect.about().parameters.iter();
-        let values = bounds.zip(&effect.parameters);
-        values.map(|(bound, value)| *value <= bound.lower || *value >= bound.upper)
-    });
-    let moves = std::iter::repeat_n(true, problem.free.len()).chain(stays.map(|stays| !stays));
-    let columns = tangent.columns.iter().zip(moves).zip(pulled);
-    let gradient = columns.map(|((column, moves), pulled)| {
-        if moves {
-            column.dot_data(problem, left) - pulled
-        } else {
-            0.0
-        }
-    });
+    let columns = tangent.columns.iter().zip(pulled);
+    let gradient = columns.map(|(column, pulled)| column.dot_data(problem, left) - pulled);
     DVector::from_iterator(tangent.columns.len(), gradient)
 }

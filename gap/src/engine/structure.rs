@@ -205,8 +205,8 @@ mod tests {
         let problem = Problem::new(&rig, &points);
         let mut work = Workspace::new(&problem);
         let start = vec![0.0; problem.free.len()];
-        let effort = super::super::fit::Effort::FULL;
-        let mut fit = super::super::fit::refine(&problem, Vec::new(), start, effort, &mut work);
+        let effort = super::super::refine::Effort::FULL;
+        let mut fit = super::super::refine::refine(&problem, Vec::new(), start, effort, &mut work);
         let at_best = examine(&problem, &fit, &mut work).p_value;
         assert!(at_best > 0.01, "{at_best}");
         let gain = problem

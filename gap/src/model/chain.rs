@@ -26,6 +26,9 @@ pub(crate) struct Chain {
     pub(crate) ref_adc: Option<Characteristic>,
     /// DUT channel of the digitiser, in V.
     pub(crate) dut_adc: Option<Characteristic>,
+    /// Relative change of the gain of the device under test per m/s2 (r.m.s.) of the table, as the
+    /// responses have it; the device feels what its mount lets through.
+    pub(crate) dut_level_per_ms2: f64,
     /// Relative harmonics 2..5 added in the device under test.
     pub(crate) dut_harmonics: [f64; 4],
     /// Noise and leakage.
@@ -44,6 +47,7 @@ impl Default for Chain {
             mount: None,
             ref_adc: None,
             dut_adc: None,
+            dut_level_per_ms2: 0.0,
             dut_harmonics: [0.0; 4],
             scatter: Scatter::default(),
         }

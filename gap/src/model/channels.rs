@@ -9,7 +9,7 @@ use super::complex::size;
 use super::grid::ORDERS;
 use super::held::Held;
 use super::passed::{bends_by, mixes, pass};
-use super::path::{Path, highest};
+use super::path::{Above, Path, highest};
 use super::prediction::{Nominal, Prediction};
 use super::row::{DC, DUT_HARMONICS, REF_HARMONICS, Row};
 use super::wave::{Wave, mean_square};
@@ -51,7 +51,7 @@ fn of_reference(chain: &Chain, held: &Held<'_>, out: &mut Prediction) -> Complex
         Some(adc) => signal.convert(adc, whole, out),
         None => Complex64::ONE,
     };
-    signal.write(path, whole, out);
+    signal.write(path, &path.above(|t| t.table * t.reference), whole, out);
     gain
 }
 
@@ -81,16 +81,18 @@ fn of_dut(nominal: &Nominal, chain: &Chain, held: &Held<'_>, out: &mut Predictio
     };
     let mut gain = Complex64::ONE;
     if let Some(mount) = mount {
-        gain = signal.lift(mount, peak_ms2, whole, out);
+        gain = signal.lift(mount, peak_ms2, (path, whole), out);
+        gain *= signal.feel(chain.dut_level_per_ms2, peak_ms2 / SQRT_2, size(gain));
     }
+    // They grow with what the device feels.
     for (order, harmonic) in signal.wave[2..].iter_mut().zip(&chain.dut_harmonics) {
-        *order += harmonic;
+        *order += harmonic * size(gain);
     }
     signal.wave = path.carry(&signal.wave, highest(whole), |t| t.dut);
     if let Some(adc) = adc {
         gain *= signal.convert(adc, twice, out);
     }
-    signal.write(path, whole, out);
+    signal.write(path, &path.above(|t| t.table * t.dut), whole, out);
     gain
 }
 
@@ -117,20 +119,29 @@ struct Signal {
 }
 
 impl Signal {
-    /// The mount bends the motion, of the given peak; returns its gain.
+    /// The mount bends the motion, of the given peak, as a whole wave or not; returns its gain.
     fn lift(
         &mut self,
         mount: Characteristic,
         peak_ms2: f64,
-        whole: bool,
+        (path, whole): (&Path<'_>, bool),
         out: &mut Prediction,
     ) -> Complex64 {
         let passed = pass(mount, peak_ms2, &self.wave, whole);
         let v_per_ms2 = self.peak_v / peak_ms2;
-        out.remainder_v2[self.channel] += passed.beyond * v_per_ms2.powi(2);
+        let carried = path.carries_kink(|t| t.dut, whole);
+        out.remainder_v2[self.channel] += passed.beyond * v_per_ms2.powi(2) * carried;
         self.peak_v *= size(passed.gain);
         self.wave = passed.wave;
         passed.gain
+    }
+
+    /// A gain that depends on the level (r.m.s.) is that of the level the device feels, a share of
+    /// that of the table; returns what that changes.
+    fn feel(&mut self, per_ms2: f64, level_ms2: f64, share: f64) -> f64 {
+        let gain = (1.0 + per_ms2 * level_ms2 * share) / (1.0 + per_ms2 * level_ms2);
+        self.peak_v *= gain;
+        gain
     }
 
     /// The converter bends the voltage; returns its gain.
@@ -144,25 +155,27 @@ impl Signal {
     }
 
     /// Writes the harmonics, and the orders above them, which show in the noise.
-    fn write(&self, path: &Path<'_>, whole: bool, out: &mut Prediction) {
+    fn write(&self, path: &Path<'_>, above: &Above, whole: bool, out: &mut Prediction) {
         if self.peak_v.is_finite() {
-            self.write_remainder(path, whole, out);
+            self.write_remainder(path, above, whole, out);
         }
         let slot = [REF_HARMONICS, DUT_HARMONICS][self.channel];
         write_harmonics(path.transfers.row, slot, &self.wave, out);
     }
 
-    fn write_remainder(&self, path: &Path<'_>, whole: bool, out: &mut Prediction) {
+    fn write_remainder(&self, path: &Path<'_>, above: &Above, whole: bool, out: &mut Prediction) {
         let over_fundamental = if whole {
-            let mut above = self.wave;
-            above[..REPORTED].fill(Complex64::ZERO);
-            2.0 * mean_square(&above) + path.beyond
+            let mut wave = self.wave;
+            wave[..REPORTED].fill(Complex64::ZERO);
+            2.0 * mean_square(&wave) + above.beyond
         } else {
-            path.remainder
+            above.remainder
         };
         out.remainder_v2[self.channel] += 0.5 * self.peak_v * self.peak_v * over_fundamental;
         if path.remainder > 0.0 {
-            out.remainder_open[self.channel] = REMAINDER_OPEN;
+            let carried = (above.beyond - path.beyond).abs() / above.remainder;
+            out.remainder_carried[self.channel] = carried;
+            out.remainder_open[self.channel] = REMAINDER_OPEN.max(carried);
         }
     }
 }

@@ -9,6 +9,22 @@ use super::wave::Wave;
 use super::waveform::REPORTED;
 use num_complex::Complex64;
 
+/// Orders that stand for all above [`ORDERS`] of a jump, whose powers fall with the square of the
+/// order: in the middle of quarters of 1/n.
+const JUMP: [usize; 4] = [128, 43, 26, 18];
+/// The same for a kink, whose powers fall with the fourth power: above 5, and above [`ORDERS`].
+const KINK: [[usize; 4]; 2] = [[6, 7, 8, 11], [16, 18, 22, 31]];
+/// Power over that of the fundamental below which no response is asked.
+const UNSEEN: f64 = 1e-12;
+
+/// Orders above 5 behind a response.
+pub(super) struct Above {
+    /// Mean square over that of the fundamental.
+    pub(super) remainder: f64,
+    /// What of it no wave holds.
+    pub(super) beyond: f64,
+}
+
 /// The wave of the table, and the linear responses on its way.
 pub(super) struct Path<'a> {
     pub(super) transfers: Transfers<'a>,
@@ -58,6 +74,42 @@ impl<'a> Path<'a> {
             out[n] = wave[n] * carried(of(&there), first, n as u32);
         }
         out
+    }
+
+    /// Mean square of the orders above 5 behind a response, over that of the fundamental there, and
+    /// what of it no wave holds.
+    pub(super) fn above(&self, of: fn(&Transfer) -> Complex64) -> Above {
+        if self.remainder < UNSEEN {
+            return Above {
+                remainder: self.remainder,
+                beyond: self.beyond,
+            };
+        }
+        let filled = (REPORTED..=ORDERS).filter(|n| self.table[*n] != Complex64::ZERO);
+        let within = filled.map(|n| self.table[n].norm_sqr() * self.carried_power(of, &[n]));
+        let within: f64 = within.sum();
+        let beyond = if self.beyond > 0.0 {
+            self.beyond * self.carried_power(of, &JUMP)
+        } else {
+            0.0
+        };
+        Above {
+            remainder: within + beyond,
+            beyond,
+        }
+    }
+
+    /// Power behind a response over that in front of it, of what a kink has above the orders that are
+    /// followed: all of a whole wave, or those that are reported.
+    pub(super) fn carries_kink(&self, of: fn(&Transfer) -> Complex64, whole: bool) -> f64 {
+        self.carried_power(of, &KINK[usize::from(whole)])
+    }
+
+    /// The same, the mean of some orders.
+    fn carried_power(&self, of: fn(&Transfer) -> Complex64, orders: &[usize]) -> f64 {
+        let first = of(&self.transfers.first).norm_sqr();
+        let power = |n: &usize| of(&self.transfers.at_order(*n)).norm_sqr() / first;
+        orders.iter().map(power).sum::<f64>() / orders.len() as f64
     }
 
     /// What the reference channel receives.

@@ -33,6 +33,9 @@ pub(crate) struct Prediction {
     pub(crate) slopes: Option<[Slopes; 2]>,
     /// Mean square of the harmonics above 5 in each channel, in V^2.
     pub(crate) remainder_v2: [f64; 2],
+    /// Share of it by which a response moved what no wave holds: how far a channel reaches is not
+    /// known.
+    pub(crate) remainder_carried: [f64; 2],
     /// Share of it that is not known better.
     pub(crate) remainder_open: [f64; 2],
     /// Noise power of each channel without it, in V^2.
@@ -50,6 +53,7 @@ impl Prediction {
         open: [0.0; SLOTS],
         slopes: None,
         remainder_v2: [0.0; 2],
+        remainder_carried: [0.0; 2],
         remainder_open: [0.0; 2],
         noise_power_v2: [0.0; 2],
         noise_share: [1.0; 2],

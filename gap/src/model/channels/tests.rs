@@ -176,3 +176,29 @@ fn the_level_is_held_by_what_a_saturating_reference_shows_of_a_bent_wave() {
     );
     assert!(found.value[DRIVE].is_finite());
 }
+
+/// Dry friction alone: order n of its square wave moves the mass against spring, damping and what the
+/// voltage source brakes; a filter takes its part of each order. Four orders stand for all above 15:
+/// they are right to 3 % behind this filter.
+#[test]
+fn a_filter_takes_its_part_of_the_orders_above_five() {
+    let (friction_n, corner_hz) = (0.02, 600.0);
+    let friction = ("coulomb_friction", 0, vec![friction_n]);
+    let found = predicted(&[friction, ("dut_lowpass_1", 0, vec![corner_hz])]);
+    let orders = (7..2000).step_by(2).map(|n| {
+        let frequency_hz = 20.0 * f64::from(n);
+        let omega = TAU * frequency_hz;
+        let brake = 7.0 * 7.0 / Complex64::new(4.0, omega * 1.2e-4) + 3.0;
+        let stiff = 8000.0 - 0.09 * omega * omega + Complex64::i() * omega * brake;
+        let force_n = 4.0 * friction_n / (std::f64::consts::PI * f64::from(n));
+        let square = (force_n * omega * omega / stiff).norm_sqr();
+        [square, square / (1.0 + (frequency_hz / corner_hz).powi(2))]
+    });
+    let sums = orders.fold([0.0; 2], |sum, pair| [sum[0] + pair[0], sum[1] + pair[1]]);
+    let [plain, filtered] = sums.map(|sum| 0.5 * sum);
+    let expected = [0.01 * 0.01 * plain, 0.02 * 0.02 * filtered];
+    assert!(filtered < 0.8 * plain, "the filter shows");
+    for (found, expected) in found.remainder_v2.iter().zip(expected) {
+        assert!((found / expected - 1.0).abs() < 0.03, "{found} {expected}");
+    }
+}

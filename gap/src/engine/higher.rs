@@ -1,0 +1,27 @@
+//! Where harmonics above those that are reported would show in the noise.
+
+use super::evaluate::Memories;
+use super::fit::{Fit, Workspace};
+use super::problem::Problem;
+
+/// Share of the healthy noise power from which the higher harmonics of a row matter.
+const SHOWS: f64 = 1e-2;
+
+/// Mean square of the harmonics above 5 in each row and channel, in V^2, where a fit has any that
+/// would show in the noise.
+pub(super) fn higher_harmonics(
+    problem: &Problem,
+    fit: &Fit,
+    work: &Workspace,
+) -> Option<Vec<[f64; 2]>> {
+    let mut all = vec![[0.0; 2]; problem.rows.len()];
+    let mut any = false;
+    let memory = Memories::Look(&work.memory);
+    problem.predictions(&fit.effects, &fit.theta, memory, |row, found| {
+        all[row] = found.remainder_v2;
+        let healthy_v2 = problem.base.noise_v.map(|v| v * v);
+        let shows = all[row].iter().zip(healthy_v2);
+        any |= shows.into_iter().any(|(added, own)| *added > SHOWS * own);
+    });
+    any.then_some(all)
+}
