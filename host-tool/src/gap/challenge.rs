@@ -3,11 +3,10 @@
 use super::draw::{self, Drawn};
 use super::strata::{Plan, Stratum};
 use super::truth::{MANIFEST, Manifest, OpenCase, TrueCase, Truth, sha256};
+use super::visible::Yardstick;
 use crate::file::{self, Existing};
 use crate::{Error, Result};
-use calib_twin::dataset::{
-    Generated, Nominal, Point, Setting, generate, points_csv, standard_design,
-};
+use calib_twin::dataset::{Nominal, Point, Setting, generate, points_csv, standard_design};
 use calib_twin::effects::ActiveEffect;
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -16,7 +15,7 @@ use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// An effect this small nobody can be asked to name, in standard uncertainties
-/// of the whole dataset.
+/// of the whole dataset: another one is drawn, as long as one is found.
 const LEAST_SIGMA: f64 = 10.0;
 /// Range of sizes of [`Stratum::Size`].
 const SIZES_SIGMA: [f64; 2] = [1.0, 1000.0];
@@ -42,6 +41,7 @@ struct Measured {
     plan: Plan,
     points: Vec<Point>,
     size_sigma: f64,
+    least_sigma: f64,
 }
 
 /// Makes `per_stratum` cases of each kind in `strata`, and locks their truth.
@@ -117,11 +117,11 @@ fn case(
 ) -> Measured {
     let mut random = stream(seed, stratum, index);
     let options = stratum.options(random.next_u64());
-    let bare = generate(nominal, design, &[], &options);
+    let yardstick = Yardstick::new(nominal, design, &options);
     let measure = |effects: &[Drawn]| {
-        let made = generate(nominal, design, effects, &options);
-        let sigma = distance_sigma(&made, &bare);
-        (made, sigma)
+        let points = generate(nominal, design, effects, &options).points;
+        let sigma = yardstick.sigma(&points);
+        (points, sigma)
     };
     let wanted = (stratum == Stratum::Size).then(|| {
         let [least, most] = SIZES_SIGMA;
@@ -130,31 +130,48 @@ fn case(
     let mut last = None;
     for _ in 0..MOST_DRAWS {
         let mut plan = stratum.plan(index, &mut random);
+        if !is_rig(nominal, &plan.effects) {
+            continue;
+        }
         if let Some(wanted) = wanted {
             resize(&mut plan.effects, wanted, |effects| measure(effects).1);
         }
-        let (made, size_sigma) = measure(&plan.effects);
-        let enough = wanted.is_some()
-            || plan
-                .effects
+        let (points, size_sigma) = measure(&plan.effects);
+        let least_sigma = match plan.effects.as_slice() {
+            [] | [_] => size_sigma,
+            several => several
                 .iter()
-                .all(|effect| measure(std::slice::from_ref(effect)).1 > LEAST_SIGMA);
-        let usable = made.points.len() >= LEAST_ROWS && enough;
+                .map(|effect| measure(std::slice::from_ref(effect)).1)
+                .fold(f64::INFINITY, f64::min),
+        };
+        let enough = wanted.is_some() || plan.effects.is_empty() || least_sigma > LEAST_SIGMA;
+        let usable = points.len() >= LEAST_ROWS && enough;
         last = Some(Measured {
             plan,
-            points: made.points,
+            points,
             size_sigma,
+            least_sigma,
         });
         if usable {
             break;
         }
     }
-    // Note: the loop runs at least once.
+    // Note: some draw is a rig.
     last.unwrap_or_else(|| Measured {
-        plan: stratum.plan(index, &mut random),
-        points: bare.points,
+        plan: Stratum::Null.plan(index, &mut random),
+        points: yardstick.into_points(),
         size_sigma: 0.0,
+        least_sigma: 0.0,
     })
+}
+
+/// Whether there is such a rig: a suspension takes energy from the motion.
+fn is_rig(nominal: &Nominal, effects: &[Drawn]) -> bool {
+    let added = effects
+        .iter()
+        .filter(|drawn| drawn.effect().id == "mechanical_damping")
+        .map(|drawn| drawn.values()[0]);
+    nominal.exciter.damping_ns_per_m.value + added.sum::<f64>() > 0.0
 }
 
 /// Weakens or strengthens the effect until it changes the data by about `wanted`.
@@ -198,78 +215,6 @@ fn scaled(effect: &Drawn, factor: f64) -> Drawn {
     ActiveEffect::new(effect.effect(), &values).unwrap_or_else(|_| effect.clone())
 }
 
-/// Root of the sum of squares of all differences over their standard
-/// uncertainties, on points both have; noise is the same in both.
-fn distance_sigma(with: &Generated, without: &Generated) -> f64 {
-    let sum: f64 = with
-        .points
-        .iter()
-        .filter_map(|point| {
-            let same = |other: &&Point| {
-                other.time_s == point.time_s && other.frequency_hz == point.frequency_hz
-            };
-            Some(squares(point, without.points.iter().find(same)?))
-        })
-        .sum();
-    sum.sqrt()
-}
-
-fn squares(a: &Point, b: &Point) -> f64 {
-    let ratio = |p: &Point| p.ratio.or_else(|| Some(p.dut_v? / p.ref_v?));
-    let quotient = |x: Option<f64>, y: Option<f64>| Some(x? / y?);
-    let mut sum = 0.0;
-    let mut relative = |x: Option<f64>, y: Option<f64>, u: Option<f64>| {
-        if let (Some(x), Some(y), Some(u)) = (x, y, u) {
-            sum += ((x / y).ln() / u).powi(2);
-        }
-    };
-    relative(ratio(a), ratio(b), a.u_ratio);
-    let drive = |p: &Point| quotient(p.ref_v, p.coil_v);
-    relative(drive(a), drive(b), a.u_drive);
-    let current = |p: &Point| quotient(p.coil_a, p.coil_v);
-    relative(current(a), current(b), a.u_current);
-    relative(a.ref_noise_v, b.ref_noise_v, Some(0.01));
-    relative(a.dut_noise_v, b.dut_noise_v, Some(0.01));
-    let mut absolute = |x: Option<f64>, y: Option<f64>, u: Option<f64>| {
-        if let (Some(x), Some(y), Some(u)) = (x, y, u) {
-            sum += ((x - y) / u).powi(2);
-        }
-    };
-    absolute(a.ref_dc_v, b.ref_dc_v, a.u_dc_v);
-    absolute(a.dut_dc_v, b.dut_dc_v, a.u_dc_v);
-    let mut angle = |x: Option<f64>, y: Option<f64>, u: Option<f64>| {
-        if let (Some(x), Some(y), Some(u)) = (x, y, u) {
-            let turned = (x - y + 180.0).rem_euclid(360.0) - 180.0;
-            sum += (turned / u).powi(2);
-        }
-    };
-    angle(a.dut_deg, b.dut_deg, a.u_phase_deg);
-    let in_deg = |u: Option<f64>| u.map(f64::to_degrees);
-    angle(a.ref_deg, b.ref_deg, in_deg(a.u_drive));
-    angle(a.coil_a_deg, b.coil_a_deg, in_deg(a.u_current));
-    sum + harmonic_squares(a, b)
-}
-
-fn harmonic_squares(a: &Point, b: &Point) -> f64 {
-    let Some(u) = a.u_harmonic else { return 0.0 };
-    let mut sum = 0.0;
-    for (x, y) in [
-        (a.ref_harmonics, b.ref_harmonics),
-        (a.dut_harmonics, b.dut_harmonics),
-    ] {
-        let pairs = x.iter().flatten().zip(y.iter().flatten());
-        for (x, y) in pairs {
-            let turned = (x.phase_deg - y.phase_deg).to_radians();
-            // Law of cosines.
-            let square = x.amplitude.powi(2) + y.amplitude.powi(2)
-                - 2.0 * x.amplitude * y.amplitude * turned.cos();
-            // Of equal values rounding may leave less than nothing.
-            sum += square.max(0.0) / (u * u);
-        }
-    }
-    sum
-}
-
 fn store(nominal: &Nominal, case: Measured, out: &Path, name: String) -> Result<TrueCase> {
     let folder = out.join(&name);
     let failed = |error| Error::file("write", &folder, error);
@@ -288,6 +233,7 @@ fn store(nominal: &Nominal, case: Measured, out: &Path, name: String) -> Result<
         stages: effects.iter().map(stage).collect(),
         without: case.plan.without,
         size_sigma: case.size_sigma,
+        least_sigma: case.least_sigma,
         dataset_sha256: sha256(&dataset),
     })
 }

@@ -2,7 +2,8 @@
 //!
 //! - [`believed`]: which rig a simulation believes in, from whatever file states it.
 //! - [`simulated`]: one dataset of known cause.
-//! - [`challenge`]: many of them in [`strata`], drawn by [`draw`], their [`truth`] sealed.
+//! - [`challenge`]: many of them in [`strata`], drawn by [`draw`], their [`truth`] sealed; how large
+//!   their gaps are is [`visible`], from [`differences`] value by value.
 //! - [`confirm`]: the named effect in the emulated rig, under the shipping firmware.
 //! - [`design`]: which points a diagnostic run has.
 //! - [`recorded`]: a dataset from what a calibrator reports, less what is [`known`] of it.
@@ -13,6 +14,7 @@ pub mod challenge;
 mod compared;
 pub mod confirm;
 pub mod design;
+mod differences;
 pub mod draw;
 pub mod known;
 mod measured;
@@ -21,4 +23,5 @@ pub mod score;
 pub mod simulated;
 pub mod strata;
 pub mod truth;
+mod visible;
 mod waveforms;

@@ -47,8 +47,11 @@ pub struct TrueCase {
     pub stages: Vec<String>,
     /// Effects the diagnosis has to do without.
     pub without: Vec<String>,
-    /// What the effects changed, in standard uncertainties of the whole dataset.
+    /// What the effects changed beyond what nominal values, mounting and the measurand can, in
+    /// standard uncertainties of the whole dataset.
     pub size_sigma: f64,
+    /// The smallest of the sizes that its effects have alone.
+    pub least_sigma: f64,
     /// SHA-256 of rig.toml and points.csv, hexadecimal: the set was not changed since.
     pub dataset_sha256: String,
 }
@@ -60,6 +63,13 @@ pub struct Truth {
     pub seed: u64,
     /// Cases in the order of their names.
     pub cases: Vec<TrueCase>,
+}
+
+impl TrueCase {
+    /// Whether the diagnosis has to do without an effect of the case.
+    pub fn is_withheld(&self) -> bool {
+        self.names.iter().any(|name| self.without.contains(name))
+    }
 }
 
 impl Manifest {

@@ -333,6 +333,49 @@ fn effects_are_described_with_units_bounds_columns_and_confusions() {
     assert!(text(&wrong.stderr).contains("channel_skew"));
 }
 
+/// A dead zone, dry friction and a bent suspension leave harmonics above the fifth, which count as
+/// noise; a set that lacks them has stretched the noise in their place, and pairs start from there.
+#[test]
+fn higher_harmonics_beside_another_effect_are_no_noise_of_the_channels() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path();
+    for (out, effects) in [
+        (
+            "a",
+            [
+                "adc_dead_zone=delta_v:0.00018,channel:1",
+                "dut_frequency_slope",
+            ],
+        ),
+        (
+            "b",
+            [
+                "suspension_cubic=k3_n_per_m3:3.9e7",
+                "ambient_vibration=broadband_ms2:0.005",
+            ],
+        ),
+        (
+            "c",
+            [
+                "coulomb_friction=friction_n:0.0113",
+                "base_strain=strain:0.0163,corner_hz:44.8",
+            ],
+        ),
+    ] {
+        let drawn = [
+            "--effect", effects[0], "--effect", effects[1], "--seed", "3",
+        ];
+        simulate(path, out, &drawn);
+        let answer = json(&calib(path, &["gap", "diagnose", out, "--json"]));
+        assert_eq!(answer["verdict"], "explained", "{effects:?}");
+        let found = answer["causes"][0]["effects"].as_array().expect("a set");
+        for effect in effects {
+            let name = effect.split('=').next().expect("a name");
+            assert!(found.iter().any(|found| found == name), "{found:?}");
+        }
+    }
+}
+
 #[test]
 fn a_wrong_effect_is_refused_with_its_bounds() {
     let directory = tempfile::tempdir().expect("directory");
@@ -393,6 +436,12 @@ fn a_sealed_set_is_answered_in_one_call_and_opened_only_with_its_own_truth() {
     assert_eq!(scored["strata"]["null"]["unanswered"], 0);
     assert_eq!(scored["strata"]["ratio-only"]["top_1"]["of"], 2);
     assert!(scored["strata"]["withheld"]["top_1"].is_null());
+    assert!(
+        scored["visible"]["strata"]["null"].is_null(),
+        "nothing to see"
+    );
+    // The other one is a cubic converter of 2.8 sigma: none of forty draws was larger than ten.
+    assert_eq!(scored["visible"]["strata"]["ratio-only"]["cases"], 1);
 
     // One more blank, and it is not what was sealed.
     let truth = std::fs::read_to_string(path.join("set-truth.json")).expect("truth");

@@ -3,11 +3,12 @@
 use super::super::Context;
 use super::progress::Count;
 use calib_host::gap::challenge::challenge;
-use calib_host::gap::score::{Score, Share, read_answers, score};
+use calib_host::gap::score::{Rates, Score, Share, left_by_substitutes, read_answers, score};
 use calib_host::gap::strata::Stratum;
 use calib_host::gap::truth::{MANIFEST, Manifest, Truth};
 use calib_host::{Error, Result};
 use clap::Args;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -90,9 +91,22 @@ impl ScoreVerb {
         };
         let answers = read_answers(&self.answers)?;
         let truth = Truth::open(&self.truth, &published)?;
-        let score = score(&answers, &truth)?;
+        let left_sigma = match folder_of(&self.truth).filter(|folder| folder.is_dir()) {
+            Some(folder) => {
+                let count = Count::new(context, "substitutes");
+                left_by_substitutes(&folder, &answers, &truth, |done, all| count.show(done, all))?
+            }
+            None => BTreeMap::new(),
+        };
+        let score = score(&answers, &truth, &left_sigma)?;
         context.print(&score, || table(&score))
     }
+}
+
+/// The folder of the set that a truth is beside.
+fn folder_of(truth: &Path) -> Option<PathBuf> {
+    let stem = truth.file_stem()?.to_string_lossy().into_owned();
+    Some(truth.with_file_name(stem.strip_suffix("-truth")?))
 }
 
 fn published_beside(truth: &Path) -> Result<String> {
@@ -102,8 +116,7 @@ fn published_beside(truth: &Path) -> Result<String> {
         hint: "answers come first, the truth second; if the set is elsewhere, give the SHA-256 that was published with --sha256".into(),
     }
     };
-    let stem = truth.file_stem().unwrap_or_default().to_string_lossy();
-    let folder = truth.with_file_name(stem.strip_suffix("-truth").ok_or_else(missing)?);
+    let folder = folder_of(truth).ok_or_else(missing)?;
     let manifest = Manifest::find(&folder)?.ok_or_else(missing)?;
     Ok(manifest.truth_sha256)
 }
@@ -116,27 +129,35 @@ fn percent(share: Option<Share>) -> String {
 const LEGEND: &str = "\
 first: the truth leads; covered: it is listed with more than 5 %; alarms: a gap where there is none;
 detected: any gap where there is one; wrong: `explained`, by something else; stage: that of the truth is
-among the first two of `where`; closed: median share of the gap on held-out rows. Every size counts, also
-effects too small to be seen.
+among the first two of `where`; closed: median share of the gap on held-out rows. Visible: each effect of a
+case alone is larger than 6 sigma of the dataset, nominal values, mounting and the measurand fitted; and
+where the set is beside the truth, what replaces a withheld effect leaves more than 3 sigma of it.
 ";
 
 fn table(score: &Score) -> String {
-    let mut text = strata(score) + &sizes(score) + LEGEND;
-    let number = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.3}"));
-    let _ = write!(
-        text,
-        "calibration error of probability {}, AUROC of none_of_these_p_value {}",
-        number(score.calibration_error),
-        number(score.auroc)
-    );
-    text
+    let mut text = rates("all", &score.all);
+    if !score.visible.strata.is_empty() {
+        text += &rates("visible", &score.visible);
+    }
+    text + &sizes(score) + LEGEND.trim_end()
 }
 
-/// A row a stratum.
-fn strata(score: &Score) -> String {
+/// A row a stratum, and how true the probabilities are.
+fn rates(title: &str, rates: &Rates) -> String {
+    let number = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.3}"));
+    format!(
+        "{}{:<12} calibration error of probability {}, AUROC of none_of_these_p_value {}\n",
+        strata(title, rates),
+        "",
+        number(rates.calibration_error),
+        number(rates.auroc)
+    )
+}
+
+fn strata(title: &str, rates: &Rates) -> String {
     let mut text = format!(
         "{:<12} {:>5} {:>6} {:>8} {:>8} {:>8} {:>6} {:>8} {:>9} {:>6} {:>6}\n",
-        "in percent",
+        format!("{title}, %"),
         "cases",
         "first",
         "covered",
@@ -148,7 +169,7 @@ fn strata(score: &Score) -> String {
         "stage",
         "closed"
     );
-    for (name, s) in &score.strata {
+    for (name, s) in &rates.strata {
         let closed = s
             .median_closed
             .map_or("-".to_owned(), |c| format!("{:.1}", 100.0 * c));
