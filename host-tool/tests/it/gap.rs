@@ -376,6 +376,34 @@ fn higher_harmonics_beside_another_effect_are_no_noise_of_the_channels() {
     }
 }
 
+/// A fit that is stuck at a bound has a slope left there. It is no promise of other effects, among
+/// which the right one would be lost; and noise that leads a little beyond it is no structure.
+#[test]
+fn a_value_stuck_at_its_bound_is_neither_a_promise_nor_a_structure() {
+    let directory = tempfile::tempdir().expect("directory");
+    let path = directory.path();
+    let pair = [
+        "base_strain=strain:0.01115,corner_hz:47.36",
+        "channel_skew=tau_s:7.35e-7",
+    ];
+    let both = ["--effect", pair[0], "--effect", pair[1], "--seed", "3"];
+    simulate(path, "pair", &both);
+    // The smallest quality factor there is.
+    let single = "dut_lowpass_2=corner_hz:77516,quality:0.5";
+    simulate(path, "single", &["--effect", single, "--seed", "5"]);
+    for (out, names) in [("pair", 2), ("single", 1)] {
+        let answer = json(&calib(path, &["gap", "diagnose", out, "--json"]));
+        assert_eq!(answer["verdict"], "explained", "{out}");
+        let found = answer["causes"][0]["effects"].as_array().expect("a set");
+        assert_eq!(found.len(), names, "{found:?}");
+        let drawn = [pair[0], pair[1], single].map(|e| e.split('=').next().expect("a name"));
+        assert!(
+            found.iter().all(|f| drawn.iter().any(|d| f == d)),
+            "{found:?}"
+        );
+    }
+}
+
 #[test]
 fn a_wrong_effect_is_refused_with_its_bounds() {
     let directory = tempfile::tempdir().expect("directory");
