@@ -3,6 +3,7 @@
 use super::evaluate::Memories;
 use super::fit::{Fit, Workspace};
 use super::problem::Problem;
+use crate::model::row::{NOISE, SLOTS};
 
 /// Share of the healthy noise power from which the higher harmonics of a row matter.
 const SHOWS: f64 = 1e-2;
@@ -14,12 +15,17 @@ pub(super) fn higher_harmonics(
     fit: &Fit,
     work: &Workspace,
 ) -> Option<Vec<[f64; 2]>> {
+    // Nothing moves but by a fundamental without effects, and nothing shows without noise columns.
+    let noise = problem.slots[NOISE].start..problem.slots[SLOTS - 1].end;
+    if fit.effects.is_empty() || noise.is_empty() {
+        return None;
+    }
+    let healthy_v2 = problem.base.noise_v.map(|v| v * v);
     let mut all = vec![[0.0; 2]; problem.rows.len()];
     let mut any = false;
     let memory = Memories::Look(&work.memory);
     problem.predictions(&fit.effects, &fit.theta, memory, |row, found| {
         all[row] = found.remainder_v2;
-        let healthy_v2 = problem.base.noise_v.map(|v| v * v);
         let shows = all[row].iter().zip(healthy_v2);
         any |= shows.into_iter().any(|(added, own)| *added > SHOWS * own);
     });

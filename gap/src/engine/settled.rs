@@ -22,8 +22,9 @@ impl Settled {
     pub(crate) fn new(problem: &Problem, fit: &Fit, tangent: &Tangent, mut left: Vec<f64>) -> Self {
         let slope = gradient(problem, fit, tangent, &left);
         let mut step = tangent.solve(&slope);
-        if leaves_bounds(problem, fit, tangent, &step) {
-            step = tangent.solve(&slope.component_mul(&movable(problem, fit)));
+        let movable = movable(problem, fit);
+        if leaves_bounds(&movable, tangent, &step) {
+            step = tangent.solve(&slope.component_mul(&movable));
         }
         for (column, by) in tangent.columns.iter().zip(step.iter()) {
             column.add_to(problem, &mut left, -by);
@@ -41,16 +42,13 @@ const BEYOND_NOISE: f64 = 3.0;
 
 /// Whether a step leads beyond a bound by more than noise does. By less it may: what is left of a
 /// value that stays, though the data have it a little farther out, would look like structure.
-fn leaves_bounds(problem: &Problem, fit: &Fit, tangent: &Tangent, step: &DVector<f64>) -> bool {
-    let movable = movable(problem, fit);
+fn leaves_bounds(movable: &DVector<f64>, tangent: &Tangent, step: &DVector<f64>) -> bool {
     if movable.iter().all(|moves| *moves == 1.0) {
         return false;
     }
     let covariance = tangent.covariance();
-    let stuck = (0..step.len()).filter(|at| movable[*at] == 0.0);
-    stuck
-        .into_iter()
-        .any(|at| step[at].abs() > BEYOND_NOISE * covariance[(at, at)].sqrt())
+    let mut stuck = (0..step.len()).filter(|at| movable[*at] == 0.0);
+    stuck.any(|at| step[at].abs() > BEYOND_NOISE * covariance[(at, at)].sqrt())
 }
 
 /// 1 for what can move, 0 for a parameter at its bound: nuisances, then parameters.

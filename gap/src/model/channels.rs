@@ -129,8 +129,10 @@ impl Signal {
     ) -> Complex64 {
         let passed = pass(mount, peak_ms2, &self.wave, whole);
         let v_per_ms2 = self.peak_v / peak_ms2;
-        let carried = path.carries_kink(|t| t.dut, whole);
-        out.remainder_v2[self.channel] += passed.beyond * v_per_ms2.powi(2) * carried;
+        if passed.beyond > 0.0 {
+            let carried = path.carries_kink(|t| t.dut, whole);
+            out.remainder_v2[self.channel] += passed.beyond * v_per_ms2.powi(2) * carried;
+        }
         self.peak_v *= size(passed.gain);
         self.wave = passed.wave;
         passed.gain

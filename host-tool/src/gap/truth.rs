@@ -109,6 +109,12 @@ impl Truth {
         let name = folder.file_name().unwrap_or_default().to_string_lossy();
         folder.with_file_name(format!("{name}-truth.json"))
     }
+
+    /// The folder of the set that a truth is beside, by its name.
+    pub fn set_of(truth: &Path) -> Option<PathBuf> {
+        let stem = truth.file_stem()?.to_string_lossy().into_owned();
+        Some(truth.with_file_name(stem.strip_suffix("-truth")?))
+    }
 }
 
 /// SHA-256 in hexadecimal.

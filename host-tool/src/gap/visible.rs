@@ -93,7 +93,7 @@ impl<'a> Yardstick<'a> {
                 0 => self.columns.get_or_init(|| self.changes(&values)).clone(),
                 _ => self.changes(&values),
             };
-            let Some(better) = self.step(&gap, &shown, &columns, &values, &left, least) else {
+            let Some(better) = self.step(&gap, &shown, columns, &values, &left, least) else {
                 break;
             };
             let gained = least - better.2;
@@ -110,17 +110,17 @@ impl<'a> Yardstick<'a> {
         &self,
         gap: &DVector<f64>,
         shown: &DVector<f64>,
-        columns: &DMatrix<f64>,
+        mut columns: DMatrix<f64>,
         values: &DVector<f64>,
         left: &DVector<f64>,
         least: f64,
     ) -> Option<(DVector<f64>, DVector<f64>, f64)> {
-        let mut seen = columns.clone();
-        seen.column_iter_mut()
+        columns
+            .column_iter_mut()
             .for_each(|mut column| column.component_mul_assign(shown));
-        let mut normal = seen.tr_mul(&seen);
+        let mut normal = columns.tr_mul(&columns);
         normal.set_diagonal(&(normal.diagonal() + &self.prior));
-        let slope = seen.tr_mul(left) - values.component_mul(&self.prior);
+        let slope = columns.tr_mul(left) - values.component_mul(&self.prior);
         // Note: the measurand shows in the ratio, which every row has; all others have a prior.
         let mut step = normal.cholesky()?.solve(&slope);
         for _ in 0..=HALVINGS {

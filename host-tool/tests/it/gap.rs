@@ -427,6 +427,16 @@ fn a_wrong_effect_is_refused_with_its_bounds() {
     }
 }
 
+/// The answers as somebody else's diagnosis would write them.
+fn answers_with_a_foreign_name(answers: &[Value]) -> String {
+    let foreign = |answer: &Value| {
+        let mut answer = answer.clone();
+        answer["causes"] = serde_json::json!([{ "effects": ["gremlins"], "probability": 1.0 }]);
+        answer.to_string() + "\n"
+    };
+    answers.iter().map(foreign).collect()
+}
+
 #[test]
 fn a_sealed_set_is_answered_in_one_call_and_opened_only_with_its_own_truth() {
     let directory = tempfile::tempdir().expect("directory");
@@ -470,6 +480,15 @@ fn a_sealed_set_is_answered_in_one_call_and_opened_only_with_its_own_truth() {
     );
     // The other one is a cubic converter of 2.8 sigma: none of forty draws was larger than ten.
     assert_eq!(scored["visible"]["strata"]["ratio-only"]["cases"], 1);
+
+    // Anybody may answer: a name that no library here has is wrong, and nothing more.
+    let withheld = answers_with_a_foreign_name(&list);
+    std::fs::write(path.join("foreign.jsonl"), withheld).expect("written");
+    let foreign = ["gap", "score", "foreign.jsonl", "set-truth.json", "--json"];
+    assert_eq!(
+        json(&calib(path, &foreign))["strata"]["withheld"]["cases"],
+        2
+    );
 
     // One more blank, and it is not what was sealed.
     let truth = std::fs::read_to_string(path.join("set-truth.json")).expect("truth");

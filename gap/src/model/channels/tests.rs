@@ -202,3 +202,20 @@ fn a_filter_takes_its_part_of_the_orders_above_five() {
         assert!((found / expected - 1.0).abs() < 0.03, "{found} {expected}");
     }
 }
+
+/// The device's gain is that of the acceleration it feels, not of the table's: a kink of samples errs
+/// by (pi/N)^2, 4e-8.
+#[test]
+fn a_gain_by_level_is_that_of_what_a_loose_mount_lets_through() {
+    let (threshold_ms2, per_ms2) = (12.0, 1e-2);
+    let found = predicted(&[
+        ("loose_mount", 0, vec![threshold_ms2, 1e-9]),
+        ("dut_level_nonlinearity", 0, vec![per_ms2]),
+    ]);
+    let mut cut = wave_in_time(LEVEL_MS2 * SQRT_2, &[Complex64::ZERO; 4]);
+    cut.iter_mut().for_each(|a| *a = a.max(-threshold_ms2));
+    let share = phasor(&cut, 1).norm() / (LEVEL_MS2 * SQRT_2);
+    assert!(share < 0.99, "{share}");
+    let expected = 2.0 * share * (1.0 + per_ms2 * LEVEL_MS2 * share);
+    assert!((found.value[RATIO] - expected.ln()).abs() < 1e-6);
+}

@@ -91,7 +91,7 @@ impl ScoreVerb {
         };
         let answers = read_answers(&self.answers)?;
         let truth = Truth::open(&self.truth, &published)?;
-        let left_sigma = match folder_of(&self.truth).filter(|folder| folder.is_dir()) {
+        let left_sigma = match Truth::set_of(&self.truth).filter(|folder| folder.is_dir()) {
             Some(folder) => {
                 let count = Count::new(context, "substitutes");
                 left_by_substitutes(&folder, &answers, &truth, |done, all| count.show(done, all))?
@@ -103,12 +103,6 @@ impl ScoreVerb {
     }
 }
 
-/// The folder of the set that a truth is beside.
-fn folder_of(truth: &Path) -> Option<PathBuf> {
-    let stem = truth.file_stem()?.to_string_lossy().into_owned();
-    Some(truth.with_file_name(stem.strip_suffix("-truth")?))
-}
-
 fn published_beside(truth: &Path) -> Result<String> {
     let missing = || {
         Error::Usage {
@@ -116,7 +110,7 @@ fn published_beside(truth: &Path) -> Result<String> {
         hint: "answers come first, the truth second; if the set is elsewhere, give the SHA-256 that was published with --sha256".into(),
     }
     };
-    let folder = folder_of(truth).ok_or_else(missing)?;
+    let folder = Truth::set_of(truth).ok_or_else(missing)?;
     let manifest = Manifest::find(&folder)?.ok_or_else(missing)?;
     Ok(manifest.truth_sha256)
 }

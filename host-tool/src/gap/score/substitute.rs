@@ -12,6 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// What the first cause of each withheld case leaves beyond what the true effects leave, both
 /// fitted to the dataset in `folder`, in standard uncertainties of the whole dataset; by the name of
 /// the case. A substitute that leaves nothing is as good as the truth, and no answer can tell.
+/// Left out is what cannot be known: an effect that another's library has, a dataset that is gone.
 ///
 /// # Errors
 /// [`Error::Input`] for datasets that cannot be read, and for answers about others.
@@ -22,10 +23,10 @@ pub fn left_by_substitutes(
     progress: impl Fn(usize, usize) + Sync,
 ) -> Result<BTreeMap<String, f64>> {
     let withheld = matched(answers, truth)?.into_iter().filter_map(|pair| {
-        let cause = pair.answer?.causes.first()?;
-        pair.truth
-            .is_withheld()
-            .then_some((pair.truth, &cause.effects))
+        let effects = &pair.answer?.causes.first()?.effects;
+        let is_known = effects.iter().all(|e| calib_gap::check_name(e).is_ok())
+            && folder.join(&pair.truth.name).is_dir();
+        (pair.truth.is_withheld() && is_known).then_some((pair.truth, effects))
     });
     let withheld: Vec<_> = withheld.collect();
     let done = AtomicUsize::new(0);
