@@ -9,10 +9,9 @@ use std::process::Command;
 /// Name of the one that is built in another way.
 const FUZZ: &str = "fuzz";
 
-/// One benchmark: an example program of a crate.
+/// One benchmark: an example program of some crate.
 struct Bench {
     name: &'static str,
-    package: &'static str,
     example: &'static str,
     what: &'static str,
 }
@@ -28,73 +27,66 @@ impl Bench {
 const BENCHES: &[Bench] = &[
     Bench {
         name: "coverage",
-        package: "calib-tests",
         example: "bench_coverage",
         what: "share of simulated calibrations whose U (k = 2) contains the truth",
     },
     Bench {
+        name: "frozen",
+        example: "bench_frozen",
+        what: "diagnoses and certificates are what they were: [--accept REASON]",
+    },
+    Bench {
         name: "gap",
-        package: "calib-gap",
         example: "bench_gap",
         what: "sealed sets: how often the diagnosis is right, by stratum",
     },
     Bench {
         name: "hard-hostile",
-        package: "calib-tests",
         example: "bench_hard_hostile",
         what: "hosts that flood, babble, reset and race while it measures: [RESETS]",
     },
     Bench {
         name: "hard-long",
-        package: "calib-tests",
         example: "bench_hard_long",
         what: "virtual hours of calibrating, storing and downloading: [MINUTES [faults] [resume]]",
     },
     Bench {
         name: "hard-power",
-        package: "calib-tests",
         example: "bench_hard_power",
         what: "power cuts of the whole board in a session: [CUTS [SEED]]",
     },
     Bench {
         name: "hard-storage",
-        package: "calib-firmware",
         example: "bench_storage",
         what: "records that fit, wear over 100 000 records, 2000 random power cuts",
     },
     Bench {
         name: "gap-speed",
-        package: "calib-host",
         example: "bench_gap_speed",
         what: "time for a diagnosis on one core, and for 1000 in one call, beside numpy and scipy",
     },
     Bench {
         name: "monte-carlo",
-        package: "calib-host",
         example: "bench_monte_carlo",
         what: "propagation of distributions on one core, beside numpy",
     },
     Bench {
         name: "records",
-        package: "calib-host",
         example: "bench_records",
         what: "10 000 records in the bench listed and filtered; start of the tool",
     },
     Bench {
         name: "speed",
-        package: "calib-tests",
         example: "bench_speed",
         what: "emulator, rig, correlation on this computer, image size, settling",
     },
     Bench {
         name: "target",
-        package: "calib-tests",
         example: "bench_target",
         what: "instructions and times on the Cortex-M7, beside idsp and the limits",
     },
     Bench {
         name: "certificate",
-        package: "calib-host",
         example: "bench_certificate",
         what: "time for the certificate set of a record with 31 points",
     },
@@ -114,7 +106,7 @@ pub(crate) fn run(arguments: &[String]) -> Result<()> {
     let prepared = Prepared::new()?;
     for bench in chosen {
         println!("\n== {}: {}\n", bench.name, bench.what);
-        let mut command = prepared.command(bench);
+        let mut command = prepared.command(bench)?;
         shell::run(command.args(arguments.iter().skip(1)))?;
     }
     match arguments.is_empty() {
@@ -173,10 +165,13 @@ impl Prepared {
     }
 
     /// The call of `bench`, without arguments of its own.
-    fn command(&self, bench: &Bench) -> Command {
-        let mut command = cargo("run");
-        command.args(["--release", "--quiet", "--package", bench.package]);
-        command.args(["--example", bench.example, "--"]);
+    fn command(&self, bench: &Bench) -> Result<Command> {
+        let mut build = cargo("build");
+        build.args(["--release", "--quiet", "--workspace"]);
+        shell::run(build.args(["--example", bench.example]))?;
+        let examples = target_dir().join("release").join("examples");
+        let mut command = Command::new(examples.join(bench.example));
+        command.current_dir(shell::root());
         let json = self.folder.join(format!("{}.json", bench.name));
         command
             .env("CALIB_FIRMWARE_ELF", &self.image)
@@ -190,6 +185,6 @@ impl Prepared {
             }
             command.env("CALIB_PYTHON", interpreter);
         }
-        command
+        Ok(command)
     }
 }

@@ -6,10 +6,11 @@ use anyhow::Result;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Builds the host tool.
+/// Builds the host tool, with the features the whole workspace asks of shared crates: what the
+/// demo compiles, tests and benches need not compile again.
 pub(crate) fn build_tool() -> Result<()> {
     eprintln!("building the host tool ...");
-    shell::run(cargo("build").args(["--release", "--package", "calib-host", "--bin", "calib"]))
+    shell::run(cargo("build").args(["--release", "--workspace", "--bin", "calib"]))
 }
 
 /// Where the host tool lies once it is built.

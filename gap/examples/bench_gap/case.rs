@@ -101,7 +101,7 @@ impl fmt::Display for Outcome {
 }
 
 /// Processor time of this thread (Linux), in s.
-fn processor_s() -> f64 {
+pub(super) fn processor_s() -> f64 {
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     let nanoseconds = text.split_whitespace().next();
     nanoseconds
@@ -130,8 +130,13 @@ fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
     }
 }
 
-/// Draws, diagnoses and scores a case.
-pub(super) fn run(stratum: &str, index: u64, seed: u64) -> Result<Outcome, GapError> {
+/// Draws a case and writes it into `folder`; returns the truth and how to diagnose it.
+pub(super) fn write(
+    stratum: &str,
+    index: u64,
+    seed: u64,
+    folder: &Path,
+) -> Result<(Vec<&'static str>, Options), GapError> {
     let mut random = Random::new(seed.wrapping_mul(1_000_003).wrapping_add(index));
     let truth = names(stratum, index, &mut random);
     let ratio_only = stratum == "ratio";
@@ -155,16 +160,26 @@ pub(super) fn run(stratum: &str, index: u64, seed: u64) -> Result<Outcome, GapEr
         drawn_effects::shrink(&mut drawn, factor);
     }
     let points = table::points(&drawn, &rows, &GOOD, !ratio_only, &mut random);
-    let folder = std::env::temp_dir()
-        .join("calib-bench-gap")
-        .join(format!("{}-{stratum}-{index}", std::process::id()));
     let write = || {
-        std::fs::create_dir_all(&folder)?;
+        std::fs::create_dir_all(folder)?;
         std::fs::write(folder.join("points.csv"), &points)?;
         std::fs::write(folder.join("rig.toml"), table::rig())
     };
     write().map_err(|source| GapError::Usage(source.to_string()))?;
-    let outcome = diagnosed(stratum, index, truth, &folder);
+    let mut options = Options::default();
+    if stratum == "withheld" {
+        options.without = truth.iter().map(ToString::to_string).collect();
+    }
+    Ok((truth, options))
+}
+
+/// Draws, diagnoses and scores a case.
+pub(super) fn run(stratum: &str, index: u64, seed: u64) -> Result<Outcome, GapError> {
+    let folder = std::env::temp_dir()
+        .join("calib-bench-gap")
+        .join(format!("{}-{stratum}-{index}", std::process::id()));
+    let (truth, options) = write(stratum, index, seed, &folder)?;
+    let outcome = diagnosed(stratum, index, truth, &folder, &options);
     if std::env::var_os("CALIB_BENCH_KEEP").is_none() {
         let _ = std::fs::remove_dir_all(&folder);
     }
@@ -176,13 +191,10 @@ fn diagnosed(
     index: u64,
     truth: Vec<&'static str>,
     folder: &Path,
+    options: &Options,
 ) -> Result<Outcome, GapError> {
-    let mut options = Options::default();
-    if stratum == "withheld" {
-        options.without = truth.iter().map(ToString::to_string).collect();
-    }
     let start = processor_s();
-    let answer = diagnose(folder, &options)?;
+    let answer = diagnose(folder, options)?;
     let time_s = processor_s() - start;
     let known = misfit(folder, &truth)?;
     let root = |difference: f64| difference.max(0.0).sqrt();
