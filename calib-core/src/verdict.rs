@@ -1,5 +1,6 @@
 //! What a point ends in: a verdict, never a silent number.
 
+use core::fmt;
 use serde::{Deserialize, Serialize};
 
 /// Outcome of one calibration point.
@@ -81,5 +82,47 @@ impl Reason {
                 | Self::Stopped
                 | Self::TemperatureOutOfRange
         )
+    }
+}
+
+/// `pass`, or `refused: ` and the reason in words.
+impl fmt::Display for Verdict {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Pass => formatter.write_str("pass"),
+            Self::Refused(reason) => write!(formatter, "refused: {reason}"),
+        }
+    }
+}
+
+/// The reason in words.
+impl fmt::Display for Reason {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Clipped => "a channel is clipped",
+            Self::Distortion => "too much harmonic distortion",
+            Self::SignalToNoise => "too little signal over noise",
+            Self::AmplitudeUnstable => "the amplitude moved while measuring",
+            Self::FrequencyDeviation => "the frequency is off",
+            Self::NotSettled => "the level did not settle",
+            Self::DriveLimit => "the level needs more drive voltage than allowed",
+            Self::AccelerationLimit => "the level exceeds the acceleration limit",
+            Self::VelocityLimit => "the level exceeds the velocity limit",
+            Self::DisplacementLimit => "the level exceeds the displacement limit",
+            Self::ReferenceDead => "the reference gives no signal",
+            Self::DutOpen => "the device under test gives no signal",
+            Self::Overload => "the acceleration overshot dangerously",
+            Self::Overrun => "samples were lost",
+            Self::FrequencyUnavailable => "this frequency is not available",
+            Self::Stopped => "stopped",
+            Self::BudgetInvalid => "the uncertainty budget makes no sense here",
+            Self::TooFewAverages => "too few spectra were averaged",
+            Self::LowCoherence => "the coherence is below 0.98",
+            Self::LevelNotFollowing => {
+                "the level does not follow the drive: reference, cable or amplifier"
+            }
+            Self::DutDistortion => "the device under test distorts",
+            Self::TemperatureOutOfRange => "the instrument is too cold or too hot",
+        })
     }
 }

@@ -4,13 +4,13 @@
 //! not send to hardware, and the board is reset between measuring and
 //! downloading, so the certificate comes from what flash kept.
 
-use crate::certificate::{self, Format, Options, Particulars};
 use crate::emulated::{EmulatedBoard, settings_for};
-use crate::file::Existing;
-use crate::link::Client;
-use crate::session::{self, Progress};
-use crate::{Error, Result, verdict_text};
+use crate::{Error, Result};
+use calib_certificate::{self as certificate, Format, Options, Particulars};
 use calib_core::point::{PointResult, PointSpec};
+use calib_files::file::Existing;
+use calib_link::Client;
+use calib_link::session::{self, Progress};
 use calib_protocol::record::{Record, RunLabels};
 use calib_twin::oracle;
 use calib_twin::rig::Rig;
@@ -202,6 +202,6 @@ fn demo_point(rig: &Rig, sample_rate_hz: f32, point: &PointResult) -> DemoPoint 
         },
         acceleration_ms2: point.acceleration_rms_ms2,
         settling_s: point.settling_s,
-        verdict: verdict_text::verdict(point.verdict),
+        verdict: point.verdict.to_string(),
     }
 }

@@ -1,29 +1,16 @@
-//! The host side of the calibrator: link, sessions, records, certificates.
+//! The program `calib` as a library: verbs are thin, and tests reach what is below them.
 //!
-//! The command line tool `calib` is a thin layer over this library; every verb
-//! is one file of `src/cli/`. Errors name the way out ([`error::Error`]).
+//! Every verb is one file of `src/cli/`. Errors name the way out ([`Error`]).
 #![forbid(unsafe_code)]
 
-mod address;
-pub mod bench;
-pub mod capture;
-pub mod certificate;
-pub mod chain;
-pub mod decision;
 pub mod demo;
+mod device;
 pub mod doctor;
 pub mod emulated;
-pub mod error;
-pub mod file;
+mod error;
 pub mod gap;
-pub mod link;
-pub mod metrology;
 pub mod serve;
-pub mod session;
-pub mod teds;
 pub mod terminal;
-pub mod text_file;
-pub mod verdict_text;
 
-pub use address::Address;
+pub use device::Device;
 pub use error::{Error, Result};

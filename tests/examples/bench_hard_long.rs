@@ -6,7 +6,7 @@
 //! same either way, down to the chained sum of all records.
 
 use calib_core::verdict::Verdict;
-use calib_host::session;
+use calib_link::session;
 use calib_protocol::message::RunState;
 use calib_protocol::record::{self, Sha256Sum};
 use calib_tests::bench::{Bench, Fault, point};

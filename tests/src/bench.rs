@@ -2,8 +2,9 @@
 
 use calib_core::point::PointSpec;
 use calib_core::settings::{ReferencePoint, Settings};
-use calib_host::link::{Client, EmulatedTransport};
-use calib_host::session::{self, Outcome};
+use calib_host::emulated::EmulatedTransport;
+use calib_link::Client;
+use calib_link::session::{self, Outcome};
 use calib_protocol::record::RunLabels;
 use calib_twin::oracle::{self, CalibrationPoint};
 use calib_twin::plant::Plant;

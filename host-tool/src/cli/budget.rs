@@ -2,9 +2,10 @@
 
 use super::Context;
 use calib_core::budget::Table;
-use calib_host::metrology::budget::{self, Budget, Evaluation};
-use calib_host::metrology::monte_carlo::{self, Comparison, Options, Plan};
-use calib_host::{Error, Result, file};
+use calib_files::file;
+use calib_host::{Error, Result};
+use calib_metrology::budget::{self, Budget, Evaluation};
+use calib_metrology::monte_carlo::{self, Comparison, Options, Plan};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::path::PathBuf;
@@ -93,9 +94,11 @@ impl BudgetVerb {
             return context.print(&template, || template.to_toml());
         }
         // The command line demands one of the two.
-        let path = self.file.as_deref().ok_or_else(|| Error::Usage {
-            problem: "a budget file is missing".to_owned(),
-            hint: "name a file, or use --template a1".to_owned(),
+        let path = self.file.as_deref().ok_or_else(|| {
+            Error::usage(
+                "a budget file is missing",
+                "name a file, or use --template a1",
+            )
         })?;
         let budget = budget::load(path)?;
         let evaluation = budget::evaluate(&budget);

@@ -5,9 +5,9 @@ use super::run::stop_on_interrupt;
 use super::{Context, time};
 use calib_core::point::PointSpec;
 use calib_core::verdict::Verdict;
-use calib_host::capture::{self, Capture, Inputs, Measured, Report};
-use calib_host::link::Client;
-use calib_host::{Error, Result, terminal, verdict_text};
+use calib_host::{Error, Result, terminal};
+use calib_link::Client;
+use calib_link::capture::{self, Capture, Inputs, Measured, Report};
 use calib_protocol::capture::MAX_CAPTURE_PAIRS;
 use calib_protocol::record::RunLabels;
 use clap::Args;
@@ -102,10 +102,9 @@ impl CaptureVerb {
             terminal::show_capture(&capture, &report, COLUMNS)
         })?;
         match verdict {
-            Some(Verdict::Refused(reason)) => Err(Error::NotPassed(format!(
-                "the point was refused: {}",
-                verdict_text::reason(reason)
-            ))),
+            Some(Verdict::Refused(reason)) => {
+                Err(Error::NotPassed(format!("the point was refused: {reason}")))
+            }
             _ => Ok(()),
         }
     }
@@ -161,16 +160,13 @@ impl CaptureVerb {
 }
 
 fn usage(problem: &str, hint: &str) -> Error {
-    Error::Usage {
-        problem: problem.to_owned(),
-        hint: hint.to_owned(),
-    }
+    Error::usage(problem, hint)
 }
 
 /// Why there is no capture of a point.
 fn not_held(measured: &Measured) -> Error {
     let why = match measured.point.map(|point| point.verdict) {
-        Some(Verdict::Refused(reason)) => verdict_text::reason(reason).to_owned(),
+        Some(Verdict::Refused(reason)) => reason.to_string(),
         Some(Verdict::Pass) => "the measurement was shorter than the capture".to_owned(),
         None => "the run was stopped; the exciter is silent".to_owned(),
     };

@@ -1,11 +1,13 @@
 //! `calib certificate RECORD`: the certificate of a downloaded or stored record.
 
 use super::{Context, source, time};
+use calib_certificate::{
+    self as certificate, Existing, Format, Language, Options, Particulars, Prepared,
+};
 use calib_host::Result;
-use calib_host::bench::Issue;
-use calib_host::certificate::{self, Existing, Format, Language, Options, Particulars, Prepared};
-use calib_host::chain::Standing;
+use calib_logbook::Issue;
 use calib_protocol::record::Record;
+use calib_record::hash_chain::Standing;
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};

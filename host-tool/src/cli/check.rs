@@ -1,10 +1,10 @@
 //! `calib check RECORD`: a record against ISO 16063-21.
 
 use super::Context;
+use calib_certificate::{Particulars, missing};
 use calib_core::settings::Example;
-use calib_host::certificate::Particulars;
-use calib_host::metrology::check;
 use calib_host::{Error, Result};
+use calib_metrology::check::{self, Missing};
 use calib_protocol::record;
 use clap::Args;
 use std::path::PathBuf;
@@ -39,7 +39,9 @@ impl Check {
             _ => Example::Example2,
         });
         let particulars = Particulars::read(&self.particulars)?;
-        let result = check::check(&record, &particulars, example);
+        let missing = missing(&record, &particulars);
+        let missing = missing.map(|(item, clause)| Missing { item, clause });
+        let result = check::check(&record, missing.collect(), example);
         context.print(&result, || check::report(&result))?;
         match result.pass {
             true => Ok(()),

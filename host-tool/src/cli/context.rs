@@ -2,8 +2,8 @@
 
 use super::GlobalOptions;
 use calib_host::emulated::KeptBoard;
-use calib_host::link::{Client, port};
-use calib_host::{Address, Error, Result};
+use calib_host::{Device, Error, Result};
+use calib_link::{Client, port};
 use serde::Serialize;
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
@@ -41,7 +41,7 @@ impl Context {
             Some(device) => device.clone(),
             None => only_likely_port()?,
         };
-        let Ok(address) = address.parse::<Address>();
+        let Ok(address) = address.parse::<Device>();
         Ok(Client::new(address.open()?))
     }
 
@@ -49,15 +49,14 @@ impl Context {
     pub(crate) fn connect_under_a_hand(&self) -> Result<Client> {
         let address = self.device.as_deref().unwrap_or_default();
         let kept = match address.parse() {
-            Ok(Address::Emulated) => KeptBoard::power_on()?,
-            Ok(Address::EmulatedUsb) => KeptBoard::power_on_with_usb()?,
+            Ok(Device::Emulated) => KeptBoard::power_on()?,
+            Ok(Device::EmulatedUsb) => KeptBoard::power_on_with_usb()?,
             _ => {
-                return Err(Error::Usage {
-                    problem: "--hold-button holds that of `--device emulated` alone".to_owned(),
-                    hint: "hold the button on the instrument; `calib emulate` has a --hold-button \
-                           of its own"
-                        .to_owned(),
-                });
+                return Err(Error::usage(
+                    "--hold-button holds that of `--device emulated` alone",
+                    "hold the button on the instrument; `calib emulate` has a --hold-button \
+                           of its own",
+                ));
             }
         };
         kept.hold_button()?;
@@ -129,10 +128,7 @@ fn shown(text: &str) -> String {
 
 fn only_likely_port() -> Result<String> {
     let mut likely = port::list().into_iter().filter(|port| port.likely);
-    let usage = |problem: &str, hint: &str| Error::Usage {
-        problem: problem.to_owned(),
-        hint: hint.to_owned(),
-    };
+    let usage = |problem: &str, hint: &str| Error::usage(problem, hint);
     match (likely.next(), likely.next()) {
         (Some(port), None) => Ok(port.name),
         (None, _) => Err(usage(

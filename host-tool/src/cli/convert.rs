@@ -1,8 +1,8 @@
 //! `calib convert`: a sensitivity as that to another motion quantity.
 
 use super::Context;
-use calib_host::metrology::sensitivity::{self, Converted, Quantity};
 use calib_host::{Error, Result};
+use calib_metrology::sensitivity::{self, Converted, Quantity};
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
@@ -60,11 +60,10 @@ impl Convert {
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let usable = |value: f64| value.is_finite() && value > 0.0;
         if !(usable(self.frequency) && usable(self.sensitivity) && self.phase.is_finite()) {
-            return Err(Error::Usage {
-                problem: "--frequency and --sensitivity are numbers above zero, --phase is finite"
-                    .to_owned(),
-                hint: "an inverted transducer has --phase 180".to_owned(),
-            });
+            return Err(Error::usage(
+                "--frequency and --sensitivity are numbers above zero, --phase is finite",
+                "an inverted transducer has --phase 180",
+            ));
         }
         let (from, hz) = (self.from.into(), self.frequency);
         let output = Output {

@@ -1,7 +1,8 @@
 //! `calib devices`: serial ports, the likely calibrators first.
 
 use super::{Context, table::Table};
-use calib_host::{Result, link::port};
+use calib_host::Result;
+use calib_link::port;
 use clap::Args;
 
 /// `calib devices`.

@@ -2,7 +2,7 @@
 
 use super::Context;
 use calib_host::doctor::{self, Finding, State};
-use calib_host::{Address, Error, Result};
+use calib_host::{Device, Error, Result};
 use clap::Args;
 
 /// `calib doctor`.
@@ -13,7 +13,7 @@ impl Doctor {
     /// Prints what was found; a failed check is not a pass.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let address = context.device.as_deref().map(|device| {
-            let Ok(address) = device.parse::<Address>();
+            let Ok(address) = device.parse::<Device>();
             address
         });
         let findings = doctor::examine(address.as_ref());

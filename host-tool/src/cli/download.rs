@@ -1,12 +1,12 @@
 //! `calib download ID...`: stored records into files, and their chain checked.
 
 use super::{Context, progress};
-use calib_host::chain::{Break, Standing};
-use calib_host::file::Existing;
-use calib_host::link::Client;
-use calib_host::session::{self, Fetched};
+use calib_files::file::Existing;
 use calib_host::{Error, Result};
+use calib_link::Client;
+use calib_link::session::{self, Fetched};
 use calib_protocol::record::{self, RecordKind};
+use calib_record::hash_chain::{Break, Standing};
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -92,7 +92,7 @@ impl Download {
             bar.set_position(progress.done.into());
         });
         bar.finish_and_clear();
-        fetched
+        Ok(fetched?)
     }
 }
 

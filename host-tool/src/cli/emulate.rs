@@ -1,8 +1,9 @@
 //! `calib emulate`: an emulated calibrator that other programs use like hardware.
 
 use super::{Context, run};
+use calib_files::file;
 use calib_host::emulated::{EmulatedBoard, FlashFile, rig_file};
-use calib_host::{Error, Result, file};
+use calib_host::{Error, Result};
 use calib_twin::board::usb::UsbPort;
 use calib_twin::rig::Rig;
 use calib_twin::runner::{Door, HostLine, Pace, TcpDoor, run_paced};
@@ -96,7 +97,7 @@ impl Emulate {
     fn rig(&self) -> Result<Rig> {
         match &self.rig {
             None => Ok(Rig::draw(self.seed.unwrap_or(0))),
-            Some(path) => rig_file::load(path),
+            Some(path) => Ok(rig_file::load(path)?),
         }
     }
 
@@ -112,9 +113,11 @@ impl Emulate {
         if self.pty {
             return pseudo_terminal();
         }
-        let door = TcpDoor::listen(self.tcp).map_err(|error| Error::Usage {
-            problem: format!("cannot listen on TCP port {}: {error}", self.tcp),
-            hint: "choose another port with --tcp PORT; 0 takes any free one".to_owned(),
+        let door = TcpDoor::listen(self.tcp).map_err(|error| {
+            Error::usage(
+                format!("cannot listen on TCP port {}: {error}", self.tcp),
+                "choose another port with --tcp PORT; 0 takes any free one",
+            )
         })?;
         Ok(Box::new(door))
     }
@@ -152,19 +155,21 @@ fn serve(
 
 #[cfg(unix)]
 fn pseudo_terminal() -> Result<Box<dyn Door>> {
-    let door = calib_twin::runner::PtyDoor::open().map_err(|error| Error::Usage {
-        problem: format!("this system gives no pseudo terminal: {error}"),
-        hint: "use --tcp PORT".to_owned(),
+    let door = calib_twin::runner::PtyDoor::open().map_err(|error| {
+        Error::usage(
+            format!("this system gives no pseudo terminal: {error}"),
+            "use --tcp PORT",
+        )
     })?;
     Ok(Box::new(door))
 }
 
 #[cfg(not(unix))]
 fn pseudo_terminal() -> Result<Box<dyn Door>> {
-    Err(Error::Usage {
-        problem: "this system has no pseudo terminals".to_owned(),
-        hint: "use --tcp PORT".to_owned(),
-    })
+    Err(Error::usage(
+        "this system has no pseudo terminals",
+        "use --tcp PORT",
+    ))
 }
 
 /// Says when this computer cannot keep up, each time another second is lost.

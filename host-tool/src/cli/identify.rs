@@ -1,11 +1,12 @@
 //! `calib identify`: model parameters of an accelerometer.
 
 use super::Context;
-use calib_host::metrology::identify::{self, Identification, Spread, Weighting};
-use calib_host::metrology::input::Source;
-use calib_host::metrology::record;
-use calib_host::metrology::shock::{self, Choice};
-use calib_host::{Error, Result, file};
+use calib_files::file;
+use calib_host::{Error, Result};
+use calib_metrology::identify::{self, Identification, Spread, Weighting};
+use calib_metrology::input::Source;
+use calib_metrology::record;
+use calib_metrology::shock::{self, Choice};
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -95,17 +96,17 @@ impl Identify {
             ("--u0", self.u0),
         ] {
             if value.is_some_and(|value| !value.is_finite() || value <= 0.0) {
-                return Err(Error::Usage {
-                    problem: format!("{name} must be greater than zero"),
-                    hint: "leave it out for the default".into(),
-                });
+                return Err(Error::usage(
+                    format!("{name} must be greater than zero"),
+                    "leave it out for the default",
+                ));
             }
         }
         if !self.input_delay_s.is_finite() {
-            return Err(Error::Usage {
-                problem: "--input-delay-s is not a finite number".into(),
-                hint: "state the delay in seconds, such as 0.8e-6".into(),
-            });
+            return Err(Error::usage(
+                "--input-delay-s is not a finite number",
+                "state the delay in seconds, such as 0.8e-6",
+            ));
         }
         let record = record::read(Source::read(path)?)?;
         let choice = Choice {
@@ -124,10 +125,10 @@ impl Identify {
 
     fn identify_points(&self, context: &Context, path: &Path) -> Result<()> {
         if !(self.significance > 0.0 && self.significance <= 0.05) {
-            return Err(Error::Usage {
-                problem: format!("--significance {} is outside 0 .. 0.05", self.significance),
-                hint: "ISO 16063-43 8.5.1 asks for p of at most 0.05".into(),
-            });
+            return Err(Error::usage(
+                format!("--significance {} is outside 0 .. 0.05", self.significance),
+                "ISO 16063-43 8.5.1 asks for p of at most 0.05",
+            ));
         }
         let points = identify::read(Source::read(path)?)?;
         let weighting = match self.unweighted || !points.has_uncertainties {

@@ -1,11 +1,10 @@
 //! `calib link`: links comparisons, judges degrees of equivalence.
 
 use super::Context;
-use calib_host::metrology::input::Source;
-use calib_host::metrology::linking::{
-    self, Bar, Degree, Judgement, LinkedFrequency, equivalence_chart,
-};
-use calib_host::{Result, file};
+use calib_files::file;
+use calib_host::Result;
+use calib_metrology::input::Source;
+use calib_metrology::linking::{self, Bar, Degree, Judgement, LinkedFrequency, equivalence_chart};
 use clap::Args;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -113,7 +112,7 @@ impl Link {
                 u_expanded: degree.u_expanded,
             })
             .collect();
-        file::replace(path, equivalence_chart(&bars).as_bytes())
+        Ok(file::replace(path, equivalence_chart(&bars).as_bytes())?)
     }
 }
 

@@ -4,7 +4,7 @@ use serde_json::json;
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
-/// Exit codes as in [`calib_host::error`].
+/// Exit codes as in [`calib_host::Error`].
 const NOT_WRITTEN: u8 = 1;
 const MISUSED: u8 = 2;
 

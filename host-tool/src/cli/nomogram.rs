@@ -1,9 +1,10 @@
 //! `calib nomogram`: two quantities of a vibration give the others.
 
 use super::Context;
-use calib_host::metrology::nomogram::{self, Amplitude, Known, Measure, RigLimits, nomogram_chart};
-use calib_host::metrology::text::{significant, table};
-use calib_host::{Result, file};
+use calib_files::file;
+use calib_host::Result;
+use calib_metrology::nomogram::{self, Amplitude, Known, Measure, RigLimits, nomogram_chart};
+use calib_metrology::text::{significant, table};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 

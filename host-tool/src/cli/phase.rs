@@ -2,7 +2,7 @@
 
 use super::Context;
 use calib_host::Result;
-use calib_host::metrology::phase5347::{self, Limits, PhaseResult};
+use calib_metrology::phase5347::{self, Limits, PhaseResult};
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;

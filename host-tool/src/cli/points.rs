@@ -2,7 +2,7 @@
 
 use super::Context;
 use calib_host::Result;
-use calib_host::metrology::lists::{self, ListPoint};
+use calib_metrology::lists::{self, ListPoint};
 use clap::{Args, Subcommand};
 use std::fmt::Write;
 

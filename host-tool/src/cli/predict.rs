@@ -1,13 +1,14 @@
 //! `calib predict`: a transducer's output for a record, or the input behind it.
 
 use super::Context;
-use calib_host::metrology::discrete::Mapping;
-use calib_host::metrology::input::Source;
-use calib_host::metrology::oscillator::Oscillator;
-use calib_host::metrology::predict::{self, Estimate, Model, Request};
-use calib_host::metrology::record;
-use calib_host::metrology::text::significant;
-use calib_host::{Error, Result, file};
+use calib_files::file;
+use calib_host::{Error, Result};
+use calib_metrology::discrete::Mapping;
+use calib_metrology::input::Source;
+use calib_metrology::oscillator::Oscillator;
+use calib_metrology::predict::{self, Estimate, Model, Request};
+use calib_metrology::record;
+use calib_metrology::text::significant;
 use clap::Args;
 use serde::Serialize;
 use std::fmt::Write;
@@ -87,10 +88,10 @@ impl Predict {
             )
         })?;
         if !self.u_sample.is_finite() || self.u_sample < 0.0 {
-            return Err(Error::Usage {
-                problem: "--u-sample must not be negative".into(),
-                hint: "state the standard uncertainty of one sample".into(),
-            });
+            return Err(Error::usage(
+                "--u-sample must not be negative",
+                "state the standard uncertainty of one sample",
+            ));
         }
         let request = Request {
             sample_rate_hz: record.sample_rate_hz,
@@ -109,16 +110,17 @@ impl Predict {
     }
 
     fn load(&self) -> Result<Model> {
-        match (&self.model, self.s0, self.f0_hz, self.delta) {
+        let model = match (&self.model, self.s0, self.f0_hz, self.delta) {
             (Some(path), ..) => predict::load_model(path),
             (None, Some(s0), Some(f0_hz), Some(delta)) => {
                 Model::new(Oscillator { s0, f0_hz, delta }, [0.0; 3])
             }
-            _ => Err(Error::Usage {
-                problem: "the model is not complete".into(),
-                hint: "give --model FILE, or --s0, --f0-hz and --delta".into(),
-            }),
-        }
+            _ => Err(calib_files::Error::usage(
+                "the model is not complete",
+                "give --model FILE, or --s0, --f0-hz and --delta",
+            )),
+        };
+        Ok(model?)
     }
 
     fn finish(

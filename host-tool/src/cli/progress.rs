@@ -2,7 +2,7 @@
 
 use super::Context;
 use calib_core::point::PointSpec;
-use calib_host::session::{self, Progress};
+use calib_link::session::{self, Progress};
 use calib_protocol::message::RunState;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::time::{Duration, Instant};

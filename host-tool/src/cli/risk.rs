@@ -1,7 +1,7 @@
 //! `calib risk`: what decision rules let through, over many sensors.
 
 use super::{Context, table::Table};
-use calib_host::decision::risk::{self, guard_band};
+use calib_certificate::decision::risk::{self, guard_band};
 use calib_host::{Error, Result};
 use clap::Args;
 use serde::Serialize;
@@ -32,10 +32,10 @@ impl Risk {
         // Below one, tolerance less U leaves nothing to accept.
         let usable = self.ratio.is_finite() && self.ratio > 1.0;
         if !usable || !(50.0..100.0).contains(&self.in_tolerance) {
-            return Err(Error::Usage {
-                problem: "--ratio is above 1, --in-tolerance from 50 to below 100 %".to_owned(),
-                hint: "a tolerance of 5 % and U = 0.8 % have a ratio of 6.25".to_owned(),
-            });
+            return Err(Error::usage(
+                "--ratio is above 1, --in-tolerance from 50 to below 100 %",
+                "a tolerance of 5 % and U = 0.8 % have a ratio of 6.25",
+            ));
         }
         let rows = self.rows();
         context.print(&rows, || table(&rows))

@@ -3,10 +3,10 @@
 use super::{Context, bench, number::positive, progress::RunProgress, text, time};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::verdict::Verdict;
-use calib_host::bench::{Kept, Sensor};
-use calib_host::link::Client;
-use calib_host::session::{self, Outcome, label, temperature_centi_c};
 use calib_host::{Error, Result};
+use calib_link::Client;
+use calib_link::session::{self, Outcome, label, temperature_centi_c};
+use calib_logbook::{Kept, Sensor};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
 use clap::{Args, ValueEnum};
@@ -113,7 +113,7 @@ impl Run {
 
     fn points(&self) -> Result<Vec<PointSpec>> {
         match &self.points {
-            Some(path) => session::read_points(path, self.level),
+            Some(path) => Ok(session::read_points(path, self.level)?),
             None => Ok(session::default_points(self.level)),
         }
     }
@@ -167,10 +167,11 @@ fn measure(
 ) -> Result<Outcome> {
     let stop = stop_on_interrupt();
     let mut progress = RunProgress::new(context);
-    session::run_excited(client, points, excitation, labels, |state| {
+    let outcome = session::run_excited(client, points, excitation, labels, |state| {
         progress.show(state, points);
         stop()
-    })
+    });
+    Ok(outcome?)
 }
 
 /// From now on, Ctrl-C asks a run to stop instead of ending the tool.

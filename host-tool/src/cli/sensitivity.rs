@@ -3,8 +3,8 @@
 use super::Context;
 use super::convert::QuantityName;
 use calib_core::settings::Example;
-use calib_host::metrology::sensitivity::{self, PointSensitivity, Quantity};
 use calib_host::{Error, Result};
+use calib_metrology::sensitivity::{self, PointSensitivity, Quantity};
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;

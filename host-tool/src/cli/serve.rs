@@ -1,8 +1,8 @@
 //! `calib serve`: the page for the bench laptop or a tablet.
 
 use super::{Context, certificate, run};
+use calib_certificate::Particulars;
 use calib_host::Result;
-use calib_host::certificate::Particulars;
 use calib_host::serve::{Options, Server};
 use clap::Args;
 use serde::Serialize;

@@ -2,8 +2,10 @@
 
 use super::Context;
 use calib_core::settings::Settings as InstrumentSettings;
-use calib_host::link::Client;
-use calib_host::{Error, Result, session, text_file};
+use calib_files::text;
+use calib_host::{Error, Result};
+use calib_link::Client;
+use calib_link::session;
 use calib_protocol::message::SettingsChange;
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -76,7 +78,7 @@ impl Settings {
         let mut looks = u32::from(self.wait) * LOOKS_PER_SECOND;
         loop {
             match client.write_settings(change.clone()) {
-                Err(Error::Refused(refused)) if refused.wants_button() && looks > 0 => {
+                Err(calib_link::Error::Refused(refused)) if refused.wants_button() && looks > 0 => {
                     if looks == u32::from(self.wait) * LOOKS_PER_SECOND {
                         context.remark(
                             "this changes the calibration of the reference: hold the button on the \
@@ -86,14 +88,14 @@ impl Settings {
                     looks -= 1;
                     client.wait(Duration::from_secs(1) / LOOKS_PER_SECOND)?;
                 }
-                done => return done,
+                done => return Ok(done?),
             }
         }
     }
 }
 
 fn read(path: &Path) -> Result<InstrumentSettings> {
-    let text = text_file::read(path)?;
+    let text = text::read(path)?;
     let hint = "`calib settings` prints a file of the right form";
-    text_file::parse_toml(path, &text, hint)
+    Ok(text::parse_toml(path, &text, hint)?)
 }

@@ -2,9 +2,9 @@
 
 use super::Context;
 use super::source::{self, Content};
-use calib_host::certificate::{self, Certificate, Language, Particulars};
-use calib_host::chain::Standing;
+use calib_certificate::{self as certificate, Certificate, Language, Particulars};
 use calib_host::{Result, terminal};
+use calib_record::hash_chain::Standing;
 use clap::Args;
 use std::path::PathBuf;
 

@@ -1,10 +1,12 @@
 //! A record as named on the command line: a file, or one in the calibrator.
 
 use super::Context;
-use calib_host::chain::{Evidence, Standing};
-use calib_host::{Error, Result, file::Existing, session};
+use calib_files::file::Existing;
+use calib_host::{Error, Result};
+use calib_link::session;
 use calib_protocol::change::{self, ReferenceChange};
 use calib_protocol::record::{self, RECORD_VERSION, Record, RecordError, RecordKind};
+use calib_record::hash_chain::{Evidence, Standing};
 use std::path::Path;
 
 /// A record that was found.

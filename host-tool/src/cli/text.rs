@@ -2,7 +2,6 @@
 
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
-use calib_host::verdict_text;
 
 /// One line about a measured point.
 pub(crate) fn point_line(point: &PointResult) -> String {
@@ -18,8 +17,7 @@ pub(crate) fn point_line(point: &PointResult) -> String {
         ),
         Verdict::Refused(reason) => {
             format!(
-                "{frequency_hz:>7} Hz  refused: {}{}",
-                verdict_text::reason(reason),
+                "{frequency_hz:>7} Hz  refused: {reason}{}",
                 coherence(point)
             )
         }

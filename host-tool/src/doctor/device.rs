@@ -1,8 +1,8 @@
 //! The calibrator's own answers: link, versions, health.
 
 use super::{Finding, State};
-use crate::link::Client;
-use crate::{Address, Error, Result};
+use crate::{Device, Error, Result};
+use calib_link::Client;
 use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::message::Info;
 use std::time::Duration;
@@ -10,14 +10,14 @@ use std::time::Duration;
 /// Requests of the link check: a bad cable shows within them.
 const REQUESTS: u32 = 20;
 
-pub(super) fn check(address: &Address) -> Vec<Finding> {
+pub(super) fn check(address: &Device) -> Vec<Finding> {
     match ask(address) {
         Ok((info, repetitions)) => vec![link(address, repetitions), versions(&info), health(&info)],
         Err(error) => vec![unreachable(&error)],
     }
 }
 
-fn ask(address: &Address) -> Result<(Info, u64)> {
+fn ask(address: &Device) -> Result<(Info, u64)> {
     let mut client = Client::new(address.open()?);
     let info = client.info()?;
     for _ in 0..REQUESTS {
@@ -29,14 +29,14 @@ fn ask(address: &Address) -> Result<(Info, u64)> {
 
 fn unreachable(error: &Error) -> Finding {
     let check = match error {
-        Error::Protocol(_) => "versions",
+        Error::Calibrator(calib_link::Error::Protocol(_)) => "versions",
         _ => "link",
     };
     Finding::new(check, State::Failed, error.to_string())
         .with_remedy(error.hint().unwrap_or_default())
 }
 
-fn link(address: &Address, repetitions: u64) -> Finding {
+fn link(address: &Device, repetitions: u64) -> Finding {
     match repetitions {
         0 => Finding::new(
             "link",

@@ -7,7 +7,8 @@ mod clock;
 mod device;
 mod ports;
 
-use crate::Address;
+use crate::Device;
+use calib_link::Address;
 use serde::Serialize;
 
 /// How a check ended.
@@ -55,16 +56,16 @@ impl Finding {
 
 /// Looks at everything. `address` is the calibrator that was named, else the
 /// likely ports are asked.
-pub fn examine(address: Option<&Address>) -> Vec<Finding> {
+pub fn examine(address: Option<&Device>) -> Vec<Finding> {
     let mut findings = vec![clock::check(jiff::Timestamp::now())];
-    let ports = crate::link::port::list();
+    let ports = calib_link::port::list();
     findings.extend(ports::check(&ports, address));
-    let asked: Vec<Address> = match address {
+    let asked: Vec<Device> = match address {
         Some(address) => vec![address.clone()],
         None => ports
             .iter()
             .filter(|port| port.likely)
-            .map(|port| Address::Serial(port.name.clone()))
+            .map(|port| Device::At(Address::Serial(port.name.clone())))
             .collect(),
     };
     findings.extend(asked.iter().flat_map(device::check));

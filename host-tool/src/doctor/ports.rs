@@ -1,15 +1,16 @@
 //! Serial ports, and whether this user may use them.
 
 use super::{Finding, State};
-use crate::Address;
-use crate::link::port::Port;
+use crate::Device;
+use calib_link::Address;
+use calib_link::port::Port;
 
 /// The rule that gives the user at the seat the right to the board's port
 /// (udev(7); `uaccess` is set by systemd's 73-seat-late.rules, hence the 70).
 pub(super) const UDEV_RULE: &str =
     "SUBSYSTEM==\"tty\", ATTRS{idVendor}==\"0483\", MODE=\"0660\", TAG+=\"uaccess\"";
 
-pub(super) fn check(ports: &[Port], address: Option<&Address>) -> Vec<Finding> {
+pub(super) fn check(ports: &[Port], address: Option<&Device>) -> Vec<Finding> {
     let likely: Vec<&Port> = ports.iter().filter(|port| port.likely).collect();
     let found = match likely.as_slice() {
         [] => none(ports, address),
@@ -21,7 +22,7 @@ pub(super) fn check(ports: &[Port], address: Option<&Address>) -> Vec<Finding> {
         }
     };
     let named = match address {
-        Some(Address::Serial(name)) => vec![name.as_str()],
+        Some(Device::At(Address::Serial(name))) => vec![name.as_str()],
         Some(_) => Vec::new(),
         None => likely.iter().map(|port| port.name.as_str()).collect(),
     };
@@ -30,7 +31,7 @@ pub(super) fn check(ports: &[Port], address: Option<&Address>) -> Vec<Finding> {
     findings
 }
 
-fn none(ports: &[Port], address: Option<&Address>) -> Finding {
+fn none(ports: &[Port], address: Option<&Device>) -> Finding {
     let text = format!("no calibrator among {} serial ports", ports.len());
     match address {
         // Who named one does not need ours.

@@ -1,7 +1,8 @@
 //! The file in which an emulated calibrator keeps records and settings.
 
 use super::{EmulatedBoard, firmware};
-use crate::{Error, Result, file};
+use crate::{Error, Result};
+use calib_files::file;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::runner::{Emulator, Error as BoardError};
@@ -68,7 +69,7 @@ impl FlashFile {
     /// # Errors
     /// [`Error::File`]: the file is as it was before.
     pub fn keep(&self, board: &EmulatedBoard) -> Result<()> {
-        file::replace(&self.path, &board.record_flash()?)
+        Ok(file::replace(&self.path, &board.record_flash()?)?)
     }
 }
 

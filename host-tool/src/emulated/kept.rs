@@ -2,7 +2,7 @@
 
 use super::{EmulatedBoard, FlashFile};
 use crate::Result;
-use crate::link::Transport;
+use calib_link::Transport;
 use calib_twin::rig::Rig;
 use std::io::{self, Write};
 use std::path::PathBuf;

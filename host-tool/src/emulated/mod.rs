@@ -6,14 +6,18 @@
 mod flash_file;
 mod kept;
 pub mod rig_file;
+mod serial_link;
 mod settings;
+mod usb_link;
 
 pub use flash_file::FlashFile;
 pub use kept::KeptBoard;
+pub use serial_link::EmulatedTransport;
 pub use settings::settings_for;
+pub use usb_link::EmulatedUsbTransport;
 
-use crate::link::{Client, EmulatedTransport, EmulatedUsbTransport};
 use crate::{Error, Result};
+use calib_link::Client;
 use calib_protocol::message::SettingsChange;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
@@ -71,7 +75,7 @@ impl EmulatedBoard {
         let written = client.write_settings(change);
         self.hold_button(false)?;
         client.wait(BUTTON_SEEN)?;
-        written
+        Ok(written?)
     }
 
     /// Puts a hand on the button, or takes it away.

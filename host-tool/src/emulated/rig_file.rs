@@ -1,6 +1,6 @@
 //! Rig files of the emulated calibrator, with complaints as those of all other files.
 
-use crate::{Error, Result, text_file};
+use calib_files::{Error, Result, text};
 use calib_twin::rig::{Rig, RigError};
 use std::path::Path;
 
@@ -11,7 +11,7 @@ const HINT: &str = "twin/rigs/default.toml in the source tree holds every value"
 /// # Errors
 /// [`Error::File`]; [`Error::Input`] with line or key.
 pub fn load(path: &Path) -> Result<Rig> {
-    parse(path, &text_file::read(path)?)
+    parse(path, &text::read(path)?)
 }
 
 /// Reads a rig from `text`, the content of `path`.
@@ -21,7 +21,7 @@ pub fn load(path: &Path) -> Result<Rig> {
 pub fn parse(path: &Path, text: &str) -> Result<Rig> {
     let file = path.display().to_string();
     Rig::parse(text, &file).map_err(|error| match error {
-        RigError::Malformed { source, .. } => text_file::malformed(path, text, &source, HINT),
+        RigError::Malformed { source, .. } => text::malformed(path, text, &source, HINT),
         RigError::OutOfRange {
             parameter,
             value,

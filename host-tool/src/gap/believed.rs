@@ -1,7 +1,8 @@
 //! What a simulation believes about a rig, read from any file that says it.
 
 use crate::emulated::rig_file;
-use crate::{Error, Result, text_file};
+use crate::{Error, Result};
+use calib_files::text;
 use calib_twin::dataset::{Nominal, NominalOscillator, Quantity};
 use calib_twin::rig::Rig;
 use serde::Deserialize;
@@ -52,14 +53,14 @@ impl Believed {
         } else {
             rig.to_owned()
         };
-        Self::parse(&text_file::read(&path)?, &path)
+        Self::parse(&text::read(&path)?, &path)
     }
 
     fn parse(text: &str, path: &Path) -> Result<Self> {
         let hint = "docs/gap.md shows a rig.toml; `standard` and `oscillator` are built in";
         let file = &path.display().to_string();
         let unusable = |problem: String| Error::input(file, problem, hint);
-        let head: Head = text_file::parse_toml(path, text, hint)?;
+        let head: Head = text::parse_toml(path, text, hint)?;
         match head.kind.as_deref() {
             Some("calibrator") => Nominal::parse(text, file)
                 .map(|nominal| Self::Calibrator(Box::new(nominal)))

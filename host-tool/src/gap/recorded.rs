@@ -14,12 +14,12 @@
 
 use super::known::Known;
 use super::waveforms::Waveforms;
-use crate::Result;
-use crate::link::Client;
-use crate::session::{self, Progress};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::thermometer::SELF_HEATING_K;
 use calib_core::verdict::{Reason, Verdict};
+use calib_link::Client;
+use calib_link::session::{self, Progress};
+use calib_link::{Error, Result};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
 use calib_twin::dataset::{Nominal, Point};
@@ -178,7 +178,7 @@ impl Pass<'_> {
             if let Some(waveforms) = &mut self.waveforms {
                 waveforms.look(client, status)?;
             }
-            Ok(observe(progress, points))
+            Ok::<_, Error>(observe(progress, points))
         })?;
         if let Some(waveforms) = &mut self.waveforms {
             waveforms.end(client)?;

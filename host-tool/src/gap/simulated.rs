@@ -44,10 +44,10 @@ pub fn effects<A: Library>(texts: &[String]) -> Result<Vec<ActiveEffect<A>>> {
 }
 
 fn usage(error: &EffectError) -> Error {
-    Error::Usage {
-        problem: error.to_string(),
-        hint: "`calib gap effects NAME` lists parameters, units and bounds".into(),
-    }
+    Error::usage(
+        error.to_string(),
+        "`calib gap effects NAME` lists parameters, units and bounds",
+    )
 }
 
 /// Simulates `believed` with effects nobody told it, and writes the dataset

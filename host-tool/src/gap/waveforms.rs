@@ -5,9 +5,9 @@
 //! once more.
 
 use super::known::Known;
-use crate::capture::{Capture, FitError, Inputs, Taking, ToneFit, fit};
-use crate::link::Client;
-use crate::{Error, Result};
+use calib_link::Client;
+use calib_link::capture::{Capture, FitError, Inputs, Taking, ToneFit, fit};
+use calib_link::{Error, Result};
 use calib_protocol::capture::MAX_CAPTURE_PAIRS;
 use calib_protocol::message::{RunState, Status};
 use calib_twin::dataset::{self, Point};
@@ -170,7 +170,7 @@ fn still_held(client: &mut Client, index: usize) -> Result<bool> {
 /// the fundamental.
 fn harmonics(fit: &ToneFit, response: impl Fn(f64) -> Complex64) -> Option<Harmonics> {
     let first = response(1.0);
-    let before = |harmonic: &crate::capture::Harmonic| {
+    let before = |harmonic: &calib_link::capture::Harmonic| {
         let n = f64::from(harmonic.order);
         let turned = Complex64::from_polar(first.norm(), n * first.arg());
         let seen = Complex64::from_polar(harmonic.amplitude_rel, harmonic.phase_rad);

@@ -1,9 +1,9 @@
 //! What a page asks to be measured.
 
-use crate::bench::{Bench, Sensor};
-use crate::session::{self, label, temperature_centi_c};
 use crate::{Error, Result};
 use calib_core::point::PointSpec;
+use calib_link::session::{self, label, temperature_centi_c};
+use calib_logbook::{Bench, Sensor};
 use calib_protocol::record::RunLabels;
 use serde::Deserialize;
 use std::path::Path;
@@ -81,8 +81,5 @@ impl Run {
 }
 
 fn usage(problem: &str) -> Error {
-    Error::Usage {
-        problem: problem.to_owned(),
-        hint: String::new(),
-    }
+    Error::usage(problem, "")
 }

@@ -7,11 +7,11 @@
 
 use super::view::{Link, PointView, RunView, Shared};
 use super::waveforms::Eye;
-use crate::bench::{Bench, Kept};
-use crate::link::Client;
-use crate::session::{self, Outcome, Progress};
-use crate::{Address, Error, Result};
+use crate::{Device, Error, Result};
 use calib_core::point::{ExcitationKind, PointSpec};
+use calib_link::Client;
+use calib_link::session::{self, Outcome, Progress};
+use calib_logbook::{Bench, Kept};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
 use std::ops::ControlFlow;
@@ -181,7 +181,7 @@ impl Worker {
     }
 
     fn open(&mut self) -> Result<()> {
-        let Ok(address) = self.shared.snapshot().device.parse::<Address>();
+        let Ok(address) = self.shared.snapshot().device.parse::<Device>();
         let mut client = Client::new(address.open()?);
         let info = client.info()?;
         self.client = Some(client);
@@ -217,7 +217,7 @@ impl Worker {
         };
         match client.stop() {
             Ok(()) => self.heeded = stops,
-            Err(error) => self.lost(&error),
+            Err(error) => self.lost(&error.into()),
         }
     }
 
@@ -248,7 +248,7 @@ impl Worker {
             Ok(record) => self.follow(record, points),
             Err(error) => {
                 self.not_begun("did not begin");
-                self.judge(&error);
+                self.judge(&error.into());
             }
         }
     }
@@ -270,7 +270,7 @@ impl Worker {
         let begun = Instant::now();
         let mut eye = match Eye::open(client) {
             Ok(eye) => eye,
-            Err(error) => return self.judge(&error),
+            Err(error) => return self.judge(&error.into()),
         };
         let outcome = session::follow_beside(client, record, points, |progress, client| {
             if ending.load(Ordering::SeqCst) {
@@ -332,7 +332,7 @@ impl Worker {
     /// A broken link is tried again; the rest is told.
     fn judge(&mut self, error: &Error) {
         match error {
-            Error::Link(_) => self.lost(error),
+            Error::Calibrator(calib_link::Error::Link(_)) => self.lost(error),
             _ => {
                 self.trouble(error);
                 self.shared.change_run(|run| {

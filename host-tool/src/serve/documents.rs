@@ -1,13 +1,13 @@
 //! Certificates of records, as answers. One that is downloaded is issued, and is
 //! entered in the bench; the page that is looked at is not.
 
-use crate::bench::{Bench, Issue};
-use crate::certificate::{self, Format, Options, Particulars, Prepared};
-use crate::chain::{Evidence, Standing};
 use crate::{Error, Result};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
+use calib_certificate::{self as certificate, Format, Options, Particulars, Prepared};
+use calib_logbook::{Bench, Issue};
 use calib_protocol::record::{self, Record};
+use calib_record::hash_chain::{Evidence, Standing};
 use std::path::{Path, PathBuf};
 
 /// A certificate is a page of its own with script and style inside, and talks to
@@ -27,10 +27,7 @@ pub(super) fn certificate(
     particulars: &[PathBuf],
     bench: &Path,
 ) -> Result<Response> {
-    let unknown = |problem: String| Error::Usage {
-        problem,
-        hint: String::new(),
-    };
+    let unknown = |problem: String| Error::usage(problem, "");
     let format: Format = format.parse().map_err(unknown)?;
     let record = record::decode(stored)
         .map_err(|error| Error::input("record", error.to_string(), "run once more"))?;
@@ -74,7 +71,7 @@ fn standing(record: &Record, stored: &[u8], bench: Option<&Bench>) -> Result<Sta
 fn enter(prepared: &Prepared, stored: &[u8], mut bench: Bench) -> Result<()> {
     let issue = |file| issue(prepared, file, stored);
     let issues: Vec<_> = prepared.files.iter().map(issue).collect();
-    bench.issue(&issues, jiff::Timestamp::now().as_second())
+    Ok(bench.issue(&issues, jiff::Timestamp::now().as_second())?)
 }
 
 fn issue<'a>(prepared: &'a Prepared, file: &'a certificate::File, stored: &[u8]) -> Issue<'a> {

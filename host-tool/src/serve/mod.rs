@@ -61,9 +61,11 @@ impl Server {
     /// # Errors
     /// [`Error::Usage`] when the address cannot be listened on.
     pub fn listen(options: Options) -> Result<Self> {
-        let refused = |error: std::io::Error| Error::Usage {
-            problem: format!("cannot listen on {}: {error}", options.listen),
-            hint: "choose another with --listen ADDRESS:PORT; port 0 takes any free one".to_owned(),
+        let refused = |error: std::io::Error| {
+            Error::usage(
+                format!("cannot listen on {}: {error}", options.listen),
+                "choose another with --listen ADDRESS:PORT; port 0 takes any free one",
+            )
         };
         let listener = TcpListener::bind(options.listen).map_err(refused)?;
         listener.set_nonblocking(true).map_err(refused)?;

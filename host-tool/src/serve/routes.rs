@@ -20,13 +20,14 @@ use super::asked::Run;
 use super::bench_side::{Handle, Order};
 use super::{Options, Snapshot, assets, documents, events};
 use crate::Error;
-use crate::bench::{Bench, Filter};
 use axum::extract::{Path, Query, Request, State};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use axum::{Json, Router};
+use calib_files::Error as FilesError;
+use calib_logbook::{Bench, Filter};
 use serde::Deserialize;
 use std::sync::Arc;
 
@@ -40,7 +41,7 @@ struct App {
 }
 
 pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router {
-    let devices = || async { Json(crate::link::port::list()) };
+    let devices = || async { Json(calib_link::port::list()) };
     assets::add(Router::new())
         .route("/api/state", get(state))
         .route("/api/events", get(changes))
@@ -231,7 +232,9 @@ impl From<Error> for Failure {
 impl IntoResponse for Failure {
     fn into_response(self) -> Response {
         let status = match self.0 {
-            Error::Usage { .. } | Error::Input { .. } => StatusCode::BAD_REQUEST,
+            Error::Files(FilesError::Usage { .. } | FilesError::Input { .. }) => {
+                StatusCode::BAD_REQUEST
+            }
             _ => StatusCode::INTERNAL_SERVER_ERROR,
         };
         let hint = self.0.hint().unwrap_or_default();

@@ -1,7 +1,6 @@
 //! What every page sees.
 
 use super::waveforms::Waveforms;
-use crate::verdict_text;
 use calib_core::point::{PointResult, PointSpec};
 use calib_protocol::message::{Info, Status};
 use serde::Serialize;
@@ -48,7 +47,7 @@ impl From<&PointResult> for PointView {
             expanded_uncertainty_phase_deg: point.expanded_uncertainty_phase_rad.to_degrees(),
             settling_s: point.settling_s,
             passed: point.verdict == calib_core::verdict::Verdict::Pass,
-            verdict: verdict_text::verdict(point.verdict),
+            verdict: point.verdict.to_string(),
         }
     }
 }

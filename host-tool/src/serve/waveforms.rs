@@ -1,10 +1,10 @@
 //! What the two inputs look like while a run goes on: some cycles and a spectrum,
 //! small enough for a page.
 
-use crate::capture::{Capture, Inputs, Taking, Window, spectrum};
-use crate::link::Client;
-use crate::{Error, Result};
 use calib_core::settings::ReferenceCalibration;
+use calib_link::Client;
+use calib_link::capture::{Capture, Inputs, Taking, Window, spectrum};
+use calib_link::{Error, Result};
 use calib_protocol::message::{RunState, Status};
 use serde::Serialize;
 
@@ -81,7 +81,7 @@ impl Eye {
             return Ok(None);
         }
         match self.step(client, status.frequency_hz) {
-            Err(Error::Link(error)) => Err(error.into()),
+            Err(error @ Error::Link(_)) => Err(error),
             Err(_) => {
                 self.taking = None;
                 self.refusals += 1;

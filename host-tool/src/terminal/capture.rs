@@ -1,7 +1,7 @@
 //! A capture on one screen: both channels in numbers, and their spectra.
 
 use super::plot::{Horizontal, Mark, draw};
-use crate::capture::{Capture, Channel, Report, ToneFit, Window, spectrum};
+use calib_link::capture::{Capture, Channel, Report, ToneFit, Window, spectrum};
 use std::fmt::Write;
 
 /// Rows of a spectrum.

@@ -1,9 +1,8 @@
 //! A record on one screen: the response with U, and the table of its points.
 
 use super::plot::{Horizontal, Mark, draw};
-use crate::certificate::Certificate;
-use crate::certificate::model::{Point, PointValues};
-use crate::verdict_text;
+use calib_certificate::Certificate;
+use calib_certificate::model::{Point, PointValues};
 use calib_core::point::PointResult;
 use calib_protocol::record::Record;
 use std::fmt::Write;
@@ -94,7 +93,7 @@ fn is(point: &Point, measured: &PointResult) -> bool {
 
 fn line(point: &Point, measured: Option<&PointResult>) -> String {
     let frequency = point.nominal_frequency_hz;
-    let verdict = measured.map_or_else(String::new, |m| verdict_text::verdict(m.verdict));
+    let verdict = measured.map_or_else(String::new, |m| m.verdict.to_string());
     match &point.outcome {
         Ok(values) => format!(
             "{frequency:>7}  {:>9.3}  {:>13.5}  {:>5.2}  {:>11.3}  {verdict}\n",

@@ -3,7 +3,7 @@
 use crate::command_line::{calib, json, serve, text};
 use crate::device::{Device, record};
 use crate::python;
-use calib_host::bench::{Bench, Filter, Issue, Kept, Sensor, export};
+use calib_logbook::{Bench, Filter, Issue, Kept, Sensor, export};
 use calib_protocol::change;
 use calib_protocol::record::{Record, RecordKind, digest, encode};
 use std::path::Path;

@@ -3,9 +3,9 @@
 use crate::command_line::{calib, json, serve, text};
 use crate::device::{Device, FIRST_PAIR, codes};
 use crate::memory_link::{Direction, Fault, MemoryLink, client, shared};
-use calib_host::Error;
-use calib_host::capture::{Capture, Inputs};
-use calib_host::link::Client;
+use calib_link::Client;
+use calib_link::Error;
+use calib_link::capture::{Capture, Inputs};
 use calib_protocol::message::Refusal;
 
 /// As the device in memory has it.

@@ -1,8 +1,8 @@
 //! `calib certificate` as a technician or a laboratory meets it: from a file
 //! to files, and every way that can go wrong.
 
-use crate::sample;
 use calib_protocol::record::Record;
+use calib_record::sample;
 use std::path::Path;
 use std::process::{Command, Output};
 

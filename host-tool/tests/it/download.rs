@@ -2,8 +2,9 @@
 
 use crate::device::{Device, record};
 use crate::memory_link::{Direction, Fault, MemoryLink, client, shared};
-use calib_host::link::Client;
-use calib_host::{Error, session};
+use calib_link::Client;
+use calib_link::Error;
+use calib_link::session;
 use calib_protocol::message::Request;
 use std::fs;
 
@@ -133,7 +134,10 @@ fn an_existing_file_with_another_content_is_kept() {
     let device = shared(device());
     let error = session::download(&mut client(&device), 3, directory.path(), |_| ())
         .expect_err("not overwritten");
-    assert!(matches!(error, Error::Input { .. }), "{error}");
+    assert!(
+        matches!(error, Error::Files(calib_files::Error::Input { .. })),
+        "{error}"
+    );
     assert_eq!(fs::read(&path).expect("file"), b"mine");
 }
 

@@ -2,8 +2,8 @@
 
 use crate::device::Device;
 use crate::memory_link::{client, shared};
-use calib_host::link::{Client, RetryPolicy, Transport};
-use calib_host::session;
+use calib_link::session;
+use calib_link::{Client, RetryPolicy, Transport};
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
 use calib_protocol::message::{Refusal, Response};
 use proptest::prelude::*;

@@ -3,8 +3,8 @@
 use crate::device::{Device, record, settings};
 use crate::memory_link::{Direction, Fault, MemoryLink, SharedDevice, client, shared};
 use calib_core::point::{ExcitationKind, PointSpec};
-use calib_host::link::{Client, LinkError, ProtocolError, Transport};
-use calib_host::{Error, Result};
+use calib_link::{Client, LinkError, ProtocolError, Transport};
+use calib_link::{Error, Result};
 use calib_protocol::message::{Refusal, RunSpec};
 use calib_protocol::record::RunLabels;
 use std::io;

@@ -1,11 +1,13 @@
 //! The host tool against a calibrator in memory: a device that speaks the real
 //! protocol over a link that can damage, lose and add any byte.
 
+mod bad_input;
 mod bench;
 mod capture;
 mod certificate;
 mod command_line;
 mod device;
+mod documentation;
 mod download;
 mod gap;
 mod hostile;
@@ -14,6 +16,4 @@ mod memory_link;
 mod odd_use;
 mod python;
 mod run;
-#[path = "../../src/certificate/testing.rs"]
-mod sample;
 mod serve;

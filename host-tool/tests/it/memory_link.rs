@@ -1,7 +1,7 @@
 //! A link in memory that damages, loses and adds bytes where a test says so.
 
 use crate::device::Device;
-use calib_host::link::{Client, Transport};
+use calib_link::{Client, Transport};
 use std::io;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;

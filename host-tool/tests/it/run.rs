@@ -3,7 +3,8 @@
 use crate::device::Device;
 use crate::memory_link::{client, shared};
 use calib_core::point::ExcitationKind;
-use calib_host::{Error, session};
+use calib_host::Error;
+use calib_link::session;
 use calib_protocol::message::{Request, RunState};
 use calib_protocol::record::RunLabels;
 use std::ops::ControlFlow;

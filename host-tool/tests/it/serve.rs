@@ -182,7 +182,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     // that was viewed is not issued, one that was downloaded is.
     assert_eq!(server.get("/api/records/1/certificate/html").1, page);
     let issued = || {
-        let bench = calib_host::bench::Bench::open(&folder.path().join("bench.sqlite"));
+        let bench = calib_logbook::Bench::open(&folder.path().join("bench.sqlite"));
         bench
             .expect("a bench")
             .certificates()

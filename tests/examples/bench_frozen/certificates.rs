@@ -2,7 +2,7 @@
 //! those that are text, so that a difference has a place.
 
 use super::{Fault, Frozen};
-use calib_host::gap::truth::sha256;
+use calib_gap_challenge::truth::sha256;
 use serde_json::{Value, json};
 use std::path::Path;
 use std::process::Command;

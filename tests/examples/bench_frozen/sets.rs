@@ -4,9 +4,9 @@ use super::sealed::oscillator::{RIG, added, record};
 use super::sealed::random::Random;
 use super::{Fault, case};
 use calib_gap::Options;
-use calib_host::gap::challenge::challenge;
-use calib_host::gap::strata::Stratum;
-use calib_host::gap::truth::{MANIFEST, Manifest};
+use calib_gap_challenge::challenge;
+use calib_gap_challenge::strata::Stratum;
+use calib_gap_challenge::truth::{MANIFEST, Manifest};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -90,9 +90,9 @@ fn independent(root: &Path) -> Result<Vec<Set>, Fault> {
 
 fn of_twin(root: &Path) -> Result<Vec<Set>, Fault> {
     let out = root.join("twin");
-    challenge(&out, Stratum::all(), OF_TWIN, SEED, |_, _| ())?;
+    challenge(&out, &Stratum::ALL, OF_TWIN, SEED, |_, _| ())?;
     let manifest = Manifest::find(&out)?.ok_or_else(|| format!("no {MANIFEST}"))?;
-    let set = |case: calib_host::gap::truth::OpenCase| Set {
+    let set = |case: calib_gap_challenge::truth::OpenCase| Set {
         folder: out.join(&case.name),
         name: format!("twin-{}", case.name),
         options: Options {

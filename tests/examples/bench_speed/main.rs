@@ -6,7 +6,7 @@ mod twin;
 use calib_core::correlation::{Block, Correlator, FoldMemory};
 use calib_core::point::PointResult;
 use calib_core::tone::Tone;
-use calib_host::session;
+use calib_link::session;
 use calib_tests::bench::{Bench, Fault};
 use calib_twin::rig::Rig;
 use serde_json::{Value, json};

@@ -1,8 +1,9 @@
 //! The shipping image at work.
 
 use crate::row::Row;
-use calib_host::link::{Client, EmulatedTransport, EmulatedUsbTransport, RetryPolicy};
-use calib_host::session;
+use calib_host::emulated::{EmulatedTransport, EmulatedUsbTransport};
+use calib_link::session;
+use calib_link::{Client, RetryPolicy};
 use calib_protocol::message::RunSpec;
 use calib_protocol::record::RunLabels;
 use calib_tests::bench::{Bench, Fault};

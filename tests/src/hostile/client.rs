@@ -1,8 +1,8 @@
 //! The host's client against a device that answers anything.
 
 use super::frames::{Whole, framed, whole_frames};
-use calib_host::capture::Inputs;
-use calib_host::link::{Client, RetryPolicy, Transport};
+use calib_link::capture::Inputs;
+use calib_link::{Client, RetryPolicy, Transport};
 use calib_protocol::record;
 use std::io;
 use std::time::Duration;

@@ -1,6 +1,6 @@
 //! A serial line to a board whose supply fails at a given instant.
 
-use calib_host::link::Transport;
+use calib_link::Transport;
 use calib_twin::runner::{Emulator, SharedEmulator, Torn};
 use std::io;
 use std::sync::{Arc, Mutex, PoisonError};

@@ -10,7 +10,7 @@ pub use link::Cut;
 pub use told::Doing;
 
 use crate::bench::Fault;
-use calib_host::link::Client;
+use calib_link::Client;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::runner::{Emulator, Firmware, SharedEmulator, Torn};

@@ -1,6 +1,6 @@
 //! The shipping image on the emulated board: boot, repeatability, restarts.
 
-use calib_host::session;
+use calib_link::session;
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;

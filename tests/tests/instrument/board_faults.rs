@@ -3,7 +3,7 @@
 //! `scenarios/board`.
 
 use calib_core::verdict::Verdict;
-use calib_host::session;
+use calib_link::session;
 use calib_protocol::message::{ResetCause, RunSpec, RunState};
 use calib_protocol::record::{Record, RunLabels};
 use calib_tests::bench::{Bench, Fault, point};

@@ -2,7 +2,7 @@
 
 use calib_core::point::ExcitationKind;
 use calib_core::verdict::{Reason, Verdict};
-use calib_host::session::{self, Outcome};
+use calib_link::session::{self, Outcome};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
 use calib_tests::bench::{Bench, Fault, point, true_certificate};

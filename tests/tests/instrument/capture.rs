@@ -1,9 +1,9 @@
 //! Waveforms of both channels, out of the shipping firmware.
 
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
-use calib_host::Error;
-use calib_host::capture::{self, Capture, Inputs, Measured, ToneFit};
-use calib_host::session;
+use calib_link::Error;
+use calib_link::capture::{self, Capture, Inputs, Measured, ToneFit};
+use calib_link::session;
 use calib_protocol::message::{Refusal, RunState};
 use calib_protocol::record::RunLabels;
 use calib_tests::bench::{Bench, Fault, point, true_certificate};

@@ -2,7 +2,7 @@
 
 use calib_core::tone::Tone;
 use calib_core::verdict::Verdict;
-use calib_host::session;
+use calib_link::session;
 use calib_protocol::message::{ResetCause, RunState};
 use calib_tests::bench::{Bench, point, true_certificate};
 use calib_tests::judge::deviation;

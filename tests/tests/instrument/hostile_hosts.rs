@@ -5,7 +5,8 @@
 
 use calib_core::point::ExcitationKind;
 use calib_core::verdict::Verdict;
-use calib_host::link::{Client, EmulatedUsbTransport};
+use calib_host::emulated::EmulatedUsbTransport;
+use calib_link::Client;
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, SERIAL_BAUD};
 use calib_protocol::message::{Request, Response, RunSpec, RunState};
 use calib_protocol::record::RunLabels;

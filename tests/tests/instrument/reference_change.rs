@@ -2,8 +2,8 @@
 //! is a record in the chain.
 
 use calib_core::settings::Settings;
-use calib_host::Error;
-use calib_host::session;
+use calib_link::Error;
+use calib_link::session;
 use calib_protocol::message::{Refusal, SettingsChange};
 use calib_protocol::record::{self, ChainLink, RecordKind};
 use calib_protocol::{change, frame};
@@ -30,7 +30,7 @@ fn recalibrated(before: &Settings) -> Result<SettingsChange, Fault> {
     })
 }
 
-fn expect_refusal(result: calib_host::Result<()>) {
+fn expect_refusal(result: calib_link::Result<()>) {
     match result {
         Err(Error::Refused(refused)) => assert_eq!(refused.refusal, Refusal::ButtonNotHeld),
         other => panic!("{other:?}"),

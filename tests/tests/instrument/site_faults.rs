@@ -2,8 +2,8 @@
 //! table that runs away. The scenarios are the files in `scenarios/site`.
 
 use calib_core::verdict::Verdict;
-use calib_host::Error;
-use calib_host::session::Outcome;
+use calib_link::Error;
+use calib_link::session::Outcome;
 use calib_protocol::message::RunState;
 use calib_tests::bench::{Bench, Fault, point};
 use calib_tests::witness::{Seen, Witness};

@@ -2,8 +2,10 @@
 //! disturbed in every way a cable and a host can.
 
 use calib_core::point::ExcitationKind;
-use calib_host::link::{Client, EmulatedUsbTransport};
-use calib_host::{Error, session};
+use calib_host::emulated::EmulatedUsbTransport;
+use calib_link::Client;
+use calib_link::Error;
+use calib_link::session;
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
 use calib_protocol::message::{Refusal, Request, Response, RunSpec};
 use calib_protocol::record::RunLabels;

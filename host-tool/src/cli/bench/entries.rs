@@ -2,8 +2,9 @@
 
 use super::sensors::cut;
 use crate::cli::{Context, table::Table, time};
-use calib_host::bench::{Bench, Filter, Instrument, Issued, Kept, Listed, Operator};
-use calib_host::{Error, Result, file};
+use calib_files::file;
+use calib_host::{Error, Result};
+use calib_logbook::{Bench, Filter, Instrument, Issued, Kept, Listed, Operator};
 use calib_protocol::record::RecordKind;
 use clap::{Args, Subcommand};
 use jiff::{civil::Date, tz::TimeZone};
@@ -111,10 +112,9 @@ impl BenchVerb {
 }
 
 fn midnight_s(day: Date) -> Result<i64> {
-    let midnight = day.to_zoned(TimeZone::UTC).map_err(|error| Error::Usage {
-        problem: format!("{day}: {error}"),
-        hint: "a day looks like 2026-11-20".to_owned(),
-    })?;
+    let midnight = day
+        .to_zoned(TimeZone::UTC)
+        .map_err(|error| Error::usage(format!("{day}: {error}"), "a day looks like 2026-11-20"))?;
     Ok(midnight.timestamp().as_second())
 }
 

@@ -1,7 +1,8 @@
 //! `calib export --parquet DIR`: the bench for other programs.
 
 use crate::cli::Context;
-use calib_host::{Result, bench};
+use calib_host::Result;
+use calib_logbook::export;
 use clap::Args;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -25,7 +26,7 @@ struct Exported {
 impl Export {
     /// Writes the data set.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let files = bench::export(&context.bench()?, &self.parquet)?;
+        let files = export(&context.bench()?, &self.parquet)?;
         let exported = Exported { files };
         context.print(&exported, || {
             let files = exported.files.iter();

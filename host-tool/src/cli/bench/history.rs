@@ -1,8 +1,8 @@
 //! `calib history SERIAL`: drift over the years beside the uncertainty.
 
 use crate::cli::{Context, number::positive, table::Table, time};
-use calib_host::bench::History as Drift;
-use calib_host::{Error, Result};
+use calib_host::{Error, Result, terminal};
+use calib_logbook::History as Drift;
 use clap::Args;
 
 /// Columns and rows of the plot.
@@ -69,6 +69,6 @@ fn text(history: &Drift) -> String {
         "{} at {} Hz, change from the first in %, bars are U\n{}\n{table}",
         history.sensor,
         history.frequency_hz,
-        history.drawn(SIZE.0, SIZE.1)
+        terminal::show_history(history, SIZE.0, SIZE.1)
     )
 }

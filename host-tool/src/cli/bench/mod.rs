@@ -11,8 +11,8 @@ pub(crate) use history::History;
 pub(crate) use sensors::{Sensors, find as find_sensor};
 
 use super::Context;
-use calib_host::Result;
-use calib_host::bench::{Bench, default_path};
+use calib_files::Result;
+use calib_logbook::{Bench, default_path};
 
 impl Context {
     /// The bench to look into.

@@ -1,8 +1,9 @@
 //! `calib sensors`: devices under test, typed once.
 
 use crate::cli::{Context, table::Table};
-use calib_host::bench::Sensor;
-use calib_host::{Error, Result, teds};
+use calib_host::{Error, Result};
+use calib_logbook::Sensor;
+use calib_metrology::teds;
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
 
@@ -218,7 +219,7 @@ fn text(sensor: &Sensor) -> String {
 /// [`Error::Input`] when there is no bench, or it has no such sensor.
 pub(crate) fn find(context: &Context, serial: &str) -> Result<Sensor> {
     match context.bench_if_there()? {
-        Some(bench) => bench.known_sensor(serial),
+        Some(bench) => Ok(bench.known_sensor(serial)?),
         None => Err(Error::input(
             format!("sensor {serial}"),
             "there is no bench of records yet",

@@ -2,12 +2,13 @@
 
 use super::super::Context;
 use super::progress::Count;
-use calib_host::gap::challenge::challenge;
-use calib_host::gap::score::{Rates, Score, Share, left_by_substitutes, read_answers, score};
-use calib_host::gap::strata::Stratum;
-use calib_host::gap::truth::{MANIFEST, Manifest, Truth};
+use calib_gap_challenge::challenge;
+use calib_gap_challenge::score::{Rates, Score, Share, left_by_substitutes, read_answers, score};
+use calib_gap_challenge::strata::Stratum;
+use calib_gap_challenge::truth::{MANIFEST, Manifest, Truth};
 use calib_host::{Error, Result};
 use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -25,7 +26,7 @@ pub(crate) struct Challenge {
     #[arg(long, value_name = "S")]
     seed: u64,
     /// Kinds of cases; all of them where none is given.
-    #[arg(long, value_enum, value_delimiter = ',')]
+    #[arg(long, value_parser = strata_parser(), value_delimiter = ',')]
     strata: Vec<Stratum>,
 }
 
@@ -33,7 +34,7 @@ impl Challenge {
     /// Makes and seals the set.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let strata = match self.strata.as_slice() {
-            [] => Stratum::all(),
+            [] => &Stratum::ALL,
             some => some,
         };
         let count = Count::new(context, "datasets");
@@ -64,6 +65,15 @@ impl Challenge {
     }
 }
 
+/// Kinds of cases by name.
+fn strata_parser() -> impl TypedValueParser<Value = Stratum> {
+    let values = Stratum::ALL.map(|kind| PossibleValue::new(kind.name()).help(kind.about()));
+    PossibleValuesParser::new(values).try_map(|name| {
+        let kind = Stratum::ALL.into_iter().find(|kind| kind.name() == name);
+        kind.ok_or("no such kind")
+    })
+}
+
 /// `calib gap score`.
 #[derive(Debug, Args)]
 pub(crate) struct ScoreVerb {
@@ -80,10 +90,10 @@ impl ScoreVerb {
     /// Opens the truth and prints what the answers are worth.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         if !self.truth.exists() {
-            return Err(Error::Usage {
-                problem: format!("there is no truth {}", self.truth.display()),
-                hint: "`calib gap challenge OUT` writes it as OUT-truth.json; it comes second, after the answers".into(),
-            });
+            return Err(Error::usage(
+                format!("there is no truth {}", self.truth.display()),
+                "`calib gap challenge OUT` writes it as OUT-truth.json; it comes second, after the answers",
+            ));
         }
         let published = match self.sha256.clone() {
             Some(sum) => sum,
@@ -105,10 +115,13 @@ impl ScoreVerb {
 
 fn published_beside(truth: &Path) -> Result<String> {
     let missing = || {
-        Error::Usage {
-        problem: format!("{} is not the truth of a set whose {MANIFEST} is beside it", truth.display()),
-        hint: "answers come first, the truth second; if the set is elsewhere, give the SHA-256 that was published with --sha256".into(),
-    }
+        Error::usage(
+            format!(
+                "{} is not the truth of a set whose {MANIFEST} is beside it",
+                truth.display()
+            ),
+            "answers come first, the truth second; if the set is elsewhere, give the SHA-256 that was published with --sha256",
+        )
     };
     let folder = Truth::set_of(truth).ok_or_else(missing)?;
     let manifest = Manifest::find(&folder)?.ok_or_else(missing)?;

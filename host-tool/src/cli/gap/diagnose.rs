@@ -4,8 +4,8 @@ use super::super::Context;
 use super::progress::Count;
 use super::{refused, text, unusable};
 use calib_gap::{Answer, GapError, Options, check_name, diagnose};
+use calib_gap_challenge::truth::Manifest;
 use calib_host::gap::confirm::confirm;
-use calib_host::gap::truth::Manifest;
 use calib_host::{Error, Result};
 use clap::Args;
 use rayon::prelude::*;
@@ -58,10 +58,10 @@ impl Diagnose {
         match (jobs.as_slice(), self.datasets.as_slice()) {
             // A set of one is still a set.
             ([job], [folder]) if job.folder == *folder => self.one(context, job),
-            _ if self.confirm => Err(Error::Usage {
-                problem: "--confirm is for one dataset".to_owned(),
-                hint: "it takes minutes; name the dataset that matters".to_owned(),
-            }),
+            _ if self.confirm => Err(Error::usage(
+                "--confirm is for one dataset",
+                "it takes minutes; name the dataset that matters",
+            )),
             _ => self.many(context, &jobs),
         }
     }

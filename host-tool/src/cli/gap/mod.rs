@@ -75,10 +75,7 @@ fn refused(error: GapError) -> Error {
 fn unusable(folder: &Path, error: GapError) -> Error {
     let (place, problem) = match error {
         GapError::UnknownEffect { .. } | GapError::Usage(_) => {
-            return Error::Usage {
-                problem: error.to_string(),
-                hint: "see `calib gap --help`".into(),
-            };
+            return Error::usage(error.to_string(), "see `calib gap --help`");
         }
         GapError::File { path, source } => (path, source.to_string()),
         GapError::Rig { path, problem } => (path, problem),

@@ -48,10 +48,10 @@ fn is_dataset(input: &Path) -> bool {
 /// The usual session of the rig says which conditions are in reach.
 fn of_rig(rig: &Path, most: usize) -> Result<Plan> {
     if !rig.exists() && rig.extension().is_none() && !NAMES.iter().any(|n| rig == Path::new(n)) {
-        return Err(Error::Usage {
-            problem: format!("there is no {}", rig.display()),
-            hint: "give a dataset folder, a rig.toml, a rig file of the emulated calibrator, or `standard`".into(),
-        });
+        return Err(Error::usage(
+            format!("there is no {}", rig.display()),
+            "give a dataset folder, a rig.toml, a rig file of the emulated calibrator, or `standard`",
+        ));
     }
     let believed = Believed::load(rig)?;
     let failed = |e| Error::file("create", &std::env::temp_dir(), e);

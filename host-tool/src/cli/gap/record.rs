@@ -9,8 +9,9 @@ use calib_host::emulated::{self, EmulatedBoard};
 use calib_host::gap::design::diagnostic_points;
 use calib_host::gap::known::Known;
 use calib_host::gap::recorded::{Recorded, Setting, record, under};
-use calib_host::link::Client;
-use calib_host::{Error, Result, session, verdict_text};
+use calib_host::{Error, Result};
+use calib_link::Client;
+use calib_link::session;
 use calib_twin::dataset::{self, Point};
 use calib_twin::rig::Rig;
 use clap::Args;
@@ -86,10 +87,7 @@ pub(crate) struct RecordVerb {
 }
 
 fn usage(problem: impl Into<String>, hint: &str) -> Error {
-    Error::Usage {
-        problem: problem.into(),
-        hint: hint.to_owned(),
-    }
+    Error::usage(problem, hint)
 }
 
 /// Where the points are measured.
@@ -126,8 +124,7 @@ impl RecordVerb {
             rows.extend(done.rows.into_iter().flatten());
             refused.extend(done.refused);
             if let Some(reason) = done.ended_by {
-                let why = verdict_text::reason(reason);
-                context.remark(&format!("the calibrator ended the run early: {why}"));
+                context.remark(&format!("the calibrator ended the run early: {reason}"));
             }
             if done.stopped {
                 context.remark("stopped: what was measured so far is written");
@@ -289,7 +286,7 @@ impl RecordVerb {
         let points = self.points(client, known, setting)?;
         let mut progress = RunProgress::new(context);
         let waveforms = !self.no_waveforms;
-        record(
+        let recorded = record(
             client,
             known,
             &points,
@@ -300,7 +297,8 @@ impl RecordVerb {
                 progress.show(state, now);
                 stop()
             },
-        )
+        );
+        Ok(recorded?)
     }
 
     fn points(
@@ -310,7 +308,7 @@ impl RecordVerb {
         setting: &Setting,
     ) -> Result<Vec<PointSpec>> {
         if let Some(path) = &self.points {
-            return session::read_points(path, self.level);
+            return Ok(session::read_points(path, self.level)?);
         }
         let limits = client.settings()?.limits;
         let exciter = &known.nominal.exciter;
@@ -323,5 +321,5 @@ fn rig_of(file: &Path) -> Result<Rig> {
     if file.as_os_str() == "demo" {
         return Ok(Rig::standard());
     }
-    emulated::rig_file::load(file)
+    Ok(emulated::rig_file::load(file)?)
 }

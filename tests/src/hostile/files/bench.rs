@@ -2,7 +2,7 @@
 
 use super::{folder, put, read_or_refused};
 use crate::hostile::seeds::record as example_record;
-use calib_host::bench::{Bench, Filter};
+use calib_logbook::{Bench, Filter};
 use std::sync::LazyLock;
 
 /// Serial number of a sensor that is in no record: the history of one that is there is asked

@@ -2,9 +2,9 @@
 
 use super::read_or_refused;
 use calib_core::settings::Example;
-use calib_host::Result;
-use calib_host::metrology::input::Source;
-use calib_host::metrology::{budget, identify, linking, phase5347, record, sensitivity, shock};
+use calib_files::Result;
+use calib_metrology::input::Source;
+use calib_metrology::{budget, identify, linking, phase5347, record, sensitivity, shock};
 use std::path::Path;
 
 /// What the input's first byte chooses, by the name its files have.

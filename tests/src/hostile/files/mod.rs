@@ -15,7 +15,7 @@ pub use texts::{particulars, points, settings, teds};
 
 pub(super) use seeds::seeds;
 
-use calib_host::Error;
+use calib_files::Error;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 

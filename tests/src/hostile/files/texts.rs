@@ -2,9 +2,10 @@
 
 use super::{put, read_or_refused};
 use crate::hostile::seeds::record as example_record;
+use calib_certificate::{Format, Options, Particulars, prepare};
 use calib_core::settings::Settings;
-use calib_host::certificate::{Format, Options, Particulars, prepare};
-use calib_host::{session, teds};
+use calib_link::session;
+use calib_metrology::teds;
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
 use calib_protocol::message::Request;
 use calib_protocol::record;

@@ -1,0 +1,263 @@
+//! Sealed sets: many datasets whose causes are written down and locked away.
+
+use super::draw::{self, Drawn};
+use super::strata::{Plan, Stratum};
+use super::truth::{MANIFEST, Manifest, OpenCase, TrueCase, Truth, sha256};
+use super::visible::Yardstick;
+use calib_files::file::{self, Existing};
+use calib_files::{Error, Result};
+use calib_twin::dataset::{Nominal, Point, Setting, generate, points_csv, standard_design};
+use calib_twin::effects::ActiveEffect;
+use rand_chacha::ChaCha12Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use rayon::prelude::*;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// An effect this small nobody can be asked to name, in standard uncertainties
+/// of the whole dataset: another one is drawn, as long as one is found.
+const LEAST_SIGMA: f64 = 10.0;
+/// Range of sizes of [`Stratum::Size`].
+const SIZES_SIGMA: [f64; 2] = [1.0, 1000.0];
+/// Fewest rows of a usable case.
+const LEAST_ROWS: usize = 60;
+/// Draws until an effect is neither invisible nor beyond what the rig can hold.
+const MOST_DRAWS: usize = 40;
+
+/// What is published about a set that was made.
+#[derive(Clone, Debug, Serialize)]
+pub struct Sealed {
+    /// Folder of the set.
+    pub folder: PathBuf,
+    /// Number of datasets.
+    pub cases: usize,
+    /// File with the truth.
+    pub truth: PathBuf,
+    /// Its SHA-256: publish it before anybody answers.
+    pub truth_sha256: String,
+}
+
+struct Measured {
+    plan: Plan,
+    points: Vec<Point>,
+    size_sigma: f64,
+    least_sigma: f64,
+}
+
+/// Makes `per_stratum` cases of each kind in `strata`, and locks their truth.
+/// Cases come in random order.
+///
+/// # Errors
+/// [`Error::Input`] when the folder or the truth exists already; [`Error::File`].
+pub fn challenge(
+    out: &Path,
+    strata: &[Stratum],
+    per_stratum: usize,
+    seed: u64,
+    progress: impl Fn(usize, usize) + Sync,
+) -> Result<Sealed> {
+    let truth_file = Truth::beside(out);
+    refuse_existing(&[out, &truth_file])?;
+    let nominal = Nominal::standard();
+    let design = standard_design(&nominal);
+    let order = shuffled(strata, per_stratum, seed);
+    let done = std::sync::atomic::AtomicUsize::new(0);
+    let cases: Vec<TrueCase> = order
+        .par_iter()
+        .enumerate()
+        .map(|(place, &(stratum, index))| {
+            let name = format!("case-{:05}", place + 1);
+            let case = case(&nominal, &design, stratum, index, seed);
+            let case = store(&nominal, case, out, name)?;
+            let count = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
+            progress(count, order.len());
+            Ok(case)
+        })
+        .collect::<Result<_>>()?;
+    seal(out, truth_file, Truth { seed, cases })
+}
+
+fn refuse_existing(paths: &[&Path]) -> Result<()> {
+    match paths.iter().find(|path| path.exists()) {
+        None => Ok(()),
+        Some(path) => Err(Error::input(
+            path.display().to_string(),
+            "exists already: a sealed set is never overwritten",
+            "give another folder",
+        )),
+    }
+}
+
+/// All cases, in an order that tells nothing.
+fn shuffled(strata: &[Stratum], per_stratum: usize, seed: u64) -> Vec<(Stratum, usize)> {
+    let mut order: Vec<(Stratum, usize)> = strata
+        .iter()
+        .flat_map(|&stratum| (0..per_stratum).map(move |index| (stratum, index)))
+        .collect();
+    let mut random = ChaCha12Rng::seed_from_u64(seed);
+    for last in (1..order.len()).rev() {
+        order.swap(last, draw::below(last + 1, &mut random));
+    }
+    order
+}
+
+/// A stream of random numbers of its own for each case.
+fn stream(seed: u64, stratum: Stratum, index: usize) -> ChaCha12Rng {
+    let mut random = ChaCha12Rng::seed_from_u64(seed);
+    random.set_stream(1 + 1_000_000 * stratum as u64 + index as u64);
+    random
+}
+
+fn case(
+    nominal: &Nominal,
+    design: &[Setting],
+    stratum: Stratum,
+    index: usize,
+    seed: u64,
+) -> Measured {
+    let mut random = stream(seed, stratum, index);
+    let options = stratum.options(random.next_u64());
+    let yardstick = Yardstick::new(nominal, design, &options);
+    let measure = |effects: &[Drawn]| {
+        let points = generate(nominal, design, effects, &options).points;
+        let sigma = yardstick.sigma(&points);
+        (points, sigma)
+    };
+    let wanted = (stratum == Stratum::Size).then(|| {
+        let [least, most] = SIZES_SIGMA;
+        least * (most / least).powf(draw::uniform(&mut random))
+    });
+    let mut last = None;
+    for _ in 0..MOST_DRAWS {
+        let mut plan = stratum.plan(index, &mut random);
+        if !is_rig(nominal, &plan.effects) {
+            continue;
+        }
+        if let Some(wanted) = wanted {
+            resize(&mut plan.effects, wanted, |effects| measure(effects).1);
+        }
+        let (points, size_sigma) = measure(&plan.effects);
+        let least_sigma = match plan.effects.as_slice() {
+            [] | [_] => size_sigma,
+            several => several
+                .iter()
+                .map(|effect| measure(std::slice::from_ref(effect)).1)
+                .fold(f64::INFINITY, f64::min),
+        };
+        let enough = wanted.is_some() || plan.effects.is_empty() || least_sigma > LEAST_SIGMA;
+        let usable = points.len() >= LEAST_ROWS && enough;
+        last = Some(Measured {
+            plan,
+            points,
+            size_sigma,
+            least_sigma,
+        });
+        if usable {
+            break;
+        }
+    }
+    // Note: some draw is a rig.
+    last.unwrap_or_else(|| Measured {
+        plan: Stratum::Null.plan(index, &mut random),
+        points: yardstick.into_points(),
+        size_sigma: 0.0,
+        least_sigma: 0.0,
+    })
+}
+
+/// Whether there is such a rig: a suspension takes energy from the motion.
+fn is_rig(nominal: &Nominal, effects: &[Drawn]) -> bool {
+    let added = effects
+        .iter()
+        .filter(|drawn| drawn.effect().id == "mechanical_damping")
+        .map(|drawn| drawn.values()[0]);
+    nominal.exciter.damping_ns_per_m.value + added.sum::<f64>() > 0.0
+}
+
+/// Weakens or strengthens the effect until it changes the data by about `wanted`.
+///
+/// Every amplitude is scaled by one factor, found by bisection of its logarithm;
+/// frequencies go the other way where that weakens the effect.
+fn resize(effects: &mut [Drawn], wanted: f64, size: impl Fn(&[Drawn]) -> f64) {
+    let [effect] = effects else { return };
+    let original = effect.clone();
+    let weaker_upwards = size(&[scaled(&original, 2.0)]) < size(&[scaled(&original, 0.5)]);
+    let (mut low, mut high) = (-14.0_f64, 3.0_f64);
+    for _ in 0..14 {
+        let middle = 0.5 * (low + high);
+        let exponent = if weaker_upwards { -middle } else { middle };
+        *effect = scaled(&original, exponent.exp());
+        if size(std::slice::from_ref(effect)) < wanted {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}
+
+/// The effect with its first parameter (its size, or the frequency it sits at) scaled.
+fn scaled(effect: &Drawn, factor: f64) -> Drawn {
+    let mut values = effect.values().to_vec();
+    let sizes = if effect.effect().id == "crosstalk" {
+        3
+    } else {
+        1
+    };
+    for (value, parameter) in values
+        .iter_mut()
+        .zip(effect.effect().parameters)
+        .take(sizes)
+    {
+        let [lowest, highest] = parameter.bounds;
+        *value = (*value * factor).clamp(lowest, highest);
+    }
+    // Note: within bounds by the line above.
+    ActiveEffect::new(effect.effect(), &values).unwrap_or_else(|_| effect.clone())
+}
+
+fn store(nominal: &Nominal, case: Measured, out: &Path, name: String) -> Result<TrueCase> {
+    let folder = out.join(&name);
+    let failed = |error| Error::file("write", &folder, error);
+    calib_twin::dataset::write(&folder, nominal, &case.points).map_err(failed)?;
+    let rig = std::fs::read(folder.join("rig.toml")).map_err(failed)?;
+    let dataset = [rig, points_csv(&case.points).into_bytes()].concat();
+    let effects = &case.plan.effects;
+    let mut names: Vec<String> = effects.iter().map(|e| e.effect().id.to_owned()).collect();
+    names.sort();
+    let stage = |e: &Drawn| format!("{:?}", e.effect().stage).to_lowercase();
+    Ok(TrueCase {
+        name,
+        stratum: case.plan.stratum.name().to_owned(),
+        names,
+        effects: effects.iter().map(ToString::to_string).collect(),
+        stages: effects.iter().map(stage).collect(),
+        without: case.plan.without,
+        size_sigma: case.size_sigma,
+        least_sigma: case.least_sigma,
+        dataset_sha256: sha256(&dataset),
+    })
+}
+
+fn seal(out: &Path, truth_file: PathBuf, truth: Truth) -> Result<Sealed> {
+    let json = |value: serde_json::Result<Vec<u8>>| {
+        value.map_err(|e| Error::input("challenge", e.to_string(), "report this as a defect"))
+    };
+    let bytes = json(serde_json::to_vec_pretty(&truth))?;
+    let open = |case: &TrueCase| OpenCase {
+        name: case.name.clone(),
+        without: case.without.clone(),
+    };
+    let manifest = Manifest {
+        truth_sha256: sha256(&bytes),
+        cases: truth.cases.iter().map(open).collect(),
+    };
+    file::write(&truth_file, &bytes, Existing::Keep)?;
+    let text = json(serde_json::to_vec_pretty(&manifest))?;
+    file::write(&out.join(MANIFEST), &text, Existing::Keep)?;
+    Ok(Sealed {
+        folder: out.to_owned(),
+        cases: truth.cases.len(),
+        truth: truth_file,
+        truth_sha256: manifest.truth_sha256,
+    })
+}

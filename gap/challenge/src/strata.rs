@@ -1,0 +1,153 @@
+//! Kinds of sealed cases.
+
+use super::draw::{self, Drawn};
+use calib_twin::dataset::{Columns, Options};
+use rand_chacha::ChaCha12Rng;
+
+/// A kind of case; [`Stratum::about`] says what each is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[expect(missing_docs, reason = "`about` says what each is")]
+pub enum Stratum {
+    Null,
+    NominalOff,
+    Single,
+    RatioOnly,
+    Pair,
+    Withheld,
+    Decoy,
+    Size,
+}
+
+/// A case before it is measured.
+pub struct Plan {
+    /// Kind.
+    pub stratum: Stratum,
+    /// What the measured side has beside.
+    pub effects: Vec<Drawn>,
+    /// Names the diagnosis has to do without.
+    pub without: Vec<String>,
+}
+
+impl Stratum {
+    /// All kinds.
+    pub const ALL: [Self; 8] = [
+        Self::Null,
+        Self::NominalOff,
+        Self::Single,
+        Self::RatioOnly,
+        Self::Pair,
+        Self::Withheld,
+        Self::Decoy,
+        Self::Size,
+    ];
+
+    /// Name in files and on the command line.
+    pub fn name(self) -> &'static str {
+        self.described().0
+    }
+
+    /// What a case of this kind is.
+    pub fn about(self) -> &'static str {
+        self.described().1
+    }
+
+    fn described(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Null => (
+                "null",
+                "No effect; the nominal values are off as their uncertainties say",
+            ),
+            Self::NominalOff => (
+                "nominal-off",
+                "No effect; every nominal value is off by twice its standard uncertainty",
+            ),
+            Self::Single => ("single", "One effect, all columns"),
+            Self::RatioOnly => (
+                "ratio-only",
+                "One effect that shows in the ratio, nothing else measured",
+            ),
+            Self::Pair => ("pair", "Two effects, all columns"),
+            Self::Withheld => (
+                "withheld",
+                "One effect, and the diagnosis has to do without it",
+            ),
+            Self::Decoy => (
+                "decoy",
+                "One effect, and the diagnosis has to do without another one",
+            ),
+            Self::Size => ("size", "One effect from barely visible to gross"),
+        }
+    }
+
+    /// Case `index` of this kind: effects take turns, their values are drawn.
+    pub fn plan(self, index: usize, random: &mut ChaCha12Rng) -> Plan {
+        let all = draw::nameable();
+        let ratio: Vec<_> = all
+            .iter()
+            .copied()
+            .filter(|e| shows_in_ratio(e.id))
+            .collect();
+        let turn = all[index % all.len()];
+        let chosen = match self {
+            Self::Null | Self::NominalOff => Vec::new(),
+            Self::Single | Self::Withheld | Self::Decoy | Self::Size => vec![turn],
+            Self::RatioOnly => vec![ratio[index % ratio.len()]],
+            Self::Pair => vec![turn, other(&all, turn.id, random)],
+        };
+        let without = match self {
+            Self::Withheld => vec![turn.id.to_owned()],
+            Self::Decoy => vec![other(&all, turn.id, random).id.to_owned()],
+            _ => Vec::new(),
+        };
+        Plan {
+            stratum: self,
+            effects: chosen.into_iter().map(|e| draw::draw(e, random)).collect(),
+            without,
+        }
+    }
+
+    /// How a case of this kind is measured.
+    pub fn options(self, seed: u64) -> Options {
+        Options {
+            seed,
+            columns: match self {
+                Self::RatioOnly => Columns::RatioOnly,
+                _ => Columns::All,
+            },
+            parameters_off_by: (self == Self::NominalOff).then_some(2.0),
+            ..Options::default()
+        }
+    }
+}
+
+type Effect = &'static calib_twin::effects::Effect;
+
+fn other(all: &[Effect], than: &str, random: &mut ChaCha12Rng) -> Effect {
+    let rest: Vec<Effect> = all.iter().copied().filter(|e| e.id != than).collect();
+    rest[draw::below(rest.len(), random)]
+}
+
+/// Effects a ratio and its phase can show: not those of the drive alone, nor
+/// noise that averages out.
+fn shows_in_ratio(id: &str) -> bool {
+    !matches!(
+        id,
+        "suspension_cubic"
+            | "suspension_asymmetry"
+            | "force_factor_droop"
+            | "coulomb_friction"
+            | "mechanical_damping"
+            | "back_emf"
+            | "lossy_inductance"
+            | "coil_heating"
+            | "armature_mode"
+            | "payload_mass"
+            | "amplifier_clipping"
+            | "amplifier_even_order"
+            | "amplifier_gain_drift"
+            | "adc_quadratic"
+            | "sampling_jitter"
+            | "mains_pickup"
+            | "ambient_vibration"
+    )
+}

@@ -1,0 +1,140 @@
+//! Judges the results of a certificate by specification and rule.
+
+use super::model::{Certificate, Line, Remark, Section, Severity, Value};
+use crate::decision::specification::Name;
+use crate::decision::{Assessment, Decision, Rule, assess};
+use crate::units::STANDARD_GRAVITY_MS2;
+
+/// Judges every point that has a result, if a decision is asked for, and adds
+/// the statement ISO/IEC 17025 7.8.6.2 wants: results, specification, rule.
+pub(super) fn attach(certificate: &mut Certificate) {
+    let Some(request) = &certificate.particulars.decision else {
+        return;
+    };
+    let decision = match request.build() {
+        Ok(decision) => decision,
+        Err(problem) => {
+            let remark = Remark {
+                severity: Severity::Error,
+                key: "decision_invalid",
+                values: vec![Value::Text(problem)],
+            };
+            certificate.remarks.push(remark);
+            return;
+        }
+    };
+    judge(certificate, &decision);
+    let section = statement(certificate, &decision);
+    certificate.sections.push(section);
+    certificate.decision = Some(decision);
+}
+
+fn judge(certificate: &mut Certificate, decision: &Decision) {
+    let reference = certificate
+        .reference_result()
+        .map(|(_, values)| values.sensitivity_v_per_ms2);
+    let index_of_reference = certificate.reference;
+    let Some(reference) = reference else { return };
+    for (index, point) in certificate.points.iter_mut().enumerate() {
+        let at_reference = Some(index) == index_of_reference;
+        let limits =
+            decision
+                .specification
+                .limits(point.nominal_frequency_hz, reference, at_reference);
+        let (Some(limits), Ok(values)) = (limits, point.outcome.as_mut()) else {
+            continue;
+        };
+        let value = values.sensitivity_v_per_ms2;
+        let expanded = value * values.expanded_uncertainty_percent / 100.0;
+        let judged = assess(
+            decision.rule,
+            limits,
+            value,
+            expanded,
+            values.coverage_factor,
+        );
+        values.assessment = Some(judged);
+    }
+}
+
+fn statement(certificate: &Certificate, decision: &Decision) -> Section {
+    let judged: Vec<Assessment> = certificate
+        .results()
+        .filter_map(|(_, values)| values.assessment)
+        .collect();
+    let largest = |of: fn(&Assessment) -> Option<f64>| {
+        let largest = judged.iter().filter_map(of).reduce(f64::max)?;
+        // Below that nobody wants the digits.
+        Some(match largest < 1.0e-4 {
+            true => Value::Phrase("risk.negligible".to_owned(), vec![]),
+            false => Value::Number(100.0 * largest, 2, "%"),
+        })
+    };
+    let nominal = decision.specification.nominal_v_per_ms2;
+    let per_g = STANDARD_GRAVITY_MS2;
+    let lines = [
+        (
+            "specification",
+            "ISO/IEC 17025 7.8.6.2 b",
+            Some(specification(&decision.specification.name)),
+        ),
+        (
+            "nominal",
+            "",
+            nominal.map(|v| Value::Number(v * 1000.0 * per_g, 2, "mV/g")),
+        ),
+        ("rule", "ISO/IEC 17025 7.8.6.2 c", Some(rule(decision.rule))),
+        (
+            "applies_to",
+            "ISO/IEC 17025 7.8.6.2 a",
+            Some(applies_to(certificate, judged.len())),
+        ),
+        (
+            "statement",
+            "ISO/IEC 17025 7.8.4.1 e",
+            Some(overall(certificate)),
+        ),
+        ("false_accept", "", largest(|a| a.false_accept)),
+        ("false_reject", "", largest(|a| a.false_reject)),
+    ];
+    // Risks of what did not happen are not missing, they do not exist.
+    let exists = |(key, _, value): &Line| value.is_some() || *key == "statement";
+    Section::new("decision", lines.into_iter().filter(exists))
+}
+
+fn specification(name: &Name) -> Value {
+    let with =
+        |key: &str, percent: f64| Value::Phrase(key.to_owned(), vec![Value::Exact(percent, "%")]);
+    match name {
+        Name::Own(name) => Value::Text(name.clone()),
+        Name::Nominal(percent) => with("specification.nominal", *percent),
+        Name::Relative(percent) => with("specification.relative", *percent),
+    }
+}
+
+fn rule(rule: Rule) -> Value {
+    match rule {
+        Rule::Simple => Value::Phrase("rule.simple".to_owned(), vec![]),
+        Rule::GuardBand => Value::Phrase("rule.guard_band".to_owned(), vec![]),
+        Rule::MaxFalseAccept(most) => {
+            // What was typed, not what became of it in binary.
+            let percent = (most * 1.0e8).round() / 1.0e6;
+            let values = vec![Value::Exact(percent, "%")];
+            Value::Phrase("rule.max_false_accept".to_owned(), values)
+        }
+    }
+}
+
+fn applies_to(certificate: &Certificate, judged: usize) -> Value {
+    let count = |n: usize| Value::Number(n as f64, 0, "");
+    let counts = vec![count(judged), count(certificate.points.len())];
+    Value::Phrase("decision.points".to_owned(), counts)
+}
+
+fn overall(certificate: &Certificate) -> Value {
+    let key = match certificate.conformity() {
+        Some(conformity) => format!("conformity.{}", conformity.name()),
+        None => "conformity.none".to_owned(),
+    };
+    Value::Phrase(key, vec![])
+}

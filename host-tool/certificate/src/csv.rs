@@ -1,0 +1,201 @@
+//! CSV: one row per point, one heading row, opens in Excel.
+//!
+//! UTF-8 with byte order mark. English: comma and decimal point; German:
+//! semicolon and decimal comma, as Excel expects in that language. Refused
+//! points have empty results. Text that Excel would take for a formula is led
+//! by an apostrophe.
+
+use super::model::{Certificate, Point, PointValues};
+use super::words::Language;
+use crate::decision::Assessment;
+use calib_files::{Error, Result};
+
+/// Headings of the columns; fixed, so that scripts can rely on them.
+const COLUMNS: [&str; 34] = [
+    "certificate",
+    "dut_model",
+    "dut_serial",
+    "date",
+    "frequency_hz",
+    "actual_frequency_hz",
+    "acceleration_rms_ms2",
+    "sensitivity_mv_per_ms2",
+    "sensitivity_mv_per_g",
+    "expanded_uncertainty_percent",
+    "coverage_factor",
+    "deviation_percent",
+    "deviation_db",
+    "phase_deg",
+    "expanded_uncertainty_phase_deg",
+    "distortion_dut_percent",
+    "distortion_reference_percent",
+    "signal_to_noise_dut_db",
+    "signal_to_noise_reference_db",
+    "repeatability_percent",
+    "blocks",
+    "settling_s",
+    "verdict",
+    "reason",
+    "conformity",
+    "lower_limit_mv_per_ms2",
+    "upper_limit_mv_per_ms2",
+    "false_accept_percent",
+    "false_reject_percent",
+    "as_found_sensitivity_mv_per_ms2",
+    "as_found_expanded_uncertainty_percent",
+    "change_percent",
+    "coherence",
+    "record_chain",
+];
+
+/// The table as CSV.
+///
+/// # Errors
+/// [`Error::Input`] if the writer fails, which memory does not.
+pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Vec<u8>> {
+    let delimiter = match language {
+        Language::En => b',',
+        Language::De => b';',
+    };
+    let mut writer = ::csv::WriterBuilder::new()
+        .delimiter(delimiter)
+        .terminator(::csv::Terminator::CRLF)
+        .from_writer(vec![0xef, 0xbb, 0xbf]);
+    let broken = |error: String| Error::input("CSV", error, "report this as a defect");
+    writer
+        .write_record(COLUMNS)
+        .map_err(|e| broken(e.to_string()))?;
+    for (point, found) in certificate.pairs() {
+        let mut row = row(certificate, point, language);
+        row.extend(as_found(point, found, language));
+        let coherence = point.coherence.map(|c| format!("{c:.4}"));
+        row.push(decimal_sign(coherence.unwrap_or_default(), language));
+        row.push(
+            certificate
+                .chain
+                .map_or_else(String::new, |chain| super::standing::name(chain).to_owned()),
+        );
+        writer
+            .write_record(row)
+            .map_err(|e| broken(e.to_string()))?;
+    }
+    writer.into_inner().map_err(|e| broken(e.to_string()))
+}
+
+fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<String> {
+    let said = |section, key| {
+        let value = certificate.statement(section, key);
+        value
+            .map(|v| harmless(super::present::value(v, language)))
+            .unwrap_or_default()
+    };
+    let number = |value: f64| match value.is_finite() {
+        true => decimal_sign(format!("{value}"), language),
+        false => String::new(),
+    };
+    let mut row = vec![
+        harmless(certificate.number.clone()),
+        said("item", "model"),
+        said("item", "serial"),
+        said("calibration", "date"),
+        number(point.nominal_frequency_hz),
+        number(point.frequency_hz),
+        number(point.acceleration_ms2),
+    ];
+    match &point.outcome {
+        Ok(values) => row.extend(results(values, language)),
+        Err(_) => row.extend(std::iter::repeat_n(String::new(), 8)),
+    }
+    row.extend([
+        number(point.distortion_percent),
+        number(point.distortion_reference_percent),
+        number(point.signal_to_noise_db),
+        number(point.signal_to_noise_reference_db),
+        number(point.repeatability_percent),
+        point.blocks.to_string(),
+        number(point.settling_s),
+    ]);
+    let (verdict, reason) = super::json::verdict(point);
+    row.extend([verdict.to_owned(), reason.unwrap_or_default().to_owned()]);
+    let judged = point.values().and_then(|values| values.assessment);
+    row.extend(judged.map_or_else(Default::default, |judged| judgement(&judged, language)));
+    row
+}
+
+/// Statement, limits and risks of a judged point.
+fn judgement(judged: &Assessment, language: Language) -> [String; 5] {
+    let number = |value: f64| decimal_sign(format!("{value}"), language);
+    let percent = |probability: Option<f64>| {
+        probability
+            .map(|p| decimal_sign(format!("{:.4}", 100.0 * p), language))
+            .unwrap_or_default()
+    };
+    [
+        judged.conformity.name().to_owned(),
+        number(1000.0 * judged.tolerance.lower),
+        number(1000.0 * judged.tolerance.upper),
+        percent(judged.false_accept),
+        percent(judged.false_reject),
+    ]
+}
+
+/// Sensitivity and U before an adjustment, and the change since.
+fn as_found(left: &Point, found: Option<&Point>, language: Language) -> [String; 3] {
+    let Some(values) = found.and_then(Point::values) else {
+        return Default::default();
+    };
+    let fixed = |value: f64, decimals: usize| decimal_sign(format!("{value:.decimals$}"), language);
+    let (uncertainty, decimals) = values.printed_uncertainty_percent;
+    let printed = values.printed_mv_per_ms2;
+    let change = super::adjustment::change_percent(found, left);
+    [
+        fixed(printed.value, printed.decimals),
+        fixed(uncertainty, decimals),
+        change.map(|c| fixed(c, decimals)).unwrap_or_default(),
+    ]
+}
+
+/// Results as printed: what is on paper and what is in the file is one number.
+fn results(values: &PointValues, language: Language) -> [String; 8] {
+    let fixed = |value: f64, decimals: usize| decimal_sign(format!("{value:.decimals$}"), language);
+    let (uncertainty, decimals) = values.printed_uncertainty_percent;
+    let per_ms2 = values.printed_mv_per_ms2;
+    let per_g = values.printed_mv_per_g;
+    let phase = values.printed_phase_deg;
+    [
+        fixed(per_ms2.value, per_ms2.decimals),
+        fixed(per_g.value, per_g.decimals),
+        fixed(uncertainty, decimals),
+        fixed(values.coverage_factor, 2),
+        values
+            .deviation_percent
+            .map(|d| fixed(d, decimals))
+            .unwrap_or_default(),
+        values
+            .deviation_db
+            .map(|d| fixed(d, decimals + 1))
+            .unwrap_or_default(),
+        phase
+            .map(|r| fixed(r.value, r.decimals))
+            .unwrap_or_default(),
+        phase
+            .map(|r| fixed(r.uncertainty, r.decimals))
+            .unwrap_or_default(),
+    ]
+}
+
+fn decimal_sign(number: String, language: Language) -> String {
+    match language {
+        Language::En => number,
+        Language::De => number.replace('.', ","),
+    }
+}
+
+/// Keeps a spreadsheet from running what an operator typed.
+fn harmless(text: String) -> String {
+    if text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        format!("'{text}")
+    } else {
+        text
+    }
+}

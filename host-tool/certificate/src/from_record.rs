@@ -1,0 +1,254 @@
+//! From a decoded record to the certificate: the only place that computes.
+
+use super::model::{Certificate, Refusal, Remark, Severity, Value};
+use super::model::{Point, PointValues};
+use super::particulars::Particulars;
+use super::rounding::{Rounded, round_uncertainty};
+use super::sections::sections;
+use super::units::STANDARD_GRAVITY_MS2;
+use super::{budget, conformity};
+use calib_core::point::PointResult;
+use calib_core::verdict::Verdict;
+use calib_protocol::record::Record;
+use jiff::{Timestamp, ToSpan, civil::Date, tz::TimeZone};
+
+impl Certificate {
+    /// The certificate of a record and of what else is to be stated.
+    ///
+    /// Points are ordered by frequency and level; the reference point is
+    /// chosen per clause 5.3 among those that passed. The budget there is
+    /// recomputed from the settings and compared with the stored U.
+    pub fn from_record(record: &Record, particulars: &Particulars) -> Self {
+        let mut measured: Vec<&PointResult> = record.points.iter().collect();
+        measured.sort_by(|a, b| {
+            let key = |p: &PointResult| (p.spec.frequency_hz, p.spec.acceleration_rms_ms2);
+            let (a, b) = (key(a), key(b));
+            a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
+        });
+        let mut points: Vec<Point> = measured.iter().map(|p| point(p, record)).collect();
+        let reference = reference_point(&points);
+        state_deviations(&mut points, reference);
+        let mut certificate = Self {
+            number: number(record, particulars),
+            day: run_day(record).or(particulars.calibration.date),
+            particulars: particulars.clone(),
+            sections: sections(record, particulars),
+            inverted: reference.is_some_and(|index| measured[index].inverted),
+            reference,
+            points,
+            budget: None,
+            decision: None,
+            remarks: Vec::new(),
+            as_found: None,
+            chain: None,
+        };
+        certificate.remarks = remarks(record, &certificate);
+        conformity::attach(&mut certificate);
+        if let Some(index) = reference {
+            budget::attach(&mut certificate, record, measured[index]);
+        }
+        certificate
+    }
+}
+
+/// The decimal number a person would write for an f32: 31.5, not 31.499999.
+pub(super) fn decimal(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or(f64::NAN)
+}
+
+fn number(record: &Record, particulars: &Particulars) -> String {
+    let stated = particulars.calibration.number.clone();
+    stated.unwrap_or_else(|| format!("{}-{:06}", record.head.instrument_serial, record.head.id))
+}
+
+fn point(result: &PointResult, record: &Record) -> Point {
+    Point {
+        nominal_frequency_hz: decimal(result.spec.frequency_hz),
+        frequency_hz: played_hz(result, record.head.sample_rate_hz),
+        nominal_acceleration_ms2: decimal(result.spec.acceleration_rms_ms2),
+        acceleration_ms2: decimal(result.acceleration_rms_ms2),
+        outcome: outcome(result, record),
+        distortion_percent: percent(result.distortion_dut_rel),
+        distortion_reference_percent: percent(result.distortion_reference_rel),
+        signal_to_noise_db: decimal(result.signal_to_noise_dut_db),
+        signal_to_noise_reference_db: decimal(result.signal_to_noise_reference_db),
+        coherence: result.coherence.map(f64::from),
+        repeatability_percent: percent(result.repeatability_rel),
+        amplitude_stability_percent: percent(result.amplitude_stability_rel),
+        blocks: result.blocks,
+        drive_peak_v: decimal(result.drive_peak_v),
+        settling_s: decimal(result.settling_s),
+    }
+}
+
+/// The frequency that was played; the nominal one when no tone was found.
+fn played_hz(result: &PointResult, sample_rate_hz: f32) -> f64 {
+    let (cycles, period) = (result.tone.cycles, result.tone.period_samples);
+    if cycles == 0 || period == 0 {
+        return decimal(result.spec.frequency_hz);
+    }
+    f64::from(cycles) * f64::from(sample_rate_hz) / f64::from(period)
+}
+
+fn percent(relative: f32) -> f64 {
+    f64::from(relative) * 100.0
+}
+
+fn outcome(result: &PointResult, record: &Record) -> Result<PointValues, Refusal> {
+    match result.verdict {
+        Verdict::Refused(reason) => Err(Refusal(format!("{reason:?}"))),
+        // A result without a valid U is none, whatever the verdict says.
+        Verdict::Pass => values(result, record).ok_or_else(|| Refusal("NotReportable".to_owned())),
+    }
+}
+
+fn values(result: &PointResult, record: &Record) -> Option<PointValues> {
+    let sensitivity_v_per_ms2 = decimal(result.sensitivity_v_per_ms2);
+    let relative = f64::from(result.expanded_uncertainty_rel);
+    let phase_deg = f64::from(result.phase_rad).to_degrees();
+    let phase_u_deg = f64::from(result.expanded_uncertainty_phase_rad).to_degrees();
+    let coverage_factor = decimal(result.coverage_factor);
+    let in_mv = |factor: f64| {
+        let value = sensitivity_v_per_ms2 * 1000.0 * factor;
+        Rounded::new(value, value * relative)
+    };
+    let (rounded_u, digit) = round_uncertainty(relative * 100.0, 2)?;
+    let usable = sensitivity_v_per_ms2 > 0.0 && coverage_factor > 0.0 && phase_deg.is_finite();
+    usable.then_some(())?;
+    Some(PointValues {
+        sensitivity_v_per_ms2,
+        expanded_uncertainty_percent: relative * 100.0,
+        coverage_factor,
+        effective_degrees_of_freedom: decimal(result.effective_degrees_of_freedom),
+        phase_deg,
+        expanded_uncertainty_phase_deg: phase_u_deg,
+        coverage_factor_phase: budget::coverage_factor_phase(record, result),
+        deviation_percent: None,
+        deviation_db: None,
+        assessment: None,
+        printed_mv_per_ms2: in_mv(1.0)?,
+        printed_mv_per_g: in_mv(STANDARD_GRAVITY_MS2)?,
+        printed_phase_deg: Rounded::new(phase_deg, phase_u_deg),
+        printed_uncertainty_percent: (rounded_u, usize::try_from(digit).unwrap_or(0)),
+    })
+}
+
+/// The reference point of clause 5.3: 160 Hz, else 80 Hz; there 100 m/s2, else
+/// 10, 20 or 50 m/s2, else any level. Without either frequency the point
+/// nearest to 160 Hz on the logarithmic axis stands in.
+fn reference_point(points: &[Point]) -> Option<usize> {
+    let rank = |point: &Point| {
+        let octaves = |hz: f64| (point.nominal_frequency_hz / hz).log2().abs();
+        // omega = 1000 rad/s and 500 rad/s count as 160 Hz and 80 Hz.
+        let frequency = if octaves(160.0) < 0.01 {
+            0.0
+        } else if octaves(80.0) < 0.01 {
+            0.001
+        } else {
+            octaves(160.0)
+        };
+        let level = [100.0, 10.0, 20.0, 50.0]
+            .iter()
+            .position(|level| (point.nominal_acceleration_ms2 / level - 1.0).abs() < 0.01)
+            .unwrap_or(4);
+        (frequency, level)
+    };
+    let passed = points
+        .iter()
+        .enumerate()
+        .filter(|(_, point)| point.outcome.is_ok());
+    passed
+        .map(|(index, point)| (rank(point), index))
+        .min_by(|(a, _), (b, _)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+        .map(|(_, index)| index)
+}
+
+fn state_deviations(points: &mut [Point], reference: Option<usize>) {
+    let Some(index) = reference else { return };
+    let Ok(of_reference) = points[index]
+        .outcome
+        .as_ref()
+        .map(|v| v.sensitivity_v_per_ms2)
+    else {
+        return;
+    };
+    for values in points.iter_mut().filter_map(|p| p.outcome.as_mut().ok()) {
+        let ratio = values.sensitivity_v_per_ms2 / of_reference;
+        values.deviation_percent = Some(100.0 * (ratio - 1.0));
+        values.deviation_db = Some(20.0 * ratio.log10());
+    }
+}
+
+/// A day given as days since 1970-01-01; 0 is not stated.
+pub(super) fn day(days: u32) -> Option<Date> {
+    let epoch = Date::constant(1970, 1, 1);
+    (days > 0)
+        .then(|| epoch.checked_add(i64::from(days).days()).ok())
+        .flatten()
+}
+
+/// The UTC day of a run, if the host's clock was known.
+pub(super) fn run_day(record: &Record) -> Option<Date> {
+    let seconds = i64::try_from(record.head.labels.unix_time_s)
+        .ok()
+        .filter(|s| *s > 0)?;
+    let time = Timestamp::from_second(seconds).ok()?;
+    Some(time.to_zoned(TimeZone::UTC).date())
+}
+
+fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
+    let refused = certificate
+        .points
+        .iter()
+        .filter(|p| p.outcome.is_err())
+        .count();
+    let count = |n: usize| Value::Number(n as f64, 0, "");
+    let mut remarks = Vec::new();
+    let mut say = |severity, key, values| {
+        remarks.push(Remark {
+            severity,
+            key,
+            values,
+        })
+    };
+    if certificate.reference.is_none() {
+        say(Severity::Error, "no_result", vec![]);
+    }
+    if !record.complete {
+        say(Severity::Warning, "incomplete", vec![]);
+    }
+    if refused > 0 {
+        say(
+            Severity::Warning,
+            "refused",
+            vec![count(refused), count(certificate.points.len())],
+        );
+    }
+    if let (Some(due), Some(run)) = (day(record.settings.reference.due_day), run_day(record))
+        && due < run
+    {
+        say(Severity::Error, "reference_overdue", vec![Value::Day(due)]);
+    }
+    for (name, due) in other_due_days(&certificate.particulars) {
+        if run_day(record).is_some_and(|run| due < run) {
+            let values = vec![Value::Text(name), Value::Day(due)];
+            say(Severity::Error, "equipment_overdue", values);
+        }
+    }
+    if certificate
+        .results()
+        .any(|(_, values)| (values.coverage_factor - 2.0).abs() > 0.005)
+    {
+        say(Severity::Note, "coverage_factor", vec![]);
+    }
+    remarks
+}
+
+/// What was used beside the reference, and when its calibration is due.
+fn other_due_days(particulars: &Particulars) -> Vec<(String, Date)> {
+    let of = |used: &super::particulars::Equipment| Some((used.name.clone(), used.due?));
+    let others = particulars.equipment.iter().filter_map(of);
+    let calibrator = particulars.calibrator.due;
+    let calibrator = calibrator.map(|due| ("calibrator".to_owned(), due));
+    calibrator.into_iter().chain(others).collect()
+}

@@ -1,0 +1,302 @@
+//! Certificates: from a decoded record to files people and machines read.
+//!
+//! | file | idea |
+//! |---|---|
+//! | `from_record` | the one place that computes: record to [`Certificate`] |
+//! | `sections` | statements, each with the clause that asks for it |
+//! | [`particulars`] | what a TOML file states and no record knows |
+//! | `adjustment` | what was found before an adjustment, beside what was left |
+//! | `budget` | the budget at the reference point, recomputed and compared |
+//! | `standing` | the record's sum and its place in the chain |
+//! | `conformity` | judgement of the results by a decision rule |
+//! | `rounding` | two digits of U, the value to the same digit |
+//! | `present` | [`Certificate`] to strings in a language |
+//! | `plot`, `band` | frequency response and tolerance as SVG |
+//! | `csv`, `json`, `html`, `pdf`, `dcc`, `uff` | one format each |
+//! | [`decision`] | tolerances, decision rules and their risks |
+
+#![forbid(unsafe_code)]
+
+mod adjustment;
+mod band;
+mod budget;
+mod conformity;
+mod csv;
+mod dcc;
+pub mod decision;
+mod from_record;
+mod html;
+mod json;
+pub mod model;
+pub mod particulars;
+mod pdf;
+mod plot;
+mod present;
+#[cfg(test)]
+pub(crate) mod python;
+pub mod rounding;
+mod sections;
+mod standing;
+#[cfg(test)]
+mod tests;
+#[cfg(test)]
+mod tests_dcc;
+#[cfg(test)]
+mod tests_pdf;
+#[cfg(test)]
+mod tests_standing;
+#[cfg(test)]
+mod tests_uff;
+mod uff;
+mod units;
+mod words;
+
+pub use calib_files::file::Existing;
+pub use json::document;
+pub use model::Certificate;
+pub use particulars::Particulars;
+pub use present::Presented;
+pub use standing::digest;
+pub use words::Language;
+
+use calib_files::{Result, set};
+use calib_protocol::record::Record;
+use calib_record::hash_chain::Standing;
+use std::path::{Path, PathBuf};
+
+/// A form of the certificate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// Table for spreadsheets.
+    Csv,
+    /// Every number for programs.
+    Json,
+    /// Self-contained page for people.
+    Html,
+    /// Digital calibration certificate 3.3.0, XML.
+    Dcc,
+    /// PDF/A-3b with the digital calibration certificate inside.
+    Pdf,
+    /// Universal file, dataset 58.
+    Uff,
+}
+
+impl Format {
+    /// Every format there is, in the order they are written.
+    pub const ALL: [Self; 6] = [
+        Self::Csv,
+        Self::Json,
+        Self::Html,
+        Self::Dcc,
+        Self::Pdf,
+        Self::Uff,
+    ];
+
+    /// Extension of the file.
+    fn extension(self) -> &'static str {
+        match self {
+            Self::Dcc => "dcc.xml",
+            other => other.name(),
+        }
+    }
+
+    /// Name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Json => "json",
+            Self::Html => "html",
+            Self::Dcc => "dcc",
+            Self::Pdf => "pdf",
+            Self::Uff => "uff",
+        }
+    }
+}
+
+impl std::str::FromStr for Format {
+    type Err = String;
+
+    fn from_str(name: &str) -> std::result::Result<Self, Self::Err> {
+        let known = Self::ALL.map(Self::name).join(", ");
+        let format = Self::ALL.into_iter().find(|format| format.name() == name);
+        format.ok_or_else(|| format!("no format '{name}'; there are {known}"))
+    }
+}
+
+/// How a certificate is written.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// What is stated beside the record; its language is the certificate's.
+    pub particulars: Particulars,
+    /// What happens to files of the same name with other content.
+    pub existing: Existing,
+    /// Record from before an adjustment, when `record` is from after it.
+    pub as_found: Option<Record>,
+    /// What is known of the record's place in the chain; by default nothing but
+    /// what its number says.
+    pub chain: Option<Standing>,
+}
+
+/// Writes the certificate of `record` in `formats` into `out_dir`.
+///
+/// Files are named after the certificate number. Either all of them appear,
+/// complete, or none does. Returns their paths in the order of `formats`.
+///
+/// # Errors
+/// Those of [`prepare`] and [`Prepared::write`].
+pub fn write_with(
+    record: &Record,
+    formats: &[Format],
+    out_dir: &Path,
+    options: &Options,
+) -> Result<Vec<PathBuf>> {
+    prepare(record, formats, options)?.write(out_dir, options.existing)
+}
+
+/// The files of a certificate before they are written.
+#[derive(Clone, Debug)]
+pub struct Prepared {
+    /// Number of the certificate.
+    pub number: String,
+    /// Its files, in the order of the formats asked for.
+    pub files: Vec<File>,
+    /// Why the printed one has no DCC inside, and the way out.
+    pub lack: Option<String>,
+}
+
+/// A file of a certificate.
+#[derive(Clone, Debug)]
+pub struct File {
+    /// Its form.
+    pub format: Format,
+    /// Its name, made of the number of the certificate.
+    pub name: String,
+    /// Its content.
+    pub content: Vec<u8>,
+}
+
+/// Makes the files of a certificate in memory.
+///
+/// # Errors
+/// [`calib_files::Error::Input`] when something stated makes no sense or a template
+/// does not render, [`calib_files::Error::File`] when a template cannot be read.
+pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result<Prepared> {
+    let mut certificate = Certificate::from_record(record, &options.particulars);
+    if let Some(found) = &options.as_found {
+        adjustment::attach(&mut certificate, record, found)?;
+    }
+    standing::attach(&mut certificate, record, options.chain);
+    let language = options.particulars.language.unwrap_or_default();
+    let file = |format: &Format| {
+        Ok(File {
+            format: *format,
+            name: file_name(&certificate, *format),
+            content: render(&certificate, *format, language)?,
+        })
+    };
+    let files: Result<Vec<File>> = formats.iter().map(file).collect();
+    let lack = formats.contains(&Format::Pdf).then(|| lack(&certificate));
+    Ok(Prepared {
+        files: files?,
+        lack: lack.flatten(),
+        number: certificate.number,
+    })
+}
+
+/// Why there can be no DCC, and the way out.
+fn lack(certificate: &Certificate) -> Option<String> {
+    let error = dcc::needs(certificate).err()?;
+    let hint = error.hint().unwrap_or_default();
+    Some(format!("no DCC: {error}; {hint}"))
+}
+
+/// The formats among these that a certificate of this record can have: all of
+/// them, or all but the DCC when what it cannot be without is not stated.
+pub fn possible(record: &Record, formats: &[Format], particulars: &Particulars) -> Vec<Format> {
+    let certificate = Certificate::from_record(record, particulars);
+    let complete = dcc::needs(&certificate).is_ok();
+    let can_be = |format: &Format| complete || *format != Format::Dcc;
+    formats.iter().copied().filter(can_be).collect()
+}
+
+/// What ISO 16063-21 asks to be stated, and neither record nor laboratory states:
+/// item and clause, in English.
+pub fn missing(
+    record: &Record,
+    particulars: &Particulars,
+) -> impl Iterator<Item = (String, String)> + use<> {
+    let sections = Certificate::from_record(record, particulars).sections;
+    sections.into_iter().flat_map(|section| {
+        let entries = section.entries.into_iter();
+        let asked = entries.filter(|entry| entry.clause.contains("16063-21"));
+        asked
+            .filter(|entry| entry.value.is_none())
+            .map(move |entry| {
+                let key = format!("{}.{}", section.key, entry.key);
+                (Language::En.word(&key).to_owned(), entry.clause.to_owned())
+            })
+    })
+}
+
+/// Writes the built-in page as `certificate.typ` into `folder`, for a laboratory to
+/// begin its own with. A file that is there with other content stays.
+///
+/// # Errors
+/// [`calib_files::Error::Input`] when there is another one, [`calib_files::Error::File`] when the
+/// directory cannot be written.
+pub fn write_template(folder: &Path) -> Result<Vec<PathBuf>> {
+    let file = ("certificate.typ".to_owned(), pdf::TEMPLATE.into());
+    set::write_all(folder, &[file], Existing::Keep)
+}
+
+impl Prepared {
+    /// Where the files will be.
+    pub fn paths(&self, out_dir: &Path) -> Vec<PathBuf> {
+        let path = |file: &File| out_dir.join(&file.name);
+        self.files.iter().map(path).collect()
+    }
+
+    /// Writes the files: all of them appear, complete, or none does.
+    ///
+    /// # Errors
+    /// [`calib_files::Error::Input`] when another certificate has this name and is to be
+    /// kept, [`calib_files::Error::File`] when the directory cannot be written.
+    pub fn write(&self, out_dir: &Path, existing: Existing) -> Result<Vec<PathBuf>> {
+        let pair = |file: &File| (file.name.clone(), file.content.clone());
+        let files: Vec<_> = self.files.iter().map(pair).collect();
+        set::write_all(out_dir, &files, existing)
+    }
+}
+
+/// One format of a certificate, as bytes.
+///
+/// # Errors
+/// [`calib_files::Error::Input`] when a template does not render.
+pub fn render(certificate: &Certificate, format: Format, language: Language) -> Result<Vec<u8>> {
+    match format {
+        Format::Csv => csv::render(certificate, language),
+        Format::Json => json::render(certificate, language),
+        Format::Html => html::render(&Presented::new(certificate, language)),
+        Format::Dcc => dcc::render(certificate, language),
+        Format::Pdf => pdf::render(
+            certificate,
+            &Presented::new(certificate, language),
+            language,
+        ),
+        Format::Uff => Ok(uff::render(certificate)),
+    }
+}
+
+/// A file name from the number: what a file system may not like becomes `_`.
+fn file_name(certificate: &Certificate, format: Format) -> String {
+    let safe = |c: char| {
+        if c.is_ascii_alphanumeric() || c == '-' {
+            c
+        } else {
+            '_'
+        }
+    };
+    let stem: String = certificate.number.chars().map(safe).collect();
+    format!("certificate-{stem}.{}", format.extension())
+}

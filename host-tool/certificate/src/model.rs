@@ -1,0 +1,275 @@
+//! The certificate between record and formats: every format renders this.
+//!
+//! ```text
+//! Record --from_record--> Certificate --present--> strings --> HTML, PDF
+//!                                     \------------ numbers --> CSV, JSON, DCC, UFF
+//! ```
+//!
+//! Numbers are f64 in the unit their name states; accelerations are r.m.s.,
+//! uncertainties expanded. A missing item is `None` and is printed as missing.
+
+use super::particulars::Particulars;
+use super::rounding::Rounded;
+use crate::decision::{Assessment, Conformity, Decision};
+use calib_record::hash_chain::Standing;
+use jiff::civil::Date;
+use serde::Serialize;
+
+/// Everything a certificate says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Certificate {
+    /// Number of the certificate, unique for the instrument.
+    pub number: String,
+    /// Day of calibration, UTC.
+    pub day: Option<Date>,
+    /// What was stated beside the record.
+    pub particulars: Particulars,
+    /// Statements in the order they are printed.
+    pub sections: Vec<Section>,
+    /// True when the object is inverted in the sense of Annex B.
+    pub inverted: bool,
+    /// Index of the reference point in `points` (clause 5.3), if one passed.
+    pub reference: Option<usize>,
+    /// Points in rising frequency, then level.
+    pub points: Vec<Point>,
+    /// Budget at the reference point.
+    pub budget: Option<Budget>,
+    /// Specification and rule the results are judged by.
+    pub decision: Option<Decision>,
+    /// What a reader must know beside the numbers.
+    pub remarks: Vec<Remark>,
+    /// What was found before an adjustment, when this is from after it.
+    pub as_found: Option<Box<Certificate>>,
+    /// Place of the record in the chain, once somebody looked.
+    pub chain: Option<Standing>,
+}
+
+impl Certificate {
+    /// The reference point and its result.
+    pub fn reference_result(&self) -> Option<(&Point, &PointValues)> {
+        let point = self.points.get(self.reference?)?;
+        Some((point, point.outcome.as_ref().ok()?))
+    }
+
+    /// Results of the points that passed their checks.
+    pub fn results(&self) -> impl Iterator<Item = (&Point, &PointValues)> {
+        let result = |point| Some((point, Point::values(point)?));
+        self.points.iter().filter_map(result)
+    }
+
+    /// The statement about the whole object: the worst of all judged points.
+    /// `None` when nothing is judged, or when a point without a result keeps
+    /// the others from passing the object; a failure stays one.
+    pub fn conformity(&self) -> Option<Conformity> {
+        let judged = self.results().filter_map(|(_, values)| values.assessment);
+        let worst = judged.map(|assessment| assessment.conformity).max()?;
+        let whole = self.points.iter().all(|point| point.outcome.is_ok());
+        (whole || worst == Conformity::Fail).then_some(worst)
+    }
+
+    /// Points beside those of the same frequency and level as found.
+    pub fn pairs(&self) -> impl Iterator<Item = (&Point, Option<&Point>)> {
+        let found = self.as_found.as_deref();
+        self.points.iter().map(move |left| {
+            let same = |p: &&Point| {
+                p.nominal_frequency_hz == left.nominal_frequency_hz
+                    && p.nominal_acceleration_ms2 == left.nominal_acceleration_ms2
+            };
+            (left, found.and_then(|found| found.points.iter().find(same)))
+        })
+    }
+
+    /// A statement by section and key.
+    pub fn statement(&self, section: &str, key: &str) -> Option<&Value> {
+        let section = self.sections.iter().find(|s| s.key == section)?;
+        let entry = section.entries.iter().find(|e| e.key == key)?;
+        entry.value.as_ref()
+    }
+}
+
+/// Statements of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// Message key after `section.`.
+    pub key: &'static str,
+    /// Statements in the order they are printed.
+    pub entries: Vec<Entry>,
+}
+
+/// Key, clause and value of a statement.
+pub(super) type Line = (&'static str, &'static str, Option<Value>);
+
+impl Section {
+    /// The statements `lines` under a key.
+    pub(super) fn new(key: &'static str, lines: impl IntoIterator<Item = Line>) -> Self {
+        let entry = |(key, clause, value)| Entry { key, clause, value };
+        Self {
+            key,
+            entries: lines.into_iter().map(entry).collect(),
+        }
+    }
+}
+
+/// One statement.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// Key; the message is `<section>.<key>`.
+    pub key: &'static str,
+    /// Clause that asks for it; empty when none does.
+    pub clause: &'static str,
+    /// What is stated; `None` is printed as missing.
+    pub value: Option<Value>,
+}
+
+/// What a statement says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// Words of the operator or the instrument.
+    Text(String),
+    /// A message key and its values.
+    Phrase(String, Vec<Value>),
+    /// A number, its decimals and its unit.
+    Number(f64, usize, &'static str),
+    /// A number as it was given, and its unit.
+    Exact(f64, &'static str),
+    /// A day.
+    Day(Date),
+    /// Several statements.
+    List(Vec<Value>),
+}
+
+/// One calibration point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// Nominal frequency, Hz.
+    pub nominal_frequency_hz: f64,
+    /// Frequency that was played, Hz.
+    pub frequency_hz: f64,
+    /// Set acceleration, m/s2 r.m.s.
+    pub nominal_acceleration_ms2: f64,
+    /// Acceleration reached, m/s2 r.m.s.
+    pub acceleration_ms2: f64,
+    /// Results, or the reason why there are none.
+    pub outcome: Result<PointValues, Refusal>,
+    /// Total harmonic distortion of the object's channel, %.
+    pub distortion_percent: f64,
+    /// Total harmonic distortion of the reference channel, %.
+    pub distortion_reference_percent: f64,
+    /// Signal to residual noise of the object's channel, dB.
+    pub signal_to_noise_db: f64,
+    /// Signal to residual noise of the reference channel, dB.
+    pub signal_to_noise_reference_db: f64,
+    /// Coherence, if the excitation was broadband.
+    pub coherence: Option<f64>,
+    /// Relative experimental standard deviation of the mean, %.
+    pub repeatability_percent: f64,
+    /// Largest change of the acceleration amplitude while measuring, %.
+    pub amplitude_stability_percent: f64,
+    /// Blocks averaged.
+    pub blocks: u16,
+    /// Drive voltage, V peak.
+    pub drive_peak_v: f64,
+    /// Time until the level was settled, s.
+    pub settling_s: f64,
+}
+
+impl Point {
+    /// Results, if the point passed its checks.
+    pub fn values(&self) -> Option<&PointValues> {
+        self.outcome.as_ref().ok()
+    }
+}
+
+/// Why a point has no result: the name of a reason, as in `reason.<name>`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Refusal(pub String);
+
+/// Results of a point that passed its checks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PointValues {
+    /// Magnitude of the sensitivity, V/(m/s2), not rounded.
+    pub sensitivity_v_per_ms2: f64,
+    /// Relative expanded uncertainty of the magnitude, %, not rounded.
+    pub expanded_uncertainty_percent: f64,
+    /// Coverage factor.
+    pub coverage_factor: f64,
+    /// Effective degrees of freedom, possibly infinite.
+    pub effective_degrees_of_freedom: f64,
+    /// Phase, degrees, not rounded.
+    pub phase_deg: f64,
+    /// Coverage factor of the phase, where its budget gives the stated U.
+    pub coverage_factor_phase: Option<f64>,
+    /// Expanded uncertainty of the phase, degrees, not rounded.
+    pub expanded_uncertainty_phase_deg: f64,
+    /// Deviation from the reference point, %, not rounded.
+    pub deviation_percent: Option<f64>,
+    /// Deviation from the reference point, dB, not rounded.
+    pub deviation_db: Option<f64>,
+    /// Judgement by the decision rule, V/(m/s2), where something is specified.
+    pub assessment: Option<Assessment>,
+    /// Sensitivity and U in mV/(m/s2), as printed.
+    pub printed_mv_per_ms2: Rounded,
+    /// Sensitivity and U in mV/g, as printed.
+    pub printed_mv_per_g: Rounded,
+    /// Phase and U in degrees, as printed; `None` when the phase has no U.
+    pub printed_phase_deg: Option<Rounded>,
+    /// U in %, as printed, with its decimals.
+    pub printed_uncertainty_percent: (f64, usize),
+}
+
+/// Budget of the sensitivity at one point, in D.1's shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Budget {
+    /// Contributions, by row of Table A.1.
+    pub rows: Vec<BudgetRow>,
+    /// Combined relative standard uncertainty, %.
+    pub combined_percent: f64,
+    /// Effective degrees of freedom, possibly infinite.
+    pub effective_degrees_of_freedom: f64,
+    /// Coverage factor.
+    pub coverage_factor: f64,
+    /// Relative expanded uncertainty, %.
+    pub expanded_percent: f64,
+}
+
+/// One line of the budget.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BudgetRow {
+    /// Row of Table A.1, 1 to 18.
+    pub row: u8,
+    /// Expanded uncertainty or bound, %.
+    pub value_percent: f64,
+    /// Message key of the distribution and its value.
+    pub distribution: (&'static str, Option<f64>),
+    /// Factor that turns the value into a standard uncertainty.
+    pub factor: f64,
+    /// Sensitivity coefficient.
+    pub sensitivity_coefficient: f64,
+    /// Relative contribution, %.
+    pub contribution_percent: f64,
+    /// Degrees of freedom, possibly infinite.
+    pub degrees_of_freedom: f64,
+}
+
+/// A remark of the certificate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Remark {
+    /// How serious it is.
+    pub severity: Severity,
+    /// Message key after `remark.`.
+    pub key: &'static str,
+    /// Values of the message.
+    pub values: Vec<Value>,
+}
+
+/// How serious a remark is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Severity {
+    /// The certificate must not be used.
+    Error,
+    /// The reader decides whether it matters.
+    Warning,
+    /// For information.
+    Note,
+}

@@ -1,0 +1,60 @@
+//! The table over frequency in words.
+
+use super::columns::{COLUMNS, Column};
+use crate::model::{Certificate, Point};
+use crate::words::Language;
+use serde::Serialize;
+
+/// A table of strings.
+#[derive(Clone, Debug, Serialize)]
+pub struct Table {
+    /// Heading and unit of each column.
+    pub columns: Vec<(String, String)>,
+    /// Rows; refused ones end in the reason.
+    pub rows: Vec<Row>,
+}
+
+/// A row of the table over frequency.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// One cell per column.
+    pub cells: Vec<String>,
+    /// True when the point has no result.
+    pub refused: bool,
+    /// True at the reference point.
+    pub reference: bool,
+}
+
+/// The table over frequency, with the columns the laboratory wants.
+pub(super) fn table(certificate: &Certificate, language: Language) -> Table {
+    let wanted = &certificate.particulars.layout.columns;
+    let broadband = certificate.points.iter().any(|p| p.coherence.is_some());
+    let columns: Vec<&Column> = match wanted.is_empty() {
+        true => COLUMNS
+            .iter()
+            .filter(|column| column.name != "coherence" || broadband)
+            .collect(),
+        false => wanted
+            .iter()
+            .filter_map(|name| COLUMNS.iter().find(|c| c.name == name))
+            .collect(),
+    };
+    let heading = |column: &&Column| {
+        (
+            language.word(&format!("column.{}", column.key)).to_owned(),
+            column.unit.to_owned(),
+        )
+    };
+    let row = |(index, point): (usize, &Point)| Row {
+        cells: columns
+            .iter()
+            .map(|column| (column.cell)(point, language))
+            .collect(),
+        refused: point.outcome.is_err(),
+        reference: certificate.reference == Some(index),
+    };
+    Table {
+        columns: columns.iter().map(heading).collect(),
+        rows: certificate.points.iter().enumerate().map(row).collect(),
+    }
+}

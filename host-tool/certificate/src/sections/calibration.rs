@@ -1,0 +1,102 @@
+//! How, when, where and by whom it was calibrated.
+
+use super::clause;
+use super::value::{phrase, said, text};
+use crate::from_record::run_day;
+use crate::model::{Line, Section, Value};
+use crate::particulars::{Adjustment, Particulars, Place};
+use calib_core::verdict::Verdict;
+use calib_protocol::record::Record;
+
+pub(super) fn calibration(record: &Record, particulars: &Particulars) -> Section {
+    let statement = statement(record, particulars);
+    let measurement = measurement(record);
+    Section::new("calibration", statement.into_iter().chain(measurement))
+}
+
+/// Method, days, place and people.
+fn statement(record: &Record, particulars: &Particulars) -> [Line; 9] {
+    let stated = &particulars.calibration;
+    let date = run_day(record).or(stated.date);
+    let issued = stated.issued.or(date).map(Value::Day);
+    let operator = text(&record.head.labels.operator);
+    let adjustment = stated.adjustment.and_then(adjustment);
+    let method = phrase(format!("method.{:?}", record.settings.method), &[]);
+    let example = phrase(format!("example.{:?}", record.settings.example), &[]);
+    [
+        ("method", clause::METHOD, method),
+        ("example", clause::NONE, example),
+        ("deviations", clause::DEVIATIONS, said(&stated.deviations)),
+        ("date", clause::DAY, date.map(Value::Day)),
+        ("issued", clause::ISSUED, issued),
+        ("place", clause::PLACE, place(particulars)),
+        ("operator", clause::NONE, operator),
+        ("approved_by", clause::APPROVED, said(&stated.approved_by)),
+        ("adjustment", clause::ADJUSTMENT, adjustment),
+    ]
+}
+
+/// What was measured and is in the record.
+fn measurement(record: &Record) -> [Line; 6] {
+    let id = record.head.id.to_string();
+    let number = [id, record.head.instrument_serial.to_string()];
+    let extent = match record.complete {
+        true => "points.complete",
+        false => "points.incomplete",
+    };
+    let points = phrase(extent, &[record.points.len().to_string()]);
+    let blocks = Value::Number(f64::from(record.settings.blocks), 0, "");
+    [
+        ("record", clause::NONE, phrase("record.value", &number)),
+        ("points", clause::NONE, points),
+        ("blocks", clause::NONE, Some(blocks)),
+        ("excitation", clause::NONE, excitation(record)),
+        ("quantity", clause::RESULTS, phrase("quantity.rms", &[])),
+        ("coherence", clause::RESULTS, coherence(record)),
+    ]
+}
+
+fn excitation(record: &Record) -> Option<Value> {
+    match lowest_coherence(record) {
+        None => phrase("excitation.sine", &[]),
+        Some(_) => phrase("excitation.broadband", &[]),
+    }
+}
+
+/// That of the worst point that passed.
+fn coherence(record: &Record) -> Option<Value> {
+    match lowest_coherence(record) {
+        None => phrase("coherence.sine", &[]),
+        Some(lowest) => Some(Value::Number(lowest, 4, "")),
+    }
+}
+
+fn lowest_coherence(record: &Record) -> Option<f64> {
+    let passed = record
+        .points
+        .iter()
+        .filter(|point| point.verdict == Verdict::Pass);
+    passed
+        .filter_map(|point| point.coherence.map(f64::from))
+        .reduce(f64::min)
+}
+
+fn place(particulars: &Particulars) -> Option<Value> {
+    let stated = &particulars.calibration;
+    let kind = stated.place.and_then(|place| match place {
+        Place::Laboratory => phrase("place.laboratory", &[]),
+        Place::Customer => phrase("place.customer", &[]),
+        Place::Other => phrase("place.other", &[]),
+    });
+    said(&stated.place_text).or(kind)
+}
+
+fn adjustment(adjustment: Adjustment) -> Option<Value> {
+    let key = match adjustment {
+        Adjustment::AsFound => "adjustment.as_found",
+        Adjustment::AsLeft => "adjustment.as_left",
+        Adjustment::ReportedOnly => "adjustment.reported_only",
+        Adjustment::NotAdjusted => "adjustment.not_adjusted",
+    };
+    phrase(key, &[])
+}

@@ -1,0 +1,84 @@
+//! What a certificate says of its record's place in the chain.
+
+use super::model::{Certificate, Entry, Remark, Severity, Value};
+use calib_protocol::record::{self, Record, Sha256Sum};
+use calib_record::hash_chain::Standing;
+use std::fmt::Write;
+
+/// Room for any record.
+const LONGEST: usize = 64 * 1024;
+
+/// States the record's sum and its place, before anything is said of
+/// conformity: of a record that cannot be trusted, nothing is.
+pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: Option<Standing>) {
+    let standing = standing.unwrap_or(match record.head.id {
+        1 => Standing::First,
+        _ => Standing::NotAtHand,
+    });
+    let before = Value::Text(record.head.id.saturating_sub(1).to_string());
+    let said = Value::Phrase(format!("chain.{}", name(standing)), vec![before.clone()]);
+    let sum = Value::Text(hexadecimal(&digest(record)));
+    let calibration = certificate
+        .sections
+        .iter_mut()
+        .find(|section| section.key == "calibration");
+    if let Some(section) = calibration {
+        let at = |entry: &Entry| entry.key == "record";
+        let at = section.entries.iter().position(at).map_or(0, |at| at + 1);
+        let entry = |key, value| Entry {
+            key,
+            clause: "",
+            value: Some(value),
+        };
+        let entries = [entry("sha256", sum), entry("chain", said)];
+        section.entries.splice(at..at, entries);
+    }
+    certificate.chain = Some(standing);
+    if standing == Standing::Broken {
+        let remark = Remark {
+            severity: Severity::Error,
+            key: "chain_broken",
+            values: vec![Value::Text(record.head.id.to_string()), before],
+        };
+        certificate.remarks.insert(0, remark);
+        certificate.decision = None;
+        certificate
+            .sections
+            .retain(|section| section.key != "decision");
+        for point in &mut certificate.points {
+            if let Ok(values) = &mut point.outcome {
+                values.assessment = None;
+            }
+        }
+    }
+}
+
+/// Name of a standing for programs.
+pub(super) fn name(standing: Standing) -> &'static str {
+    match standing {
+        Standing::First => "first",
+        Standing::Verified => "verified",
+        Standing::NotAtHand => "not_at_hand",
+        Standing::Broken => "broken",
+    }
+}
+
+/// Sum of the record's stored form, which is the same however it came here.
+pub fn digest(record: &Record) -> Sha256Sum {
+    let mut buffer = vec![0; LONGEST];
+    let length = record::encode(record, &mut buffer).unwrap_or(0);
+    record::digest(&buffer[..length])
+}
+
+/// In groups of eight digits: lines may break between them.
+fn hexadecimal(sum: &Sha256Sum) -> String {
+    let mut text = String::new();
+    for (index, byte) in sum.iter().enumerate() {
+        if index > 0 && index % 4 == 0 {
+            text.push(' ');
+        }
+        // Writing into memory does not fail.
+        let _ = write!(text, "{byte:02x}");
+    }
+    text
+}

@@ -1,0 +1,159 @@
+//! The printed certificate.
+
+use super::model::Certificate;
+use super::python::python;
+use super::tests_dcc::FULL;
+use super::{Format, Language, Particulars, render};
+use calib_record::sample::{THIRD_OCTAVES_HZ, record, text};
+use std::ffi::OsStr;
+
+fn full() -> Particulars {
+    toml::from_str(FULL).expect("TOML")
+}
+
+fn pdf(
+    record: &calib_protocol::record::Record,
+    particulars: &Particulars,
+) -> calib_files::Result<Vec<u8>> {
+    render(
+        &Certificate::from_record(record, particulars),
+        Format::Pdf,
+        Language::De,
+    )
+}
+
+#[test]
+fn the_same_record_gives_the_same_document() {
+    let record = record(&THIRD_OCTAVES_HZ);
+    let once = pdf(&record, &full()).expect("renders");
+    assert_eq!(once, pdf(&record, &full()).expect("renders"));
+    let text = String::from_utf8_lossy(&once);
+    assert!(text.contains("pdfaid:part>3<") && text.contains("certificate.dcc.xml"));
+}
+
+/// Saves the attachment; prints the text of every page, and what ISO 19005-3 wants of
+/// the file's structure as another program reads it.
+const READ: &str = "\
+import sys, json, pypdf
+pdf = pypdf.PdfReader(sys.argv[1])
+root = pdf.trailer['/Root']
+open(sys.argv[2], 'wb').write(pdf.attachments['certificate.dcc.xml'][0])
+fonts = [f.get_object() for p in pdf.pages for f in p['/Resources']['/Font'].values()]
+files = [f['/DescendantFonts'][0].get_object()['/FontDescriptor'].get_object() for f in fonts]
+attached = [f.get_object() for f in root.get('/AF', [])]
+intents = [i.get_object() for i in root.get('/OutputIntents', [])]
+everything = [o.get_object() for n in range(1, pdf.trailer['/Size']) for o in [pdf.get_object(n)] if o is not None]
+dictionaries = [o for o in everything if isinstance(o, dict)]
+print(json.dumps({'pages': [p.extract_text() for p in pdf.pages],
+  'embedded': [any(k.startswith('/FontFile') for k in f) for f in files],
+  'to_unicode': all('/ToUnicode' in f for f in fonts),
+  'metadata': root['/Metadata'].get_data().decode(),
+  'metadata_filtered': '/Filter' in root['/Metadata'],
+  'intents': [[i['/S'], i['/DestOutputProfile'].get_object()['/N']] for i in intents],
+  'attached': [[f['/AFRelationship'], f['/UF'], f['/EF']['/F'].get_object()['/Subtype']] for f in attached],
+  'encrypted': pdf.is_encrypted, 'identified': len(pdf.trailer['/ID']),
+  'active': [o['/S'] for o in dictionaries if o.get('/S') in ('/JavaScript', '/Launch', '/Movie', '/Sound')],
+  'lzw': any('/LZWDecode' in str(o.get('/Filter')) for o in dictionaries)}))
+";
+
+#[test]
+fn a_reader_of_others_finds_number_pages_fonts_and_the_same_dcc() {
+    let certificate = Certificate::from_record(&record(&THIRD_OCTAVES_HZ), &full());
+    let dcc = render(&certificate, Format::Dcc, Language::De).expect("renders");
+    let folder = tempfile::tempdir().expect("folder");
+    let (path, attached) = (folder.path().join("c.pdf"), folder.path().join("dcc.xml"));
+    let pdf = render(&certificate, Format::Pdf, Language::De).expect("renders");
+    std::fs::write(&path, pdf).expect("written");
+    let arguments = [
+        OsStr::new("-c"),
+        OsStr::new(READ),
+        path.as_os_str(),
+        attached.as_os_str(),
+    ];
+    let Some(output) = python("pypdf", &arguments) else {
+        return;
+    };
+    let complaint = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{complaint}");
+    assert_eq!(std::fs::read(attached).expect("attached"), dcc);
+    let read: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let pages = read["pages"].as_array().expect("pages");
+    for (index, page) in pages.iter().enumerate() {
+        let page = page.as_str().expect("text");
+        assert!(page.contains(&certificate.number), "page {index}: {page}");
+        let number = format!("Seite {} von {}", index + 1, pages.len());
+        assert!(page.contains(&number), "page {index}: {page}");
+    }
+    let first = pages[0].as_str().expect("text");
+    assert!(
+        first.contains("10,200") && first.contains("0,079"),
+        "{first}"
+    );
+    let embedded = read["embedded"].as_array().expect("fonts");
+    assert!(!embedded.is_empty() && embedded.iter().all(|e| e == true));
+    is_pdf_a_3b(&read);
+}
+
+/// What ISO 19005-3:2012 wants and another program can read, by its clauses. Not all
+/// of it: veraPDF, which looks at more, is a Java program that no registry of ours has.
+fn is_pdf_a_3b(read: &serde_json::Value) {
+    use serde_json::json;
+    // 6.6.4: part 3, conformance B, in metadata that is stored in clear (6.6.2.1).
+    let metadata = read["metadata"].as_str().expect("XMP");
+    for statement in ["<pdfaid:part>3<", "<pdfaid:conformance>B<"] {
+        assert!(metadata.contains(statement), "{metadata}");
+    }
+    assert_eq!(read["metadata_filtered"], false);
+    // 6.2.3: one intent, with a profile of red, green and blue.
+    assert_eq!(read["intents"], json!([["/GTS_PDFA1", 3]]));
+    // 6.8: a file inside says what it is to the document, and of which type it is.
+    let attached = read["attached"].as_array().expect("files");
+    assert_eq!(attached.len(), 1, "{read}");
+    assert_eq!(attached[0][1], "certificate.dcc.xml");
+    let relations = ["/Source", "/Data", "/Alternative", "/Supplement"];
+    assert!(relations.contains(&attached[0][0].as_str().expect("a name")));
+    let subtype = attached[0][2].as_str().expect("a name");
+    assert!(subtype.contains("xml"), "{subtype}");
+    // 6.1.3: an identifier, no encryption; 6.5.1: nothing that acts; 6.1.7.2: no LZW.
+    assert_eq!(read["encrypted"], false);
+    assert_eq!(read["identified"], 2);
+    assert_eq!(read["active"], json!([]));
+    assert_eq!(read["lzw"], false);
+    assert_eq!(read["to_unicode"], true);
+}
+
+#[test]
+fn every_size_and_every_gap_renders() {
+    let many: Vec<f32> = (0..200).map(|n| 20.0 * 1.03_f32.powi(n)).collect();
+    let mut bare = record(&[160.0]);
+    bare.head.labels = Default::default();
+    bare.head.labels.dut_serial = text("O'Neil \"#emph[x]\" $1 🎛 中");
+    for record in [record(&[]), record(&[160.0]), record(&many), bare] {
+        pdf(&record, &Particulars::default()).expect("renders");
+    }
+}
+
+#[test]
+fn a_template_of_the_laboratory_takes_the_place_of_ours() {
+    let folder = tempfile::tempdir().expect("folder");
+    let path = folder.path().join("ours.typ");
+    let mut particulars = full();
+    particulars.layout.template = Some(path.clone());
+    std::fs::write(
+        &path,
+        "#set document(date: datetime(year: 2026, month: 1, day: 1))\n#json(\"certificate.json\").number",
+    )
+    .expect("written");
+    pdf(&record(&[160.0]), &particulars).expect("renders");
+    std::fs::write(&path, "= Title\n#let x = (\n").expect("written");
+    let error = pdf(&record(&[160.0]), &particulars).expect_err("open parenthesis");
+    assert!(error.to_string().contains("ours.typ:2"), "{error}");
+}
+
+#[test]
+fn a_logo_that_is_no_picture_is_refused() {
+    let mut particulars = full();
+    particulars.layout.logo = Some("logo.docx".into());
+    let error = pdf(&record(&[160.0]), &particulars).expect_err("no picture");
+    assert!(error.to_string().contains("logo.docx"), "{error}");
+}

@@ -1,0 +1,118 @@
+//! What certificates say of a record's place in the chain, in every format.
+
+use super::{Format, Options, Particulars, Prepared, digest, prepare};
+use calib_protocol::frame::CRC;
+use calib_protocol::record::{self, Record};
+use calib_record::hash_chain::{Evidence, Standing};
+use calib_record::sample::{THIRD_OCTAVES_HZ, record};
+
+/// Everything passes: the object is within 5 % of its nominal sensitivity.
+fn certificate(chain: Option<Standing>) -> Prepared {
+    // A DCC cannot be without the country of the laboratory.
+    let particulars = "[laboratory]\ncountry = 'DE'\n\
+        [decision]\nspecification = 'nominal'\ntolerance_percent = 50\nnominal_mv_per_ms2 = 10.2";
+    let particulars: Particulars = toml::from_str(particulars).expect("particulars");
+    let options = Options {
+        particulars,
+        chain,
+        ..Options::default()
+    };
+    prepare(&record(&THIRD_OCTAVES_HZ), &Format::ALL, &options).expect("rendered")
+}
+
+fn file(prepared: &Prepared, format: Format) -> String {
+    let file = prepared.files.iter().find(|file| file.format == format);
+    String::from_utf8_lossy(&file.expect("asked for").content).into_owned()
+}
+
+fn json(prepared: &Prepared) -> serde_json::Value {
+    serde_json::from_str(&file(prepared, Format::Json)).expect("JSON")
+}
+
+#[test]
+fn a_broken_chain_is_a_warning_in_every_format_and_no_conformity_in_any() {
+    let broken = certificate(Some(Standing::Broken));
+    let words = "Do not use this certificate";
+    for format in [Format::Html, Format::Dcc, Format::Json] {
+        assert!(file(&broken, format).contains(words), "{format:?}");
+    }
+    assert!(file(&broken, Format::Uff).contains("DO NOT USE"));
+    let csv = file(&broken, Format::Csv);
+    assert!(csv.lines().skip(1).all(|line| line.ends_with(",broken")));
+    let document = json(&broken);
+    assert_eq!(document["conformity"], serde_json::Value::Null);
+    assert_eq!(document["record_chain"], "broken");
+    assert_eq!(document["remarks"][0]["severity"], "error");
+    for format in [Format::Html, Format::Dcc, Format::Csv] {
+        let text = file(&broken, format).to_lowercase();
+        let states = ["conformitypass", "value=\"pass\"", ",pass,,pass,"];
+        assert!(
+            !states.iter().any(|state| text.contains(state)),
+            "{format:?}"
+        );
+    }
+}
+
+#[test]
+fn any_other_standing_is_stated_and_leaves_conformity_alone() {
+    for (standing, words) in [
+        (Standing::Verified, "verified: record 16"),
+        (Standing::NotAtHand, "record 16 before it was not at hand"),
+        (Standing::First, "the first record of its calibrator"),
+    ] {
+        let prepared = certificate(Some(standing));
+        let document = json(&prepared);
+        assert_eq!(document["conformity"], "pass", "{standing:?}");
+        for format in [Format::Html, Format::Dcc, Format::Json] {
+            assert!(file(&prepared, format).contains(words), "{format:?}");
+        }
+        assert!(!file(&prepared, Format::Uff).contains("DO NOT USE"));
+    }
+    // Nobody looked: its number says that there was one before.
+    assert_eq!(json(&certificate(None))["record_chain"], "not_at_hand");
+}
+
+#[test]
+fn the_sum_on_the_certificate_is_that_of_the_file() {
+    let record = record(&THIRD_OCTAVES_HZ);
+    let mut bytes = vec![0; 64 * 1024];
+    let length = record::encode(&record, &mut bytes).expect("fits");
+    let sum = record::digest(&bytes[..length]);
+    assert_eq!(digest(&record), sum);
+    let hexadecimal: String = sum.iter().map(|byte| format!("{byte:02x}")).collect();
+    let printed = json(&certificate(None))["calibration"]["sha256"].clone();
+    let printed = printed.as_str().expect("text").replace(' ', "");
+    assert_eq!(printed, hexadecimal);
+}
+
+/// An altered predecessor with a right checksum is what makes the certificate warn.
+#[test]
+fn an_altered_neighbour_breaks_the_chain_of_the_certificate() {
+    let bytes = |record: &Record| {
+        let mut bytes = vec![0; 64 * 1024];
+        let length = record::encode(record, &mut bytes).expect("fits");
+        bytes.truncate(length);
+        bytes
+    };
+    let mut before = record(&[80.0]);
+    before.head.id = 16;
+    let mut this = record(&[160.0]);
+    this.head.previous_sha256 = record::digest(&bytes(&before));
+    let standing = |before: &[u8]| {
+        let mut evidence = Evidence::of(&this.head.instrument_serial);
+        evidence.bytes(16, before);
+        evidence.bytes(17, &bytes(&this));
+        evidence.standing(17)
+    };
+    let whole = bytes(&before);
+    assert_eq!(standing(&whole), Standing::Verified);
+    let mut altered = whole.clone();
+    let middle = altered.len() / 2;
+    altered[middle] ^= 1;
+    // Damaged, it is no evidence; with its checksum mended it contradicts.
+    assert_eq!(standing(&altered), Standing::NotAtHand);
+    let end = altered.len() - 4;
+    let checksum = CRC.checksum(&altered[..end]).to_le_bytes();
+    altered[end..].copy_from_slice(&checksum);
+    assert_eq!(standing(&altered), Standing::Broken);
+}

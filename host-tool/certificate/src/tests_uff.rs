@@ -1,0 +1,65 @@
+//! The universal file, read back by a reader of others.
+
+use super::model::Certificate;
+use super::python::python;
+use super::{Format, Language, Particulars, render};
+use calib_record::sample::{THIRD_OCTAVES_HZ, record, text, truth};
+use std::ffi::OsStr;
+
+const READ: &str = "\
+import sys, json, pyuff
+sets = pyuff.UFF(sys.argv[1]).read_sets()
+s = sets[0] if isinstance(sets, list) else sets
+print(json.dumps({'type': int(s['type']), 'func': int(s['func_type']), 'x': [float(x) for x in s['x']],
+  're': [float(d.real) for d in s['data']], 'im': [float(d.imag) for d in s['data']],
+  'id1': s['id1'], 'unit': s['ordinate_axis_units_lab'].strip(), 'abscissa': int(s['abscissa_spec_data_type'])}))
+";
+
+#[test]
+fn pyuff_reads_the_complex_sensitivity_back() {
+    let mut record = record(&THIRD_OCTAVES_HZ);
+    record.head.labels.dut_serial = text("Ö'1 🎛");
+    let certificate = Certificate::from_record(&record, &Particulars::default());
+    let folder = tempfile::tempdir().expect("folder");
+    let path = folder.path().join("response.uff");
+    std::fs::write(
+        &path,
+        render(&certificate, Format::Uff, Language::En).expect("renders"),
+    )
+    .expect("written");
+    let arguments = [OsStr::new("-c"), OsStr::new(READ), path.as_os_str()];
+    let Some(output) = python("pyuff", &arguments) else {
+        return;
+    };
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let read: serde_json::Value = serde_json::from_str(said.trim()).expect("JSON");
+    assert_eq!(
+        (&read["type"], &read["func"], &read["abscissa"]),
+        (&58.into(), &4.into(), &18.into())
+    );
+    assert_eq!(read["unit"], "V");
+    let numbers = |key: &str| -> Vec<f64> {
+        read[key]
+            .as_array()
+            .expect(key)
+            .iter()
+            .map(|n| n.as_f64().expect("number"))
+            .collect()
+    };
+    let (x, re, im) = (numbers("x"), numbers("re"), numbers("im"));
+    assert_eq!(x.len(), THIRD_OCTAVES_HZ.len());
+    for ((frequency_hz, re), im) in x.into_iter().zip(re).zip(im) {
+        let (magnitude, phase) = truth(frequency_hz);
+        // The file has six digits of the frequency: 5e-6 of it, which at
+        // 10 kHz is 0.22 x 5e-6 of the magnitude (ratio 0.3125, slope
+        // 2 r^2 / (1 - r^2)) and 6.3e-8 rad; f32 of the record adds 6e-8.
+        let close = (re.hypot(im) / magnitude - 1.0).abs() < 1.2e-6;
+        assert!(close, "{frequency_hz}");
+        assert!((im.atan2(re) - phase).abs() < 2.0e-7, "{frequency_hz}");
+    }
+}

@@ -1,0 +1,246 @@
+//! Failures of a link, of the protocol, and refusals by the device: three kinds
+//! that ask for three different actions.
+
+use calib_protocol::frame::PROTOCOL_VERSION;
+use calib_protocol::message::Refusal;
+use std::path::Path;
+
+/// Result of an operation on a calibrator.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// What can go wrong between this computer and a calibrator.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// Bytes do not get through to the calibrator.
+    #[error(transparent)]
+    Link(#[from] LinkError),
+    /// The calibrator and this program do not understand each other.
+    #[error(transparent)]
+    Protocol(#[from] ProtocolError),
+    /// The calibrator understood and declined.
+    #[error(transparent)]
+    Refused(#[from] Refused),
+    /// A file, an input or a request is not usable.
+    #[error(transparent)]
+    Files(#[from] calib_files::Error),
+}
+
+impl Error {
+    /// [`calib_files::Error::file`].
+    pub fn file(action: &'static str, path: &Path, source: std::io::Error) -> Self {
+        calib_files::Error::file(action, path, source).into()
+    }
+
+    /// [`calib_files::Error::input`].
+    pub fn input(
+        place: impl Into<String>,
+        problem: impl Into<String>,
+        hint: impl Into<String>,
+    ) -> Self {
+        calib_files::Error::input(place, problem, hint).into()
+    }
+
+    /// What the user can do about it, if the message does not say it already.
+    pub fn hint(&self) -> Option<&str> {
+        match self {
+            Self::Link(error) => Some(error.hint()),
+            Self::Protocol(error) => Some(error.hint()),
+            Self::Refused(error) => Some(error.hint()),
+            Self::Files(error) => error.hint(),
+        }
+    }
+
+    /// Exit code of a program that ends with this error: 3 link, 4 protocol,
+    /// 5 refused, else [`calib_files::Error::exit_code`].
+    pub fn exit_code(&self) -> u8 {
+        match self {
+            Self::Link(_) => 3,
+            Self::Protocol(_) => 4,
+            Self::Refused(_) => 5,
+            Self::Files(error) => error.exit_code(),
+        }
+    }
+}
+
+/// Bytes do not get through.
+#[derive(Debug, thiserror::Error)]
+pub enum LinkError {
+    /// The port or connection cannot be opened.
+    #[error("cannot open {address}: {source}")]
+    Open {
+        /// Address as given.
+        address: String,
+        /// What the operating system said.
+        source: std::io::Error,
+        /// What to do about it.
+        hint: String,
+    },
+    /// The connection broke.
+    #[error("the connection to {address} is gone: {source}")]
+    Closed {
+        /// Address as given.
+        address: String,
+        /// What the operating system said.
+        source: std::io::Error,
+    },
+    /// Not a single byte came back.
+    #[error("no answer from {address} after {attempts} attempts")]
+    NoAnswer {
+        /// Address as given.
+        address: String,
+        /// Requests sent.
+        attempts: u32,
+    },
+    /// Bytes came back, but never a frame.
+    #[error("{address} sends something else than a calibrator's answers ({bytes} bytes)")]
+    NotACalibrator {
+        /// Address as given.
+        address: String,
+        /// Bytes received.
+        bytes: usize,
+    },
+    /// Frames came back, but the checksum failed each time.
+    #[error("every answer from {address} came damaged ({damaged} frames in {attempts} attempts)")]
+    Damaged {
+        /// Address as given.
+        address: String,
+        /// Frames with a wrong checksum.
+        damaged: u32,
+        /// Requests sent.
+        attempts: u32,
+    },
+}
+
+impl LinkError {
+    /// What the user can do about it.
+    pub fn hint(&self) -> &str {
+        match self {
+            Self::Open { hint, .. } => hint,
+            Self::Closed { .. } => {
+                "plug the calibrator in again and repeat; a run in progress goes on without the host"
+            }
+            Self::NoAnswer { .. } => {
+                "is it powered, and is this its port? `calib devices` lists the ports"
+            }
+            Self::NotACalibrator { .. } => {
+                "this is the port of another device: `calib devices` lists the ports"
+            }
+            Self::Damaged { .. } => {
+                "check the cable, or move it away from the power amplifier, and repeat"
+            }
+        }
+    }
+}
+
+/// The peers do not understand each other.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ProtocolError {
+    /// The firmware speaks another version.
+    #[error(
+        "the calibrator speaks protocol version {device}, this tool speaks version {PROTOCOL_VERSION}"
+    )]
+    Version {
+        /// Version of the firmware.
+        device: u16,
+    },
+    /// An answer that does not belong to the request.
+    #[error("the calibrator answered {request} with something else")]
+    UnexpectedAnswer {
+        /// What was asked, in words.
+        request: &'static str,
+    },
+}
+
+impl ProtocolError {
+    /// What the user can do about it.
+    pub fn hint(&self) -> &str {
+        match self {
+            Self::Version { device } if *device > PROTOCOL_VERSION => {
+                "install the release of this tool that came with the firmware"
+            }
+            Self::Version { .. } => {
+                "update the firmware: `cargo flash` in the source tree of this tool"
+            }
+            Self::UnexpectedAnswer { .. } => {
+                "is another program using the same port? close it; if not, compare `calib info` with `calib version`"
+            }
+        }
+    }
+}
+
+/// The calibrator understood and declined.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the calibrator refused {request}: {}", reason(*.refusal))]
+pub struct Refused {
+    /// What was asked, in words.
+    pub request: &'static str,
+    /// Its reason.
+    pub refusal: Refusal,
+}
+
+fn reason(refusal: Refusal) -> &'static str {
+    match refusal {
+        Refusal::Busy => "a run is going on",
+        Refusal::RecordNotFound => "it has no record of this number",
+        Refusal::OffsetOutOfRange => "the record or capture is shorter than that",
+        Refusal::StorageFull => "its record area is full",
+        Refusal::StorageFailed => "its flash reported an error",
+        Refusal::PointList => "the point list is empty or holds a value that is no positive number",
+        Refusal::Settings => "a setting is outside its range; nothing was changed",
+        Refusal::Unknown => "it does not know this request",
+        Refusal::OtherHost => "the host on its other link holds the session",
+        Refusal::CaptureLength => "it has no room for so many sample pairs, or none were asked for",
+        Refusal::NotCaptured => "nothing was captured since it was started",
+        Refusal::CaptureBroken => "sample pairs were lost while it captured",
+        Refusal::ButtonNotHeld => {
+            "they change the calibration of its reference, and its button is not held"
+        }
+        Refusal::TemperatureOutOfRange => "it is too cold or too hot to measure",
+        _ => "for a reason this tool does not know",
+    }
+}
+
+impl Refused {
+    /// True when a record is shorter than the offset asked for.
+    pub(crate) fn is_offset(&self) -> bool {
+        self.refusal == Refusal::OffsetOutOfRange
+    }
+
+    /// True when a hand on the button is all that is missing.
+    pub fn wants_button(&self) -> bool {
+        self.refusal == Refusal::ButtonNotHeld
+    }
+
+    /// What the user can do about it.
+    pub fn hint(&self) -> &str {
+        match self.refusal {
+            Refusal::ButtonNotHeld => {
+                "hold the button on the instrument and repeat meanwhile; a press counts for a minute. \
+                 The change is logged as a record"
+            }
+            Refusal::TemperatureOutOfRange => {
+                "`calib info` shows its temperature: let it cool down or warm up, and repeat"
+            }
+            Refusal::Busy => {
+                "wait for its end, or stop it: `calib stop`, or the button on the instrument"
+            }
+            Refusal::RecordNotFound => "`calib records` lists the stored records",
+            Refusal::OffsetOutOfRange => "remove the .part file and download again",
+            Refusal::StorageFull => {
+                "download the records, then `calib release ID` lets those up to ID make room"
+            }
+            Refusal::StorageFailed => {
+                "reset the instrument and repeat; if it happens again, the flash is worn out"
+            }
+            Refusal::PointList => "correct the point list",
+            Refusal::Settings => "correct the settings",
+            Refusal::CaptureLength => "a capture has 1 to 16384 sample pairs",
+            Refusal::NotCaptured => "was it reset? capture again",
+            Refusal::CaptureBroken => "capture again",
+            Refusal::OtherHost => {
+                "end the program that uses the other port, wait five seconds and repeat"
+            }
+            _ => "compare `calib info` with `calib version`, and update the older one",
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! Certificates that were issued: numbered, with their sums, never changed.
+
+use super::Bench;
+use calib_files::{Error, Result};
+use calib_protocol::record::Sha256Sum;
+use rusqlite::{OptionalExtension, params};
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+/// A certificate that was issued.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Issued {
+    /// Running number in the bench, from 1, without gaps.
+    pub number: i64,
+    /// Number printed on it.
+    pub certificate: String,
+    /// Its form: `pdf`, `csv`, ...
+    pub format: String,
+    /// Time of issue, s since 1970-01-01 UTC.
+    pub issued_s: i64,
+    /// File it was written to.
+    pub file: String,
+    /// SHA-256 of the file, hexadecimal.
+    pub sha256: String,
+    /// SHA-256 of the record it is made of, hexadecimal.
+    pub record_sha256: String,
+}
+
+/// A certificate about to be entered.
+#[derive(Clone, Copy, Debug)]
+pub struct Issue<'a> {
+    /// Number printed on it.
+    pub certificate: &'a str,
+    /// Its form.
+    pub format: &'a str,
+    /// File it was written to.
+    pub file: &'a str,
+    /// Content of the file.
+    pub content: &'a [u8],
+    /// Sum of the record it is made of.
+    pub record: Sha256Sum,
+}
+
+impl Bench {
+    /// Says whether a certificate may be issued: not if one of the same number
+    /// and form, with other content, was.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when it may not.
+    pub fn may_issue(&self, issue: &Issue<'_>) -> Result<()> {
+        match self.issued_sum(issue)? {
+            Some(sum) if sum[..] != Sha256::digest(issue.content)[..] => Err(Error::input(
+                format!("certificate {}", issue.certificate),
+                format!("was issued as {} with another content", issue.format),
+                "give the new one a number of its own: number = \"...\" under [calibration] \
+                 in a file of particulars",
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// Enters certificates that were issued at `issued_s`, all or none. One that
+    /// is there already with the same content is no second one.
+    ///
+    /// # Errors
+    /// As [`Self::may_issue`].
+    pub fn issue(&mut self, issues: &[Issue<'_>], issued_s: i64) -> Result<()> {
+        for issue in issues {
+            self.may_issue(issue)?;
+        }
+        let path = self.path.clone();
+        let failed = |error| super::store::failure(&path, error);
+        let transaction = self.connection.transaction().map_err(failed)?;
+        for issue in issues {
+            // A row that is ignored would use up a number; one that is not made does not.
+            let enter = "INSERT INTO certificates
+                (certificate, format, record_sha256, issued_s, file, sha256)
+                SELECT ?1,?2,?3,?4,?5,?6 WHERE NOT EXISTS
+                (SELECT 1 FROM certificates WHERE certificate = ?1 AND format = ?2)";
+            let sum = Sha256::digest(issue.content);
+            let values = params![
+                issue.certificate,
+                issue.format,
+                &issue.record[..],
+                issued_s,
+                issue.file,
+                &sum[..]
+            ];
+            transaction.execute(enter, values).map_err(failed)?;
+        }
+        transaction.commit().map_err(failed)
+    }
+
+    fn issued_sum(&self, issue: &Issue<'_>) -> Result<Option<Vec<u8>>> {
+        let find = "SELECT sha256 FROM certificates WHERE certificate = ?1 AND format = ?2";
+        self.connection
+            .query_row(find, [issue.certificate, issue.format], |row| row.get(0))
+            .optional()
+            .map_err(|error| self.failure(error))
+    }
+
+    /// All certificates, in the order they were issued.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn certificates(&self) -> Result<Vec<Issued>> {
+        let sql = "SELECT number, certificate, format, issued_s, file, lower(hex(sha256)),
+                   lower(hex(record_sha256)) FROM certificates ORDER BY number";
+        self.all(sql, [], |row| {
+            Ok(Issued {
+                number: row.get(0)?,
+                certificate: row.get(1)?,
+                format: row.get(2)?,
+                issued_s: row.get(3)?,
+                file: row.get(4)?,
+                sha256: row.get(5)?,
+                record_sha256: row.get(6)?,
+            })
+        })
+    }
+}

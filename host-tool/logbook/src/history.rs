@@ -1,0 +1,116 @@
+//! Drift of one sensor over its calibrations, beside the uncertainty.
+
+use super::Bench;
+
+use serde::Serialize;
+
+/// What one calibration said.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Result {
+    /// Number of the record in the bench.
+    pub record: i64,
+    /// Time of the calibration, s since 1970-01-01 UTC.
+    pub unix_time_s: i64,
+    /// Sensitivity, V/(m/s2).
+    pub sensitivity_v_per_ms2: f64,
+    /// Its relative expanded uncertainty.
+    pub expanded_uncertainty_rel: f64,
+    /// Relative change since the calibration before; none for the first.
+    pub drift_rel: Option<f64>,
+    /// True when that change is larger than the expanded uncertainty stated now
+    /// or then: the sensor drifted, or something happened to it.
+    pub drift_exceeds_uncertainty: bool,
+}
+
+/// All calibrations of a sensor at one frequency, oldest first.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct History {
+    /// Serial number of the sensor.
+    pub sensor: String,
+    /// Frequency compared, Hz.
+    pub frequency_hz: f64,
+    /// What the calibrations said.
+    pub results: Vec<Result>,
+}
+
+impl Bench {
+    /// The calibrations of a sensor at `frequency_hz` (within 1 %), one per
+    /// record: at several levels, the first that passed.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn history(&self, sensor: &str, frequency_hz: f64) -> calib_files::Result<History> {
+        let sql = "SELECT records.id, unix_time_s, points.sensitivity_v_per_ms2,
+                   points.expanded_uncertainty_rel, min(position)
+                   FROM records JOIN points ON record = id
+                   WHERE sensor_serial = ?1 AND verdict = 'pass'
+                   AND frequency_hz BETWEEN 0.99 * ?2 AND 1.01 * ?2
+                   AND points.sensitivity_v_per_ms2 IS NOT NULL
+                   AND points.expanded_uncertainty_rel IS NOT NULL
+                   GROUP BY records.id ORDER BY unix_time_s, records.id";
+        let mut results = self.all(sql, rusqlite::params![sensor, frequency_hz], |row| {
+            Ok(Result {
+                record: row.get(0)?,
+                unix_time_s: row.get(1)?,
+                sensitivity_v_per_ms2: row.get(2)?,
+                expanded_uncertainty_rel: row.get(3)?,
+                drift_rel: None,
+                drift_exceeds_uncertainty: false,
+            })
+        })?;
+        state_drift(&mut results);
+        Ok(History {
+            sensor: sensor.to_owned(),
+            frequency_hz,
+            results,
+        })
+    }
+}
+
+/// Drift of each result since the one before.
+fn state_drift(results: &mut [Result]) {
+    let mut before: Option<(f64, f64)> = None;
+    for result in results {
+        let now = (
+            result.sensitivity_v_per_ms2,
+            result.expanded_uncertainty_rel,
+        );
+        if let Some((sensitivity, uncertainty)) = before {
+            let drift = now.0 / sensitivity - 1.0;
+            result.drift_rel = Some(drift);
+            result.drift_exceeds_uncertainty = drift.abs() > now.1.max(uncertainty);
+        }
+        before = Some(now);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_within_the_uncertainty_is_none() {
+        let result = |sensitivity_v_per_ms2, expanded_uncertainty_rel| Result {
+            record: 1,
+            unix_time_s: 0,
+            sensitivity_v_per_ms2,
+            expanded_uncertainty_rel,
+            drift_rel: None,
+            drift_exceeds_uncertainty: false,
+        };
+        // + 0.9 % within 1 %, then + 1.1 % beyond it, then - 1.5 % within the 2 %
+        // that were stated then.
+        let mut results = [
+            result(1.0, 0.01),
+            result(1.009, 0.01),
+            result(1.009 * 1.011, 0.01),
+            result(1.009 * 1.011 * 0.985, 0.02),
+        ];
+        state_drift(&mut results);
+        let exceeds = results.each_ref().map(|r| r.drift_exceeds_uncertainty);
+        assert_eq!(exceeds, [false, false, true, false]);
+        assert_eq!(results[0].drift_rel, None);
+        // f64 rounding of the products above.
+        assert!((results[2].drift_rel.expect("drift") - 0.011).abs() < 1e-12);
+    }
+}

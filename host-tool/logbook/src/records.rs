@@ -1,0 +1,314 @@
+//! Records of both kinds: kept as they were downloaded, listed by what people look for.
+
+use super::Bench;
+use calib_certificate::{Certificate, Particulars};
+use calib_core::point::PointResult;
+use calib_core::settings::Settings;
+use calib_core::verdict::Verdict;
+use calib_files::{Error, Result};
+use calib_protocol::change::{self, ReferenceChange};
+use calib_protocol::record::{self, Record, RecordError, RecordHead, RecordKind, Sha256Sum};
+use rusqlite::{OptionalExtension, Transaction, params};
+use serde::Serialize;
+
+/// What became of a record that was handed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kept {
+    /// It is new, under this number of the bench.
+    Added(i64),
+    /// The bench has it already, under this number.
+    Known(i64),
+}
+
+/// One line of the list.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Listed {
+    /// Number in the bench.
+    pub id: i64,
+    /// Serial number of the instrument.
+    pub instrument: String,
+    /// Running number of the instrument.
+    pub number: u32,
+    /// Seconds since 1970-01-01 UTC; 0 = not known.
+    pub unix_time_s: i64,
+    /// Serial number of the sensor.
+    pub sensor_serial: String,
+    /// Its maker and model.
+    pub sensor_model: String,
+    /// Who calibrated.
+    pub operator: String,
+    /// Points in the record.
+    pub points: u32,
+    /// Points refused.
+    pub refused: u32,
+    /// A calibration, or the log of a change of the reference, which has no points.
+    pub kind: RecordKind,
+    /// Frequency of the reference point (clause 5.3), Hz.
+    pub reference_frequency_hz: Option<f64>,
+    /// Sensitivity there, V/(m/s2).
+    pub sensitivity_v_per_ms2: Option<f64>,
+    /// Its relative expanded uncertainty.
+    pub expanded_uncertainty_rel: Option<f64>,
+}
+
+/// Which records are wanted; all by default.
+#[derive(Clone, Debug, Default)]
+pub struct Filter {
+    /// Of this sensor.
+    pub sensor: Option<String>,
+    /// Measured at this time or later, s since 1970-01-01 UTC.
+    pub from_s: Option<i64>,
+    /// Measured before this time.
+    pub before_s: Option<i64>,
+}
+
+const LISTED: &str = "SELECT id, instrument, number, unix_time_s, sensor_serial, sensor_model,
+    operator, points, refused, reference_frequency_hz, sensitivity_v_per_ms2,
+    expanded_uncertainty_rel,
+    points = 0 AND (SELECT substr(bytes, 2, 1) = x'01' FROM contents WHERE record = id)
+    FROM records";
+
+impl Bench {
+    /// Keeps the bytes of a record as `calib download` wrote them. Instrument
+    /// and operator are entered too.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when the bytes are no record of this version.
+    pub fn keep(&mut self, bytes: &[u8]) -> Result<Kept> {
+        let kept = self.keep_all(std::iter::once(bytes))?;
+        kept.into_iter()
+            .next()
+            .ok_or_else(|| Error::input("record", "was not kept", "report this as a defect"))
+    }
+
+    /// Keeps many records, or none of them.
+    ///
+    /// # Errors
+    /// As [`Self::keep`], for the first that fails.
+    pub fn keep_all<'a>(&mut self, all: impl IntoIterator<Item = &'a [u8]>) -> Result<Vec<Kept>> {
+        let path = self.path.clone();
+        let failed = |error| super::store::failure(&path, error);
+        let transaction = self.connection.transaction().map_err(failed)?;
+        let mut kept = Vec::new();
+        for bytes in all {
+            let content = Content::of(bytes).map_err(|error| {
+                Error::input("record", error.to_string(), "download it once more")
+            })?;
+            kept.push(keep_one(&transaction, bytes, &content).map_err(failed)?);
+        }
+        transaction.commit().map_err(failed)?;
+        Ok(kept)
+    }
+
+    /// Lines of the records wanted, newest first.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn records(&self, filter: &Filter) -> Result<Vec<Listed>> {
+        let sql = format!(
+            "{LISTED} WHERE unix_time_s >= ?1 AND unix_time_s < ?2 {}
+             ORDER BY unix_time_s DESC, id DESC",
+            match filter.sensor {
+                Some(_) => "AND sensor_serial = ?3",
+                None => "AND ?3 IS NULL",
+            }
+        );
+        let from_s = filter.from_s.unwrap_or(i64::MIN);
+        let before_s = filter.before_s.unwrap_or(i64::MAX);
+        self.all(&sql, params![from_s, before_s, filter.sensor], listed)
+    }
+
+    /// The bytes of an instrument's record, by its running number there.
+    ///
+    /// # Errors
+    /// Those of the file; a wrong sum.
+    pub fn numbered(&self, instrument: &str, number: u32) -> Result<Option<Vec<u8>>> {
+        let sql = "SELECT id FROM records WHERE instrument = ?1 AND number = ?2";
+        let id: Option<i64> = self
+            .connection
+            .query_row(sql, params![instrument, number], |row| row.get(0))
+            .optional()
+            .map_err(|error| self.failure(error))?;
+        id.map(|id| self.record(id)).transpose()
+    }
+
+    /// The bytes of a record, by its number in the bench.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when there is none, or its sum is wrong.
+    pub fn record(&self, id: i64) -> Result<Vec<u8>> {
+        let sql = "SELECT bytes, sha256 FROM contents JOIN records ON id = record WHERE id = ?1";
+        let found: Option<(Vec<u8>, Vec<u8>)> = self
+            .connection
+            .query_row(sql, [id], |row| Ok((row.get(0)?, row.get(1)?)))
+            .optional()
+            .map_err(|error| self.failure(error))?;
+        let place = format!("record {id} of {}", self.path.display());
+        match found {
+            None => Err(Error::input(
+                place,
+                "is not there",
+                "`calib bench records` lists them",
+            )),
+            Some((bytes, sum)) if record::digest(&bytes)[..] == sum[..] => Ok(bytes),
+            Some(_) => Err(Error::input(
+                place,
+                "is damaged: its SHA-256 is not what it was",
+                "put the last backup in its place, or download the record once more",
+            )),
+        }
+    }
+}
+
+fn listed(row: &rusqlite::Row<'_>) -> rusqlite::Result<Listed> {
+    Ok(Listed {
+        id: row.get(0)?,
+        instrument: row.get(1)?,
+        number: row.get(2)?,
+        unix_time_s: row.get(3)?,
+        sensor_serial: row.get(4)?,
+        sensor_model: row.get(5)?,
+        operator: row.get(6)?,
+        points: row.get(7)?,
+        refused: row.get(8)?,
+        reference_frequency_hz: row.get(9)?,
+        sensitivity_v_per_ms2: row.get(10)?,
+        expanded_uncertainty_rel: row.get(11)?,
+        kind: match row.get::<_, Option<bool>>(12)? {
+            Some(true) => RecordKind::ReferenceChange,
+            _ => RecordKind::Calibration,
+        },
+    })
+}
+
+/// A record of either kind.
+pub(super) enum Content {
+    Calibration(Box<Record>),
+    ReferenceChange(Box<ReferenceChange>),
+}
+
+impl Content {
+    pub(super) fn of(bytes: &[u8]) -> Result<Self, RecordError> {
+        match record::decode(bytes) {
+            Err(RecordError::Kind {
+                found: RecordKind::ReferenceChange,
+            }) => Ok(Self::ReferenceChange(Box::new(change::decode(bytes)?))),
+            other => Ok(Self::Calibration(Box::new(other?))),
+        }
+    }
+
+    pub(super) fn head(&self) -> &RecordHead {
+        match self {
+            Self::Calibration(record) => &record.head,
+            Self::ReferenceChange(change) => &change.head,
+        }
+    }
+
+    /// What is in force from it on.
+    fn settings(&self) -> &Settings {
+        match self {
+            Self::Calibration(record) => &record.settings,
+            Self::ReferenceChange(change) => &change.settings,
+        }
+    }
+
+    pub(super) fn points(&self) -> &[PointResult] {
+        match self {
+            Self::Calibration(record) => &record.points,
+            Self::ReferenceChange(_) => &[],
+        }
+    }
+}
+
+fn keep_one(
+    transaction: &Transaction<'_>,
+    bytes: &[u8],
+    content: &Content,
+) -> rusqlite::Result<Kept> {
+    let sum = record::digest(bytes);
+    let known = "SELECT id FROM records WHERE sha256 = ?1";
+    let known: Option<i64> = transaction
+        .prepare_cached(known)?
+        .query_row([&sum[..]], |row| row.get(0))
+        .optional()?;
+    if let Some(id) = known {
+        return Ok(Kept::Known(id));
+    }
+    let id = insert_line(transaction, content, sum)?;
+    transaction
+        .prepare_cached("INSERT INTO contents (record, bytes) VALUES (?1, ?2)")?
+        .execute(params![id, bytes])?;
+    for (position, point) in content.points().iter().enumerate() {
+        insert_point(transaction, id, position as i64, point)?;
+    }
+    super::people::enter(transaction, content.head(), content.settings())?;
+    Ok(Kept::Added(id))
+}
+
+fn insert_line(
+    transaction: &Transaction<'_>,
+    content: &Content,
+    sum: Sha256Sum,
+) -> rusqlite::Result<i64> {
+    let (complete, certificate) = match content {
+        Content::Calibration(record) => {
+            let particulars = Particulars::default();
+            let certificate = Certificate::from_record(record, &particulars);
+            (record.complete, Some(certificate))
+        }
+        Content::ReferenceChange(_) => (true, None),
+    };
+    let reference = certificate.as_ref().and_then(Certificate::reference_result);
+    let (head, points) = (content.head(), content.points());
+    let refused = points.iter().filter(|point| point.verdict != Verdict::Pass);
+    transaction
+        .prepare_cached(
+            "INSERT INTO records (sha256, instrument, number, unix_time_s, sensor_serial,
+             sensor_model, operator, complete, points, refused, reference_frequency_hz,
+             sensitivity_v_per_ms2, expanded_uncertainty_rel)
+             VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13)",
+        )?
+        .insert(params![
+            &sum[..],
+            head.instrument_serial.as_str(),
+            head.id,
+            i64::try_from(head.labels.unix_time_s).unwrap_or(0),
+            head.labels.dut_serial.as_str(),
+            head.labels.dut_model.as_str(),
+            head.labels.operator.as_str(),
+            complete,
+            points.len() as i64,
+            refused.count() as i64,
+            reference.map(|(point, _)| point.nominal_frequency_hz),
+            reference.map(|(_, values)| values.sensitivity_v_per_ms2),
+            reference.map(|(_, values)| values.expanded_uncertainty_percent / 100.0),
+        ])
+}
+
+/// Numbers of a refused point are diagnostic: the list has none of them.
+fn insert_point(
+    transaction: &Transaction<'_>,
+    record: i64,
+    position: i64,
+    point: &PointResult,
+) -> rusqlite::Result<()> {
+    let number = |value: f32| {
+        let value = f64::from(value);
+        (point.verdict == Verdict::Pass && value.is_finite()).then_some(value)
+    };
+    transaction
+        .prepare_cached("INSERT INTO points VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10)")?
+        .execute(params![
+            record,
+            position,
+            f64::from(point.spec.frequency_hz),
+            f64::from(point.spec.acceleration_rms_ms2),
+            point.verdict.to_string(),
+            number(point.sensitivity_v_per_ms2),
+            number(point.expanded_uncertainty_rel),
+            number(point.coverage_factor),
+            number(point.phase_rad),
+            number(point.expanded_uncertainty_phase_rad),
+        ])
+        .map(drop)
+}

@@ -1,0 +1,178 @@
+//! Sensors: what is known about a device under test, typed once.
+
+use super::Bench;
+use calib_files::{Error, Result};
+use rusqlite::{OptionalExtension, params};
+use serde::Serialize;
+
+/// A transducer that comes for calibration.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Sensor {
+    /// Serial number; a bench has each once.
+    pub serial: String,
+    /// Manufacturer.
+    pub manufacturer: String,
+    /// Model.
+    pub model: String,
+    /// Nominal sensitivity, V/(m/s2).
+    pub sensitivity_v_per_ms2: Option<f64>,
+    /// Measuring range, m/s2 peak.
+    pub range_ms2: Option<f64>,
+    /// True when it has IEPE electronics.
+    pub iepe: Option<bool>,
+    /// How it is mounted for calibration.
+    pub mounting: Option<String>,
+    /// Who it belongs to.
+    pub owner: Option<String>,
+    /// Day the next calibration is due, ISO 8601.
+    pub due_day: Option<String>,
+    /// The virtual TEDS it was made of.
+    #[serde(skip)]
+    pub teds: Option<Vec<u8>>,
+}
+
+const COLUMNS: &str = "serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe, \
+                       mounting, owner, due_day, teds";
+
+impl Sensor {
+    /// Manufacturer and model, as a record names it.
+    pub fn name(&self) -> String {
+        format!("{} {}", self.manufacturer, self.model)
+            .trim()
+            .to_owned()
+    }
+
+    fn texts(&self) -> impl Iterator<Item = &str> {
+        let stated = [&self.mounting, &self.owner].into_iter().flatten();
+        [&self.serial, &self.manufacturer, &self.model]
+            .into_iter()
+            .chain(stated)
+            .map(String::as_str)
+    }
+
+    fn check(&self) -> Result<()> {
+        let wrong = |what: &str| Err(Error::usage(what, "see `calib sensors add --help`"));
+        let positive = |value: Option<f64>| value.is_none_or(|v| v.is_finite() && v > 0.0);
+        if self.serial.trim().is_empty() {
+            return wrong("a sensor has a serial number");
+        }
+        if self.texts().any(|text| text.contains(char::is_control)) {
+            return wrong("what is said about a sensor is one line, without control characters");
+        }
+        if !positive(self.sensitivity_v_per_ms2) || !positive(self.range_ms2) {
+            return wrong("sensitivity and range are above zero");
+        }
+        let day = self.due_day.as_deref();
+        if day.is_some_and(|day| day.parse::<jiff::civil::Date>().is_err()) {
+            return wrong("the due day looks like 2027-11-20");
+        }
+        Ok(())
+    }
+
+    fn from_row(row: &rusqlite::Row<'_>) -> rusqlite::Result<Self> {
+        Ok(Self {
+            serial: row.get(0)?,
+            manufacturer: row.get(1)?,
+            model: row.get(2)?,
+            sensitivity_v_per_ms2: row.get(3)?,
+            range_ms2: row.get(4)?,
+            iepe: row.get(5)?,
+            mounting: row.get(6)?,
+            owner: row.get(7)?,
+            due_day: row.get(8)?,
+            teds: row.get(9)?,
+        })
+    }
+}
+
+impl Bench {
+    /// Adds a sensor.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] when a value cannot be; [`Error::Input`] when the bench
+    /// has this serial number already.
+    pub fn add_sensor(&self, sensor: &Sensor) -> Result<()> {
+        if let Some(known) = self.sensor(&sensor.serial)? {
+            return Err(Error::input(
+                format!("sensor {}", known.serial),
+                format!("is in the bench already: {}", known.name()),
+                "change it with `calib sensors change`",
+            ));
+        }
+        self.put_sensor(sensor)
+    }
+
+    /// Adds a sensor, or replaces what is known about it.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] when a value cannot be.
+    pub fn put_sensor(&self, sensor: &Sensor) -> Result<()> {
+        sensor.check()?;
+        let values = params![
+            sensor.serial,
+            sensor.manufacturer,
+            sensor.model,
+            sensor.sensitivity_v_per_ms2,
+            sensor.range_ms2,
+            sensor.iepe,
+            sensor.mounting,
+            sensor.owner,
+            sensor.due_day,
+            sensor.teds,
+        ];
+        let put = format!(
+            "INSERT OR REPLACE INTO sensors ({COLUMNS}) VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10)"
+        );
+        let done = self.connection.execute(&put, values);
+        done.map(drop).map_err(|error| self.failure(error))
+    }
+
+    /// The sensor of this serial number, if the bench has it.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn sensor(&self, serial: &str) -> Result<Option<Sensor>> {
+        let find = format!("SELECT {COLUMNS} FROM sensors WHERE serial = ?1");
+        self.connection
+            .query_row(&find, [serial], Sensor::from_row)
+            .optional()
+            .map_err(|error| self.failure(error))
+    }
+
+    /// Nominal sensitivity of a sensor, V/(m/s2), if the bench knows it.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn nominal_v_per_ms2(&self, serial: &str) -> Result<Option<f64>> {
+        let sensor = self.sensor(serial)?;
+        Ok(sensor.and_then(|sensor| sensor.sensitivity_v_per_ms2))
+    }
+
+    /// As [`Self::sensor`].
+    ///
+    /// # Errors
+    /// [`Error::Input`] when it is not there.
+    pub fn known_sensor(&self, serial: &str) -> Result<Sensor> {
+        self.sensor(serial)?.ok_or_else(|| {
+            Error::input(
+                format!("sensor {serial}"),
+                format!("is not in the bench {}", self.path.display()),
+                "`calib sensors list` shows what is, `calib sensors add` adds one",
+            )
+        })
+    }
+
+    /// Sensors whose serial number, maker, model or owner holds `text`.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn sensors(&self, text: &str) -> Result<Vec<Sensor>> {
+        let find = format!(
+            "SELECT {COLUMNS} FROM sensors
+             WHERE instr(lower(serial || ' ' || manufacturer || ' ' || model || ' '
+                               || coalesce(owner, '')), lower(?1)) > 0
+             ORDER BY manufacturer, model, serial"
+        );
+        self.all(&find, [text], Sensor::from_row)
+    }
+}

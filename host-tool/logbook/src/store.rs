@@ -1,0 +1,281 @@
+//! The file: where it is, how it is opened, and its failures in words.
+
+use calib_files::{Error, Result};
+use rusqlite::{Connection, ErrorCode, Transaction, TransactionBehavior};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Form of the tables, in SQLite's `user_version`.
+const VERSION: i64 = 1;
+/// Mark of our files, in SQLite's `application_id`: "CALB".
+const APPLICATION: i64 = 0x4341_4c42;
+/// Mark and form of a file nobody has written to.
+const NEW: (i64, i64) = (0, 0);
+
+const SCHEMA: &str = include_str!("schema.sql");
+
+/// The bench of records.
+///
+/// Every call may fail with [`Error::Input`] when the file is damaged, in use or
+/// refuses, and [`Error::File`] when the disk does.
+pub struct Bench {
+    pub(super) connection: Connection,
+    pub(super) path: PathBuf,
+}
+
+/// `CALIB_BENCH`, else `bench.sqlite` beside the user's data.
+pub fn default_path() -> PathBuf {
+    match std::env::var_os("CALIB_BENCH") {
+        Some(path) => PathBuf::from(path),
+        None => dirs::data_dir()
+            .unwrap_or_else(|| PathBuf::from("."))
+            .join("calib")
+            .join("bench.sqlite"),
+    }
+}
+
+impl Bench {
+    /// Opens the bench, and creates it if it is not there.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when the file is none of ours, damaged, or of a newer
+    /// release; [`Error::File`] when it cannot be created.
+    pub fn open(path: &Path) -> Result<Self> {
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
+        }
+        let bench = Self::connect(path)?;
+        match bench.form()? {
+            NEW => bench.create()?,
+            form => bench.check(form)?,
+        }
+        Ok(bench)
+    }
+
+    /// Opens the bench that is there: who only reads makes none.
+    ///
+    /// # Errors
+    /// As [`Self::open`], and [`Error::Input`] when there is none, or an empty file.
+    pub fn open_existing(path: &Path) -> Result<Self> {
+        let none = || {
+            let hint = "`calib sensors add` and `calib bench add` make one; \
+                        another is named with --bench or CALIB_BENCH";
+            Error::input(
+                path.display().to_string(),
+                "there is no bench of records",
+                hint,
+            )
+        };
+        if !path.exists() {
+            return Err(none());
+        }
+        let bench = Self::connect(path)?;
+        match bench.form()? {
+            NEW if bench.is_empty()? => return Err(none()),
+            form => bench.check(form)?,
+        }
+        Ok(bench)
+    }
+
+    /// Opens the bench if there is one.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub fn open_if_there(path: &Path) -> Result<Option<Self>> {
+        match path.exists() {
+            true => Self::open(path).map(Some),
+            false => Ok(None),
+        }
+    }
+
+    fn connect(path: &Path) -> Result<Self> {
+        let failed = |error| failure(path, error);
+        let connection = Connection::open(path).map_err(failed)?;
+        connection
+            .busy_timeout(Duration::from_secs(5))
+            .map_err(failed)?;
+        connection
+            .pragma_update(None, "foreign_keys", true)
+            .map_err(failed)?;
+        Ok(Self {
+            connection,
+            path: path.to_owned(),
+        })
+    }
+
+    /// Whose file it is, and the form of the tables, both of one moment.
+    fn form(&self) -> Result<(i64, i64)> {
+        let both = "SELECT application_id, user_version \
+                    FROM pragma_application_id, pragma_user_version";
+        let pair = |row: &rusqlite::Row<'_>| Ok((row.get(0)?, row.get(1)?));
+        let pair = self.connection.query_row(both, [], pair);
+        pair.map_err(|error| self.failure(error))
+    }
+
+    fn check(&self, form: (i64, i64)) -> Result<()> {
+        let place = self.path.display().to_string();
+        match form {
+            (APPLICATION, VERSION) => Ok(()),
+            (APPLICATION, found) if found > VERSION => Err(Error::input(
+                place,
+                format!("is a bench of form {found}, this tool knows {VERSION}"),
+                "install the release of this tool that wrote it",
+            )),
+            _ => Err(Error::input(
+                place,
+                "is a database, and no bench of records",
+                "name another file with --bench or CALIB_BENCH",
+            )),
+        }
+    }
+
+    fn is_empty(&self) -> Result<bool> {
+        let count = "SELECT count(*) FROM sqlite_schema";
+        let count: i64 = self.one(count, [])?;
+        Ok(count == 0)
+    }
+
+    /// Makes the tables in an empty file, unless another program has just done so.
+    fn create(&self) -> Result<()> {
+        let failed = |error| self.failure(error);
+        let alone = TransactionBehavior::Immediate;
+        let transaction = Transaction::new_unchecked(&self.connection, alone).map_err(failed)?;
+        match self.form()? {
+            NEW if self.is_empty()? => {}
+            form => return self.check(form),
+        }
+        let script = format!(
+            "{SCHEMA}\nPRAGMA application_id = {APPLICATION};\nPRAGMA user_version = {VERSION};"
+        );
+        transaction.execute_batch(&script).map_err(failed)?;
+        transaction.commit().map_err(failed)
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// A single value.
+    pub(super) fn one<T: rusqlite::types::FromSql>(
+        &self,
+        sql: &str,
+        parameters: impl rusqlite::Params,
+    ) -> Result<T> {
+        self.connection
+            .query_row(sql, parameters, |row| row.get(0))
+            .map_err(|error| self.failure(error))
+    }
+
+    /// All rows of a question.
+    pub(super) fn all<T>(
+        &self,
+        sql: &str,
+        parameters: impl rusqlite::Params,
+        row: impl FnMut(&rusqlite::Row<'_>) -> rusqlite::Result<T>,
+    ) -> Result<Vec<T>> {
+        let rows = || {
+            let mut statement = self.connection.prepare(sql)?;
+            let rows = statement.query_map(parameters, row)?;
+            rows.collect::<rusqlite::Result<Vec<T>>>()
+        };
+        rows().map_err(|error| self.failure(error))
+    }
+
+    pub(super) fn failure(&self, error: rusqlite::Error) -> Error {
+        failure(&self.path, error)
+    }
+}
+
+/// What SQLite said, in our words and with a way out.
+pub(super) fn failure(path: &Path, error: rusqlite::Error) -> Error {
+    let (problem, hint) = match error.sqlite_error_code() {
+        Some(ErrorCode::DiskFull) => {
+            let full = std::io::ErrorKind::StorageFull.into();
+            return Error::file("write", path, full);
+        }
+        Some(ErrorCode::CannotOpen | ErrorCode::ReadOnly | ErrorCode::PermissionDenied) => {
+            return Error::file("open", path, std::io::Error::other(error.to_string()));
+        }
+        Some(ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase) => (
+            format!("is damaged, or no bench of records: {error}"),
+            "put the last backup in its place; `calib bench check` says what is lost",
+        ),
+        Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => (
+            "is in use by another program".to_owned(),
+            "wait for it, or close it",
+        ),
+        _ => (
+            error.to_string(),
+            "`calib bench check` looks at every entry",
+        ),
+    };
+    Error::input(path.display().to_string(), problem, hint)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_new_file_becomes_a_bench_and_stays_one() {
+        let folder = tempfile::tempdir().expect("folder");
+        let path = folder.path().join("below/bench.sqlite");
+        assert!(Bench::open_if_there(&path).expect("none").is_none());
+        Bench::open(&path).expect("created");
+        assert!(Bench::open_if_there(&path).expect("opened").is_some());
+    }
+
+    #[test]
+    fn who_only_reads_makes_no_bench() {
+        let folder = tempfile::tempdir().expect("folder");
+        let path = folder.path().join("bench.sqlite");
+        // A file cut down to nothing is a database to SQLite.
+        for content in [None, Some(""), Some("x")] {
+            if let Some(content) = content {
+                std::fs::write(&path, content).expect("written");
+            }
+            let error = Bench::open_existing(&path).err().expect("none");
+            assert!(error.to_string().contains("there is no bench"), "{error}");
+            let after = std::fs::read_to_string(&path).ok();
+            assert_eq!(after.as_deref(), content);
+        }
+        Bench::open(&path).expect("created");
+        assert!(Bench::open_existing(&path).is_ok());
+    }
+
+    #[test]
+    fn several_programs_may_make_the_bench_at_once() {
+        let folder = tempfile::tempdir().expect("folder");
+        for round in 0..20 {
+            let path = folder.path().join(format!("{round}.sqlite"));
+            std::thread::scope(|scope| {
+                let makers: Vec<_> = (0..4).map(|_| scope.spawn(|| Bench::open(&path))).collect();
+                for maker in makers {
+                    maker.join().expect("no panic").expect("a bench");
+                }
+            });
+        }
+    }
+
+    #[test]
+    fn what_is_no_bench_is_left_alone() {
+        let folder = tempfile::tempdir().expect("folder");
+        let text = folder.path().join("text");
+        std::fs::write(&text, "no database at all, just words ".repeat(99)).expect("file");
+        let other = folder.path().join("other.sqlite");
+        let database = Connection::open(&other).expect("database");
+        database.execute_batch("CREATE TABLE a (b)").expect("table");
+        let newer = folder.path().join("newer.sqlite");
+        let bench = Bench::open(&newer).expect("bench");
+        let update = bench.connection.pragma_update(None, "user_version", 9);
+        update.expect("form 9");
+        for (path, words) in [(text, "damaged"), (other, "no bench"), (newer, "form 9")] {
+            let before = std::fs::read(&path).expect("read");
+            let error = Bench::open(&path).err().expect("no bench");
+            assert!(error.to_string().contains(words), "{error}");
+            assert_eq!(error.exit_code(), 6);
+            assert_eq!(std::fs::read(&path).expect("read"), before);
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! Tables of the bench, column by column, as other programs read them.
+
+use super::Bench;
+use calib_files::Result;
+use rusqlite::types::ValueRef;
+
+/// Kind of a column; every column may have gaps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Text,
+    Real,
+    Integer,
+    Boolean,
+    /// Milliseconds since 1970-01-01 UTC.
+    Time,
+}
+
+/// Values of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Values {
+    Text(Vec<Option<String>>),
+    Real(Vec<Option<f64>>),
+    Integer(Vec<Option<i64>>),
+}
+
+/// A table that is exported: its name, its columns, where they come from.
+pub(super) struct Table {
+    pub(super) name: &'static str,
+    pub(super) columns: &'static [(&'static str, Kind)],
+    /// Question with one value a column, and the year of the row first.
+    pub(super) select: &'static str,
+}
+
+/// Rows of a table that belong into one file.
+pub(super) struct Part {
+    /// Year of the rows; `None` for tables that have no time.
+    pub(super) year: Option<i64>,
+    pub(super) columns: Vec<Values>,
+}
+
+use Kind::{Boolean, Integer, Real, Text, Time};
+
+/// What is exported. Years are UTC.
+pub(super) const TABLES: &[Table] = &[
+    Table {
+        name: "points",
+        columns: &[
+            ("record", Integer),
+            ("record_sha256", Text),
+            ("instrument", Text),
+            ("sensor_serial", Text),
+            ("sensor_model", Text),
+            ("operator", Text),
+            ("time", Time),
+            ("position", Integer),
+            ("frequency_hz", Real),
+            ("acceleration_rms_ms2", Real),
+            ("verdict", Text),
+            ("sensitivity_v_per_ms2", Real),
+            ("expanded_uncertainty_rel", Real),
+            ("coverage_factor", Real),
+            ("phase_rad", Real),
+            ("expanded_uncertainty_phase_rad", Real),
+        ],
+        select: "SELECT CAST(strftime('%Y', unix_time_s, 'unixepoch') AS INTEGER), id,
+                 lower(hex(sha256)), instrument, sensor_serial, sensor_model, operator,
+                 1000 * unix_time_s, position, frequency_hz, acceleration_rms_ms2, verdict,
+                 points.sensitivity_v_per_ms2, points.expanded_uncertainty_rel, coverage_factor,
+                 phase_rad, expanded_uncertainty_phase_rad
+                 FROM records JOIN points ON record = id ORDER BY 1, id, position",
+    },
+    Table {
+        name: "records",
+        columns: &[
+            ("record", Integer),
+            ("sha256", Text),
+            ("instrument", Text),
+            ("number", Integer),
+            ("time", Time),
+            ("sensor_serial", Text),
+            ("sensor_model", Text),
+            ("operator", Text),
+            ("complete", Boolean),
+            ("points", Integer),
+            ("refused", Integer),
+            ("reference_frequency_hz", Real),
+            ("sensitivity_v_per_ms2", Real),
+            ("expanded_uncertainty_rel", Real),
+        ],
+        select: "SELECT CAST(strftime('%Y', unix_time_s, 'unixepoch') AS INTEGER), id,
+                 lower(hex(sha256)), instrument, number, 1000 * unix_time_s, sensor_serial,
+                 sensor_model, operator, complete, points, refused, reference_frequency_hz,
+                 sensitivity_v_per_ms2, expanded_uncertainty_rel FROM records ORDER BY 1, id",
+    },
+    Table {
+        name: "certificates",
+        columns: &[
+            ("number", Integer),
+            ("certificate", Text),
+            ("format", Text),
+            ("record_sha256", Text),
+            ("issued", Time),
+            ("file", Text),
+            ("sha256", Text),
+        ],
+        select:
+            "SELECT CAST(strftime('%Y', issued_s, 'unixepoch') AS INTEGER), number, certificate,
+                 format, lower(hex(record_sha256)), 1000 * issued_s, file, lower(hex(sha256))
+                 FROM certificates ORDER BY 1, number",
+    },
+    Table {
+        name: "sensors",
+        columns: &[
+            ("serial", Text),
+            ("manufacturer", Text),
+            ("model", Text),
+            ("sensitivity_v_per_ms2", Real),
+            ("range_ms2", Real),
+            ("iepe", Boolean),
+            ("mounting", Text),
+            ("owner", Text),
+            ("due_day", Text),
+        ],
+        select: "SELECT NULL, serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe,
+                 mounting, owner, due_day FROM sensors ORDER BY serial",
+    },
+    Table {
+        name: "instruments",
+        columns: &[
+            ("serial", Text),
+            ("firmware", Text),
+            ("reference_serial", Text),
+            ("reference_certificate", Text),
+            ("due_day", Text),
+            ("reference_table", Text),
+            ("last", Time),
+        ],
+        select: "SELECT NULL, serial, firmware, reference_serial, reference_certificate, due_day,
+                 reference_table, 1000 * last_s FROM instruments ORDER BY serial",
+    },
+    Table {
+        name: "operators",
+        columns: &[("name", Text), ("first", Time), ("last", Time)],
+        select: "SELECT NULL, name, 1000 * first_s, 1000 * last_s FROM operators ORDER BY name",
+    },
+];
+
+impl Table {
+    /// The rows, apart by year.
+    pub(super) fn read(&self, bench: &Bench) -> Result<Vec<Part>> {
+        let mut parts: Vec<Part> = Vec::new();
+        bench.all(self.select, [], |row| {
+            let year = row.get(0)?;
+            if parts.last().is_none_or(|part| part.year != year) {
+                let columns = self.columns.iter().map(|(_, kind)| Values::new(*kind));
+                let columns = columns.collect();
+                parts.push(Part { year, columns });
+            }
+            if let Some(part) = parts.last_mut() {
+                for (index, values) in part.columns.iter_mut().enumerate() {
+                    values.push(row.get_ref(index + 1)?);
+                }
+            }
+            Ok(())
+        })?;
+        Ok(parts)
+    }
+}
+
+impl Values {
+    fn new(kind: Kind) -> Self {
+        match kind {
+            Text => Self::Text(Vec::new()),
+            Real => Self::Real(Vec::new()),
+            Integer | Boolean | Time => Self::Integer(Vec::new()),
+        }
+    }
+
+    fn push(&mut self, value: ValueRef<'_>) {
+        match self {
+            Self::Text(all) => all.push(value.as_str().ok().map(str::to_owned)),
+            Self::Real(all) => all.push(value.as_f64().ok()),
+            Self::Integer(all) => all.push(value.as_i64().ok()),
+        }
+    }
+}

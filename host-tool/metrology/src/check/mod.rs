@@ -1,0 +1,194 @@
+//! A record against Tables 1 to 6 and the list of clause 7.
+//!
+//! # Source
+//! ISO 16063-21:2003, Tables 1 to 6, clauses 4 and 7.
+
+mod linearity;
+mod report;
+mod requirements;
+mod rows;
+
+pub use report::report;
+pub use requirements::{Basis, Outcome, Requirement, requirements};
+pub use rows::Held;
+
+use calib_core::settings::Example;
+use calib_core::verdict::Verdict;
+use calib_protocol::record::Record;
+use serde::Serialize;
+
+/// A record judged.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Check {
+    /// Which requirements were applied: 1 (laboratory) or 2 (field).
+    pub example: u8,
+    /// Rows of Tables 1 to 6, each with its worst point.
+    pub requirements: Vec<Requirement>,
+    /// Every point against the rows that say something about it.
+    pub points: Vec<PointCheck>,
+    /// What clause 7 asks to be reported and the record lacks.
+    pub missing: Vec<Missing>,
+    /// No requirement failed.
+    pub pass: bool,
+}
+
+/// A point judged.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PointCheck {
+    /// Nominal frequency, Hz.
+    pub frequency_hz: f64,
+    /// Set acceleration, m/s2 r.m.s.
+    pub acceleration_rms_ms2: f64,
+    /// The instrument's own verdict, in words.
+    pub verdict: String,
+    /// Rows of Tables 1 and 2; none for a refused point, whose numbers are no
+    /// results.
+    pub held: Vec<Held>,
+    /// The instrument passed it, and every row is fulfilled.
+    pub pass: bool,
+}
+
+/// A statement that is missing.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Missing {
+    /// What is missing.
+    pub item: String,
+    /// Clause that asks for it.
+    pub clause: String,
+}
+
+/// Judges a record. `missing` is what neither it nor the laboratory states;
+/// `example` overrides what its settings say.
+pub fn check(record: &Record, missing: Vec<Missing>, example: Option<Example>) -> Check {
+    let example = example.unwrap_or(record.settings.example);
+    let requirements = requirements(record, example);
+    Check {
+        example: match example {
+            Example::Example1 => 1,
+            Example::Example2 => 2,
+        },
+        pass: requirements
+            .iter()
+            .all(|requirement| requirement.outcome != Outcome::Fail),
+        requirements,
+        points: points(record, example),
+        missing,
+    }
+}
+
+fn points(record: &Record, example: Example) -> Vec<PointCheck> {
+    let judged = record.points.iter().map(|point| {
+        let held = match point.verdict {
+            Verdict::Pass => rows::held(record, example, point),
+            Verdict::Refused(_) => Vec::new(),
+        };
+        PointCheck {
+            frequency_hz: f64::from(point.spec.frequency_hz),
+            acceleration_rms_ms2: f64::from(point.spec.acceleration_rms_ms2),
+            verdict: point.verdict.to_string(),
+            pass: point.verdict == Verdict::Pass && held.iter().all(|row| row.pass),
+            held,
+        }
+    });
+    judged.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calib_record::sample;
+
+    fn of<'a>(check: &'a Check, parameter: &str) -> &'a Requirement {
+        let found = check
+            .requirements
+            .iter()
+            .find(|requirement| requirement.parameter == parameter);
+        found.expect("the row is there")
+    }
+
+    #[test]
+    fn the_worst_point_decides_its_row() {
+        let mut record = sample::record(&[80.0, 160.0, 1000.0]);
+        let distortion = "total harmonic distortion";
+        record.points[1].distortion_reference_rel = 0.10;
+        let check = super::check(&record, Vec::new(), Some(Example::Example2));
+        // Table 2, Example 2, above 20 Hz: 10 %, which 10 % fulfils.
+        assert_eq!(of(&check, distortion).outcome, Outcome::Pass);
+        assert_eq!(of(&check, distortion).limit.map(|l| l.round()), Some(10.0));
+        record.points[1].distortion_reference_rel = 0.101;
+        let check = super::check(&record, Vec::new(), Some(Example::Example2));
+        assert_eq!(of(&check, distortion).outcome, Outcome::Fail);
+        assert_eq!(of(&check, distortion).at_hz, Some(160.0));
+        assert!(!check.pass);
+        assert!(check.points[0].pass && !check.points[1].pass);
+        // A refused point has no result that could fail.
+        record.points[1].verdict =
+            calib_core::verdict::Verdict::Refused(calib_core::verdict::Reason::Distortion);
+        let check = super::check(&record, Vec::new(), Some(Example::Example2));
+        assert_eq!(of(&check, distortion).outcome, Outcome::Pass);
+    }
+
+    #[test]
+    fn limits_follow_frequency_and_example() {
+        let record = sample::record(&[160.0, 1600.0, 5000.0]);
+        let held = |example| {
+            let check = super::check(&record, Vec::new(), Some(example));
+            let limits = check.points.iter().map(|point| point.held[0].limit);
+            limits.map(|limit| limit.round()).collect::<Vec<_>>()
+        };
+        // Table 1, accelerometers, in percent.
+        assert_eq!(held(Example::Example1), [1.0, 2.0, 3.0]);
+        assert_eq!(held(Example::Example2), [3.0, 5.0, 10.0]);
+    }
+
+    #[test]
+    fn noise_counts_from_full_output() {
+        // 71.5 dB below 10.003 m/s2 r.m.s.; 200 m/s2 peak are 23.01 dB more.
+        let record = sample::record(&[160.0]);
+        let check = super::check(&record, Vec::new(), None);
+        let noise = of(&check, "hum and noise below full");
+        assert!(noise.worst.is_some_and(|db| (db - 94.51).abs() < 0.01));
+    }
+
+    #[test]
+    fn linearity_is_measured_by_several_levels_at_one_frequency() {
+        let mut record = sample::record(&[160.0, 160.0, 80.0]);
+        let linearity = |record: &Record| {
+            let check = super::check(record, Vec::new(), Some(Example::Example2));
+            of(&check, "voltage linearity").clone()
+        };
+        assert_eq!(linearity(&record).outcome, Outcome::NotMeasured);
+        // 0.2 % and 0.4 % between two levels; Table 3 allows 0.3 %.
+        record.points[1].spec.acceleration_rms_ms2 = 50.0;
+        record.points[1].sensitivity_v_per_ms2 *= 1.002;
+        assert_eq!(linearity(&record).outcome, Outcome::Pass);
+        record.points[1].sensitivity_v_per_ms2 *= 1.002;
+        let failed = linearity(&record);
+        assert_eq!(failed.outcome, Outcome::Fail);
+        assert!(failed.worst.is_some_and(|worst| (worst - 0.4).abs() < 0.01));
+    }
+
+    #[test]
+    fn missing_statements_and_measurements_are_listed() {
+        let record = sample::record(&[160.0]);
+        let missing = Missing {
+            item: "Ambient air temperature".to_owned(),
+            clause: "ISO 16063-21 7 a".to_owned(),
+        };
+        let check = super::check(&record, vec![missing], None);
+        let unmeasured = of(&check, "frequency stability");
+        assert_eq!(unmeasured.outcome, Outcome::NotMeasured);
+        let report = super::report(&check);
+        assert!(report.contains("not measured"), "{report}");
+        // The worked example of the page, line by line.
+        let page = include_str!("../../../../docs/metrology/points.md");
+        let block = page.split("```\n  parameter").nth(1).unwrap_or("");
+        for line in block.split("```").next().unwrap_or("").lines().skip(1) {
+            assert!(report.contains(line), "{line}\n{report}");
+        }
+        assert!(
+            report.lines().all(|line| line.chars().count() <= 80),
+            "{report}"
+        );
+    }
+}

@@ -1,0 +1,205 @@
+//! Point lists by clause 5, and what a linearity list shows.
+//!
+//! # Source
+//! ISO 16063-21:2003 5.1 and 5.3; ISO 266 for the frequencies; GUM H.3 for the
+//! line.
+
+use super::line_fit::Line;
+use calib_files::{Error, Result};
+use serde::Serialize;
+
+/// One point to be measured.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ListPoint {
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+    /// Acceleration, m/s2 r.m.s.
+    pub acceleration_rms_ms2: f64,
+}
+
+/// Mantissas of the one-third-octave series of ISO 266.
+const THIRD_OCTAVES: [f64; 10] = [1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0];
+/// Mantissas of the acceleration series of 5.1 a.
+const LEVELS: [f64; 3] = [1.0, 2.0, 5.0];
+/// Reference frequencies in the order of preference (5.3).
+const REFERENCE_HZ: [f64; 2] = [160.0, 80.0];
+/// Fewest frequencies (5.1).
+pub const FEWEST: usize = 6;
+
+/// A list over a frequency range: the reference point first, then the others
+/// rising, `count` in all and evenly spread over the series.
+///
+/// # Errors
+/// A range with fewer than six preferred frequencies, or fewer than six asked.
+pub fn preferred(
+    from_hz: f64,
+    to_hz: f64,
+    count: Option<usize>,
+    acceleration_rms_ms2: f64,
+) -> Result<Vec<ListPoint>> {
+    let series = series(&THIRD_OCTAVES, from_hz, to_hz);
+    let wanted = count.unwrap_or(series.len());
+    if series.len() < FEWEST || wanted < FEWEST || wanted > series.len() {
+        return Err(Error::usage(
+            format!(
+                "{wanted} points of the {} preferred frequencies in {from_hz} .. {to_hz} Hz",
+                series.len()
+            ),
+            format!("ask for {FEWEST} or more (5.1), or widen the range"),
+        ));
+    }
+    let last = (series.len() - 1) as f64;
+    let mut chosen: Vec<f64> = (0..wanted)
+        .map(|n| series[(n as f64 * last / (wanted - 1) as f64).round() as usize])
+        .collect();
+    if let Some(reference) = REFERENCE_HZ
+        .into_iter()
+        .find(|reference| series.contains(reference))
+    {
+        // The inner point nearest to the reference gives way to it.
+        let nearest = (0..wanted)
+            .min_by(|&a, &b| {
+                let distance = |n: usize| (chosen[n] / reference).ln().abs();
+                distance(a).total_cmp(&distance(b))
+            })
+            .unwrap_or(0);
+        chosen.remove(nearest);
+        chosen.insert(0, reference);
+    }
+    Ok(chosen
+        .into_iter()
+        .map(|frequency_hz| ListPoint {
+            frequency_hz,
+            acceleration_rms_ms2,
+        })
+        .collect())
+}
+
+/// A linearity list: one frequency, the levels 1, 2, 5 and their decades; the
+/// reference level (100, else 10, 20 or 50 m/s2) first.
+///
+/// # Errors
+/// A range with fewer than three levels.
+pub fn linearity(frequency_hz: f64, from_ms2: f64, to_ms2: f64) -> Result<Vec<ListPoint>> {
+    let mut levels = series(&LEVELS, from_ms2, to_ms2);
+    if levels.len() < 3 {
+        return Err(Error::usage(
+            format!("{} levels in {from_ms2} .. {to_ms2} m/s2", levels.len()),
+            "a line needs three levels of the series 1, 2, 5: widen the range",
+        ));
+    }
+    let reference = [100.0, 10.0, 20.0, 50.0]
+        .into_iter()
+        .find(|level| levels.contains(level));
+    if let Some(level) = reference {
+        levels.retain(|other| *other != level);
+        levels.insert(0, level);
+    }
+    Ok(levels
+        .into_iter()
+        .map(|acceleration_rms_ms2| ListPoint {
+            frequency_hz,
+            acceleration_rms_ms2,
+        })
+        .collect())
+}
+
+/// Members of a decimal series in a range, rising.
+fn series(mantissas: &[f64], from: f64, to: f64) -> Vec<f64> {
+    (-2..=5)
+        .flat_map(|decade| {
+            mantissas.iter().map(move |mantissa| {
+                // Written and read again: 3.15e1 is then exactly 31.5.
+                format!("{mantissa}e{decade}").parse().unwrap_or(f64::NAN)
+            })
+        })
+        .filter(|value: &f64| *value >= from * (1.0 - 1e-9) && *value <= to * (1.0 + 1e-9))
+        .collect()
+}
+
+/// Deviation of a result from that at the reference point (5.3).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Deviation {
+    /// Percent of the reference.
+    pub percent: f64,
+    /// Decibels.
+    pub decibel: f64,
+}
+
+/// Deviation of a sensitivity from that of the reference point.
+pub fn deviation(sensitivity: f64, reference: f64) -> Deviation {
+    let ratio = sensitivity / reference;
+    Deviation {
+        percent: 100.0 * (ratio - 1.0),
+        decibel: 20.0 * ratio.log10(),
+    }
+}
+
+/// What a linearity run shows.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Linearity {
+    /// Sensitivity over level; the slope is the non-linearity per m/s2.
+    pub line: Line,
+    /// Largest deviation from the line, percent of its middle.
+    pub largest_percent: f64,
+    /// No slope is seen at 95 %.
+    pub flat: bool,
+}
+
+/// Fits a line to sensitivities over levels; `None` for fewer than three.
+pub fn judge_linearity(levels_ms2: &[f64], sensitivities: &[f64]) -> Option<Linearity> {
+    let line = Line::fit(levels_ms2, sensitivities, None, 0.0)?;
+    let largest_percent = levels_ms2
+        .iter()
+        .zip(sensitivities)
+        .map(|(level, s)| 100.0 * (s / line.at(*level).0 - 1.0).abs())
+        .fold(0.0, f64::max);
+    Some(Linearity {
+        flat: line.is_flat(),
+        line,
+        largest_percent,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn six_points_cover_the_range_and_begin_with_the_reference() {
+        let list = preferred(20.0, 5000.0, Some(6), 100.0).expect("list");
+        let f: Vec<f64> = list.iter().map(|point| point.frequency_hz).collect();
+        assert_eq!(f[0], 160.0);
+        assert_eq!((f[1], f[5]), (20.0, 5000.0));
+        assert!(f[1..].windows(2).all(|pair| pair[0] < pair[1]));
+        // Evenly: 24 steps in five parts are 4 or 5 steps, up to 10^0.5 = 3.2;
+        // the reference stands within one step of its place.
+        let mut sorted = f.clone();
+        sorted.sort_by(f64::total_cmp);
+        assert!(
+            sorted.windows(2).all(|pair| pair[1] / pair[0] < 4.1),
+            "{f:?}"
+        );
+        assert_eq!(preferred(20.0, 5000.0, None, 10.0).expect("list").len(), 25);
+        assert!(preferred(100.0, 125.0, None, 10.0).is_err());
+        assert!(preferred(20.0, 5000.0, Some(5), 10.0).is_err());
+    }
+
+    #[test]
+    fn a_linearity_list_begins_with_its_reference_level() {
+        let list = linearity(160.0, 1.0, 200.0).expect("list");
+        let levels: Vec<f64> = list.iter().map(|p| p.acceleration_rms_ms2).collect();
+        assert_eq!(levels, [100.0, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 200.0]);
+    }
+
+    #[test]
+    fn slopes_are_seen_and_their_absence_too() {
+        let levels = [1.0, 2.0, 5.0, 10.0, 20.0];
+        let flat = judge_linearity(&levels, &[1.0, 1.001, 0.999, 1.0005, 0.9998]).expect("line");
+        assert!(flat.flat);
+        let rising: Vec<f64> = levels.iter().map(|a| 1.0 + 1e-3 * a).collect();
+        let rising = judge_linearity(&levels, &rising).expect("line");
+        assert!(!rising.flat && (rising.line.slope - 1e-3).abs() < 1e-12);
+        assert!((deviation(1.01, 1.0).decibel - 0.086_427).abs() < 1e-6);
+    }
+}

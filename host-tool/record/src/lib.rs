@@ -1,0 +1,5 @@
+//! Stored records on the host: their hash chain, and records to try things with.
+#![forbid(unsafe_code)]
+
+pub mod hash_chain;
+pub mod sample;

@@ -1,0 +1,26 @@
+//! Drift of a sensor over the years, on one screen.
+
+use super::plot::{Horizontal, Mark, draw};
+use calib_logbook::{History, HistoryResult};
+
+/// Seconds of a Julian year.
+const YEAR_S: f64 = 31_557_600.0;
+/// Year of 1970-01-01.
+const EPOCH_YEAR: f64 = 1970.0;
+
+/// The results over the years, in percent of the first, in `width` columns.
+pub fn show(history: &History, width: usize, height: usize) -> String {
+    let Some(first) = history.results.first() else {
+        return String::new();
+    };
+    let mark = |result: &HistoryResult| {
+        let ratio = result.sensitivity_v_per_ms2 / first.sensitivity_v_per_ms2;
+        Mark {
+            position: EPOCH_YEAR + result.unix_time_s as f64 / YEAR_S,
+            value: 100.0 * (ratio - 1.0),
+            half_width: 100.0 * ratio * result.expanded_uncertainty_rel,
+        }
+    };
+    let marks: Vec<Mark> = history.results.iter().map(mark).collect();
+    draw(&marks, Horizontal::Years, width, height)
+}
