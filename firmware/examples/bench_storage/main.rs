@@ -17,6 +17,8 @@ use calib_core::settings::Settings;
 use desk::{Desk, store};
 use embassy_futures::block_on;
 use flash::MockFlash;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::io::Write as _;
 
 /// Sectors of bank 2, and of a part small enough to go round quickly.
@@ -95,12 +97,12 @@ fn wear() -> Result<(u32, u32), Fault> {
 fn random_cuts(cuts: u64) -> Result<u64, Fault> {
     let flash = MockFlash::<SMALL>::erased(calib_firmware::archive::SECTORS);
     let mut told = told::Told::default();
-    let mut random = 1_u64;
+    let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut number = 0;
     let mut checked = 0;
     for cut in 0..cuts {
         // From at once to the length of a dozen records.
-        let ahead = splitmix(&mut random) % 400 + 1;
+        let ahead = random.next_u64() % 400 + 1;
         let at = flash.0.borrow().operations + ahead;
         flash.0.borrow_mut().cut_at = Some(at);
         let mut desk = Desk::new();
@@ -115,13 +117,4 @@ fn random_cuts(cuts: u64) -> Result<u64, Fault> {
         checked += told.check(&mut desk.open(&flash)?).map_err(context)?;
     }
     Ok(checked)
-}
-
-/// SplitMix64 (Steele, Lea and Flood 2014).
-fn splitmix(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    let mut mixed = *state;
-    mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    mixed ^ (mixed >> 31)
 }

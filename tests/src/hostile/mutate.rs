@@ -1,6 +1,8 @@
 //! Mutations, the same each time.
 
 use super::frames::{framed, whole_frames};
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 
 /// Longest result: longer than any frame, so that overlong ones come up.
 const LONGEST: usize = 9000;
@@ -8,14 +10,15 @@ const LONGEST: usize = 9000;
 /// Draws mutated inputs from seeds.
 pub struct Mutator {
     seeds: Vec<Vec<u8>>,
-    state: u64,
+    random: ChaCha8Rng,
 }
 
 impl Mutator {
     /// Mutations of these seeds, of which there must be one.
-    pub fn new(seeds: Vec<Vec<u8>>, state: u64) -> Self {
+    pub fn new(seeds: Vec<Vec<u8>>, seed: u64) -> Self {
         assert!(!seeds.is_empty(), "no seed");
-        Self { seeds, state }
+        let random = ChaCha8Rng::seed_from_u64(seed);
+        Self { seeds, random }
     }
 
     /// The next input: a seed, changed one to eight times.
@@ -28,17 +31,8 @@ impl Mutator {
         input
     }
 
-    /// SplitMix64 (Steele, Lea and Flood, 2014).
-    fn draw(&mut self) -> u64 {
-        self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.state;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
     fn below(&mut self, end: usize) -> usize {
-        (self.draw() % end.max(1) as u64) as usize
+        (self.random.next_u64() % end.max(1) as u64) as usize
     }
 
     fn seed(&mut self) -> Vec<u8> {
@@ -50,7 +44,7 @@ impl Mutator {
         let at = self.below(input.len() + 1);
         match self.below(9) {
             0 if at < input.len() => input[at] ^= 1 << self.below(8),
-            1 if at < input.len() => input[at] = self.draw() as u8,
+            1 if at < input.len() => input[at] = self.random.next_u64() as u8,
             2 => input.insert(at, [0, 1, 0x7F, 0x80, 0xFF][self.below(5)]),
             3 => input.truncate(at),
             4 if at < input.len() => drop(input.remove(at)),
@@ -87,8 +81,8 @@ impl Mutator {
         if let Some(frame) = frames.get_mut(index) {
             let at = self.below(frame.message.len() + 1);
             match frame.message.get_mut(at) {
-                Some(byte) if self.below(4) > 0 => *byte = self.draw() as u8,
-                _ => frame.message.insert(at, self.draw() as u8),
+                Some(byte) if self.below(4) > 0 => *byte = self.random.next_u64() as u8,
+                _ => frame.message.insert(at, self.random.next_u64() as u8),
             }
         }
         if !frames.is_empty() {

@@ -1,5 +1,7 @@
 //! The board's memories as the emulator's host sees them.
 
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 use rigless::emulator::{Error as EmulatorError, Host};
 use rigless::soc::Width;
 
@@ -37,10 +39,10 @@ pub(super) fn word(host: &mut dyn Host, address: u64) -> Result<u32, EmulatorErr
 
 /// Fills every volatile memory with noise drawn from `seed`, as power-on does.
 pub(super) fn scramble(host: &mut dyn Host, seed: u64) -> Result<(), EmulatorError> {
-    let mut state = seed;
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
     for (base, size) in VOLATILE {
         for at in (base..base + size).step_by(8) {
-            host.write(at, Width::W64, splitmix(&mut state))?;
+            host.write(at, Width::W64, random.next_u64())?;
         }
     }
     Ok(())
@@ -89,13 +91,4 @@ pub(super) fn patch(
     }
     program(host, first, &words)?;
     Ok(before)
-}
-
-/// SplitMix64 (Steele, Lea and Flood 2014): the next number of a seeded sequence.
-pub(super) fn splitmix(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-    let mut mixed = *state;
-    mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    mixed ^ (mixed >> 31)
 }

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 use rigless::emulator::{Error as EmulatorError, Host};
 
 use super::{Emulator, Error, memory};
@@ -40,11 +42,12 @@ impl Emulator {
     /// [`Error::Ended`] when the emulator fails.
     pub fn cut_power(&mut self) -> Result<Torn, Error> {
         let flash = self.pins.flash.clone();
-        let mut seed = self.power_ons ^ self.elapsed().as_nanos() as u64;
+        let seed = self.power_ons ^ self.elapsed().as_nanos() as u64;
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
         let torn = self.core.act(move |session, host, stop| {
             let under_way = flash.under_way(stop.at);
             let torn = match under_way {
-                Some((operation, progress)) => tear(host, operation, progress, &mut seed)?,
+                Some((operation, progress)) => tear(host, operation, progress, &mut random)?,
                 None => Torn::Nothing,
             };
             session.board_mut().part.power(stop.at, false);
@@ -121,9 +124,9 @@ fn tear(
     host: &mut dyn Host,
     operation: Operation,
     progress: f64,
-    seed: &mut u64,
+    random: &mut ChaCha8Rng,
 ) -> Result<Torn, EmulatorError> {
-    let draw = || memory::splitmix(seed);
+    let draw = || random.next_u64();
     match operation {
         Operation::Program { address, data } => {
             let mut old = [0; WORD_BYTES];

@@ -4,6 +4,8 @@
 use embedded_storage_async::nor_flash::{
     ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash,
 };
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -39,7 +41,7 @@ pub(super) struct Cells {
     pub(super) operations: u64,
     /// The operation in which the power fails.
     pub(super) cut_at: Option<u64>,
-    random: u64,
+    random: ChaCha8Rng,
 }
 
 /// The flash; copies are the same flash.
@@ -54,7 +56,7 @@ impl<const SECTOR: usize> MockFlash<SECTOR> {
             erases: vec![0; sectors],
             operations: 0,
             cut_at: None,
-            random: 1,
+            random: ChaCha8Rng::seed_from_u64(1),
         })))
     }
 
@@ -67,25 +69,16 @@ impl<const SECTOR: usize> MockFlash<SECTOR> {
             erases: cells.erases.clone(),
             operations: cells.operations,
             cut_at: None,
-            random: seed,
+            random: ChaCha8Rng::seed_from_u64(seed),
         })))
     }
 }
 
 impl Cells {
-    /// SplitMix64 (Steele, Lea and Flood 2014).
-    fn random(&mut self) -> u64 {
-        self.random = self.random.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut mixed = self.random;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^ (mixed >> 31)
-    }
-
     /// Sets each bit of a range with a probability of `share` in 256.
     pub(super) fn tear(&mut self, range: std::ops::Range<usize>, share: u8) {
         for at in range {
-            let drawn = self.random().to_le_bytes();
+            let drawn = self.random.next_u64().to_le_bytes();
             for (bit, drawn) in drawn.iter().enumerate() {
                 self.bytes[at] |= u8::from(*drawn < share) << bit;
             }
@@ -118,7 +111,11 @@ impl Cells {
         self.programmed[word] = true;
         for (at, byte) in bytes.iter().enumerate() {
             // Torn: every bit that was to become 0 has or has not.
-            let missing = if fails { self.random() as u8 } else { 0 };
+            let missing = if fails {
+                self.random.next_u64() as u8
+            } else {
+                0
+            };
             self.bytes[word * WORD + at] &= byte | missing;
         }
         if fails {
@@ -132,8 +129,12 @@ impl Cells {
         let fails = self.fails()?;
         self.erases[sector] += 1;
         let words = sector * size / WORD..(sector + 1) * size / WORD;
-        let middle = words.start + self.random() as usize % words.len();
-        let torn = if fails { Some(self.random() % 5) } else { None };
+        let middle = words.start + self.random.next_u64() as usize % words.len();
+        let torn = if fails {
+            Some(self.random.next_u64() % 5)
+        } else {
+            None
+        };
         for word in words {
             // Torn: nothing yet, all, the beginning, the end, or any bit.
             let erased = match torn {
@@ -144,7 +145,7 @@ impl Cells {
             };
             for at in word * WORD..(word + 1) * WORD {
                 let any = if torn == Some(4) {
-                    self.random() as u8
+                    self.random.next_u64() as u8
                 } else {
                     0
                 };
