@@ -2,6 +2,8 @@
 
 use crate::shell::{cargo, root, run, target_dir};
 use anyhow::{Context, Result};
+use object::elf::{SHF_ALLOC, SHF_WRITE};
+use object::{Object, ObjectSection, SectionFlags};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -60,7 +62,7 @@ pub(crate) fn print_size() -> Result<()> {
     let [text, data, bss] = totals(&path)?;
     println!("text {text}, data {data}, bss {bss} bytes\n");
     println!("{:<18} {:>10} {:>12}", "section", "bytes", "address");
-    for section in sections(&bytes).context("the image is no 32-bit little-endian ELF file")? {
+    for section in sections(&bytes).context("the image is no ELF file")? {
         println!(
             "{:<18} {:>10} {:>#12x}",
             section.name, section.size, section.address
@@ -74,7 +76,7 @@ pub(crate) fn print_size() -> Result<()> {
 pub(crate) fn totals(path: &Path) -> Result<[u32; 3]> {
     let bytes = std::fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     let mut totals = [0; 3];
-    for section in sections(&bytes).context("the image is no 32-bit little-endian ELF file")? {
+    for section in sections(&bytes).context("the image is no ELF file")? {
         let kind = match (section.writable, section.stored) {
             (false, _) => 0,
             (true, true) => 1,
@@ -85,8 +87,8 @@ pub(crate) fn totals(path: &Path) -> Result<[u32; 3]> {
     Ok(totals)
 }
 
-struct Section {
-    name: String,
+struct Section<'a> {
+    name: &'a str,
     address: u32,
     size: u32,
     writable: bool,
@@ -94,36 +96,23 @@ struct Section {
     stored: bool,
 }
 
-/// Sections that take memory on the board (flag ALLOC).
-fn sections(elf: &[u8]) -> Option<Vec<Section>> {
-    const WRITE: u32 = 1;
-    const ALLOC: u32 = 2;
-    const NOBITS: u32 = 8;
-    let word = |at: usize| Some(u32::from_le_bytes(elf.get(at..at + 4)?.try_into().ok()?));
-    let half = |at: usize| Some(u16::from_le_bytes(elf.get(at..at + 2)?.try_into().ok()?));
-    if elf.get(..5)? != b"\x7fELF\x01" {
-        return None;
-    }
-    let table = word(0x20)? as usize;
-    let (entry, count, names) = (half(0x2e)?, half(0x30)?, half(0x32)?);
-    let header = |index: u16| table + usize::from(entry) * usize::from(index);
-    let strings = word(header(names) + 0x10)? as usize;
+/// Sections that take memory on the board.
+fn sections(elf: &[u8]) -> object::Result<Vec<Section<'_>>> {
+    let file = object::File::parse(elf)?;
     let mut found = Vec::new();
-    for index in 0..count {
-        let at = header(index);
-        let (flags, size) = (word(at + 8)?, word(at + 0x14)?);
-        if flags & ALLOC != 0 && size != 0 {
-            let start = strings + word(at)? as usize;
-            let name = elf.get(start..)?.split(|byte| *byte == 0).next()?;
-            let name = String::from_utf8_lossy(name).into_owned();
+    for section in file.sections() {
+        let SectionFlags::Elf { sh_flags } = section.flags() else {
+            continue;
+        };
+        if sh_flags & u64::from(SHF_ALLOC) != 0 && section.size() != 0 {
             found.push(Section {
-                name,
-                address: word(at + 0xc)?,
-                size,
-                writable: flags & WRITE != 0,
-                stored: word(at + 4)? != NOBITS,
+                name: section.name()?,
+                address: section.address() as u32,
+                size: section.size() as u32,
+                writable: sh_flags & u64::from(SHF_WRITE) != 0,
+                stored: section.file_range().is_some(),
             });
         }
     }
-    Some(found)
+    Ok(found)
 }

@@ -6,6 +6,7 @@
 //! merged into a task are not seen: the task is not held to this.
 
 use anyhow::{Context, Result, bail};
+use object::{Object, ObjectSection, ObjectSymbol, SymbolKind};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -25,30 +26,29 @@ const CRATE: &str = "calib_core";
 const SILENCE: [&str; 2] = ["11silence_now", "4hush"];
 
 /// A function of the image.
-struct Function {
-    name: String,
-    size: u32,
+struct Function<'a> {
+    name: &'a str,
+    code: &'a [u8],
 }
 
 /// Functions by address.
-type Functions = BTreeMap<u32, Function>;
+type Functions<'a> = BTreeMap<u32, Function<'a>>;
 
 /// Fails with the way from a function of the core, or from one that silences the
 /// exciter, to a panic, if there is one.
 pub(crate) fn check(image: &Path) -> Result<()> {
     let elf = std::fs::read(image).with_context(|| format!("cannot read {}", image.display()))?;
-    let malformed = "the image is no 32-bit little-endian ELF file with symbols";
-    let functions = functions(&elf).context(malformed)?;
+    let functions = functions(&elf).context("the image is no ELF file with symbols")?;
     let mut roots = 0;
     let mut silencing: BTreeSet<&str> = BTreeSet::new();
     for (address, function) in &functions {
         let silences = SILENCE.iter().find(|name| function.name.ends_with(**name));
         silencing.extend(silences);
-        if silences.is_none() && !is_of_core(&function.name) {
+        if silences.is_none() && !is_of_core(function.name) {
             continue;
         }
         roots += 1;
-        if let Some(way) = way_to_panic(&elf, &functions, *address) {
+        if let Some(way) = way_to_panic(&functions, *address) {
             bail!("this can panic: {}", way.join(" -> "));
         }
     }
@@ -78,21 +78,21 @@ fn is_of_core(name: &str) -> bool {
 }
 
 /// Names on the way from `root` to a panic.
-fn way_to_panic(elf: &[u8], functions: &Functions, root: u32) -> Option<Vec<String>> {
+fn way_to_panic<'a>(functions: &Functions<'a>, root: u32) -> Option<Vec<&'a str>> {
     let mut came_from = BTreeMap::from([(root, root)]);
     let mut open = vec![root];
     while let Some(address) = open.pop() {
         let function = functions.get(&address)?;
         if PANICS.iter().any(|panic| function.name.contains(panic)) {
-            let mut way = vec![function.name.clone()];
+            let mut way = vec![function.name];
             let mut at = address;
             while at != root {
                 at = came_from[&at];
-                way.insert(0, functions[&at].name.clone());
+                way.insert(0, functions[&at].name);
             }
             return Some(way);
         }
-        for target in branches(elf, address, function.size) {
+        for target in branches(address, function.code) {
             if functions.contains_key(&target) && !came_from.contains_key(&target) {
                 came_from.insert(target, address);
                 open.push(target);
@@ -104,8 +104,7 @@ fn way_to_panic(elf: &[u8], functions: &Functions, root: u32) -> Option<Vec<Stri
 
 /// Targets of `BL` and wide `B` in a function. A constant between instructions
 /// may look like one: then its target is hardly ever the start of a function.
-fn branches(elf: &[u8], address: u32, size: u32) -> BTreeSet<u32> {
-    let code = bytes_at(elf, address, size).unwrap_or_default();
+fn branches(address: u32, code: &[u8]) -> BTreeSet<u32> {
     let (halfwords, _) = code.as_chunks::<2>();
     let halfwords: Vec<u32> = halfwords
         .iter()
@@ -142,64 +141,29 @@ fn branch(here: u32, first: u32, second: u32) -> Option<u32> {
     Some(here.wrapping_add(4).wrapping_add_signed(offset))
 }
 
-fn word(elf: &[u8], at: usize) -> Option<u32> {
-    Some(u32::from_le_bytes(elf.get(at..at + 4)?.try_into().ok()?))
-}
-
-/// Section headers: (type, address, offset, size, link).
-fn sections(elf: &[u8]) -> Option<Vec<[u32; 5]>> {
-    let half = |at: usize| Some(u16::from_le_bytes(elf.get(at..at + 2)?.try_into().ok()?));
-    if elf.get(..6)? != b"\x7fELF\x01\x01" {
-        return None;
-    }
-    let (table, entry, count) = (word(elf, 0x20)? as usize, half(0x2e)?, half(0x30)?);
-    (0..usize::from(count))
-        .map(|index| {
-            let at = table + usize::from(entry) * index;
-            let mut fields = [0; 5];
-            for (field, offset) in fields.iter_mut().zip([4, 12, 16, 20, 24]) {
-                *field = word(elf, at + offset)?;
-            }
-            Some(fields)
-        })
-        .collect()
-}
-
-/// Bytes of the image at an address of the board.
-fn bytes_at(elf: &[u8], address: u32, size: u32) -> Option<&[u8]> {
-    const PROGBITS: u32 = 1;
-    sections(elf)?
-        .into_iter()
-        .find_map(|[kind, start, offset, length, _]| {
-            let into = address.checked_sub(start)?;
-            if kind != PROGBITS || start == 0 || into + size > length {
-                return None;
-            }
-            let at = (offset + into) as usize;
-            elf.get(at..at + size as usize)
-        })
-}
-
-/// Functions by the symbol table.
-fn functions(elf: &[u8]) -> Option<Functions> {
-    const SYMBOLS: u32 = 2;
-    const FUNCTION: u8 = 2;
-    let sections = sections(elf)?;
-    let [_, _, offset, length, link] = *sections.iter().find(|section| section[0] == SYMBOLS)?;
-    let names = sections.get(link as usize)?[2];
+/// Functions by the symbol table, with their instructions.
+fn functions(elf: &[u8]) -> object::Result<Functions<'_>> {
+    let file = object::File::parse(elf)?;
     let mut found = Functions::new();
-    for at in (offset as usize..(offset + length) as usize).step_by(16) {
-        let (address, size) = (word(elf, at + 4)?, word(elf, at + 8)?);
-        if elf.get(at + 12)? & 0xF != FUNCTION || size == 0 {
+    for symbol in file.symbols() {
+        if symbol.kind() != SymbolKind::Text || symbol.size() == 0 {
             continue;
         }
-        let start = (names + word(elf, at)?) as usize;
-        let name = elf.get(start..)?.split(|byte| *byte == 0).next()?;
-        let name = String::from_utf8_lossy(name).into_owned();
         // The lowest bit of an address says that the code is Thumb.
-        found.insert(address & !1, Function { name, size });
+        let address = symbol.address() & !1;
+        let code = match symbol.section_index() {
+            Some(section) => file
+                .section_by_index(section)?
+                .data_range(address, symbol.size())?,
+            None => None,
+        };
+        let function = Function {
+            name: symbol.name()?,
+            code: code.unwrap_or_default(),
+        };
+        found.insert(address as u32, function);
     }
-    Some(found)
+    Ok(found)
 }
 
 #[cfg(test)]
