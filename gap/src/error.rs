@@ -52,6 +52,9 @@ pub enum GapError {
     /// An option or combination of options that makes no sense.
     #[error("{0}")]
     Usage(String),
+    /// The report could not be written from the answers: a defect of its template.
+    #[error("the report cannot be rendered: {0}")]
+    Report(String),
 }
 
 impl GapError {

@@ -1,14 +1,13 @@
-//! The winner's curve through the data, for what shows the gap most clearly.
+//! The most probable cause's curve through the data, for what shows the gap most clearly.
 //!
 //! Drawn is the difference to the simulation as it is: the data with two
 //! standard uncertainties to either side, and what the best set of effects
 //! says that difference should be.
 
-use super::axes::{Axes, HEIGHT, LEFT, WIDTH};
-use super::{escape, short};
-use crate::pictures::{Conditions, Datum, Residuals};
+use super::short;
+use crate::pictures::{Conditions, Datum, Residuals, Trace};
+use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale, Shape};
 use std::collections::BTreeMap;
-use std::fmt::Write;
 
 /// Plots of a report.
 const MOST_PLOTS: usize = 4;
@@ -51,17 +50,17 @@ fn slot(at: usize) -> (String, &'static str, f64) {
     }
 }
 
-/// Writes the plots of what shows the gap most clearly.
-pub(super) fn curves(page: &mut String, residuals: &Residuals, level_axis: bool) {
-    page.push_str("<h2>Which: the cause's curve through the data</h2><p class=small>Difference to the simulation as it is. Dots: measured, with two standard uncertainties to either side (hollow: rows that took no part in the score's choice). Line and crosses: what the most probable cause predicts.</p>");
+/// Plots of what shows the gap most clearly, the first one also over level where that is asked for.
+pub(super) fn curves(residuals: &Residuals, level_axis: bool) -> Vec<Plot> {
+    let mut plots = Vec::new();
     for (rank, at) in clearest(residuals).into_iter().enumerate() {
         let data: Vec<&Datum> = residuals.data.iter().filter(|d| d.slot == at).collect();
-        let level = level_axis && rank == 0;
-        if level {
-            Plot::new(residuals, &data, LEVEL).draw(page, slot(at));
+        if level_axis && rank == 0 {
+            plots.extend(Curve::new(residuals, &data, LEVEL).plot(slot(at)));
         }
-        Plot::new(residuals, &data, FREQUENCY).draw(page, slot(at));
+        plots.extend(Curve::new(residuals, &data, FREQUENCY).plot(slot(at)));
     }
+    plots
 }
 
 /// Slots with the largest excess over what the cause leaves to chance, one of each observable.
@@ -91,13 +90,13 @@ const LEVEL: Abscissa = ("level in m/s\u{b2}", |r| r.level_ms2);
 const FREQUENCY: Abscissa = ("frequency in Hz", |r| r.frequency_hz);
 
 /// Data of one slot over one condition.
-struct Plot<'a> {
+struct Curve<'a> {
     residuals: &'a Residuals,
     data: Vec<&'a Datum>,
     over: Abscissa,
 }
 
-impl<'a> Plot<'a> {
+impl<'a> Curve<'a> {
     fn new(residuals: &'a Residuals, data: &[&'a Datum], over: Abscissa) -> Self {
         let at = |d: &Datum| over.1(&residuals.rows[d.row]);
         let drawn = data.iter().copied();
@@ -113,57 +112,57 @@ impl<'a> Plot<'a> {
         self.over.1(&self.residuals.rows[datum.row])
     }
 
-    /// Draws it, if it spans anything, with the name of the slot, its unit and the factor to that unit.
-    fn draw(&self, page: &mut String, (name, unit, factor): (String, &str, f64)) {
-        let marks = self.data.iter().flat_map(|d| {
-            let model = d.before - d.after;
-            [d.before - 2.0 * d.u, d.before + 2.0 * d.u, model].map(|v| v * factor)
-        });
-        let Some(axes) = Axes::over(self.data.iter().map(|d| self.at(d)), marks) else {
-            return;
-        };
-        let place = |d: &Datum, value: f64| (axes.to_x(self.at(d)), axes.to_y(value * factor));
-        let _ = write!(
-            page,
-            "<svg class=plot viewBox='0 0 {WIDTH} {HEIGHT}' role=img aria-label='{}'>",
-            escape(&name)
-        );
-        axes.draw(page);
-        self.draw_data(page, place, |v| format!("{} {unit}", short(v * factor)));
-        self.draw_model(page, |d| place(d, d.before - d.after));
-        let _ = write!(
-            page,
-            "<text x={LEFT} y={}>{} in {unit}, over {}</text></svg>",
-            HEIGHT - 4.0,
-            escape(&name),
-            self.over.0
-        );
+    /// The plot, if it spans anything; takes the name of the slot, its unit and the factor to that unit.
+    fn plot(&self, (name, unit, factor): (String, &str, f64)) -> Option<Plot> {
+        let x = Axis::spanning(Scale::Logarithmic, self.data.iter().map(|d| self.at(d)));
+        let points: Vec<Point> = self
+            .data
+            .iter()
+            .map(|d| self.point(d, unit, factor))
+            .collect();
+        let model = self.model(factor);
+        let predicted = model.iter().flatten().map(|place| place.1);
+        let y = points.iter().flat_map(Point::ends).chain(predicted);
+        let y = Axis::spanning(Scale::Linear, y);
+        let mut distinct = self.data.iter().map(|d| self.at(d));
+        let first = distinct.next()?;
+        if distinct.all(|value| value == first) {
+            return None;
+        }
+        let zero = [x.low / 10.0, x.high * 10.0].map(|x| (x, 0.0));
+        let mut plot = Plot::new(format!("{name} in {unit}"), x.titled(self.over.0), y)
+            .with_air()
+            .with(Mark::Line {
+                points: zero.into(),
+                ink: Ink::Grey,
+            })
+            .with(Mark::Points {
+                points,
+                ink: Ink::Grey,
+            });
+        for points in model {
+            plot.marks.extend(prediction(points));
+        }
+        Some(plot)
     }
 
-    /// A dot for each datum, with two standard uncertainties to either side.
-    fn draw_data(
-        &self,
-        page: &mut String,
-        place: impl Fn(&Datum, f64) -> (f64, f64),
-        words: impl Fn(f64) -> String,
-    ) {
-        for d in &self.data {
-            let (px, py) = place(d, d.before);
-            let up = place(d, d.before + 2.0 * d.u).1;
-            let down = place(d, d.before - 2.0 * d.u).1;
-            let row = &self.residuals.rows[d.row];
-            let class = if row.held_out { "held" } else { "dot" };
-            let _ = write!(
-                page,
-                "<path class=whisker d='M{px:.1} {up:.1}V{down:.1}'/><circle class={class} cx={px:.1} cy={py:.1} r=3><title>{} Hz: {}</title></circle>",
-                short(row.frequency_hz),
-                words(d.before)
-            );
+    /// A datum with two standard uncertainties to either side.
+    fn point(&self, d: &Datum, unit: &str, factor: f64) -> Point {
+        let row = &self.residuals.rows[d.row];
+        let value = d.before * factor;
+        Point {
+            shape: if row.held_out {
+                Shape::Hollow
+            } else {
+                Shape::Dot
+            },
+            title: format!("{} Hz: {} {unit}", short(row.frequency_hz), short(value)),
+            ..Point::new(self.at(d), value).with_bar(2.0 * d.u * factor)
         }
     }
 
-    /// What the cause predicts: a cross per row, joined within rows of the same condition.
-    fn draw_model(&self, page: &mut String, place: impl Fn(&Datum) -> (f64, f64)) {
+    /// What the cause predicts, in ascending order, by rows of the same condition.
+    fn model(&self, factor: f64) -> Vec<Vec<(f64, f64)>> {
         let mut groups: BTreeMap<String, Vec<(f64, f64)>> = BTreeMap::new();
         for datum in &self.data {
             let r = &self.residuals.rows[datum.row];
@@ -171,32 +170,61 @@ impl<'a> Plot<'a> {
                 "{} {} {} {:.4} {:.1e}",
                 r.run, r.rotation_deg, r.tilt_deg, r.payload_kg, r.level_ms2
             );
-            groups.entry(key).or_default().push(place(datum));
+            let place = (self.at(datum), (datum.before - datum.after) * factor);
+            groups.entry(key).or_default().push(place);
         }
-        for mut points in groups.into_values() {
+        let mut groups: Vec<_> = groups.into_values().collect();
+        for points in &mut groups {
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
-            line(page, &points);
         }
+        groups
     }
 }
 
-/// Crosses in ascending order, and the line through them.
-fn line(page: &mut String, points: &[(f64, f64)]) {
-    for (x, y) in points {
-        let _ = write!(
-            page,
-            "<path class=cross d='M{:.1} {y:.1}h6M{x:.1} {:.1}v6'/>",
-            x - 3.0,
-            y - 3.0
-        );
-    }
+/// A cross per row, and the line through them.
+fn prediction(points: Vec<(f64, f64)>) -> Vec<Mark> {
+    let cross = |(x, y): &(f64, f64)| Point {
+        shape: Shape::Cross,
+        ..Point::new(*x, *y)
+    };
+    let crosses = Mark::Points {
+        points: points.iter().map(cross).collect(),
+        ink: Ink::Blue,
+    };
     // Several levels at one frequency make a line meaningless.
-    let one_each = points.windows(2).all(|w| w[1].0 - w[0].0 > 0.5);
+    let one_each = points.windows(2).all(|pair| pair[1].0 > 1.005 * pair[0].0);
     if one_each && points.len() > 2 {
-        page.push_str("<polyline class=model points='");
-        for (x, y) in points {
-            let _ = write!(page, "{x:.1},{y:.1} ");
-        }
-        page.push_str("'/>");
+        vec![
+            crosses,
+            Mark::Line {
+                points,
+                ink: Ink::Blue,
+            },
+        ]
+    } else {
+        vec![crosses]
     }
+}
+
+/// The error of a record over time, before and after.
+pub(super) fn trace(trace: &Trace) -> Plot {
+    let seconds = |at: usize| at as f64 * trace.interval_s;
+    let line = |values: &[f64], ink: Ink| {
+        let points = values
+            .iter()
+            .enumerate()
+            .map(|(at, value)| (seconds(at), *value));
+        Mark::Line {
+            points: points.collect(),
+            ink,
+        }
+    };
+    let all = trace.measured.iter().chain(&trace.before);
+    let largest = all.fold(1e-30_f64, |most, value| most.max(value.abs()));
+    let x = Axis::new(Scale::Linear, 0.0, seconds(trace.measured.len().max(2)));
+    let y = Axis::new(Scale::Linear, -largest, largest);
+    Plot::new("output, and what is left of it", x.titled("time in s"), y)
+        .with(line(&trace.measured, Ink::Grey))
+        .with(line(&trace.before, Ink::Red))
+        .with(line(&trace.after, Ink::Blue))
 }

@@ -3,9 +3,9 @@
 //! A cell holds the root mean square of difference over uncertainty: about 1
 //! is noise. The number is printed in the cell, so colour is not needed.
 
-use super::{escape, short};
+use super::short;
 use crate::pictures::{Conditions, Datum, Residuals};
-use std::fmt::Write;
+use serde::Serialize;
 
 /// Names of what is mapped, with the slots of `model::row` they hold.
 const GROUPS: [(&str, usize, usize); 10] = [
@@ -26,29 +26,38 @@ const FREQUENCY_BINS: usize = 12;
 const LEVEL_BINS: usize = 6;
 
 /// Values of a map by row and column; none where nothing was measured.
-struct Map {
-    title: &'static str,
+#[derive(Serialize)]
+pub(super) struct Map {
     columns: Vec<String>,
     rows: Vec<(String, Vec<Option<f64>>)>,
 }
 
-/// Writes all maps, each before and after.
-pub(super) fn maps(page: &mut String, residuals: &Residuals) {
-    page.push_str("<h2>Where: maps of what is left</h2><p>Each number is the difference between measurement and simulation in units of the measurement's uncertainty: about 1 is noise, 10 is a clear difference. Left: the simulation as it is. Right: with the most probable cause added.</p>");
-    legend(page);
-    let builders: [fn(&Residuals, Side) -> Option<Map>; 3] =
-        [by_observable, by_level, by_condition];
-    for build in builders {
-        if let (Some(before), Some(after)) = (
-            build(residuals, |d| d.before / d.u),
-            build(residuals, |d| d.after / d.u_after),
-        ) {
-            let _ = write!(page, "<h3>{}</h3><div class=pair>", before.title);
-            draw(page, &before, "as it is");
-            draw(page, &after, "with the cause added");
-            page.push_str("</div>");
-        }
-    }
+/// A map of the simulation as it is, and of the one with the most probable cause.
+#[derive(Serialize)]
+pub(super) struct Pair {
+    title: &'static str,
+    before: Map,
+    after: Map,
+}
+
+/// Title of a map, and the map where these data fill it.
+type Builder = (&'static str, fn(&Residuals, Side) -> Option<Map>);
+
+/// All maps that these data fill.
+pub(super) fn maps(residuals: &Residuals) -> Vec<Pair> {
+    let builders: [Builder; 3] = [
+        ("What shows it, over frequency", by_observable),
+        ("At which level, over frequency", by_level),
+        ("Under which condition", by_condition),
+    ];
+    let pair = |(title, build): Builder| {
+        Some(Pair {
+            title,
+            before: build(residuals, |d| d.before / d.u)?,
+            after: build(residuals, |d| d.after / d.u_after)?,
+        })
+    };
+    builders.into_iter().filter_map(pair).collect()
 }
 
 /// Difference over uncertainty, before or after.
@@ -115,7 +124,6 @@ fn by_observable(residuals: &Residuals, side: Side) -> Option<Map> {
         ((*name).to_owned(), line(inside, side, bins.count(), column))
     });
     Some(Map {
-        title: "What shows it, over frequency",
         columns: bins.names(" Hz"),
         rows: rows
             .filter(|row| row.1.iter().any(Option::is_some))
@@ -141,7 +149,6 @@ fn by_level(residuals: &Residuals, side: Side) -> Option<Map> {
         (name, line(data, side, bins.count(), column))
     });
     (levels.count() > 1).then(|| Map {
-        title: "At which level, over frequency",
         columns: bins.names(" Hz"),
         rows: rows.collect(),
     })
@@ -190,55 +197,22 @@ fn by_condition(residuals: &Residuals, side: Side) -> Option<Map> {
         }
     }
     (!rows.is_empty()).then(|| Map {
-        title: "Under which condition",
         columns: GROUPS.iter().map(|g| g.0.to_owned()).collect(),
         rows,
     })
 }
 
-fn class_of(chi: f64) -> usize {
-    CLASSES
-        .iter()
-        .position(|end| chi <= *end)
-        .unwrap_or(CLASSES.len())
+/// Colour class of a cell.
+pub(super) fn class(chi: f64) -> usize {
+    let class = CLASSES.iter().position(|end| chi <= *end);
+    class.unwrap_or(CLASSES.len())
 }
 
-fn draw(page: &mut String, map: &Map, caption: &str) {
-    let _ = write!(
-        page,
-        "<table class=map><caption>{caption}</caption><tr><th>"
-    );
-    for column in &map.columns {
-        let _ = write!(page, "<th><span>{}</span>", escape(column));
-    }
-    page.push_str("</tr>");
-    for (name, cells) in &map.rows {
-        let _ = write!(page, "<tr><th>{}", escape(name));
-        for cell in cells {
-            let _ = match cell {
-                Some(chi) => write!(page, "<td class=c{}>{}", class_of(*chi), count(*chi)),
-                None => write!(page, "<td>"),
-            };
-        }
-        page.push_str("</tr>");
-    }
-    page.push_str("</table>");
-}
-
-/// At most four characters.
-fn count(chi: f64) -> String {
+/// Number of a cell, at most four characters.
+pub(super) fn number(chi: f64) -> String {
     match chi {
         c if c < 9.95 => format!("{c:.1}"),
         c if c < 9999.5 => format!("{c:.0}"),
         c => format!("{c:.0e}"),
     }
-}
-
-fn legend(page: &mut String) {
-    page.push_str("<p class=legend>");
-    let names = ["up to 1.5: noise", "3", "6", "15", "50", "more"];
-    for (class, name) in names.iter().enumerate() {
-        let _ = write!(page, "<span class=c{class}>{name}</span>");
-    }
-    page.push_str("</p>");
 }

@@ -1,124 +1,124 @@
 //! One self-contained HTML page: first screen, where, which, how far, what next.
 //!
+//! The page is a template (`page.html`) over the answers as they serialise.
+//!
 //! ```text
-//! first    what a reader without training sees, with [`chain`] and words from [`plain`]
+//! first    what the first screen says beyond the fields of an answer
 //! map      residuals over frequency, level and condition
-//! curve    the most probable cause's curve through the data; axes: the frame of a plot
-//! trace    of a record, the error over time
-//! confirmed  what the simulator says once it has the cause
-//! tables   the numbers
+//! curve    the most probable cause's curve through the data; of a record, the error over time
+//! plain    causes and stages in words that need no training
 //! ```
 
-mod axes;
-mod chain;
-mod confirmed;
 mod curve;
 mod first;
 mod map;
 mod plain;
-mod tables;
-mod trace;
+#[cfg(test)]
+mod tests;
 
-use crate::answer::{Answer, Verdict};
+use crate::answer::Answer;
+use crate::error::GapError;
 use crate::pictures::Pictures;
-use std::fmt::Write;
+use minijinja::value::{Serde, Value};
+use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
+use serde::Serialize;
 
+const TEMPLATE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("report.css");
 
-/// Writes the report of one or several answers.
-#[must_use]
-pub fn report(answers: &[Answer]) -> String {
-    let mut page = format!(
-        "<!doctype html><html lang=en><meta charset=utf-8><meta name=viewport content='width=device-width'><title>Gap between simulation and measurement</title><style>{STYLE}</style>"
-    );
-    if answers.len() > 1 {
-        contents(&mut page, answers);
-    }
-    for (at, answer) in answers.iter().enumerate() {
-        let _ = write!(page, "<article id=d{at}>");
-        one(&mut page, answer);
-        page.push_str("</article>");
-    }
-    page.push_str("</html>\n");
-    page
+/// One answer, with what is drawn of it.
+#[derive(Serialize)]
+struct Section<'a> {
+    answer: &'a Answer,
+    /// The dataset is a record of an oscillator.
+    oscillator: bool,
+    /// Of each cause, its effects in words that need no training.
+    words: Vec<Vec<&'static str>>,
+    suspects: Vec<&'static str>,
+    /// Where it shows most clearly.
+    place: Option<String>,
+    /// Whether the cause holds on data it was not fitted to.
+    elsewhere: Option<String>,
+    /// None of a record.
+    maps: Option<Vec<map::Pair>>,
+    /// Drawings, as SVG.
+    plots: Vec<String>,
 }
 
-fn contents(page: &mut String, answers: &[Answer]) {
-    let _ = write!(
-        page,
-        "<h1>{} datasets</h1><table><tr><th>Dataset<th>Verdict<th>Most probable cause<th>Before<th>After</tr>",
-        answers.len()
-    );
-    for (at, answer) in answers.iter().enumerate() {
-        let claimed = answer
-            .causes
-            .first()
-            .filter(|_| answer.verdict != Verdict::NoGap);
-        let cause = claimed.map(|c| c.effects.join(" + "));
-        let _ = write!(
-            page,
-            "<tr><td><a href='#d{at}'>{}</a><td>{}<td>{}<td>{} %<td>{} %</tr>",
-            escape(&answer.dataset.path),
-            verdict(answer.verdict),
-            cause.unwrap_or_default(),
-            short(answer.gap.before_percent),
-            short(answer.gap.after_percent)
-        );
-    }
-    page.push_str("</table>");
+/// The report of one or several answers as a page of HTML.
+///
+/// # Errors
+/// [`GapError::Report`] where the template does not fit the answers.
+pub fn report(answers: &[Answer]) -> Result<String, GapError> {
+    let sections: Vec<Section<'_>> = answers.iter().enumerate().map(section).collect();
+    let environment = environment();
+    let page = environment
+        .template_from_named_str("page.html", TEMPLATE)
+        .and_then(|template| {
+            template.render(context! { style => STYLE, sections => Value::from(Serde(sections)) })
+        });
+    page.map_err(|error| GapError::Report(format!("{error:#}")))
 }
 
-fn verdict(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::NoGap => "no gap",
-        Verdict::Explained => "explained",
-        Verdict::Ambiguous => "ambiguous",
-        Verdict::Unexplained => "unexplained",
-    }
-}
-
-fn one(page: &mut String, answer: &Answer) {
-    first::first_screen(page, answer);
-    match &answer.pictures {
+fn section((at, answer): (usize, &Answer)) -> Section<'_> {
+    let (maps, plots) = match &answer.pictures {
         Pictures::Points(residuals) => {
-            map::maps(page, residuals);
-            tables::places(page, answer);
-            let by_level = answer
-                .r#where
-                .first()
-                .is_some_and(|p| p.axis != "frequency_hz");
-            curve::curves(page, residuals, by_level);
+            let place = answer.r#where.first();
+            let by_level = place.is_some_and(|place| place.axis != "frequency_hz");
+            let curves = curve::curves(residuals, by_level);
+            (Some(map::maps(residuals)), curves)
         }
-        Pictures::Record(trace) => {
-            tables::places(page, answer);
-            trace::trace(page, trace);
-        }
+        Pictures::Record(trace) => (None, vec![curve::trace(trace)]),
+    };
+    let drawings = plots.iter().enumerate();
+    Section {
+        answer,
+        oscillator: answer.gap.by_observable.contains_key("output"),
+        words: answer.causes.iter().map(first::words).collect(),
+        suspects: first::suspects(answer),
+        place: answer.r#where.first().map(first::place),
+        elsewhere: first::elsewhere(answer),
+        maps,
+        plots: drawings
+            .map(|(n, plot)| plot.svg(&format!("d{at}-plot{n}")))
+            .collect(),
     }
-    tables::causes(page, answer);
-    tables::observables(page, answer);
-    tables::slices(page, answer);
-    if let Some(confirmation) = &answer.confirmation {
-        confirmed::confirmed(page, confirmation);
-    }
-    let confusable: Vec<String> = answer.confusable.iter().map(|c| c.join(" or ")).collect();
-    let _ = write!(
-        page,
-        "<h2>What next</h2><p>{}.{}</p>",
-        escape(&answer.next_measurement),
-        if confusable.is_empty() {
-            String::new()
-        } else {
-            format!(" Not told apart by these data: {}.", confusable.join("; "))
-        }
-    );
-    tables::background(page, answer);
 }
 
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('\'', "&#39;")
+/// What the template may use: numbers and names as a person reads them.
+fn environment() -> Environment<'static> {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment.add_filter("short", short);
+    environment.add_filter("percent", |value: f64| format!("{}\u{a0}%", short(value)));
+    environment.add_filter("fixed", |value: f64, decimals: usize| {
+        format!("{value:.decimals$}")
+    });
+    environment.add_filter("exponent", |value: f64, digits: usize| {
+        format!("{value:.digits$e}")
+    });
+    environment.add_filter("probability", probability);
+    // A bar is never so short that it cannot be seen.
+    environment.add_filter("width", |value: f64, largest: f64| {
+        format!(
+            "{:.1}",
+            (100.0 * value / largest.max(1e-9)).clamp(0.3, 100.0)
+        )
+    });
+    environment.add_filter("chi", map::number);
+    environment.add_filter("chi_class", map::class);
+    environment.add_filter("observable", plain::observable);
+    environment
+}
+
+/// Never states a certainty.
+fn probability(value: f64) -> String {
+    if value > 0.999 {
+        "more than 99.9\u{a0}%".into()
+    } else {
+        format!("{:.1}\u{a0}%", 100.0 * value)
+    }
 }
 
 /// Three significant digits, without an exponent where it reads better.
@@ -135,19 +135,5 @@ fn short(value: f64) -> String {
         text.trim_end_matches('0').trim_end_matches('.').into()
     } else {
         text
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_read_as_a_person_writes_them() {
-        let shown = [0.0, 0.3099, 7.9, 10_000.0, 12.3456, 1.2e-7, -0.05].map(short);
-        assert_eq!(
-            shown,
-            ["0", "0.31", "7.9", "10000", "12.3", "1.20e-7", "-0.05"]
-        );
     }
 }

@@ -129,7 +129,8 @@ impl Diagnose {
         let Some(path) = &self.report else {
             return Ok(());
         };
-        let page = calib_gap::report(answers);
+        let page = calib_gap::report(answers)
+            .map_err(|e| Error::input("report", e.to_string(), "leave out --report"))?;
         std::fs::write(path, page).map_err(|e| Error::file("write", path, e))
     }
 }
