@@ -7,7 +7,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let arguments = match cli::Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(said) => return cli::tell(&said),
+        Err(said) => return cli::tell(said),
     };
     let context = cli::Context::new(&arguments.global);
     match arguments.command.run(&context) {

@@ -27,7 +27,7 @@ pub struct Served {
 }
 
 impl Served {
-    /// Starts it in `folder`, with a bench there.
+    /// Starts it in `folder`, with a logbook there.
     ///
     /// # Errors
     /// It does not start.
@@ -38,7 +38,7 @@ impl Served {
             .current_dir(folder)
             .env_remove("CALIB_DEVICE")
             .env_remove("CALIB_LABORATORY")
-            .env("CALIB_BENCH", folder.join("bench.sqlite"))
+            .env("CALIB_LOGBOOK", folder.join("logbook.sqlite"))
             .stdout(Stdio::piped())
             .spawn()?;
         let mut url = String::new();

@@ -97,7 +97,7 @@ fn a_calibration_from_the_first_look_to_the_certificate() -> Result<(), Fault> {
     let table = page.text("#points")?;
     assert_eq!(table.lines().count(), 3, "{table}");
     let measured = sensitivity_at_160(page)?;
-    page.wait_for_text("#kept", "kept in the bench as record 1")?;
+    page.wait_for_text("#kept", "kept in the logbook as record 1")?;
     page.wait_for_text("#records", "D'1 ⚡")?;
     certificates_hold(&setup, measured)?;
     history_is_drawn(page)?;
@@ -278,6 +278,6 @@ fn ctrl_c_ends_it(setup: Setup) -> Result<(), Fault> {
         std::thread::sleep(Duration::from_millis(5));
     }
     browser.wait_for_text("#trouble", "the server does not answer")?;
-    assert!(folder.path().join("bench.sqlite").exists());
+    assert!(folder.path().join("logbook.sqlite").exists());
     Ok(())
 }

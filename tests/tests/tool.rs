@@ -24,7 +24,7 @@ fn calib(folder: &Path, arguments: &[&str]) -> Command {
         .args(arguments)
         .current_dir(folder)
         .env_remove("CALIB_DEVICE")
-        .env("CALIB_BENCH", folder.join("no-bench.sqlite"))
+        .env("CALIB_LOGBOOK", folder.join("no-logbook.sqlite"))
         .env("CALIB_STATE_DIR", folder.join("state"))
         .env("NO_COLOR", "1");
     command
@@ -253,19 +253,19 @@ fn all_went_over_usb(folder: &Path, record: &[u8]) {
     assert!(bytes > 2 * record.len() - 777, "{bytes}");
 }
 
-/// The bench keeps every record that was downloaded, of either kind.
+/// The logbook keeps every record that was downloaded, of either kind.
 fn all_are_kept(folder: &Path, downloaded: &Value) {
     let downloads = downloaded.as_array().expect("downloads");
     let files: Vec<&str> = downloads
         .iter()
         .map(|download| download["file"].as_str().expect("a path"))
         .collect();
-    let add = ["--bench", "kept.sqlite", "bench", "add"];
+    let add = ["--logbook", "kept.sqlite", "logbook", "add"];
     let added = json(folder, &[&add[..], &files].concat());
     let is_new = |added: &Value| added["new"] == true;
     assert_eq!(added.as_array().expect("added").len(), 3);
     assert!(added.as_array().expect("added").iter().all(is_new));
-    let listed = json(folder, &["--bench", "kept.sqlite", "bench", "records"]);
+    let listed = json(folder, &["--logbook", "kept.sqlite", "logbook", "records"]);
     let changes = listed.as_array().expect("a list").iter();
     let changes = changes.filter(|line| line["kind"] == "reference_change");
     assert_eq!(changes.count(), 2, "{listed}");

@@ -73,7 +73,7 @@ const BENCHES: &[Bench] = &[
     Bench {
         name: "records",
         example: "bench_records",
-        what: "10 000 records in the bench listed and filtered; start of the tool",
+        what: "10 000 records in the logbook listed and filtered; start of the tool",
     },
     Bench {
         name: "speed",

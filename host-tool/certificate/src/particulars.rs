@@ -281,7 +281,7 @@ impl Particulars {
 
 impl Particulars {
     /// Completes the decision for a device under test whose nominal sensitivity,
-    /// V/(m/s2), may be known from the bench of records, and checks it.
+    /// V/(m/s2), may be known from the logbook, and checks it.
     ///
     /// # Errors
     /// [`Error::Input`] when nobody stated the nominal sensitivity it needs.

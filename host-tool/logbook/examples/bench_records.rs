@@ -4,7 +4,7 @@
 //! 50 ms for a list and 20 ms for a start.
 
 use calib_core::settings::Settings;
-use calib_logbook::{Bench, Filter};
+use calib_logbook::{Filter, Logbook};
 use calib_protocol::record::{Record, RecordHead, RunLabels, encode};
 use serde_json::json;
 use std::process::Command;
@@ -15,18 +15,18 @@ const SENSORS: u32 = 200;
 
 fn main() {
     let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("bench.sqlite");
-    let mut bench = Bench::open(&path).expect("a bench");
+    let path = folder.path().join("logbook.sqlite");
+    let mut logbook = Logbook::open(&path).expect("a logbook");
     let records: Vec<Vec<u8>> = (1..=RECORDS).map(stored).collect();
     let kept = timed(|| {
         let all = records.iter().map(Vec::as_slice);
-        bench.keep_all(all).expect("kept").len()
+        logbook.keep_all(all).expect("kept").len()
     });
-    drop(bench);
+    drop(logbook);
     // Opening is part of what a user waits for.
     let list = |filter: &Filter| {
-        let bench = Bench::open(&path).expect("a bench");
-        bench.records(filter).expect("a list").len()
+        let logbook = Logbook::open(&path).expect("a logbook");
+        logbook.records(filter).expect("a list").len()
     };
     let of_sensor = Filter {
         sensor: Some("S-17".to_owned()),

@@ -1,6 +1,6 @@
 //! Certificates that were issued: numbered, with their sums, never changed.
 
-use super::Bench;
+use super::Logbook;
 use calib_files::{Error, Result};
 use calib_protocol::record::Sha256Sum;
 use rusqlite::{OptionalExtension, params};
@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 /// A certificate that was issued.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Issued {
-    /// Running number in the bench, from 1, without gaps.
+    /// Running number in the logbook, from 1, without gaps.
     pub number: i64,
     /// Number printed on it.
     pub certificate: String,
@@ -41,7 +41,7 @@ pub struct Issue<'a> {
     pub record: Sha256Sum,
 }
 
-impl Bench {
+impl Logbook {
     /// Says whether a certificate may be issued: not if one of the same number
     /// and form, with other content, was.
     ///

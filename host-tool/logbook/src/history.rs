@@ -1,13 +1,13 @@
 //! Drift of one sensor over its calibrations, beside the uncertainty.
 
-use super::Bench;
+use super::Logbook;
 
 use serde::Serialize;
 
 /// What one calibration said.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Result {
-    /// Number of the record in the bench.
+    /// Number of the record in the logbook.
     pub record: i64,
     /// Time of the calibration, s since 1970-01-01 UTC.
     pub unix_time_s: i64,
@@ -33,7 +33,7 @@ pub struct History {
     pub results: Vec<Result>,
 }
 
-impl Bench {
+impl Logbook {
     /// The calibrations of a sensor at `frequency_hz` (within 1 %), one per
     /// record: at several levels, the first that passed.
     ///

@@ -1,10 +1,10 @@
 //! Every sum and number checked again.
 
-use super::Bench;
+use super::Logbook;
 use super::records::Content;
 use calib_files::Result;
 
-impl Bench {
+impl Logbook {
     /// Looks at the file, at every record, and at every number made of one.
     /// Returns what is wrong, in words; nothing when all is well.
     ///

@@ -1,4 +1,4 @@
-//! The bench of records: what a laboratory keeps, in one SQLite file.
+//! The logbook: what a laboratory keeps, in one SQLite file.
 //!
 //! | file | idea |
 //! |---|---|
@@ -10,7 +10,7 @@
 //! | `people` | operators and instruments, as records name them |
 //! | `history` | drift of one sensor with its uncertainty |
 //! | `inspect` | every sum and number checked again |
-//! | `table`, `parquet` | the whole bench for other programs |
+//! | `table`, `parquet` | the whole logbook for other programs |
 
 mod certificates;
 mod history;
@@ -28,4 +28,4 @@ pub use parquet::export;
 pub use people::{Instrument, Operator};
 pub use records::{Filter, Kept, Listed};
 pub use sensors::Sensor;
-pub use store::{Bench, default_path};
+pub use store::{Logbook, default_path};

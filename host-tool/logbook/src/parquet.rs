@@ -1,4 +1,4 @@
-//! The whole bench as a partitioned Parquet data set.
+//! The whole logbook as a partitioned Parquet data set.
 //!
 //! ```text
 //! DIR/points/year=2026/part-0.parquet
@@ -10,7 +10,7 @@
 //! The partition is in the folder's name alone, as Hive, Spark, DuckDB and
 //! polars expect it.
 
-use super::Bench;
+use super::Logbook;
 use super::table::{Kind, Part, TABLES, Table, Values};
 use calib_files::{Error, Result};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
@@ -28,7 +28,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// [`Error::Input`] when the folder holds something; [`Error::File`].
-pub fn export(bench: &Bench, folder: &Path) -> Result<Vec<PathBuf>> {
+pub fn export(logbook: &Logbook, folder: &Path) -> Result<Vec<PathBuf>> {
     let holds = std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some());
     if holds {
         return Err(Error::input(
@@ -45,7 +45,7 @@ pub fn export(bench: &Bench, folder: &Path) -> Result<Vec<PathBuf>> {
     let staged = tempfile::tempdir_in(parent).map_err(|e| Error::file("create", parent, e))?;
     let mut files = Vec::new();
     for table in TABLES {
-        for part in table.read(bench)? {
+        for part in table.read(logbook)? {
             let below = match part.year {
                 Some(year) => format!("{}/year={year}/part-0.parquet", table.name),
                 None => format!("{}/part-0.parquet", table.name),

@@ -1,6 +1,6 @@
 //! Operators and instruments: nobody enters them, records name them.
 
-use super::Bench;
+use super::Logbook;
 use calib_core::settings::Settings;
 use calib_files::Result;
 use calib_protocol::record::RecordHead;
@@ -38,7 +38,7 @@ pub struct Instrument {
     pub last_s: i64,
 }
 
-impl Bench {
+impl Logbook {
     /// Everybody who is named on a record.
     ///
     /// # Errors

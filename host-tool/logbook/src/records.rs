@@ -1,6 +1,6 @@
 //! Records of both kinds: kept as they were downloaded, listed by what people look for.
 
-use super::Bench;
+use super::Logbook;
 use calib_certificate::{Certificate, Particulars};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
@@ -14,16 +14,16 @@ use serde::Serialize;
 /// What became of a record that was handed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kept {
-    /// It is new, under this number of the bench.
+    /// It is new, under this number of the logbook.
     Added(i64),
-    /// The bench has it already, under this number.
+    /// The logbook has it already, under this number.
     Known(i64),
 }
 
 /// One line of the list.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Listed {
-    /// Number in the bench.
+    /// Number in the logbook.
     pub id: i64,
     /// Serial number of the instrument.
     pub instrument: String,
@@ -68,7 +68,7 @@ const LISTED: &str = "SELECT id, instrument, number, unix_time_s, sensor_serial,
     points = 0 AND (SELECT substr(bytes, 2, 1) = x'01' FROM contents WHERE record = id)
     FROM records";
 
-impl Bench {
+impl Logbook {
     /// Keeps the bytes of a record as `calib download` wrote them. Instrument
     /// and operator are entered too.
     ///
@@ -132,7 +132,7 @@ impl Bench {
         id.map(|id| self.record(id)).transpose()
     }
 
-    /// The bytes of a record, by its number in the bench.
+    /// The bytes of a record, by its number in the logbook.
     ///
     /// # Errors
     /// [`Error::Input`] when there is none, or its sum is wrong.
@@ -148,7 +148,7 @@ impl Bench {
             None => Err(Error::input(
                 place,
                 "is not there",
-                "`calib bench records` lists them",
+                "`calib logbook records` lists them",
             )),
             Some((bytes, sum)) if record::digest(&bytes)[..] == sum[..] => Ok(bytes),
             Some(_) => Err(Error::input(

@@ -1,6 +1,6 @@
 //! Sensors: what is known about a device under test, typed once.
 
-use super::Bench;
+use super::Logbook;
 use calib_files::{Error, Result};
 use rusqlite::{OptionalExtension, params};
 use serde::Serialize;
@@ -8,7 +8,7 @@ use serde::Serialize;
 /// A transducer that comes for calibration.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Sensor {
-    /// Serial number; a bench has each once.
+    /// Serial number; a logbook has each once.
     pub serial: String,
     /// Manufacturer.
     pub manufacturer: String,
@@ -85,17 +85,17 @@ impl Sensor {
     }
 }
 
-impl Bench {
+impl Logbook {
     /// Adds a sensor.
     ///
     /// # Errors
-    /// [`Error::Usage`] when a value cannot be; [`Error::Input`] when the bench
+    /// [`Error::Usage`] when a value cannot be; [`Error::Input`] when the logbook
     /// has this serial number already.
     pub fn add_sensor(&self, sensor: &Sensor) -> Result<()> {
         if let Some(known) = self.sensor(&sensor.serial)? {
             return Err(Error::input(
                 format!("sensor {}", known.serial),
-                format!("is in the bench already: {}", known.name()),
+                format!("is in the logbook already: {}", known.name()),
                 "change it with `calib sensors change`",
             ));
         }
@@ -127,7 +127,7 @@ impl Bench {
         done.map(drop).map_err(|error| self.failure(error))
     }
 
-    /// The sensor of this serial number, if the bench has it.
+    /// The sensor of this serial number, if the logbook has it.
     ///
     /// # Errors
     /// Those of the file.
@@ -139,7 +139,7 @@ impl Bench {
             .map_err(|error| self.failure(error))
     }
 
-    /// Nominal sensitivity of a sensor, V/(m/s2), if the bench knows it.
+    /// Nominal sensitivity of a sensor, V/(m/s2), if the logbook knows it.
     ///
     /// # Errors
     /// Those of the file.
@@ -156,7 +156,7 @@ impl Bench {
         self.sensor(serial)?.ok_or_else(|| {
             Error::input(
                 format!("sensor {serial}"),
-                format!("is not in the bench {}", self.path.display()),
+                format!("is not in the logbook {}", self.path.display()),
                 "`calib sensors list` shows what is, `calib sensors add` adds one",
             )
         })

@@ -14,28 +14,38 @@ const NEW: (i64, i64) = (0, 0);
 
 const SCHEMA: &str = include_str!("schema.sql");
 
-/// The bench of records.
+/// The logbook.
 ///
 /// Every call may fail with [`Error::Input`] when the file is damaged, in use or
 /// refuses, and [`Error::File`] when the disk does.
-pub struct Bench {
+pub struct Logbook {
     pub(super) connection: Connection,
     pub(super) path: PathBuf,
 }
 
-/// `CALIB_BENCH`, else `bench.sqlite` beside the user's data.
+/// Name of a logbook, and the one it had before; a file of either is read for ever.
+const NAMES: [&str; 2] = ["logbook.sqlite", "bench.sqlite"];
+
+/// `CALIB_LOGBOOK`, else `logbook.sqlite` beside the user's data, or the
+/// `bench.sqlite` that is there instead.
 pub fn default_path() -> PathBuf {
-    match std::env::var_os("CALIB_BENCH") {
-        Some(path) => PathBuf::from(path),
-        None => dirs::data_dir()
-            .unwrap_or_else(|| PathBuf::from("."))
-            .join("calib")
-            .join("bench.sqlite"),
+    if let Some(path) = std::env::var_os("CALIB_LOGBOOK") {
+        return PathBuf::from(path);
+    }
+    let data = dirs::data_dir().unwrap_or_else(|| PathBuf::from("."));
+    in_folder(&data.join("calib"))
+}
+
+fn in_folder(folder: &Path) -> PathBuf {
+    let [new, old] = NAMES.map(|name| folder.join(name));
+    match !new.exists() && old.exists() {
+        true => old,
+        false => new,
     }
 }
 
-impl Bench {
-    /// Opens the bench, and creates it if it is not there.
+impl Logbook {
+    /// Opens the logbook, and creates it if it is not there.
     ///
     /// # Errors
     /// [`Error::Input`] when the file is none of ours, damaged, or of a newer
@@ -44,40 +54,36 @@ impl Bench {
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
         }
-        let bench = Self::connect(path)?;
-        match bench.form()? {
-            NEW => bench.create()?,
-            form => bench.check(form)?,
+        let logbook = Self::connect(path)?;
+        match logbook.form()? {
+            NEW => logbook.create()?,
+            form => logbook.check(form)?,
         }
-        Ok(bench)
+        Ok(logbook)
     }
 
-    /// Opens the bench that is there: who only reads makes none.
+    /// Opens the logbook that is there: who only reads makes none.
     ///
     /// # Errors
     /// As [`Self::open`], and [`Error::Input`] when there is none, or an empty file.
     pub fn open_existing(path: &Path) -> Result<Self> {
         let none = || {
-            let hint = "`calib sensors add` and `calib bench add` make one; \
-                        another is named with --bench or CALIB_BENCH";
-            Error::input(
-                path.display().to_string(),
-                "there is no bench of records",
-                hint,
-            )
+            let hint = "`calib sensors add` and `calib logbook add` make one; \
+                        another is named with --logbook or CALIB_LOGBOOK";
+            Error::input(path.display().to_string(), "there is no logbook", hint)
         };
         if !path.exists() {
             return Err(none());
         }
-        let bench = Self::connect(path)?;
-        match bench.form()? {
-            NEW if bench.is_empty()? => return Err(none()),
-            form => bench.check(form)?,
+        let logbook = Self::connect(path)?;
+        match logbook.form()? {
+            NEW if logbook.is_empty()? => return Err(none()),
+            form => logbook.check(form)?,
         }
-        Ok(bench)
+        Ok(logbook)
     }
 
-    /// Opens the bench if there is one.
+    /// Opens the logbook if there is one.
     ///
     /// # Errors
     /// As [`Self::open`].
@@ -118,13 +124,13 @@ impl Bench {
             (APPLICATION, VERSION) => Ok(()),
             (APPLICATION, found) if found > VERSION => Err(Error::input(
                 place,
-                format!("is a bench of form {found}, this tool knows {VERSION}"),
+                format!("is a logbook of form {found}, this tool knows {VERSION}"),
                 "install the release of this tool that wrote it",
             )),
             _ => Err(Error::input(
                 place,
-                "is a database, and no bench of records",
-                "name another file with --bench or CALIB_BENCH",
+                "is a database, and no logbook",
+                "name another file with --logbook or CALIB_LOGBOOK",
             )),
         }
     }
@@ -198,8 +204,8 @@ pub(super) fn failure(path: &Path, error: rusqlite::Error) -> Error {
             return Error::file("open", path, std::io::Error::other(error.to_string()));
         }
         Some(ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase) => (
-            format!("is damaged, or no bench of records: {error}"),
-            "put the last backup in its place; `calib bench check` says what is lost",
+            format!("is damaged, or no logbook: {error}"),
+            "put the last backup in its place; `calib logbook check` says what is lost",
         ),
         Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => (
             "is in use by another program".to_owned(),
@@ -207,7 +213,7 @@ pub(super) fn failure(path: &Path, error: rusqlite::Error) -> Error {
         ),
         _ => (
             error.to_string(),
-            "`calib bench check` looks at every entry",
+            "`calib logbook check` looks at every entry",
         ),
     };
     Error::input(path.display().to_string(), problem, hint)
@@ -218,48 +224,74 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_new_file_becomes_a_bench_and_stays_one() {
+    fn a_new_file_becomes_a_logbook_and_stays_one() {
         let folder = tempfile::tempdir().expect("folder");
-        let path = folder.path().join("below/bench.sqlite");
-        assert!(Bench::open_if_there(&path).expect("none").is_none());
-        Bench::open(&path).expect("created");
-        assert!(Bench::open_if_there(&path).expect("opened").is_some());
+        let path = folder.path().join("below/logbook.sqlite");
+        assert!(Logbook::open_if_there(&path).expect("none").is_none());
+        Logbook::open(&path).expect("created");
+        assert!(Logbook::open_if_there(&path).expect("opened").is_some());
     }
 
     #[test]
-    fn who_only_reads_makes_no_bench() {
+    fn a_file_of_november_2026_is_whole() {
         let folder = tempfile::tempdir().expect("folder");
         let path = folder.path().join("bench.sqlite");
+        let stored = include_bytes!("../../../tests/frozen/stored/bench.sqlite");
+        std::fs::write(&path, stored).expect("written");
+        let logbook = Logbook::open_existing(&path).expect("a logbook");
+        assert_eq!(logbook.inspect().expect("readable"), Vec::<String>::new());
+        let records = logbook.records(&crate::Filter::default());
+        assert!(!records.expect("a list").is_empty());
+    }
+
+    #[test]
+    fn the_file_of_before_is_used_until_there_is_a_new_one() {
+        let folder = tempfile::tempdir().expect("folder");
+        let named = || in_folder(folder.path()).file_name().map(ToOwned::to_owned);
+        let make = |name| std::fs::write(folder.path().join(name), "").expect("written");
+        assert_eq!(named(), Some("logbook.sqlite".into()));
+        make("bench.sqlite");
+        assert_eq!(named(), Some("bench.sqlite".into()));
+        make("logbook.sqlite");
+        assert_eq!(named(), Some("logbook.sqlite".into()));
+    }
+
+    #[test]
+    fn who_only_reads_makes_no_logbook() {
+        let folder = tempfile::tempdir().expect("folder");
+        let path = folder.path().join("logbook.sqlite");
         // A file cut down to nothing is a database to SQLite.
         for content in [None, Some(""), Some("x")] {
             if let Some(content) = content {
                 std::fs::write(&path, content).expect("written");
             }
-            let error = Bench::open_existing(&path).err().expect("none");
-            assert!(error.to_string().contains("there is no bench"), "{error}");
+            let error = Logbook::open_existing(&path).err().expect("none");
+            assert!(error.to_string().contains("there is no logbook"), "{error}");
             let after = std::fs::read_to_string(&path).ok();
             assert_eq!(after.as_deref(), content);
         }
-        Bench::open(&path).expect("created");
-        assert!(Bench::open_existing(&path).is_ok());
+        Logbook::open(&path).expect("created");
+        assert!(Logbook::open_existing(&path).is_ok());
     }
 
     #[test]
-    fn several_programs_may_make_the_bench_at_once() {
+    fn several_programs_may_make_the_logbook_at_once() {
         let folder = tempfile::tempdir().expect("folder");
         for round in 0..20 {
             let path = folder.path().join(format!("{round}.sqlite"));
             std::thread::scope(|scope| {
-                let makers: Vec<_> = (0..4).map(|_| scope.spawn(|| Bench::open(&path))).collect();
+                let makers: Vec<_> = (0..4)
+                    .map(|_| scope.spawn(|| Logbook::open(&path)))
+                    .collect();
                 for maker in makers {
-                    maker.join().expect("no panic").expect("a bench");
+                    maker.join().expect("no panic").expect("a logbook");
                 }
             });
         }
     }
 
     #[test]
-    fn what_is_no_bench_is_left_alone() {
+    fn what_is_no_logbook_is_left_alone() {
         let folder = tempfile::tempdir().expect("folder");
         let text = folder.path().join("text");
         std::fs::write(&text, "no database at all, just words ".repeat(99)).expect("file");
@@ -267,12 +299,12 @@ mod tests {
         let database = Connection::open(&other).expect("database");
         database.execute_batch("CREATE TABLE a (b)").expect("table");
         let newer = folder.path().join("newer.sqlite");
-        let bench = Bench::open(&newer).expect("bench");
-        let update = bench.connection.pragma_update(None, "user_version", 9);
+        let logbook = Logbook::open(&newer).expect("logbook");
+        let update = logbook.connection.pragma_update(None, "user_version", 9);
         update.expect("form 9");
-        for (path, words) in [(text, "damaged"), (other, "no bench"), (newer, "form 9")] {
+        for (path, words) in [(text, "damaged"), (other, "no logbook"), (newer, "form 9")] {
             let before = std::fs::read(&path).expect("read");
-            let error = Bench::open(&path).err().expect("no bench");
+            let error = Logbook::open(&path).err().expect("no logbook");
             assert!(error.to_string().contains(words), "{error}");
             assert_eq!(error.exit_code(), 6);
             assert_eq!(std::fs::read(&path).expect("read"), before);

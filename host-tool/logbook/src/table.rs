@@ -1,6 +1,6 @@
-//! Tables of the bench, column by column, as other programs read them.
+//! Tables of the logbook, column by column, as other programs read them.
 
-use super::Bench;
+use super::Logbook;
 use calib_files::Result;
 use rusqlite::types::ValueRef;
 
@@ -147,9 +147,9 @@ pub(super) const TABLES: &[Table] = &[
 
 impl Table {
     /// The rows, apart by year.
-    pub(super) fn read(&self, bench: &Bench) -> Result<Vec<Part>> {
+    pub(super) fn read(&self, logbook: &Logbook) -> Result<Vec<Part>> {
         let mut parts: Vec<Part> = Vec::new();
-        bench.all(self.select, [], |row| {
+        logbook.all(self.select, [], |row| {
             let year = row.get(0)?;
             if parts.last().is_none_or(|part| part.year != year) {
                 let columns = self.columns.iter().map(|(_, kind)| Values::new(*kind));

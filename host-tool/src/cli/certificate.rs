@@ -66,7 +66,7 @@ struct Written {
 
 impl CertificateVerb {
     /// Writes the files; none appears when one of them cannot be written. With a
-    /// bench of records they are entered there, and none is written if another
+    /// logbook they are entered there, and none is written if another
     /// one of that number was issued.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         if let Some(folder) = &self.write_template {
@@ -80,9 +80,9 @@ impl CertificateVerb {
             chain: Some(found.standing),
             ..self.options()?
         };
-        let mut bench = context.bench_if_there()?;
-        let nominal = match &bench {
-            Some(bench) => bench.nominal_v_per_ms2(&record.head.labels.dut_serial)?,
+        let mut logbook = context.logbook_if_there()?;
+        let nominal = match &logbook {
+            Some(logbook) => logbook.nominal_v_per_ms2(&record.head.labels.dut_serial)?,
             None => None,
         };
         options.particulars.for_device(nominal)?;
@@ -91,17 +91,17 @@ impl CertificateVerb {
             false => self.format,
         };
         let prepared = certificate::prepare(record, &formats, &options)?;
-        if let Some(bench) = &bench {
+        if let Some(logbook) = &logbook {
             let files = prepared.paths(&self.out);
             for issue in issues(&prepared, record, &files) {
-                bench.may_issue(&issue)?;
+                logbook.may_issue(&issue)?;
             }
         }
         // What was issued is never overwritten.
         let files = prepared.write(&self.out, Existing::Keep)?;
-        if let Some(bench) = &mut bench {
+        if let Some(logbook) = &mut logbook {
             let now = i64::try_from(time::unix_time_s()).unwrap_or(0);
-            bench.issue(&issues(&prepared, record, &files), now)?;
+            logbook.issue(&issues(&prepared, record, &files), now)?;
         }
         if found.standing == Standing::Broken {
             context.remark("the chain of records is broken: the certificate says so in red");
@@ -149,7 +149,7 @@ pub(super) fn laboratory_file(named: Option<PathBuf>) -> Option<PathBuf> {
     named.or_else(|| own().filter(|path| path.exists()))
 }
 
-/// What the bench of records is to enter.
+/// What the logbook is to enter.
 fn issues<'a>(prepared: &'a Prepared, record: &Record, paths: &'a [PathBuf]) -> Vec<Issue<'a>> {
     let record = certificate::digest(record);
     let issue = |(file, path): (&'a certificate::File, &'a PathBuf)| Issue {

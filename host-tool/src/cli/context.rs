@@ -16,8 +16,8 @@ pub(crate) struct Context {
     pub(crate) quiet: bool,
     /// `--device`, or `CALIB_DEVICE`.
     pub(crate) device: Option<String>,
-    /// `--bench`, or `CALIB_BENCH`.
-    pub(crate) bench: Option<PathBuf>,
+    /// `--logbook`, or `CALIB_LOGBOOK`.
+    pub(crate) logbook: Option<PathBuf>,
     /// Colour and moving progress are welcome on standard error.
     pub(crate) color: bool,
 }
@@ -30,7 +30,7 @@ impl Context {
             json: options.json,
             quiet: options.quiet,
             device: options.device.clone(),
-            bench: options.bench.clone(),
+            logbook: options.logbook.clone(),
             color: !no_color && std::io::stderr().is_terminal(),
         }
     }

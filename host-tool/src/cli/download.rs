@@ -105,6 +105,6 @@ fn judge(client: &Client, breaks: &[Break]) -> Result<()> {
     Err(Error::input(
         format!("chain of the records of {}", client.name()),
         breaks.join("; "),
-        "do not use these records; compare them with those in another folder or in the bench of records",
+        "do not use these records; compare them with those in another folder or in the logbook",
     ))
 }

@@ -1,5 +1,6 @@
 //! What the reader of the command line says: help, the version, or that something is wrong with it.
 
+use clap::error::{ContextKind, ContextValue};
 use serde_json::json;
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
@@ -9,7 +10,8 @@ const NOT_WRITTEN: u8 = 1;
 const MISUSED: u8 = 2;
 
 /// Prints it, with `--json` a complaint as one document like all others.
-pub(crate) fn tell(said: &clap::Error) -> ExitCode {
+pub(crate) fn tell(mut said: clap::Error) -> ExitCode {
+    name_the_logbook(&mut said);
     if !said.use_stderr() {
         return match said.print() {
             Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -28,6 +30,21 @@ pub(crate) fn tell(said: &clap::Error) -> ExitCode {
         let _ = said.print();
     }
     ExitCode::from(MISUSED)
+}
+
+/// The logbook was the bench of records once: hands and scripts may still say so.
+fn name_the_logbook(said: &mut clap::Error) {
+    let asked =
+        |kind, word: &str| matches!(said.get(kind), Some(ContextValue::String(it)) if it == word);
+    let now = match () {
+        () if asked(ContextKind::InvalidSubcommand, "bench") => "calib logbook",
+        () if asked(ContextKind::InvalidArg, "--bench") => "--logbook FILE",
+        () => return,
+    };
+    let tip = format!("the bench of records is the logbook: `{now}`").into();
+    said.remove(ContextKind::SuggestedSubcommand);
+    said.remove(ContextKind::SuggestedArg);
+    said.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
 }
 
 /// The first paragraph is what is wrong, the rest the way out.

@@ -4,7 +4,6 @@
 //! `run(self, context) -> Result<()>`. Data goes to standard output (tables,
 //! or JSON with `--json`), everything else to standard error.
 
-mod bench;
 mod budget;
 mod capture;
 mod certificate;
@@ -21,6 +20,7 @@ mod gap;
 mod identify;
 mod info;
 mod link;
+mod logbook;
 mod misuse;
 mod nomogram;
 mod number;
@@ -94,9 +94,9 @@ pub(crate) struct GlobalOptions {
         value_name = "ADDRESS"
     )]
     pub(crate) device: Option<String>,
-    /// The bench of records; default: one of this user's.
-    #[arg(long, global = true, help_heading = EVERYWHERE, env = "CALIB_BENCH", value_name = "FILE")]
-    pub(crate) bench: Option<PathBuf>,
+    /// The logbook; default: one of this user's.
+    #[arg(long, global = true, help_heading = EVERYWHERE, env = "CALIB_LOGBOOK", value_name = "FILE")]
+    pub(crate) logbook: Option<PathBuf>,
     /// No progress and no remarks; errors are still printed.
     #[arg(long, short, global = true, help_heading = EVERYWHERE)]
     pub(crate) quiet: bool,
@@ -155,14 +155,14 @@ pub(crate) enum Command {
     Predict(predict::Predict),
     /// Links comparisons, judges degrees of equivalence.
     Link(link::Link),
-    /// Sensors of the bench of records.
-    Sensors(bench::Sensors),
+    /// Sensors of the logbook.
+    Sensors(logbook::Sensors),
     /// Drift of a sensor over the years, with U.
-    History(bench::History),
+    History(logbook::History),
     /// Records, certificates, instruments and operators that are kept.
-    Bench(bench::BenchVerb),
-    /// The bench of records for other programs.
-    Export(bench::Export),
+    Logbook(logbook::LogbookVerb),
+    /// The logbook for other programs.
+    Export(logbook::Export),
     /// A local web page to start, watch and stop calibrations.
     Serve(serve::Serve),
     /// Finds what keeps this computer from talking to a calibrator.
@@ -206,7 +206,7 @@ impl Command {
             Self::Link(verb) => verb.run(context),
             Self::Sensors(verb) => verb.run(context),
             Self::History(verb) => verb.run(context),
-            Self::Bench(verb) => verb.run(context),
+            Self::Logbook(verb) => verb.run(context),
             Self::Export(verb) => verb.run(context),
             Self::Serve(verb) => verb.run(context),
             Self::Doctor(verb) => verb.run(context),

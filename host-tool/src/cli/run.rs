@@ -1,6 +1,6 @@
 //! `calib run`: measures a point list.
 
-use super::{Context, bench, number::positive, progress::RunProgress, text, time};
+use super::{Context, logbook, number::positive, progress::RunProgress, text, time};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::verdict::Verdict;
 use calib_host::{Error, Result};
@@ -30,7 +30,7 @@ pub(crate) struct Run {
     /// is the total r.m.s. of the band.
     #[arg(long, value_enum, default_value_t = Excitation::SingleSine)]
     excitation: Excitation,
-    /// Device under test, by its serial number in the bench of records: model and
+    /// Device under test, by its serial number in the logbook: model and
     /// mounting are known there.
     #[arg(long, value_name = "SERIAL", conflicts_with_all = ["model", "serial"])]
     sensor: Option<String>,
@@ -74,7 +74,7 @@ impl From<Excitation> for ExcitationKind {
 
 #[derive(Serialize)]
 struct RunResult<'a> {
-    bench_record: Option<i64>,
+    logbook_record: Option<i64>,
     record_id: u32,
     state: RunState,
     points: &'a [PointResult],
@@ -94,7 +94,7 @@ impl Run {
         let outcome = measure(context, &mut client, &points, excitation, labels)?;
         let kept = keep(context, &mut client, &outcome)?;
         let result = RunResult {
-            bench_record: kept,
+            logbook_record: kept,
             record_id: outcome.record_id,
             state: outcome.state,
             points: &outcome.points,
@@ -103,7 +103,7 @@ impl Run {
             let lines: Vec<_> = outcome.points.iter().map(text::point_line).collect();
             let id = outcome.record_id;
             let next = match kept {
-                Some(kept) => format!("kept in the bench as record {kept}"),
+                Some(kept) => format!("kept in the logbook as record {kept}"),
                 None => format!("calib download {id}"),
             };
             format!("{}\nrecord {id}: {next}", lines.join("\n"))
@@ -120,7 +120,7 @@ impl Run {
 
     fn labels(&self, context: &Context) -> Result<RunLabels> {
         let sensor = self.sensor.as_deref();
-        let sensor = sensor.map(|serial| bench::find_sensor(context, serial));
+        let sensor = sensor.map(|serial| logbook::find_sensor(context, serial));
         let sensor = sensor.transpose()?.unwrap_or_else(|| Sensor {
             serial: self.serial.clone(),
             model: self.model.clone(),
@@ -141,10 +141,10 @@ impl Run {
     }
 }
 
-/// Keeps the record in the bench, if this user has one.
+/// Keeps the record in the logbook, if this user has one.
 fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Option<i64>> {
     let stored = outcome.state != RunState::Failed;
-    let Some(mut bench) = context.bench_if_there()?.filter(|_| stored) else {
+    let Some(mut logbook) = context.logbook_if_there()?.filter(|_| stored) else {
         return Ok(None);
     };
     let folder =
@@ -152,7 +152,7 @@ fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Opt
     let download = session::download(client, outcome.record_id, folder.path(), |_| ())?;
     let bytes = std::fs::read(&download.path)
         .map_err(|error| Error::file("read", &download.path, error))?;
-    Ok(Some(match bench.keep(&bytes)? {
+    Ok(Some(match logbook.keep(&bytes)? {
         Kept::Added(id) | Kept::Known(id) => id,
     }))
 }

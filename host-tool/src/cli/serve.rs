@@ -37,7 +37,7 @@ impl Serve {
         let server = Server::listen(Options {
             listen: self.listen,
             device: context.device.clone(),
-            bench: context.bench_path(),
+            logbook: context.logbook_path(),
             particulars,
         })?;
         let listening = Listening { url: server.url() };

@@ -3,7 +3,7 @@
 use crate::{Error, Result};
 use calib_core::point::PointSpec;
 use calib_link::session::{self, label, temperature_centi_c};
-use calib_logbook::{Bench, Sensor};
+use calib_logbook::{Logbook, Sensor};
 use calib_protocol::record::RunLabels;
 use serde::Deserialize;
 use std::path::Path;
@@ -55,15 +55,15 @@ impl Run {
         Ok(self.frequencies_hz.iter().map(point).collect())
     }
 
-    /// A sensor of the bench by its serial number, or what was typed.
-    pub(super) fn labels(&self, bench: &Path) -> Result<RunLabels> {
-        let known = match (self.sensor.as_str(), Bench::open_if_there(bench)?) {
+    /// A sensor of the logbook by its serial number, or what was typed.
+    pub(super) fn labels(&self, logbook: &Path) -> Result<RunLabels> {
+        let known = match (self.sensor.as_str(), Logbook::open_if_there(logbook)?) {
             ("", _) | (_, None) => Sensor {
                 serial: self.serial.clone(),
                 model: self.model.clone(),
                 ..Sensor::default()
             },
-            (serial, Some(bench)) => bench.known_sensor(serial)?,
+            (serial, Some(logbook)) => logbook.known_sensor(serial)?,
         };
         let mounting = match self.mounting.as_str() {
             "" => known.mounting.clone().unwrap_or_default(),

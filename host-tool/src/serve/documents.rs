@@ -1,11 +1,11 @@
 //! Certificates of records, as answers. One that is downloaded is issued, and is
-//! entered in the bench; the page that is looked at is not.
+//! entered in the logbook; the page that is looked at is not.
 
 use crate::{Error, Result};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
 use calib_certificate::{self as certificate, Format, Options, Particulars, Prepared};
-use calib_logbook::{Bench, Issue};
+use calib_logbook::{Issue, Logbook};
 use calib_protocol::record::{self, Record};
 use calib_record::hash_chain::{Evidence, Standing};
 use std::path::{Path, PathBuf};
@@ -25,29 +25,29 @@ pub(super) fn certificate(
     stored: &[u8],
     format: &str,
     particulars: &[PathBuf],
-    bench: &Path,
+    logbook: &Path,
 ) -> Result<Response> {
     let unknown = |problem: String| Error::usage(problem, "");
     let format: Format = format.parse().map_err(unknown)?;
     let record = record::decode(stored)
         .map_err(|error| Error::input("record", error.to_string(), "run once more"))?;
     let mut particulars = Particulars::read(particulars)?;
-    let bench = Bench::open_if_there(bench)?;
-    let nominal = match &bench {
-        Some(bench) => bench.nominal_v_per_ms2(&record.head.labels.dut_serial)?,
+    let logbook = Logbook::open_if_there(logbook)?;
+    let nominal = match &logbook {
+        Some(logbook) => logbook.nominal_v_per_ms2(&record.head.labels.dut_serial)?,
         None => None,
     };
     particulars.for_device(nominal)?;
     let options = Options {
         particulars,
-        chain: Some(standing(&record, stored, bench.as_ref())?),
+        chain: Some(standing(&record, stored, logbook.as_ref())?),
         ..Options::default()
     };
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
-    if let Some(bench) = bench
+    if let Some(logbook) = logbook
         && format != Format::Html
     {
-        enter(&prepared, stored, bench)?;
+        enter(&prepared, stored, logbook)?;
     }
     let Some(file) = prepared.files.pop() else {
         return Err(Error::input("certificate", "is empty", "report this"));
@@ -55,23 +55,23 @@ pub(super) fn certificate(
     Ok(answer(file))
 }
 
-/// Place of a record in the chain, as far as the bench has the record before.
-fn standing(record: &Record, stored: &[u8], bench: Option<&Bench>) -> Result<Standing> {
+/// Place of a record in the chain, as far as the logbook has the record before.
+fn standing(record: &Record, stored: &[u8], logbook: Option<&Logbook>) -> Result<Standing> {
     let mut evidence = Evidence::of(&record.head.instrument_serial);
     evidence.bytes(record.head.id, stored);
     let before = record.head.id.saturating_sub(1);
-    if let Some(bench) = bench
-        && let Some(bytes) = bench.numbered(&record.head.instrument_serial, before)?
+    if let Some(logbook) = logbook
+        && let Some(bytes) = logbook.numbered(&record.head.instrument_serial, before)?
     {
         evidence.bytes(before, &bytes);
     }
     Ok(evidence.standing(record.head.id))
 }
 
-fn enter(prepared: &Prepared, stored: &[u8], mut bench: Bench) -> Result<()> {
+fn enter(prepared: &Prepared, stored: &[u8], mut logbook: Logbook) -> Result<()> {
     let issue = |file| issue(prepared, file, stored);
     let issues: Vec<_> = prepared.files.iter().map(issue).collect();
-    Ok(bench.issue(&issues, jiff::Timestamp::now().as_second())?)
+    Ok(logbook.issue(&issues, jiff::Timestamp::now().as_second())?)
 }
 
 fn issue<'a>(prepared: &'a Prepared, file: &'a certificate::File, stored: &[u8]) -> Issue<'a> {

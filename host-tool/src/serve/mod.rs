@@ -2,7 +2,7 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | `bench_side` | the thread that alone speaks to the calibrator |
+//! | `calibrator_side` | the thread that alone speaks to the calibrator |
 //! | `view` | what every page sees, and how it learns of changes |
 //! | `waveforms` | what the inputs look like during a run |
 //! | `access` | who may come in |
@@ -18,7 +18,7 @@
 mod access;
 mod asked;
 mod assets;
-mod bench_side;
+mod calibrator_side;
 mod documents;
 mod events;
 mod routes;
@@ -26,11 +26,11 @@ mod view;
 mod waveforms;
 
 pub use access::Access;
-pub use bench_side::Order;
+pub use calibrator_side::Order;
 pub use view::{Link, PointView, RunView, Snapshot};
 
 use crate::{Error, Result};
-use bench_side::BenchSide;
+use calibrator_side::CalibratorSide;
 use std::net::{SocketAddr, TcpListener};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -42,8 +42,8 @@ pub struct Options {
     pub listen: SocketAddr,
     /// The calibrator to connect to at once.
     pub device: Option<String>,
-    /// The bench of records; the first run makes it.
-    pub bench: PathBuf,
+    /// The logbook; the first run makes it.
+    pub logbook: PathBuf,
     /// What laboratory and job state on certificates, as TOML files.
     pub particulars: Vec<PathBuf>,
 }
@@ -89,7 +89,7 @@ impl Server {
     /// [`Error::File`] when the system gives no more connections.
     pub fn serve(self, goes_on: impl Fn() -> bool) -> Result<()> {
         let failed = |error| Error::file("serve", "page".as_ref(), error);
-        let side = BenchSide::start(self.options.bench.clone());
+        let side = CalibratorSide::start(self.options.logbook.clone());
         if let Some(device) = self.options.device.clone() {
             side.order(Order::Connect { device });
         }

@@ -5,10 +5,10 @@
 //! | `GET /` and what it names | the page |
 //! | `GET /api/state`, `/api/events` | the view; its changes |
 //! | `GET /api/waveforms` | the latest waveforms and spectra of both inputs |
-//! | `GET /api/devices`, `/api/sensors`, `/api/records` | ports; the bench |
+//! | `GET /api/devices`, `/api/sensors`, `/api/records` | ports; the logbook |
 //! | `GET /api/history/SERIAL` | drift of a sensor at 160 Hz |
 //! | `GET /api/certificate/FORMAT` | certificate of the last run |
-//! | `GET /api/records/ID/certificate/FORMAT` | that of a record of the bench |
+//! | `GET /api/records/ID/certificate/FORMAT` | that of a record of the logbook |
 //! | `POST /api/connect` | `{"device"}` |
 //! | `POST /api/run` | `{"sensor" or "model", "serial"; "operator", "mounting", "level_ms2", "temperature_c", "frequencies_hz"}` |
 //! | `POST /api/stop` | silences the exciter |
@@ -17,7 +17,7 @@
 
 use super::access::Access;
 use super::asked::Run;
-use super::bench_side::{Handle, Order};
+use super::calibrator_side::{Handle, Order};
 use super::{Options, Snapshot, assets, documents, events};
 use crate::Error;
 use axum::extract::{Path, Query, Request, State};
@@ -27,7 +27,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use axum::{Json, Router};
 use calib_files::Error as FilesError;
-use calib_logbook::{Bench, Filter};
+use calib_logbook::{Filter, Logbook};
 use serde::Deserialize;
 use std::sync::Arc;
 
@@ -112,8 +112,8 @@ async fn changes(State(app): State<App>) -> Response {
 
 async fn sensors(State(app): State<App>) -> Result<Response, Failure> {
     aside(move || {
-        let bench = Bench::open_if_there(&app.options.bench)?;
-        let sensors = bench.map(|bench| bench.sensors("")).transpose()?;
+        let logbook = Logbook::open_if_there(&app.options.logbook)?;
+        let sensors = logbook.map(|logbook| logbook.sensors("")).transpose()?;
         Ok(Json(sensors.unwrap_or_default()).into_response())
     })
     .await
@@ -121,8 +121,8 @@ async fn sensors(State(app): State<App>) -> Result<Response, Failure> {
 
 async fn records(State(app): State<App>) -> Result<Response, Failure> {
     aside(move || {
-        let bench = Bench::open_if_there(&app.options.bench)?;
-        let records = bench.map(|bench| bench.records(&Filter::default()));
+        let logbook = Logbook::open_if_there(&app.options.logbook)?;
+        let records = logbook.map(|logbook| logbook.records(&Filter::default()));
         let mut records = records.transpose()?.unwrap_or_default();
         records.truncate(RECORDS);
         Ok(Json(records).into_response())
@@ -131,10 +131,12 @@ async fn records(State(app): State<App>) -> Result<Response, Failure> {
 }
 
 async fn history(State(app): State<App>, Path(serial): Path<String>) -> Result<Response, Failure> {
-    aside(move || match Bench::open_if_there(&app.options.bench)? {
-        Some(bench) => Ok(Json(bench.history(&serial, 160.0)?).into_response()),
-        None => Ok(StatusCode::NOT_FOUND.into_response()),
-    })
+    aside(
+        move || match Logbook::open_if_there(&app.options.logbook)? {
+            Some(logbook) => Ok(Json(logbook.history(&serial, 160.0)?).into_response()),
+            None => Ok(StatusCode::NOT_FOUND.into_response()),
+        },
+    )
     .await
 }
 
@@ -153,16 +155,18 @@ async fn certificate(
     State(app): State<App>,
     Path((id, format)): Path<(i64, String)>,
 ) -> Result<Response, Failure> {
-    aside(move || match Bench::open_if_there(&app.options.bench)? {
-        Some(bench) => document(&app, &bench.record(id)?, &format),
-        None => Ok((StatusCode::NOT_FOUND, "there is no bench").into_response()),
-    })
+    aside(
+        move || match Logbook::open_if_there(&app.options.logbook)? {
+            Some(logbook) => document(&app, &logbook.record(id)?, &format),
+            None => Ok((StatusCode::NOT_FOUND, "there is no logbook").into_response()),
+        },
+    )
     .await
 }
 
 fn document(app: &App, stored: &[u8], format: &str) -> Result<Response, Error> {
     let options = &app.options;
-    documents::certificate(stored, format, &options.particulars, &options.bench)
+    documents::certificate(stored, format, &options.particulars, &options.logbook)
 }
 
 /// Does what takes its time beside the thread that answers: a stop never waits
@@ -206,7 +210,7 @@ async fn run(State(app): State<App>, Json(asked): Json<Run>) -> Result<Response,
     // First of all: a stop from here on is meant for this run.
     let stops = app.handle.stops();
     let points = asked.points()?;
-    let labels = Box::new(asked.labels(&app.options.bench)?);
+    let labels = Box::new(asked.labels(&app.options.logbook)?);
     app.handle.order(Order::Run {
         points,
         labels,

@@ -75,8 +75,8 @@ pub struct RunView {
     pub sensor: String,
     /// Running number of the record in the calibrator.
     pub record: Option<u32>,
-    /// Number of the record in the bench.
-    pub bench_record: Option<i64>,
+    /// Number of the record in the logbook.
+    pub logbook_record: Option<i64>,
 }
 
 /// Everything a page shows.

@@ -13,7 +13,7 @@ fn program(name: &str, folder: &Path) -> Command {
         .current_dir(folder)
         .env("NO_COLOR", "1")
         .env("XDG_CONFIG_HOME", folder.join("config"))
-        .env("CALIB_BENCH", folder.join("no-bench.sqlite"))
+        .env("CALIB_LOGBOOK", folder.join("no-logbook.sqlite"))
         .env_remove("CALIB_LABORATORY");
     command
 }

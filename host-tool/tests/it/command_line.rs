@@ -34,8 +34,8 @@ pub(crate) fn calib(directory: &Path, arguments: &[&str]) -> Output {
         .args(arguments)
         .current_dir(directory)
         .env_remove("CALIB_DEVICE")
-        // No test touches the bench of who runs it.
-        .env("CALIB_BENCH", directory.join("no-bench.sqlite"))
+        // No test touches the logbook of who runs it.
+        .env("CALIB_LOGBOOK", directory.join("no-logbook.sqlite"))
         .env("NO_COLOR", "1")
         .output()
         .expect("calib starts")
@@ -196,6 +196,23 @@ fn stop_and_release_reach_the_device_and_say_so_in_json() {
     let requests = device.lock().expect("device").requests.clone();
     assert_eq!(requests.first(), Some(&Request::Stop));
     assert_eq!(requests.last(), Some(&Request::Release { through: 4 }));
+}
+
+#[test]
+fn the_old_name_of_the_logbook_leads_to_the_new_one() {
+    let folder = tempfile::tempdir().expect("directory");
+    for (old, new) in [
+        (&["bench", "records"][..], "`calib logbook`"),
+        (
+            &["sensors", "list", "--bench", "b.sqlite"],
+            "`--logbook FILE`",
+        ),
+    ] {
+        let output = calib(folder.path(), old);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(new), "{said}");
+    }
 }
 
 #[test]

@@ -2,7 +2,6 @@
 //! protocol over a link that can damage, lose and add any byte.
 
 mod bad_input;
-mod bench;
 mod capture;
 mod certificate;
 mod command_line;
@@ -12,6 +11,7 @@ mod download;
 mod gap;
 mod hostile;
 mod link;
+mod logbook;
 mod memory_link;
 mod odd_use;
 mod python;

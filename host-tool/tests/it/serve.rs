@@ -25,7 +25,7 @@ impl Server {
             .args(arguments)
             .current_dir(folder)
             .env_remove("CALIB_DEVICE")
-            .env("CALIB_BENCH", folder.join("bench.sqlite"))
+            .env("CALIB_LOGBOOK", folder.join("logbook.sqlite"))
             .stdout(Stdio::piped())
             .spawn()
             .expect("calib starts");
@@ -171,20 +171,20 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     let points = ended["points"].as_array().expect("points");
     assert_eq!(points.len(), 3);
     assert_eq!(points[1]["frequency_hz"], 160.0);
-    assert_eq!(ended["bench_record"], 1);
+    assert_eq!(ended["logbook_record"], 1);
     let (status, page) = server.get("/api/certificate/html");
     assert!(
         status == 200 && page.contains("D&#x27;1") || page.contains("D'1"),
         "{status}"
     );
     assert_eq!(server.get("/api/certificate/exe").0, 400);
-    // The first run made the bench, and records in it have certificates too. One
+    // The first run made the logbook, and records in it have certificates too. One
     // that was viewed is not issued, one that was downloaded is.
     assert_eq!(server.get("/api/records/1/certificate/html").1, page);
     let issued = || {
-        let bench = calib_logbook::Bench::open(&folder.path().join("bench.sqlite"));
-        bench
-            .expect("a bench")
+        let logbook = calib_logbook::Logbook::open(&folder.path().join("logbook.sqlite"));
+        logbook
+            .expect("a logbook")
             .certificates()
             .expect("a list")
             .len()
@@ -209,9 +209,9 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     assert_eq!(records[0]["sensor_serial"], "D'1");
     let history = server.get("/api/history/D'1").1;
     assert!(history.contains("\"frequency_hz\":160"), "{history}");
-    // The bench has the record before the next one.
+    // The logbook has the record before the next one.
     assert_eq!(server.post("/api/run", &run), 202);
-    next_view(&mut one, |view| view["run"]["bench_record"] == 2);
+    next_view(&mut one, |view| view["run"]["logbook_record"] == 2);
     let (_, json) = server.get("/api/records/2/certificate/json");
     assert_eq!(chain(&json), "verified");
 }

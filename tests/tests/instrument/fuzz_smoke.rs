@@ -55,7 +55,7 @@ fn files_of_any_content_are_read_or_refused() {
     smoke("teds", 3_000, files::teds);
     smoke("rig", 5_000, files::rig);
     smoke("dataset", 300, files::dataset);
-    smoke("bench", 200, files::bench);
+    smoke("logbook", 200, files::logbook);
     smoke("metrology", 4_000, files::metrology);
 }
 

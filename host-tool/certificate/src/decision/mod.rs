@@ -75,7 +75,7 @@ impl Request {
     }
 
     /// Checks what does not depend on the device under test: its nominal
-    /// sensitivity may come from another file, or from the bench of records.
+    /// sensitivity may come from another file, or from the logbook.
     ///
     /// # Errors
     /// As [`Self::build`].

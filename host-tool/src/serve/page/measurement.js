@@ -64,7 +64,7 @@ function certificates(run, running) {
   const refused = run.points.filter((p) => !p.passed).length;
   $("judgement").textContent = run.points.length + " points, " + (refused ? refused + " refused" : "none refused");
   $("judgement").className = refused ? "exceeds" : "pass";
-  $("kept").textContent = run.bench_record === null ? "" : "kept in the bench as record " + run.bench_record;
+  $("kept").textContent = run.logbook_record === null ? "" : "kept in the logbook as record " + run.logbook_record;
   for (const link of document.querySelectorAll("#certificates a")) {
     link.href = url("api/certificate/" + link.dataset.format);
   }

@@ -1,4 +1,4 @@
-// The bench of records: what was measured before, and how sensors drift.
+// The logbook: what was measured before, and how sensors drift.
 import { around, chart } from "./chart.js";
 import { row } from "./measurement.js";
 import { load, url } from "./server.js";

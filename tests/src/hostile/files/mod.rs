@@ -2,14 +2,14 @@
 //!
 //! Each is read or refused; a refusal blames the file and says what is wrong.
 
-mod bench;
 mod dataset;
+mod logbook;
 mod metrology;
 mod seeds;
 mod texts;
 
-pub use bench::bench;
 pub use dataset::{dataset, rig};
+pub use logbook::logbook;
 pub use metrology::metrology;
 pub use texts::{particulars, points, settings, teds};
 

@@ -31,9 +31,9 @@ pub(in crate::hostile) fn seeds() -> Vec<Seed> {
         [DATASET_RIG, "\0", DATASET_POINTS].concat().into(),
     );
     add("dataset", "record", dataset_record().into());
-    // Damage to three places of a bench of records.
+    // Damage to three places of a logbook.
     add(
-        "bench",
+        "logbook",
         "damage",
         vec![0, 0, 16, 1, 0, 32, 0, 0x80, 0, 0x60, 7, 0xFF],
     );

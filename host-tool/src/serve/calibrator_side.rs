@@ -11,7 +11,7 @@ use crate::{Device, Error, Result};
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_link::Client;
 use calib_link::session::{self, Outcome, Progress};
-use calib_logbook::{Bench, Kept};
+use calib_logbook::{Kept, Logbook};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
 use std::ops::ControlFlow;
@@ -73,14 +73,14 @@ impl Handle {
 }
 
 /// The thread, from outside.
-pub(super) struct BenchSide {
+pub(super) struct CalibratorSide {
     handle: Handle,
     ending: Arc<AtomicBool>,
     thread: JoinHandle<()>,
 }
 
-impl BenchSide {
-    pub(super) fn start(bench: PathBuf) -> Self {
+impl CalibratorSide {
+    pub(super) fn start(logbook: PathBuf) -> Self {
         let (orders, incoming) = channel();
         let handle = Handle {
             shared: Shared::new(),
@@ -94,7 +94,7 @@ impl BenchSide {
             ending: Arc::clone(&ending),
             heeded: 0,
             orders: incoming,
-            bench,
+            logbook,
             client: None,
             runs: 0,
         };
@@ -141,7 +141,7 @@ struct Worker {
     /// Stops that were passed on to the calibrator.
     heeded: u32,
     orders: Receiver<Order>,
-    bench: PathBuf,
+    logbook: PathBuf,
     client: Option<Client>,
     runs: u32,
 }
@@ -312,7 +312,7 @@ impl Worker {
         });
     }
 
-    /// Downloads the record: for the certificate, and into the bench.
+    /// Downloads the record: for the certificate, and into the logbook.
     fn fetch(&mut self, record: u32) -> Result<()> {
         let Some(client) = &mut self.client else {
             return Ok(());
@@ -322,10 +322,10 @@ impl Worker {
         let download = session::download(client, record, folder.path(), |_| ())?;
         let bytes = std::fs::read(&download.path)
             .map_err(|error| Error::file("read", &download.path, error))?;
-        // Whatever becomes of the bench, there is a certificate.
+        // Whatever becomes of the logbook, there is a certificate.
         self.shared.keep_record(Some(bytes.clone()));
-        let (Kept::Added(id) | Kept::Known(id)) = Bench::open(&self.bench)?.keep(&bytes)?;
-        self.shared.change_run(|run| run.bench_record = Some(id));
+        let (Kept::Added(id) | Kept::Known(id)) = Logbook::open(&self.logbook)?.keep(&bytes)?;
+        self.shared.change_run(|run| run.logbook_record = Some(id));
         Ok(())
     }
 

@@ -1,55 +1,55 @@
-//! A bench of records whose file was damaged.
+//! A logbook whose file was damaged.
 
 use super::{folder, put, read_or_refused};
 use crate::hostile::seeds::record as example_record;
-use calib_logbook::{Bench, Filter};
+use calib_logbook::{Filter, Logbook};
 use std::sync::LazyLock;
 
 /// Serial number of a sensor that is in no record: the history of one that is there is asked
 /// for by what the file says.
 const SENSOR: &str = "";
 
-/// A bench with one record, as it lies on the disk.
+/// A logbook with one record, as it lies on the disk.
 static WHOLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
     let path = folder().join("whole.sqlite");
-    let mut bench = Bench::open(&path).expect("a new bench");
-    bench.keep(&example_record()).expect("a record");
-    drop(bench);
+    let mut logbook = Logbook::open(&path).expect("a new logbook");
+    logbook.keep(&example_record()).expect("a record");
+    drop(logbook);
     std::fs::read(&path).expect("its file")
 });
 
 /// Four bytes are one damage: place (u24) and the bits flipped there; an odd rest
-/// cuts the file off. All that is asked of the bench ends in an answer or in an
+/// cuts the file off. All that is asked of the logbook ends in an answer or in an
 /// error that names the file, and a record is the one that was kept, or none.
-pub fn bench(data: &[u8]) {
-    let path = put("bench.sqlite", &damaged(data));
+pub fn logbook(data: &[u8]) {
+    let path = put("logbook.sqlite", &damaged(data));
     for journal in [
-        "bench.sqlite-journal",
-        "bench.sqlite-wal",
-        "bench.sqlite-shm",
+        "logbook.sqlite-journal",
+        "logbook.sqlite-wal",
+        "logbook.sqlite-shm",
     ] {
         let _ = std::fs::remove_file(folder().join(journal));
     }
-    let Some(bench) = read_or_refused(&path, Bench::open(&path)) else {
+    let Some(logbook) = read_or_refused(&path, Logbook::open(&path)) else {
         return;
     };
-    let listed = read_or_refused(&path, bench.records(&Filter::default())).unwrap_or_default();
+    let listed = read_or_refused(&path, logbook.records(&Filter::default())).unwrap_or_default();
     let mut whole = true;
     for line in &listed {
-        match read_or_refused(&path, bench.record(line.id)) {
+        match read_or_refused(&path, logbook.record(line.id)) {
             Some(bytes) => assert!(bytes == example_record(), "another record than was kept"),
             None => whole = false,
         }
     }
-    let inspected = read_or_refused(&path, bench.inspect());
+    let inspected = read_or_refused(&path, logbook.inspect());
     if inspected.is_some_and(|wrong| wrong.is_empty()) {
         assert!(whole, "a damaged record, and nothing found");
     }
-    let _ = read_or_refused(&path, bench.certificates());
-    let _ = read_or_refused(&path, bench.instruments());
-    let _ = read_or_refused(&path, bench.operators());
-    let _ = read_or_refused(&path, bench.sensors(""));
-    let _ = read_or_refused(&path, bench.history(SENSOR, 160.0));
+    let _ = read_or_refused(&path, logbook.certificates());
+    let _ = read_or_refused(&path, logbook.instruments());
+    let _ = read_or_refused(&path, logbook.operators());
+    let _ = read_or_refused(&path, logbook.sensors(""));
+    let _ = read_or_refused(&path, logbook.history(SENSOR, 160.0));
 }
 
 fn damaged(data: &[u8]) -> Vec<u8> {

@@ -1,19 +1,19 @@
-//! `calib bench`: what is kept, and whether it is whole.
+//! `calib logbook`: what is kept, and whether it is whole.
 
 use super::sensors::cut;
 use crate::cli::{Context, table::Table, time};
 use calib_files::file;
 use calib_host::{Error, Result};
-use calib_logbook::{Bench, Filter, Instrument, Issued, Kept, Listed, Operator};
+use calib_logbook::{Filter, Instrument, Issued, Kept, Listed, Logbook, Operator};
 use calib_protocol::record::RecordKind;
 use clap::{Args, Subcommand};
 use jiff::{civil::Date, tz::TimeZone};
 use serde::Serialize;
 use std::path::PathBuf;
 
-/// `calib bench`.
+/// `calib logbook`.
 #[derive(Debug, Args)]
-pub(crate) struct BenchVerb {
+pub(crate) struct LogbookVerb {
     #[command(subcommand)]
     what: What,
 }
@@ -40,7 +40,7 @@ enum What {
     },
     /// Writes a record into a file, as it was downloaded.
     Get {
-        /// Number of the record in the bench.
+        /// Number of the record in the logbook.
         id: i64,
         /// The file.
         #[arg(long, short, value_name = "FILE")]
@@ -68,21 +68,21 @@ struct Written {
     file: PathBuf,
 }
 
-impl BenchVerb {
+impl LogbookVerb {
     /// Carries it out.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let bench = match &self.what {
-            What::Add { .. } => context.bench_to_add_to()?,
-            _ => context.bench()?,
+        let logbook = match &self.what {
+            What::Add { .. } => context.logbook_to_add_to()?,
+            _ => context.logbook()?,
         };
         match self.what {
-            What::Add { files } => add(context, bench, files),
+            What::Add { files } => add(context, logbook, files),
             What::Records {
                 sensor,
                 from,
                 before,
             } => {
-                let records = bench.records(&Filter {
+                let records = logbook.records(&Filter {
                     sensor,
                     from_s: from.map(midnight_s).transpose()?,
                     before_s: before.map(midnight_s).transpose()?,
@@ -90,23 +90,23 @@ impl BenchVerb {
                 context.print(&records, || record_table(&records))
             }
             What::Get { id, out } => {
-                file::create(&out, &bench.record(id)?)?;
+                file::create(&out, &logbook.record(id)?)?;
                 let written = Written { file: out };
                 context.print(&written, || written.file.display().to_string())
             }
             What::Certificates => {
-                let issued = bench.certificates()?;
+                let issued = logbook.certificates()?;
                 context.print(&issued, || certificate_table(&issued))
             }
             What::Instruments => {
-                let instruments = bench.instruments()?;
+                let instruments = logbook.instruments()?;
                 context.print(&instruments, || instrument_table(&instruments))
             }
             What::Operators => {
-                let operators = bench.operators()?;
+                let operators = logbook.operators()?;
                 context.print(&operators, || operator_table(&operators))
             }
-            What::Check => check(context, &bench),
+            What::Check => check(context, &logbook),
         }
     }
 }
@@ -118,11 +118,11 @@ fn midnight_s(day: Date) -> Result<i64> {
     Ok(midnight.timestamp().as_second())
 }
 
-fn add(context: &Context, mut bench: Bench, files: Vec<PathBuf>) -> Result<()> {
+fn add(context: &Context, mut logbook: Logbook, files: Vec<PathBuf>) -> Result<()> {
     let mut added = Vec::new();
     for path in files {
         let bytes = std::fs::read(&path).map_err(|error| Error::file("read", &path, error))?;
-        let kept = bench.keep(&bytes).map_err(|error| error.of_file(&path))?;
+        let kept = logbook.keep(&bytes).map_err(|error| error.of_file(&path))?;
         let (record, new) = match kept {
             Kept::Added(id) => (id, true),
             Kept::Known(id) => (id, false),
@@ -142,8 +142,8 @@ fn add(context: &Context, mut bench: Bench, files: Vec<PathBuf>) -> Result<()> {
     })
 }
 
-fn check(context: &Context, bench: &Bench) -> Result<()> {
-    let wrong = bench.inspect()?;
+fn check(context: &Context, logbook: &Logbook) -> Result<()> {
+    let wrong = logbook.inspect()?;
     context.print(&wrong, || match wrong.is_empty() {
         true => "every record and number is as it was entered".to_owned(),
         false => wrong.join("\n"),

@@ -1,9 +1,9 @@
-//! The bench of records: kept, listed, issued, exported, damaged.
+//! The logbook: kept, listed, issued, exported, damaged.
 
 use crate::command_line::{calib, json, serve, text};
 use crate::device::{Device, record};
 use crate::python;
-use calib_logbook::{Bench, Filter, Issue, Kept, Sensor, export};
+use calib_logbook::{Filter, Issue, Kept, Logbook, Sensor, export};
 use calib_protocol::change;
 use calib_protocol::record::{Record, RecordKind, digest, encode};
 use std::path::Path;
@@ -30,24 +30,24 @@ fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
     bytes(&record)
 }
 
-fn bench(folder: &Path) -> Bench {
-    Bench::open(&folder.join("bench.sqlite")).expect("a bench")
+fn logbook(folder: &Path) -> Logbook {
+    Logbook::open(&folder.join("logbook.sqlite")).expect("a logbook")
 }
 
 #[test]
 fn a_record_is_kept_once_and_comes_back_byte_for_byte() {
     let folder = tempfile::tempdir().expect("folder");
-    let mut bench = bench(folder.path());
+    let mut logbook = logbook(folder.path());
     let (one, two) = (later(1, "A", 0, 1.0), later(2, "B", 1, 1.0));
-    let Kept::Added(id) = bench.keep(&one).expect("kept") else {
+    let Kept::Added(id) = logbook.keep(&one).expect("kept") else {
         panic!("it is new");
     };
-    assert_eq!(bench.keep(&one).expect("known"), Kept::Known(id));
-    bench.keep(&two).expect("kept");
-    assert_eq!(bench.record(id).expect("there"), one);
-    assert_eq!(bench.record(99).expect_err("none").exit_code(), 6);
+    assert_eq!(logbook.keep(&one).expect("known"), Kept::Known(id));
+    logbook.keep(&two).expect("kept");
+    assert_eq!(logbook.record(id).expect("there"), one);
+    assert_eq!(logbook.record(99).expect_err("none").exit_code(), 6);
     let serials = |filter: &Filter| -> Vec<String> {
-        let records = bench.records(filter).expect("a list");
+        let records = logbook.records(filter).expect("a list");
         records.into_iter().map(|r| r.sensor_serial).collect()
     };
     assert_eq!(serials(&Filter::default()), ["B", "A"], "newest first");
@@ -63,18 +63,21 @@ fn a_record_is_kept_once_and_comes_back_byte_for_byte() {
         ..Filter::default()
     };
     assert_eq!(serials(&before), ["A"]);
-    assert_eq!(bench.operators().expect("operators")[0].name, "N. N.");
-    assert_eq!(bench.instruments().expect("instruments")[0].serial, "MEM-1");
-    let nonsense = bench.keep(b"no record").expect_err("refused");
+    assert_eq!(logbook.operators().expect("operators")[0].name, "N. N.");
+    assert_eq!(
+        logbook.instruments().expect("instruments")[0].serial,
+        "MEM-1"
+    );
+    let nonsense = logbook.keep(b"no record").expect_err("refused");
     assert_eq!(nonsense.exit_code(), 6);
-    assert_eq!(bench.inspect().expect("readable"), Vec::<String>::new());
+    assert_eq!(logbook.inspect().expect("readable"), Vec::<String>::new());
 }
 
 /// A laboratory keeps what it downloads: without it the chain of the records has a gap.
 #[test]
 fn the_log_of_a_change_of_the_reference_is_kept_like_any_record() {
     let folder = tempfile::tempdir().expect("folder");
-    let mut bench = bench(folder.path());
+    let mut logbook = logbook(folder.path());
     let run = record(3, 1);
     let (mut head, mut settings) = (run.head.clone(), run.settings.clone());
     head.id = 4;
@@ -86,30 +89,33 @@ fn the_log_of_a_change_of_the_reference_is_kept_like_any_record() {
     let mut change = vec![0; 8192];
     let length = change::encode(&head, &settings, &before, &mut change).expect("fits");
     change.truncate(length);
-    bench.keep(&bytes(&run)).expect("kept");
-    let Kept::Added(id) = bench.keep(&change).expect("kept too") else {
+    logbook.keep(&bytes(&run)).expect("kept");
+    let Kept::Added(id) = logbook.keep(&change).expect("kept too") else {
         panic!("it is new");
     };
-    assert_eq!(bench.keep(&change).expect("known"), Kept::Known(id));
-    assert_eq!(bench.record(id).expect("there"), change);
-    let numbered = bench.numbered(&head.instrument_serial, 4).expect("read");
+    assert_eq!(logbook.keep(&change).expect("known"), Kept::Known(id));
+    assert_eq!(logbook.record(id).expect("there"), change);
+    let numbered = logbook.numbered(&head.instrument_serial, 4).expect("read");
     assert_eq!(numbered, Some(change));
-    let listed = bench.records(&Filter::default()).expect("a list");
+    let listed = logbook.records(&Filter::default()).expect("a list");
     let kinds: Vec<_> = listed.iter().map(|line| (line.kind, line.points)).collect();
     let (log, calibration) = (RecordKind::ReferenceChange, RecordKind::Calibration);
     assert_eq!(kinds, [(log, 0), (calibration, 1)], "newest first");
-    let instruments = bench.instruments().expect("instruments");
+    let instruments = logbook.instruments().expect("instruments");
     assert_eq!(instruments[0].reference_certificate, "R-2027-01");
-    assert_eq!(bench.operators().expect("operators")[0].name, "M. Beispiel");
-    assert_eq!(bench.inspect().expect("readable"), Vec::<String>::new());
+    assert_eq!(
+        logbook.operators().expect("operators")[0].name,
+        "M. Beispiel"
+    );
+    assert_eq!(logbook.inspect().expect("readable"), Vec::<String>::new());
 }
 
 #[test]
 fn a_flipped_bit_in_a_record_or_in_the_list_is_found() {
     let folder = tempfile::tempdir().expect("folder");
-    let path = folder.path().join("bench.sqlite");
+    let path = folder.path().join("logbook.sqlite");
     let content = later(1, "needle-in-the-list", 0, 1.0);
-    bench(folder.path()).keep(&content).expect("kept");
+    logbook(folder.path()).keep(&content).expect("kept");
     let whole = std::fs::read(&path).expect("file");
     let places = |needle: &[u8]| -> Vec<usize> {
         let windows = whole.windows(needle.len()).enumerate();
@@ -129,15 +135,15 @@ fn a_flipped_bit_in_a_record_or_in_the_list_is_found() {
         let mut damaged = whole.clone();
         damaged[place] ^= 1;
         std::fs::write(&path, &damaged).expect("written");
-        let bench = Bench::open(&path).expect("the file is one still");
-        let wrong = bench.inspect().expect("readable");
+        let logbook = Logbook::open(&path).expect("the file is one still");
+        let wrong = logbook.inspect().expect("readable");
         assert!(!wrong.is_empty(), "byte {place}");
     }
     let mut damaged = whole;
     damaged[in_record] ^= 1;
     std::fs::write(&path, &damaged).expect("written");
-    let error = Bench::open(&path)
-        .expect("bench")
+    let error = Logbook::open(&path)
+        .expect("logbook")
         .record(1)
         .expect_err("damaged");
     assert!(error.to_string().contains("SHA-256"), "{error}");
@@ -146,7 +152,7 @@ fn a_flipped_bit_in_a_record_or_in_the_list_is_found() {
 #[test]
 fn an_issued_certificate_is_never_changed() {
     let folder = tempfile::tempdir().expect("folder");
-    let mut bench = bench(folder.path());
+    let mut logbook = logbook(folder.path());
     let issue = |content: &'static [u8], format: &'static str| Issue {
         certificate: "C-1",
         format,
@@ -154,15 +160,17 @@ fn an_issued_certificate_is_never_changed() {
         content,
         record: digest(b"record"),
     };
-    bench.issue(&[issue(b"one", "csv")], 10).expect("issued");
-    bench.issue(&[issue(b"one", "csv")], 20).expect("the same");
-    let error = bench.issue(&[issue(b"x", "html"), issue(b"two", "csv")], 30);
+    logbook.issue(&[issue(b"one", "csv")], 10).expect("issued");
+    logbook
+        .issue(&[issue(b"one", "csv")], 20)
+        .expect("the same");
+    let error = logbook.issue(&[issue(b"x", "html"), issue(b"two", "csv")], 30);
     let error = error.expect_err("another content");
     assert!(error.hint().expect("way out").contains("number"), "{error}");
-    bench
+    logbook
         .issue(&[issue(b"two", "json")], 40)
         .expect("another form");
-    let issued = bench.certificates().expect("list");
+    let issued = logbook.certificates().expect("list");
     let line = |n: usize| {
         (
             issued[n].number,
@@ -176,7 +184,7 @@ fn an_issued_certificate_is_never_changed() {
     );
     // printf one | sha256sum
     assert!(issued[0].sha256.starts_with("7692c3ad3540bb80"));
-    let raw = rusqlite::Connection::open(bench.path()).expect("the file");
+    let raw = rusqlite::Connection::open(logbook.path()).expect("the file");
     for change in [
         "DELETE FROM certificates",
         "UPDATE certificates SET file = 'x'",
@@ -189,20 +197,23 @@ fn an_issued_certificate_is_never_changed() {
 #[test]
 fn a_sensor_of_any_name_is_found_again() {
     let folder = tempfile::tempdir().expect("folder");
-    let bench = bench(folder.path());
+    let logbook = logbook(folder.path());
     let sensor = Sensor {
         serial: "O'Neill \u{1f4a5} \"1\"; --".to_owned(),
         manufacturer: "Müller & Söhne".to_owned(),
         sensitivity_v_per_ms2: Some(0.01),
         ..Sensor::default()
     };
-    bench.add_sensor(&sensor).expect("added");
+    logbook.add_sensor(&sensor).expect("added");
     assert_eq!(
-        bench.sensor(&sensor.serial).expect("found"),
+        logbook.sensor(&sensor.serial).expect("found"),
         Some(sensor.clone())
     );
-    assert_eq!(bench.sensors("o'neill").expect("list").len(), 1);
-    assert_eq!(bench.add_sensor(&sensor).expect_err("twice").exit_code(), 6);
+    assert_eq!(logbook.sensors("o'neill").expect("list").len(), 1);
+    assert_eq!(
+        logbook.add_sensor(&sensor).expect_err("twice").exit_code(),
+        6
+    );
     for wrong in [
         Sensor {
             serial: " ".to_owned(),
@@ -218,7 +229,7 @@ fn a_sensor_of_any_name_is_found_again() {
         },
     ] {
         assert_eq!(
-            bench.put_sensor(&wrong).expect_err("refused").exit_code(),
+            logbook.put_sensor(&wrong).expect_err("refused").exit_code(),
             2
         );
     }
@@ -227,10 +238,10 @@ fn a_sensor_of_any_name_is_found_again() {
 #[test]
 fn the_export_is_read_by_duckdb_as_it_was_kept() {
     let folder = tempfile::tempdir().expect("folder");
-    let mut bench = bench(folder.path());
+    let mut logbook = logbook(folder.path());
     for years in 0..3 {
         let id = years as u32 + 1;
-        bench
+        logbook
             .keep(&later(id, "D'1", years, 1.0 + 0.01 * years as f32))
             .expect("kept");
     }
@@ -239,11 +250,11 @@ fn the_export_is_read_by_duckdb_as_it_was_kept() {
         iepe: Some(true),
         ..Sensor::default()
     };
-    bench.add_sensor(&sensor).expect("added");
+    logbook.add_sensor(&sensor).expect("added");
     let data = folder.path().join("data");
-    let files = export(&bench, &data).expect("exported");
+    let files = export(&logbook, &data).expect("exported");
     assert!(files.iter().all(|file| file.is_file()));
-    let again = export(&bench, &data).expect_err("not over another");
+    let again = export(&logbook, &data).expect_err("not over another");
     assert_eq!(again.exit_code(), 6);
     let script = "
 import duckdb, json, sys
@@ -276,8 +287,8 @@ fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
     let (_, address) = serve(Device::new());
     let path = folder.path().join("points.csv");
     std::fs::write(path, "frequency_hz\n80\n160\n").expect("list");
-    let bench = ["--bench", "bench.sqlite", "--device", &address];
-    let go = |arguments: &[&str]| calib(folder.path(), &[arguments, &bench].concat());
+    let logbook = ["--logbook", "logbook.sqlite", "--device", &address];
+    let go = |arguments: &[&str]| calib(folder.path(), &[arguments, &logbook].concat());
     let run = ["run", "--sensor", "S'1", "--points", "points.csv", "--json"];
     let early = go(&run);
     assert_eq!(early.status.code(), Some(6));
@@ -301,11 +312,11 @@ fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
     assert!(go(&[&add[..], &more].concat()).status.success());
     let change = ["sensors", "change", "S'1", "--owner", "Plant 3"];
     assert!(go(&change).status.success());
-    assert_eq!(json(&go(&run))["bench_record"], 1);
-    assert_eq!(json(&go(&run))["bench_record"], 2);
-    let records = json(&go(&["bench", "records", "--sensor", "S'1", "--json"]));
+    assert_eq!(json(&go(&run))["logbook_record"], 1);
+    assert_eq!(json(&go(&run))["logbook_record"], 2);
+    let records = json(&go(&["logbook", "records", "--sensor", "S'1", "--json"]));
     assert_eq!(records[0]["sensor_model"], "Maker M 1");
-    let file = ["bench", "get", "1", "--out", "one.calibrec"];
+    let file = ["logbook", "get", "1", "--out", "one.calibrec"];
     assert!(go(&file).status.success());
     let kept = std::fs::read(folder.path().join("one.calibrec")).expect("file");
     let kept = calib_protocol::record::decode(&kept).expect("a record");
@@ -315,19 +326,19 @@ fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
         .as_array()
         .expect("files")
         .len();
-    let issued = json(&go(&["bench", "certificates", "--json"]));
+    let issued = json(&go(&["logbook", "certificates", "--json"]));
     assert_eq!(issued.as_array().expect("certificates").len(), files);
-    // A tolerance around the nominal sensitivity takes that from the bench too.
+    // A tolerance around the nominal sensitivity takes that from the logbook too.
     let laboratory = "[decision]\nspecification = 'nominal'\ntolerance_percent = 50\n";
     std::fs::write(folder.path().join("l.toml"), laboratory).expect("file");
     assert!(
-        go(&["bench", "get", "2", "--out", "two.calibrec"])
+        go(&["logbook", "get", "2", "--out", "two.calibrec"])
             .status
             .success()
     );
     let judge = "certificate two.calibrec --out j --format json --laboratory l.toml --json";
     let judge: Vec<&str> = judge.split(' ').collect();
-    let nowhere = [&judge[..], &["--bench", "none.sqlite"]].concat();
+    let nowhere = [&judge[..], &["--logbook", "none.sqlite"]].concat();
     let nowhere = calib(folder.path(), &nowhere);
     assert_eq!(nowhere.status.code(), Some(6));
     assert!(text(&nowhere.stderr).contains("calib sensors add"));
@@ -339,9 +350,9 @@ fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
     for verb in [
         &["history", "S'1"][..],
         &["sensors", "list"],
-        &["bench", "records"],
-        &["bench", "certificates"],
-        &["bench", "instruments"],
+        &["logbook", "records"],
+        &["logbook", "certificates"],
+        &["logbook", "instruments"],
     ] {
         let shown = go(verb);
         assert!(shown.status.success(), "{verb:?}: {}", text(&shown.stderr));
@@ -352,15 +363,15 @@ fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
             "{shown}"
         );
     }
-    assert!(go(&["bench", "check"]).status.success());
+    assert!(go(&["logbook", "check"]).status.success());
 }
 
 #[test]
 fn a_sensor_that_changed_by_more_than_u_is_reported() {
     let folder = tempfile::tempdir().expect("folder");
-    let mut bench = bench(folder.path());
+    let mut logbook = logbook(folder.path());
     for (id, (years, factor)) in [(0, 1.0), (1, 1.005), (2, 1.03)].into_iter().enumerate() {
-        bench
+        logbook
             .keep(&later(id as u32 + 1, "D", years, factor))
             .expect("kept");
     }
@@ -370,8 +381,8 @@ fn a_sensor_that_changed_by_more_than_u_is_reported() {
         "D",
         "--frequency",
         "20",
-        "--bench",
-        "bench.sqlite",
+        "--logbook",
+        "logbook.sqlite",
     ];
     let output = calib(folder.path(), &history);
     assert_eq!(output.status.code(), Some(7));
@@ -395,16 +406,16 @@ fn a_virtual_teds_becomes_a_sensor() {
     // serial number 30000, template 25, sensitivity code 33017 (0.01 V/(m/s2)),
     // calibrated 2025-05-19 for 365 days.
     std::fs::write(folder.path().join("a.ted"), TEDS).expect("file");
-    let bench = ["--bench", "b.sqlite", "--json"];
+    let logbook = ["--logbook", "b.sqlite", "--json"];
     let import = ["sensors", "import", "--teds", "a.ted", "--model", "4507-B"];
-    let sensor = json(&calib(folder.path(), &[&import[..], &bench].concat()));
+    let sensor = json(&calib(folder.path(), &[&import[..], &logbook].concat()));
     assert_eq!(sensor["serial"], "30000");
     assert_eq!(sensor["model"], "4507-B");
     assert_eq!(sensor["due_day"], "2026-05-19");
     let sensitivity = sensor["sensitivity_v_per_ms2"].as_f64().expect("stated");
     // Half a step of the code is 0.015 %.
     assert!((sensitivity / 0.01 - 1.0).abs() < 1.6e-4);
-    let twice = calib(folder.path(), &[&import[..], &bench].concat());
+    let twice = calib(folder.path(), &[&import[..], &logbook].concat());
     assert_eq!(twice.status.code(), Some(6));
 }
 

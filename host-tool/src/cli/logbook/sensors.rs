@@ -16,7 +16,7 @@ pub(crate) struct Sensors {
 
 #[derive(Debug, Subcommand)]
 enum What {
-    /// Sensors of the bench.
+    /// Sensors of the logbook.
     List {
         /// Only those whose serial number, maker, model or owner holds this.
         #[arg(default_value = "")]
@@ -107,24 +107,24 @@ impl About {
 impl Sensors {
     /// Carries it out.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let bench = match &self.what {
-            What::Add { .. } | What::Import { .. } => context.bench_to_add_to()?,
-            _ => context.bench()?,
+        let logbook = match &self.what {
+            What::Add { .. } | What::Import { .. } => context.logbook_to_add_to()?,
+            _ => context.logbook()?,
         };
         let sensor = match self.what {
             What::List { text } => {
-                let sensors = bench.sensors(&text)?;
+                let sensors = logbook.sensors(&text)?;
                 return context.print(&sensors, || table(&sensors));
             }
-            What::Show { serial } => bench.known_sensor(&serial)?,
+            What::Show { serial } => logbook.known_sensor(&serial)?,
             What::Add { serial, about } => {
                 let sensor = about.onto(with_serial(serial));
-                bench.add_sensor(&sensor)?;
+                logbook.add_sensor(&sensor)?;
                 sensor
             }
             What::Change { serial, about } => {
-                let sensor = about.onto(bench.known_sensor(&serial)?);
-                bench.put_sensor(&sensor)?;
+                let sensor = about.onto(logbook.known_sensor(&serial)?);
+                logbook.put_sensor(&sensor)?;
                 sensor
             }
             What::Import {
@@ -134,7 +134,7 @@ impl Sensors {
             } => {
                 let (read, bytes) = teds::read(&teds)?;
                 let sensor = about.onto(from_teds(&read, bytes, serial));
-                bench.add_sensor(&sensor)?;
+                logbook.add_sensor(&sensor)?;
                 sensor
             }
         };
@@ -216,13 +216,13 @@ fn text(sensor: &Sensor) -> String {
 /// The sensor of this serial number, for a run.
 ///
 /// # Errors
-/// [`Error::Input`] when there is no bench, or it has no such sensor.
+/// [`Error::Input`] when there is no logbook, or it has no such sensor.
 pub(crate) fn find(context: &Context, serial: &str) -> Result<Sensor> {
-    match context.bench_if_there()? {
-        Some(bench) => Ok(bench.known_sensor(serial)?),
+    match context.logbook_if_there()? {
+        Some(logbook) => Ok(logbook.known_sensor(serial)?),
         None => Err(Error::input(
             format!("sensor {serial}"),
-            "there is no bench of records yet",
+            "there is no logbook yet",
             "`calib sensors add` makes one",
         )),
     }

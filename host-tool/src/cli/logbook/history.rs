@@ -24,7 +24,7 @@ pub(crate) struct History {
 impl History {
     /// Draws the drift and warns where it exceeds the uncertainty.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let history = context.bench()?.history(&self.serial, self.frequency)?;
+        let history = context.logbook()?.history(&self.serial, self.frequency)?;
         if history.results.is_empty() {
             return Err(Error::input(
                 format!("sensor {}", self.serial),
@@ -32,7 +32,7 @@ impl History {
                     "no record of it holds a passed point at {} Hz",
                     self.frequency
                 ),
-                "`calib bench records` lists what is kept",
+                "`calib logbook records` lists what is kept",
             ));
         }
         context.print(&history, || text(&history))?;

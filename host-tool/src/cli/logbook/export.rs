@@ -1,4 +1,4 @@
-//! `calib export --parquet DIR`: the bench for other programs.
+//! `calib export --parquet DIR`: the logbook for other programs.
 
 use crate::cli::Context;
 use calib_host::Result;
@@ -26,7 +26,7 @@ struct Exported {
 impl Export {
     /// Writes the data set.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let files = export(&context.bench()?, &self.parquet)?;
+        let files = export(&context.logbook()?, &self.parquet)?;
         let exported = Exported { files };
         context.print(&exported, || {
             let files = exported.files.iter();

@@ -1,4 +1,0 @@
-//! See `calib_tests::hostile::files::bench`.
-#![no_main]
-
-libfuzzer_sys::fuzz_target!(|data: &[u8]| calib_tests::hostile::files::bench(data));
