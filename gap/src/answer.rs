@@ -1,5 +1,6 @@
 //! The answer of a diagnosis, as it is written to JSON.
 
+use crate::axis::Axis;
 use crate::engine::gap::Gap;
 use crate::pictures::Pictures;
 use serde::Serialize;
@@ -27,7 +28,7 @@ pub struct Where {
     /// Observable in which it shows.
     pub observable: &'static str,
     /// Condition along which it varies.
-    pub axis: &'static str,
+    pub axis: Axis,
     /// Lowest value of that condition (or of frequency).
     pub from: f64,
     /// Highest value.

@@ -8,7 +8,7 @@
 
 use crate::engine::problem::Problem;
 use crate::engine::significance::two_sided;
-use crate::model::row::{CURRENT, DRIVE, RATIO};
+use crate::observable::{Complex, Observable};
 
 /// Frequencies in a group.
 const WIDEST: usize = 3;
@@ -19,8 +19,8 @@ const MOST: usize = 6;
 /// A bump.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Bump {
-    /// First slot of the observable.
-    pub(crate) slot: usize,
+    /// Magnitude of the response.
+    pub(crate) observable: Observable,
     pub(crate) from_hz: f64,
     pub(crate) to_hz: f64,
     /// Sum of the squared residuals in it.
@@ -29,20 +29,16 @@ pub(crate) struct Bump {
     pub(crate) p_value: f64,
 }
 
-/// Bumps in what a fit leaves, by observable and frequency.
+/// Bumps in what a fit leaves, by response and frequency.
 pub(crate) fn bumps(problem: &Problem, residual: &[f64]) -> Vec<Bump> {
-    let of = |slot: usize| {
-        let spectrum = Spectrum::new(problem, residual, slot);
-        spectrum.bumps().into_iter().map(move |mut bump| {
-            bump.slot = slot;
-            bump
-        })
-    };
-    [RATIO, DRIVE, CURRENT].into_iter().flat_map(of).collect()
+    let responses = [Observable::RATIO, Observable::DRIVE, Observable::CURRENT];
+    let of = |response| Spectrum::new(problem, residual, response).bumps();
+    responses.into_iter().flat_map(of).collect()
 }
 
 /// Residuals of magnitude and phase by frequency, in standard uncertainties.
 struct Spectrum {
+    magnitude: Observable,
     frequency_hz: Vec<f64>,
     /// One or two parts.
     parts: Vec<Vec<f64>>,
@@ -56,21 +52,20 @@ struct Group {
 }
 
 impl Spectrum {
-    fn new(problem: &Problem, residual: &[f64], slot: usize) -> Self {
+    fn new(problem: &Problem, residual: &[f64], response: Complex) -> Self {
         let frequency_hz: Vec<f64> = problem
             .facts
             .frequencies_hz
             .iter()
             .copied()
             .filter(|f| {
-                let rows = problem.slots[slot].clone().map(|at| problem.row_of[at]);
-                rows.into_iter()
-                    .any(|row| problem.rows[row].frequency_hz == *f)
+                let mut data = problem.data_of(response[0]);
+                data.any(|at| problem.rows[problem.row_of[at]].frequency_hz == *f)
             })
             .collect();
-        let mean = |slot: usize| -> Vec<f64> {
+        let mean = |observable: Observable| -> Vec<f64> {
             let at_frequency = |f: &f64| {
-                let data = problem.slots[slot].clone();
+                let data = problem.data_of(observable);
                 let here = data.filter(|at| problem.rows[problem.row_of[*at]].frequency_hz == *f);
                 let (sum, count) = here.fold((0.0, 0.0), |(s, n), at| (s + residual[at], n + 1.0));
                 if count > 0.0 {
@@ -81,9 +76,10 @@ impl Spectrum {
             };
             frequency_hz.iter().map(at_frequency).collect()
         };
-        let parts = [slot, slot + 1].into_iter();
-        let parts = parts.filter(|s| !problem.slots[*s].is_empty());
+        let parts = response.into_iter();
+        let parts = parts.filter(|o| !problem.data_of(*o).is_empty());
         Self {
+            magnitude: response[0],
             parts: parts.map(mean).collect(),
             frequency_hz,
         }
@@ -98,7 +94,7 @@ impl Spectrum {
         {
             let (first, last) = self.followed(&rest, &group);
             bumps.push(Bump {
-                slot: 0,
+                observable: self.magnitude,
                 from_hz: self.frequency_hz[rest[first]],
                 to_hz: self.frequency_hz[rest[last]],
                 square: rest[first..=last].iter().map(|at| self.square(*at)).sum(),
@@ -182,6 +178,7 @@ mod tests {
         let parts = vec![part(), part()];
         let frequency_hz = (0..count).map(|n| 100.0 * 1.1_f64.powi(n as i32)).collect();
         Spectrum {
+            magnitude: Observable::Ratio,
             frequency_hz,
             parts,
         }

@@ -5,6 +5,7 @@
 //! difference shrinks once the effect is added, and what to measure next.
 
 mod answer;
+mod axis;
 mod bumps;
 mod dataset;
 mod diagnose;
@@ -13,6 +14,7 @@ mod engine;
 mod error;
 mod lanes;
 mod model;
+mod observable;
 mod options;
 mod oscillator;
 mod pictures;
@@ -25,12 +27,14 @@ mod tuning;
 mod verdict;
 
 pub use answer::{Answer, Cause, Confirmation, DatasetSummary, Distance, Estimate, Verdict, Where};
+pub use axis::Axis;
 pub use diagnose::{diagnose, diagnose_all};
 pub use effects::{
     About, NEVER_IDENTIFIABLE, Parameter, Scale, Stage, check_name, list as effects,
 };
 pub use engine::gap::{Gap, ObservableGap, Slice};
 pub use error::GapError;
+pub use observable::{Channel, Group, Observable};
 pub use options::Options;
 pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 pub use plan::{ENOUGH_SIGMA, Measurement, Pair, Plan, plan};

@@ -3,6 +3,7 @@
 use crate::engine::fit::Fit;
 use crate::engine::holdout;
 use crate::engine::problem::Problem;
+use crate::observable::Observable;
 
 /// Differences of a dataset, before and after the best set of effects is added.
 #[derive(Debug, Clone)]
@@ -51,8 +52,8 @@ pub struct Conditions {
 pub struct Datum {
     /// Index of the row.
     pub row: usize,
-    /// Which of the 26 values of a row, in the order of `model::row`.
-    pub slot: usize,
+    /// What was measured.
+    pub observable: Observable,
     /// Measured minus nominal simulation.
     pub before: f64,
     /// Measured minus simulation with the best set of effects.
@@ -81,10 +82,10 @@ pub(crate) fn residuals(problem: &Problem, nominal: &Fit, best: &Fit) -> Picture
     let of = |fit: &Fit| problem.evaluate(&fit.effects, &fit.theta, &mut problem.memory());
     let (before, after) = (of(nominal), of(best));
     let mut data = Vec::with_capacity(problem.len());
-    for (slot, range) in problem.slots.iter().enumerate() {
-        data.extend(range.clone().map(|at| Datum {
+    for (observable, range) in problem.measured_observables() {
+        data.extend(range.map(|at| Datum {
             row: problem.row_of[at],
-            slot,
+            observable,
             before: before.residual[at] / before.weight[at],
             after: after.residual[at] / after.weight[at],
             u: problem.uncertainty(at),

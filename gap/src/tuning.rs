@@ -3,7 +3,6 @@
 use crate::engine::fit::Fit;
 use crate::engine::normal::difference;
 use crate::engine::problem::Problem;
-use crate::model::row::REF_HARMONICS;
 
 /// Part of an effect that is left when its partner undoes it.
 const UNDONE: f64 = 0.1;
@@ -26,11 +25,11 @@ pub(crate) fn cancels(problem: &Problem, fit: &Fit) -> bool {
         difference(problem, &none, &at(std::slice::from_ref(a))),
         difference(problem, &none, &at(std::slice::from_ref(b))),
     );
-    problem.slots[..REF_HARMONICS]
-        .iter()
-        .filter(|s| !s.is_empty())
-        .any(|slot| {
-            let (va, vb) = (&only_a[slot.clone()], &only_b[slot.clone()]);
+    problem
+        .measured_observables()
+        .filter(|(observable, _)| observable.group().is_response())
+        .any(|(_, data)| {
+            let (va, vb) = (&only_a[data.clone()], &only_b[data]);
             let size = |v: &mut dyn Iterator<Item = f64>| v.map(|x| x * x).sum::<f64>().sqrt();
             let (na, nb) = (size(&mut va.iter().copied()), size(&mut vb.iter().copied()));
             let sum = size(&mut va.iter().zip(vb).map(|(x, y)| x + y));

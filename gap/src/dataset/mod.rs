@@ -8,7 +8,7 @@
 //! ```
 //!
 //! ```text
-//! rig, rig_file     what a rig.toml says, and how it is read
+//! rig, rig_file     what a rig.toml says, and how it is read; exciter: its parameters
 //! points            reads points.csv: layout of its columns, cells of a row, point; range of a column
 //! record            reads record.csv
 //! contradiction     whether rig and table can belong together
@@ -16,6 +16,7 @@
 
 mod cells;
 mod contradiction;
+mod exciter;
 mod layout;
 mod point;
 mod points;
@@ -24,9 +25,10 @@ mod record;
 mod rig;
 mod rig_file;
 
+pub(crate) use exciter::{ExciterParameter, ExciterParameters};
 pub(crate) use point::{Harmonic, Point};
 pub(crate) use record::Record;
-pub(crate) use rig::{Exciter, Kind, Measurand, Quantity, Repeatability, Rig, Transducer};
+pub(crate) use rig::{Kind, Measurand, Quantity, Repeatability, Rig, Transducer};
 
 use crate::error::GapError;
 use sha2::{Digest, Sha256};

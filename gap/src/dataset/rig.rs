@@ -1,5 +1,6 @@
 //! `rig.toml`: nominal values, each with a standard uncertainty.
 
+use super::exciter::ExciterParameters;
 use serde::Deserialize;
 
 /// A value and its standard uncertainty in the unit of the entry (0 = exact).
@@ -46,49 +47,6 @@ pub(crate) enum Measurand {
 pub(crate) struct Transducer {
     /// Sensitivity in V/(m/s2).
     pub(crate) sensitivity_v_per_ms2: Option<Quantity>,
-}
-
-/// Voltage-driven moving-coil exciter.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct Exciter {
-    /// Armature without payload, in kg.
-    pub(crate) moving_mass_kg: Option<Quantity>,
-    /// Suspension stiffness, in N/m.
-    pub(crate) stiffness_n_per_m: Option<Quantity>,
-    /// Mechanical damping, in N s/m.
-    pub(crate) damping_ns_per_m: Option<Quantity>,
-    /// Force factor Bl, in N/A.
-    pub(crate) force_factor_n_per_a: Option<Quantity>,
-    /// Coil resistance, in ohm.
-    pub(crate) coil_resistance_ohm: Option<Quantity>,
-    /// Coil inductance at 1 kHz, in H.
-    pub(crate) coil_inductance_h: Option<Quantity>,
-}
-
-impl Exciter {
-    /// Mass, stiffness, damping, force factor, resistance, inductance: all known, or not simulated.
-    #[must_use]
-    pub(crate) fn complete(&self) -> Option<[Quantity; 6]> {
-        Some([
-            self.moving_mass_kg?,
-            self.stiffness_n_per_m?,
-            self.damping_ns_per_m?,
-            self.force_factor_n_per_a?,
-            self.coil_resistance_ohm?,
-            self.coil_inductance_h?,
-        ])
-    }
-
-    /// Names of the entries of [`Exciter::complete`], in order.
-    pub(crate) const NAMES: [&str; 6] = [
-        "moving_mass_kg",
-        "stiffness_n_per_m",
-        "damping_ns_per_m",
-        "force_factor_n_per_a",
-        "coil_resistance_ohm",
-        "coil_inductance_h",
-    ];
 }
 
 /// What all rows of a run share: relative standard deviations of one draw per run.
@@ -153,7 +111,7 @@ pub(crate) struct Rig {
     /// Device under test.
     pub(crate) dut: Option<Transducer>,
     /// Exciter.
-    pub(crate) exciter: Option<Exciter>,
+    pub(crate) exciter: Option<ExciterParameters<Option<Quantity>>>,
     /// What a run shares.
     #[serde(default)]
     pub(crate) repeatability: Repeatability,

@@ -1,9 +1,8 @@
 //! What a dataset can show at all.
 
-use crate::model::row::{
-    CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, Row, SLOTS,
-};
-use std::ops::Range;
+use crate::dataset::ExciterParameters;
+use crate::model::row::Row;
+use crate::observable::{Channel, Group, Observable};
 
 /// Observables and ranges of a dataset.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,12 +58,12 @@ fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 /// Noise of a channel in a row beyond the healthy one, in V.
-fn excess_v(row: &Row, channel: usize, healthy_v: f64) -> Option<f64> {
-    let slot = NOISE + channel;
-    let power_v2 = (2.0 * row.value[slot]).exp() - healthy_v * healthy_v;
+fn excess_v(row: &Row, channel: Channel, healthy_v: f64) -> Option<f64> {
+    let noise = Observable::noise(channel);
+    let power_v2 = (2.0 * row.value[noise]).exp() - healthy_v * healthy_v;
     // Scatter of 1 % about the healthy noise is no excess.
     let counts = power_v2 > 0.05 * healthy_v * healthy_v;
-    row.u[slot]
+    row.u[noise]
         .is_finite()
         .then_some(if counts { power_v2.sqrt() } else { 0.0 })
 }
@@ -78,8 +77,8 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 /// Sensitivity of the device over its nominal one: that is 5 % off easily, and a
 /// threshold just below the largest output lies above the nominal one then.
 fn dut_gain(rows: &[Row]) -> f64 {
-    let measured = rows.iter().filter(|r| r.u[RATIO].is_finite());
-    let of_row = |r: &Row| r.value[RATIO].exp() * r.ref_peak_v / r.dut_peak_v;
+    let measured = rows.iter().filter(|r| r.u[Observable::Ratio].is_finite());
+    let of_row = |r: &Row| r.value[Observable::Ratio].exp() * r.ref_peak_v / r.dut_peak_v;
     let gains: Vec<f64> = measured.map(of_row).filter(|g| g.is_finite()).collect();
     if gains.is_empty() {
         return 1.0;
@@ -88,7 +87,7 @@ fn dut_gain(rows: &[Row]) -> f64 {
 }
 
 /// Noise of a channel beyond the healthy one in the median row, in V.
-fn excess_noise_v(rows: &[Row], channel: usize, healthy_v: f64) -> f64 {
+fn excess_noise_v(rows: &[Row], channel: Channel, healthy_v: f64) -> f64 {
     let excess = rows.iter();
     median(excess.filter_map(|row| excess_v(row, channel, healthy_v)))
 }
@@ -97,7 +96,7 @@ fn excess_noise_v(rows: &[Row], channel: usize, healthy_v: f64) -> f64 {
 fn excess_noise_s(rows: &[Row], healthy_v: f64) -> f64 {
     let scatter_s = rows.iter().filter_map(|row| {
         let rate_v_per_s = row.omega * row.ref_peak_v / std::f64::consts::SQRT_2;
-        let scatter = excess_v(row, 0, healthy_v)? / rate_v_per_s;
+        let scatter = excess_v(row, Channel::Reference, healthy_v)? / rate_v_per_s;
         (scatter > 0.0).then_some(scatter)
     });
     median(scatter_s)
@@ -113,11 +112,9 @@ fn frequencies_hz(rows: &[Row]) -> Vec<f64> {
 
 impl Facts {
     /// Collects the facts of prepared rows.
-    pub(crate) fn new(rows: &[Row], exciter: Option<[f64; 6]>, noise_v: f64) -> Self {
-        let any = |slots: Range<usize>| {
-            let mut u = rows.iter().flat_map(|r| &r.u[slots.clone()]);
-            u.any(|u| u.is_finite())
-        };
+    pub(crate) fn new(rows: &[Row], exciter: Option<ExciterParameters<f64>>, noise_v: f64) -> Self {
+        let any = |observable| rows.iter().any(|r| r.u[observable].is_finite());
+        let any_of = |group: Group| group.observables().any(any);
         let over = |value: fn(&Row) -> f64| span(rows.iter().map(value));
         let varies = |value: fn(&Row) -> f64, by: f64| {
             let (low, high) = over(value);
@@ -128,18 +125,18 @@ impl Facts {
         let reference_v = over(|r| r.ref_peak_v);
         let gain = dut_gain(rows);
         let dut_v = span(rows.iter().map(|r| gain * r.dut_peak_v));
-        let value_of_exciter = |i: usize| exciter.map_or(f64::NAN, |e| e[i]);
+        let of_exciter = |value: fn(ExciterParameters<f64>) -> f64| exciter.map_or(f64::NAN, value);
         Self {
-            ratio: any(RATIO..RATIO + 1),
-            ratio_phase: any(RATIO + 1..DRIVE),
-            drive: any(DRIVE..CURRENT),
-            current: any(CURRENT..REF_HARMONICS),
-            ref_harmonics: any(REF_HARMONICS..DUT_HARMONICS),
-            dut_harmonics: any(DUT_HARMONICS..DC),
-            ref_dc: any(DC..DC + 1),
-            dut_dc: any(DC + 1..NOISE),
-            ref_noise: any(NOISE..NOISE + 1),
-            dut_noise: any(NOISE + 1..SLOTS),
+            ratio: any(Observable::Ratio),
+            ratio_phase: any(Observable::RatioPhase),
+            drive: any_of(Group::Drive),
+            current: any_of(Group::Current),
+            ref_harmonics: any_of(Group::RefHarmonics),
+            dut_harmonics: any_of(Group::DutHarmonics),
+            ref_dc: any(Observable::RefDc),
+            dut_dc: any(Observable::DutDc),
+            ref_noise: any(Observable::RefNoise),
+            dut_noise: any(Observable::DutNoise),
             rotation_varies: varies(|r| r.rotation.0, 0.05) || varies(|r| r.rotation.1, 0.05),
             temperature_varies: varies(|r| r.warmer_k, 0.05),
             payload_stated: rows.iter().any(|r| r.payload_stated),
@@ -151,21 +148,21 @@ impl Facts {
             longest_s: over(|r| r.time_s).1,
             largest_payload_kg: over(|r| r.payload_kg).1,
             largest_level_ms2: highest_ms2,
-            largest_travel_m: over(|r| r.level_ms2 / (r.omega * r.omega)).1,
+            largest_travel_m: over(Row::travel_m).1,
             largest_peak_v: [reference_v.1, dut_v.1],
             smallest_peak_v: [reference_v.0, dut_v.0],
             frequencies_hz: frequencies_hz(rows),
             warmest_k: over(|r| r.warmer_k.abs()).1,
             noise_v,
-            excess_noise_v: [0, 1].map(|channel| excess_noise_v(rows, channel, noise_v)),
+            excess_noise_v: Channel::BOTH.map(|channel| excess_noise_v(rows, channel, noise_v)),
             excess_noise_s: excess_noise_s(rows, noise_v),
             ms2_per_v: [highest_ms2 / reference_v.1, highest_ms2 / dut_v.1],
             tilt_varies: varies(|r| r.vertical, 0.05),
             block_known: rows.iter().any(|r| r.bin_hz.is_finite()),
             exciter_known: exciter.is_some(),
-            mass_kg: value_of_exciter(0),
-            stiffness_n_per_m: value_of_exciter(1),
-            damping_ns_per_m: value_of_exciter(2),
+            mass_kg: of_exciter(|e| e.moving_mass_kg),
+            stiffness_n_per_m: of_exciter(|e| e.stiffness_n_per_m),
+            damping_ns_per_m: of_exciter(|e| e.damping_ns_per_m),
             largest_coil_peak_v: over(|r| r.coil_peak_v).1,
         }
     }

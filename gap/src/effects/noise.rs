@@ -5,8 +5,9 @@ use super::start::{Start, ratios};
 use super::{Effect, Facts};
 use crate::model::chain::Transfer;
 use crate::model::leakage::{Line, taken};
-use crate::model::row::{NOISE, Row};
+use crate::model::row::Row;
 use crate::model::scatter::Scatter;
+use crate::observable::Observable;
 use std::f64::consts::{SQRT_2, TAU};
 
 /// Mains lines in the channel of the device under test.
@@ -235,7 +236,9 @@ impl Effect for AmbientVibration {
             return;
         }
         // The tone is part of the motion: where noise was measured it shows there.
-        let seen = row.u[NOISE].min(row.u[NOISE + 1]).is_finite();
+        let seen = row.u[Observable::RefNoise]
+            .min(row.u[Observable::DutNoise])
+            .is_finite();
         let tone_ms2 = if seen { p[1].min(p[0]) } else { p[1] };
         let tone = Line::new(p[2], row.frequency_hz, row.bin_hz);
         let relative = 0.5 * (tone_ms2 / row.level_ms2).powi(2);

@@ -7,7 +7,7 @@ use super::nuisance::Nuisance;
 use super::problem::Problem;
 use super::response::response_change;
 use crate::effects::{Active, Scale};
-use crate::model::row::RATIO;
+use crate::observable::Observable;
 
 /// Change of all data, in standard deviations, that a small step of a parameter must exceed.
 const STANDS_STILL: f64 = 1e-9;
@@ -92,8 +92,9 @@ pub(super) fn bent_columns(
 fn of_run(problem: &Problem, level: &Column, before: &Column, run: usize, units: f64) -> Column {
     let mut of_run = level.only(problem, |row| row.run == run);
     of_run.scale(units);
-    for (slot, values) in before.parts.iter().filter(|(slot, _)| *slot == RATIO) {
-        of_run.add_part(*slot, values.clone());
+    let ratio = before.parts.iter();
+    for (observable, values) in ratio.filter(|(o, _)| *o == Observable::Ratio) {
+        of_run.add_part(*observable, values.clone());
     }
     of_run
 }
@@ -102,8 +103,8 @@ fn of_run(problem: &Problem, level: &Column, before: &Column, run: usize, units:
 fn column(problem: &Problem, here: &Evaluation, there: &Evaluation, step: f64) -> Column {
     let residual = there.residual_as_weighted_by(here);
     let mut column = Column::difference(problem, &residual, &here.residual, 1.0 / step);
-    for (slot, values) in &mut column.parts {
-        if super::problem::is_phase(*slot) {
+    for (observable, values) in &mut column.parts {
+        if observable.is_phase() {
             // A phase that crossed half a turn between the two evaluations carries no slope.
             values
                 .iter_mut()

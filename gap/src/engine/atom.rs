@@ -8,7 +8,7 @@ use super::problem::Problem;
 use super::response::response_added;
 use super::values::by_values;
 use crate::effects::{Active, Parameter, Scale, Stage, Start, library};
-use crate::model::row::{DC, REF_HARMONICS};
+use crate::observable::Group;
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// What an effect promises.
@@ -198,12 +198,13 @@ fn left_over(
 
 /// Group of observables in which most of a change lies: response, or harmonics and d.c.
 fn group(columns: &[Column]) -> usize {
-    let weight = |from: usize, to: usize| -> f64 {
+    let weight = |inside: fn(Group) -> bool| -> f64 {
         let parts = columns.iter().flat_map(|c| &c.parts);
-        let inside = parts.filter(|p| (from..to).contains(&p.0));
+        let inside = parts.filter(|p| inside(p.0.group()));
         inside
             .map(|(_, v)| v.iter().map(|x| x * x).sum::<f64>())
             .sum()
     };
-    usize::from(weight(REF_HARMONICS, DC + 2) > weight(0, REF_HARMONICS))
+    let distorts = |group: Group| !group.is_response() && group != Group::Noise;
+    usize::from(weight(distorts) > weight(Group::is_response))
 }

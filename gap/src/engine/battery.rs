@@ -2,7 +2,10 @@
 
 use super::column::Column;
 use super::problem::Problem;
-use crate::model::row::{NOISE, REF_HARMONICS, Row, SLOTS};
+use crate::axis::Axis;
+use crate::model::row::Row;
+use crate::observable::Observable;
+use std::ops::Range;
 
 /// Bands of the tests for local structure.
 pub(crate) const BANDS: usize = 14;
@@ -13,59 +16,61 @@ const COURSES_OF_CONDITIONS: usize = 2;
 
 /// One direction in which a residual is looked at.
 pub(super) struct Test {
-    pub(super) slot: usize,
-    /// Condition along which the shape runs, as the answer names it.
-    pub(super) axis: &'static str,
-    /// Number of the shape within its slot, from 1: the same in all response slots.
+    pub(super) observable: Observable,
+    /// Condition along which the shape runs.
+    pub(super) axis: Axis,
+    /// Number of the shape within its observable, from 1: the same in all responses.
     pub(super) shape: usize,
     pub(super) column: Column,
 }
 
-/// All tests of a problem, slot by slot, those of the bands last.
+/// All tests of a problem, one observable after the other, those of the bands last.
 pub(super) fn battery(problem: &Problem) -> Vec<Test> {
     let mut tests = Vec::new();
-    for slot in (0..SLOTS).filter(|s| !problem.slots[*s].is_empty()) {
-        let mut of_slot = OfSlot {
+    for (observable, data) in problem.measured_observables() {
+        let mut collected = OfObservable {
             problem,
-            slot,
+            observable,
+            data,
             shapes: 0,
             tests: &mut tests,
         };
-        let response = !(REF_HARMONICS..NOISE).contains(&slot);
-        of_slot.add_courses(COURSES[usize::from(!response)]);
-        of_slot.add_conditions(response);
-        of_slot.add_sizes();
+        let response = observable.group().is_response() || observable.is_noise();
+        collected.add_courses(COURSES[usize::from(!response)]);
+        collected.add_conditions(response);
+        collected.add_sizes();
         if response {
-            of_slot.add_bands();
+            collected.add_bands();
         }
     }
     tests
 }
 
-/// Collects the tests of one slot.
-struct OfSlot<'a> {
+/// Collects the tests of one observable.
+struct OfObservable<'a> {
     problem: &'a Problem,
-    slot: usize,
+    observable: Observable,
+    data: Range<usize>,
     /// Shapes so far, also those that are zero in every row.
     shapes: usize,
     tests: &'a mut Vec<Test>,
 }
 
-impl OfSlot<'_> {
-    fn add(&mut self, axis: &'static str, shape: &dyn Fn(&Row) -> f64) {
+impl OfObservable<'_> {
+    fn add(&mut self, axis: Axis, shape: &dyn Fn(&Row) -> f64) {
         let problem = self.problem;
-        let range = problem.slots[self.slot].clone();
-        let values: Vec<f64> = range
+        let rows = self.data.clone();
+        let values: Vec<f64> = rows
             .map(|at| finite(shape(&problem.rows[problem.row_of[at]])))
             .collect();
         self.shapes += 1;
         if values.iter().any(|v| *v != 0.0) {
             self.tests.push(Test {
-                slot: self.slot,
+                observable: self.observable,
                 axis,
                 shape: self.shapes,
                 column: Column {
-                    parts: vec![(self.slot, values)],
+                    parts: vec![(self.observable, values)],
                 },
             });
         }
@@ -75,7 +80,7 @@ impl OfSlot<'_> {
     fn add_courses(&mut self, most: usize) {
         let problem = self.problem;
         for order in 0..=most {
-            self.add("frequency_hz", &|row| course(problem, order, row));
+            self.add(Axis::Frequency, &|row| course(problem, order, row));
         }
     }
 
@@ -85,33 +90,32 @@ impl OfSlot<'_> {
         let facts = &problem.facts;
         for order in 0..=COURSES_OF_CONDITIONS {
             let p = |row: &Row| course(problem, order, row);
-            self.add("acceleration_ms2", &|row| p(row) * row.level_ms2.ln());
+            self.add(Axis::Level, &|row| p(row) * row.level_ms2.ln());
             if !response {
                 continue;
             }
-            self.add("inverse level", &|row| p(row) / row.level_ms2);
+            self.add(Axis::InverseLevel, &|row| p(row) / row.level_ms2);
             if facts.rotation_varies {
-                self.add("rotation_deg", &|row| p(row) * row.rotation.0);
-                self.add("rotation_deg", &|row| p(row) * row.rotation.1);
+                self.add(Axis::Rotation, &|row| p(row) * row.rotation.0);
+                self.add(Axis::Rotation, &|row| p(row) * row.rotation.1);
             }
             if facts.payload_varies {
-                self.add("payload_kg", &|row| p(row) * row.payload_kg);
+                self.add(Axis::Payload, &|row| p(row) * row.payload_kg);
             }
             if facts.temperature_varies {
-                self.add("temperature_c", &|row| p(row) * row.warmer_k);
+                self.add(Axis::Temperature, &|row| p(row) * row.warmer_k);
             }
-            self.add("time_s", &|row| p(row) * row.time_s);
+            self.add(Axis::Time, &|row| p(row) * row.time_s);
         }
     }
 
     /// Level, travel and coil voltage themselves.
     fn add_sizes(&mut self) {
-        let travel_m = |row: &Row| row.level_ms2 / (row.omega * row.omega);
-        self.add("acceleration_ms2", &|row| row.level_ms2);
-        self.add("acceleration_ms2", &|row| row.level_ms2 * row.level_ms2);
-        self.add("travel_m", &travel_m);
-        self.add("travel_m", &|row| travel_m(row).powi(2));
-        self.add("coil_v", &|row| row.coil_peak_v);
+        self.add(Axis::Level, &|row| row.level_ms2);
+        self.add(Axis::Level, &|row| row.level_ms2 * row.level_ms2);
+        self.add(Axis::Travel, &Row::travel_m);
+        self.add(Axis::Travel, &|row| row.travel_m().powi(2));
+        self.add(Axis::CoilVoltage, &|row| row.coil_peak_v);
     }
 
     /// Bands with the same number of frequencies each, or one fewer.
@@ -124,7 +128,7 @@ impl OfSlot<'_> {
         };
         for band in 0..bands {
             let inside = limit(band)..limit(band + 1);
-            self.add("frequency_hz", &|row| {
+            self.add(Axis::Frequency, &|row| {
                 f64::from(u8::from(inside.contains(&row.frequency_hz)))
             });
         }

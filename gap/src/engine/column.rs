@@ -1,20 +1,24 @@
-//! Columns of a Jacobian over the data, sparse by slot.
+//! Columns of a Jacobian over the data, sparse by observable.
 
 use super::problem::Problem;
 use crate::model::row::Row;
+use crate::observable::Observable;
 
-/// One column of a Jacobian: values in the slots it touches.
+/// Values for the data of one observable.
+pub(crate) type Part = (Observable, Vec<f64>);
+
+/// One column of a Jacobian: values for the observables it touches.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Column {
-    pub(crate) parts: Vec<(usize, Vec<f64>)>,
+    pub(crate) parts: Vec<Part>,
 }
 
 impl Column {
     /// Inner product with another column.
     pub(crate) fn dot(&self, other: &Self) -> f64 {
         let mut sum = 0.0;
-        for (slot, a) in &self.parts {
-            if let Some((_, b)) = other.parts.iter().find(|(s, _)| s == slot) {
+        for (observable, a) in &self.parts {
+            if let Some((_, b)) = other.parts.iter().find(|(o, _)| o == observable) {
                 sum += inner(a, b);
             }
         }
@@ -25,7 +29,7 @@ impl Column {
     pub(crate) fn dot_data(&self, problem: &Problem, data: &[f64]) -> f64 {
         self.parts
             .iter()
-            .map(|(slot, a)| inner(a, &data[problem.slots[*slot].clone()]))
+            .map(|(observable, a)| inner(a, &data[problem.data_of(*observable)]))
             .sum()
     }
 
@@ -37,8 +41,8 @@ impl Column {
     /// The column where a condition holds for the row, zero elsewhere.
     pub(crate) fn only(&self, problem: &Problem, holds: impl Fn(&Row) -> bool) -> Self {
         let mut kept = self.clone();
-        for (slot, values) in &mut kept.parts {
-            let rows = &problem.row_of[problem.slots[*slot].clone()];
+        for (observable, values) in &mut kept.parts {
+            let rows = &problem.row_of[problem.data_of(*observable)];
             for (value, row) in values.iter_mut().zip(rows) {
                 *value *= f64::from(u8::from(holds(&problem.rows[*row])));
             }
@@ -46,11 +50,11 @@ impl Column {
         kept
     }
 
-    /// Adds values in a slot.
-    pub(crate) fn add_part(&mut self, slot: usize, values: Vec<f64>) {
-        match self.parts.iter_mut().find(|(s, _)| *s == slot) {
+    /// Adds values for an observable.
+    pub(crate) fn add_part(&mut self, observable: Observable, values: Vec<f64>) {
+        match self.parts.iter_mut().find(|(o, _)| *o == observable) {
             Some((_, sum)) => sum.iter_mut().zip(values).for_each(|(s, v)| *s += v),
-            None => self.parts.push((slot, values)),
+            None => self.parts.push((observable, values)),
         }
     }
 
@@ -63,24 +67,25 @@ impl Column {
 
     /// Adds a multiple of the column to a vector over all data.
     pub(crate) fn add_to(&self, problem: &Problem, data: &mut [f64], factor: f64) {
-        for (slot, values) in &self.parts {
-            for (d, v) in data[problem.slots[*slot].clone()].iter_mut().zip(values) {
+        for (observable, values) in &self.parts {
+            let data = &mut data[problem.data_of(*observable)];
+            for (d, v) in data.iter_mut().zip(values) {
                 *d += factor * v;
             }
         }
     }
 
-    /// Column of differences `(b - a) * scale` over all data, zero slots left out.
+    /// Column of differences `(b - a) * scale` over all data, observables without any left out.
     pub(crate) fn difference(problem: &Problem, a: &[f64], b: &[f64], scale: f64) -> Self {
         let mut parts = Vec::new();
-        for (slot, range) in problem.slots.iter().enumerate() {
+        for (observable, range) in problem.measured_observables() {
             let values: Vec<f64> = a[range.clone()]
                 .iter()
                 .zip(&b[range.clone()])
                 .map(|(a, b)| (b - a) * scale)
                 .collect();
             if values.iter().any(|v| v.abs() > 1e-11 * scale.abs()) {
-                parts.push((slot, values));
+                parts.push((observable, values));
             }
         }
         Self { parts }

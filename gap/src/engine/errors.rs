@@ -3,20 +3,9 @@
 use super::fit::Fit;
 use super::gap::{ObservableGap, closed_share};
 use super::problem::Problem;
-use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
+use crate::observable::{Group, Observable};
 
-/// Observables with the slots they fill.
-pub(crate) const OBSERVABLES: [(&str, usize, usize); 7] = [
-    ("ratio", RATIO, DRIVE),
-    ("drive", DRIVE, CURRENT),
-    ("current", CURRENT, REF_HARMONICS),
-    ("ref_harmonics", REF_HARMONICS, DUT_HARMONICS),
-    ("dut_harmonics", DUT_HARMONICS, DC),
-    ("dc", DC, NOISE),
-    ("noise", NOISE, SLOTS),
-];
-
-/// Sums over the data of an observable.
+/// Sums over the data of a group.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Errors {
     /// Of squared errors; relative to the signal where they are voltages.
@@ -32,16 +21,16 @@ pub(super) struct Errors {
 }
 
 impl Errors {
-    /// Errors of a fit of `training` on each observable of `testing`.
-    fn of(fit: &Fit, training: &Problem, testing: &Problem) -> [Self; OBSERVABLES.len()] {
+    /// Errors of a fit of `training` on each group of `testing`.
+    fn of(fit: &Fit, training: &Problem, testing: &Problem) -> [Self; Group::ALL.len()] {
         let theta = testing.translate(training, &fit.theta);
         let evaluation = testing.evaluate(&fit.effects, &theta, &mut testing.memory());
-        OBSERVABLES.map(|(_, from, to)| {
+        Group::ALL.map(|group| {
             let mut errors = Self::default();
             let mut seen = vec![false; testing.rows.len()];
-            for at in testing.slots[from].start..testing.slots[to - 1].end {
+            for at in testing.data_of_group(group) {
                 let difference = evaluation.residual[at] / evaluation.weight[at];
-                let scale = if from == DC {
+                let scale = if group == Group::Dc {
                     over_peak(testing, at)
                 } else {
                     1.0
@@ -63,7 +52,7 @@ impl Errors {
 /// Factor that makes a mean, in V, relative to the amplitude of its channel.
 fn over_peak(problem: &Problem, at: usize) -> f64 {
     let row = &problem.rows[problem.row_of[at]];
-    let of_dut = problem.slots[DC + 1].contains(&at);
+    let of_dut = problem.data_of(Observable::DutDc).contains(&at);
     1.0 / if of_dut {
         row.dut_peak_v
     } else {
@@ -79,13 +68,13 @@ pub(super) struct Compared {
 }
 
 impl Compared {
-    /// Compares fits of `training` on each observable of `testing`.
-    pub(super) fn by_observable(
+    /// Compares fits of `training` on each group of `testing`.
+    pub(super) fn by_group(
         training: &Problem,
         testing: &Problem,
         nominal: &Fit,
         chosen: &Fit,
-    ) -> [Self; OBSERVABLES.len()] {
+    ) -> [Self; Group::ALL.len()] {
         let before = Errors::of(nominal, training, testing);
         let after = Errors::of(chosen, training, testing);
         std::array::from_fn(|i| Self {
@@ -118,7 +107,7 @@ impl Compared {
         self.before.chi - self.before.data
     }
 
-    /// The gap of an observable; a share of it only where it stands out of the noise.
+    /// The gap of a group; a share of it only where it stands out of the noise.
     pub(super) fn gap(&self) -> ObservableGap {
         let [before_percent, after_percent, floor_percent] = self.percent();
         let [chi_before, chi_after] = self.chi();

@@ -2,13 +2,13 @@
 
 use super::evaluation::{Evaluation, Responses};
 use super::nuisance::Nuisance;
-use super::problem::{Problem, is_phase, wrapped};
+use super::problem::{Problem, wrapped};
 use super::remainder::Remainders;
 use crate::effects::Active;
 use crate::model::memory::{Memory, Recall};
 use crate::model::predict::predict;
 use crate::model::prediction::{Nominal, Prediction};
-use crate::model::row::{DRIVE, RATIO};
+use crate::observable::Observable;
 
 /// Memory of all rows, as an evaluation uses it.
 pub(crate) enum Memories<'a> {
@@ -41,12 +41,13 @@ impl Problem {
                         nominal.reference_gain *= change.exp();
                     }
                 }
-                Nuisance::Exciter(i) => {
+                Nuisance::Exciter(parameter) => {
                     if let Some(exciter) = nominal.exciter.as_mut() {
-                        exciter[i] = self.exciter_value(i, value);
+                        exciter[parameter] = self.exciter_value(parameter, value);
                     }
                 }
                 Nuisance::Noise(channel) => {
+                    let channel = channel as usize;
                     nominal.noise_v[channel] *= change.exp();
                     nominal.noise_ln[channel] = nominal.noise_v[channel].ln();
                 }
@@ -94,8 +95,8 @@ impl Problem {
             .collect();
         for (index, row) in self.rows.iter().enumerate() {
             let mut prediction = predict(row, &of_run[row.run], effects, memory.of(index));
-            prediction.value[RATIO] += gains[row.run][0];
-            prediction.value[DRIVE] += gains[row.run][1];
+            prediction.value[Observable::Ratio] += gains[row.run][0];
+            prediction.value[Observable::Drive] += gains[row.run][1];
             visit(index, &prediction);
         }
     }
@@ -188,12 +189,12 @@ impl Problem {
 
     fn compare(&self, index: usize, prediction: &Prediction, evaluation: &mut Evaluation) {
         for datum in self.of_row(index) {
-            let (slot, at) = (datum.slot, datum.at);
-            let mut difference = datum.measured - prediction.value[slot];
-            if is_phase(slot) {
+            let (observable, at) = (datum.observable, datum.at);
+            let mut difference = datum.measured - prediction.value[observable];
+            if observable.is_phase() {
                 difference = wrapped(difference);
             }
-            let open = prediction.open[slot];
+            let open = prediction.open[observable];
             if open > 0.0 {
                 let ratio = 1.0 + open * self.stated_weight[at].powi(2);
                 evaluation.objective += ratio.ln();

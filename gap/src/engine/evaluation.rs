@@ -1,6 +1,6 @@
 //! Simulation and measurement compared.
 
-use crate::model::exciter::Slopes;
+use crate::model::exciter::ExciterSlopes;
 
 /// State of the simulation for one set of effects and nuisance values.
 #[derive(Debug, Clone)]
@@ -30,7 +30,7 @@ impl Evaluation {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Responses {
     /// Slopes of drive and current against the values of the exciter.
-    pub(super) exciter: Vec<Option<[Slopes; 2]>>,
+    pub(super) exciter: Vec<Option<ExciterSlopes>>,
     /// Share of the healthy noise in the noise of each channel.
     pub(super) noise_share: Vec<[f64; 2]>,
 }

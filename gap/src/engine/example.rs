@@ -6,6 +6,7 @@ use super::problem::Problem;
 use super::significance::Gauss;
 use crate::dataset::{Point, Rig};
 use crate::effects::{Active, library};
+use crate::observable::Observable;
 
 const RIG: &str = r#"
 kind = "calibrator"
@@ -66,8 +67,9 @@ pub(super) fn measured(effects: &[(&str, Vec<f64>)]) -> (Rig, Vec<Point>) {
         &theta,
         Memories::Keep(&mut memory),
         |row, found| {
-            let [drive, drive_rad, current, current_rad] =
-                [2, 3, 4, 5].map(|slot| found.value[slot] + noise());
+            let mut value = |observable| found.value[observable] + noise();
+            let [drive, drive_rad] = Observable::DRIVE.map(&mut value);
+            let [current, current_rad] = Observable::CURRENT.map(value);
             let point = &mut points[row];
             (point.ref_v, point.ref_rad) = (Some(drive.exp()), Some(drive_rad));
             (point.coil_a, point.coil_a_rad) = (Some(current.exp()), Some(current_rad));

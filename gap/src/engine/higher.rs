@@ -3,7 +3,7 @@
 use super::evaluate::Memories;
 use super::fit::{Fit, Workspace};
 use super::problem::Problem;
-use crate::model::row::{NOISE, SLOTS};
+use crate::observable::Group;
 
 /// Share of the healthy noise power from which the higher harmonics of a row matter.
 const SHOWS: f64 = 1e-2;
@@ -16,8 +16,7 @@ pub(super) fn higher_harmonics(
     work: &Workspace,
 ) -> Option<Vec<[f64; 2]>> {
     // Nothing moves but by a fundamental without effects, and nothing shows without noise columns.
-    let noise = problem.slots[NOISE].start..problem.slots[SLOTS - 1].end;
-    if fit.effects.is_empty() || noise.is_empty() {
+    if fit.effects.is_empty() || problem.data_of_group(Group::Noise).is_empty() {
         return None;
     }
     let healthy_v2 = problem.base.noise_v.map(|v| v * v);

@@ -1,15 +1,12 @@
 //! The share of the gap that is closed on rows that took no part.
 
-use super::errors::{Compared, OBSERVABLES};
+use super::errors::Compared;
 use super::fit::Fit;
 use super::gap::Gap;
 use super::problem::Problem;
 use crate::dataset::Rig;
-use crate::model::row::REF_HARMONICS;
+use crate::observable::Group;
 use std::collections::BTreeMap;
-
-/// Observables of [`OBSERVABLES`] that are responses: ratio, drive, current.
-const RESPONSES: usize = 3;
 
 /// Rows to choose and fit on, and rows that take no part: every third frequency.
 pub(crate) fn split(problem: &Problem, rig: &Rig) -> (Problem, Problem) {
@@ -34,13 +31,13 @@ pub(crate) fn held_out(problem: &Problem) -> Vec<bool> {
 
 /// Scores fits of one problem on another with the same rig.
 pub(crate) fn score_on(training: &Problem, testing: &Problem, nominal: &Fit, chosen: &Fit) -> Gap {
-    let compared = Compared::by_observable(training, testing, nominal, chosen);
-    let mut responses = testing.slots[..REF_HARMONICS].iter();
-    let has_response = responses.any(|slot| !slot.is_empty());
+    let compared = Compared::by_group(training, testing, nominal, chosen);
+    let mut responses = Group::RESPONSES.into_iter();
+    let has_response = responses.any(|group| !testing.data_of_group(group).is_empty());
     let mut pooled = Compared::default();
     let mut by_observable = BTreeMap::new();
     let (mut closed, mut weights) = (0.0, 0.0);
-    for (index, (compared, (name, ..))) in compared.iter().zip(OBSERVABLES).enumerate() {
+    for (compared, group) in compared.iter().zip(Group::ALL) {
         if compared.before.rows == 0.0 {
             continue;
         }
@@ -49,8 +46,9 @@ pub(crate) fn score_on(training: &Problem, testing: &Problem, nominal: &Fit, cho
             closed += share * compared.excess();
             weights += compared.excess();
         }
-        pool(&mut pooled, compared, index < RESPONSES || !has_response);
-        by_observable.insert(name, gap);
+        let counts = group.is_response() || !has_response;
+        pool(&mut pooled, compared, counts);
+        by_observable.insert(group.name(), gap);
     }
     let [before_percent, after_percent, floor_percent] = pooled.percent();
     let [chi_before, chi_after] = pooled.chi();
@@ -77,7 +75,7 @@ pub(crate) fn score_on(training: &Problem, testing: &Problem, nominal: &Fit, cho
     }
 }
 
-/// Adds an observable to the sums over all; relative errors of responses stand for themselves.
+/// Adds a group to the sums over all; relative errors of responses stand for themselves.
 fn pool(pooled: &mut Compared, one: &Compared, counts: bool) {
     let sums = [&mut pooled.before, &mut pooled.after].into_iter();
     for (sum, errors) in sums.zip([&one.before, &one.after]) {

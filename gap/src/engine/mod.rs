@@ -1,7 +1,7 @@
 //! From a dataset to an answer.
 //!
 //! ```text
-//! problem    whitened data, slots, comparison with the simulation
+//! problem    whitened data by observable, comparison with the simulation
 //! evaluate   compares simulation and measurement; evaluation: what comes of it
 //! nuisance   what a fit moves that is no effect
 //! remainder  harmonics above those that are reported, as noise; higher: where they would show

@@ -2,7 +2,7 @@
 
 use super::column::Column;
 use super::evaluation::Evaluation;
-use super::problem::{Problem, is_phase, wrapped};
+use super::problem::{Problem, wrapped};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Tangent space of a fit: columns, their priors, and the factor of the normal matrix.
@@ -101,14 +101,16 @@ pub(crate) fn damped_step(
 
 /// Change of the weighted residual between two evaluations, weights of the first.
 pub(crate) fn difference(problem: &Problem, here: &Evaluation, there: &Evaluation) -> Vec<f64> {
-    (0..problem.len())
-        .map(|at| {
+    let mut changes = Vec::with_capacity(problem.len());
+    for (observable, data) in problem.measured_observables() {
+        changes.extend(data.map(|at| {
             let mut change =
                 here.residual[at] / here.weight[at] - there.residual[at] / there.weight[at];
-            if is_phase(problem.slot_of(at)) {
+            if observable.is_phase() {
                 change = wrapped(change);
             }
             change * here.weight[at]
-        })
-        .collect()
+        }));
+    }
+    changes
 }

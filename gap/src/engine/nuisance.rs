@@ -1,8 +1,9 @@
 //! What a fit moves that is no effect: gains, nominal values of the exciter, healthy noise.
 
-use crate::dataset::{Exciter, Measurand, Quantity, Repeatability, Rig, Transducer};
+use crate::dataset::{ExciterParameter, Measurand, Quantity, Repeatability, Rig, Transducer};
 use crate::effects::Facts;
 use crate::model::row::Row;
+use crate::observable::Channel;
 use std::f64::consts::SQRT_2;
 
 /// A parameter of the simulation that is not an effect, in units of its uncertainty.
@@ -12,14 +13,14 @@ pub(crate) enum Nuisance {
     RatioGain,
     /// Gain of the drive.
     DriveGain,
-    /// One of the six exciter values.
-    Exciter(usize),
+    /// A value of the exciter.
+    Exciter(ExciterParameter),
     /// Gain of the reference in a run.
     RunReference(usize),
     /// Gain of the device under test in a run.
     RunDut(usize),
     /// Noise of a healthy channel.
-    Noise(usize),
+    Noise(Channel),
 }
 
 /// A nuisance with its prior.
@@ -94,8 +95,10 @@ fn gains(rig: &Rig, facts: &Facts) -> impl Iterator<Item = Free> {
 /// The values of a complete exciter.
 fn exciter(rig: &Rig) -> impl Iterator<Item = Free> {
     let values = rig.exciter.and_then(|e| e.complete());
-    let values = values.into_iter().flatten().enumerate();
-    values.map(|(i, q)| Free::known(Nuisance::Exciter(i), q.relative_u()))
+    values.into_iter().flat_map(|values| {
+        let known = move |p| Free::known(Nuisance::Exciter(p), values[p].relative_u());
+        ExciterParameter::ALL.map(known)
+    })
 }
 
 /// What the repeatability of both channels leaves to each run.
@@ -121,8 +124,9 @@ fn noises(rig: &Rig, facts: &Facts) -> impl Iterator<Item = Free> {
     // twice the variance in each, the mean of both has the stated uncertainty.
     let shared = if measured == [true; 2] { SQRT_2 } else { 1.0 };
     let unit = shared * rig.digitiser.noise_v.map_or(0.0, Quantity::relative_u);
-    let channels = (0..2).filter(move |channel| measured[*channel]);
-    channels.map(move |channel| Free::known(Nuisance::Noise(channel), unit))
+    let channels = Channel::BOTH.into_iter().zip(measured);
+    let measured = channels.filter(|(_, measured)| *measured);
+    measured.map(move |(channel, _)| Free::known(Nuisance::Noise(channel), unit))
 }
 
 /// Factor on a value for a relative change; large uncertainties stay positive.
@@ -144,6 +148,3 @@ pub(super) fn stretched_slope(change: f64, u: f64) -> f64 {
         0.0
     }
 }
-
-/// Names of the nominal parameters in JSON, in the order of the nuisances of the exciter.
-pub(crate) const EXCITER_NAMES: [&str; 6] = Exciter::NAMES;

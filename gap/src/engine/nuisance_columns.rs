@@ -1,10 +1,11 @@
-//! Slopes of the weighted prediction against the nuisances, slot by slot.
+//! Slopes of the weighted prediction against the nuisances.
 
-use super::column::Column;
+use super::column::{Column, Part};
 use super::evaluation::{Evaluation, Responses};
 use super::nuisance::{Free, Nuisance};
 use super::problem::Problem;
-use crate::model::row::{CURRENT, DRIVE, NOISE, RATIO};
+use crate::model::exciter::{ExciterSlopes, Slopes};
+use crate::observable::{Complex, Observable};
 use num_complex::Complex64;
 
 /// One column for each nuisance of a problem.
@@ -35,27 +36,33 @@ fn column(
         unit,
     };
     let mut parts = match free.kind {
-        Nuisance::RatioGain => vec![at.part(RATIO, |_| 1.0)],
-        Nuisance::DriveGain => vec![at.part(DRIVE, |_| 1.0)],
-        Nuisance::RunDut(run) => vec![at.in_run(RATIO, run, 1.0)],
+        Nuisance::RatioGain => vec![at.part(Observable::Ratio, |_| 1.0)],
+        Nuisance::DriveGain => vec![at.part(Observable::Drive, |_| 1.0)],
+        Nuisance::RunDut(run) => vec![at.in_run(Observable::Ratio, run, 1.0)],
         Nuisance::RunReference(run) => {
-            vec![at.in_run(RATIO, run, -1.0), at.in_run(DRIVE, run, 1.0)]
+            vec![
+                at.in_run(Observable::Ratio, run, -1.0),
+                at.in_run(Observable::Drive, run, 1.0),
+            ]
         }
-        Nuisance::Exciter(i) => {
-            let slope = |observable: usize| {
+        Nuisance::Exciter(parameter) => {
+            let slope = |of: fn(&ExciterSlopes) -> &Slopes| {
                 move |row: usize| match &responses.exciter[row] {
-                    Some(slopes) => slopes[observable][i],
+                    Some(slopes) => of(slopes)[parameter],
                     None => Complex64::ZERO,
                 }
             };
-            let [drive, current] = [at.both(DRIVE, slope(0)), at.both(CURRENT, slope(1))];
+            let drive = at.both(Observable::DRIVE, slope(|s| &s.drive));
+            let current = at.both(Observable::CURRENT, slope(|s| &s.current));
             drive.into_iter().chain(current).collect()
         }
         Nuisance::Noise(channel) => {
-            vec![at.part(NOISE + channel, |row| responses.noise_share[row][channel])]
+            vec![at.part(Observable::noise(channel), |row| {
+                responses.noise_share[row][channel as usize]
+            })]
         }
     };
-    parts.retain(|(slot, _)| !problem.slots[*slot].is_empty());
+    parts.retain(|(observable, _)| !problem.data_of(*observable).is_empty());
     Column { parts }
 }
 
@@ -66,22 +73,19 @@ struct Place<'a> {
     unit: f64,
 }
 
-/// Values of a slot.
-type Part = (usize, Vec<f64>);
-
 impl Place<'_> {
     /// Slope of each row, times unit and weight.
-    fn part(&self, slot: usize, slope: impl Fn(usize) -> f64) -> Part {
-        let range = self.problem.slots[slot].clone();
+    fn part(&self, observable: Observable, slope: impl Fn(usize) -> f64) -> Part {
+        let range = self.problem.data_of(observable);
         let data = self.weight[range.clone()].iter();
         let values = data.zip(&self.problem.row_of[range]);
         let weighted = values.map(|(w, row)| self.unit * slope(*row) * w);
-        (slot, weighted.collect())
+        (observable, weighted.collect())
     }
 
     /// The same slope in all rows of a run.
-    fn in_run(&self, slot: usize, run: usize, slope: f64) -> Part {
-        self.part(slot, |row| {
+    fn in_run(&self, observable: Observable, run: usize, slope: f64) -> Part {
+        self.part(observable, |row| {
             if self.problem.rows[row].run == run {
                 slope
             } else {
@@ -91,10 +95,10 @@ impl Place<'_> {
     }
 
     /// Both parts of a complex slope.
-    fn both(&self, slot: usize, slope: impl Fn(usize) -> Complex64) -> [Part; 2] {
+    fn both(&self, [real, imaginary]: Complex, slope: impl Fn(usize) -> Complex64) -> [Part; 2] {
         [
-            self.part(slot, |row| slope(row).re),
-            self.part(slot + 1, |row| slope(row).im),
+            self.part(real, |row| slope(row).re),
+            self.part(imaginary, |row| slope(row).im),
         ]
     }
 }

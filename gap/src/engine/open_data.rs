@@ -3,7 +3,6 @@
 use super::battery::Test;
 use super::evaluation::Evaluation;
 use super::problem::Problem;
-use crate::model::row::NOISE;
 
 /// Effective number of open data that a test of them needs.
 const FEWEST_OPEN: f64 = 12.0;
@@ -28,15 +27,15 @@ impl<'a> OpenData<'a> {
             .map(|(at, w)| w * problem.uncertainty(at) < OPEN)
             .collect();
         let covers = |test: &&Test| {
-            let slot = &test.column.parts[0];
-            let inside = slot.1.iter().zip(&open[problem.slots[slot.0].clone()]);
+            let (observable, values) = &test.column.parts[0];
+            let inside = values.iter().zip(&open[problem.data_of(*observable)]);
             let (mut square, mut fourth) = (0.0, 0.0);
             for (v, _) in inside.filter(|(_, open)| **open) {
                 square += v * v;
                 fourth += v.powi(4);
             }
             // How the noise itself is left open is a matter of shape: no pattern is asked of it.
-            slot.0 < NOISE && square * square > FEWEST_OPEN * fourth
+            !observable.is_noise() && square * square > FEWEST_OPEN * fourth
         };
         let tests = if open.iter().any(|o| *o) {
             tests.iter().filter(covers).collect()
@@ -52,8 +51,8 @@ impl<'a> OpenData<'a> {
         let open = residual.iter().zip(&self.open).filter(|(_, open)| **open);
         let outlier = open.fold(0.0, |m: f64, (r, _)| m.max(r.abs() / ROUGHLY));
         self.tests.iter().fold(outlier, |most: f64, test| {
-            let (slot, values) = &test.column.parts[0];
-            let range = problem.slots[*slot].clone();
+            let (observable, values) = &test.column.parts[0];
+            let range = problem.data_of(*observable);
             let inside = values
                 .iter()
                 .zip(&residual[range.clone()])

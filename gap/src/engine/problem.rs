@@ -1,11 +1,12 @@
-//! A dataset as a fitting problem: whitened data, nuisance parameters, slots.
+//! A dataset as a fitting problem: whitened data by observable, nuisance parameters.
 
 use super::nuisance::{Free, Nuisance, nuisances, stretched, stretched_slope};
-use crate::dataset::{Measured, Point, Quantity, Rig};
+use crate::dataset::{ExciterParameter, ExciterParameters, Measured, Point, Quantity, Rig};
 use crate::effects::Facts;
 use crate::model::memory::Memory;
 use crate::model::prediction::Nominal;
-use crate::model::row::{CURRENT, Row, SLOTS};
+use crate::model::row::Row;
+use crate::observable::{Group, Observable, Table};
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
@@ -15,12 +16,12 @@ pub(crate) struct Problem {
     pub(crate) rows: Vec<Row>,
     pub(crate) free: Vec<Free>,
     pub(crate) facts: Facts,
-    /// Row of each datum; data are ordered by slot, then by row.
+    /// Row of each datum; data are ordered by observable, then by row.
     pub(crate) row_of: Vec<usize>,
-    /// Data of each slot.
-    pub(crate) slots: [Range<usize>; SLOTS],
+    data: Table<Range<usize>>,
     pub(super) base: Nominal,
-    exciter_u: [f64; 6],
+    /// Relative standard uncertainties.
+    exciter_u: ExciterParameters<f64>,
     pub(super) measured: Vec<f64>,
     u: Vec<f64>,
     /// One over the stated standard uncertainty.
@@ -33,7 +34,7 @@ pub(crate) struct Problem {
 /// A measured value of a row.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Datum {
-    pub(super) slot: usize,
+    pub(super) observable: Observable,
     /// Place among all data.
     pub(super) at: usize,
     pub(super) measured: f64,
@@ -69,14 +70,15 @@ impl Problem {
             noise_v: [noise_v; 2],
             noise_ln: [noise_v.ln(); 2],
         };
-        let exciter_u = exciter.map_or([0.0; 6], |e| e.map(Quantity::relative_u));
+        let exciter_u =
+            exciter.map_or(ExciterParameters::all(0.0), |e| e.map(Quantity::relative_u));
         let free = nuisances(rig, &rows, &facts);
         let mut problem = Self {
             rows,
             free,
             facts,
             row_of: Vec::new(),
-            slots: std::array::from_fn(|_| 0..0),
+            data: Table::from_fn(|_| 0..0),
             base,
             exciter_u,
             measured: Vec::new(),
@@ -90,34 +92,37 @@ impl Problem {
     }
 
     fn lay_out(&mut self) {
-        for slot in 0..SLOTS {
+        for (observable, data) in self.data.iter_mut() {
             let start = self.row_of.len();
             for (index, row) in self.rows.iter().enumerate() {
-                if row.u[slot].is_finite() {
+                if row.u[observable].is_finite() {
                     self.row_of.push(index);
-                    self.measured.push(row.value[slot]);
-                    self.u.push(row.u[slot]);
-                    self.stated_weight.push(1.0 / row.u[slot]);
+                    self.measured.push(row.value[observable]);
+                    self.u.push(row.u[observable]);
+                    self.stated_weight.push(1.0 / row.u[observable]);
                 }
             }
-            self.slots[slot] = start..self.row_of.len();
+            *data = start..self.row_of.len();
         }
-        let mut next = self.slots.clone();
+        let mut next = self.data.clone();
         for row in &self.rows {
             self.first_of_row.push(self.by_row.len());
-            for (slot, place) in next.iter_mut().enumerate() {
-                if row.u[slot].is_finite()
+            for (observable, place) in next.iter_mut() {
+                if row.u[observable].is_finite()
                     && let Some(at) = place.next()
                 {
-                    let measured = row.value[slot];
-                    self.by_row.push(Datum { slot, at, measured });
+                    self.by_row.push(Datum {
+                        observable,
+                        at,
+                        measured: row.value[observable],
+                    });
                 }
             }
         }
         self.first_of_row.push(self.by_row.len());
     }
 
-    /// What was measured in a row, by slot.
+    /// What was measured in a row, in the order of the observables.
     pub(super) fn of_row(&self, row: usize) -> &[Datum] {
         &self.by_row[self.first_of_row[row]..self.first_of_row[row + 1]]
     }
@@ -148,17 +153,29 @@ impl Problem {
         self.row_of.len()
     }
 
-    /// Slot of a datum.
-    pub(crate) fn slot_of(&self, datum: usize) -> usize {
-        (0..SLOTS)
-            .find(|s| self.slots[*s].contains(&datum))
-            .unwrap_or(SLOTS - 1)
+    /// Data of an observable.
+    pub(crate) fn data_of(&self, observable: Observable) -> Range<usize> {
+        self.data[observable].clone()
     }
 
-    /// Datum in a slot of a row, if it was measured.
-    pub(super) fn datum(&self, row: usize, slot: usize) -> Option<usize> {
-        let inside = self.of_row(row).iter().rev();
-        inside.into_iter().find(|d| d.slot == slot).map(|d| d.at)
+    /// Data of a group, its observables one after the other.
+    pub(crate) fn data_of_group(&self, group: Group) -> Range<usize> {
+        let data = group
+            .observables()
+            .map(|observable| self.data_of(observable));
+        data.reduce(|a, b| a.start..b.end).unwrap_or_default()
+    }
+
+    /// Observables that were measured, with their data.
+    pub(crate) fn measured_observables(&self) -> impl Iterator<Item = (Observable, Range<usize>)> {
+        let all = self.data.iter().map(|(o, data)| (o, data.clone()));
+        all.filter(|(_, data)| !data.is_empty())
+    }
+
+    /// Datum of an observable in a row, if it was measured.
+    pub(super) fn datum(&self, row: usize, observable: Observable) -> Option<usize> {
+        let mut inside = self.of_row(row).iter().rev();
+        inside.find(|d| d.observable == observable).map(|d| d.at)
     }
 
     /// Stated standard uncertainty of a datum.
@@ -174,8 +191,8 @@ impl Problem {
     /// Relative change of a nominal value with its nuisance value.
     pub(super) fn relative_unit(&self, free: &Free, theta: f64) -> f64 {
         match free.kind {
-            Nuisance::Exciter(i) => {
-                let u = self.exciter_u[i];
+            Nuisance::Exciter(parameter) => {
+                let u = self.exciter_u[parameter];
                 stretched_slope(u * theta, u) * u / stretched(u * theta, u)
             }
             _ => free.unit,
@@ -183,20 +200,16 @@ impl Problem {
     }
 
     /// Values of the exciter for nuisance values.
-    pub(super) fn exciter(&self, theta: &[f64]) -> Option<[f64; 6]> {
+    pub(super) fn exciter(&self, theta: &[f64]) -> Option<ExciterParameters<f64>> {
         self.nominal(theta).exciter
     }
 
-    /// Value of one exciter entry for a nuisance value.
-    pub(crate) fn exciter_value(&self, index: usize, theta: f64) -> f64 {
-        let value = self.base.exciter.map_or(0.0, |e| e[index]);
-        value * stretched(self.exciter_u[index] * theta, self.exciter_u[index])
+    /// Value of a parameter of the exciter for a nuisance value.
+    pub(crate) fn exciter_value(&self, parameter: ExciterParameter, theta: f64) -> f64 {
+        let value = self.base.exciter.map_or(0.0, |e| e[parameter]);
+        let u = self.exciter_u[parameter];
+        value * stretched(u * theta, u)
     }
-}
-
-/// Whether a slot is a phase, known up to whole turns.
-pub(crate) fn is_phase(slot: usize) -> bool {
-    slot < CURRENT + 2 && slot % 2 == 1
 }
 
 /// An angle within half a turn of zero.

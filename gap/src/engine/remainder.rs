@@ -3,7 +3,7 @@
 use super::evaluation::Evaluation;
 use super::problem::Problem;
 use crate::model::prediction::Prediction;
-use crate::model::row::NOISE;
+use crate::observable::{Channel, Observable};
 
 /// Noise with the harmonics above 5 in it, for all rows at once.
 ///
@@ -47,18 +47,19 @@ impl Remainders {
         prediction: &Prediction,
         evaluation: &Evaluation,
     ) {
-        for channel in 0..2 {
+        for (channel, of) in Channel::BOTH.into_iter().enumerate() {
+            let observable = Observable::noise(of);
             let power = prediction.noise_power_v2[channel];
             let added = prediction.remainder_v2[channel];
             if power <= 0.0 || added <= 1e-9 * power {
                 continue;
             }
-            let Some(at) = problem.datum(index, NOISE + channel) else {
+            let Some(at) = problem.datum(index, observable) else {
                 continue;
             };
             let rise = 0.5 * (1.0 + added / power).ln();
-            let difference = problem.measured[at] - prediction.value[NOISE + channel] - rise;
-            let open = prediction.open[NOISE + channel];
+            let difference = problem.measured[at] - prediction.value[observable] - rise;
+            let open = prediction.open[observable];
             let widened = |share: f64| open + (share * rise).powi(2);
             let carried = widened(prediction.remainder_carried[channel]);
             let rough = widened(prediction.remainder_open[channel]);

@@ -4,7 +4,7 @@ use super::column::Column;
 use super::problem::{Problem, wrapped};
 use crate::effects::Active;
 use crate::model::chain::Transfer;
-use crate::model::row::{DRIVE, RATIO};
+use crate::observable::Observable;
 use num_complex::Complex64;
 
 /// Change of the weighted prediction when a linear response is added.
@@ -37,20 +37,23 @@ fn responses(problem: &Problem, row: usize, active: &Active<'_>) -> [Complex64; 
 fn change(problem: &Problem, weight: &[f64], factors: impl Fn(usize) -> [Complex64; 2]) -> Column {
     let factors: Vec<[Complex64; 2]> = (0..problem.rows.len()).map(factors).collect();
     let mut column = Column::default();
-    for slot in [RATIO, RATIO + 1, DRIVE, DRIVE + 1] {
-        let value = |at: usize| {
-            let factor = factors[problem.row_of[at]][slot / DRIVE];
-            if factor == Complex64::ONE {
-                0.0
-            } else if slot % 2 == 0 {
-                0.5 * factor.norm_sqr().ln() * weight[at]
-            } else {
-                wrapped(factor.arg()) * weight[at]
+    let responses = [Observable::RATIO, Observable::DRIVE].into_iter();
+    for (response, observables) in responses.enumerate() {
+        for observable in observables {
+            let value = |at: usize| {
+                let factor = factors[problem.row_of[at]][response];
+                if factor == Complex64::ONE {
+                    0.0
+                } else if observable.is_phase() {
+                    wrapped(factor.arg()) * weight[at]
+                } else {
+                    0.5 * factor.norm_sqr().ln() * weight[at]
+                }
+            };
+            let values: Vec<f64> = problem.data_of(observable).map(value).collect();
+            if values.iter().any(|v| v.abs() > 1e-11) {
+                column.parts.push((observable, values));
             }
-        };
-        let values: Vec<f64> = problem.slots[slot].clone().map(value).collect();
-        if values.iter().any(|v| v.abs() > 1e-11) {
-            column.parts.push((slot, values));
         }
     }
     column

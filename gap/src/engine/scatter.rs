@@ -10,8 +10,8 @@ use super::nuisance::Nuisance;
 use super::problem::Problem;
 use crate::effects::Active;
 use crate::model::chain::Transfer;
-use crate::model::row::{DRIVE, NOISE};
 use crate::model::scatter::Scatter;
+use crate::observable::{Channel, Group, Observable, Table};
 use std::collections::HashMap;
 
 /// What starts do beside fits that make no noise, by entry and parameters.
@@ -24,8 +24,8 @@ pub(super) struct QuietStarts {
 #[derive(Clone, Copy)]
 struct Shown {
     noise: [NoiseSum; 2],
-    /// Slots below the noise into which it leaks.
-    leaks: [bool; NOISE],
+    /// Observables into which it leaks.
+    leaks: Table<bool>,
     /// Whether the drive loses by it.
     loses: bool,
 }
@@ -42,8 +42,8 @@ pub(super) struct Scene<'a> {
     before: Vec<Scatter>,
     /// Whether there is none, and no noise was judged by another rule.
     quiet: bool,
-    /// Most that leakage into a slot can gain, whatever its size.
-    most_leaked: [f64; NOISE],
+    /// Most that leakage into an observable can gain, whatever its size.
+    most_leaked: Table<f64>,
     /// Most that a smaller drive can gain.
     most_lost: f64,
 }
@@ -69,12 +69,11 @@ impl<'a> Scene<'a> {
             scatter
         });
         let before: Vec<Scatter> = before.collect();
-        let mut noise = problem.slots[NOISE].start..problem.len();
+        let mut noise = problem.data_of_group(Group::Noise);
         let as_stated = noise.all(|at| here.weight[at] == 1.0 / problem.uncertainty(at));
-        let squares = |slot: usize| {
-            here.residual[problem.slots[slot].clone()]
-                .iter()
-                .map(|r| r * r)
+        let squares = |observable: Observable| {
+            let residual = here.residual[problem.data_of(observable)].iter();
+            residual.map(|r| r * r)
         };
         Self {
             problem,
@@ -85,13 +84,11 @@ impl<'a> Scene<'a> {
             quiet: as_stated && before.iter().all(|s| *s == Scatter::default()),
             before,
             // A variance widened by the factor q gains r2 (1 - 1/q) - ln q: most at q = r2.
-            most_leaked: std::array::from_fn(|slot| {
-                let gains = squares(slot)
-                    .filter(|r2| *r2 > 1.0)
-                    .map(|r2| r2 - 1.0 - r2.ln());
-                gains.sum()
+            most_leaked: Table::from_fn(|observable| {
+                let large = squares(observable).filter(|r2| *r2 > 1.0 && !observable.is_noise());
+                large.map(|r2| r2 - 1.0 - r2.ln()).sum()
             }),
-            most_lost: squares(DRIVE).sum(),
+            most_lost: squares(Observable::Drive).sum(),
         }
     }
 
@@ -124,11 +121,8 @@ impl<'a> Scene<'a> {
 
     /// Most that a start can gain outside of the noise columns.
     fn most(&self, shown: &Shown) -> f64 {
-        let slots = self.most_leaked.iter().zip(shown.leaks);
-        let leaked: f64 = slots
-            .filter(|(_, leaks)| *leaks)
-            .map(|(most, _)| most)
-            .sum();
+        let leaking = self.most_leaked.iter().filter(|(o, _)| shown.leaks[*o]);
+        let leaked: f64 = leaking.map(|(_, most)| most).sum();
         leaked + if shown.loses { self.most_lost } else { 0.0 }
     }
 
@@ -150,19 +144,20 @@ impl<'a> Scene<'a> {
     fn look(&self, added: &Active<'_>) -> Shown {
         let mut shown = Shown {
             noise: [NoiseSum::default(); 2],
-            leaks: [false; NOISE],
+            leaks: Table::filled(false),
             loses: false,
         };
         for (row, before) in self.before.iter().enumerate() {
             let after = self.after(row, added);
             if after.leaks != before.leaks {
-                for (slot, leaks) in shown.leaks.iter_mut().enumerate() {
-                    *leaks |= after.leaks.of(slot) != before.leaks.of(slot);
+                for (observable, leaks) in shown.leaks.iter_mut() {
+                    *leaks |= after.leaks.of(observable) != before.leaks.of(observable);
                 }
             }
             shown.loses |= self.transfer(row, added) != Transfer::default();
-            for (channel, sum) in shown.noise.iter_mut().enumerate() {
-                let Some(at) = self.problem.datum(row, NOISE + channel) else {
+            let sums = shown.noise.iter_mut().zip(Channel::BOTH).enumerate();
+            for (channel, (sum, of)) in sums {
+                let Some(at) = self.problem.datum(row, Observable::noise(of)) else {
                     continue;
                 };
                 let healthy = self.healthy_v2[channel];
@@ -177,9 +172,9 @@ impl<'a> Scene<'a> {
 
     /// Gain in the noise columns, the healthy noise fitted anew.
     fn noise(&self, sums: &[NoiseSum; 2]) -> f64 {
-        let data = self.problem.slots[NOISE].start..self.problem.len();
+        let data = self.problem.data_of_group(Group::Noise);
         let mut gain: f64 = self.here.residual[data].iter().map(|r| r * r).sum();
-        for (channel, sum) in sums.iter().enumerate() {
+        for (sum, channel) in sums.iter().zip(Channel::BOTH) {
             let mut free = self.problem.free.iter().zip(self.theta);
             let healthy = free.find(|(f, _)| f.kind == Nuisance::Noise(channel));
             let (unit, pull) = healthy.map_or((0.0, 0.0), |(f, theta)| (f.unit, *theta));
@@ -190,21 +185,21 @@ impl<'a> Scene<'a> {
 
     /// Gain where residuals count less, minus what it costs that they do.
     fn leaked(&self, added: &Active<'_>, shown: &Shown) -> f64 {
-        let slots = (0..NOISE).filter(|slot| shown.leaks[*slot]);
-        let slots: Vec<usize> = slots.collect();
-        if slots.is_empty() {
+        let leaking = shown.leaks.iter().filter(|(_, leaks)| **leaks);
+        let leaking: Vec<Observable> = leaking.map(|(observable, _)| observable).collect();
+        if leaking.is_empty() {
             return 0.0;
         }
         let rows = 0..self.before.len();
         let after: Vec<Scatter> = rows.map(|row| self.after(row, added)).collect();
         let mut gain = 0.0;
         let mut ratios = Product::default();
-        for slot in slots {
+        for observable in leaking {
             let rows = after.iter().zip(&self.before);
             let open: Vec<f64> = rows
-                .map(|(after, before)| after.leaks.of(slot) - before.leaks.of(slot))
+                .map(|(after, before)| after.leaks.of(observable) - before.leaks.of(observable))
                 .collect();
-            let range = self.problem.slots[slot].clone();
+            let range = self.problem.data_of(observable);
             let (residual, weight) = (
                 &self.here.residual[range.clone()],
                 &self.here.weight[range.clone()],
@@ -238,7 +233,7 @@ impl<'a> Scene<'a> {
             let moved = loss.ln() * self.here.weight[at];
             moved * (2.0 * self.here.residual[at] - moved)
         };
-        self.problem.slots[DRIVE].clone().map(change).sum()
+        self.problem.data_of(Observable::Drive).map(change).sum()
     }
 }
 

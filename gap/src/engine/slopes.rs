@@ -34,7 +34,7 @@ impl Slopes {
             parts: column
                 .parts
                 .iter()
-                .map(|(slot, values)| (*slot, kept(values, whole.slots[*slot].start)))
+                .map(|(o, values)| (*o, kept(values, whole.data_of(*o).start)))
                 .collect(),
         };
         // Without its rows, a run has no gain.
@@ -55,8 +55,8 @@ impl Slopes {
         here: &Evaluation,
     ) -> Option<Column> {
         let mut column = self.columns.get(index)?.clone();
-        for (slot, values) in &mut column.parts {
-            let range = problem.slots[*slot].clone();
+        for (observable, values) in &mut column.parts {
+            let range = problem.data_of(*observable);
             let (now, then) = (&here.weight[range.clone()], &self.weight[range]);
             for ((value, now), then) in values.iter_mut().zip(now).zip(then) {
                 *value *= now / then;

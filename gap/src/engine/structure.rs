@@ -9,14 +9,15 @@ use super::open_data::OpenData;
 use super::problem::Problem;
 use super::settled::Settled;
 use super::significance::{Gauss, chi_square_tail, of_smallest, two_sided};
-use crate::model::row::{NOISE, REF_HARMONICS, SLOTS};
+use crate::axis::Axis;
+use crate::observable::{Group, Observable};
 
 /// One test of the residual and its outcome.
 #[derive(Debug, Clone)]
 pub(crate) struct Outcome {
-    pub(crate) slot: usize,
-    pub(crate) axis: &'static str,
-    /// Number of the shape within its slot: the same in all response slots.
+    pub(crate) observable: Observable,
+    pub(crate) axis: Axis,
+    /// Number of the shape within its observable: the same in all responses.
     pub(crate) shape: usize,
     /// Standard normal deviate.
     pub(crate) z: f64,
@@ -134,21 +135,23 @@ impl<'a> Examination<'a> {
     /// Smallest p-value of the sums of squares by class.
     fn of_squares(&self, left: &[f64]) -> f64 {
         let idle = self.tangent.columns.len() as f64;
-        // From a slot, to a slot, and whether the fit moves along these data.
-        let classes = [
-            (0, REF_HARMONICS, true),
-            (REF_HARMONICS, NOISE, false),
-            (NOISE, SLOTS, false),
-            (0, 2, true),
-            (2, REF_HARMONICS, true),
+        let classes: [&[Group]; 5] = [
+            &Group::RESPONSES,
+            &[Group::RefHarmonics, Group::DutHarmonics, Group::Dc],
+            &[Group::Noise],
+            &[Group::Ratio],
+            &[Group::Drive, Group::Current],
         ];
         let mut smallest = f64::INFINITY;
-        for (from, to, fitted) in classes {
-            let range = self.problem.slots[from].start..self.problem.slots[to - 1].end;
-            let count = range.len() as f64;
+        for class in classes {
+            let data = class
+                .iter()
+                .map(|group| &left[self.problem.data_of_group(*group)]);
+            let count = data.clone().map(<[f64]>::len).sum::<usize>() as f64;
             if count > 0.0 {
-                let square: f64 = left[range].iter().map(|r| r * r).sum();
-                let taken = if fitted {
+                let square: f64 = data.flatten().map(|r| r * r).sum();
+                // The fit moves along the responses.
+                let taken = if class.iter().all(|group| group.is_response()) {
                     (0.5 * idle).min(0.5 * count)
                 } else {
                     0.0
@@ -172,7 +175,7 @@ impl<'a> Examination<'a> {
     fn outcomes(&self, left: &[f64]) -> Vec<Outcome> {
         let scored = self.usable.iter().zip(self.scores(left));
         let outcome = |((test, _), z): (&(&Test, f64), f64)| Outcome {
-            slot: test.slot,
+            observable: test.observable,
             axis: test.axis,
             shape: test.shape,
             z,

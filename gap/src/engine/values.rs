@@ -7,6 +7,7 @@ use super::column::Column;
 use super::fit::Fit;
 use super::nuisance::Nuisance;
 use super::problem::Problem;
+use crate::dataset::{ExciterParameter, ExciterParameters};
 use crate::effects::Active;
 use crate::model::chain::Chain;
 use crate::model::row::Row;
@@ -21,20 +22,20 @@ pub(super) fn by_values(
 ) -> Option<Column> {
     let values = problem.exciter(&fit.theta)?;
     let rows = problem.rows.iter();
-    let changes: Option<Vec<[f64; 6]>> = rows.map(|r| changes(&values, fit, r, added)).collect();
+    let changes: Option<Vec<ExciterParameters<f64>>> =
+        rows.map(|r| changes(&values, fit, r, added)).collect();
     let changes = changes?;
     let mut sum = vec![0.0; problem.len()];
-    for value in 0..6 {
-        if changes.iter().all(|c| c[value] == 0.0) {
+    for parameter in ExciterParameter::ALL {
+        if changes.iter().all(|c| c[parameter] == 0.0) {
             continue;
         }
         let mut free = problem.free.iter();
-        let at = free.position(|f| f.kind == Nuisance::Exciter(value))?;
+        let at = free.position(|f| f.kind == Nuisance::Exciter(parameter))?;
         let unit = problem.relative_unit(&problem.free[at], fit.theta[at]);
-        for (slot, slope) in &slopes[at].parts {
-            let data = problem.slots[*slot].clone();
-            for (at, slope) in data.zip(slope) {
-                sum[at] += slope * changes[problem.row_of[at]][value] / unit;
+        for (observable, slope) in &slopes[at].parts {
+            for (at, slope) in problem.data_of(*observable).zip(slope) {
+                sum[at] += slope * changes[problem.row_of[at]][parameter] / unit;
             }
         }
     }
@@ -46,20 +47,26 @@ pub(super) fn by_values(
     ))
 }
 
-/// Relative changes of the six values in a row.
-fn changes(values: &[f64; 6], fit: &Fit, row: &Row, added: &Active<'_>) -> Option<[f64; 6]> {
+/// Relative changes of the values in a row.
+fn changes(
+    values: &ExciterParameters<f64>,
+    fit: &Fit,
+    row: &Row,
+    added: &Active<'_>,
+) -> Option<ExciterParameters<f64>> {
     let mut before = Chain::default();
     fit.effects.iter().for_each(|e| e.chain(row, &mut before));
     let mut after = before.clone();
     added.chain(row, &mut after);
-    let changes = [
-        (after.mass_kg - before.mass_kg) / values[0],
-        0.0,
-        (after.damping_ns_per_m - before.damping_ns_per_m) / values[2],
-        0.0,
-        after.resistance / before.resistance - 1.0,
-        0.0,
-    ];
+    let changes = ExciterParameters {
+        moving_mass_kg: (after.mass_kg - before.mass_kg) / values.moving_mass_kg,
+        stiffness_n_per_m: 0.0,
+        damping_ns_per_m: (after.damping_ns_per_m - before.damping_ns_per_m)
+            / values.damping_ns_per_m,
+        force_factor_n_per_a: 0.0,
+        coil_resistance_ohm: after.resistance / before.resistance - 1.0,
+        coil_inductance_h: 0.0,
+    };
     before.mass_kg = after.mass_kg;
     before.damping_ns_per_m = after.damping_ns_per_m;
     before.resistance = after.resistance;

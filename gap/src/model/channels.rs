@@ -11,9 +11,10 @@ use super::held::Held;
 use super::passed::{bends_by, mixes, pass};
 use super::path::{Above, Path, highest};
 use super::prediction::{Nominal, Prediction};
-use super::row::{DC, DUT_HARMONICS, REF_HARMONICS, Row};
+use super::row::Row;
 use super::wave::{Wave, mean_square};
 use super::waveform::{Characteristic, REPORTED};
+use crate::observable::{Channel, Observable};
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
@@ -38,12 +39,12 @@ fn of_reference(chain: &Chain, held: &Held<'_>, out: &mut Prediction) -> Complex
     let (path, peak_v) = (&held.path, held.reference.peak_v);
     let adc = chain.ref_adc.filter(|_| peak_v.is_finite());
     if adc.is_none() && path.is_sine() {
-        write_sine(path.transfers.row, REF_HARMONICS, out);
+        write_sine(path.transfers.row, Channel::Reference, out);
         return Complex64::ONE;
     }
     let whole = mixes(adc, peak_v, path.others);
     let mut signal = Signal {
-        channel: 0,
+        channel: Channel::Reference,
         peak_v,
         wave: path.to_reference(highest(whole)),
     };
@@ -60,7 +61,7 @@ fn of_dut(nominal: &Nominal, chain: &Chain, held: &Held<'_>, out: &mut Predictio
     let (row, first) = (path.transfers.row, &path.transfers.first);
     let is_bent = chain.mount.is_some() || chain.dut_adc.is_some();
     if !is_bent && path.is_sine() && chain.dut_harmonics == [0.0; 4] {
-        write_sine(row, DUT_HARMONICS, out);
+        write_sine(row, Channel::Dut, out);
         return Complex64::ONE;
     }
     let shown = held.reference.gain * size(first.reference);
@@ -75,7 +76,7 @@ fn of_dut(nominal: &Nominal, chain: &Chain, held: &Held<'_>, out: &mut Predictio
     );
     let whole = mixes(mount, peak_ms2, path.others) || twice;
     let mut signal = Signal {
-        channel: 1,
+        channel: Channel::Dut,
         peak_v,
         wave: path.carry(&path.table, highest(whole), |t| t.table),
     };
@@ -110,8 +111,7 @@ fn others_at_converter(
 
 /// The signal of a channel on its way.
 struct Signal {
-    /// Reference: 0, device under test: 1.
-    channel: usize,
+    channel: Channel,
     /// Of the fundamental.
     peak_v: f64,
     /// Relative harmonics.
@@ -131,7 +131,7 @@ impl Signal {
         let v_per_ms2 = self.peak_v / peak_ms2;
         if passed.beyond > 0.0 {
             let carried = path.carries_kink(|t| t.dut, whole);
-            out.remainder_v2[self.channel] += passed.beyond * v_per_ms2.powi(2) * carried;
+            out.remainder_v2[self.channel as usize] += passed.beyond * v_per_ms2.powi(2) * carried;
         }
         self.peak_v *= size(passed.gain);
         self.wave = passed.wave;
@@ -149,8 +149,8 @@ impl Signal {
     /// The converter bends the voltage; returns its gain.
     fn convert(&mut self, adc: Characteristic, whole: bool, out: &mut Prediction) -> Complex64 {
         let passed = pass(adc, self.peak_v, &self.wave, whole);
-        out.value[DC + self.channel] += passed.mean;
-        out.remainder_v2[self.channel] += passed.beyond;
+        out.value[Observable::dc(self.channel)] += passed.mean;
+        out.remainder_v2[self.channel as usize] += passed.beyond;
         self.peak_v *= size(passed.gain);
         self.wave = passed.wave;
         passed.gain
@@ -161,8 +161,7 @@ impl Signal {
         if self.peak_v.is_finite() {
             self.write_remainder(path, above, whole, out);
         }
-        let slot = [REF_HARMONICS, DUT_HARMONICS][self.channel];
-        write_harmonics(path.transfers.row, slot, &self.wave, out);
+        write_harmonics(path.transfers.row, self.channel, &self.wave, out);
     }
 
     fn write_remainder(&self, path: &Path<'_>, above: &Above, whole: bool, out: &mut Prediction) {
@@ -173,30 +172,33 @@ impl Signal {
         } else {
             above.remainder
         };
-        out.remainder_v2[self.channel] += 0.5 * self.peak_v * self.peak_v * over_fundamental;
+        out.remainder_v2[self.channel as usize] +=
+            0.5 * self.peak_v * self.peak_v * over_fundamental;
         if path.remainder > 0.0 {
             let carried = (above.beyond - path.beyond).abs() / above.remainder;
-            out.remainder_carried[self.channel] = carried;
-            out.remainder_open[self.channel] = REMAINDER_OPEN.max(carried);
+            out.remainder_carried[self.channel as usize] = carried;
+            out.remainder_open[self.channel as usize] = REMAINDER_OPEN.max(carried);
         }
     }
 }
 
 /// A channel that nothing has bent: amplitudes without a phase are those of noise.
-fn write_sine(row: &Row, slot: usize, out: &mut Prediction) {
-    if row.bare_harmonics.contains(&true) {
-        write_harmonics(row, slot, &[Complex64::ZERO; ORDERS + 1], out);
+fn write_sine(row: &Row, channel: Channel, out: &mut Prediction) {
+    if row.bare_harmonics[channel as usize].contains(&true) {
+        write_harmonics(row, channel, &[Complex64::ZERO; ORDERS + 1], out);
     }
 }
 
-fn write_harmonics(row: &Row, slot: usize, wave: &Wave, out: &mut Prediction) {
-    for (k, h) in wave[2..REPORTED].iter().enumerate() {
-        let at = slot + 2 * k;
-        if row.bare_harmonics[(at - REF_HARMONICS) / 2] {
+fn write_harmonics(row: &Row, channel: Channel, wave: &Wave, out: &mut Prediction) {
+    let bare = row.bare_harmonics[channel as usize].iter();
+    let observables = Observable::harmonics(channel).into_iter().zip(bare);
+    for ((parts, bare), h) in observables.zip(&wave[2..REPORTED]) {
+        if *bare {
             // The amplitude of pure noise has the mean u sqrt(pi/2).
+            let [at, _] = parts;
             out.value[at] = (h.norm_sqr() + row.u[at] * row.u[at] * FRAC_PI_2).sqrt();
         } else {
-            out.put(at, *h);
+            out.put(parts, *h);
         }
     }
 }

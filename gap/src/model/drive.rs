@@ -7,6 +7,7 @@ use super::exciter::{Added, Exciter};
 use super::fundamental::Fundamental;
 use super::memory::Recall;
 use super::row::Row;
+use crate::dataset::ExciterParameters;
 use std::f64::consts::SQRT_2;
 
 /// What the exciter does to one row.
@@ -19,18 +20,18 @@ pub(super) struct Drive {
 /// Drives a row to the level that is held.
 pub(super) fn drive(
     row: &Row,
-    values: &[f64; 6],
+    values: &ExciterParameters<f64>,
     chain: &Chain,
     level_ms2: f64,
     memory: &mut Recall<'_>,
 ) -> Drive {
     let exciter = Exciter {
-        mass_kg: values[0] + row.payload_kg + chain.mass_kg,
-        stiffness_n_per_m: values[1],
-        damping_ns_per_m: values[2] + chain.damping_ns_per_m,
-        force_factor_n_per_a: values[3],
-        resistance_ohm: values[4] * chain.resistance,
-        inductance_h: values[5],
+        mass_kg: values.moving_mass_kg + row.payload_kg + chain.mass_kg,
+        stiffness_n_per_m: values.stiffness_n_per_m,
+        damping_ns_per_m: values.damping_ns_per_m + chain.damping_ns_per_m,
+        force_factor_n_per_a: values.force_factor_n_per_a,
+        resistance_ohm: values.coil_resistance_ohm * chain.resistance,
+        inductance_h: values.coil_inductance_h,
         emf_ratio: chain.emf,
         inductance_exponent: chain.inductance_exponent,
     };

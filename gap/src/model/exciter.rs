@@ -1,5 +1,6 @@
 //! The voltage-driven moving coil, linear: what one sine at one frequency does.
 
+use crate::dataset::ExciterParameters;
 use num_complex::Complex64;
 
 /// Frequency at which the coil inductance is stated.
@@ -35,9 +36,17 @@ pub(crate) struct Added {
     pub(crate) damping_ns_per_m: f64,
 }
 
-/// Relative slopes against the relative changes of mass, stiffness, damping, force factor,
-/// resistance and inductance.
-pub(crate) type Slopes = [Complex64; 6];
+/// Relative slopes of a response against relative changes of the parameters.
+pub(crate) type Slopes = ExciterParameters<Complex64>;
+
+/// Slopes of both responses to the coil voltage.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct ExciterSlopes {
+    /// Of the acceleration.
+    pub(crate) drive: Slopes,
+    /// Of the coil current.
+    pub(crate) current: Slopes,
+}
 
 /// Responses to the coil voltage at one frequency.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,8 +55,7 @@ pub(crate) struct Linear {
     pub(crate) acceleration_per_v: Complex64,
     /// Coil current over coil voltage, in S.
     pub(crate) admittance: Complex64,
-    /// Of the one and of the other.
-    pub(crate) slopes: [Slopes; 2],
+    pub(crate) slopes: ExciterSlopes,
 }
 
 impl Exciter {
@@ -93,29 +101,32 @@ impl Exciter {
         let coupling = s * bl * bl * self.emf_ratio;
         let denominator = stiffness * z + coupling;
         let mass = s * s * (self.mass_kg - added.mass_kg);
-        let own = [
-            mass,
-            Complex64::from(self.stiffness_n_per_m),
-            s * (self.damping_ns_per_m - added.damping_ns_per_m),
-        ];
-        let electric = [
-            -coupling * 2.0 / denominator,
-            -stiffness * self.resistance_ohm / denominator,
-            -stiffness * self.inductive(omega) / denominator,
-        ];
-        let mut drive_slope = [Complex64::ZERO; 6];
-        let mut current_slope = [Complex64::ZERO; 6];
-        for i in 0..3 {
-            drive_slope[i] = -own[i] * z / denominator;
-            current_slope[i] = own[i] / stiffness + drive_slope[i];
-            drive_slope[i + 3] = electric[i];
-            current_slope[i + 3] = electric[i];
-        }
-        drive_slope[3] += 1.0;
+        let stiffness_alone = Complex64::from(self.stiffness_n_per_m);
+        let damping = s * (self.damping_ns_per_m - added.damping_ns_per_m);
+        let of_drive = |own: Complex64| -own * z / denominator;
+        let drive = Slopes {
+            moving_mass_kg: of_drive(mass),
+            stiffness_n_per_m: of_drive(stiffness_alone),
+            damping_ns_per_m: of_drive(damping),
+            force_factor_n_per_a: -coupling * 2.0 / denominator,
+            coil_resistance_ohm: -stiffness * self.resistance_ohm / denominator,
+            coil_inductance_h: -stiffness * self.inductive(omega) / denominator,
+        };
+        // The current feels what is electric alike, but for the force it makes.
+        let current = Slopes {
+            moving_mass_kg: mass / stiffness + drive.moving_mass_kg,
+            stiffness_n_per_m: stiffness_alone / stiffness + drive.stiffness_n_per_m,
+            damping_ns_per_m: damping / stiffness + drive.damping_ns_per_m,
+            ..drive
+        };
+        let drive = Slopes {
+            force_factor_n_per_a: drive.force_factor_n_per_a + 1.0,
+            ..drive
+        };
         Linear {
             acceleration_per_v: s * s * bl / denominator,
             admittance: stiffness / denominator,
-            slopes: [drive_slope, current_slope],
+            slopes: ExciterSlopes { drive, current },
         }
     }
 }
@@ -140,6 +151,7 @@ impl Exciter {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dataset::ExciterParameter;
 
     fn exciter() -> Exciter {
         Exciter {
@@ -160,27 +172,34 @@ mod tests {
         let nominal = exciter();
         let linear = nominal.linear(omega, added, nominal.dynamic_stiffness(omega));
         let step = 1e-5;
-        for i in 0..6 {
+        for parameter in ExciterParameter::ALL {
             let moved = |sign: f64| {
                 let (mut e, factor) = (nominal, 1.0 + sign * step);
-                match i {
-                    0 => e.mass_kg = added.mass_kg + (e.mass_kg - added.mass_kg) * factor,
-                    1 => e.stiffness_n_per_m *= factor,
-                    2 => {
-                        e.damping_ns_per_m +=
-                            (e.damping_ns_per_m - added.damping_ns_per_m) * (factor - 1.0)
+                match parameter {
+                    ExciterParameter::MovingMass => {
+                        e.mass_kg = added.mass_kg + (e.mass_kg - added.mass_kg) * factor;
                     }
-                    3 => e.force_factor_n_per_a *= factor,
-                    4 => e.resistance_ohm *= factor,
-                    _ => e.inductance_h *= factor,
+                    ExciterParameter::Stiffness => e.stiffness_n_per_m *= factor,
+                    ExciterParameter::Damping => {
+                        e.damping_ns_per_m +=
+                            (e.damping_ns_per_m - added.damping_ns_per_m) * (factor - 1.0);
+                    }
+                    ExciterParameter::ForceFactor => e.force_factor_n_per_a *= factor,
+                    ExciterParameter::CoilResistance => e.resistance_ohm *= factor,
+                    ExciterParameter::CoilInductance => e.inductance_h *= factor,
                 }
                 e.linear(omega, added, e.dynamic_stiffness(omega))
             };
             let (up, down) = (moved(1.0), moved(-1.0));
             let drive = (up.acceleration_per_v.ln() - down.acceleration_per_v.ln()) / (2.0 * step);
             let current = (up.admittance.ln() - down.admittance.ln()) / (2.0 * step);
-            assert!((drive - linear.slopes[0][i]).norm() < 1e-7, "drive {i}");
-            assert!((current - linear.slopes[1][i]).norm() < 1e-7, "current {i}");
+            let slopes = linear.slopes;
+            let off = [
+                drive - slopes.drive[parameter],
+                current - slopes.current[parameter],
+            ];
+            assert!(off[0].norm() < 1e-7, "drive {parameter:?}");
+            assert!(off[1].norm() < 1e-7, "current {parameter:?}");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What a linear exciter, or a balanced one, does to the fundamental.
 
 use super::complex::ln;
-use super::exciter::{Linear, Slopes};
+use super::exciter::{ExciterSlopes, Linear};
 use num_complex::Complex64;
 
 /// Responses of the fundamental to the coil voltage.
@@ -10,7 +10,7 @@ pub(super) struct Fundamental {
     /// Logarithms of acceleration and of current over coil voltage.
     pub(super) ln: [Complex64; 2],
     /// Their slopes against the values of the exciter.
-    pub(super) slopes: [Slopes; 2],
+    pub(super) slopes: ExciterSlopes,
 }
 
 impl Fundamental {

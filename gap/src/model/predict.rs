@@ -7,9 +7,10 @@ use super::complex::ln;
 use super::held::Held;
 use super::memory::Recall;
 use super::prediction::{Nominal, Prediction};
-use super::row::{CURRENT, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, Row};
+use super::row::Row;
 use super::transfers::Transfers;
 use crate::effects::Active;
+use crate::observable::{Channel, Observable};
 
 /// Simulates one row.
 pub(crate) fn predict(
@@ -25,11 +26,14 @@ pub(crate) fn predict(
     let [ref_gain, dut_gain] = channels(nominal, &chain, &held, &mut out);
     let first = transfers.first;
     let ratio = ln(first.dut / first.reference * dut_gain / ref_gain);
-    out.put(RATIO, ratio + nominal.ratio_ln);
+    out.put(Observable::RATIO, ratio + nominal.ratio_ln);
     if let Some(motion) = &held.motion {
         let shown = ln(first.table * first.reference * first.drive * ref_gain);
-        out.put(DRIVE, motion.first.ln[0] + shown + nominal.drive_ln);
-        out.put(CURRENT, motion.first.ln[1]);
+        out.put(
+            Observable::DRIVE,
+            motion.first.ln[0] + shown + nominal.drive_ln,
+        );
+        out.put(Observable::CURRENT, motion.first.ln[1]);
         out.slopes = Some(motion.first.slopes);
         if let Some(balanced) = motion.balanced.as_ref().filter(|b| b.rests) {
             leave_rough(balanced, &mut out);
@@ -59,23 +63,24 @@ const AT_REST: f64 = 0.1;
 fn leave_rough(balanced: &Balanced, out: &mut Prediction) {
     let largest = balanced.harmonics.iter().map(|h| h.norm_sqr());
     let open = AT_REST * AT_REST * largest.fold(0.0, f64::max);
-    let third_and_fifth = |first: usize| [first + 2, first + 6];
-    let [third, fifth] = third_and_fifth(REF_HARMONICS);
-    let [third_of_dut, fifth_of_dut] = third_and_fifth(DUT_HARMONICS);
-    for at in [DRIVE, CURRENT, third, fifth, third_of_dut, fifth_of_dut] {
-        out.open[at] += open;
-        out.open[at + 1] += open;
+    let odd = Channel::BOTH.map(|channel| {
+        let [_, third, _, fifth] = Observable::harmonics(channel);
+        [third, fifth]
+    });
+    let rough = [Observable::DRIVE, Observable::CURRENT].into_iter();
+    for observable in rough.chain(odd.into_iter().flatten()).flatten() {
+        out.open[observable] += open;
     }
 }
 
 /// Noise of both channels, without the harmonics above those of a wave.
 fn noise(nominal: &Nominal, chain: &Chain, out: &mut Prediction) {
-    for channel in 0..2 {
+    for (channel, of) in Channel::BOTH.into_iter().enumerate() {
         let healthy = nominal.noise_v[channel] * nominal.noise_v[channel];
         let (power, open) = chain.scatter.noise(channel, healthy);
         if power > 0.0 {
             // Most sets make no noise: its logarithm is known.
-            out.value[NOISE + channel] = if power == healthy {
+            out.value[Observable::noise(of)] = if power == healthy {
                 nominal.noise_ln[channel]
             } else {
                 0.5 * power.ln()
@@ -83,7 +88,7 @@ fn noise(nominal: &Nominal, chain: &Chain, out: &mut Prediction) {
             out.noise_power_v2[channel] = power;
             out.noise_share[channel] = healthy / power;
         }
-        out.open[NOISE + channel] += open;
+        out.open[Observable::noise(of)] += open;
     }
 }
 
@@ -91,8 +96,8 @@ fn noise(nominal: &Nominal, chain: &Chain, out: &mut Prediction) {
 fn leave_open(chain: &Chain, out: &mut Prediction) {
     let leaks = &chain.scatter.leaks;
     if leaks.any() {
-        for (slot, open) in out.open[..NOISE].iter_mut().enumerate() {
-            *open += leaks.of(slot);
+        for (observable, open) in out.open.iter_mut() {
+            *open += leaks.of(observable);
         }
     }
 }

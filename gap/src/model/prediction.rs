@@ -1,14 +1,14 @@
 //! What the simulation of a row starts from, and what it says.
 
-use super::exciter::Slopes;
-use super::row::SLOTS;
+use super::exciter::ExciterSlopes;
+use crate::dataset::ExciterParameters;
+use crate::observable::{Complex, Table};
 use num_complex::Complex64;
 
 /// Nominal values of a rig as a fit moves them.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Nominal {
-    /// Mass, stiffness, damping, force factor, resistance, inductance.
-    pub(crate) exciter: Option<[f64; 6]>,
+    pub(crate) exciter: Option<ExciterParameters<f64>>,
     /// ln of reference sensitivity (0 if unknown), and of DUT over reference sensitivity.
     pub(crate) drive_ln: f64,
     pub(crate) ratio_ln: f64,
@@ -25,12 +25,11 @@ pub(crate) struct Nominal {
 /// What the simulation says about one row.
 #[derive(Debug, Clone)]
 pub(crate) struct Prediction {
-    /// Value of each slot.
-    pub(crate) value: [f64; SLOTS],
-    /// Variance that the effects leave open, per slot.
-    pub(crate) open: [f64; SLOTS],
-    /// Slopes of drive and current against the six exciter values, relative.
-    pub(crate) slopes: Option<[Slopes; 2]>,
+    /// Value of each observable.
+    pub(crate) value: Table<f64>,
+    /// Variance of each that the effects leave open.
+    pub(crate) open: Table<f64>,
+    pub(crate) slopes: Option<ExciterSlopes>,
     /// Mean square of the harmonics above 5 in each channel, in V^2.
     pub(crate) remainder_v2: [f64; 2],
     /// Share of it by which a response moved what no wave holds: how far a channel reaches is not
@@ -49,8 +48,8 @@ pub(crate) struct Prediction {
 impl Prediction {
     /// Without signal, scatter or noise.
     pub(super) const EMPTY: Self = Self {
-        value: [0.0; SLOTS],
-        open: [0.0; SLOTS],
+        value: Table::filled(0.0),
+        open: Table::filled(0.0),
         slopes: None,
         remainder_v2: [0.0; 2],
         remainder_carried: [0.0; 2],
@@ -60,9 +59,9 @@ impl Prediction {
         diverged: false,
     };
 
-    /// Sets the two slots of a complex observable.
-    pub(super) fn put(&mut self, slot: usize, value: Complex64) {
-        self.value[slot] = value.re;
-        self.value[slot + 1] = value.im;
+    /// Sets both parts of a complex value.
+    pub(super) fn put(&mut self, [real, imaginary]: Complex, value: Complex64) {
+        self.value[real] = value.re;
+        self.value[imaginary] = value.im;
     }
 }

@@ -1,35 +1,9 @@
-//! One point, prepared for the model: conditions and measured values by slot.
+//! One point, prepared for the model: conditions and measured values.
 
 use super::leakage::{leaked_mains, taken_mains};
 use crate::dataset::{Harmonic, Point, Rig, Transducer};
+use crate::observable::{Channel, Complex, Observable, Table};
 use std::f64::consts::{SQRT_2, TAU};
-
-/// Scalar observables of one row. Logarithms make gains additive.
-///
-/// | slot | value |
-/// |---|---|
-/// | 0, 1 | ln of the ratio, its phase |
-/// | 2, 3 | ln of reference/coil voltage, its phase |
-/// | 4, 5 | ln of coil current/voltage, its phase |
-/// | 6..14 | harmonics 2..5 of the reference, real and imaginary |
-/// | 14..22 | harmonics 2..5 of the device under test |
-/// | 22, 23 | d.c. of reference and device under test, in V |
-/// | 24, 25 | ln of the noise of reference and device under test |
-pub(crate) const SLOTS: usize = 26;
-/// First slot of the ratio.
-pub(crate) const RATIO: usize = 0;
-/// First slot of the drive.
-pub(crate) const DRIVE: usize = 2;
-/// First slot of the current.
-pub(crate) const CURRENT: usize = 4;
-/// First slot of the reference channel's harmonics.
-pub(crate) const REF_HARMONICS: usize = 6;
-/// First slot of the harmonics of the device under test.
-pub(crate) const DUT_HARMONICS: usize = 14;
-/// First slot of the d.c. values.
-pub(crate) const DC: usize = 22;
-/// First slot of the noise.
-pub(crate) const NOISE: usize = 24;
 
 /// Scatter of one noise value about its expectation, relative.
 pub(crate) const NOISE_SCATTER: f64 = 0.01;
@@ -67,12 +41,12 @@ pub(crate) struct Row {
     pub(crate) mains_taken: f64,
     /// Width of one bin of the block, in Hz; NaN if unknown.
     pub(crate) bin_hz: f64,
-    /// Only the amplitude of the harmonics is known.
-    pub(crate) bare_harmonics: [bool; 8],
-    /// Measured value of each slot.
-    pub(crate) value: [f64; SLOTS],
-    /// Standard uncertainty of each slot; infinite where nothing was measured.
-    pub(crate) u: [f64; SLOTS],
+    /// Whether only the amplitude is known, by channel, of harmonics 2 to 5.
+    pub(crate) bare_harmonics: [[bool; 4]; 2],
+    /// Measured values.
+    pub(crate) value: Table<f64>,
+    /// Their standard uncertainties; infinite where nothing was measured.
+    pub(crate) u: Table<f64>,
 }
 
 impl Row {
@@ -105,56 +79,63 @@ impl Row {
             seen_v: sizes.seen_v.map(|v| v.unwrap_or(f64::NAN)),
             mains_taken: bin_hz.map_or(0.0, taken),
             bin_hz: bin_hz.unwrap_or(f64::NAN),
-            bare_harmonics: [false; 8],
-            value: [0.0; SLOTS],
-            u: [f64::INFINITY; SLOTS],
+            bare_harmonics: [[false; 4]; 2],
+            value: Table::filled(0.0),
+            u: Table::filled(f64::INFINITY),
         };
         row.fill(point, rig);
         row
     }
 
-    fn set(&mut self, slot: usize, value: Option<f64>, u: Option<f64>) {
+    /// Travel of the table, r.m.s., in m; NaN if the level is unknown.
+    pub(crate) fn travel_m(&self) -> f64 {
+        self.level_ms2 / (self.omega * self.omega)
+    }
+
+    fn set(&mut self, observable: Observable, value: Option<f64>, u: Option<f64>) {
         if let (Some(value), Some(u)) = (value, u) {
-            self.value[slot] = value;
-            self.u[slot] = u;
+            self.value[observable] = value;
+            self.u[observable] = u;
         }
     }
 
     fn fill(&mut self, p: &Point, rig: &Rig) {
         let quotient = |a: Option<f64>, b: Option<f64>| Some((a? / b?).ln());
-        self.set(
-            RATIO,
-            p.ratio.map(f64::ln).or_else(|| quotient(p.dut_v, p.ref_v)),
-            p.u_ratio,
-        );
-        self.set(RATIO + 1, p.dut_rad, p.u_phase_rad);
+        let ratio = p.ratio.map(f64::ln).or_else(|| quotient(p.dut_v, p.ref_v));
+        self.set(Observable::Ratio, ratio, p.u_ratio);
+        self.set(Observable::RatioPhase, p.dut_rad, p.u_phase_rad);
         if rig.exciter.is_some_and(|e| e.complete().is_some()) {
-            self.set(DRIVE, quotient(p.ref_v, p.coil_v), p.u_drive);
-            self.set(DRIVE + 1, p.ref_rad, p.u_drive);
-            self.set(CURRENT, quotient(p.coil_a, p.coil_v), p.u_current);
-            self.set(CURRENT + 1, p.coil_a_rad, p.u_current);
+            let (drive, current) = (quotient(p.ref_v, p.coil_v), quotient(p.coil_a, p.coil_v));
+            self.set(Observable::Drive, drive, p.u_drive);
+            self.set(Observable::DrivePhase, p.ref_rad, p.u_drive);
+            self.set(Observable::Current, current, p.u_current);
+            self.set(Observable::CurrentPhase, p.coil_a_rad, p.u_current);
         }
-        for (k, harmonic) in p.ref_harmonics.iter().chain(&p.dut_harmonics).enumerate() {
-            if let Some(harmonic) = harmonic {
-                self.set_harmonic(k, *harmonic, p.u_harmonic);
+        let harmonics = [p.ref_harmonics, p.dut_harmonics];
+        for (channel, harmonics) in Channel::BOTH.into_iter().zip(harmonics) {
+            let observables = Observable::harmonics(channel).into_iter();
+            for (k, (parts, harmonic)) in observables.zip(harmonics).enumerate() {
+                if let Some(harmonic) = harmonic {
+                    self.bare_harmonics[channel as usize][k] = harmonic.phase_rad.is_none();
+                    self.set_harmonic(parts, harmonic, p.u_harmonic);
+                }
             }
         }
-        self.set(DC, p.ref_dc_v, p.u_dc_v);
-        self.set(DC + 1, p.dut_dc_v, p.u_dc_v);
+        self.set(Observable::RefDc, p.ref_dc_v, p.u_dc_v);
+        self.set(Observable::DutDc, p.dut_dc_v, p.u_dc_v);
         if rig.digitiser.noise_v.is_some() {
-            self.set(NOISE, p.ref_noise_v.map(f64::ln), Some(NOISE_SCATTER));
-            self.set(NOISE + 1, p.dut_noise_v.map(f64::ln), Some(NOISE_SCATTER));
+            let (reference, dut) = (p.ref_noise_v.map(f64::ln), p.dut_noise_v.map(f64::ln));
+            self.set(Observable::RefNoise, reference, Some(NOISE_SCATTER));
+            self.set(Observable::DutNoise, dut, Some(NOISE_SCATTER));
         }
     }
 
-    fn set_harmonic(&mut self, k: usize, harmonic: Harmonic, u: Option<f64>) {
-        let slot = REF_HARMONICS + 2 * k;
+    fn set_harmonic(&mut self, [real, imaginary]: Complex, harmonic: Harmonic, u: Option<f64>) {
         if let Some(value) = harmonic.complex() {
-            self.set(slot, Some(value.re), u);
-            self.set(slot + 1, Some(value.im), u);
+            self.set(real, Some(value.re), u);
+            self.set(imaginary, Some(value.im), u);
         } else {
-            self.set(slot, Some(harmonic.amplitude), u);
-            self.bare_harmonics[k] = true;
+            self.set(real, Some(harmonic.amplitude), u);
         }
     }
 }

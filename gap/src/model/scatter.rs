@@ -1,6 +1,6 @@
 //! Noise and leakage that effects add to one row.
 
-use super::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS};
+use crate::observable::{Group, Observable};
 
 /// What effects add to the noise of a row, and to the uncertainty of its components.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -49,15 +49,16 @@ impl Scatter {
 }
 
 impl Leaks {
-    /// Variance of the value in a slot.
-    pub(crate) fn of(&self, slot: usize) -> f64 {
-        match slot {
-            RATIO..DRIVE => self.response[0],
-            DRIVE..CURRENT => self.response[1],
-            REF_HARMONICS..DUT_HARMONICS => self.harmonics[0][(slot - REF_HARMONICS) / 2],
-            DUT_HARMONICS..DC => self.harmonics[1][(slot - DUT_HARMONICS) / 2],
-            DC..NOISE => self.dc_v2[slot - DC],
-            _ => 0.0,
+    /// Variance of an observable.
+    pub(crate) fn of(&self, observable: Observable) -> f64 {
+        let order = || observable.order().map_or(0, |order| order - 2);
+        match observable.group() {
+            Group::Ratio => self.response[0],
+            Group::Drive => self.response[1],
+            Group::RefHarmonics => self.harmonics[0][order()],
+            Group::DutHarmonics => self.harmonics[1][order()],
+            Group::Dc => self.dc_v2[usize::from(observable == Observable::DutDc)],
+            Group::Current | Group::Noise => 0.0,
         }
     }
 

@@ -9,6 +9,7 @@ use super::score::{self, Scored};
 use super::step::Step;
 use super::weigh::causes;
 use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where};
+use crate::axis::Axis;
 use crate::effects::Stage;
 use crate::pictures::{Pictures, Trace};
 use crate::verdict::{conclude, hardly_separated};
@@ -87,7 +88,7 @@ fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
     vec![Where {
         stage: stage.name(),
         observable: "output",
-        axis: "amplitude",
+        axis: Axis::Amplitude,
         from: 0.0,
         to: score::peak(&held.output),
         share: 1.0 - last.fit.square / first.fit.square,

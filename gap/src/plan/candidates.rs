@@ -6,7 +6,7 @@ use super::settings::{BEYOND, settings};
 use crate::dataset::{Harmonic, Point, Rig};
 use crate::engine::evaluate::Memories;
 use crate::engine::problem::Problem;
-use crate::model::row::{DRIVE, SLOTS};
+use crate::observable::{Observable, Table};
 
 /// Effort of a point with sensors the dataset does not have.
 const DEARER: f64 = 2.0;
@@ -15,8 +15,8 @@ const DEARER: f64 = 2.0;
 pub(super) struct Candidate {
     /// Row of [`Candidates::problem`].
     pub(super) row: usize,
-    /// Slots that would be measured.
-    pub(super) slots: [bool; SLOTS],
+    /// Whether each observable would be measured.
+    pub(super) known: Table<bool>,
     extra: bool,
     /// Relative cost.
     pub(super) effort: f64,
@@ -53,17 +53,17 @@ impl Candidates {
         let mut at = kept.iter();
         grid.retain(|_| *at.next().unwrap_or(&false));
         let problem = Problem::new(rig, &grid);
-        let all: [bool; SLOTS] = std::array::from_fn(|s| !problem.slots[s].is_empty());
-        let known: [bool; SLOTS] = std::array::from_fn(|s| !measured.slots[s].is_empty());
-        let base = if all_columns { all } else { known };
+        let all = Table::from_fn(|o| !problem.data_of(o).is_empty());
+        let now = Table::from_fn(|o| !measured.data_of(o).is_empty());
+        let base = if all_columns { all } else { now };
         let mut list = Vec::new();
         for (row, effort) in efforts.into_iter().enumerate() {
-            for (slots, extra) in [(base, false), (all, true)] {
+            for (known, extra) in [(base, false), (all, true)] {
                 let cost = if extra { DEARER } else { 1.0 };
                 if !extra || all != base {
                     list.push(Candidate {
                         row,
-                        slots,
+                        known,
                         extra,
                         effort: effort * cost,
                     });
@@ -154,14 +154,14 @@ fn largest_coil_v(points: &[Point]) -> f64 {
 /// Gives each point the coil voltage its level needs; false where the rig cannot hold it.
 fn set_voltages(nominal: &Problem, grid: &mut [Point], largest_v: f64) -> Vec<bool> {
     let mut kept = vec![true; grid.len()];
-    if nominal.slots[DRIVE].is_empty() {
+    if nominal.data_of(Observable::Drive).is_empty() {
         return kept;
     }
     let theta = vec![0.0; nominal.free.len()];
     let memory = nominal.memory();
     nominal.predictions(&[], &theta, Memories::Look(&memory), |index, prediction| {
         let point = &mut grid[index];
-        let volt = point.ref_v.unwrap_or(0.1) / prediction.value[DRIVE].exp();
+        let volt = point.ref_v.unwrap_or(0.1) / prediction.value[Observable::Drive].exp();
         point.coil_v = Some(volt);
         kept[index] = volt <= largest_v;
     });

@@ -4,7 +4,7 @@ use super::parameters::Parameters;
 use super::side::{Datum, Side};
 use crate::engine::fit::Fit;
 use crate::engine::problem::Problem;
-use crate::model::row::{CURRENT, DC, DRIVE, NOISE, RATIO, REF_HARMONICS, SLOTS};
+use crate::observable::{Group, Observable, Table};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Keeps parameters that nothing has taught anything about.
@@ -79,8 +79,11 @@ impl Duel {
 
     /// By how much a point raises the squared separation (Kalman's innovation), and how
     /// much it teaches about what is refitted (logarithm of the ratio of variances).
-    pub(super) fn gain(&self, row: usize, slots: &[bool; SLOTS]) -> (f64, f64) {
-        let data: Vec<&Datum> = self.rows[row].iter().filter(|d| slots[d.slot]).collect();
+    pub(super) fn gain(&self, row: usize, known: &Table<bool>) -> (f64, f64) {
+        let data: Vec<&Datum> = self.rows[row]
+            .iter()
+            .filter(|d| known[d.observable])
+            .collect();
         if data.is_empty() {
             return (0.0, 0.0);
         }
@@ -106,9 +109,9 @@ impl Duel {
     }
 
     /// Adds a point.
-    pub(super) fn add(&mut self, row: usize, slots: &[bool; SLOTS]) {
-        self.square += self.gain(row, slots).0;
-        for datum in self.rows[row].iter().filter(|d| slots[d.slot]) {
+    pub(super) fn add(&mut self, row: usize, known: &Table<bool>) {
+        self.square += self.gain(row, known).0;
+        for datum in self.rows[row].iter().filter(|d| known[d.observable]) {
             self.normal.add(datum);
         }
         if let Some((covariance, moved)) = self.normal.solve() {
@@ -117,11 +120,11 @@ impl Duel {
     }
 
     /// Observable in which a point tells the two apart.
-    pub(super) fn look_at(&self, row: usize, slots: &[bool; SLOTS]) -> &'static str {
+    pub(super) fn look_at(&self, row: usize, known: &Table<bool>) -> &'static str {
         let left = |d: &&Datum| (d.difference - d.slopes.dot(&self.moved)).abs();
-        let data = self.rows[row].iter().filter(|d| slots[d.slot]);
+        let data = self.rows[row].iter().filter(|d| known[d.observable]);
         let most = data.max_by(|a, b| left(a).total_cmp(&left(b)));
-        most.map_or("ratio", |d| observable(d.slot))
+        most.map_or("ratio", |d| words(d.observable))
     }
 }
 
@@ -151,18 +154,18 @@ impl Normal {
     }
 }
 
-/// Observable of a slot.
-fn observable(slot: usize) -> &'static str {
-    match slot {
-        RATIO => "ratio",
-        1 => "phase of the ratio",
-        DRIVE => "drive",
-        3 => "phase of the drive",
-        CURRENT => "coil current",
-        5 => "phase of the coil current",
-        REF_HARMONICS..14 => "harmonics of the reference",
-        14..DC => "harmonics of the device under test",
-        DC..NOISE => "d.c.",
-        _ => "noise",
+/// Words for an observable.
+fn words(observable: Observable) -> &'static str {
+    match (observable.group(), observable.is_phase()) {
+        (Group::Ratio, false) => "ratio",
+        (Group::Ratio, true) => "phase of the ratio",
+        (Group::Drive, false) => "drive",
+        (Group::Drive, true) => "phase of the drive",
+        (Group::Current, false) => "coil current",
+        (Group::Current, true) => "phase of the coil current",
+        (Group::RefHarmonics, _) => "harmonics of the reference",
+        (Group::DutHarmonics, _) => "harmonics of the device under test",
+        (Group::Dc, _) => "d.c.",
+        (Group::Noise, _) => "noise",
     }
 }

@@ -151,7 +151,7 @@ fn next(candidates: &Candidates, duels: &mut [Duel]) -> Option<Measurement> {
                 if duel.square() >= ENOUGH {
                     continue;
                 }
-                let (gain, taught) = duel.gain(candidate.row, &candidate.slots);
+                let (gain, taught) = duel.gain(candidate.row, &candidate.known);
                 let gain = worth(duel, gain);
                 // A cause that needs two points to show is found by the first that prepares it.
                 sum += gain + PREPARES * taught.min(MOST_TAUGHT);
@@ -168,10 +168,10 @@ fn next(candidates: &Candidates, duels: &mut [Duel]) -> Option<Measurement> {
         return None;
     }
     let candidate = &candidates.list[best.1];
-    let look_at = duels[best.2].look_at(candidate.row, &candidate.slots);
+    let look_at = duels[best.2].look_at(candidate.row, &candidate.known);
     duels
         .par_iter_mut()
-        .for_each(|duel| duel.add(candidate.row, &candidate.slots));
+        .for_each(|duel| duel.add(candidate.row, &candidate.known));
     let duel = &duels[best.2];
     Some(candidates.describe(candidate, look_at, duel))
 }

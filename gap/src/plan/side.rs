@@ -6,12 +6,12 @@ use crate::engine::fit::{Fit, Workspace};
 use crate::engine::linear::Linearised;
 use crate::engine::normal::difference;
 use crate::engine::problem::Problem;
-use crate::model::row::SLOTS;
+use crate::observable::Observable;
 use nalgebra::DVector;
 
-/// One value of a point: slot, difference of the predictions, slopes of the refitted set.
+/// One value of a point: observable, difference of the predictions, slopes of the refitted set.
 pub(super) struct Datum {
-    pub(super) slot: usize,
+    pub(super) observable: Observable,
     pub(super) difference: f64,
     pub(super) slopes: DVector<f64>,
 }
@@ -67,18 +67,19 @@ impl<'a> Side<'a> {
             }
         };
         let mut rows: Vec<Vec<Datum>> = problem.rows.iter().map(|_| Vec::new()).collect();
-        for slot in 0..SLOTS {
-            for at in problem.slots[slot].clone() {
+        for (observable, data) in problem.measured_observables() {
+            let first = data.start;
+            for at in data {
                 let mut slopes = DVector::zeros(count);
                 for (i, (column, to)) in self.columns.iter().zip(place).enumerate() {
-                    if let Some((_, values)) = column.parts.iter().find(|p| p.0 == slot) {
-                        slopes[*to] = values[at - problem.slots[slot].start] * scale(i);
+                    if let Some((_, values)) = column.parts.iter().find(|p| p.0 == observable) {
+                        slopes[*to] = values[at - first] * scale(i);
                     }
                 }
                 let difference = self.difference[at];
                 if difference.abs() > 1e-6 || slopes.iter().any(|s| *s != 0.0) {
                     rows[problem.row_of[at]].push(Datum {
-                        slot,
+                        observable,
                         difference,
                         slopes,
                     });

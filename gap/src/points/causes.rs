@@ -4,7 +4,7 @@ use crate::answer::{Cause, Estimate, Verdict};
 use crate::effects::Scale;
 use crate::engine::fit::{Fit, Workspace};
 use crate::engine::linear::Linearised;
-use crate::engine::nuisance::{EXCITER_NAMES, Nuisance};
+use crate::engine::nuisance::Nuisance;
 use crate::engine::problem::Problem;
 use crate::engine::score::Scored;
 use crate::engine::search::Search;
@@ -94,11 +94,9 @@ pub(super) fn nominal_parameters(
             Nuisance::DriveGain => {
                 all.insert("drive_gain", relative((theta * free.unit).exp()));
             }
-            Nuisance::Exciter(index) => {
-                all.insert(
-                    EXCITER_NAMES[index],
-                    relative(problem.exciter_value(index, theta)),
-                );
+            Nuisance::Exciter(parameter) => {
+                let value = problem.exciter_value(parameter, theta);
+                all.insert(parameter.name(), relative(value));
             }
             _ => {}
         }

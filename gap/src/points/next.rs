@@ -1,10 +1,11 @@
 //! What to measure next.
 
-use super::places::observable;
 use crate::answer::{Cause, Verdict, Where};
+use crate::axis::Axis;
 use crate::effects::list;
 use crate::engine::problem::Problem;
 use crate::engine::structure::Structure;
+use crate::observable::Group;
 
 /// The measurement that would tell, in words.
 pub(super) fn next_measurement(
@@ -57,10 +58,14 @@ fn to_tell(first: &Cause, second: &Cause) -> String {
 fn more_points(left: &Structure, problem: &Problem) -> String {
     let outcomes = left.outcomes.iter();
     let worst = outcomes.max_by(|a, b| a.z.abs().total_cmp(&b.z.abs()));
-    let (name, axis) = worst.map_or(("ratio", "frequency_hz"), |w| (observable(w.slot), w.axis));
+    let usual = (Group::Ratio, Axis::Frequency);
+    let (group, axis) = worst.map_or(usual, |w| (w.observable.group(), w.axis));
     format!(
-        "more points of {name} along {axis} between {} Hz and {} Hz, in at least two runs",
-        problem.facts.lowest_hz, problem.facts.highest_hz
+        "more points of {} along {} between {} Hz and {} Hz, in at least two runs",
+        group.name(),
+        axis.name(),
+        problem.facts.lowest_hz,
+        problem.facts.highest_hz
     )
 }
 

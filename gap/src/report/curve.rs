@@ -5,6 +5,7 @@
 //! says that difference should be.
 
 use super::short;
+use crate::observable::{Channel, Group, Observable};
 use crate::pictures::{Conditions, Datum, Residuals, Trace};
 use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale, Shape};
 use std::collections::BTreeMap;
@@ -12,73 +13,72 @@ use std::collections::BTreeMap;
 /// Plots of a report.
 const MOST_PLOTS: usize = 4;
 
-/// Name of a slot, its unit as drawn, and the factor to that unit.
-fn slot(at: usize) -> (String, &'static str, f64) {
-    let channel = |from: usize| ["reference", "device"][usize::from(at >= from + 8)];
-    match at {
-        0 => ("ratio".into(), "%", 100.0),
-        1 => (
-            "ratio, phase".into(),
-            "\u{b0}",
-            180.0 / std::f64::consts::PI,
-        ),
-        2 => ("drive".into(), "%", 100.0),
-        3 => (
-            "drive, phase".into(),
-            "\u{b0}",
-            180.0 / std::f64::consts::PI,
-        ),
-        4 => ("current".into(), "%", 100.0),
-        5 => (
-            "current, phase".into(),
-            "\u{b0}",
-            180.0 / std::f64::consts::PI,
-        ),
-        6..22 => {
-            let order = 2 + (at - 6) % 8 / 2;
-            let part = ["in phase", "in quadrature"][at % 2];
-            (
-                format!("harmonic {order} of the {}, {part}", channel(6)),
-                "%",
-                100.0,
-            )
-        }
-        22 => ("d.c. of the reference".into(), "mV", 1e3),
-        23 => ("d.c. of the device".into(), "mV", 1e3),
-        24 => ("noise of the reference".into(), "%", 100.0),
-        _ => ("noise of the device".into(), "%", 100.0),
-    }
+/// Name of an observable, its unit as drawn, and the factor to that unit.
+fn drawn(observable: Observable) -> (String, &'static str, f64) {
+    const PERCENT: (&str, f64) = ("%", 100.0);
+    const DEGREES: (&str, f64) = ("\u{b0}", 180.0 / std::f64::consts::PI);
+    const MILLIVOLTS: (&str, f64) = ("mV", 1e3);
+    let harmonic = |channel| {
+        let parts = Observable::harmonics(channel);
+        let part = if parts.iter().any(|[real, _]| *real == observable) {
+            "in phase"
+        } else {
+            "in quadrature"
+        };
+        let of = match channel {
+            Channel::Reference => "reference",
+            Channel::Dut => "device",
+        };
+        let order = observable.order().unwrap_or(0);
+        format!("harmonic {order} of the {of}, {part}")
+    };
+    let (name, (unit, factor)) = match observable {
+        Observable::Ratio => ("ratio".into(), PERCENT),
+        Observable::RatioPhase => ("ratio, phase".into(), DEGREES),
+        Observable::Drive => ("drive".into(), PERCENT),
+        Observable::DrivePhase => ("drive, phase".into(), DEGREES),
+        Observable::Current => ("current".into(), PERCENT),
+        Observable::CurrentPhase => ("current, phase".into(), DEGREES),
+        Observable::RefDc => ("d.c. of the reference".into(), MILLIVOLTS),
+        Observable::DutDc => ("d.c. of the device".into(), MILLIVOLTS),
+        Observable::RefNoise => ("noise of the reference".into(), PERCENT),
+        Observable::DutNoise => ("noise of the device".into(), PERCENT),
+        _ if observable.group() == Group::RefHarmonics => (harmonic(Channel::Reference), PERCENT),
+        _ => (harmonic(Channel::Dut), PERCENT),
+    };
+    (name, unit, factor)
 }
 
 /// Plots of what shows the gap most clearly, the first one also over level where that is asked for.
 pub(super) fn curves(residuals: &Residuals, level_axis: bool) -> Vec<Plot> {
     let mut plots = Vec::new();
     for (rank, at) in clearest(residuals).into_iter().enumerate() {
-        let data: Vec<&Datum> = residuals.data.iter().filter(|d| d.slot == at).collect();
+        let of = |d: &&Datum| d.observable == at;
+        let data: Vec<&Datum> = residuals.data.iter().filter(of).collect();
         if level_axis && rank == 0 {
-            plots.extend(Curve::new(residuals, &data, LEVEL).plot(slot(at)));
+            plots.extend(Curve::new(residuals, &data, LEVEL).plot(drawn(at)));
         }
-        plots.extend(Curve::new(residuals, &data, FREQUENCY).plot(slot(at)));
+        plots.extend(Curve::new(residuals, &data, FREQUENCY).plot(drawn(at)));
     }
     plots
 }
 
-/// Slots with the largest excess over what the cause leaves to chance, one of each observable.
-fn clearest(residuals: &Residuals) -> Vec<usize> {
-    let mut excess: BTreeMap<usize, f64> = BTreeMap::new();
+/// Observables with the largest excess over what the cause leaves to chance; of the harmonics of a
+/// channel one.
+fn clearest(residuals: &Residuals) -> Vec<Observable> {
+    let mut excess: BTreeMap<Observable, f64> = BTreeMap::new();
     for datum in &residuals.data {
-        *excess.entry(datum.slot).or_default() += (datum.before / datum.u_after).powi(2) - 1.0;
+        *excess.entry(datum.observable).or_default() +=
+            (datum.before / datum.u_after).powi(2) - 1.0;
     }
-    let mut order: Vec<(usize, f64)> = excess.into_iter().collect();
+    let mut order: Vec<(Observable, f64)> = excess.into_iter().collect();
     order.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let family = |slot: usize| match slot {
-        6..22 => 100 + (slot - 6) / 8,
-        _ => slot,
-    };
-    let mut chosen: Vec<usize> = Vec::new();
-    for (slot, _) in order {
-        if chosen.len() < MOST_PLOTS && !chosen.iter().any(|c| family(*c) == family(slot)) {
-            chosen.push(slot);
+    let mut chosen: Vec<Observable> = Vec::new();
+    for (observable, _) in order {
+        let alike =
+            |c: &Observable| observable.order().is_some() && c.group() == observable.group();
+        if chosen.len() < MOST_PLOTS && !chosen.iter().any(alike) {
+            chosen.push(observable);
         }
     }
     chosen
@@ -89,7 +89,7 @@ type Abscissa = (&'static str, fn(&Conditions) -> f64);
 const LEVEL: Abscissa = ("level in m/s\u{b2}", |r| r.level_ms2);
 const FREQUENCY: Abscissa = ("frequency in Hz", |r| r.frequency_hz);
 
-/// Data of one slot over one condition.
+/// Data of one observable over one condition.
 struct Curve<'a> {
     residuals: &'a Residuals,
     data: Vec<&'a Datum>,
@@ -112,7 +112,8 @@ impl<'a> Curve<'a> {
         self.over.1(&self.residuals.rows[datum.row])
     }
 
-    /// The plot, if it spans anything; takes the name of the slot, its unit and the factor to that unit.
+    /// The plot, if it spans anything; takes the name of the observable, its unit and the factor to
+    /// that unit.
     fn plot(&self, (name, unit, factor): (String, &str, f64)) -> Option<Plot> {
         let x = Axis::spanning(Scale::Logarithmic, self.data.iter().map(|d| self.at(d)));
         let points: Vec<Point> = self

@@ -4,22 +4,30 @@
 //! is noise. The number is printed in the cell, so colour is not needed.
 
 use super::short;
+use crate::observable::Group;
 use crate::pictures::{Conditions, Datum, Residuals};
 use serde::Serialize;
 
-/// Names of what is mapped, with the slots of `model::row` they hold.
-const GROUPS: [(&str, usize, usize); 10] = [
-    ("ratio", 0, 1),
-    ("ratio, phase", 1, 2),
-    ("drive", 2, 3),
-    ("drive, phase", 3, 4),
-    ("current", 4, 5),
-    ("current, phase", 5, 6),
-    ("harmonics, reference", 6, 14),
-    ("harmonics, device", 14, 22),
-    ("d.c.", 22, 24),
-    ("noise", 24, 26),
+/// What is mapped together: the observables of a group that are phases, or those that are not.
+type Mapped = (Group, bool);
+
+const MAPPED: [(Mapped, &str); 10] = [
+    ((Group::Ratio, false), "ratio"),
+    ((Group::Ratio, true), "ratio, phase"),
+    ((Group::Drive, false), "drive"),
+    ((Group::Drive, true), "drive, phase"),
+    ((Group::Current, false), "current"),
+    ((Group::Current, true), "current, phase"),
+    ((Group::RefHarmonics, false), "harmonics, reference"),
+    ((Group::DutHarmonics, false), "harmonics, device"),
+    ((Group::Dc, false), "d.c."),
+    ((Group::Noise, false), "noise"),
 ];
+
+fn mapped(datum: &Datum) -> Mapped {
+    (datum.observable.group(), datum.observable.is_phase())
+}
+
 /// Upper ends of the colour classes, in standard uncertainties.
 const CLASSES: [f64; 5] = [1.5, 3.0, 6.0, 15.0, 50.0];
 const FREQUENCY_BINS: usize = 12;
@@ -118,9 +126,8 @@ impl Bins {
 fn by_observable(residuals: &Residuals, side: Side) -> Option<Map> {
     let bins = frequencies(residuals)?;
     let column = |datum: &Datum| bins.of(residuals.rows[datum.row].frequency_hz);
-    let rows = GROUPS.iter().map(|(name, from, to)| {
-        let data = residuals.data.iter();
-        let inside = data.filter(|d| (*from..*to).contains(&d.slot));
+    let rows = MAPPED.iter().map(|(together, name)| {
+        let inside = residuals.data.iter().filter(|d| mapped(d) == *together);
         ((*name).to_owned(), line(inside, side, bins.count(), column))
     });
     Some(Map {
@@ -184,7 +191,7 @@ fn by_condition(residuals: &Residuals, side: Side) -> Option<Map> {
             let (first, last) = (group[0], group[group.len() - 1]);
             let inside = |d: &&Datum| (first..=last).contains(&value(&residuals.rows[d.row]));
             let data = residuals.data.iter().filter(inside);
-            let column = |d: &Datum| GROUPS.iter().position(|g| (g.1..g.2).contains(&d.slot));
+            let column = |d: &Datum| MAPPED.iter().position(|m| m.0 == mapped(d));
             let range = if first == last {
                 short(first)
             } else {
@@ -192,12 +199,12 @@ fn by_condition(residuals: &Residuals, side: Side) -> Option<Map> {
             };
             rows.push((
                 format!("{name} {range}{unit}"),
-                line(data, side, GROUPS.len(), column),
+                line(data, side, MAPPED.len(), column),
             ));
         }
     }
     (!rows.is_empty()).then(|| Map {
-        columns: GROUPS.iter().map(|g| g.0.to_owned()).collect(),
+        columns: MAPPED.iter().map(|m| m.1.to_owned()).collect(),
         rows,
     })
 }

@@ -17,6 +17,7 @@ mod plain;
 mod tests;
 
 use crate::answer::Answer;
+use crate::axis::Axis;
 use crate::error::GapError;
 use crate::pictures::Pictures;
 use minijinja::value::{Serde, Value};
@@ -64,7 +65,7 @@ fn section((at, answer): (usize, &Answer)) -> Section<'_> {
     let (maps, plots) = match &answer.pictures {
         Pictures::Points(residuals) => {
             let place = answer.r#where.first();
-            let by_level = place.is_some_and(|place| place.axis != "frequency_hz");
+            let by_level = place.is_some_and(|place| place.axis != Axis::Frequency);
             let curves = curve::curves(residuals, by_level);
             (Some(map::maps(residuals)), curves)
         }

@@ -1,5 +1,7 @@
 //! Causes and stages in words that need no training.
 
+use crate::axis::Axis;
+
 /// What an effect is, as the end of "the simulation does not know that ...".
 pub(super) fn effect(id: &str) -> Option<&'static str> {
     let at = EFFECTS.iter().find(|(name, _)| *name == id)?;
@@ -36,18 +38,17 @@ pub(super) fn observable(name: &str) -> &'static str {
 }
 
 /// A range of a condition.
-pub(super) fn range(axis: &str, from: f64, to: f64) -> String {
+pub(super) fn range(axis: Axis, from: f64, to: f64) -> String {
     let (words, unit) = match axis {
-        "frequency_hz" => ("at frequencies", "Hz"),
-        "acceleration_ms2" | "inverse level" => ("at levels", "m/s\u{b2}"),
-        "travel_m" => ("at a travel", "m"),
-        "time_s" => ("over time,", "s"),
-        "payload_kg" => ("with the payload,", "kg"),
-        "temperature_c" => ("with temperature,", "K above the reference"),
-        "rotation_deg" => ("with the rotation,", "\u{b0}"),
-        "tilt_deg" => ("with the tilt,", "\u{b0}"),
-        "coil_v" => ("at coil voltages", "V"),
-        other => (other, ""),
+        Axis::Frequency => ("at frequencies", "Hz"),
+        Axis::Level | Axis::InverseLevel => ("at levels", "m/s\u{b2}"),
+        Axis::Travel => ("at a travel", "m"),
+        Axis::Time => ("over time,", "s"),
+        Axis::Payload => ("with the payload,", "kg"),
+        Axis::Temperature => ("with temperature,", "K above the reference"),
+        Axis::Rotation => ("with the rotation,", "\u{b0}"),
+        Axis::CoilVoltage => ("at coil voltages", "V"),
+        Axis::Amplitude => ("amplitude", ""),
     };
     let (from, to) = (super::short(from), super::short(to));
     format!("{words} from {from} to {to}\u{a0}{unit}")

@@ -2,7 +2,9 @@
 
 use super::{report, short};
 use crate::answer::*;
+use crate::axis::Axis;
 use crate::engine::gap::{Gap, ObservableGap, Slice};
+use crate::observable::Observable;
 use crate::pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 
 const HOSTILE: &str = "a<b>&'\"</style><script>";
@@ -60,7 +62,7 @@ fn answer(verdict: Verdict, gap: Gap, pictures: Pictures) -> Answer {
         r#where: vec![Where {
             stage: "dut",
             observable: "ratio",
-            axis: "acceleration_ms2",
+            axis: Axis::Level,
             from: 1.0,
             to: 10.0,
             share: 0.6,
@@ -106,7 +108,7 @@ fn points() -> Pictures {
     };
     let datum = |row: usize| Datum {
         row,
-        slot: 0,
+        observable: Observable::Ratio,
         before: 0.08,
         after: 0.001,
         u: 0.001,

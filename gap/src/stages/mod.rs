@@ -17,12 +17,13 @@ mod shape;
 mod suggested;
 
 use crate::answer::Verdict;
+use crate::axis::Axis;
 use crate::effects::{About, Stage, list};
 use crate::engine::fit::Workspace;
 use crate::engine::problem::Problem;
 use crate::engine::search::Search;
 use crate::engine::structure::Structure;
-use crate::model::row::{CURRENT, DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
+use crate::observable::{Group, Observable};
 use std::collections::BTreeMap;
 use suggested::by_class;
 
@@ -91,29 +92,35 @@ fn by_effects(found: &Search) -> Vec<(Stage, f64)> {
     list
 }
 
-/// The strongest test in the observables of a stage: slot, axis, deviate.
+/// The strongest test in the observables of a stage: observable, axis, deviate.
 pub(crate) fn evidence(
     stage: Stage,
     first: &Structure,
     second: &Structure,
-) -> (usize, &'static str, f64) {
-    let slots: &[(usize, usize)] = match stage {
-        Stage::Exciter | Stage::Amplifier => &[(DRIVE, DUT_HARMONICS)],
-        Stage::Environment => &[(NOISE, SLOTS)],
-        Stage::Digitiser => &[(RATIO, DRIVE), (REF_HARMONICS, SLOTS)],
-        Stage::Conditioning => &[(RATIO, DRIVE), (NOISE, SLOTS)],
-        Stage::Reference => &[(RATIO, CURRENT)],
-        Stage::Dut | Stage::Mount => &[(RATIO, DRIVE), (DUT_HARMONICS, DC)],
+) -> (Observable, Axis, f64) {
+    let groups: &[Group] = match stage {
+        Stage::Exciter | Stage::Amplifier => &[Group::Drive, Group::Current, Group::RefHarmonics],
+        Stage::Environment => &[Group::Noise],
+        Stage::Digitiser => &[
+            Group::Ratio,
+            Group::RefHarmonics,
+            Group::DutHarmonics,
+            Group::Dc,
+            Group::Noise,
+        ],
+        Stage::Conditioning => &[Group::Ratio, Group::Noise],
+        Stage::Reference => &[Group::Ratio, Group::Drive],
+        Stage::Dut | Stage::Mount => &[Group::Ratio, Group::DutHarmonics],
     };
-    let strongest = |structure: &Structure, slots: &[(usize, usize)]| {
-        let inside = |slot: usize| slots.iter().any(|(a, b)| (*a..*b).contains(&slot));
-        let chosen = structure.outcomes.iter().filter(|o| inside(o.slot));
-        chosen
+    let strongest = |structure: &Structure, groups: &[Group]| {
+        let outcomes = structure.outcomes.iter();
+        let inside = outcomes.filter(|o| groups.contains(&o.observable.group()));
+        inside
             .max_by(|a, b| a.z.abs().total_cmp(&b.z.abs()))
-            .map(|o| (o.slot, o.axis, o.z))
+            .map(|o| (o.observable, o.axis, o.z))
     };
-    strongest(first, slots)
-        .or_else(|| strongest(second, slots))
-        .or_else(|| strongest(second, &[(0, SLOTS)]))
-        .unwrap_or((RATIO, "frequency_hz", 0.0))
+    strongest(first, groups)
+        .or_else(|| strongest(second, groups))
+        .or_else(|| strongest(second, &Group::ALL))
+        .unwrap_or((Observable::Ratio, Axis::Frequency, 0.0))
 }

@@ -4,7 +4,8 @@ use super::kind::Kind;
 use crate::engine::column::Column;
 use crate::engine::normal::Tangent;
 use crate::engine::problem::Problem;
-use crate::model::row::{Row, SLOTS};
+use crate::model::row::Row;
+use crate::observable::Observable;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Ridge that keeps directions still which the nuisances take over.
@@ -38,7 +39,7 @@ impl Pattern {
             matrix[(i, i)] += RIDGE * columns[i].norm2();
         }
         let data = touched(&columns)
-            .map(|slot| problem.slots[slot].len())
+            .map(|observable| problem.data_of(observable).len())
             .sum::<usize>();
         Some(Self {
             kind,
@@ -75,8 +76,8 @@ impl Pattern {
     }
 }
 
-/// Slots of a rule with the sign of the deviation in each.
-pub(super) type Parts = [(usize, f64)];
+/// Observables of a rule with the sign of the deviation in each.
+pub(super) type Parts = [(Observable, f64)];
 
 /// A column of whitened data; what is not finite or was not measured deviates by nothing.
 pub(super) fn column(
@@ -93,9 +94,12 @@ pub(super) fn column(
             0.0
         }
     };
-    let filled = parts.iter().map(|(slot, sign)| {
-        let range = problem.slots[*slot].clone();
-        (*slot, range.map(|at| sign * value(at)).collect::<Vec<_>>())
+    let filled = parts.iter().map(|(observable, sign)| {
+        let data = problem.data_of(*observable);
+        (
+            *observable,
+            data.map(|at| sign * value(at)).collect::<Vec<_>>(),
+        )
     });
     Column {
         parts: filled
@@ -104,7 +108,9 @@ pub(super) fn column(
     }
 }
 
-/// Slots in which columns have values.
-fn touched(columns: &[Column]) -> impl Iterator<Item = usize> {
-    (0..SLOTS).filter(|slot| columns.iter().any(|c| c.parts.iter().any(|p| p.0 == *slot)))
+/// Observables for which columns have values.
+fn touched(columns: &[Column]) -> impl Iterator<Item = Observable> {
+    let parts = || columns.iter().flat_map(|c| &c.parts);
+    let all = Observable::ALL.into_iter();
+    all.filter(move |observable| parts().any(|p| p.0 == *observable))
 }

@@ -8,24 +8,27 @@ use crate::engine::fit::Fit;
 use crate::engine::normal::Tangent;
 use crate::engine::nuisance::Nuisance;
 use crate::engine::problem::Problem;
-use crate::model::row::{CURRENT, DRIVE, NOISE, RATIO, Row};
+use crate::model::row::Row;
+use crate::observable::Observable::{
+    Current, CurrentPhase, Drive, DrivePhase, DutNoise, Ratio, RatioPhase, RefNoise,
+};
 
 /// Orders of the smooth courses that are tried, before bands.
 const ORDERS: [usize; 3] = [0, 2, 5];
 
-const IN_RATIO: [&Parts; 2] = [&[(RATIO, 1.0)], &[(RATIO + 1, 1.0)]];
-const SIZE_OF_RATIO: [&Parts; 1] = [&[(RATIO, 1.0)]];
-const PHASE_OF_RATIO: [&Parts; 1] = [&[(RATIO + 1, 1.0)]];
+const IN_RATIO: [&Parts; 2] = [&[(Ratio, 1.0)], &[(RatioPhase, 1.0)]];
+const SIZE_OF_RATIO: [&Parts; 1] = [&[(Ratio, 1.0)]];
+const PHASE_OF_RATIO: [&Parts; 1] = [&[(RatioPhase, 1.0)]];
 const IN_BOTH: [&Parts; 2] = [
-    &[(RATIO, -1.0), (DRIVE, 1.0)],
-    &[(RATIO + 1, -1.0), (DRIVE + 1, 1.0)],
+    &[(Ratio, -1.0), (Drive, 1.0)],
+    &[(RatioPhase, -1.0), (DrivePhase, 1.0)],
 ];
-const IN_DRIVE: [&Parts; 1] = [&[(DRIVE, 1.0)]];
+const IN_DRIVE: [&Parts; 1] = [&[(Drive, 1.0)]];
 const IN_EXCITER: [&Parts; 4] = [
-    &[(DRIVE, 1.0)],
-    &[(DRIVE + 1, 1.0)],
-    &[(CURRENT, 1.0)],
-    &[(CURRENT + 1, 1.0)],
+    &[(Drive, 1.0)],
+    &[(DrivePhase, 1.0)],
+    &[(Current, 1.0)],
+    &[(CurrentPhase, 1.0)],
 ];
 
 /// All rules with all courses.
@@ -119,12 +122,12 @@ impl<'a> Rules<'a> {
         ];
         for count in [1, 3] {
             for (kind, channels) in [
-                (Kind::NoiseOfDut, &[1][..]),
-                (Kind::NoiseOfBoth, &[0]),
-                (Kind::NoiseOfBoth, &[0, 1]),
+                (Kind::NoiseOfDut, &[DutNoise][..]),
+                (Kind::NoiseOfBoth, &[RefNoise]),
+                (Kind::NoiseOfBoth, &[RefNoise, DutNoise]),
             ] {
-                let columns = channels.iter().flat_map(|c| {
-                    let parts = [(NOISE + c, 1.0)];
+                let columns = channels.iter().flat_map(|noise| {
+                    let parts = [(*noise, 1.0)];
                     let of = |shape: &fn(&Row) -> f64| self.column(&parts, shape);
                     shapes[..count].iter().map(of).collect::<Vec<_>>()
                 });

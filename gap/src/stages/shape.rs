@@ -8,7 +8,7 @@ use crate::engine::fit::{Fit, Workspace};
 use crate::engine::linear::Linearised;
 use crate::engine::problem::Problem;
 use crate::engine::settled::Settled;
-use crate::model::row::RATIO;
+use crate::observable::Observable;
 
 /// A function of the frequency.
 type Course = fn(f64) -> f64;
@@ -37,7 +37,7 @@ pub(crate) fn of_ratio(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Op
     let weight = &evaluation.weight;
     let residual = Settled::new(problem, fit, &tangent, evaluation.residual).left;
     let along = |course: &dyn Fn(f64) -> f64| {
-        column(problem, weight, &[(RATIO, 1.0)], &|row| {
+        column(problem, weight, &[(Observable::Ratio, 1.0)], &|row| {
             course(row.frequency_hz)
         })
     };
@@ -48,7 +48,7 @@ pub(crate) fn of_ratio(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Op
     let steps = bands(problem);
     let free = steps.iter().map(|course| along(course)).collect::<Vec<_>>();
     let free = gain(free.into_iter().filter(|c| c.norm2() > 0.0).collect())?;
-    let cost = (problem.slots[RATIO].len() as f64).ln();
+    let cost = (problem.data_of(Observable::Ratio).len() as f64).ln();
     let powers = POWERS
         .iter()
         .filter_map(|(word, course)| Some((*word, gain(vec![along(course)])? - cost)));

@@ -2,17 +2,19 @@
 
 use super::class::Found;
 use super::kind::Kind;
+use crate::axis::Axis;
 use crate::effects::Stage;
 use crate::engine::battery::BANDS;
 use crate::engine::problem::Problem;
 use crate::engine::structure::{Outcome, Structure};
-use crate::model::row::{DC, DRIVE, DUT_HARMONICS, NOISE, RATIO, REF_HARMONICS, SLOTS};
+use crate::observable::{Channel, Group, Observable};
+use std::ops::Range;
 
 /// Stages suggested by the classes of a gap, with the chi-square that speaks for each.
 pub(super) fn by_class(problem: &Problem, s: &Structure, found: &[Found]) -> Vec<(Stage, f64)> {
-    let of = |from: usize, to: usize| excess(problem, s, from, to);
-    let harmonics = [of(REF_HARMONICS, DUT_HARMONICS), of(DUT_HARMONICS, DC)];
-    let direct = of(DC, NOISE);
+    let of = |group| excess(s, problem.data_of_group(group));
+    let harmonics = [of(Group::RefHarmonics), of(Group::DutHarmonics)];
+    let direct = of(Group::Dc);
     let mut classes: Vec<(f64, [Stage; 2])> =
         found.iter().map(|f| (f.gain, of_kind(f.kind, s))).collect();
     classes.push((
@@ -40,7 +42,7 @@ fn of_kind(kind: Kind, s: &Structure) -> [Stage; 2] {
         Kind::Rotation | Kind::Payload => [Stage::Mount, Stage::Dut],
         Kind::Temperature | Kind::Time => [Stage::Dut, Stage::Reference],
         Kind::Level => [Stage::Dut, Stage::Digitiser],
-        Kind::Mirrored if is_low(s, RATIO..DRIVE) => [Stage::Conditioning, Stage::Reference],
+        Kind::Mirrored if is_low(s) => [Stage::Conditioning, Stage::Reference],
         Kind::Mirrored => [Stage::Reference, Stage::Conditioning],
         Kind::MirroredSlow => [Stage::Reference, Stage::Dut],
         Kind::MirroredLevel => [Stage::Digitiser, Stage::Reference],
@@ -51,13 +53,10 @@ fn of_kind(kind: Kind, s: &Structure) -> [Stage; 2] {
     }
 }
 
-/// Whether the strongest band of a slot lies in the lower half of the frequencies.
-fn is_low(s: &Structure, slots: std::ops::Range<usize>) -> bool {
-    let bands = s
-        .outcomes
-        .iter()
-        .filter(|o| slots.contains(&o.slot) && o.axis == "frequency_hz");
-    // The bands come last among the shapes of a slot, in ascending order.
+/// Whether the strongest band of the ratio lies in the lower half of the frequencies.
+fn is_low(s: &Structure) -> bool {
+    let bands = of_tests(s, Group::Ratio, Axis::Frequency);
+    // The bands come last among the shapes of an observable, in ascending order.
     let last = bands.clone().map(|o| o.shape).max().unwrap_or(0);
     let strongest = bands
         .filter(|o| o.shape + BANDS > last)
@@ -67,9 +66,12 @@ fn is_low(s: &Structure, slots: std::ops::Range<usize>) -> bool {
 
 /// A deviation of the ratio over frequency alone: by its place and by how much of it is phase.
 fn of_the_ratio(s: &Structure) -> [Stage; 2] {
-    let phase = along(s, RATIO + 1, DRIVE, "frequency_hz");
-    let size = along(s, RATIO, RATIO + 1, "frequency_hz");
-    if is_low(s, RATIO..DRIVE) {
+    let most = |of: Observable| {
+        let tests = of_tests(s, Group::Ratio, Axis::Frequency);
+        largest_square(tests.filter(move |o| o.observable == of))
+    };
+    let (size, phase) = (most(Observable::Ratio), most(Observable::RatioPhase));
+    if is_low(s) {
         if phase > 0.05 * size {
             [Stage::Conditioning, Stage::Mount]
         } else {
@@ -86,14 +88,14 @@ fn of_the_ratio(s: &Structure) -> [Stage; 2] {
 
 /// Harmonics: of the motion if both channels show the same, else of one channel.
 fn distorted(problem: &Problem, s: &Structure, [reference, dut]: [f64; 2]) -> [Stage; 2] {
-    let parity = |offset: usize| {
-        let orders = [DUT_HARMONICS + offset, DUT_HARMONICS + offset + 4];
-        orders
-            .iter()
-            .map(|o| excess(problem, s, *o, o + 2))
-            .sum::<f64>()
+    let of_order = |[real, imaginary]: [Observable; 2]| {
+        excess(
+            s,
+            problem.data_of(real).start..problem.data_of(imaginary).end,
+        )
     };
-    let (even, odd) = (parity(0), parity(2));
+    let [second, third, fourth, fifth] = Observable::harmonics(Channel::Dut).map(of_order);
+    let (even, odd) = (second + fourth, third + fifth);
     let (shared, data) = shared(problem, s);
     if shared > 0.3 * reference.max(dut) && shared > 3.0 * data.sqrt() {
         [Stage::Exciter, Stage::Amplifier]
@@ -110,10 +112,10 @@ fn distorted(problem: &Problem, s: &Structure, [reference, dut]: [f64; 2]) -> [S
 /// what noise gives has the variance of that number.
 fn shared(problem: &Problem, s: &Structure) -> (f64, f64) {
     let (mut product, mut data) = (0.0, 0.0);
-    for slot in REF_HARMONICS..DUT_HARMONICS {
-        let of_dut = problem.slots[slot + DUT_HARMONICS - REF_HARMONICS].clone();
-        let mut other = of_dut.peekable();
-        for at in problem.slots[slot].clone() {
+    let of_dut = Group::DutHarmonics.observables();
+    for (of_reference, of_dut) in Group::RefHarmonics.observables().zip(of_dut) {
+        let mut other = problem.data_of(of_dut).peekable();
+        for at in problem.data_of(of_reference) {
             let row = problem.row_of[at];
             while other.next_if(|o| problem.row_of[*o] < row).is_some() {}
             if let Some(o) = other.next_if(|o| problem.row_of[*o] == row) {
@@ -127,14 +129,10 @@ fn shared(problem: &Problem, s: &Structure) -> (f64, f64) {
 
 /// Noise in both channels: of the motion, or of the clock if it grows with the signal.
 fn noisy(s: &Structure) -> [Stage; 2] {
-    let grows =
-        along(s, NOISE, SLOTS, "frequency_hz").max(along(s, NOISE, SLOTS, "acceleration_ms2"));
-    let z2 = s
-        .outcomes
-        .iter()
-        .filter(|o| o.slot >= NOISE)
-        .map(|o| o.z * o.z);
-    let most = z2.fold(0.0, f64::max);
+    let along = |axis| largest_square(of_tests(s, Group::Noise, axis));
+    let grows = along(Axis::Frequency).max(along(Axis::Level));
+    let all = s.outcomes.iter();
+    let most = largest_square(all.filter(|o| o.observable.is_noise()));
     if grows >= 0.5 * most && level_counts(s) {
         [Stage::Digitiser, Stage::Environment]
     } else {
@@ -144,34 +142,26 @@ fn noisy(s: &Structure) -> [Stage; 2] {
 
 /// Whether the noise grows with the level: jitter does, motion of the base does not.
 fn level_counts(s: &Structure) -> bool {
-    let first = |o: &&Outcome| o.slot >= NOISE && o.axis == "frequency_hz";
-    let plain = s
-        .outcomes
-        .iter()
-        .filter(first)
-        .fold(0.0_f64, |m, o| m.max(o.z.abs()));
-    let level = |o: &&Outcome| o.slot >= NOISE && o.axis == "acceleration_ms2";
-    let level = s
-        .outcomes
-        .iter()
-        .filter(level)
-        .fold(0.0_f64, |m, o| m.max(o.z.abs()));
-    level > 0.8 * plain
+    let largest = |axis| {
+        let tests = of_tests(s, Group::Noise, axis);
+        tests.fold(0.0_f64, |m, o| m.max(o.z.abs()))
+    };
+    largest(Axis::Level) > 0.8 * largest(Axis::Frequency)
 }
 
-/// Chi-square of a range of slots beyond what noise gives.
-fn excess(problem: &Problem, structure: &Structure, from: usize, to: usize) -> f64 {
-    let range = problem.slots[from].start..problem.slots[to - 1].end;
-    let count = range.len() as f64;
-    let sum: f64 = structure.residual[range].iter().map(|r| r * r).sum();
+/// Chi-square of some data beyond what noise gives.
+fn excess(structure: &Structure, data: Range<usize>) -> f64 {
+    let count = data.len() as f64;
+    let sum: f64 = structure.residual[data].iter().map(|r| r * r).sum();
     (sum - count - 2.0 * (2.0 * count).sqrt()).max(0.0)
 }
 
-/// Largest squared deviate of the tests of a range of slots along an axis.
-fn along(structure: &Structure, from: usize, to: usize, axis: &str) -> f64 {
-    let chosen = structure
-        .outcomes
-        .iter()
-        .filter(|o| (from..to).contains(&o.slot) && o.axis == axis);
-    chosen.fold(0.0_f64, |m, o| m.max(o.z * o.z))
+/// Tests of a group along an axis.
+fn of_tests(s: &Structure, group: Group, axis: Axis) -> impl Iterator<Item = &Outcome> + Clone {
+    let all = s.outcomes.iter();
+    all.filter(move |o| o.observable.group() == group && o.axis == axis)
+}
+
+fn largest_square<'a>(tests: impl Iterator<Item = &'a Outcome>) -> f64 {
+    tests.fold(0.0_f64, |m, o| m.max(o.z * o.z))
 }

@@ -1,11 +1,11 @@
 //! What a channel shows of a bent wave, against the wave itself sampled in time.
 
 use super::*;
+use crate::dataset::ExciterParameters;
 use crate::dataset::{Harmonic, Point};
 use crate::engine::example::{named, rig};
 use crate::model::memory::{Memory, Recall};
 use crate::model::predict::predict;
-use crate::model::row::{DRIVE, RATIO};
 use std::f64::consts::TAU;
 
 const LEVEL_MS2: f64 = 10.0;
@@ -31,7 +31,14 @@ fn predicted(effects: &[(&str, usize, Vec<f64>)]) -> Prediction {
         .map(|(name, number, values)| named(name, *number, values))
         .collect();
     let nominal = Nominal {
-        exciter: Some([0.05, 8000.0, 3.0, 7.0, 4.0, 1.2e-4]),
+        exciter: Some(ExciterParameters {
+            moving_mass_kg: 0.05,
+            stiffness_n_per_m: 8000.0,
+            damping_ns_per_m: 3.0,
+            force_factor_n_per_a: 7.0,
+            coil_resistance_ohm: 4.0,
+            coil_inductance_h: 1.2e-4,
+        }),
         drive_ln: 0.01_f64.ln(),
         ratio_ln: 2.0_f64.ln(),
         dut_gain: 1.0,
@@ -47,10 +54,9 @@ fn predicted(effects: &[(&str, usize, Vec<f64>)]) -> Prediction {
     )
 }
 
-fn harmonics(found: &Prediction, slot: usize) -> [Complex64; 4] {
-    std::array::from_fn(|k| {
-        Complex64::new(found.value[slot + 2 * k], found.value[slot + 2 * k + 1])
-    })
+fn harmonics(found: &Prediction, channel: Channel) -> [Complex64; 4] {
+    let value = |[re, im]: [Observable; 2]| Complex64::new(found.value[re], found.value[im]);
+    Observable::harmonics(channel).map(value)
 }
 
 const SAMPLES: usize = 1 << 14;
@@ -90,7 +96,7 @@ fn compare(found: &[Complex64; 4], expected: &[Complex64; 4], within: f64, what:
 #[test]
 fn a_converter_bends_the_wave_of_a_bent_suspension() {
     let bent = ("suspension_asymmetry", 0, vec![3e5]);
-    let table = harmonics(&predicted(std::slice::from_ref(&bent)), REF_HARMONICS);
+    let table = harmonics(&predicted(std::slice::from_ref(&bent)), Channel::Reference);
     assert!(table[0].norm() > 0.05, "{table:?}");
     let cubic_per_v2 = 0.25;
     let found = predicted(&[bent, ("adc_cubic", 1, vec![cubic_per_v2])]);
@@ -100,11 +106,11 @@ fn a_converter_bends_the_wave_of_a_bent_suspension() {
         .iter_mut()
         .for_each(|v| *v += cubic_per_v2 * v.powi(3));
     let expected = relative(&samples);
-    compare(&harmonics(&found, DUT_HARMONICS), &expected, 5e-6, "dut");
-    compare(&harmonics(&found, REF_HARMONICS), &table, 1e-9, "ref");
+    compare(&harmonics(&found, Channel::Dut), &expected, 5e-6, "dut");
+    compare(&harmonics(&found, Channel::Reference), &table, 1e-9, "ref");
     let gain = phasor(&samples, 1) / peak_v;
-    assert!((found.value[RATIO] - (2.0 * gain.norm()).ln()).abs() < 5e-6);
-    assert!((found.value[RATIO + 1] - gain.arg()).abs() < 5e-6);
+    assert!((found.value[Observable::Ratio] - (2.0 * gain.norm()).ln()).abs() < 5e-6);
+    assert!((found.value[Observable::RatioPhase] - gain.arg()).abs() < 5e-6);
 }
 
 /// A kink of samples errs by (pi/N)^2, 4e-8; orders above 15 carry 1e-3 of the wave
@@ -140,14 +146,14 @@ fn what_a_loose_mount_cuts_passes_the_filter_and_then_the_converter() {
         .map(|i| at(i) + second_per_v * at(i).powi(2))
         .collect();
     compare(
-        &harmonics(&found, DUT_HARMONICS),
+        &harmonics(&found, Channel::Dut),
         &relative(&shown),
         2e-5,
         "dut",
     );
     let gain = phasor(&shown, 1) / (0.02 * LEVEL_MS2 * SQRT_2);
-    assert!((found.value[RATIO] - (2.0 * gain.norm()).ln()).abs() < 2e-5);
-    assert!((found.value[RATIO + 1] - gain.arg()).abs() < 2e-5);
+    assert!((found.value[Observable::Ratio] - (2.0 * gain.norm()).ln()).abs() < 2e-5);
+    assert!((found.value[Observable::RatioPhase] - gain.arg()).abs() < 2e-5);
 }
 
 /// The level is what the reference shows: the table moves more where the channel saturates.
@@ -157,8 +163,8 @@ fn the_level_is_held_by_what_a_saturating_reference_shows_of_a_bent_wave() {
     let threshold_v = 0.138;
     let found = predicted(&[bent, ("adc_clipping", 0, vec![threshold_v])]);
     // The ratio tells how much more: the device shows all of it.
-    let more = (found.value[RATIO]).exp() / 2.0;
-    let table = harmonics(&found, DUT_HARMONICS);
+    let more = (found.value[Observable::Ratio]).exp() / 2.0;
+    let table = harmonics(&found, Channel::Dut);
     let mut samples = wave_in_time(0.01 * LEVEL_MS2 * SQRT_2 * more, &table);
     samples
         .iter_mut()
@@ -169,12 +175,12 @@ fn the_level_is_held_by_what_a_saturating_reference_shows_of_a_bent_wave() {
     assert!((shown_v / held_v - 1.0).abs() < 2e-5, "{shown_v} {held_v}");
     assert!(more > 1.005, "{more}");
     compare(
-        &harmonics(&found, REF_HARMONICS),
+        &harmonics(&found, Channel::Reference),
         &relative(&samples),
         5e-5,
         "ref",
     );
-    assert!(found.value[DRIVE].is_finite());
+    assert!(found.value[Observable::Drive].is_finite());
 }
 
 /// Dry friction alone: order n of its square wave moves the mass against spring, damping and what the
@@ -217,5 +223,5 @@ fn a_gain_by_level_is_that_of_what_a_loose_mount_lets_through() {
     let share = phasor(&cut, 1).norm() / (LEVEL_MS2 * SQRT_2);
     assert!(share < 0.99, "{share}");
     let expected = 2.0 * share * (1.0 + per_ms2 * LEVEL_MS2 * share);
-    assert!((found.value[RATIO] - expected.ln()).abs() < 1e-6);
+    assert!((found.value[Observable::Ratio] - expected.ln()).abs() < 1e-6);
 }

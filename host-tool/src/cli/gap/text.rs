@@ -73,7 +73,7 @@ fn place(text: &mut String, place: &Where) {
         "  where   {} in {} along {}, {:.4} .. {:.4} ({}{shape}), share {:.0} %, p = {:.1e}",
         place.stage,
         place.observable,
-        place.axis,
+        place.axis.name(),
         place.from,
         place.to,
         place.class,
