@@ -2,7 +2,7 @@
 
 use crate::shell::{cargo, target_dir};
 use crate::{elf, shell};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -18,10 +18,21 @@ pub(crate) fn tool() -> PathBuf {
     target_dir().join("release").join("calib")
 }
 
+/// Builds image and tool side by side: either alone leaves a core idle while it links.
+/// Returns the path of the image.
+pub(crate) fn build_all() -> Result<PathBuf> {
+    std::thread::scope(|scope| {
+        let image = scope.spawn(elf::build);
+        build_tool()?;
+        image
+            .join()
+            .unwrap_or_else(|_| bail!("the build of the image panicked"))
+    })
+}
+
 /// Builds what is needed and runs `calib demo`.
 pub(crate) fn run(arguments: &[String]) -> Result<()> {
-    let image = elf::build()?;
-    build_tool()?;
+    let image = build_all()?;
     let mut command = Command::new(tool());
     command
         .current_dir(shell::root())

@@ -45,7 +45,7 @@ fn main() -> Result<()> {
         "no-panic" => elf::build().and_then(|image| no_panic::check(&image)),
         "screenshots" => browser::screenshots(),
         "size" => elf::print_size(),
-        "setup" => elf::build().and_then(|_| demo::build_tool()),
+        "setup" => demo::build_all().map(|_| ()),
         "help" | "--help" | "-h" => {
             print!("{HELP}");
             Ok(())
