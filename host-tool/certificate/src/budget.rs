@@ -120,7 +120,7 @@ fn distribution(component: &Component<'_>) -> (&'static str, Option<f64>) {
             ("student", None)
         }
         Distribution::Normal { coverage_factor } => {
-            ("normal", Some(super::from_record::decimal(coverage_factor)))
+            ("normal", Some(super::stored::decimal(coverage_factor)))
         }
         Distribution::Rectangular => ("rectangular", None),
         Distribution::Triangular => ("triangular", None),

@@ -5,12 +5,13 @@ use super::model::{Point, PointValues};
 use super::particulars::Particulars;
 use super::rounding::{Rounded, round_uncertainty};
 use super::sections::sections;
+use super::stored::{day, decimal, run_day};
 use super::units::STANDARD_GRAVITY_MS2;
 use super::{budget, conformity};
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
-use jiff::{Timestamp, ToSpan, civil::Date, tz::TimeZone};
+use jiff::civil::Date;
 
 impl Certificate {
     /// The certificate of a record and of what else is to be stated.
@@ -49,11 +50,6 @@ impl Certificate {
         }
         certificate
     }
-}
-
-/// The decimal number a person would write for an f32: 31.5, not 31.499999.
-pub(super) fn decimal(value: f32) -> f64 {
-    value.to_string().parse().unwrap_or(f64::NAN)
 }
 
 fn number(record: &Record, particulars: &Particulars) -> String {
@@ -177,23 +173,6 @@ fn state_deviations(points: &mut [Point], reference: Option<usize>) {
         values.deviation_percent = Some(100.0 * (ratio - 1.0));
         values.deviation_db = Some(20.0 * ratio.log10());
     }
-}
-
-/// A day given as days since 1970-01-01; 0 is not stated.
-pub(super) fn day(days: u32) -> Option<Date> {
-    let epoch = Date::constant(1970, 1, 1);
-    (days > 0)
-        .then(|| epoch.checked_add(i64::from(days).days()).ok())
-        .flatten()
-}
-
-/// The UTC day of a run, if the host's clock was known.
-pub(super) fn run_day(record: &Record) -> Option<Date> {
-    let seconds = i64::try_from(record.head.labels.unix_time_s)
-        .ok()
-        .filter(|s| *s > 0)?;
-    let time = Timestamp::from_second(seconds).ok()?;
-    Some(time.to_zoned(TimeZone::UTC).date())
 }
 
 fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {

@@ -37,6 +37,7 @@ pub(crate) mod python;
 pub mod rounding;
 mod sections;
 mod standing;
+mod stored;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -218,6 +219,17 @@ pub fn possible(record: &Record, formats: &[Format], particulars: &Particulars) 
     let complete = dcc::needs(&certificate).is_ok();
     let can_be = |format: &Format| complete || *format != Format::Dcc;
     formats.iter().copied().filter(can_be).collect()
+}
+
+impl Particulars {
+    /// Reads TOML files; what a later one states wins.
+    ///
+    /// # Errors
+    /// [`calib_files::Error::File`] when one cannot be read, [`calib_files::Error::Input`]
+    /// with file and line when it is not TOML or states something unknown.
+    pub fn read(paths: &[PathBuf]) -> Result<Self> {
+        Self::read_knowing(paths, &present::COLUMNS.map(|column| column.name))
+    }
 }
 
 /// What ISO 16063-21 asks to be stated, and neither record nor laboratory states:

@@ -250,19 +250,19 @@ pub struct Layout {
 }
 
 impl Particulars {
-    /// Reads TOML files; what a later one states wins.
+    /// Reads TOML files; what a later one states wins. `columns` are those a table can have.
     ///
     /// # Errors
     /// [`Error::File`] when one cannot be read, [`Error::Input`] with file and
     /// line when it is not TOML or states something unknown.
-    pub fn read(paths: &[PathBuf]) -> Result<Self> {
+    pub(super) fn read_knowing(paths: &[PathBuf], columns: &[&str]) -> Result<Self> {
         let mut merged = toml::Table::new();
         for path in paths {
             let text = text::read(path)?;
             // The types are checked per file, so that an error has a line.
             let own: Self = text::parse_toml(path, &text, HINT)?;
             let mut table: toml::Table = text::parse_toml(path, &text, HINT)?;
-            own.layout.check(path)?;
+            own.layout.check(path, columns)?;
             own.laboratory.check("laboratory", path)?;
             own.customer.check("customer", path)?;
             if let Some(Err(problem)) = own.decision.as_ref().map(decision::Request::check) {
@@ -314,8 +314,7 @@ impl Contact {
 }
 
 impl Layout {
-    fn check(&self, path: &Path) -> Result<()> {
-        let known = super::present::COLUMNS.map(|column| column.name);
+    fn check(&self, path: &Path, known: &[&str]) -> Result<()> {
         let unknown = self
             .columns
             .iter()

@@ -101,6 +101,15 @@ impl std::str::FromStr for Language {
     }
 }
 
+/// A number and its unit, which stay on one line.
+pub(crate) fn with_unit(number: String, unit: &str) -> String {
+    if unit.is_empty() {
+        number
+    } else {
+        format!("{number}\u{a0}{unit}")
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,8 +1,8 @@
 //! `calib completions SHELL` and `calib man`: generated from the command line itself.
 
-use super::{Arguments, Context};
+use super::Context;
 use calib_host::{Error, Result};
-use clap::{Args, CommandFactory};
+use clap::{Args, Command};
 use clap_complete::Shell;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -25,10 +25,10 @@ struct Script {
 }
 
 impl Completions {
-    /// Prints the script.
-    pub(crate) fn run(self, context: &Context) -> Result<()> {
+    /// Prints the script of `calib`, whose command line this is.
+    pub(crate) fn run(self, context: &Context, mut calib: Command) -> Result<()> {
         let mut script = Vec::new();
-        clap_complete::generate(self.shell, &mut Arguments::command(), "calib", &mut script);
+        clap_complete::generate(self.shell, &mut calib, "calib", &mut script);
         let script = Script {
             shell: self.shell.to_string(),
             script: String::from_utf8_lossy(&script).into_owned(),
@@ -51,12 +51,12 @@ struct Pages {
 }
 
 impl Man {
-    /// Writes the pages.
-    pub(crate) fn run(self, context: &Context) -> Result<()> {
+    /// Writes the pages of `calib`, whose command line this is.
+    pub(crate) fn run(self, context: &Context, calib: Command) -> Result<()> {
         let failed = |error| Error::file("write", &self.out, error);
         std::fs::create_dir_all(&self.out)
             .map_err(|error| Error::file("create", &self.out, error))?;
-        let command = Arguments::command().disable_help_subcommand(true);
+        let command = calib.disable_help_subcommand(true);
         clap_mangen::generate_to(command, &self.out).map_err(failed)?;
         let entries = std::fs::read_dir(&self.out).map_err(failed)?;
         let mut files: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();

@@ -1,12 +1,40 @@
 //! What every verb gets: output switches and the address of the device.
 
-use super::GlobalOptions;
 use calib_host::emulated::KeptBoard;
 use calib_host::{Device, Error, Result};
 use calib_link::{Client, port};
+use clap::Args;
 use serde::Serialize;
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
+
+/// Heading of [`GlobalOptions`] in every help.
+const EVERYWHERE: &str = "Options of every verb";
+
+/// Options every verb knows.
+#[derive(Clone, Debug, Args)]
+pub(crate) struct GlobalOptions {
+    /// Machine-readable output: one JSON document on standard output.
+    #[arg(long, global = true, help_heading = EVERYWHERE)]
+    pub(crate) json: bool,
+    /// The calibrator: a serial port, `tcp:HOST:PORT`, `emulated`, or
+    /// `emulated-usb`.
+    #[arg(
+        long,
+        short,
+        global = true,
+        help_heading = EVERYWHERE,
+        env = "CALIB_DEVICE",
+        value_name = "ADDRESS"
+    )]
+    pub(crate) device: Option<String>,
+    /// The logbook; default: one of this user's.
+    #[arg(long, global = true, help_heading = EVERYWHERE, env = "CALIB_LOGBOOK", value_name = "FILE")]
+    pub(crate) logbook: Option<PathBuf>,
+    /// No progress and no remarks; errors are still printed.
+    #[arg(long, short, global = true, help_heading = EVERYWHERE)]
+    pub(crate) quiet: bool,
+}
 
 /// Output switches and the address of the device.
 pub(crate) struct Context {

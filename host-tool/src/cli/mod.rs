@@ -19,7 +19,7 @@ mod emulate;
 mod gap;
 mod identify;
 mod info;
-mod link;
+mod linking;
 mod logbook;
 mod misuse;
 mod nomogram;
@@ -43,12 +43,11 @@ mod text;
 mod time;
 mod version;
 
-pub(crate) use context::Context;
+pub(crate) use context::{Context, GlobalOptions};
 pub(crate) use misuse::tell;
 
 use calib_host::Result;
-use clap::{Args, Parser, Subcommand};
-use std::path::PathBuf;
+use clap::{CommandFactory, Parser, Subcommand};
 
 /// Exit codes, printed at the end of `calib --help`.
 const EXIT_CODES: &str = "\
@@ -62,9 +61,6 @@ Exit codes:
   6  an input file (points, record, settings, ...) is not usable
   7  done, but a verdict is not \"pass\"";
 
-/// Heading of [`GlobalOptions`] in every help.
-const EVERYWHERE: &str = "Options of every verb";
-
 /// Calibrates vibration transducers with the open field calibrator.
 #[derive(Debug, Parser)]
 #[command(name = "calib", version, about, after_help = EXIT_CODES, max_term_width = 100)]
@@ -75,31 +71,6 @@ pub(crate) struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub(crate) command: Command,
-}
-
-/// Options every verb knows.
-#[derive(Clone, Debug, Args)]
-pub(crate) struct GlobalOptions {
-    /// Machine-readable output: one JSON document on standard output.
-    #[arg(long, global = true, help_heading = EVERYWHERE)]
-    pub(crate) json: bool,
-    /// The calibrator: a serial port, `tcp:HOST:PORT`, `emulated`, or
-    /// `emulated-usb`.
-    #[arg(
-        long,
-        short,
-        global = true,
-        help_heading = EVERYWHERE,
-        env = "CALIB_DEVICE",
-        value_name = "ADDRESS"
-    )]
-    pub(crate) device: Option<String>,
-    /// The logbook; default: one of this user's.
-    #[arg(long, global = true, help_heading = EVERYWHERE, env = "CALIB_LOGBOOK", value_name = "FILE")]
-    pub(crate) logbook: Option<PathBuf>,
-    /// No progress and no remarks; errors are still printed.
-    #[arg(long, short, global = true, help_heading = EVERYWHERE)]
-    pub(crate) quiet: bool,
 }
 
 /// The verbs.
@@ -154,7 +125,7 @@ pub(crate) enum Command {
     /// Predicts the output for a record, or the input behind it.
     Predict(predict::Predict),
     /// Links comparisons, judges degrees of equivalence.
-    Link(link::Link),
+    Link(linking::Linking),
     /// Sensors of the logbook.
     Sensors(logbook::Sensors),
     /// Drift of a sensor over the years, with U.
@@ -210,8 +181,8 @@ impl Command {
             Self::Export(verb) => verb.run(context),
             Self::Serve(verb) => verb.run(context),
             Self::Doctor(verb) => verb.run(context),
-            Self::Completions(verb) => verb.run(context),
-            Self::Man(verb) => verb.run(context),
+            Self::Completions(verb) => verb.run(context, Arguments::command()),
+            Self::Man(verb) => verb.run(context, Arguments::command()),
             Self::Version(verb) => verb.run(context),
         }
     }
@@ -220,7 +191,6 @@ impl Command {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn the_command_line_is_consistent() {

@@ -1,6 +1,6 @@
 //! The clock of this computer: it dates records and certificates.
 
-use super::{Finding, State};
+use super::finding::{Finding, State};
 use jiff::Timestamp;
 
 /// Day this tool was written on: no true clock is before it.

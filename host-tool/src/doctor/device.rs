@@ -1,6 +1,6 @@
 //! The calibrator's own answers: link, versions, health.
 
-use super::{Finding, State};
+use super::finding::{Finding, State};
 use crate::{Device, Error, Result};
 use calib_link::Client;
 use calib_protocol::frame::PROTOCOL_VERSION;

@@ -1,6 +1,6 @@
 //! Serial ports, and whether this user may use them.
 
-use super::{Finding, State};
+use super::finding::{Finding, State};
 use crate::Device;
 use calib_link::Address;
 use calib_link::port::Port;

@@ -21,32 +21,20 @@ mod assets;
 mod calibrator_side;
 mod documents;
 mod events;
+mod options;
 mod routes;
 mod view;
 mod waveforms;
 
 pub use access::Access;
 pub use calibrator_side::Order;
+pub use options::Options;
 pub use view::{Link, PointView, RunView, Snapshot};
 
 use crate::{Error, Result};
 use calibrator_side::CalibratorSide;
-use std::net::{SocketAddr, TcpListener};
-use std::path::PathBuf;
+use std::net::TcpListener;
 use std::time::Duration;
-
-/// How the page is served.
-#[derive(Clone, Debug)]
-pub struct Options {
-    /// Where to listen; a token is asked for unless this is loopback.
-    pub listen: SocketAddr,
-    /// The calibrator to connect to at once.
-    pub device: Option<String>,
-    /// The logbook; the first run makes it.
-    pub logbook: PathBuf,
-    /// What laboratory and job state on certificates, as TOML files.
-    pub particulars: Vec<PathBuf>,
-}
 
 /// A page that is being listened for.
 pub struct Server {

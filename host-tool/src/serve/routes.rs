@@ -18,7 +18,9 @@
 use super::access::Access;
 use super::asked::Run;
 use super::calibrator_side::{Handle, Order};
-use super::{Options, Snapshot, assets, documents, events};
+use super::options::Options;
+use super::view::Snapshot;
+use super::{assets, documents, events};
 use crate::Error;
 use axum::extract::{Path, Query, Request, State};
 use axum::http::{HeaderValue, StatusCode, header};

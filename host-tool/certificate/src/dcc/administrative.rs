@@ -1,6 +1,6 @@
 //! Administrative data: software, core data, item, laboratory, people.
 
-use super::Needs;
+use super::needs::Needs;
 use super::xml::Xml;
 use crate::model::{Certificate, Value};
 use crate::particulars::{Contact, Place};

@@ -9,19 +9,21 @@
 //! DCC schema 3.3.0 (PTB, gitlab.com/ptb/dcc), D-SI 2.2.1.
 
 mod administrative;
+mod needs;
 mod results;
 mod xml;
 
 use super::model::Certificate;
 use super::words::Language;
-use calib_files::{Error, Result};
-use jiff::civil::Date;
+use calib_files::Result;
 use xml::Xml;
+
+pub(super) use needs::needs;
 
 /// The certificate as DCC XML.
 ///
 /// # Errors
-/// [`Error::Input`] when the day of calibration is neither in the record nor
+/// [`calib_files::Error::Input`] when the day of calibration is neither in the record nor
 /// stated, or the laboratory states no country: a DCC cannot be without.
 pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Vec<u8>> {
     let needs = needs(certificate)?;
@@ -41,36 +43,4 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
         results::write(xml, certificate, language);
     });
     Ok(xml.finish())
-}
-
-/// What a DCC cannot be without, beside the results.
-#[derive(Clone, Copy)]
-pub(super) struct Needs<'a> {
-    /// Day of calibration.
-    day: Date,
-    /// Country of the laboratory.
-    country: &'a str,
-}
-
-/// Looks for it.
-///
-/// # Errors
-/// [`Error::Input`] that names what is missing, and where it is stated.
-pub(super) fn needs(certificate: &Certificate) -> Result<Needs<'_>> {
-    let missing = |what: &str, hint: &str| {
-        let place = format!("certificate {}", certificate.number);
-        let problem = format!("has no {what}, and a digital calibration certificate must have one");
-        Error::input(place, problem, hint)
-    };
-    let day = certificate.day.ok_or_else(|| {
-        let hint = "state `date` under [calibration] in a file given with --particulars";
-        missing("date", hint)
-    })?;
-    let country = certificate.particulars.laboratory.country.as_deref();
-    let country = country.ok_or_else(|| {
-        let hint = "state `country`, two letters, under [laboratory] in the file of the \
-                    laboratory, or in one given with --particulars";
-        missing("country of the laboratory", hint)
-    })?;
-    Ok(Needs { day, country })
 }

@@ -5,7 +5,7 @@
 //! sensors, how often does a rule accept a bad one or reject a good one
 //! ([`global`], JCGM 106:2012 clause 9).
 
-use super::rule::Limits;
+use super::limits::Limits;
 use statrs::function::erf::{erf, erfc_inv};
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 

@@ -1,29 +1,8 @@
 //! Decision rules: a result, its uncertainty and a tolerance to a statement.
 
+use super::limits::Limits;
+use super::request::{Request, RuleName};
 use super::risk;
-use super::{Request, RuleName};
-
-/// Limits of a quantity.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
-    /// Lower limit.
-    pub lower: f64,
-    /// Upper limit.
-    pub upper: f64,
-}
-
-impl Limits {
-    fn contain(self, value: f64) -> bool {
-        (self.lower..=self.upper).contains(&value)
-    }
-
-    fn narrowed(self, by: f64) -> Self {
-        Self {
-            lower: self.lower + by,
-            upper: self.upper - by,
-        }
-    }
-}
 
 /// How a result is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,37 +1,7 @@
 //! What is tolerated: bands over frequency around a nominal or the reference.
 
-use super::Request;
-use super::rule::Limits;
-use serde::Deserialize;
-
-/// What a tolerance refers to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Base {
-    /// The nominal sensitivity.
-    Nominal,
-    /// The sensitivity measured at the reference point.
-    Reference,
-}
-
-/// A tolerance over a range of frequencies.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Band {
-    /// Lowest frequency, Hz.
-    pub from_hz: f64,
-    /// Highest frequency, Hz.
-    pub to_hz: f64,
-    /// What the tolerance refers to.
-    pub base: Base,
-    /// Lower limit, %, such as -5.
-    pub lower_percent: f64,
-    /// Upper limit, %, such as 5.
-    pub upper_percent: f64,
-    /// True when only the reference point is judged by it.
-    #[serde(default)]
-    pub reference_point_only: bool,
-}
+use super::limits::{Band, Base, Limits};
+use super::request::Request;
 
 /// Name of a specification.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,10 +1,9 @@
 //! The result at the reference point in words.
 
 use super::budget::degrees;
-use super::with_unit;
 use crate::model::Certificate;
 use crate::rounding::Rounded;
-use crate::words::Language;
+use crate::words::{Language, with_unit};
 use serde::Serialize;
 
 /// Result at the reference point.

@@ -13,7 +13,7 @@ use table::Table;
 
 use super::model::{Certificate, Remark, Section, Value};
 use super::plot;
-use super::words::Language;
+use super::words::{Language, with_unit};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -134,14 +134,6 @@ pub(super) fn value(value: &Value, language: Language) -> String {
             let words: Vec<String> = values.iter().map(|v| self::value(v, language)).collect();
             words.join("; ")
         }
-    }
-}
-
-fn with_unit(number: String, unit: &str) -> String {
-    if unit.is_empty() {
-        number
-    } else {
-        format!("{number}\u{a0}{unit}")
     }
 }
 

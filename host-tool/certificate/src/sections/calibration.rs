@@ -2,9 +2,9 @@
 
 use super::clause;
 use super::value::{phrase, said, text};
-use crate::from_record::run_day;
 use crate::model::{Line, Section, Value};
 use crate::particulars::{Adjustment, Particulars, Place};
+use crate::stored::run_day;
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
 

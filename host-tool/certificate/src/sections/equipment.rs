@@ -2,9 +2,9 @@
 
 use super::clause;
 use super::value::{exact, phrase, said, text};
-use crate::from_record::day;
 use crate::model::{Line, Section, Value};
 use crate::particulars::{Equipment, Particulars};
+use crate::stored::day;
 use calib_core::settings::InputScale;
 use calib_protocol::record::Record;
 

@@ -7,7 +7,7 @@
 //! # Source
 //! ISO 16063-21 A.1.5 and A.2.1 Note 2; GUM G.3, G.4; EA-4/02 S9.14, S10.13.
 
-use super::evaluate::EvaluatedComponent;
+use super::contribution::EvaluatedComponent;
 use crate::statistics;
 use serde::Serialize;
 

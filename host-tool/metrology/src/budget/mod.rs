@@ -11,6 +11,7 @@
 
 mod chart;
 mod component;
+mod contribution;
 mod correlation;
 mod coverage;
 mod evaluate;
@@ -21,9 +22,10 @@ pub mod type_a;
 
 pub use chart::contribution_chart;
 pub use component::{Component, Distribution};
+pub use contribution::EvaluatedComponent;
 pub use correlation::{Coefficient, Correlation, first_negative_eigenvalue};
 pub use coverage::{CoverageBasis, CoverageFactor, CoverageRule, trapezoidal_factor};
-pub use evaluate::{EvaluatedComponent, Evaluation, Improvement, evaluate};
+pub use evaluate::{Evaluation, Improvement, evaluate};
 pub use file::{load, parse};
 pub use report::report;
 pub use template::{Template, TemplateRow, template};

@@ -1,6 +1,6 @@
 //! Advice on the data (8.3) and on the propagation used (7.2.2).
 
-use super::fit::Identification;
+use super::identification::Identification;
 use super::points::Points;
 use crate::text::significant;
 

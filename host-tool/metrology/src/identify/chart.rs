@@ -1,6 +1,7 @@
 //! The empirical test of 8.4.1: model and points in one chart.
 
-use super::fit::{Identification, distance};
+use super::fit::distance;
+use super::identification::Identification;
 use super::points::{Point, Points};
 use crate::chart::{Axes, Axis, BLUE, RED, Scale, Svg};
 use nalgebra::Complex;

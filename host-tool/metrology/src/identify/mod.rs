@@ -11,12 +11,14 @@ mod advice;
 mod chart;
 mod fit;
 mod header;
+mod identification;
 mod monte_carlo;
 mod points;
 mod report;
 
 pub use chart::response_chart;
-pub use fit::{Deviation, Identification, Weighting, identify};
+pub use fit::identify;
+pub use identification::{Deviation, Identification, Weighting};
 pub use monte_carlo::{Spread, propagate};
 pub use points::{Point, Points, read};
 pub use report::report;

@@ -1,6 +1,7 @@
 //! Uncertainty of the parameters by propagation of distributions.
 
-use super::fit::{Identification, inverse_response};
+use super::fit::inverse_response;
+use super::identification::Identification;
 use super::points::Points;
 use crate::monte_carlo::{Interval, Lanes, coverage_intervals};
 use crate::oscillator::Oscillator;

@@ -1,6 +1,6 @@
 //! An identification as text.
 
-use super::fit::{Identification, Weighting};
+use super::identification::{Identification, Weighting};
 use super::monte_carlo::Spread;
 use crate::text::{significant, table, wrap};
 use std::fmt::Write;

@@ -3,7 +3,7 @@
 use super::draw::{BATCH, Plan};
 use super::interval::{Interval, coverage_intervals};
 use super::random::Lanes;
-use super::validation::numerical_tolerance;
+use super::tolerance::numerical_tolerance;
 use crate::statistics;
 use serde::Serialize;
 use std::thread;

@@ -12,6 +12,7 @@ mod elementary;
 mod interval;
 mod polar;
 mod random;
+mod tolerance;
 mod validation;
 
 pub use adaptive::{BLOCK, Options, Outcome, propagate};
@@ -19,4 +20,5 @@ pub use draw::{BATCH, Plan};
 pub use interval::{Interval, coverage_intervals};
 pub use polar::{Polar, polar};
 pub use random::Lanes;
-pub use validation::{Comparison, numerical_tolerance, report, validate};
+pub use tolerance::numerical_tolerance;
+pub use validation::{Comparison, report, validate};

@@ -1,6 +1,6 @@
 //! The phase file: limits and readings, TOML.
 
-use super::Limits;
+use super::limits::Limits;
 use crate::input::{self, Number, Source};
 use calib_files::Result;
 use serde::Deserialize;

@@ -8,9 +8,11 @@
 //! ISO 5347-9:1993, clauses 2, 3, 4 and Annex A.
 
 mod file;
+mod limits;
 mod report;
 
 pub use file::{PhaseFile, PhasePoint, load, parse};
+pub use limits::Limits;
 pub use report::report;
 
 use super::budget::{self, Budget, Component, CoverageRule, Distribution, Model, Unit};
@@ -21,17 +23,6 @@ use serde::Serialize;
 pub const PREFERRED_HZ: [f64; 9] = [
     20.0, 40.0, 80.0, 160.0, 315.0, 630.0, 1250.0, 2500.0, 5000.0,
 ];
-
-/// Systematic limits of Annex A, degrees.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Limits {
-    /// Reference pick-up with amplifier, phi_r.
-    pub reference_deg: f64,
-    /// Phasemeter, phi_p.
-    pub phasemeter_deg: f64,
-    /// Amplifier of the pick-up, phi_a.
-    pub amplifier_deg: f64,
-}
 
 /// Result at one frequency, degrees.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

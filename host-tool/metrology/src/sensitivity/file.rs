@@ -1,6 +1,6 @@
 //! Readings from a table; its columns say which method it is.
 
-use super::{Reading, Values};
+use super::reading::{Reading, Values};
 use crate::input::{Column, Row, Source, Table};
 use calib_core::consecutive::Consecutive;
 use calib_files::Result;

@@ -14,56 +14,19 @@
 
 mod conversion;
 mod file;
+mod reading;
 mod report;
 
 pub use conversion::{Converted, Quantity, conversion_report, convert};
 pub use file::{Readings, load, parse};
+pub use reading::{Reading, Values};
 pub use report::report;
 
-use calib_core::consecutive::Consecutive;
 use calib_core::points::{REFERENCE_HZ, deviation};
 use calib_core::polarity::Polarity;
 use calib_core::settings::Example;
 use calib_core::verdict::Reason;
-use num_complex::Complex32;
 use serde::Serialize;
-
-/// Readings of one point; complex, the phase being 0 where none was measured.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
-    /// Frequency, Hz.
-    pub frequency_hz: f32,
-    /// What was read.
-    pub values: Values,
-}
-
-/// What was read, depending on the method.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Values {
-    /// Outputs at the same time, V.
-    Comparison {
-        /// Sensitivity of the reference.
-        reference: Complex32,
-        /// Its output.
-        reference_output: Complex32,
-        /// Output of the device under test.
-        dut: Complex32,
-    },
-    /// Outputs one after another, V.
-    Consecutive {
-        /// Sensitivity of the reference.
-        reference: Complex32,
-        /// The three readings.
-        readings: Consecutive,
-    },
-    /// Output at a stated amplitude.
-    Calibrator {
-        /// Amplitude of the calibrator, in the unit of the quantity.
-        amplitude: f32,
-        /// Output of the device under test, V.
-        dut: Complex32,
-    },
-}
 
 /// One evaluated point.
 #[derive(Clone, Debug, PartialEq, Serialize)]

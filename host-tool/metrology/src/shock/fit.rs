@@ -1,5 +1,6 @@
 //! A shock record to parameters, test and warnings.
 
+use super::choice::Choice;
 use super::solve::{continuous, solve, spread};
 use super::spectra::{Range, advance, bins, from_spectrum, range, spectrum};
 use crate::discrete::{Discrete, Mapping};
@@ -59,23 +60,6 @@ pub struct ShockIdentification {
     pub simulation_max_percent: Option<f64>,
     /// Warnings.
     pub warnings: Vec<String>,
-}
-
-/// What to fit and how.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Choice {
-    /// Lowest frequency, Hz; default the first bin.
-    pub from_hz: Option<f64>,
-    /// Highest frequency, Hz; default where the input's spectrum has fallen
-    /// to a tenth.
-    pub to_hz: Option<f64>,
-    /// Stated u0 of (27); default from the residuals.
-    pub u0: Option<f64>,
-    /// Pre-warp the mapping.
-    pub prewarp: bool,
-    /// Delay of the input channel behind the output channel that the
-    /// measuring chains are known to have, s (8.2).
-    pub input_delay_s: f64,
 }
 
 /// Identifies the model from a record with input and output.

@@ -1,6 +1,6 @@
 //! Spectra of a record, and the bins that can be used.
 
-use super::Choice;
+use super::choice::Choice;
 use calib_files::{Error, Result};
 use nalgebra::Complex;
 use rustfft::FftPlanner;

@@ -1,6 +1,6 @@
 //! Numbers of a few bits, and the standard's compressed real numbers.
 
-use super::template25::TedsError;
+use super::error::TedsError;
 
 /// Bits of a TEDS, lowest bit of each byte first.
 pub(super) struct Bits<'a> {

@@ -13,8 +13,10 @@
 //! standard was not at hand.
 
 mod bits;
+mod error;
 mod file;
 mod template25;
 
+pub use error::TedsError;
 pub use file::read;
 pub use template25::{Accelerometer, Basic, decode};

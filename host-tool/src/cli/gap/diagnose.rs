@@ -1,8 +1,9 @@
 //! `calib gap diagnose`: one answer per dataset.
 
 use super::super::Context;
+use super::misuse::{refused, unusable};
 use super::progress::Count;
-use super::{refused, text, unusable};
+use super::text;
 use calib_gap::{Answer, GapError, Options, check_name, diagnose};
 use calib_gap_challenge::truth::Manifest;
 use calib_host::gap::confirm::confirm;

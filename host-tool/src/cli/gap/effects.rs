@@ -1,7 +1,7 @@
 //! `calib gap effects`: the library.
 
 use super::super::Context;
-use super::refused;
+use super::misuse::refused;
 use calib_gap::{About, NEVER_IDENTIFIABLE, check_name, effects};
 use calib_host::Result;
 use calib_twin::effects::oscillator::OSCILLATOR_EFFECTS;

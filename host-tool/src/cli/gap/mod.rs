@@ -3,6 +3,7 @@
 mod challenge;
 mod diagnose;
 mod effects;
+mod misuse;
 mod plan;
 mod progress;
 mod record;
@@ -10,10 +11,8 @@ mod simulate;
 mod text;
 
 use super::Context;
-use calib_gap::GapError;
-use calib_host::{Error, Result};
+use calib_host::Result;
 use clap::{Args, Subcommand};
-use std::path::Path;
 
 /// `calib gap`.
 #[derive(Debug, Args)]
@@ -64,26 +63,4 @@ impl Gap {
             Command::Score(verb) => verb.run(context),
         }
     }
-}
-
-/// A misuse of the library of effects as an error of the tool.
-fn refused(error: GapError) -> Error {
-    unusable(Path::new("dataset"), error)
-}
-
-/// A dataset that cannot be used as an error of the tool.
-fn unusable(folder: &Path, error: GapError) -> Error {
-    let (place, problem) = match error {
-        GapError::UnknownEffect { .. } | GapError::Usage(_) => {
-            return Error::usage(error.to_string(), "see `calib gap --help`");
-        }
-        GapError::File { path, source } => (path, source.to_string()),
-        GapError::Rig { path, problem } => (path, problem),
-        other => (folder.to_owned(), other.to_string()),
-    };
-    Error::input(
-        place.display().to_string(),
-        problem,
-        "docs/gap.md describes the format of a dataset",
-    )
 }

@@ -1,7 +1,7 @@
 //! `calib gap plan`: what to measure next.
 
 use super::super::Context;
-use super::unusable;
+use super::misuse::unusable;
 use calib_gap::{ENOUGH_SIGMA, Measurement, Pair, Plan};
 use calib_host::gap::believed::Believed;
 use calib_host::gap::simulated::{Request, simulate};

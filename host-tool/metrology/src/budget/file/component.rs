@@ -1,15 +1,13 @@
 //! One `[[component]]` of a budget file.
 
-use super::load_stage;
-use crate::budget::{Component, Distribution, Unit, evaluate};
+use crate::budget::{Budget, Component, Distribution, Unit, evaluate};
 use crate::input::{self, Number, Source, Text};
 use calib_files::Result;
 use serde::Deserialize;
-use std::path::{Path, PathBuf};
 use toml::Spanned;
 
-/// Budgets inside budgets: Note 1 of Table A.1 needs one, a chain a few more.
-const MAX_STAGES: usize = 8;
+/// Reads the budget that a component names.
+pub(super) type ReadStage<'a> = dyn FnMut(&Text) -> Result<Budget> + 'a;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -29,7 +27,7 @@ pub(super) fn component(
     source: &Source,
     table: &Spanned<ComponentTable>,
     unit: Unit,
-    stages: &mut Vec<PathBuf>,
+    read_stage: &mut ReadStage<'_>,
     remarks: &mut Vec<String>,
 ) -> Result<Component> {
     let fields = table.get_ref();
@@ -39,7 +37,7 @@ pub(super) fn component(
         None => 1.0,
     };
     if let Some(name) = &fields.budget {
-        let mut component = staged(source, fields, name, unit, stages, remarks)?;
+        let mut component = staged(source, fields, name, unit, read_stage, remarks)?;
         component.sensitivity_coefficient = sensitivity_coefficient;
         return Ok(component);
     }
@@ -246,7 +244,7 @@ fn staged(
     fields: &ComponentTable,
     name: &Text,
     unit: Unit,
-    stages: &mut Vec<PathBuf>,
+    read_stage: &mut ReadStage<'_>,
     remarks: &mut Vec<String>,
 ) -> Result<Component> {
     if fields.value.is_some() || fields.distribution.is_some() {
@@ -256,18 +254,7 @@ fn staged(
             "remove value and distribution, or budget",
         ));
     }
-    let folder = source.path.parent().unwrap_or(Path::new(""));
-    let path = folder.join(name.get_ref());
-    if stages.contains(&path) || stages.len() >= MAX_STAGES {
-        return Err(source.at(
-            &name.span(),
-            format!("budget '{}' leads back to itself", name.get_ref()),
-            "a chain of budgets must end in one that names no further budget",
-        ));
-    }
-    stages.push(path.clone());
-    let inner = load_stage(&path, stages)?;
-    stages.pop();
+    let inner = read_stage(name)?;
     if inner.unit != unit {
         return Err(source.at(
             &name.span(),

@@ -18,6 +18,9 @@ coverage_probability, degrees_of_freedom_rounding, [[component]] with label, val
 distribution, k, divisor, shape, sensitivity_coefficient, degrees_of_freedom, budget, \
 and [[correlation]] with a, b, r; see docs/metrology/budget.md";
 
+/// Budgets inside budgets: Note 1 of Table A.1 needs one, a chain a few more.
+const MAX_STAGES: usize = 8;
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct BudgetFile {
@@ -53,13 +56,31 @@ fn load_stage(path: &Path, stages: &mut Vec<PathBuf>) -> Result<Budget> {
     parse_stage(&Source::read(path)?, stages)
 }
 
+/// The budget a component names, in a file beside its own.
+fn stage_beside(source: &Source, name: &Text, stages: &mut Vec<PathBuf>) -> Result<Budget> {
+    let folder = source.path.parent().unwrap_or(Path::new(""));
+    let path = folder.join(name.get_ref());
+    if stages.contains(&path) || stages.len() >= MAX_STAGES {
+        return Err(source.at(
+            &name.span(),
+            format!("budget '{}' leads back to itself", name.get_ref()),
+            "a chain of budgets must end in one that names no further budget",
+        ));
+    }
+    stages.push(path.clone());
+    let inner = load_stage(&path, stages)?;
+    stages.pop();
+    Ok(inner)
+}
+
 fn parse_stage(source: &Source, stages: &mut Vec<PathBuf>) -> Result<Budget> {
     let file: BudgetFile = source.parse_toml(KEYS)?;
     let mut remarks = Vec::new();
     let unit = unit(source, &file)?;
     let mut components = Vec::new();
     for table in &file.component {
-        let component = component(source, table, unit, stages, &mut remarks)?;
+        let mut stage = |name: &Text| stage_beside(source, name, stages);
+        let component = component(source, table, unit, &mut stage, &mut remarks)?;
         check_label(source, &table.get_ref().label, &components)?;
         components.push(component);
     }

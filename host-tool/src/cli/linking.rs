@@ -29,7 +29,7 @@ See docs/metrology/linking.md.";
 /// `calib link FILE.toml` or `calib link --doe FILE.csv`.
 #[derive(Debug, Args)]
 #[command(after_help = FORM)]
-pub(crate) struct Link {
+pub(crate) struct Linking {
     /// Results of both comparisons (TOML).
     #[arg(required_unless_present = "doe", conflicts_with = "doe")]
     file: Option<PathBuf>,
@@ -60,7 +60,7 @@ struct DoeOutput {
     remarks: Vec<String>,
 }
 
-impl Link {
+impl Linking {
     /// Links or judges, and prints.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         match (&self.doe, &self.file) {

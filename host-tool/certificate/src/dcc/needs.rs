@@ -1,0 +1,37 @@
+//! What a DCC cannot be without.
+
+use crate::model::Certificate;
+use calib_files::{Error, Result};
+use jiff::civil::Date;
+
+/// What a DCC cannot be without, beside the results.
+#[derive(Clone, Copy)]
+pub(crate) struct Needs<'a> {
+    /// Day of calibration.
+    pub(super) day: Date,
+    /// Country of the laboratory.
+    pub(super) country: &'a str,
+}
+
+/// Looks for what a DCC cannot be without.
+///
+/// # Errors
+/// [`Error::Input`] that names what is missing, and where it is stated.
+pub(crate) fn needs(certificate: &Certificate) -> Result<Needs<'_>> {
+    let missing = |what: &str, hint: &str| {
+        let place = format!("certificate {}", certificate.number);
+        let problem = format!("has no {what}, and a digital calibration certificate must have one");
+        Error::input(place, problem, hint)
+    };
+    let day = certificate.day.ok_or_else(|| {
+        let hint = "state `date` under [calibration] in a file given with --particulars";
+        missing("date", hint)
+    })?;
+    let country = certificate.particulars.laboratory.country.as_deref();
+    let country = country.ok_or_else(|| {
+        let hint = "state `country`, two letters, under [laboratory] in the file of the \
+                    laboratory, or in one given with --particulars";
+        missing("country of the laboratory", hint)
+    })?;
+    Ok(Needs { day, country })
+}

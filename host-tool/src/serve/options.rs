@@ -1,0 +1,17 @@
+//! How the page is served.
+
+use std::net::SocketAddr;
+use std::path::PathBuf;
+
+/// How the page is served.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Where to listen; a token is asked for unless this is loopback.
+    pub listen: SocketAddr,
+    /// The calibrator to connect to at once.
+    pub device: Option<String>,
+    /// The logbook; the first run makes it.
+    pub logbook: PathBuf,
+    /// What laboratory and job state on certificates, as TOML files.
+    pub particulars: Vec<PathBuf>,
+}
