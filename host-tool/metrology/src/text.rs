@@ -61,29 +61,65 @@ pub fn bar(fraction: f64, width: usize) -> String {
     "#".repeat(filled)
 }
 
-/// A table: first column left-aligned, the others right-aligned.
+/// A table with columns as wide as needed and two blanks between; printed, its
+/// numbers go to the right and its words to the left.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// The header first.
+    rows: Vec<Vec<String>>,
+}
+
+impl Table {
+    /// A table with these column titles.
+    pub fn new(header: &[&str]) -> Self {
+        let header = header.iter().map(ToString::to_string).collect();
+        Self { rows: vec![header] }
+    }
+
+    /// Adds a row with one cell per column.
+    pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+        self.rows.push(cells.into_iter().collect());
+    }
+
+    fn is_numeric(&self, column: usize) -> bool {
+        let mut cells = self.rows.iter().skip(1).filter_map(|row| row.get(column));
+        self.rows.len() > 1 && cells.all(|cell| cell.is_empty() || cell.parse::<f64>().is_ok())
+    }
+
+    /// Lines of the table, each after `indent` blanks, the chosen columns to the right.
+    fn aligned(&self, indent: usize, is_right: impl Fn(usize) -> bool) -> String {
+        let count = |text: &String| text.chars().count();
+        let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
+        let cells = |column| self.rows.iter().filter_map(move |row| row.get(column));
+        let width = |column| cells(column).map(count).max().unwrap_or(0);
+        let columns: Vec<_> = (0..columns).map(|at| (width(at), is_right(at))).collect();
+        let mut text = String::new();
+        for row in &self.rows {
+            let cells = row
+                .iter()
+                .zip(&columns)
+                .map(|(cell, &(width, right))| match right {
+                    true => format!("{cell:>width$}"),
+                    false => format!("{cell:<width$}"),
+                });
+            let line = cells.collect::<Vec<_>>().join("  ");
+            let _ = writeln!(text, "{}{}", " ".repeat(indent), line.trim_end());
+        }
+        text
+    }
+}
+
+impl std::fmt::Display for Table {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str(&self.aligned(0, |column| self.is_numeric(column)))
+    }
+}
+
+/// A table of a report: two blanks before it, the first column to the left, the others to the right.
 pub fn table(header: &[&str], rows: &[Vec<String>]) -> String {
-    let count = |text: &str| text.chars().count();
-    let mut widths: Vec<usize> = header.iter().map(|name| count(name)).collect();
-    for row in rows {
-        for (width, cell) in widths.iter_mut().zip(row) {
-            *width = (*width).max(count(cell));
-        }
-    }
-    let mut text = String::new();
-    let head: Vec<String> = header.iter().map(|&name| name.to_owned()).collect();
-    for row in std::iter::once(&head).chain(rows) {
-        let mut line = String::from(" ");
-        for (index, (cell, width)) in row.iter().zip(&widths).enumerate() {
-            let pad = " ".repeat(width - count(cell));
-            match index {
-                0 => line.push_str(&format!(" {cell}{pad}")),
-                _ => line.push_str(&format!("  {pad}{cell}")),
-            }
-        }
-        let _ = writeln!(text, "{}", line.trim_end());
-    }
-    text
+    let mut table = Table::new(header);
+    table.rows.extend_from_slice(rows);
+    table.aligned(2, |column| column > 0)
 }
 
 #[cfg(test)]
@@ -105,6 +141,23 @@ mod tests {
         assert!(
             text.lines()
                 .all(|line| line.len() <= WIDTH && line.starts_with("    "))
+        );
+    }
+
+    #[test]
+    fn words_go_left_and_numbers_right() {
+        let mut table = Table::new(&["name", "Hz"]);
+        table.row(["äb".to_owned(), "5".to_owned()]);
+        table.row(["c".to_owned(), "160".to_owned()]);
+        assert_eq!(table.to_string(), "name   Hz\näb      5\nc     160\n");
+    }
+
+    #[test]
+    fn a_report_has_its_first_column_left_and_the_others_right() {
+        let rows = [["a", "1"], ["bb", "pass"]].map(|row| row.map(str::to_owned).to_vec());
+        assert_eq!(
+            super::table(&["", "d"], &rows),
+            "         d\n  a      1\n  bb  pass\n"
         );
     }
 }

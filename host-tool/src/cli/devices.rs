@@ -1,8 +1,9 @@
 //! `calib devices`: serial ports, the likely calibrators first.
 
-use super::{Context, table::Table};
+use super::Context;
 use calib_host::Result;
 use calib_link::port;
+use calib_metrology::text::Table;
 use clap::Args;
 
 /// `calib devices`.

@@ -38,7 +38,6 @@ mod settings;
 mod show;
 mod source;
 mod stop;
-mod table;
 mod text;
 mod time;
 mod version;

@@ -1,7 +1,8 @@
 //! `calib records`: what is stored in the calibrator.
 
-use super::{Context, table::Table};
+use super::Context;
 use calib_host::Result;
+use calib_metrology::text::Table;
 use calib_protocol::record::RecordKind;
 use clap::Args;
 

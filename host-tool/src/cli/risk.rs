@@ -1,8 +1,9 @@
 //! `calib risk`: what decision rules let through, over many sensors.
 
-use super::{Context, table::Table};
+use super::Context;
 use calib_certificate::decision::risk::{self, guard_band};
 use calib_host::{Error, Result};
+use calib_metrology::text::Table;
 use clap::Args;
 use serde::Serialize;
 

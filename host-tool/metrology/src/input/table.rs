@@ -51,19 +51,8 @@ impl Table {
     /// another number of cells than the header.
     pub fn parse(source: Source) -> Result<Self> {
         let delimiter = delimiter_of(&source.text);
-        let mut rows = Vec::new();
-        for (index, text) in source.text.lines().enumerate() {
-            let line = index + 1;
-            if text.trim().is_empty() || text.starts_with('#') {
-                continue;
-            }
-            let cells = cells_of(text, delimiter).map_err(|problem| {
-                source.at_line(line, problem, "close every quotation mark in its line")
-            })?;
-            if cells.iter().any(|cell| !cell.is_empty()) {
-                rows.push(Row { line, cells });
-            }
-        }
+        let mut rows = rows_of(&source, delimiter)?;
+        rows.retain(|row| row.cells.iter().any(|cell| !cell.is_empty()));
         Self::assemble(source, rows, delimiter == b';')
     }
 
@@ -232,22 +221,32 @@ impl Table {
     }
 }
 
-/// Cells of one line; quotation marks as in RFC 4180, within the line.
-fn cells_of(text: &str, delimiter: u8) -> Result<Vec<String>, String> {
-    if !text.contains('"') {
-        let cells = text.split(char::from(delimiter));
-        return Ok(cells.map(|cell| cell.trim().to_owned()).collect());
-    }
+/// Cells of every line that is neither empty nor a remark; quotation marks as in
+/// RFC 4180, but within their line.
+fn rows_of(source: &Source, delimiter: u8) -> Result<Vec<Row>> {
+    let lines = (1..).zip(source.text.lines());
+    let lines = lines.filter(|(_, text)| !text.trim().is_empty() && !text.starts_with('#'));
+    let (numbers, lines): (Vec<usize>, Vec<&str>) = lines.unzip();
+    let text = lines.join("\n");
     let mut reader = csv::ReaderBuilder::new()
         .delimiter(delimiter)
         .has_headers(false)
+        .flexible(true)
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
-    match reader.records().next() {
-        Some(Ok(record)) => Ok(record.iter().map(str::to_owned).collect()),
-        Some(Err(error)) => Err(error.to_string()),
-        None => Ok(Vec::new()),
+    let mut rows = Vec::with_capacity(numbers.len());
+    for (record, &line) in reader.records().zip(&numbers) {
+        let unclosed =
+            |problem| source.at_line(line, problem, "close every quotation mark in its line");
+        let record = record.map_err(|error| unclosed(error.to_string()))?;
+        // A cell that holds the end of a line was opened and not closed.
+        if record.iter().any(|cell| cell.contains('\n')) {
+            return Err(unclosed("a quotation mark is not closed".into()));
+        }
+        let cells = record.iter().map(str::to_owned).collect();
+        rows.push(Row { line, cells });
     }
+    Ok(rows)
 }
 
 /// The delimiter the header line uses.
@@ -314,6 +313,7 @@ mod tests {
             ("f,s\n1,2\n1\n", "t.csv:3"),
             ("f,f\n1,2\n", "t.csv:1"),
             ("1,2\n3,4\n", "t.csv:1"),
+            ("f,s\n# remark\n1,\"2\n3,4\n", "t.csv:3"),
         ];
         for (text, place) in cases {
             let message = table(text).expect_err(text).to_string();

@@ -1,10 +1,11 @@
 //! `calib logbook`: what is kept, and whether it is whole.
 
 use super::sensors::cut;
-use crate::cli::{Context, table::Table, time};
+use crate::cli::{Context, time};
 use calib_files::file;
 use calib_host::{Error, Result};
 use calib_logbook::{Filter, Instrument, Issued, Kept, Listed, Logbook, Operator};
+use calib_metrology::text::Table;
 use calib_protocol::record::RecordKind;
 use clap::{Args, Subcommand};
 use jiff::{civil::Date, tz::TimeZone};

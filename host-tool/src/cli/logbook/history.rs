@@ -1,8 +1,9 @@
 //! `calib history SERIAL`: drift over the years beside the uncertainty.
 
-use crate::cli::{Context, number::positive, table::Table, time};
+use crate::cli::{Context, number::positive, time};
 use calib_host::{Error, Result, terminal};
 use calib_logbook::History as Drift;
+use calib_metrology::text::Table;
 use clap::Args;
 
 /// Columns and rows of the plot.

@@ -1,9 +1,10 @@
 //! `calib sensors`: devices under test, typed once.
 
-use crate::cli::{Context, table::Table};
+use crate::cli::Context;
 use calib_host::{Error, Result};
 use calib_logbook::Sensor;
 use calib_metrology::teds;
+use calib_metrology::text::Table;
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
 
