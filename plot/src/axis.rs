@@ -46,56 +46,53 @@ impl Axis {
         Self::new(Scale::Named(names), 0.0, high)
     }
 
-    /// The narrowest axis that holds all values. Those that cannot be drawn do
-    /// not count; without any, or without width, it has ends around them.
+    /// The narrowest axis that holds all values; those that cannot be drawn do
+    /// not count. Ends around it where there is one value, some ends where none.
     #[must_use]
     pub fn spanning(scale: Scale, values: impl IntoIterator<Item = f64>) -> Self {
-        let above = if scale == Scale::Logarithmic {
-            0.0
-        } else {
-            f64::NEG_INFINITY
-        };
-        let drawn = values.into_iter().filter(|v| v.is_finite() && *v > above);
-        let (low, high) = drawn.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(value), high.max(value))
-        });
-        let (low, high) = match (low <= high, &scale) {
-            (false, Scale::Logarithmic) => (10.0, 1000.0),
-            (false, _) => (0.0, 1.0),
-            (true, Scale::Logarithmic) if high / low < 1.0 + 1e-9 => (low / 2.0, high * 2.0),
-            (true, Scale::Linear) if high - low <= 1e-12 * high.abs().max(1e-3) => {
+        let (low, high) = match (ends(&scale, values), &scale) {
+            (None, _) => return Self::of_nothing(scale),
+            (Some((low, high)), Scale::Logarithmic) if high / low < 1.0 + 1e-9 => {
+                (low / 2.0, high * 2.0)
+            }
+            (Some((low, high)), Scale::Linear) if high - low <= 1e-12 * high.abs().max(1e-3) => {
                 (low - 0.5, high + 0.5)
             }
-            (true, _) => (low, high),
+            (Some(ends), _) => ends,
         };
         Self::new(scale, low, high)
+    }
+
+    /// An axis that holds all values with air around them, so that no mark
+    /// touches the frame. A logarithmic one spans a factor of five at least:
+    /// that has two labels.
+    #[must_use]
+    pub fn around(scale: Scale, values: impl IntoIterator<Item = f64>) -> Self {
+        let Some((low, high)) = ends(&scale, values) else {
+            return Self::of_nothing(scale);
+        };
+        if scale == Scale::Logarithmic {
+            let span = high / low;
+            let air = span.powf(0.03).max(1.3).max((5.0 / span).sqrt());
+            return Self::new(scale, low / air, high * air);
+        }
+        // A single value without width still needs an axis.
+        let span = (high - low).max(high.abs() * 1.0e-3);
+        let air = 0.08 * if span > 0.0 { span } else { 1.0 };
+        Self::new(scale, low - air, high + air)
+    }
+
+    fn of_nothing(scale: Scale) -> Self {
+        match scale {
+            Scale::Logarithmic => Self::new(scale, 10.0, 1000.0),
+            _ => Self::new(scale, 0.0, 1.0),
+        }
     }
 
     /// With a title.
     #[must_use]
     pub fn titled(mut self, title: impl Into<String>) -> Self {
         self.title = title.into();
-        self
-    }
-
-    /// With air at both ends. A logarithmic axis then spans a factor of five at
-    /// least: that has two labels. Names need no air.
-    #[must_use]
-    pub fn with_air(mut self) -> Self {
-        match self.scale {
-            Scale::Linear => {
-                // Values that hardly differ shall not look as if they did.
-                let span = (self.high - self.low).max(self.high.abs() * 1.0e-3);
-                let air = 0.08 * span;
-                (self.low, self.high) = (self.low - air, self.high + air);
-            }
-            Scale::Logarithmic => {
-                let span = self.high / self.low;
-                let air = span.powf(0.03).max(1.3).max((5.0 / span).sqrt());
-                (self.low, self.high) = (self.low / air, self.high * air);
-            }
-            Scale::Named(_) => {}
-        }
         self
     }
 
@@ -136,6 +133,19 @@ impl Axis {
     }
 }
 
+/// Least and largest of the values that can be drawn.
+fn ends(scale: &Scale, values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
+    let above = match scale {
+        Scale::Logarithmic => 0.0,
+        _ => f64::NEG_INFINITY,
+    };
+    let drawn = values.into_iter().filter(|v| v.is_finite() && *v > above);
+    drawn.fold(None, |ends, value| {
+        let (low, high) = ends.unwrap_or((value, value));
+        Some((low.min(value), high.max(value)))
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -154,7 +164,7 @@ mod tests {
     #[test]
     fn a_single_value_has_an_axis_around_it() {
         for scale in [Scale::Linear, Scale::Logarithmic] {
-            let axis = Axis::spanning(scale, [160.0]).with_air();
+            let axis = Axis::around(scale, [160.0]);
             assert!(axis.low < 160.0 && 160.0 < axis.high);
             assert!(axis.ticks().iter().filter(|tick| tick.level == 0).count() > 1);
         }

@@ -9,16 +9,13 @@
 //! ```
 //!
 //! ```
-//! use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale};
+//! use calib_plot::{Plot, Point, Scale};
 //!
 //! let measured = [(20.0, 10.1), (160.0, 10.0), (5000.0, 9.8)];
-//! let x = Axis::spanning(Scale::Logarithmic, measured.map(|p| p.0)).titled("Frequency in Hz");
-//! let y = Axis::spanning(Scale::Linear, measured.map(|p| p.1));
-//! let points = measured.map(|(x, y)| Point::new(x, y).with_bar(0.05));
-//! let plot = Plot::new("Sensitivity in mV/(m/s²)", x, y)
-//!     .with(Mark::Points { points: points.into(), ink: Ink::Blue });
+//! let points = measured.map(|(hz, value)| Point::new(hz, value).with_bar(0.05));
+//! let plot = Plot::spanning("Sensitivity in mV/(m/s²)", Scale::Logarithmic, "Hz", points.into());
 //! assert!(plot.terminal(80, 12).contains("5k"));
-//! assert!(plot.with_air().svg("sensitivity").starts_with("<svg"));
+//! assert!(plot.svg("sensitivity").starts_with("<svg"));
 //! ```
 
 mod axis;
@@ -71,17 +68,26 @@ impl Plot {
         }
     }
 
+    /// Points in the narrowest frame that holds them and their bars, over an axis of this scale and title.
+    #[must_use]
+    pub fn spanning(
+        caption: impl Into<String>,
+        scale: Scale,
+        title: &str,
+        points: Vec<Point>,
+    ) -> Self {
+        let x = Axis::spanning(scale, points.iter().map(|point| point.x)).titled(title);
+        let y = Axis::spanning(Scale::Linear, points.iter().flat_map(Point::ends));
+        Self::new(caption, x, y).with(Mark::Points {
+            points,
+            ink: Ink::Blue,
+        })
+    }
+
     /// With one more mark.
     #[must_use]
     pub fn with(mut self, mark: Mark) -> Self {
         self.marks.push(mark);
-        self
-    }
-
-    /// With air around what the axes span, so that no mark touches the frame.
-    #[must_use]
-    pub fn with_air(mut self) -> Self {
-        (self.x, self.y) = (self.x.with_air(), self.y.with_air());
         self
     }
 }

@@ -171,19 +171,13 @@ fn cell(part: f64, count: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Ink;
 
     fn plot(scale: Scale, unit: &str, points: &[(f64, f64, f64)]) -> Plot {
         let points: Vec<Point> = points
             .iter()
             .map(|(x, y, u)| Point::new(*x, *y).with_bar(*u))
             .collect();
-        let x = Axis::spanning(scale, points.iter().map(|p| p.x)).titled(unit);
-        let y = Axis::spanning(Scale::Linear, points.iter().flat_map(Point::ends));
-        Plot::new("", x, y).with(Mark::Points {
-            points,
-            ink: Ink::Blue,
-        })
+        Plot::spanning("", scale, unit, points)
     }
 
     #[test]

@@ -115,26 +115,22 @@ impl<'a> Curve<'a> {
     /// The plot, if it spans anything; takes the name of the observable, its unit and the factor to
     /// that unit.
     fn plot(&self, (name, unit, factor): (String, &str, f64)) -> Option<Plot> {
-        let x = Axis::spanning(Scale::Logarithmic, self.data.iter().map(|d| self.at(d)));
-        let points: Vec<Point> = self
-            .data
-            .iter()
-            .map(|d| self.point(d, unit, factor))
-            .collect();
-        let model = self.model(factor);
-        let predicted = model.iter().flatten().map(|place| place.1);
-        let y = points.iter().flat_map(Point::ends).chain(predicted);
-        let y = Axis::spanning(Scale::Linear, y);
-        let mut distinct = self.data.iter().map(|d| self.at(d));
-        let first = distinct.next()?;
-        if distinct.all(|value| value == first) {
+        let mut places = self.data.iter().map(|d| self.at(d));
+        let first = places.next()?;
+        if places.all(|place| place == first) {
             return None;
         }
-        let zero = [x.low / 10.0, x.high * 10.0].map(|x| (x, 0.0));
+        let x = Axis::around(Scale::Logarithmic, self.data.iter().map(|d| self.at(d)));
+        let of_datum = |d: &&Datum| self.point(d, unit, factor);
+        let points: Vec<Point> = self.data.iter().map(of_datum).collect();
+        let model = self.model(factor);
+        let predicted = model.iter().flatten().map(|place| place.1);
+        let ends = points.iter().flat_map(Point::ends).chain(predicted);
+        let y = Axis::around(Scale::Linear, ends);
+        let zero = vec![(x.low, 0.0), (x.high, 0.0)];
         let mut plot = Plot::new(format!("{name} in {unit}"), x.titled(self.over.0), y)
-            .with_air()
             .with(Mark::Line {
-                points: zero.into(),
+                points: zero,
                 ink: Ink::Grey,
             })
             .with(Mark::Points {

@@ -73,19 +73,24 @@ impl Language {
             Some(rest) => format!("\u{2212}{rest}"),
             None => text,
         };
-        self.decimal_sign(text)
+        self.with_sign(text)
     }
 
     /// A number as short as it can be written without loss.
     pub fn shortest(self, value: f64) -> String {
-        self.decimal_sign(format!("{value}"))
+        self.with_sign(format!("{value}"))
     }
 
-    fn decimal_sign(self, text: String) -> String {
+    /// What stands between units and tenths.
+    pub fn decimal_sign(self) -> char {
         match self {
-            Self::En => text,
-            Self::De => text.replace('.', ","),
+            Self::En => '.',
+            Self::De => ',',
         }
+    }
+
+    fn with_sign(self, text: String) -> String {
+        text.replace('.', &self.decimal_sign().to_string())
     }
 }
 

@@ -17,7 +17,6 @@
 //! | [`lists`], [`line_fit`] | point and linearity lists, straight lines | ISO 16063-21 5, GUM H.3 |
 //! | [`check`] | a record against Tables 1 to 6 and clause 7 | ISO 16063-21 |
 //! | [`teds`] | what an accelerometer says about itself | IEEE 1451.4 |
-//! | [`chart`] | small SVG charts | |
 //! | [`statistics`] | quantiles | |
 //!
 //! Nothing here prints: each subject has a function that evaluates, a value
@@ -26,7 +25,6 @@
 #![forbid(unsafe_code)]
 
 pub mod budget;
-pub mod chart;
 pub mod check;
 pub mod discrete;
 pub mod identify;

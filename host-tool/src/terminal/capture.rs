@@ -1,7 +1,7 @@
 //! A capture on one screen: both channels in numbers, and their spectra.
 
-use super::plot::{Horizontal, Mark, draw};
 use calib_link::capture::{Capture, Channel, Report, ToneFit, Window, spectrum};
+use calib_plot::{Plot, Point, Scale};
 use std::fmt::Write;
 
 /// Rows of a spectrum.
@@ -116,33 +116,27 @@ fn millivolt(volt: f64, unit: &str) -> String {
 fn drawn(name: &str, volts: &[f64], sample_rate_hz: f64, width: usize) -> String {
     let spectrum = spectrum(volts, sample_rate_hz, Window::Hann);
     let lines = spectrum.rms_v.len();
-    let mut marks: Vec<Mark> = Vec::new();
+    let mut points: Vec<Point> = Vec::new();
     let columns = width.saturating_sub(11).max(1);
     let decades = (lines as f64).log10().max(f64::MIN_POSITIVE);
     let mut last = None;
     for line in 1..lines {
         let column = ((line as f64).log10() / decades * columns as f64) as usize;
-        let value = 20.0 * spectrum.rms_v[line].max(1e-9).log10();
-        let mark = Mark {
-            position: spectrum.frequency_hz(line),
-            value,
-            half_width: 0.0,
-        };
-        match marks.last_mut() {
+        let db = 20.0 * spectrum.rms_v[line].max(1e-9).log10();
+        let point = Point::new(spectrum.frequency_hz(line), db);
+        match points.last_mut() {
             Some(highest) if last == Some(column) => {
-                if value > highest.value {
-                    *highest = mark;
+                if point.y > highest.y {
+                    *highest = point;
                 }
             }
-            _ => marks.push(mark),
+            _ => points.push(point),
         }
         last = Some(column);
     }
-    match draw(&marks, Horizontal::Frequency, width, ROWS) {
-        // A handful of samples has no spectrum worth drawing.
-        plot if plot.is_empty() => plot,
-        plot => format!("\n{name}, dB over 1 V r.m.s.\n{plot}"),
-    }
+    // A handful of samples has no spectrum worth drawing: then this is empty.
+    let caption = format!("\n{name}, dB over 1 V r.m.s.");
+    Plot::spanning(caption, Scale::Logarithmic, "Hz", points).terminal(width, ROWS)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Drift of a sensor over the years, on one screen.
 
-use super::plot::{Horizontal, Mark, draw};
 use calib_logbook::{History, HistoryResult};
+use calib_plot::{Plot, Point, Scale};
 
 /// Seconds of a Julian year.
 const YEAR_S: f64 = 31_557_600.0;
@@ -13,14 +13,12 @@ pub fn show(history: &History, width: usize, height: usize) -> String {
     let Some(first) = history.results.first() else {
         return String::new();
     };
-    let mark = |result: &HistoryResult| {
+    let point = |result: &HistoryResult| {
         let ratio = result.sensitivity_v_per_ms2 / first.sensitivity_v_per_ms2;
-        Mark {
-            position: EPOCH_YEAR + result.unix_time_s as f64 / YEAR_S,
-            value: 100.0 * (ratio - 1.0),
-            half_width: 100.0 * ratio * result.expanded_uncertainty_rel,
-        }
+        let year = EPOCH_YEAR + result.unix_time_s as f64 / YEAR_S;
+        let half_bar = 100.0 * ratio * result.expanded_uncertainty_rel;
+        Point::new(year, 100.0 * (ratio - 1.0)).with_bar(half_bar)
     };
-    let marks: Vec<Mark> = history.results.iter().map(mark).collect();
-    draw(&marks, Horizontal::Years, width, height)
+    let points = history.results.iter().map(point).collect();
+    Plot::spanning("", Scale::Linear, "year", points).terminal(width, height)
 }

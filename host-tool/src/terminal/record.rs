@@ -1,9 +1,9 @@
 //! A record on one screen: the response with U, and the table of its points.
 
-use super::plot::{Horizontal, Mark, draw};
 use calib_certificate::Certificate;
 use calib_certificate::model::{Point, PointValues};
 use calib_core::point::PointResult;
+use calib_plot::{Plot, Scale};
 use calib_protocol::record::Record;
 use std::fmt::Write;
 
@@ -55,30 +55,26 @@ fn response(certificate: &Certificate, width: usize) -> String {
     let Some((point, reference)) = certificate.reference_result() else {
         return "no point passed: there is nothing to draw\n".to_owned();
     };
-    let marks: Vec<Mark> = certificate
-        .points
-        .iter()
-        .filter_map(|point| mark(point, reference.sensitivity_v_per_ms2))
-        .collect();
+    let deviation = |point| deviation(point, reference.sensitivity_v_per_ms2);
+    let deviations = certificate.points.iter().filter_map(deviation).collect();
+    let caption = "deviation from it in %, bars are U";
+    let plot = Plot::spanning(caption, Scale::Logarithmic, "Hz", deviations);
     format!(
-        "S({} Hz) = {:.5} mV/(m/s2), U = {:.2} % (k = {:.2})\n\n\
-         deviation from it in %, bars are U\n{}",
+        "S({} Hz) = {:.5} mV/(m/s2), U = {:.2} % (k = {:.2})\n\n{}",
         point.nominal_frequency_hz,
         1000.0 * reference.sensitivity_v_per_ms2,
         reference.expanded_uncertainty_percent,
         reference.coverage_factor,
-        draw(&marks, Horizontal::Frequency, width, ROWS)
+        plot.terminal(width, ROWS)
     )
 }
 
-fn mark(point: &Point, reference_v_per_ms2: f64) -> Option<Mark> {
+fn deviation(point: &Point, reference_v_per_ms2: f64) -> Option<calib_plot::Point> {
     let values = point.outcome.as_ref().ok()?;
     let relative = values.sensitivity_v_per_ms2 / reference_v_per_ms2;
-    Some(Mark {
-        position: point.nominal_frequency_hz,
-        value: 100.0 * (relative - 1.0),
-        half_width: values.expanded_uncertainty_percent * relative,
-    })
+    let percent = 100.0 * (relative - 1.0);
+    let half_bar = values.expanded_uncertainty_percent * relative;
+    Some(calib_plot::Point::new(point.nominal_frequency_hz, percent).with_bar(half_bar))
 }
 
 /// True when the certificate's point was made of this result.

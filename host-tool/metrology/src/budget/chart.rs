@@ -1,46 +1,51 @@
 //! The contribution chart of a budget.
 
 use super::Evaluation;
-use crate::chart::{self, Svg};
 use crate::text::significant;
+use calib_plot::{Axis, Ink, Mark, Plot, Scale, sheet};
 
+/// Room for the labels of components.
+const LABEL_WIDTH: f64 = 300.0;
+/// Height of a bar with the space around it.
 const BAR_HEIGHT: f64 = 20.0;
-const LABEL_WIDTH: f64 = 280.0;
-const BAR_WIDTH: f64 = 360.0;
 
-/// Contributions `|c_i| u_i` as bars, largest first, with the combined
-/// standard uncertainty as the full width.
+/// Contributions `|c_i| u_i` as bars, largest first, and the combined standard
+/// uncertainty below.
 pub fn contribution_chart(evaluation: &Evaluation) -> String {
+    let combined = evaluation.combined_standard_uncertainty;
+    // From below, as an axis counts.
+    let mut rows: Vec<(&str, f64)> = vec![("combined standard uncertainty", combined)];
     let mut order: Vec<_> = evaluation.components.iter().collect();
-    order.sort_by(|a, b| b.contribution.total_cmp(&a.contribution));
-    let height = 60.0 + BAR_HEIGHT * (order.len() as f64 + 1.0);
-    let mut svg = Svg::new(LABEL_WIDTH + BAR_WIDTH + 100.0, height);
-    svg.text(10.0, 22.0, "start", 14.0, &evaluation.measurand);
-    let widest = order.first().map_or(0.0, |first| first.contribution);
-    let full = evaluation.combined_standard_uncertainty.max(widest);
+    order.sort_by(|a, b| a.contribution.total_cmp(&b.contribution));
+    rows.extend(order.iter().map(|c| (c.label.as_str(), c.contribution)));
+    let widest = rows
+        .iter()
+        .map(|row| row.1)
+        .fold(f64::MIN_POSITIVE, f64::max);
     let unit = evaluation.unit.symbol();
-    let mut row = |index: usize, label: &str, value: f64, color: &str| {
-        let top = 36.0 + BAR_HEIGHT * index as f64;
-        let width = (value / full).min(1.0) * BAR_WIDTH;
-        svg.text(LABEL_WIDTH - 6.0, top + 14.0, "end", 11.0, label);
-        svg.rectangle(LABEL_WIDTH, top + 3.0, width, BAR_HEIGHT - 6.0, color, 1.0);
-        let written = format!("{} {unit}", significant(value, 2));
-        svg.text(
-            LABEL_WIDTH + width + 6.0,
-            top + 14.0,
-            "start",
-            11.0,
-            &written,
-        );
-    };
-    for (index, component) in order.iter().enumerate() {
-        row(index, &component.label, component.contribution, chart::BLUE);
-    }
-    row(
-        order.len(),
-        "combined standard uncertainty",
-        evaluation.combined_standard_uncertainty,
-        chart::GREY,
-    );
-    svg.finish()
+    // So that the longest bar leaves room for its value.
+    let x = Axis::new(Scale::Linear, 0.0, 1.3 * widest).titled(unit);
+    let y = Axis::named(rows.iter().map(|row| row.0.to_owned()).collect());
+    let bars = rows
+        .iter()
+        .enumerate()
+        .map(|(at, row)| (at as f64 + 0.5, row.1));
+    let (below, above): (Vec<_>, Vec<_>) = bars.clone().partition(|bar| bar.0 < 1.0);
+    let mut plot = Plot::new(&evaluation.measurand, x, y)
+        .with(Mark::Bars {
+            bars: below,
+            ink: Ink::Grey,
+        })
+        .with(Mark::Bars {
+            bars: above,
+            ink: Ink::Blue,
+        });
+    let words = bars.map(|(place, value)| Mark::Words {
+        at: (value, place),
+        text: format!("{} {unit}", significant(value, 2)),
+    });
+    plot.marks.extend(words);
+    plot.left = LABEL_WIDTH;
+    plot.height = 80.0 + BAR_HEIGHT * rows.len() as f64;
+    sheet(&[plot], 1)
 }

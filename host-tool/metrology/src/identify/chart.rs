@@ -3,78 +3,58 @@
 use super::fit::distance;
 use super::identification::Identification;
 use super::points::{Point, Points};
-use crate::chart::{Axes, Axis, BLUE, RED, Scale, Svg};
+use calib_plot::{Axis, Ink, Mark, Plot, Scale, sheet};
 use nalgebra::Complex;
-
-/// Values at the points, and a line over frequency.
-struct Panel {
-    title: &'static str,
-    values: Vec<f64>,
-    line: Vec<(f64, f64)>,
-}
 
 /// Magnitude, phase and the deviations of both over frequency.
 pub fn response_chart(points: &Points, result: &Identification) -> String {
-    let mut svg = Svg::new(900.0, 640.0);
-    let f: Vec<f64> = points.points.iter().map(|p| p.frequency_hz).collect();
-    let x = Axis::fitting("frequency / Hz", Scale::Logarithmic, f.iter().copied());
-    for (index, panel) in panels(points, result, &x).iter().enumerate() {
-        panel.draw(&mut svg, index, &x, &f);
-    }
-    svg.finish()
-}
-
-fn panels(points: &Points, result: &Identification, x: &Axis) -> [Panel; 4] {
     let oscillator = &result.oscillator;
-    let of = |value: &dyn Fn(&Point) -> f64| points.points.iter().map(value).collect();
+    let frequencies = points.points.iter().map(|point| point.frequency_hz);
+    let measured = Axis::spanning(Scale::Logarithmic, frequencies.clone());
+    let x = Axis::around(Scale::Logarithmic, frequencies).titled("frequency / Hz");
     let model = |value: fn(Complex<f64>) -> f64| {
-        let frequencies = (0..=200).map(|n| x.low * (x.high / x.low).powf(f64::from(n) / 200.0));
-        frequencies
-            .map(|f| (f, value(oscillator.response(f))))
-            .collect()
+        let place = |f: f64| (f, value(oscillator.response(f)));
+        measured.places(200).map(place).collect()
     };
     let zero = || vec![(x.low, 0.0), (x.high, 0.0)];
-    [
-        Panel {
-            title: "magnitude",
-            values: of(&|p| p.magnitude),
-            line: model(|h| h.norm()),
-        },
-        Panel {
-            title: "phase / deg",
-            values: of(&|p| p.phase_rad.to_degrees()),
-            line: model(|h| h.arg().to_degrees()),
-        },
-        Panel {
-            title: "magnitude, points - model / %",
-            values: of(&|p| 100.0 * distance(p, oscillator).0),
-            line: zero(),
-        },
-        Panel {
-            title: "phase, points - model / deg",
-            values: of(&|p| distance(p, oscillator).1.to_degrees()),
-            line: zero(),
-        },
-    ]
+    let panel = |title: &str, of: &dyn Fn(&Point) -> f64, line: Vec<(f64, f64)>| {
+        let measured = points.points.iter().map(|p| (p.frequency_hz, of(p)));
+        panel(title, &x, measured.collect(), line)
+    };
+    let panels = [
+        panel("magnitude", &|p| p.magnitude, model(|h| h.norm())),
+        panel(
+            "phase / deg",
+            &|p| p.phase_rad.to_degrees(),
+            model(|h| h.arg().to_degrees()),
+        ),
+        panel(
+            "magnitude, points - model / %",
+            &|p| 100.0 * distance(p, oscillator).0,
+            zero(),
+        ),
+        panel(
+            "phase, points - model / deg",
+            &|p| distance(p, oscillator).1.to_degrees(),
+            zero(),
+        ),
+    ];
+    sheet(&panels, 2)
 }
 
-impl Panel {
-    /// Draws it as the one with this index of two columns.
-    fn draw(&self, svg: &mut Svg, index: usize, x: &Axis, frequencies_hz: &[f64]) {
-        let (column, row) = ((index % 2) as f64, (index / 2) as f64);
-        let line = self.line.iter().map(|point| point.1);
-        let shown = self.values.iter().copied().chain(line);
-        let axes = Axes {
-            x: x.clone(),
-            y: Axis::fitting(self.title, Scale::Linear, shown),
-            area: (70.0 + 450.0 * column, 30.0 + 310.0 * row, 360.0, 230.0),
-        };
-        axes.draw(svg);
-        let placed: Vec<_> = self.line.iter().map(|&(x, y)| axes.place(x, y)).collect();
-        svg.polyline(&placed, RED, 1.5);
-        for (f, value) in frequencies_hz.iter().zip(&self.values) {
-            let (x, y) = axes.place(*f, *value);
-            svg.dot(x, y, BLUE);
-        }
-    }
+/// Measured values, and a line over frequency.
+fn panel(title: &str, x: &Axis, measured: Vec<(f64, f64)>, line: Vec<(f64, f64)>) -> Plot {
+    let shown = measured.iter().chain(&line).map(|place| place.1);
+    let y = Axis::around(Scale::Linear, shown);
+    let point = |&(x, y): &(f64, f64)| calib_plot::Point::new(x, y);
+    let points = measured.iter().map(point).collect();
+    Plot::new(title, x.clone(), y)
+        .with(Mark::Line {
+            points: line,
+            ink: Ink::Red,
+        })
+        .with(Mark::Points {
+            points,
+            ink: Ink::Blue,
+        })
 }

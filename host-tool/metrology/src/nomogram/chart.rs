@@ -1,7 +1,7 @@
 //! The chart of Figure C.1 with the limits of a rig shaded.
 
 use super::Vibration;
-use crate::chart::{Axes, Axis, BLUE, GREEN, GREY, RED, Scale, Svg};
+use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale, sheet};
 use std::f64::consts::{SQRT_2, TAU};
 
 /// What an exciter can do.
@@ -38,77 +38,53 @@ impl RigLimits {
 
 /// Velocity over frequency; acceleration and displacement are the diagonals.
 pub fn nomogram_chart(vibration: &Vibration, limits: &RigLimits) -> String {
-    let mut svg = Svg::new(900.0, 640.0);
-    let axis = |title: &str, low: f64, high: f64| Axis {
-        title: title.into(),
-        low,
-        high,
-        scale: Scale::Logarithmic,
-    };
-    let f = vibration.frequency_hz;
-    let v = vibration.velocity_ms.rms;
-    let axes = Axes {
-        x: axis(
-            "frequency / Hz",
-            0.4_f64.min(f / 2.0),
-            20_000.0_f64.max(2.0 * f),
-        ),
-        y: axis(
-            "velocity / (m/s), r.m.s.",
-            1e-6_f64.min(v / 2.0),
-            10.0_f64.max(2.0 * v),
-        ),
-        area: (80.0, 40.0, 780.0, 540.0),
-    };
-    axes.draw(&mut svg);
-    diagonals(&mut svg, &axes);
-    let mut outside: Vec<(f64, f64)> = (0..=200)
-        .map(|n| axes.x.low * (axes.x.high / axes.x.low).powf(f64::from(n) / 200.0))
-        .map(|f| axes.place(f, limits.velocity_at(f)))
-        .collect();
-    svg.polyline(&outside, RED, 1.5);
-    outside.push(axes.place(axes.x.high, axes.y.high));
-    outside.push(axes.place(axes.x.low, axes.y.high));
-    svg.polygon(&outside, RED, 0.12);
-    let (x, y) = axes.place(f, v);
-    svg.dot(x, y, BLUE);
-    svg.text(
-        x + 8.0,
-        y - 6.0,
-        "start",
-        12.0,
-        &format!("{f:.4} Hz, {v:.3e} m/s"),
+    let (f, v) = (vibration.frequency_hz, vibration.velocity_ms.rms);
+    let axis = |low: f64, high: f64| Axis::new(Scale::Logarithmic, low, high);
+    let x = axis(0.4_f64.min(f / 2.0), 20_000.0_f64.max(2.0 * f));
+    let y = axis(1e-6_f64.min(v / 2.0), 10.0_f64.max(2.0 * v));
+    let marks = diagonals(&x, &y);
+    let limit = |f| (f, limits.velocity_at(f), y.high);
+    let outside = x.places(200).map(limit).collect();
+    let x = x.titled(
+        "frequency / Hz; grey: acceleration / (m/s2), green: displacement / m, red: beyond the rig, all r.m.s.",
     );
-    svg.text(
-        80.0,
-        625.0,
-        "start",
-        10.0,
-        "grey: acceleration / (m/s2); green: displacement / m; red: beyond the rig; all r.m.s.",
-    );
-    svg.finish()
+    let mut plot = Plot::new("velocity / (m/s), r.m.s.", x, y);
+    plot.height = 540.0;
+    plot.marks = marks;
+    let point = Mark::Points {
+        points: vec![Point::new(f, v)],
+        ink: Ink::Blue,
+    };
+    let text = format!("{f:.4} Hz, {v:.3e} m/s");
+    let plot = plot
+        .with(Mark::Band {
+            places: outside,
+            ink: Ink::Red,
+        })
+        .with(point)
+        .with(Mark::Words { at: (f, v), text });
+    sheet(&[plot], 1)
 }
 
 /// Lines of constant acceleration and displacement, one for each decade.
-fn diagonals(svg: &mut Svg, axes: &Axes) {
-    let inside = |v: f64| (axes.y.low..=axes.y.high).contains(&v);
+fn diagonals(x: &Axis, y: &Axis) -> Vec<Mark> {
+    let mut marks = Vec::new();
     for decade in -12..=6 {
         let level = 10.0_f64.powi(decade);
-        let lines: [(&dyn Fn(f64) -> f64, &str); 2] = [
-            (&|f| level / (TAU * f), GREY),
-            (&|f| level * TAU * f, GREEN),
+        let lines: [(&dyn Fn(f64) -> f64, Ink); 2] = [
+            (&|f| level / (TAU * f), Ink::Grey),
+            (&|f| level * TAU * f, Ink::Green),
         ];
-        for (velocity, color) in lines {
-            let points: Vec<(f64, f64)> = (0..=200)
-                .map(|n| axes.x.low * (axes.x.high / axes.x.low).powf(f64::from(n) / 200.0))
-                .filter(|&f| inside(velocity(f)))
-                .map(|f| axes.place(f, velocity(f)))
-                .collect();
+        for (velocity, ink) in lines {
+            let places = x.places(200).map(|f| (f, velocity(f)));
+            let inside = |place: &(f64, f64)| (y.low..=y.high).contains(&place.1);
+            let points: Vec<(f64, f64)> = places.filter(inside).collect();
             if points.len() > 20 {
-                svg.polyline(&points, color, 0.5);
-                let (x, y) = points[points.len() / 2];
-                svg.text(x, y, "middle", 8.0, &format!("{level:e}"));
+                let (at, text) = (points[points.len() / 2], format!("{level:e}"));
+                marks.push(Mark::Line { points, ink });
+                marks.push(Mark::Words { at, text });
             }
         }
     }
+    marks
 }
