@@ -43,14 +43,14 @@ enum Kind {
 }
 
 impl Kind {
-    /// In the instrument's words; 1/sqrt(18) is the factor of Table D.1, note 3.
+    /// In the instrument's words; sqrt(18) is the divisor of Table D.1, note 3.
     fn stated(self) -> Stated {
         match self {
             Self::Rectangular => Stated::Rectangular,
             Self::Triangular => Stated::Triangular,
             Self::UShaped => Stated::UShaped,
             Self::Transverse => Stated::Special {
-                factor: 1.0 / 18.0_f32.sqrt(),
+                divisor: 18.0_f32.sqrt(),
             },
         }
     }

@@ -25,7 +25,7 @@ pub enum BudgetError {
     Full,
     /// A value is negative or not finite.
     Value(u8),
-    /// Coverage factor or factor of the distribution is not positive and finite.
+    /// Coverage factor or divisor of the distribution is not positive and finite.
     Divisor(u8),
     /// The sensitivity coefficient is not finite.
     SensitivityCoefficient(u8),
@@ -195,8 +195,8 @@ fn check(component: &Component<'_>, index: u8) -> Result<(), BudgetError> {
     if !(component.value.is_finite() && component.value >= 0.0) {
         return Err(BudgetError::Value(index));
     }
-    let factor = component.distribution.factor();
-    if !(factor.is_finite() && factor > 0.0) {
+    let divisor = component.distribution.divisor();
+    if !(divisor.is_finite() && divisor > 0.0) {
         return Err(BudgetError::Divisor(index));
     }
     if !component.sensitivity_coefficient.is_finite() {

@@ -3,7 +3,7 @@
 use super::catalogue::Row;
 use super::coverage::Expanded;
 use crate::settings::Distribution;
-use core::f32::consts::FRAC_1_SQRT_2;
+use core::f32::consts::SQRT_2;
 
 /// An uncertainty component, as a line of Table D.1 of ISO 16063-21.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,7 +79,7 @@ impl<'a> Component<'a> {
 
     /// Standard uncertainty of the input quantity.
     pub fn standard_uncertainty(&self) -> f32 {
-        self.value * self.distribution.factor()
+        self.value / self.distribution.divisor()
     }
 
     /// Contribution to the measurand, with its sign:
@@ -90,23 +90,23 @@ impl<'a> Component<'a> {
 }
 
 impl Distribution {
-    /// Standard uncertainty per value: the factor `x_i` of Table D.1.
+    /// Value over standard uncertainty: the reciprocal of the factor `x_i` of Table D.1.
     ///
-    /// | distribution | factor | variance of |
+    /// | distribution | divisor | variance of |
     /// |---|---|---|
-    /// | normal | 1/k | - |
-    /// | rectangular | 1/sqrt 3 | uniform in +-1 |
-    /// | triangular | 1/sqrt 6 | sum of two equal uniforms |
-    /// | U-shaped | 1/sqrt 2 | cosine of a uniform angle (A.1.3) |
+    /// | normal | k | - |
+    /// | rectangular | sqrt 3 | uniform in +-1 |
+    /// | triangular | sqrt 6 | sum of two equal uniforms |
+    /// | U-shaped | sqrt 2 | cosine of a uniform angle (A.1.3) |
     /// | special | as given | - |
-    pub fn factor(self) -> f32 {
+    pub fn divisor(self) -> f32 {
         match self {
-            Self::Normal { coverage_factor } => 1.0 / coverage_factor,
-            // 1/sqrt(3) and 1/sqrt(6) to the nearest f32.
-            Self::Rectangular => 0.577_350_27,
-            Self::Triangular => 0.408_248_3,
-            Self::UShaped => FRAC_1_SQRT_2,
-            Self::Special { factor } => factor,
+            Self::Normal { coverage_factor } => coverage_factor,
+            // sqrt(3) and sqrt(6) to the nearest f32.
+            Self::Rectangular => 1.732_050_8,
+            Self::Triangular => 2.449_489_8,
+            Self::UShaped => SQRT_2,
+            Self::Special { divisor } => divisor,
         }
     }
 }
@@ -116,7 +116,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn factors_are_the_standard_deviations_of_their_distributions() {
+    fn divisors_are_the_reciprocal_standard_deviations_of_their_distributions() {
         // Second moments by midpoint sums of each density over +-1, f64.
         let moment = |density: fn(f64) -> f64| {
             let n = 2_000_000;
@@ -140,15 +140,15 @@ mod tests {
             ),
         ];
         for (distribution, expected, tolerance) in cases {
-            let factor = f64::from(distribution.factor());
+            let divisor = f64::from(distribution.divisor());
             assert!(
-                (factor / expected - 1.0).abs() < tolerance,
+                (divisor * expected - 1.0).abs() < tolerance,
                 "{distribution:?}"
             );
         }
         let normal = Distribution::Normal {
             coverage_factor: 2.5,
         };
-        assert_eq!(normal.factor(), 0.4);
+        assert_eq!(normal.divisor(), 2.5);
     }
 }

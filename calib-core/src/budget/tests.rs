@@ -38,7 +38,7 @@ fn close(value: f32, expected: f64, tolerance: f64) {
 /// Table D.1: row of A.1, value, distribution, printed contribution, percent.
 fn table_d1() -> [(u8, f32, Distribution, &'static str); 17] {
     let transverse = Distribution::Special {
-        factor: (1.0_f32 / 18.0).sqrt(),
+        divisor: 18.0_f32.sqrt(),
     };
     [
         (1, 0.5, TWO, "0.25"),

@@ -15,9 +15,9 @@ const REFERENCE_V_PER_MS2: f32 = 0.0102;
 
 const RECTANGULAR: Distribution = Distribution::Rectangular;
 
-/// Three quantities of unknown direction (Table D.1, note 3): 1/sqrt(18).
+/// Three quantities of unknown direction (Table D.1, note 3): sqrt(18).
 const TRANSVERSE: Distribution = Distribution::Special {
-    factor: 0.235_702_26,
+    divisor: 4.242_640_7,
 };
 
 /// Row of Table A.1, value in percent, value in degrees, distribution.

@@ -86,6 +86,7 @@ pub struct Limits {
 /// Assumed probability distribution of an influence quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[serde(deny_unknown_fields)]
 pub enum Distribution {
     /// The value is an expanded uncertainty with this coverage factor.
     Normal {
@@ -98,10 +99,10 @@ pub enum Distribution {
     Triangular,
     /// The value is an amplitude of an arcsine law; divisor sqrt(2).
     UShaped,
-    /// The value times an explicit factor, such as 1/sqrt(18) of Table D.1.
+    /// The value is divided by an explicit divisor, such as sqrt(18) of Table D.1, Note 3.
     Special {
-        /// Factor `x_i` of Table D.1.
-        factor: f32,
+        /// Value over standard uncertainty: `1 / x_i` of Table D.1.
+        divisor: f32,
     },
 }
 

@@ -128,7 +128,7 @@ impl Settings {
         for (influence, index) in self.influences.iter().zip(0_u8..) {
             let divisor = match influence.distribution {
                 Distribution::Normal { coverage_factor } => positive(coverage_factor),
-                Distribution::Special { factor } => positive(factor),
+                Distribution::Special { divisor } => positive(divisor),
                 _ => true,
             };
             let valid = (1..=18).contains(&influence.row)

@@ -106,7 +106,7 @@ fn row(component: &Component<'_>) -> BudgetRow {
         row: component.row.number,
         value_percent: 100.0 * f64::from(component.value),
         distribution: distribution(component),
-        factor: f64::from(component.distribution.factor()),
+        divisor: f64::from(component.distribution.divisor()),
         sensitivity_coefficient: f64::from(component.sensitivity_coefficient),
         contribution_percent: 100.0 * f64::from(component.contribution().abs()),
         degrees_of_freedom: f64::from(component.degrees_of_freedom),

@@ -151,7 +151,7 @@ fn budget(budget: &Budget) -> Value {
             "value_percent": row.value_percent,
             "distribution": row.distribution.0,
             "distribution_parameter": row.distribution.1,
-            "factor": row.factor,
+            "divisor": row.divisor,
             "sensitivity_coefficient": row.sensitivity_coefficient,
             "contribution_percent": row.contribution_percent,
             "degrees_of_freedom": row.degrees_of_freedom,

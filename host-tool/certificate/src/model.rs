@@ -241,8 +241,8 @@ pub struct BudgetRow {
     pub value_percent: f64,
     /// Message key of the distribution and its value.
     pub distribution: (&'static str, Option<f64>),
-    /// Factor that turns the value into a standard uncertainty.
-    pub factor: f64,
+    /// Value over standard uncertainty.
+    pub divisor: f64,
     /// Sensitivity coefficient.
     pub sensitivity_coefficient: f64,
     /// Relative contribution, %.

@@ -1,14 +1,27 @@
 //! Words and numbers of a language, from the one message file.
 
+use calib_core::budget::Table;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-/// The message file: language -> key -> text.
-static MESSAGES: LazyLock<BTreeMap<String, BTreeMap<String, String>>> = LazyLock::new(|| {
+/// The message file.
+static MESSAGES: LazyLock<Messages> = LazyLock::new(|| {
     // Note(unwrap): the file is part of the program; a test reads it.
-    toml::from_str(include_str!("messages.toml")).expect("messages.toml is valid")
+    let messages = toml::from_str(include_str!("messages.toml")).expect("messages.toml is valid");
+    with_rows(messages)
 });
+
+/// Language -> key -> text.
+type Messages = BTreeMap<String, BTreeMap<String, String>>;
+
+/// Adds the English words of Table A.1's rows.
+fn with_rows(mut messages: Messages) -> Messages {
+    let rows = Table::A1.sources().iter().zip(1..);
+    let english = messages.entry(Language::En.code().to_owned()).or_default();
+    english.extend(rows.map(|(text, row)| (format!("row.{row}"), (*text).to_owned())));
+    messages
+}
 
 /// Language of a certificate.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]

@@ -96,6 +96,7 @@ impl Settings {
 
 fn read(path: &Path) -> Result<InstrumentSettings> {
     let text = text::read(path)?;
-    let hint = "`calib settings` prints a file of the right form";
+    let hint = "`calib settings` prints a file of the right form; the factor of a special \
+                distribution in files of before is 1 / divisor";
     Ok(text::parse_toml(path, &text, hint)?)
 }
