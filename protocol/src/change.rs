@@ -5,12 +5,12 @@
 //! in the chain of records: what was in force, what is from then on, when, and
 //! who said so. Its beginning is that of every [`crate::record`].
 
-use crate::record::{RecordError, RecordHead, RecordKind, content_of, seal};
+use crate::record::{RecordError, RecordHead, RecordKind, content_of, encode_change};
 use calib_core::settings::{ReferenceChannel, Settings};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
-/// Another calibration of the reference.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+/// Another calibration of the reference. It is serialized for people alone; stored by [`encode`].
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ReferenceChange {
     /// Number, place in the chain, instrument, time and operator.
     pub head: RecordHead,
@@ -30,30 +30,30 @@ pub fn encode(
     before: &ReferenceChannel,
     buffer: &mut [u8],
 ) -> Result<usize, RecordError> {
-    seal(
-        RecordKind::ReferenceChange,
-        &(head, settings, before),
-        buffer,
-    )
+    encode_change(head, settings, before, buffer)
 }
 
 /// Reads a change.
 ///
 /// # Errors
-/// Those of [`crate::record::check`], [`RecordError::Content`] and
-/// [`RecordError::Kind`].
+/// Those of [`crate::record::decode`], for this kind.
 pub fn decode(bytes: &[u8]) -> Result<ReferenceChange, RecordError> {
-    let body = content_of(RecordKind::ReferenceChange, bytes)?;
-    match postcard::take_from_bytes(body) {
-        Ok((change, [])) => Ok(change),
-        _ => Err(RecordError::Content),
-    }
+    let content = content_of(RecordKind::ReferenceChange, bytes)?;
+    let mut settings = Settings::BLANK;
+    let mut before = settings.reference_channel();
+    content.read_change(&mut settings, &mut before)?;
+    Ok(ReferenceChange {
+        head: content.head()?,
+        settings,
+        before,
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::record::{self, RunLabels, digest, inspect, link};
+    use crate::settings_form;
     use crate::stored::{self, MAX_HEAD};
 
     fn change() -> ReferenceChange {
@@ -104,8 +104,9 @@ mod tests {
         assert_eq!((summary.id, summary.points, summary.refused), (9, 0, 0));
         assert_eq!(summary.kind, RecordKind::ReferenceChange);
         assert_eq!(summary.unix_time_s, 1_795_269_900);
-        let settings = postcard::from_bytes(&bytes[settings]);
-        assert_eq!(settings, Ok(change().settings));
+        let mut read = Settings::BLANK;
+        assert_eq!(settings_form::read(&bytes[settings], &mut read), Ok(()));
+        assert_eq!(read, change().settings);
         let link = link(&bytes).expect("a record");
         assert_eq!((link.id, link.previous_sha256), (9, [7; 32]));
         assert_eq!(link.sha256, digest(&bytes));

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 
 /// Version of frames, messages and records together. Peers with another
 /// number refuse each other instead of misreading bytes.
-pub const PROTOCOL_VERSION: u16 = 1;
+pub const PROTOCOL_VERSION: u16 = 2;
 
 /// Bit rate of the serial link on USART3, 8 data bits, no parity, 1 stop bit.
 /// USB CDC-ACM ignores it.

@@ -13,9 +13,12 @@
 
 pub mod capture;
 pub mod change;
+mod form1;
 pub mod frame;
 pub mod head;
 pub mod message;
 pub mod record;
+pub mod sections;
+pub mod settings_form;
 pub mod stored;
 pub mod stored_point;

@@ -102,6 +102,7 @@ pub enum Response {
         /// Index asked for.
         index: u16,
         /// Result, or `None` while it is not there yet.
+        #[serde(with = "crate::stored_point::result")]
         result: Option<PointResult>,
     },
     /// The run has begun.
@@ -130,7 +131,7 @@ pub enum Response {
         data: Vec<u8, RECORD_CHUNK>,
     },
     /// Answer to `SettingsRead`.
-    Settings(Settings),
+    Settings(#[serde(with = "crate::settings_form")] Settings),
     /// The device understood and declines.
     Refused(Refusal),
     /// Answer to `ReadCapture`.
@@ -192,6 +193,7 @@ pub enum Refusal {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SettingsChange {
     /// All of them.
+    #[serde(with = "crate::settings_form")]
     pub settings: Settings,
     /// Seconds since 1970-01-01 UTC by the host's clock; 0 = not known.
     pub unix_time_s: u64,

@@ -4,25 +4,43 @@
 //!
 //! | bytes | content |
 //! |---|---|
-//! | 2 | record version, u16 LE: [`RECORD_VERSION`], with the kind in the upper byte |
-//! | n | [`Record`], postcard; of another kind: [`crate::change`] |
+//! | 2 | u16 LE: [`RECORD_VERSION`], with the kind in the upper byte |
+//! | n | [sections](crate::sections) |
 //! | 4 | CRC-32 of everything before, LE |
+//!
+//! | id | section | fields |
+//! |---|---|---|
+//! | 1 | head | [`RecordHead`] |
+//! | 2 | settings | [`crate::settings_form`] |
+//! | 3 | run | incident, complete |
+//! | 4 | points | [`crate::stored_point`] |
+//! | 5 | before | channel of the reference before a change: [`crate::change`] |
+//!
+//! The head comes first. Records of version 1 had no sections: they are read, and written no more.
 
+use crate::form1;
 use crate::frame::CRC;
 pub use crate::head::{RecordHead, RunLabels, Sha256Sum};
-use crate::stored_point;
+use crate::sections::{Fields, find, needed, section};
+use crate::settings_form::{self, InSections};
+use crate::stored_point::{self, InColumns};
 use calib_core::point::PointResult;
 use calib_core::settings::{ReferenceChannel, Settings};
-use calib_core::verdict::Verdict;
 use core::ops::Range;
 use heapless::{String, Vec};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-/// Version of this form.
-pub const RECORD_VERSION: u16 = 1;
+/// Version of the records that are written.
+pub const RECORD_VERSION: u16 = 2;
 /// Most points of one run.
 pub const MAX_POINTS: usize = 200;
+
+const HEAD: u8 = 1;
+const SETTINGS: u8 = 2;
+const RUN: u8 = 3;
+const POINTS: u8 = 4;
+const BEFORE: u8 = 5;
 
 /// What a record is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -36,8 +54,17 @@ pub enum RecordKind {
     ReferenceChange,
 }
 
+/// How the content of a record is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// Version 1, fields one behind the other.
+    Plain,
+    /// Version 2, in sections.
+    Sections,
+}
+
 impl RecordKind {
-    /// The first two bytes of a record of this kind.
+    /// The first two bytes of a record of this kind, as it is written.
     const fn mark(self) -> u16 {
         match self {
             Self::Calibration => RECORD_VERSION,
@@ -46,8 +73,19 @@ impl RecordKind {
     }
 }
 
+/// Kind and form of the records that begin with `mark`.
+pub(crate) const fn kind_of(mark: u16) -> Option<(RecordKind, Form)> {
+    match mark {
+        0x0001 => Some((RecordKind::Calibration, Form::Plain)),
+        0x0101 => Some((RecordKind::ReferenceChange, Form::Plain)),
+        0x0002 => Some((RecordKind::Calibration, Form::Sections)),
+        0x0102 => Some((RecordKind::ReferenceChange, Form::Sections)),
+        _ => None,
+    }
+}
+
 /// One calibration, as stored.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Record {
     /// Number, place in the chain, instrument and labels.
     pub head: RecordHead,
@@ -59,8 +97,9 @@ pub struct Record {
     /// True when every point of the list was attempted.
     pub complete: bool,
     /// Results in the order measured.
-    #[serde(with = "crate::stored_point")]
     pub points: Vec<PointResult, MAX_POINTS>,
+    /// [`digest`] of the bytes it was read from; none of a record that was not read.
+    pub sha256: Option<Sha256Sum>,
 }
 
 impl Record {
@@ -71,6 +110,7 @@ impl Record {
         incident: None,
         complete: false,
         points: Vec::new(),
+        sha256: None,
     };
 }
 
@@ -124,10 +164,17 @@ pub fn digest(record: &[u8]) -> Sha256Sum {
 pub enum RecordError {
     /// Too short to be a record, or the buffer is too small to write one.
     Length,
-    /// Written by another version of the firmware.
+    /// Of a version this code does not know: up to [`RECORD_VERSION`] it does.
     Version {
-        /// Record version found; this code reads [`RECORD_VERSION`].
+        /// Version found.
         found: u16,
+    },
+    /// A section that is needed is of a version this code does not know.
+    Section {
+        /// Its id.
+        id: u8,
+        /// Its version.
+        version: u8,
     },
     /// The checksum differs: bytes were damaged or are missing.
     Checksum,
@@ -140,13 +187,27 @@ pub enum RecordError {
     },
 }
 
+impl RecordError {
+    /// Whether a newer release reads the record.
+    pub fn is_of_newer_release(self) -> bool {
+        match self {
+            Self::Version { found } => found > RECORD_VERSION,
+            other => matches!(other, Self::Section { .. }),
+        }
+    }
+}
+
 impl core::fmt::Display for RecordError {
     fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Length => formatter.write_str("wrong length for a record"),
             Self::Version { found } => write!(
                 formatter,
-                "record version {found}, only {RECORD_VERSION} is known here"
+                "record version {found}, only 1 to {RECORD_VERSION} are known here"
+            ),
+            Self::Section { id, version } => write!(
+                formatter,
+                "version {version} of section {id} of a record is not known here"
             ),
             Self::Checksum => formatter.write_str("checksum of the record failed"),
             Self::Content => formatter.write_str("content is no record"),
@@ -167,11 +228,32 @@ impl core::error::Error for RecordError {}
 /// # Errors
 /// [`RecordError::Length`] when the buffer is too small.
 pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> {
-    seal(RecordKind::Calibration, record, buffer)
+    let content = (
+        section(HEAD, &record.head),
+        section(SETTINGS, InSections(&record.settings)),
+        section(RUN, (&record.incident, record.complete)),
+        section(POINTS, InColumns(&record.points)),
+    );
+    seal(RecordKind::Calibration, &content, buffer)
+}
+
+/// Writes the log of a change; see [`crate::change::encode`].
+pub(crate) fn encode_change(
+    head: &RecordHead,
+    settings: &Settings,
+    before: &ReferenceChannel,
+    buffer: &mut [u8],
+) -> Result<usize, RecordError> {
+    let content = (
+        section(HEAD, head),
+        section(SETTINGS, InSections(settings)),
+        section(BEFORE, settings_form::Channel(before)),
+    );
+    seal(RecordKind::ReferenceChange, &content, buffer)
 }
 
 /// Writes content between kind and checksum.
-pub(crate) fn seal(
+fn seal(
     kind: RecordKind,
     content: &impl Serialize,
     buffer: &mut [u8],
@@ -190,36 +272,112 @@ pub(crate) fn seal(
     Ok(end + 4)
 }
 
-/// Checks length, checksum and version, in this order, and returns kind and
-/// content.
+/// What lies between the checksum and the first two bytes of a record.
+#[derive(Clone, Copy)]
+pub(crate) struct Content<'a> {
+    pub(crate) kind: RecordKind,
+    form: Form,
+    bytes: &'a [u8],
+}
+
+impl<'a> Content<'a> {
+    /// The content whose first two bytes are `mark`; it may end early.
+    pub(crate) fn begun(beginning: &'a [u8]) -> Result<Self, RecordError> {
+        let (mark, bytes) = beginning
+            .split_first_chunk::<2>()
+            .ok_or(RecordError::Length)?;
+        let found = u16::from_le_bytes(*mark);
+        let (kind, form) = kind_of(found).ok_or(RecordError::Version { found })?;
+        Ok(Self { kind, form, bytes })
+    }
+
+    /// The head, which comes first.
+    pub(crate) fn head(self) -> Result<RecordHead, RecordError> {
+        match self.form {
+            Form::Plain => form1::head(&mut Fields(self.bytes)),
+            Form::Sections => form1::head(&mut needed(self.bytes, HEAD)?),
+        }
+    }
+
+    /// Reads settings of its form.
+    pub(crate) fn read_settings(
+        self,
+        bytes: &[u8],
+        settings: &mut Settings,
+    ) -> Result<(), RecordError> {
+        match self.form {
+            Form::Plain => form1::settings(&mut Fields(bytes), settings),
+            Form::Sections => settings_form::read(bytes, settings),
+        }
+    }
+
+    /// Where the settings lie in it; points, and of them refused.
+    fn survey(self) -> Result<(Range<usize>, (u16, u16)), RecordError> {
+        if self.form == Form::Plain {
+            return form1::survey(self.kind, self.bytes);
+        }
+        let (at, settings) = find(self.bytes, SETTINGS, 1)?.ok_or(RecordError::Content)?;
+        let points = match self.kind {
+            RecordKind::Calibration => stored_point::count(needed(self.bytes, POINTS)?)?,
+            RecordKind::ReferenceChange => needed(self.bytes, BEFORE).map(|_| (0, 0))?,
+        };
+        Ok((at..at + settings.len(), points))
+    }
+
+    /// Reads the run of a calibration.
+    fn read_run(self, record: &mut Record) -> Result<(), RecordError> {
+        if self.form == Form::Plain {
+            return form1::record(self.bytes, record);
+        }
+        settings_form::read(needed(self.bytes, SETTINGS)?.0, &mut record.settings)?;
+        let mut run = needed(self.bytes, RUN)?;
+        record.incident = run.take()?;
+        record.complete = run.take()?;
+        stored_point::read(needed(self.bytes, POINTS)?, &mut record.points)
+    }
+
+    /// Reads settings and channel of the log of a change.
+    pub(crate) fn read_change(
+        self,
+        settings: &mut Settings,
+        before: &mut ReferenceChannel,
+    ) -> Result<(), RecordError> {
+        if self.form == Form::Plain {
+            return form1::change(self.bytes, settings, before);
+        }
+        settings_form::read(needed(self.bytes, SETTINGS)?.0, settings)?;
+        settings_form::read_channel(needed(self.bytes, BEFORE)?.0, before)
+    }
+}
+
+/// Checks length, checksum and version, in this order.
+fn open(bytes: &[u8]) -> Result<Content<'_>, RecordError> {
+    let (content, checksum) = bytes.split_last_chunk::<4>().ok_or(RecordError::Length)?;
+    if content.len() < 2 {
+        return Err(RecordError::Length);
+    }
+    if CRC.checksum(content) != u32::from_le_bytes(*checksum) {
+        return Err(RecordError::Checksum);
+    }
+    Content::begun(content)
+}
+
+/// Whether the bytes are a record: length, checksum and version, in this order.
 ///
 /// # Errors
 /// See [`RecordError`]; `Checksum` before `Version`, because a damaged version
 /// number is damage and no version.
-pub fn check(bytes: &[u8]) -> Result<(RecordKind, &[u8]), RecordError> {
-    let (content, checksum) = bytes.split_last_chunk::<4>().ok_or(RecordError::Length)?;
-    let (version, body) = content
-        .split_first_chunk::<2>()
-        .ok_or(RecordError::Length)?;
-    if CRC.checksum(content) != u32::from_le_bytes(*checksum) {
-        return Err(RecordError::Checksum);
-    }
-    let found = u16::from_le_bytes(*version);
-    let kind = kind_of(found).ok_or(RecordError::Version { found })?;
-    Ok((kind, body))
-}
-
-/// Kind of the records that begin with `mark`.
-pub(crate) fn kind_of(mark: u16) -> Option<RecordKind> {
-    let mut kinds = [RecordKind::Calibration, RecordKind::ReferenceChange].into_iter();
-    kinds.find(|kind| kind.mark() == mark)
+pub fn check(bytes: &[u8]) -> Result<(), RecordError> {
+    open(bytes).map(drop)
 }
 
 /// Content of a record of this kind.
-pub(crate) fn content_of(kind: RecordKind, bytes: &[u8]) -> Result<&[u8], RecordError> {
-    match check(bytes)? {
-        (found, body) if found == kind => Ok(body),
-        (found, _) => Err(RecordError::Kind { found }),
+pub(crate) fn content_of(kind: RecordKind, bytes: &[u8]) -> Result<Content<'_>, RecordError> {
+    match open(bytes)? {
+        content if content.kind == kind => Ok(content),
+        content => Err(RecordError::Kind {
+            found: content.kind,
+        }),
     }
 }
 
@@ -228,10 +386,10 @@ pub(crate) fn content_of(kind: RecordKind, bytes: &[u8]) -> Result<&[u8], Record
 /// # Errors
 /// As [`decode`], for any kind.
 pub fn link(bytes: &[u8]) -> Result<ChainLink, RecordError> {
-    let (kind, body) = check(bytes)?;
-    let (head, _) = head_of(body).map_err(|_| RecordError::Content)?;
+    let content = open(bytes)?;
+    let head = content.head()?;
     Ok(ChainLink {
-        kind,
+        kind: content.kind,
         id: head.id,
         instrument_serial: head.instrument_serial,
         previous_sha256: head.previous_sha256,
@@ -239,31 +397,18 @@ pub fn link(bytes: &[u8]) -> Result<ChainLink, RecordError> {
     })
 }
 
-/// The head of a record's content, and what follows it.
-pub(crate) fn head_of(content: &[u8]) -> postcard::Result<(RecordHead, &[u8])> {
-    postcard::take_from_bytes(content)
-}
-
-/// Fields between its settings and its points; the number of points.
-type Middle = (Option<String<160>>, bool, u16);
-
-/// Where the settings lie in the bytes of a record, and what the record list
-/// says of it. Read point by point: that takes little memory, where [`decode`]
-/// takes room for the longest record.
+/// What the record list says of a record, and where the settings lie in its bytes. Of the points only
+/// the verdicts are read: that takes little memory, where [`decode`] takes room for the longest record.
 ///
 /// # Errors
 /// As [`decode`].
 pub fn inspect(bytes: &[u8]) -> Result<(RecordSummary, Range<usize>), RecordError> {
-    let content = |_| RecordError::Content;
-    let (kind, body) = check(bytes)?;
-    let (head, rest) = head_of(body).map_err(content)?;
-    let start = bytes.len() - 4 - rest.len();
-    let (_, rest) = postcard::take_from_bytes::<Settings>(rest).map_err(content)?;
-    let settings = start..bytes.len() - 4 - rest.len();
-    let (points, refused) = match kind {
-        RecordKind::Calibration => count_points(rest)?,
-        RecordKind::ReferenceChange => channel_alone(rest).map(|()| (0, 0))?,
-    };
+    let content = open(bytes)?;
+    let head = content.head()?;
+    let (settings, (points, refused)) = content.survey()?;
+    if usize::from(points) > MAX_POINTS {
+        return Err(RecordError::Content);
+    }
     let summary = RecordSummary {
         id: head.id,
         bytes: bytes.len() as u32,
@@ -272,53 +417,32 @@ pub fn inspect(bytes: &[u8]) -> Result<(RecordSummary, Range<usize>), RecordErro
         points,
         refused,
         sha256: digest(bytes),
-        kind,
+        kind: content.kind,
     };
-    Ok((summary, settings))
-}
-
-/// Whether what follows the settings is a channel and nothing more.
-fn channel_alone(bytes: &[u8]) -> Result<(), RecordError> {
-    match postcard::take_from_bytes::<ReferenceChannel>(bytes) {
-        Ok((_, [])) => Ok(()),
-        _ => Err(RecordError::Content),
-    }
-}
-
-/// Points and refused points of what follows the settings.
-fn count_points(bytes: &[u8]) -> Result<(u16, u16), RecordError> {
-    let content = |_| RecordError::Content;
-    let (middle, mut rest) = postcard::take_from_bytes::<Middle>(bytes).map_err(content)?;
-    let (_, _, points) = middle;
-    let mut refused = 0;
-    for _ in 0..points {
-        let (point, after) = stored_point::take(rest).map_err(content)?;
-        refused += u16::from(point.verdict != Verdict::Pass);
-        rest = after;
-    }
-    if !rest.is_empty() || usize::from(points) > MAX_POINTS {
-        return Err(RecordError::Content);
-    }
-    Ok((points, refused))
+    // Behind the version.
+    Ok((summary, settings.start + 2..settings.end + 2))
 }
 
 /// Reads the record of a calibration.
 ///
 /// # Errors
-/// Those of [`check`], [`RecordError::Content`] and [`RecordError::Kind`].
+/// Those of [`check`], [`RecordError::Content`], [`RecordError::Section`] and [`RecordError::Kind`].
 pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
-    let body = content_of(RecordKind::Calibration, bytes)?;
-    match postcard::take_from_bytes(body) {
-        Ok((record, [])) => Ok(record),
-        _ => Err(RecordError::Content),
-    }
+    let content = content_of(RecordKind::Calibration, bytes)?;
+    let mut record = Record {
+        head: content.head()?,
+        sha256: Some(digest(bytes)),
+        ..Record::BLANK
+    };
+    content.read_run(&mut record)?;
+    Ok(record)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use calib_core::point::PointSpec;
-    use calib_core::verdict::Reason;
+    use calib_core::verdict::{Reason, Verdict};
 
     fn record() -> Record {
         let head = RecordHead {
@@ -346,8 +470,8 @@ mod tests {
 
     #[test]
     fn a_default_run_stays_small() {
-        // 31 points with a full table of the reference: 50 bytes a point, 20 a
-        // row of the table, and the texts.
+        // 31 points with a full table of the reference: 20 bytes a row of the
+        // table, and the texts. What the points share stands there once.
         let mut record = record();
         record.settings = Settings::field_calibrator();
         let spec = PointSpec {
@@ -360,7 +484,7 @@ mod tests {
         record.points = points.collect();
         let mut bytes = vec![0; 8192];
         let length = encode(&record, &mut bytes).expect("fits");
-        assert!(length < 2_700, "{length}");
+        assert!(length < 1_400, "{length}");
         let read = decode(&bytes[..length]).expect("whole");
         assert_eq!(read.settings, record.settings);
         assert_eq!(read.points, record.points);
@@ -368,7 +492,12 @@ mod tests {
 
     #[test]
     fn decoding_inverts_encoding() {
-        assert_eq!(decode(&stored()), Ok(record()));
+        let bytes = stored();
+        let read = Record {
+            sha256: Some(digest(&bytes)),
+            ..record()
+        };
+        assert_eq!(decode(&bytes), Ok(read));
     }
 
     #[test]
@@ -401,8 +530,9 @@ mod tests {
         };
         let (found, settings) = inspect(&bytes[..length]).expect("a record");
         assert_eq!(found, summary);
-        let settings = postcard::from_bytes(&bytes[settings]);
-        assert_eq!(settings, Ok(record.settings));
+        let mut read = Settings::BLANK;
+        assert_eq!(settings_form::read(&bytes[settings], &mut read), Ok(()));
+        assert_eq!(read, record.settings);
         assert_eq!(inspect(&bytes[..length - 1]), Err(RecordError::Checksum));
     }
 
@@ -422,6 +552,35 @@ mod tests {
         for length in 0..whole.len() {
             assert!(decode(&whole[..length]).is_err(), "{length}");
         }
+    }
+
+    /// A record whose content is changed by somebody who knows the checksum.
+    fn resealed(change: impl FnOnce(&mut std::vec::Vec<u8>)) -> std::vec::Vec<u8> {
+        let mut bytes = stored();
+        bytes.truncate(bytes.len() - 4);
+        change(&mut bytes);
+        let checksum = CRC.checksum(&bytes).to_le_bytes();
+        bytes.extend(checksum);
+        bytes
+    }
+
+    #[test]
+    fn what_a_newer_release_adds_is_passed_over() {
+        let bytes = resealed(|bytes| bytes.extend([99, 7, 3, 1, 2, 3]));
+        let read = decode(&bytes).expect("a record");
+        assert_eq!(read.settings, record().settings);
+        assert_eq!(read.sha256, Some(digest(&bytes)));
+        let (summary, _) = inspect(&bytes).expect("a record");
+        assert_eq!(summary.bytes as usize, bytes.len());
+    }
+
+    #[test]
+    fn a_section_of_a_newer_version_is_named() {
+        // The head: id 1, version behind it.
+        let bytes = resealed(|bytes| bytes[3] = 2);
+        let error = RecordError::Section { id: 1, version: 2 };
+        assert_eq!(decode(&bytes), Err(error));
+        assert!(error.is_of_newer_release());
     }
 
     #[test]

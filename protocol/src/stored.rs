@@ -10,7 +10,7 @@
 //! | body | the bytes of the record, with or without its settings |
 
 use crate::frame::CRC;
-use crate::record::{self, RecordSummary, Sha256Sum};
+use crate::record::{self, Content, RecordSummary, Sha256Sum};
 use calib_core::settings::Settings;
 use core::ops::Range;
 use postcard::take_from_bytes;
@@ -61,8 +61,10 @@ impl StoredHead {
     pub fn settings_in(&self, body: &[u8]) -> Option<Settings> {
         let at = usize::from(self.settings_at);
         let bytes = body.get(at..at + usize::from(self.settings_bytes))?;
-        let settings = self.with_settings.then(|| postcard::from_bytes(bytes));
-        settings?.ok()
+        let content = Content::begun(body).ok()?;
+        let mut settings = Settings::BLANK;
+        let read = content.read_settings(bytes, &mut settings);
+        (self.with_settings && read.is_ok()).then_some(settings)
     }
 
     /// The line of the record list; `body` must hold the record's beginning.
@@ -70,9 +72,8 @@ impl StoredHead {
     /// # Errors
     /// [`StoredError`] when it does not.
     pub fn summary(&self, body: &[u8]) -> Result<RecordSummary, StoredError> {
-        let (mark, fields) = body.split_first_chunk::<2>().ok_or(StoredError)?;
-        let kind = record::kind_of(u16::from_le_bytes(*mark)).ok_or(StoredError)?;
-        let (head, _) = record::head_of(fields).map_err(|_| StoredError)?;
+        let content = Content::begun(body).map_err(|_| StoredError)?;
+        let head = content.head().map_err(|_| StoredError)?;
         Ok(RecordSummary {
             id: head.id,
             bytes: self.record_bytes() as u32,
@@ -81,7 +82,7 @@ impl StoredHead {
             points: self.points,
             refused: self.refused,
             sha256: self.sha256,
-            kind,
+            kind: content.kind,
         })
     }
 }
@@ -174,6 +175,7 @@ pub fn head(stored: &[u8]) -> Result<(StoredHead, &[u8]), StoredError> {
 mod tests {
     use super::*;
     use crate::record::{MAX_POINTS, Record, RecordHead, RunLabels, digest, encode};
+    use crate::settings_form::InSections;
     use calib_core::point::{PointResult, PointSpec};
     use calib_core::tone::Tone;
     use calib_core::verdict::{Reason, Verdict};
@@ -195,6 +197,22 @@ mod tests {
         point.sensitivity_v_per_ms2 = 0.1 / (7 + seed) as f32;
         point.coverage_factor = 2.0 + 0.1 / seed as f32;
         point.blocks = 10;
+        point.instrument_temperature_c = Some(47.0 + 0.01 * seed as f32);
+        let odd = |base: f32| base / (3 + seed) as f32;
+        point.phase_rad = odd(1.0);
+        point.repeatability_rel = odd(1.0e-4);
+        point.repeatability_phase_rad = odd(1.1e-4);
+        point.expanded_uncertainty_rel = odd(0.01);
+        point.expanded_uncertainty_phase_rad = odd(0.02);
+        point.effective_degrees_of_freedom = odd(1.0e4);
+        point.distortion_reference_rel = odd(0.01);
+        point.distortion_dut_rel = odd(0.02);
+        point.signal_to_noise_reference_db = odd(60.0);
+        point.signal_to_noise_dut_db = odd(55.0);
+        point.amplitude_stability_rel = odd(1.0e-4);
+        point.drive_peak_v = odd(1.0);
+        point.settling_s = odd(2.0);
+        point.overshoot_rel = odd(0.1);
         point
     }
 
@@ -216,9 +234,9 @@ mod tests {
                 },
             },
             settings: Settings::field_calibrator(),
-            incident: None,
             complete: true,
             points,
+            ..Record::BLANK
         };
         let mut bytes = vec![0; 32 * 1024];
         let length = encode(&record, &mut bytes).expect("fits");
@@ -247,7 +265,8 @@ mod tests {
     fn a_record_comes_back_to_the_byte() {
         let record = record(one_third_octaves());
         let mut room = [0; 2048];
-        let settings = postcard::to_slice(&Settings::field_calibrator(), &mut room);
+        let settings = Settings::field_calibrator();
+        let settings = postcard::to_slice(&InSections(&settings), &mut room);
         let settings = settings.expect("fits");
         for with_settings in [false, true] {
             let stored = written(&record, with_settings);

@@ -1,34 +1,269 @@
-//! The compact stored form of a point.
+//! Points as they are stored and sent: their number, then a column for each quantity.
 //!
-//! | quantity | stored as | kept |
+//! A column is a [section](crate::sections) with the values of all points, or with one value that all of
+//! them have. [`COLUMNS`] is the only list of them: id, coding, field. A column that is missing leaves
+//! the field as [`PointResult::refused`] has it, so a new quantity is a new line with an id of its own.
+//!
+//! | coding | bytes | kept |
 //! |---|---|---|
-//! | frequency, level, sensitivity, phase | f32 | exactly |
-//! | acceleration reached | millionths of the set level | 5e-7 of the set level |
-//! | expanded uncertainties, coverage factor | upper 24 bits of the f32 | 1.6e-5 |
-//! | repeatability, degrees of freedom, distortion, noise, drive ... | upper 16 bits | 0.2 % |
-//! | temperature of the instrument | hundredths of a degree | 0.005 K |
+//! | `f32` | 4 | every bit |
+//! | [`Round`] | 2 to 5 | every bit; hundredths in 2 or 3 bytes |
+//! | [`Upper3`], [`Upper2`] | 3, 2 | upper bytes of the f32: 1.6e-5, 0.2 % |
+//! | `u16`, `bool`, [`Verdict`] | 1 to 3 | as postcard writes them |
+//! | [`Incoherence`] | 2 | one less the coherence, to 0.2 % |
+//! | [`Temperature`] | 1 to 3 | hundredths of a degree |
+//! | acceleration reached | 1 to 5 | millionths of the set level above it |
 //!
-//! Rounded values are for reading; the host evaluates the budget again where it
-//! needs every digit. Round frequencies and levels take two or three bytes.
-//!
-//! Where a format is for people (JSON), points are written as they are.
+//! Rounded values are for reading; the host evaluates the budget again where it needs every digit.
 
+use crate::record::RecordError;
+use crate::sections::{Fields, Read, find, section};
 use calib_core::point::{PointResult, PointSpec};
-use calib_core::tone::Tone;
-use calib_core::verdict::Verdict;
-use core::fmt;
+use calib_core::verdict::{Reason, Verdict};
 use heapless::Vec;
-use serde::de::{Error, SeqAccess, Visitor};
-use serde::ser::SerializeSeq;
+use serde::de::Error;
+use serde::ser::SerializeTuple;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// Acceleration is stored in these parts of the set level.
-const LEVEL_PARTS: f64 = 1.0e6;
+/// Longest code of a value, bytes.
+const LONGEST_CODE: usize = 5;
+
+/// A value as it is written.
+type Code = Vec<u8, LONGEST_CODE>;
+
+/// A quantity of all points.
+struct Column {
+    /// Section id.
+    id: u8,
+    /// The value of a point, written.
+    write: fn(&PointResult) -> Code,
+    /// Reads the value of a point.
+    read: fn(&mut PointResult, &mut Fields<'_>) -> Result<(), RecordError>,
+}
+
+/// A column with the values of a field, in a coding.
+macro_rules! column {
+    ($id:expr, $coding:ty, $($field:ident).+) => {
+        Column {
+            id: $id,
+            write: |point| code(<$coding>::from(point.$($field).+)),
+            read: |point, fields| {
+                point.$($field).+ = fields.take::<$coding>()?.into();
+                Ok(())
+            },
+        }
+    };
+}
+
+/// The column that tells refused points.
+const VERDICT: u8 = 5;
+
+/// Every column there is, in the order they are written and read.
+const COLUMNS: [Column; 26] = [
+    column!(1, Round, spec.frequency_hz),
+    column!(2, Round, spec.acceleration_rms_ms2),
+    column!(3, u16, tone.cycles),
+    column!(4, u16, tone.period_samples),
+    column!(VERDICT, Verdict, verdict),
+    // Behind the set level, which it is relative to.
+    Column {
+        id: 6,
+        write: |point| code(parts_above(point)),
+        read: |point, fields| {
+            let level = f64::from(point.spec.acceleration_rms_ms2);
+            let above = f64::from(fields.take::<i32>()?) / LEVEL_PARTS;
+            point.acceleration_rms_ms2 = (level * (1.0 + above)) as f32;
+            Ok(())
+        },
+    },
+    column!(7, f32, sensitivity_v_per_ms2),
+    column!(8, f32, phase_rad),
+    column!(9, bool, inverted),
+    column!(10, Upper3, expanded_uncertainty_rel),
+    column!(11, Upper3, expanded_uncertainty_phase_rad),
+    column!(12, Upper3, coverage_factor),
+    column!(13, Upper2, effective_degrees_of_freedom),
+    column!(14, u16, blocks),
+    column!(15, Upper2, repeatability_rel),
+    column!(16, Upper2, repeatability_phase_rad),
+    column!(17, Upper2, distortion_reference_rel),
+    column!(18, Upper2, distortion_dut_rel),
+    column!(19, Upper2, signal_to_noise_reference_db),
+    column!(20, Upper2, signal_to_noise_dut_db),
+    column!(21, Upper2, amplitude_stability_rel),
+    column!(22, Upper2, drive_peak_v),
+    column!(23, Upper2, settling_s),
+    column!(24, Upper2, overshoot_rel),
+    column!(25, Incoherence, coherence),
+    column!(26, Temperature, instrument_temperature_c),
+];
+
+/// Bytes of a point at most: the columns that take more than three are outweighed by those of two.
+pub const LONGEST_POINT: usize = COLUMNS.len() * 3;
+/// Bytes of number and headings at most.
+pub const LONGEST_HEADINGS: usize = 3 + COLUMNS.len() * 5;
+
+/// The points as they will be read back.
+pub(crate) struct InColumns<'a>(pub(crate) &'a [PointResult]);
+
+impl Serialize for InColumns<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut parts = serializer.serialize_tuple(1 + COLUMNS.len())?;
+        parts.serialize_element(&(self.0.len() as u16))?;
+        for column in &COLUMNS {
+            let values = Values(column, self.0);
+            parts.serialize_element(&section(column.id, values))?;
+        }
+        parts.end()
+    }
+}
+
+/// The values of a column: one, if it is that of all points.
+struct Values<'a>(&'a Column, &'a [PointResult]);
+
+impl Serialize for Values<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(column, points) = self;
+        let mut codes = points.iter().map(column.write);
+        let first = codes.next();
+        let differ = codes.any(|code| Some(&code) != first.as_ref());
+        let written = if differ { points.len() } else { 1 };
+        let mut values = serializer.serialize_tuple(written)?;
+        for point in points.iter().take(written) {
+            for byte in &(column.write)(point) {
+                values.serialize_element(byte)?;
+            }
+        }
+        values.end()
+    }
+}
+
+/// Reads points.
+///
+/// # Errors
+/// [`RecordError::Content`] and [`RecordError::Section`].
+pub(crate) fn read<const N: usize>(
+    mut fields: Fields<'_>,
+    points: &mut Vec<PointResult, N>,
+) -> Result<(), RecordError> {
+    let count: u16 = fields.take()?;
+    points.clear();
+    let resized = points.resize(usize::from(count), nothing());
+    resized.map_err(|_| RecordError::Content)?;
+    for column in &COLUMNS {
+        if let Some((_, values)) = find(fields.0, column.id, 1)? {
+            read_column(column, Fields(values), points)?;
+        }
+    }
+    Ok(())
+}
+
+fn read_column(
+    column: &Column,
+    values: Fields<'_>,
+    points: &mut [PointResult],
+) -> Result<(), RecordError> {
+    let mut rest = values;
+    let mut points = points.iter_mut();
+    if let Some(first) = points.next() {
+        (column.read)(first, &mut rest)?;
+    }
+    let one_for_all = rest.0.is_empty();
+    for point in points {
+        if one_for_all {
+            rest = values;
+        }
+        (column.read)(point, &mut rest)?;
+    }
+    match rest.0 {
+        [] => Ok(()),
+        _ => Err(RecordError::Content),
+    }
+}
+
+/// Number of points, and of those refused.
+///
+/// # Errors
+/// As [`read`].
+pub(crate) fn count(mut fields: Fields<'_>) -> Result<(u16, u16), RecordError> {
+    let points: u16 = fields.take()?;
+    let Some((_, verdicts)) = find(fields.0, VERDICT, 1)? else {
+        return Ok((points, points));
+    };
+    let mut rest = Fields(verdicts);
+    let (mut read, mut refused) = (0_u16, 0_u16);
+    while !rest.0.is_empty() {
+        read = read.saturating_add(1);
+        refused = refused.saturating_add(u16::from(rest.take::<Verdict>()? != Verdict::Pass));
+    }
+    match read {
+        1 if refused == 1 => Ok((points, points)),
+        1 => Ok((points, 0)),
+        _ if read == points => Ok((points, refused)),
+        _ => Err(RecordError::Content),
+    }
+}
+
+/// A point before anything of it was read.
+fn nothing() -> PointResult {
+    let spec = PointSpec {
+        frequency_hz: 0.0,
+        acceleration_rms_ms2: 0.0,
+    };
+    PointResult::refused(spec, None, Reason::Stopped)
+}
+
+/// A point as it comes back from where it is stored.
+pub fn as_stored(point: &PointResult) -> PointResult {
+    let mut stored = nothing();
+    for column in &COLUMNS {
+        let code = (column.write)(point);
+        // What was just written can be read.
+        let _ = (column.read)(&mut stored, &mut Fields(&code));
+    }
+    stored
+}
+
+/// For `#[serde(with)]`: the result of a point in a message, as one section.
+pub(crate) mod result {
+    use super::{Deserialize, Serialize, read, section};
+    use super::{Deserializer, Error, Fields, InColumns, PointResult, Read, Serializer, Vec};
+
+    /// Id of a point where it is a section itself.
+    const POINT: u8 = 1;
+
+    pub(crate) fn serialize<S: Serializer>(
+        point: &Option<PointResult>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        section(POINT, InColumns(point.as_slice())).serialize(serializer)
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<Option<PointResult>, D::Error> {
+        let mut points: Vec<PointResult, 1> = Vec::new();
+        match Read::deserialize(deserializer)? {
+            (_, 1, columns) => read(Fields(columns), &mut points).map_err(D::Error::custom)?,
+            _ => return Err(D::Error::custom("a point of another version")),
+        }
+        Ok(points.pop())
+    }
+}
+
+/// The bytes of a value.
+fn code(value: impl Serialize) -> Code {
+    let mut bytes = [0; LONGEST_CODE];
+    let written = postcard::to_slice(&value, &mut bytes);
+    // No coding takes more; if one did, its column could not be read.
+    let written = written.map_or(&[][..], |written| written);
+    Code::from_slice(written).unwrap_or_default()
+}
 
 /// A round number in 2 to 3 bytes, any other in 5: `200 x` when that is a whole
 /// number, else the bits of the f32 and an odd end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-struct Round(u64);
+pub(crate) struct Round(u64);
 
 impl From<f32> for Round {
     fn from(value: f32) -> Self {
@@ -54,258 +289,123 @@ impl From<Round> for f32 {
     }
 }
 
-/// The upper `N` bytes of an f32, rounded to the nearest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Upper<const N: usize>([u8; N]);
+/// The upper bytes of an f32, rounded to the nearest.
+fn upper<const N: usize>(value: f32) -> [u8; N] {
+    let half = 1_u32 << (31 - 8 * N as u32);
+    // Rounding must not turn the largest numbers, or NaN, into others.
+    let bits = value.to_bits();
+    let rounded = match value.is_finite() {
+        true if f32::from_bits(bits.wrapping_add(half)).is_finite() => bits.wrapping_add(half),
+        _ => bits,
+    };
+    let mut upper = [0; N];
+    let bytes = upper.iter_mut().zip(rounded.to_be_bytes());
+    bytes.for_each(|(to, from)| *to = from);
+    upper
+}
 
-impl<const N: usize> From<f32> for Upper<N> {
+/// The f32 with these upper bytes.
+pub(crate) fn from_upper<const N: usize>(upper: [u8; N]) -> f32 {
+    let mut bytes = [0; 4];
+    let pairs = bytes.iter_mut().zip(upper);
+    pairs.for_each(|(to, from)| *to = from);
+    f32::from_be_bytes(bytes)
+}
+
+/// The upper three bytes of an f32.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Upper3([u8; 3]);
+
+impl From<f32> for Upper3 {
     fn from(value: f32) -> Self {
-        let half = 1_u32 << (31 - 8 * N as u32);
-        // Rounding must not turn the largest numbers, or NaN, into others.
-        let bits = value.to_bits();
-        let rounded = match value.is_finite() {
-            true if f32::from_bits(bits.wrapping_add(half)).is_finite() => bits.wrapping_add(half),
-            _ => bits,
-        };
-        let bytes = rounded.to_be_bytes();
-        let mut upper = [0; N];
-        upper
-            .iter_mut()
-            .zip(bytes)
-            .for_each(|(to, from)| *to = from);
-        Self(upper)
+        Self(upper(value))
     }
 }
 
-impl<const N: usize> From<Upper<N>> for f32 {
-    fn from(Upper(upper): Upper<N>) -> Self {
-        let mut bytes = [0; 4];
-        bytes
-            .iter_mut()
-            .zip(upper)
-            .for_each(|(to, from)| *to = from);
-        Self::from_be_bytes(bytes)
+impl From<Upper3> for f32 {
+    fn from(Upper3(bytes): Upper3) -> Self {
+        from_upper(bytes)
     }
 }
 
-/// A point as it is stored.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-struct StoredPoint {
-    frequency: Round,
-    level: Round,
-    tone: Tone,
-    verdict: Verdict,
-    /// Bit 0: inverted. Bit 1: the coverage factor is 2. Bit 2: a broadband
-    /// point, which has no distortion; in its place is one less the coherence.
-    flags: u8,
-    coverage_factor: Option<[u8; 3]>,
-    acceleration: i32,
-    sensitivity: [u8; 4],
-    phase: [u8; 4],
-    uncertainty: [u8; 3],
-    uncertainty_phase: [u8; 3],
-    blocks: u16,
-    diagnostics: [[u8; 2]; DIAGNOSTICS],
-    /// Hundredths of a degree Celsius, or [`NO_TEMPERATURE`].
-    temperature: [u8; 2],
-}
+/// The upper two bytes of an f32.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Upper2([u8; 2]);
 
-/// In place of a temperature that could not be read.
-const NO_TEMPERATURE: i16 = i16::MIN;
-
-/// Hundredths of a degree: up to 327 degrees, far beyond any silicon.
-fn hundredths(temperature_c: Option<f32>) -> i16 {
-    match temperature_c {
-        Some(value) if value.is_finite() => {
-            let nearest = round(f64::from(value) * 100.0);
-            nearest.clamp(-i32::from(i16::MAX), i32::from(i16::MAX)) as i16
-        }
-        _ => NO_TEMPERATURE,
+impl From<f32> for Upper2 {
+    fn from(value: f32) -> Self {
+        Self(upper(value))
     }
 }
 
-fn temperature_c(hundredths: i16) -> Option<f32> {
-    (hundredths != NO_TEMPERATURE).then(|| f32::from(hundredths) / 100.0)
-}
-
-/// Values of the diagnostics, in the order of [`diagnostics`].
-const DIAGNOSTICS: usize = 11;
-
-fn diagnostics(point: &PointResult) -> [f32; DIAGNOSTICS] {
-    [
-        point.repeatability_rel,
-        point.repeatability_phase_rad,
-        point.effective_degrees_of_freedom,
-        point.distortion_reference_rel,
-        point
-            .coherence
-            .map_or(point.distortion_dut_rel, |coherence| 1.0 - coherence),
-        point.signal_to_noise_reference_db,
-        point.signal_to_noise_dut_db,
-        point.amplitude_stability_rel,
-        point.drive_peak_v,
-        point.settling_s,
-        point.overshoot_rel,
-    ]
-}
-
-impl From<&PointResult> for StoredPoint {
-    fn from(point: &PointResult) -> Self {
-        let level = f64::from(point.spec.acceleration_rms_ms2);
-        let reached = f64::from(point.acceleration_rms_ms2) / level - 1.0;
-        let k_is_two = point.coverage_factor == 2.0;
-        Self {
-            frequency: point.spec.frequency_hz.into(),
-            level: point.spec.acceleration_rms_ms2.into(),
-            tone: point.tone,
-            verdict: point.verdict,
-            flags: u8::from(point.inverted)
-                | u8::from(k_is_two) << 1
-                | u8::from(point.coherence.is_some()) << 2,
-            coverage_factor: (!k_is_two).then(|| Upper::from(point.coverage_factor).0),
-            acceleration: round(reached * LEVEL_PARTS),
-            sensitivity: point.sensitivity_v_per_ms2.to_le_bytes(),
-            phase: point.phase_rad.to_le_bytes(),
-            uncertainty: Upper::from(point.expanded_uncertainty_rel).0,
-            uncertainty_phase: Upper::from(point.expanded_uncertainty_phase_rad).0,
-            blocks: point.blocks,
-            diagnostics: diagnostics(point).map(|value| Upper::from(value).0),
-            temperature: hundredths(point.instrument_temperature_c).to_le_bytes(),
-        }
+impl From<Upper2> for f32 {
+    fn from(Upper2(bytes): Upper2) -> Self {
+        from_upper(bytes)
     }
+}
+
+/// One less a coherence, not a number where there is none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Incoherence(Upper2);
+
+impl From<Option<f32>> for Incoherence {
+    fn from(coherence: Option<f32>) -> Self {
+        Self(
+            coherence
+                .map_or(f32::NAN, |coherence| 1.0 - coherence)
+                .into(),
+        )
+    }
+}
+
+impl From<Incoherence> for Option<f32> {
+    fn from(Incoherence(value): Incoherence) -> Self {
+        let incoherence = f32::from(value);
+        (!incoherence.is_nan()).then_some(1.0 - incoherence)
+    }
+}
+
+/// Hundredths of a degree, up to 327 degrees, far beyond any silicon; [`i16::MIN`] where none was read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Temperature(pub(crate) i16);
+
+impl From<Option<f32>> for Temperature {
+    fn from(celsius: Option<f32>) -> Self {
+        Self(match celsius {
+            Some(value) if value.is_finite() => {
+                let nearest = nearest(f64::from(value) * 100.0);
+                nearest.clamp(-i32::from(i16::MAX), i32::from(i16::MAX)) as i16
+            }
+            _ => i16::MIN,
+        })
+    }
+}
+
+impl From<Temperature> for Option<f32> {
+    fn from(Temperature(hundredths): Temperature) -> Self {
+        (hundredths != i16::MIN).then(|| f32::from(hundredths) / 100.0)
+    }
+}
+
+/// Acceleration is stored in these parts of the set level.
+pub(crate) const LEVEL_PARTS: f64 = 1.0e6;
+
+/// Acceleration reached above the set level, in parts of it.
+fn parts_above(point: &PointResult) -> i32 {
+    let level = f64::from(point.spec.acceleration_rms_ms2);
+    nearest((f64::from(point.acceleration_rms_ms2) / level - 1.0) * LEVEL_PARTS)
 }
 
 /// Nearest whole number; what is not a number becomes 0.
-fn round(value: f64) -> i32 {
+fn nearest(value: f64) -> i32 {
     let half = if value < 0.0 { -0.5 } else { 0.5 };
     (value + half) as i32
-}
-
-impl From<StoredPoint> for PointResult {
-    fn from(stored: StoredPoint) -> Self {
-        let level: f32 = stored.level.into();
-        let reached = f64::from(level) * (1.0 + f64::from(stored.acceleration) / LEVEL_PARTS);
-        let [
-            repeatability_rel,
-            repeatability_phase_rad,
-            effective_degrees_of_freedom,
-            distortion_reference_rel,
-            distortion_or_incoherence,
-            signal_to_noise_reference_db,
-            signal_to_noise_dut_db,
-            amplitude_stability_rel,
-            drive_peak_v,
-            settling_s,
-            overshoot_rel,
-        ] = stored.diagnostics.map(|bytes| Upper(bytes).into());
-        let (distortion_dut_rel, coherence) = match stored.flags & 4 {
-            0 => (distortion_or_incoherence, None),
-            _ => (0.0, Some(1.0 - distortion_or_incoherence)),
-        };
-        Self {
-            spec: PointSpec {
-                frequency_hz: stored.frequency.into(),
-                acceleration_rms_ms2: level,
-            },
-            tone: stored.tone,
-            verdict: stored.verdict,
-            acceleration_rms_ms2: reached as f32,
-            sensitivity_v_per_ms2: f32::from_le_bytes(stored.sensitivity),
-            phase_rad: f32::from_le_bytes(stored.phase),
-            inverted: stored.flags & 1 != 0,
-            repeatability_rel,
-            repeatability_phase_rad,
-            blocks: stored.blocks,
-            expanded_uncertainty_rel: Upper(stored.uncertainty).into(),
-            coverage_factor: stored
-                .coverage_factor
-                .map_or(2.0, |bytes| Upper(bytes).into()),
-            effective_degrees_of_freedom,
-            expanded_uncertainty_phase_rad: Upper(stored.uncertainty_phase).into(),
-            distortion_reference_rel,
-            distortion_dut_rel,
-            signal_to_noise_reference_db,
-            signal_to_noise_dut_db,
-            amplitude_stability_rel,
-            drive_peak_v,
-            settling_s,
-            overshoot_rel,
-            coherence,
-            instrument_temperature_c: temperature_c(i16::from_le_bytes(stored.temperature)),
-        }
-    }
-}
-
-/// Rounds a result as storing does, so that what is shown live and what is
-/// read back later are the same numbers.
-pub fn as_stored(point: &PointResult) -> PointResult {
-    StoredPoint::from(point).into()
-}
-
-/// Reads one stored point; returns what follows it.
-pub(crate) fn take(bytes: &[u8]) -> postcard::Result<(PointResult, &[u8])> {
-    let (stored, rest) = postcard::take_from_bytes::<StoredPoint>(bytes)?;
-    Ok((stored.into(), rest))
-}
-
-/// Writes a list of points: compact in binary formats.
-pub(crate) fn serialize<S: Serializer, const N: usize>(
-    points: &Vec<PointResult, N>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    let plain = serializer.is_human_readable();
-    let mut list = serializer.serialize_seq(Some(points.len()))?;
-    for point in points {
-        if plain {
-            list.serialize_element(point)?;
-        } else {
-            list.serialize_element(&StoredPoint::from(point))?;
-        }
-    }
-    list.end()
-}
-
-/// Reads a list of points, one by one.
-pub(crate) fn deserialize<'de, D: Deserializer<'de>, const N: usize>(
-    deserializer: D,
-) -> Result<Vec<PointResult, N>, D::Error> {
-    let plain = deserializer.is_human_readable();
-    deserializer.deserialize_seq(List::<N> { plain })
-}
-
-struct List<const N: usize> {
-    plain: bool,
-}
-
-impl<'de, const N: usize> Visitor<'de> for List<N> {
-    type Value = Vec<PointResult, N>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "at most {N} points")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-        let mut points = Vec::new();
-        loop {
-            let point = if self.plain {
-                list.next_element::<PointResult>()?
-            } else {
-                list.next_element::<StoredPoint>()?.map(PointResult::from)
-            };
-            let Some(point) = point else {
-                return Ok(points);
-            };
-            if points.push(point).is_err() {
-                return Err(A::Error::custom("too many points"));
-            }
-        }
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use calib_core::verdict::Reason;
+    use calib_core::tone::Tone;
     use proptest::prelude::*;
 
     fn point() -> PointResult {
@@ -383,9 +483,13 @@ mod tests {
             before.expanded_uncertainty_phase_rad,
             narrow,
         );
-        for (value, expected) in diagnostics(&after).into_iter().zip(diagnostics(&before)) {
+        let (mut before, mut after) = (before, after);
+        for (value, expected) in diagnostics_mut(&mut after)
+            .into_iter()
+            .zip(diagnostics_mut(&mut before))
+        {
             if expected.is_finite() {
-                close(value, expected, 2.0_f64.powi(-8));
+                close(*value, *expected, 2.0_f64.powi(-8));
             }
         }
     }
@@ -425,18 +529,129 @@ mod tests {
         assert_eq!(as_stored(&refused), refused);
     }
 
+    fn written(points: &[PointResult]) -> std::vec::Vec<u8> {
+        let mut bytes = vec![0; 32 * 1024];
+        let written = postcard::to_slice(&InColumns(points), &mut bytes);
+        written.expect("fits").to_vec()
+    }
+
+    fn read_back(bytes: &[u8]) -> Result<Vec<PointResult, 200>, RecordError> {
+        let mut points = Vec::new();
+        read(Fields(bytes), &mut points).map(|()| points)
+    }
+
     #[test]
-    fn a_point_takes_little_more_than_fifty_bytes() {
-        let mut buffer = [0; 128];
-        let length = postcard::to_slice(&StoredPoint::from(&point()), &mut buffer)
-            .expect("fits")
-            .len();
-        assert!(length <= 52, "{length}");
-        let mut plain = [0; 128];
-        let before = postcard::to_slice(&point(), &mut plain)
-            .expect("fits")
-            .len();
-        assert!(before > 80, "{before}");
+    fn points_come_back_in_their_order() {
+        let mut points = [as_stored(&point()); 5];
+        points[1].spec.frequency_hz = 80.0;
+        points[1].tone.cycles = 9;
+        points[3] = PointResult::refused(points[3].spec, None, Reason::DriveLimit);
+        points[4].coherence = Some(0.5);
+        let points = points.map(|point| as_stored(&point));
+        for count in 0..=points.len() {
+            let bytes = written(&points[..count]);
+            let back = read_back(&bytes).expect("points");
+            assert_eq!(back, points[..count]);
+            let refused = back.iter().filter(|p| p.verdict != Verdict::Pass).count();
+            let expected = (count as u16, refused as u16);
+            assert_eq!(super::count(Fields(&bytes)), Ok(expected));
+        }
+        let all_refused = written(&[points[3]; 4]);
+        assert_eq!(super::count(Fields(&all_refused)), Ok((4, 4)));
+    }
+
+    #[test]
+    fn what_all_points_share_is_written_once() {
+        let (one, many) = (written(&[point()]), written(&[point(); 40]));
+        // The number alone: 1 and 40 take a byte each.
+        assert_eq!(one.len(), many.len());
+    }
+
+    #[test]
+    fn a_column_of_more_or_fewer_values_than_points_is_refused() {
+        let mut points = [point(); 3];
+        points[1].blocks = 11;
+        let bytes = written(&points);
+        let whole = read_back(&bytes);
+        assert!(whole.is_ok());
+        for count in [2, 4] {
+            let mut other = bytes.clone();
+            other[0] = count;
+            assert_eq!(read_back(&other), Err(RecordError::Content), "{count}");
+        }
+    }
+
+    #[test]
+    fn a_column_of_a_newer_release_is_passed_over_and_a_missing_one_is_none() {
+        let point = as_stored(&point());
+        let mut bytes = written(&[point]);
+        bytes.extend([200, 1, 2, 7, 7]);
+        assert_eq!(read_back(&bytes).as_deref(), Ok(&[point][..]));
+        // The last two columns away: 2 and 2 bytes of content, 3 of each heading, 5 just added.
+        bytes.truncate(bytes.len() - 5 - 5 - 5);
+        let older = PointResult {
+            coherence: None,
+            instrument_temperature_c: None,
+            ..point
+        };
+        assert_eq!(read_back(&bytes).as_deref(), Ok(&[older][..]));
+    }
+
+    #[test]
+    fn no_point_is_longer_than_the_longest() {
+        // Numbers of no special form and not the same in any two points, so that no column is short.
+        let mut points = [point(); 200];
+        for (point, number) in points.iter_mut().zip(0_u16..) {
+            let odd = |base: f32| base + f32::from(number);
+            point.spec.frequency_hz = odd(1.0e9 + 0.123);
+            point.spec.acceleration_rms_ms2 = odd(1.0e9);
+            point.acceleration_rms_ms2 = odd(1.0e3) * point.spec.acceleration_rms_ms2;
+            point.tone = Tone {
+                cycles: u16::MAX - number,
+                period_samples: u16::MAX - number,
+            };
+            point.verdict = Verdict::Refused(Reason::Clipped);
+            if number == 1 {
+                point.verdict = Verdict::Refused(Reason::Stopped);
+            }
+            point.sensitivity_v_per_ms2 = odd(0.5);
+            point.phase_rad = odd(0.5);
+            point.inverted = number % 2 == 0;
+            point.expanded_uncertainty_rel = odd(0.5);
+            point.expanded_uncertainty_phase_rad = odd(0.5);
+            point.coverage_factor = odd(0.5);
+            point.blocks = u16::MAX - number;
+            for value in diagnostics_mut(point) {
+                *value = odd(0.5);
+            }
+            point.coherence = Some(odd(-9.0));
+            point.instrument_temperature_c = Some(300.0 + 0.01 * f32::from(number));
+        }
+        let length = written(&points).len();
+        assert!(length > 200 * (LONGEST_POINT - 8), "{length}");
+        assert!(length <= 200 * LONGEST_POINT + LONGEST_HEADINGS, "{length}");
+    }
+
+    #[test]
+    fn no_id_stands_for_two_columns() {
+        let ids = COLUMNS.map(|column| column.id);
+        assert!(ids.is_sorted_by(|a, b| a < b), "{ids:?}");
+    }
+
+    fn diagnostics_mut(point: &mut PointResult) -> [&mut f32; 11] {
+        [
+            &mut point.repeatability_rel,
+            &mut point.repeatability_phase_rad,
+            &mut point.effective_degrees_of_freedom,
+            &mut point.distortion_reference_rel,
+            &mut point.distortion_dut_rel,
+            &mut point.signal_to_noise_reference_db,
+            &mut point.signal_to_noise_dut_db,
+            &mut point.amplitude_stability_rel,
+            &mut point.drive_peak_v,
+            &mut point.settling_s,
+            &mut point.overshoot_rel,
+        ]
     }
 
     proptest! {
@@ -458,7 +673,7 @@ mod tests {
         #[test]
         fn shortened_numbers_keep_their_bits(bits: u32) {
             let value = f32::from_bits(bits);
-            let back = f32::from(Upper::<2>::from(value));
+            let back = f32::from(Upper2::from(value));
             if value.is_nan() {
                 // Its payload may be lost, and with it that it is none.
                 prop_assert!(!back.is_finite());

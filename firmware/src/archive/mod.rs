@@ -8,7 +8,7 @@
 //! | bytes of an item | content |
 //! |---|---|
 //! | 2 | u16 LE: [`RECORD_ITEM`] or [`STATE_ITEM`] |
-//! | n | [`stored`] record, or postcard [`State`] |
+//! | n | [`stored`] record, of any version, or [`State`] |
 //!
 //! A sector stands alone: records share settings only with a state item of
 //! their own sector, and a state item follows the first record of each. So
@@ -40,6 +40,7 @@ use calib_core::settings::Settings;
 use calib_protocol::message::Refusal;
 use calib_protocol::record::{Record, RecordKind, RecordSummary};
 use calib_protocol::stored::{self, settings_mark};
+use calib_protocol::stored_point::LONGEST_HEADINGS;
 use core::ops::Range;
 use embedded_storage_async::nor_flash::{NorFlash, ReadNorFlash};
 use heapless::Vec;
@@ -50,6 +51,7 @@ use sequential_storage::cache::page_pointers::ArrayPagePointers;
 use sequential_storage::cache::page_states::ArrayPageStates;
 use sequential_storage::cache::{Cache, Uncached};
 use sequential_storage::queue::{QueueConfig, QueueStorage};
+use state::Form;
 
 /// Sectors of the record area.
 pub const SECTORS: usize = 8;
@@ -59,18 +61,21 @@ pub const MAX_RECORDS: usize = 3072;
 /// fullest settings.
 pub const MAX_ITEM: usize = 24 * 1024;
 
-/// Mark of a record in its stored form, version 1.
+/// Mark of a record in its stored form; its body says of which version it is.
 const RECORD_ITEM: u16 = 0x0001;
-/// Mark of a [`State`], version 1.
-const STATE_ITEM: u16 = 0x8001;
+/// Mark of a [`State`], version 2.
+const STATE_ITEM: u16 = 0x8002;
+/// Mark of a [`State`], version 1: read, and written no more.
+const STATE_ITEM_1: u16 = 0x8001;
 /// Where the body of a record is put together: behind mark and head.
 const BODY_AT: usize = 2 + stored::MAX_HEAD;
 /// Bytes of a record that are neither points nor settings, at most.
-const LONGEST_HEAD: usize = 720;
+const LONGEST_HEAD: usize = 720 + LONGEST_HEADINGS;
+/// Bytes of an item that hold what the list says of a record, at most: mark, stored head, version and
+/// head of the record.
+const LONGEST_LISTED: usize = 2 + stored::MAX_HEAD + 2 + 400;
 /// Bytes of settings, at most.
 const LONGEST_SETTINGS: usize = 1600;
-/// Bytes of a point, at most.
-const LONGEST_POINT: usize = 64;
 
 /// Where a record lies.
 #[derive(Clone, Copy, Debug)]
@@ -217,12 +222,19 @@ impl<'m, F: NorFlash> Archive<'m, F> {
                         },
                     );
                 }
-                Some((STATE_ITEM, body)) => {
-                    let Some((state, settings)) = State::read(body) else {
+                Some((mark @ (STATE_ITEM | STATE_ITEM_1), body)) => {
+                    let form = match mark {
+                        STATE_ITEM_1 => Form::Plain,
+                        _ => Form::Sections,
+                    };
+                    let Ok((state, range)) = State::read(form, body) else {
+                        continue;
+                    };
+                    let Some(settings) = body.get(range.clone()) else {
                         continue;
                     };
                     self.state.merge(state);
-                    let before = item.len() - settings.len();
+                    let before = item.len() - body.len() + range.start;
                     self.known_settings.found(Known {
                         sector: sector_of::<F>(address),
                         mark: settings_mark(settings),

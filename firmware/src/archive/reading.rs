@@ -1,6 +1,6 @@
 //! Reading: the list, and records to the byte.
 
-use super::{Archive, ArchiveError, Directory, Entry, LONGEST_HEAD, mark_of, read, sector_of};
+use super::{Archive, ArchiveError, Directory, Entry, LONGEST_LISTED, mark_of, read, sector_of};
 use crate::command::{RecordPage, RecordPart};
 use calib_protocol::message::{RECORD_CHUNK, Refusal};
 use calib_protocol::record::digest;
@@ -26,8 +26,8 @@ impl<F: NorFlash> Archive<'_, F> {
                 page.more = true;
                 break;
             }
-            let mut bytes = [0; LONGEST_HEAD];
-            let length = LONGEST_HEAD.min(usize::from(entry.length));
+            let mut bytes = [0; LONGEST_LISTED];
+            let length = LONGEST_LISTED.min(usize::from(entry.length));
             let bytes = bytes.split_at_mut(length).0;
             read(&mut self.queue.flash().inner().0, entry.address, bytes).await?;
             let head = mark_of(bytes).and_then(|(_, rest)| stored::head(rest).ok());

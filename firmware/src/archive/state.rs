@@ -1,8 +1,10 @@
 //! What the instrument must not forget, beside its records.
 
 use calib_core::settings::Settings;
-use calib_protocol::record::Sha256Sum;
-use postcard::{take_from_bytes, to_slice};
+use calib_protocol::record::{RecordError, Sha256Sum};
+use calib_protocol::sections::{Fields, find, needed, section};
+use calib_protocol::settings_form::{self, InSections};
+use core::ops::Range;
 
 /// Settings, running number, chain and release.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -16,8 +18,20 @@ pub struct State {
     settings: Option<Settings>,
 }
 
-/// The part of a state item before the settings.
-type Head = (u32, u32, Sha256Sum);
+/// Released, last number, its SHA-256.
+type Counters = (u32, u32, Sha256Sum);
+
+const COUNTERS: u8 = 1;
+const SETTINGS: u8 = 2;
+
+/// How a state item is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// Version 1: [`Counters`], then settings of version 1. Read, and written no more.
+    Plain,
+    /// Version 2: sections 1, [`Counters`], and 2, settings.
+    Sections,
+}
 
 impl State {
     /// The settings in force.
@@ -61,26 +75,40 @@ impl State {
         self.settings = newer.settings.or(self.settings.take());
     }
 
-    /// Reads an item; the bytes of the settings are returned as well.
-    pub(super) fn read(bytes: &[u8]) -> Option<(Self, &[u8])> {
-        let ((released, last_id, last_sha256), settings_bytes) =
-            take_from_bytes::<Head>(bytes).ok()?;
-        let settings = postcard::from_bytes(settings_bytes).ok()?;
+    /// Reads an item; where its settings lie is returned as well.
+    pub(super) fn read(form: Form, bytes: &[u8]) -> Result<(Self, Range<usize>), RecordError> {
+        let mut settings = Settings::BLANK;
+        let (counters, range) = match form {
+            Form::Plain => {
+                let mut fields = Fields(bytes);
+                let counters: Counters = fields.take()?;
+                settings_form::read_version_1(fields.0, &mut settings)?;
+                (counters, bytes.len() - fields.0.len()..bytes.len())
+            }
+            Form::Sections => {
+                let counters = needed(bytes, COUNTERS)?.take()?;
+                let (at, content) = find(bytes, SETTINGS, 1)?.ok_or(RecordError::Content)?;
+                settings_form::read(content, &mut settings)?;
+                (counters, at..at + content.len())
+            }
+        };
+        let (released, last_id, last_sha256) = counters;
         let state = Self {
             released,
             last_id,
             last_sha256,
             settings: Some(settings),
         };
-        Some((state, settings_bytes))
+        Ok((state, range))
     }
 
-    /// Writes an item; where its settings begin, and its length.
-    pub(super) fn write(&self, buffer: &mut [u8]) -> Option<(usize, usize)> {
-        let settings = self.settings.as_ref()?;
-        let head: Head = (self.released, self.last_id, self.last_sha256);
-        let start = to_slice(&head, buffer).ok()?.len();
-        let length = to_slice(settings, buffer.get_mut(start..)?).ok()?.len();
-        Some((start, start + length))
+    /// Writes an item of version 2; where its settings lie, and its length.
+    pub(super) fn write(&self, buffer: &mut [u8]) -> Option<(Range<usize>, usize)> {
+        let settings = InSections(self.settings.as_ref()?);
+        let counters: Counters = (self.released, self.last_id, self.last_sha256);
+        let content = (section(COUNTERS, counters), section(SETTINGS, settings));
+        let written = postcard::to_slice(&content, buffer).ok()?;
+        let (at, settings) = find(written, SETTINGS, 1).ok()??;
+        Some((at..at + settings.len(), written.len()))
     }
 }

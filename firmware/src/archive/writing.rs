@@ -1,13 +1,14 @@
 //! Storing: records, settings, releases.
 
 use super::{
-    Archive, ArchiveError, BODY_AT, Entry, Known, LONGEST_HEAD, LONGEST_POINT, LONGEST_SETTINGS,
-    RECORD_ITEM, STATE_ITEM, end_of, insert, read, sector_of,
+    Archive, ArchiveError, BODY_AT, Entry, Known, LONGEST_HEAD, LONGEST_SETTINGS, RECORD_ITEM,
+    STATE_ITEM, end_of, insert, read, sector_of,
 };
 use calib_core::settings::Settings;
 use calib_protocol::change;
 use calib_protocol::record::{self, Record, RecordError};
 use calib_protocol::stored::{self, StoredHead, settings_mark};
+use calib_protocol::stored_point::LONGEST_POINT;
 use core::ops::Range;
 use embedded_storage_async::nor_flash::NorFlash;
 
@@ -182,15 +183,15 @@ impl<F: NorFlash> Archive<'_, F> {
         self.unpacked = None;
         let (kind, body) = self.memory.scratch.split_at_mut(2);
         kind.copy_from_slice(&STATE_ITEM.to_le_bytes());
-        let (start, length) = self.state.write(body).ok_or(ArchiveError::TooLong)?;
-        let settings = body.get(start..length).ok_or(ArchiveError::TooLong)?;
+        let (range, length) = self.state.write(body).ok_or(ArchiveError::TooLong)?;
+        let settings = body.get(range.clone()).ok_or(ArchiveError::TooLong)?;
         let mark = settings_mark(settings);
         let address = self.push(0..2 + length).await?;
         self.known_settings.written(Known {
             sector: sector_of::<F>(address),
             mark,
-            address: address + 2 + start as u32,
-            length: (length - start) as u16,
+            address: address + 2 + range.start as u32,
+            length: range.len() as u16,
         });
         Ok(())
     }

@@ -63,11 +63,13 @@ pub(super) fn name(standing: Standing) -> &'static str {
     }
 }
 
-/// Sum of the record's stored form, which is the same however it came here.
+/// Sum of the bytes the record was read from; of one made here, of those it would be written as.
 pub fn digest(record: &Record) -> Sha256Sum {
-    let mut buffer = vec![0; LONGEST];
-    let length = record::encode(record, &mut buffer).unwrap_or(0);
-    record::digest(&buffer[..length])
+    record.sha256.unwrap_or_else(|| {
+        let mut buffer = vec![0; LONGEST];
+        let length = record::encode(record, &mut buffer).unwrap_or(0);
+        record::digest(&buffer[..length])
+    })
 }
 
 /// In groups of eight digits: lines may break between them.

@@ -5,7 +5,7 @@ use calib_files::file::Existing;
 use calib_host::{Error, Result};
 use calib_link::session;
 use calib_protocol::change::{self, ReferenceChange};
-use calib_protocol::record::{self, RECORD_VERSION, Record, RecordError, RecordKind};
+use calib_protocol::record::{self, Record, RecordError, RecordKind};
 use calib_record::hash_chain::{Evidence, Standing};
 use std::path::Path;
 
@@ -93,7 +93,7 @@ fn content(path: &Path, bytes: &[u8]) -> Result<Content> {
 
 fn unusable(path: &Path, error: RecordError) -> Error {
     let hint = match error {
-        RecordError::Version { found } if found > RECORD_VERSION => {
+        _ if error.is_of_newer_release() => {
             "install a newer calib: this one is older than the record"
         }
         RecordError::Kind { .. } => "`calib show` shows it",

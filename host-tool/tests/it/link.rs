@@ -5,6 +5,7 @@ use crate::memory_link::{Direction, Fault, MemoryLink, SharedDevice, client, sha
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_link::{Client, LinkError, ProtocolError, Transport};
 use calib_link::{Error, Result};
+use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::message::{Refusal, RunSpec};
 use calib_protocol::record::RunLabels;
 use std::io;
@@ -81,7 +82,7 @@ fn answers_in_single_bytes_are_understood() {
 
 #[test]
 fn a_device_of_another_version_is_named() {
-    for version in [0, 2, 200] {
+    for version in [0, PROTOCOL_VERSION - 1, PROTOCOL_VERSION + 1, 200] {
         let device = device();
         device.lock().expect("device").protocol_version = version;
         let error = client(&device).info().expect_err("another version");
@@ -89,7 +90,7 @@ fn a_device_of_another_version_is_named() {
             matches!(error, Error::Protocol(ProtocolError::Version { device }) if device == version)
         );
         assert_eq!(error.exit_code(), 4);
-        let way_out = if version > 1 {
+        let way_out = if version > PROTOCOL_VERSION {
             "install the release"
         } else {
             "update the firmware"

@@ -74,6 +74,22 @@ pub(crate) fn result(frequency_hz: f32, seed: u32) -> PointResult {
     point.sensitivity_v_per_ms2 = 0.01 + seed as f32 * 1e-6;
     point.phase_rad = -0.01 * seed as f32;
     point.distortion_dut_rel = 0.001 * (seed % 7) as f32;
+    // No two points have one of these in common, as in life.
+    let of_its_own = |value: f32| value * frequency_hz.powf(0.3);
+    point.acceleration_rms_ms2 = 10.0 + of_its_own(1.0e-4);
+    point.expanded_uncertainty_rel = of_its_own(0.001);
+    point.expanded_uncertainty_phase_rad = of_its_own(0.002);
+    point.coverage_factor = 2.0 + of_its_own(0.001);
+    point.effective_degrees_of_freedom = of_its_own(100.0);
+    point.repeatability_rel = of_its_own(1.0e-5);
+    point.repeatability_phase_rad = of_its_own(1.1e-5);
+    point.distortion_reference_rel = of_its_own(0.001);
+    point.signal_to_noise_reference_db = of_its_own(10.0);
+    point.signal_to_noise_dut_db = of_its_own(9.0);
+    point.amplitude_stability_rel = of_its_own(1.0e-5);
+    point.drive_peak_v = of_its_own(0.1);
+    point.settling_s = of_its_own(0.01);
+    point.overshoot_rel = of_its_own(0.001);
     calib_protocol::stored_point::as_stored(&point)
 }
 

@@ -2,6 +2,7 @@
 
 mod desk;
 mod flash;
+mod form1;
 mod power_cut;
 mod told;
 

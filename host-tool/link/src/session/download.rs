@@ -167,7 +167,7 @@ fn lines(client: &mut Client, fetched: &[Fetched]) -> Result<Vec<RecordSummary>>
 fn broken(client: &Client, id: u32, error: RecordError) -> Error {
     let hint = match error {
         RecordError::Kind { .. } => "`calib show` shows it",
-        RecordError::Version { .. } => {
+        _ if error.is_of_newer_release() => {
             "install the release of this tool that came with the firmware"
         }
         _ => "download it once more; if that fails too, the record is damaged in flash",

@@ -1,0 +1,336 @@
+//! Settings as they are stored and sent: [`sections`](crate::sections).
+//!
+//! | id | section | fields |
+//! |---|---|---|
+//! | 1 | method | method, example, blocks u16 |
+//! | 2 | reference | serial number, certificate, day of its calibration u32, day the next is due u32 |
+//! | 3 | table of the reference | rows of 5 f32: Hz, V/(m/s2), rad, relative U, U in rad |
+//! | 4 | inputs | volt per code of the reference's f32, of the device's f32 |
+//! | 5 | exciter | full scale V peak f32, limits f32: V, m/s2, m/s, m peak |
+//! | 6 | influences | rows: row u8, relative value f32, value in rad f32, distribution |
+//!
+//! What is not there is as in [`Settings::BLANK`], which no instrument accepts where it matters.
+
+use crate::form1;
+use crate::record::RecordError;
+use crate::sections::{Fields, Read, needed, section};
+use calib_core::settings::{
+    Distribution, Influence, InputScale, Limits, ReferenceCalibration, ReferenceChannel,
+    ReferencePoint, Settings,
+};
+use heapless::Vec;
+use serde::de::Error;
+use serde::ser::SerializeSeq;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+const METHOD: u8 = 1;
+const REFERENCE: u8 = 2;
+const REFERENCE_TABLE: u8 = 3;
+const INPUTS: u8 = 4;
+const EXCITER: u8 = 5;
+const INFLUENCES: u8 = 6;
+
+/// Id of settings where they are a section themselves.
+const SETTINGS: u8 = 1;
+
+/// Settings, to be written in sections.
+pub struct InSections<'a>(pub &'a Settings);
+
+impl Serialize for InSections<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let settings = self.0;
+        let limits = &settings.limits;
+        (
+            section(METHOD, (settings.method, settings.example, settings.blocks)),
+            Calibration(&settings.reference),
+            section(
+                INPUTS,
+                [settings.reference_input, settings.dut_input].map(|input| input.volt_per_code),
+            ),
+            section(
+                EXCITER,
+                [
+                    settings.drive_full_scale_peak_v,
+                    limits.drive_peak_v,
+                    limits.acceleration_peak_ms2,
+                    limits.velocity_peak_ms,
+                    limits.displacement_peak_m,
+                ],
+            ),
+            section(INFLUENCES, List(&settings.influences, influence_row)),
+        )
+            .serialize(serializer)
+    }
+}
+
+/// The two sections of the reference's calibration.
+struct Calibration<'a>(&'a ReferenceCalibration);
+
+impl Serialize for Calibration<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let ReferenceCalibration {
+            serial,
+            certificate,
+            calibrated_day,
+            due_day,
+            points,
+        } = self.0;
+        (
+            section(REFERENCE, (serial, certificate, calibrated_day, due_day)),
+            section(REFERENCE_TABLE, List(points, table_row)),
+        )
+            .serialize(serializer)
+    }
+}
+
+/// A list whose rows are written as what the function makes of them.
+struct List<'a, T, R>(&'a [T], fn(&T) -> R);
+
+impl<T, R: Serialize> Serialize for List<'_, T, R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(Some(self.0.len()))?;
+        for row in self.0 {
+            list.serialize_element(&self.1(row))?;
+        }
+        list.end()
+    }
+}
+
+fn table_row(row: &ReferencePoint) -> [f32; 5] {
+    [
+        row.frequency_hz,
+        row.sensitivity_v_per_ms2,
+        row.phase_rad,
+        row.expanded_uncertainty_rel,
+        row.expanded_uncertainty_phase_rad,
+    ]
+}
+
+fn influence_row(influence: &Influence) -> (u8, f32, f32, Distribution) {
+    (
+        influence.row,
+        influence.value_rel,
+        influence.value_phase_rad,
+        influence.distribution,
+    )
+}
+
+/// Reads settings from their sections.
+///
+/// # Errors
+/// [`RecordError::Content`] and [`RecordError::Section`]; what was read until then is in `settings`.
+pub fn read(sections: &[u8], settings: &mut Settings) -> Result<(), RecordError> {
+    let mut method = needed(sections, METHOD)?;
+    settings.method = method.take()?;
+    settings.example = method.take()?;
+    settings.blocks = method.take()?;
+    read_calibration(sections, &mut settings.reference)?;
+    let mut inputs = needed(sections, INPUTS)?;
+    settings.reference_input = input(&mut inputs)?;
+    settings.dut_input = input(&mut inputs)?;
+    let mut exciter = needed(sections, EXCITER)?;
+    settings.drive_full_scale_peak_v = exciter.take()?;
+    settings.limits = limits(&mut exciter)?;
+    let mut influences = needed(sections, INFLUENCES)?;
+    read_influences(&mut influences, &mut settings.influences)
+}
+
+/// Reads settings of version 1, which had no sections.
+///
+/// # Errors
+/// [`RecordError::Content`]; what was read until then is in `settings`.
+pub fn read_version_1(bytes: &[u8], settings: &mut Settings) -> Result<(), RecordError> {
+    form1::settings(&mut Fields(bytes), settings)
+}
+
+fn read_calibration(
+    sections: &[u8],
+    calibration: &mut ReferenceCalibration,
+) -> Result<(), RecordError> {
+    read_identity(&mut needed(sections, REFERENCE)?, calibration)?;
+    read_table(&mut needed(sections, REFERENCE_TABLE)?, calibration)
+}
+
+/// Serial number, certificate and days of the reference.
+pub(crate) fn read_identity(
+    fields: &mut Fields<'_>,
+    calibration: &mut ReferenceCalibration,
+) -> Result<(), RecordError> {
+    calibration.serial = fields.take()?;
+    calibration.certificate = fields.take()?;
+    calibration.calibrated_day = fields.take()?;
+    calibration.due_day = fields.take()?;
+    Ok(())
+}
+
+/// Table of the reference.
+pub(crate) fn read_table(
+    fields: &mut Fields<'_>,
+    calibration: &mut ReferenceCalibration,
+) -> Result<(), RecordError> {
+    read_rows(fields, &mut calibration.points, |fields| {
+        let [
+            frequency_hz,
+            sensitivity_v_per_ms2,
+            phase_rad,
+            expanded_uncertainty_rel,
+            expanded_uncertainty_phase_rad,
+        ] = fields.take()?;
+        Ok(ReferencePoint {
+            frequency_hz,
+            sensitivity_v_per_ms2,
+            phase_rad,
+            expanded_uncertainty_rel,
+            expanded_uncertainty_phase_rad,
+        })
+    })
+}
+
+/// Scale of an input.
+pub(crate) fn input(fields: &mut Fields<'_>) -> Result<InputScale, RecordError> {
+    let volt_per_code = fields.take()?;
+    Ok(InputScale { volt_per_code })
+}
+
+/// Limits of the exciter.
+pub(crate) fn limits(fields: &mut Fields<'_>) -> Result<Limits, RecordError> {
+    Ok(Limits {
+        drive_peak_v: fields.take()?,
+        acceleration_peak_ms2: fields.take()?,
+        velocity_peak_ms: fields.take()?,
+        displacement_peak_m: fields.take()?,
+    })
+}
+
+/// Influence quantities.
+pub(crate) fn read_influences<const N: usize>(
+    fields: &mut Fields<'_>,
+    influences: &mut Vec<Influence, N>,
+) -> Result<(), RecordError> {
+    read_rows(fields, influences, |fields| {
+        Ok(Influence {
+            row: fields.take()?,
+            value_rel: fields.take()?,
+            value_phase_rad: fields.take()?,
+            distribution: fields.take()?,
+        })
+    })
+}
+
+/// As many rows as the list says, one by one: no list lies on the stack.
+fn read_rows<T, const N: usize>(
+    fields: &mut Fields<'_>,
+    rows: &mut Vec<T, N>,
+    mut row: impl FnMut(&mut Fields<'_>) -> Result<T, RecordError>,
+) -> Result<(), RecordError> {
+    rows.clear();
+    let count: usize = fields.take()?;
+    for _ in 0..count {
+        let pushed = rows.push(row(fields)?);
+        pushed.map_err(|_| RecordError::Content)?;
+    }
+    Ok(())
+}
+
+/// The reference's channel before a change of it: sections 2, 3 and 4, of which 4 has one input.
+pub(crate) struct Channel<'a>(pub(crate) &'a ReferenceChannel);
+
+impl Serialize for Channel<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let ReferenceChannel { calibration, input } = self.0;
+        (
+            Calibration(calibration),
+            section(INPUTS, input.volt_per_code),
+        )
+            .serialize(serializer)
+    }
+}
+
+/// Reads what [`Channel`] writes.
+pub(crate) fn read_channel(
+    sections: &[u8],
+    channel: &mut ReferenceChannel,
+) -> Result<(), RecordError> {
+    read_calibration(sections, &mut channel.calibration)?;
+    channel.input = input(&mut needed(sections, INPUTS)?)?;
+    Ok(())
+}
+
+/// For `#[serde(with)]`: settings in a message, as one section.
+pub(crate) fn serialize<S: Serializer>(
+    settings: &Settings,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    section(SETTINGS, InSections(settings)).serialize(serializer)
+}
+
+/// For `#[serde(with)]`.
+pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Settings, D::Error> {
+    let (_, version, sections) = Read::deserialize(deserializer)?;
+    let mut settings = Settings::BLANK;
+    match version {
+        1 => read(sections, &mut settings).map_err(D::Error::custom)?,
+        _ => return Err(D::Error::custom("settings of another version")),
+    }
+    Ok(settings)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::sections::find;
+
+    fn written(settings: &Settings) -> std::vec::Vec<u8> {
+        let mut bytes = vec![0; 2048];
+        let length = postcard::to_slice(&InSections(settings), &mut bytes)
+            .expect("fits")
+            .len();
+        bytes.truncate(length);
+        bytes
+    }
+
+    #[test]
+    fn reading_inverts_writing() {
+        let mut settings = Settings::field_calibrator();
+        settings.reference.serial = "R 1".try_into().expect("short");
+        settings.reference.due_day = 20_565;
+        let mut back = Settings::BLANK;
+        assert_eq!(read(&written(&settings), &mut back), Ok(()));
+        assert_eq!(back, settings);
+    }
+
+    #[test]
+    fn what_a_newer_release_adds_is_passed_over() {
+        let settings = Settings::field_calibrator();
+        let mut bytes = vec![77, 9, 3, 1, 2, 3];
+        bytes.extend(written(&settings));
+        bytes.extend([78, 1, 0]);
+        let mut back = Settings::BLANK;
+        assert_eq!(read(&bytes, &mut back), Ok(()));
+        assert_eq!(back, settings);
+    }
+
+    #[test]
+    fn more_rows_than_there_is_room_for_are_refused() {
+        let mut settings = Settings::field_calibrator();
+        let bytes = written(&settings);
+        let (at, _) = find(&bytes, INFLUENCES, 1)
+            .expect("sections")
+            .expect("there");
+        let mut longer = bytes.clone();
+        // 21 rows, of which 15 are there.
+        longer[at] = 21;
+        assert_eq!(read(&longer, &mut settings), Err(RecordError::Content));
+    }
+
+    #[test]
+    fn every_shortening_is_noticed() {
+        let bytes = written(&Settings::field_calibrator());
+        for length in 0..bytes.len() {
+            let mut back = Settings::BLANK;
+            assert!(read(&bytes[..length], &mut back).is_err(), "{length}");
+        }
+    }
+}
