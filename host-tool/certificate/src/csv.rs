@@ -5,13 +5,14 @@
 //! points have empty results. Text that Excel would take for a formula is led
 //! by an apostrophe.
 
+use super::measured::MEASURED;
 use super::model::{Certificate, Point, PointValues};
 use super::words::Language;
 use crate::decision::Assessment;
 use calib_files::{Error, Result};
 
-/// Headings of the columns; fixed, so that scripts can rely on them.
-const COLUMNS: [&str; 34] = [
+/// Headings of the columns before what is measured.
+const RESULT: [&str; 15] = [
     "certificate",
     "dut_model",
     "dut_serial",
@@ -27,13 +28,11 @@ const COLUMNS: [&str; 34] = [
     "deviation_db",
     "phase_deg",
     "expanded_uncertainty_phase_deg",
-    "distortion_dut_percent",
-    "distortion_reference_percent",
-    "signal_to_noise_dut_db",
-    "signal_to_noise_reference_db",
-    "repeatability_percent",
+];
+
+/// Headings of the columns behind it.
+const JUDGEMENT: [&str; 13] = [
     "blocks",
-    "settling_s",
     "verdict",
     "reason",
     "conformity",
@@ -47,6 +46,12 @@ const COLUMNS: [&str; 34] = [
     "coherence",
     "record_chain",
 ];
+
+/// Headings of all columns: scripts can rely on these names.
+fn headings() -> impl Iterator<Item = &'static str> {
+    let measured = MEASURED.iter().map(|one| one.key);
+    RESULT.into_iter().chain(measured).chain(JUDGEMENT)
+}
 
 /// The table as CSV.
 ///
@@ -63,7 +68,7 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
         .from_writer(vec![0xef, 0xbb, 0xbf]);
     let broken = |error: String| Error::input("CSV", error, "report this as a defect");
     writer
-        .write_record(COLUMNS)
+        .write_record(headings())
         .map_err(|e| broken(e.to_string()))?;
     for (point, found) in certificate.pairs() {
         let mut row = row(certificate, point, language);
@@ -106,15 +111,9 @@ fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<Stri
         Ok(values) => row.extend(results(values, language)),
         Err(_) => row.extend(std::iter::repeat_n(String::new(), 8)),
     }
-    row.extend([
-        number(point.distortion_percent),
-        number(point.distortion_reference_percent),
-        number(point.signal_to_noise_db),
-        number(point.signal_to_noise_reference_db),
-        number(point.repeatability_percent),
-        point.blocks.to_string(),
-        number(point.settling_s),
-    ]);
+    let measured = MEASURED.iter().map(|one| (one.of)(&point.measured));
+    row.extend(measured.map(|value| value.map(number).unwrap_or_default()));
+    row.push(point.blocks.to_string());
     let (verdict, reason) = super::json::verdict(point);
     row.extend([verdict.to_owned(), reason.unwrap_or_default().to_owned()]);
     let judged = point.values().and_then(|values| values.assessment);

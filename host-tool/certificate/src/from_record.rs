@@ -64,16 +64,9 @@ fn point(result: &PointResult, record: &Record) -> Point {
         nominal_acceleration_ms2: decimal(result.spec.acceleration_rms_ms2),
         acceleration_ms2: decimal(result.acceleration_rms_ms2),
         outcome: outcome(result, record),
-        distortion_percent: percent(result.distortion_dut_rel),
-        distortion_reference_percent: percent(result.distortion_reference_rel),
-        signal_to_noise_db: decimal(result.signal_to_noise_dut_db),
-        signal_to_noise_reference_db: decimal(result.signal_to_noise_reference_db),
         coherence: result.coherence.map(f64::from),
-        repeatability_percent: percent(result.repeatability_rel),
-        amplitude_stability_percent: percent(result.amplitude_stability_rel),
         blocks: result.blocks,
-        drive_peak_v: decimal(result.drive_peak_v),
-        settling_s: decimal(result.settling_s),
+        measured: *result,
     }
 }
 
@@ -86,7 +79,8 @@ fn played_hz(result: &PointResult, sample_rate_hz: f32) -> f64 {
     f64::from(cycles) * f64::from(sample_rate_hz) / f64::from(period)
 }
 
-fn percent(relative: f32) -> f64 {
+/// A relative value in percent.
+pub(super) fn percent(relative: f32) -> f64 {
     f64::from(relative) * 100.0
 }
 

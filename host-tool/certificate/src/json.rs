@@ -5,6 +5,7 @@
 //!   "reference": {point}, "points": [{point}], "budget": {..}, "remarks": [..] }
 //! ```
 
+use super::measured::MEASURED;
 use super::model::{Budget, Certificate, Point, Remark, Section};
 use super::words::Language;
 use calib_files::{Error, Result};
@@ -108,7 +109,7 @@ fn point(point: &Point) -> Value {
     let values = point.outcome.as_ref().ok();
     let assessment = values.and_then(|v| v.assessment);
     let of = |f: fn(&super::model::PointValues) -> f64| values.map(f);
-    json!({
+    let mut document = json!({
         "frequency_hz": point.nominal_frequency_hz,
         "actual_frequency_hz": point.frequency_hz,
         "acceleration_ms2": point.acceleration_ms2,
@@ -132,16 +133,13 @@ fn point(point: &Point) -> Value {
         "printed_mv_per_ms2": values.map(|v| v.printed_mv_per_ms2),
         "printed_mv_per_g": values.map(|v| v.printed_mv_per_g),
         "printed_phase_deg": values.and_then(|v| v.printed_phase_deg),
-        "distortion_dut_percent": point.distortion_percent,
-        "distortion_reference_percent": point.distortion_reference_percent,
-        "signal_to_noise_dut_db": point.signal_to_noise_db,
-        "signal_to_noise_reference_db": point.signal_to_noise_reference_db,
-        "repeatability_percent": point.repeatability_percent,
-        "amplitude_stability_percent": point.amplitude_stability_percent,
         "blocks": point.blocks,
-        "drive_peak_v": point.drive_peak_v,
-        "settling_s": point.settling_s,
-    })
+    });
+    if let Value::Object(keys) = &mut document {
+        let measured = MEASURED.iter();
+        keys.extend(measured.map(|one| (one.key.to_owned(), json!((one.of)(&point.measured)))));
+    }
+    document
 }
 
 fn budget(budget: &Budget) -> Value {

@@ -27,6 +27,7 @@ pub mod decision;
 mod from_record;
 mod html;
 mod json;
+mod measured;
 pub mod model;
 pub mod particulars;
 mod pdf;
@@ -228,7 +229,8 @@ impl Particulars {
     /// [`calib_files::Error::File`] when one cannot be read, [`calib_files::Error::Input`]
     /// with file and line when it is not TOML or states something unknown.
     pub fn read(paths: &[PathBuf]) -> Result<Self> {
-        Self::read_knowing(paths, &present::COLUMNS.map(|column| column.name))
+        let columns: Vec<_> = present::columns().map(|column| column.name).collect();
+        Self::read_knowing(paths, &columns)
     }
 }
 

@@ -11,6 +11,7 @@
 use super::particulars::Particulars;
 use super::rounding::Rounded;
 use crate::decision::{Assessment, Conformity, Decision};
+use calib_core::point::PointResult;
 use calib_record::hash_chain::Standing;
 use jiff::civil::Date;
 use serde::Serialize;
@@ -151,26 +152,12 @@ pub struct Point {
     pub acceleration_ms2: f64,
     /// Results, or the reason why there are none.
     pub outcome: Result<PointValues, Refusal>,
-    /// Total harmonic distortion of the object's channel, %.
-    pub distortion_percent: f64,
-    /// Total harmonic distortion of the reference channel, %.
-    pub distortion_reference_percent: f64,
-    /// Signal to residual noise of the object's channel, dB.
-    pub signal_to_noise_db: f64,
-    /// Signal to residual noise of the reference channel, dB.
-    pub signal_to_noise_reference_db: f64,
     /// Coherence, if the excitation was broadband.
     pub coherence: Option<f64>,
-    /// Relative experimental standard deviation of the mean, %.
-    pub repeatability_percent: f64,
-    /// Largest change of the acceleration amplitude while measuring, %.
-    pub amplitude_stability_percent: f64,
     /// Blocks averaged.
     pub blocks: u16,
-    /// Drive voltage, V peak.
-    pub drive_peak_v: f64,
-    /// Time until the level was settled, s.
-    pub settling_s: f64,
+    /// What was measured beside, as the record has it.
+    pub measured: PointResult,
 }
 
 impl Point {

@@ -55,6 +55,14 @@ impl Language {
             .map_or(key, String::as_str)
     }
 
+    /// The text of this language among those of [`Self::ALL`].
+    pub(crate) fn one_of(self, texts: [&str; 2]) -> &str {
+        match (self, texts) {
+            (Self::En, [english, _]) => english,
+            (Self::De, [_, german]) => german,
+        }
+    }
+
     /// Every text, dots of the keys replaced by underscores for templates.
     pub fn words(self) -> BTreeMap<String, String> {
         let words = MESSAGES.get(self.code()).into_iter().flatten();

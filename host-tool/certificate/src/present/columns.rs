@@ -1,5 +1,6 @@
 //! The columns a table over frequency can have.
 
+use crate::measured::{Heading, MEASURED, Measured};
 use crate::model::{Point, PointValues};
 use crate::rounding::Rounded;
 use crate::words::Language;
@@ -8,16 +9,55 @@ use crate::words::Language;
 pub(crate) struct Column {
     /// Name in templates.
     pub(crate) name: &'static str,
-    /// Message key after `column.`.
-    pub(super) key: &'static str,
+    /// Printed where the layout names no columns.
+    pub(super) usual: bool,
     /// Unit, empty for none.
     pub(super) unit: &'static str,
+    what: What,
+}
+
+/// Where the cells of a column come from.
+enum What {
+    /// A result: message key after `column.`, and the cell of a point.
+    Result(&'static str, fn(&Point, Language) -> String),
+    /// What is measured beside.
+    Measured(&'static Measured, &'static Heading),
+}
+
+impl Column {
+    /// Heading.
+    pub(super) fn heading(&self, language: Language) -> String {
+        match &self.what {
+            What::Result(key, _) => language.word(&format!("column.{key}")).to_owned(),
+            What::Measured(_, heading) => language.one_of(heading.words).to_owned(),
+        }
+    }
+
     /// Cell of a point.
-    pub(super) cell: fn(&Point, Language) -> String,
+    pub(super) fn cell(&self, point: &Point, language: Language) -> String {
+        match &self.what {
+            What::Result(_, cell) => cell(point, language),
+            What::Measured(one, heading) => (one.of)(&point.measured)
+                .map_or(DASH.to_owned(), |v| language.number(v, heading.decimals)),
+        }
+    }
 }
 
 /// Every column there is, in the order of the built-in layout.
-pub(crate) const COLUMNS: [Column; 14] = [
+pub(crate) fn columns() -> impl Iterator<Item = Column> {
+    let measured = MEASURED.iter().filter_map(|one| {
+        let heading = one.heading.as_ref()?;
+        Some(Column {
+            name: heading.name,
+            usual: heading.usual,
+            unit: heading.unit,
+            what: What::Measured(one, heading),
+        })
+    });
+    RESULTS.into_iter().chain(measured).chain(VERDICTS)
+}
+
+const RESULTS: [Column; 10] = [
     column("frequency", "frequency", "Hz", |p, l| {
         l.shortest(p.nominal_frequency_hz)
     }),
@@ -61,12 +101,9 @@ pub(crate) const COLUMNS: [Column; 14] = [
                 .map(|r| l.number(r.uncertainty, r.decimals))
         })
     }),
-    column("distortion", "distortion", "%", |p, l| {
-        l.number(p.distortion_percent, 2)
-    }),
-    column("signal_to_noise", "signal_to_noise", "dB", |p, l| {
-        l.number(p.signal_to_noise_db, 0)
-    }),
+];
+
+const VERDICTS: [Column; 2] = [
     column("coherence", "coherence", "", |p, l| {
         p.coherence.map_or(DASH.to_owned(), |c| l.number(c, 4))
     }),
@@ -81,9 +118,9 @@ const fn column(
 ) -> Column {
     Column {
         name,
-        key,
+        usual: true,
         unit,
-        cell,
+        what: What::Result(key, cell),
     }
 }
 

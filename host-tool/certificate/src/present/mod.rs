@@ -7,7 +7,7 @@ mod headline;
 mod table;
 
 use budget::PresentedBudget;
-pub(super) use columns::COLUMNS;
+pub(super) use columns::columns;
 use headline::Headline;
 use table::Table;
 

@@ -1,6 +1,6 @@
 //! The table over frequency in words.
 
-use super::columns::{COLUMNS, Column};
+use super::columns::{Column, columns};
 use crate::model::{Certificate, Point};
 use crate::words::Language;
 use serde::Serialize;
@@ -29,26 +29,20 @@ pub struct Row {
 pub(super) fn table(certificate: &Certificate, language: Language) -> Table {
     let wanted = &certificate.particulars.layout.columns;
     let broadband = certificate.points.iter().any(|p| p.coherence.is_some());
-    let columns: Vec<&Column> = match wanted.is_empty() {
-        true => COLUMNS
-            .iter()
-            .filter(|column| column.name != "coherence" || broadband)
+    let columns: Vec<Column> = match wanted.is_empty() {
+        true => columns()
+            .filter(|column| column.usual && (column.name != "coherence" || broadband))
             .collect(),
         false => wanted
             .iter()
-            .filter_map(|name| COLUMNS.iter().find(|c| c.name == name))
+            .filter_map(|name| columns().find(|column| column.name == name))
             .collect(),
     };
-    let heading = |column: &&Column| {
-        (
-            language.word(&format!("column.{}", column.key)).to_owned(),
-            column.unit.to_owned(),
-        )
-    };
+    let heading = |column: &Column| (column.heading(language), column.unit.to_owned());
     let row = |(index, point): (usize, &Point)| Row {
         cells: columns
             .iter()
-            .map(|column| (column.cell)(point, language))
+            .map(|column| column.cell(point, language))
             .collect(),
         refused: point.outcome.is_err(),
         reference: certificate.reference == Some(index),
