@@ -11,7 +11,7 @@ use calib_core::settings::{
     ReferencePoint, Settings,
 };
 use calib_core::tone::Tone;
-use calib_core::verdict::Verdict;
+use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::{Record, RecordHead, RunLabels};
 use heapless::{String, Vec};
 
@@ -143,17 +143,15 @@ pub fn point(frequency_hz: f32) -> PointResult {
     let tone = Tone::nearest(frequency_hz, 50_000.0).expect("in the band");
     let (sensitivity, phase) = truth(f64::from(tone.frequency_hz(50_000.0)));
     let (u_rel, u_phase) = standard_uncertainties();
+    let spec = PointSpec {
+        frequency_hz,
+        acceleration_rms_ms2: 10.0,
+    };
     PointResult {
-        spec: PointSpec {
-            frequency_hz,
-            acceleration_rms_ms2: 10.0,
-        },
-        tone,
         verdict: Verdict::Pass,
         acceleration_rms_ms2: 10.003,
         sensitivity_v_per_ms2: sensitivity as f32,
         phase_rad: phase as f32,
-        inverted: false,
         repeatability_rel: REPEATABILITY_REL as f32,
         repeatability_phase_rad: 2.0e-4,
         blocks: BLOCKS,
@@ -169,8 +167,8 @@ pub fn point(frequency_hz: f32) -> PointResult {
         drive_peak_v: 0.8,
         settling_s: 0.21,
         overshoot_rel: 0.01,
-        coherence: None,
         instrument_temperature_c: Some(48.25),
+        ..PointResult::refused(spec, Some(tone), Reason::Stopped)
     }
 }
 

@@ -5,7 +5,7 @@ use calib_core::settings::{
     Example, InputScale, Limits, Method, ReferenceCalibration, ReferencePoint, Settings,
 };
 use calib_core::tone::Tone;
-use calib_core::verdict::Verdict;
+use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, FrameError, MAX_FRAME, PROTOCOL_VERSION, Receiver, encode};
 use calib_protocol::message::{
@@ -357,20 +357,19 @@ pub(crate) fn settings() -> Settings {
 
 /// A result as the firmware keeps it: what is stored comes back unchanged.
 pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResult {
+    let spec = calib_core::point::PointSpec {
+        frequency_hz,
+        acceleration_rms_ms2,
+    };
+    let tone = Tone {
+        cycles: 1,
+        period_samples: 100,
+    };
     as_stored(&PointResult {
-        spec: calib_core::point::PointSpec {
-            frequency_hz,
-            acceleration_rms_ms2,
-        },
-        tone: Tone {
-            cycles: 1,
-            period_samples: 100,
-        },
         verdict: Verdict::Pass,
         acceleration_rms_ms2,
         sensitivity_v_per_ms2: 0.01,
         phase_rad: 0.1,
-        inverted: false,
         repeatability_rel: 1e-4,
         repeatability_phase_rad: 1e-4,
         blocks: 5,
@@ -386,8 +385,8 @@ pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResul
         drive_peak_v: 1.0,
         settling_s: 0.5,
         overshoot_rel: 0.01,
-        coherence: None,
         instrument_temperature_c: Some(48.25),
+        ..PointResult::refused(spec, Some(tone), Reason::Stopped)
     })
 }
 
