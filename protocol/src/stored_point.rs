@@ -10,6 +10,7 @@
 //! | [`Round`] | 2 to 5 | every bit; hundredths in 2 or 3 bytes |
 //! | [`Upper3`], [`Upper2`] | 3, 2 | upper bytes of the f32: 1.6e-5, 0.2 % |
 //! | `u16`, `bool`, [`Verdict`] | 1 to 3 | as postcard writes them |
+//! | [`Maybe2`] | 2 | as [`Upper2`], of what may be missing |
 //! | [`Incoherence`] | 2 | one less the coherence, to 0.2 % |
 //! | [`Temperature`] | 1 to 3 | hundredths of a degree |
 //! | acceleration reached | 1 to 5 | millionths of the set level above it |
@@ -344,24 +345,35 @@ impl From<Upper2> for f32 {
     }
 }
 
-/// One less a coherence, not a number where there is none.
+/// The upper two bytes of an f32 that may be missing: not a number then.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-struct Incoherence(Upper2);
+struct Maybe2(Upper2);
+
+impl From<Option<f32>> for Maybe2 {
+    fn from(value: Option<f32>) -> Self {
+        Self(value.unwrap_or(f32::NAN).into())
+    }
+}
+
+impl From<Maybe2> for Option<f32> {
+    fn from(Maybe2(value): Maybe2) -> Self {
+        Some(f32::from(value)).filter(|value| !value.is_nan())
+    }
+}
+
+/// One less a coherence, if there is one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Incoherence(Maybe2);
 
 impl From<Option<f32>> for Incoherence {
     fn from(coherence: Option<f32>) -> Self {
-        Self(
-            coherence
-                .map_or(f32::NAN, |coherence| 1.0 - coherence)
-                .into(),
-        )
+        Self(coherence.map(|coherence| 1.0 - coherence).into())
     }
 }
 
 impl From<Incoherence> for Option<f32> {
     fn from(Incoherence(value): Incoherence) -> Self {
-        let incoherence = f32::from(value);
-        (!incoherence.is_nan()).then_some(1.0 - incoherence)
+        Self::from(value).map(|incoherence| 1.0 - incoherence)
     }
 }
 
