@@ -70,6 +70,9 @@ pub struct PointResult {
     pub signal_to_noise_reference_db: f32,
     /// Signal to residual noise of the device under test, dB.
     pub signal_to_noise_dut_db: f32,
+    /// Signal to residual noise of the device under test in its worst block, dB: what the point is
+    /// judged by. None with broadband excitation, which has no blocks.
+    pub signal_to_noise_worst_block_db: Option<f32>,
     /// Largest relative change of the acceleration amplitude while measuring.
     pub amplitude_stability_rel: f32,
     /// Drive voltage at the exciter output, V peak.
@@ -118,6 +121,7 @@ impl PointResult {
             distortion_dut_rel: 0.0,
             signal_to_noise_reference_db: 0.0,
             signal_to_noise_dut_db: 0.0,
+            signal_to_noise_worst_block_db: None,
             amplitude_stability_rel: 0.0,
             drive_peak_v: 0.0,
             settling_s: 0.0,

@@ -32,7 +32,7 @@ pub(crate) struct Heading {
 }
 
 /// Every quantity there is, in the order of CSV and of the printed table.
-pub(crate) const MEASURED: [Measured; 8] = [
+pub(crate) const MEASURED: [Measured; 9] = [
     Measured {
         key: "distortion_dut_percent",
         of: |p| Some(percent(p.distortion_dut_rel)),
@@ -58,6 +58,9 @@ pub(crate) const MEASURED: [Measured; 8] = [
             usual: true,
         }),
     },
+    plain("signal_to_noise_dut_worst_block_db", |p| {
+        p.signal_to_noise_worst_block_db.map(decimal)
+    }),
     plain("signal_to_noise_reference_db", |p| {
         Some(decimal(p.signal_to_noise_reference_db))
     }),

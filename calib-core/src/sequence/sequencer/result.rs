@@ -57,6 +57,7 @@ impl Sequencer<'_> {
         result.distortion_dut_rel = gathered.distortion_rel(1);
         result.signal_to_noise_reference_db = gathered.signal_to_noise_db(0);
         result.signal_to_noise_dut_db = gathered.signal_to_noise_db(1);
+        result.signal_to_noise_worst_block_db = Some(gathered.dut_worst_signal_to_noise_db());
         result.amplitude_stability_rel = gathered.stability_rel();
         self.state_uncertainty(plan, &mut result);
         result
