@@ -5,11 +5,13 @@
 //! the core's own code forms result and budget. `k = 2` promises 95.45 % for a
 //! normal result; 2 000 draws scatter by 0.47 %, and asked is 95 % +- 1.5 %.
 
-use calib_core::budget::{Component, PointBudget, Row, TypeA, point_budget};
+use calib_core::budget::{Component, PointBudget, Row, point_budget};
 use calib_core::consecutive::Consecutive;
+use calib_core::point::{PointResult, PointSpec};
 use calib_core::reference::ReferenceSensitivity;
 use calib_core::sequence::Scatter;
 use calib_core::settings::{Distribution, Example, Settings};
+use calib_core::verdict::Reason;
 use num_complex::Complex32;
 
 const DRAWS: u32 = 2_000;
@@ -104,12 +106,17 @@ fn block(
     Complex32::from_polar(ratio as f32, angle as f32)
 }
 
-fn type_a(scatter: &Scatter) -> TypeA {
+fn measured(scatter: &Scatter, frequency_hz: f32) -> PointResult {
     let (repeatability_rel, repeatability_phase_rad) = scatter.standard_deviations_of_mean();
-    TypeA {
+    let spec = PointSpec {
+        frequency_hz,
+        acceleration_rms_ms2: 10.0,
+    };
+    PointResult {
         repeatability_rel,
         repeatability_phase_rad,
         blocks: scatter.count(),
+        ..PointResult::refused(spec, None, Reason::Stopped)
     }
 }
 
@@ -147,7 +154,8 @@ fn with_blocks(blocks: u16, frequency_hz: f32) -> (f64, f64) {
         for _ in 0..blocks {
             scatter.add(block(random, &reference, errors));
         }
-        let budget = point_budget(&settings, &reference, type_a(&scatter)).expect("valid");
+        let budget =
+            point_budget(&settings, &reference, &measured(&scatter, frequency_hz)).expect("valid");
         let (magnitude, phase) = result(&scatter, &reference);
         contains(&budget, magnitude, phase)
     })
@@ -183,7 +191,8 @@ fn few_blocks_are_covered_by_students_factor() {
         for _ in 0..4 {
             scatter.add(block(random, &reference, errors));
         }
-        let budget = point_budget(&settings, &reference, type_a(&scatter)).expect("valid");
+        let budget =
+            point_budget(&settings, &reference, &measured(&scatter, 160.0)).expect("valid");
         let (magnitude, phase) = result(&scatter, &reference);
         contains(&budget, magnitude, phase)
     });
@@ -212,7 +221,8 @@ fn consecutive_readings_with_drift_are_covered() {
             drift_rel = drift_rel.max(readings.drift_half_width_rel());
             scatter.add(readings.ratio(Example::Example2).expect("within Table 3"));
         }
-        let mut budget = point_budget(&settings, &reference, type_a(&scatter)).expect("valid");
+        let mut budget =
+            point_budget(&settings, &reference, &measured(&scatter, 160.0)).expect("valid");
         let row = Component::new(Row::a1(3), drift_rel, Distribution::Rectangular);
         budget.magnitude.add(row).expect("room");
         let (magnitude, phase) = result(&scatter, &reference);

@@ -16,7 +16,7 @@ use crate::sections::Fields;
 use crate::settings_form::{input, limits, read_identity, read_influences, read_table};
 use crate::stored_point::{LEVEL_PARTS, Round, Temperature, from_upper};
 use calib_core::point::{PointResult, PointSpec};
-use calib_core::settings::{Distribution, ReferenceChannel, Settings};
+use calib_core::settings::{Distribution, PointInfluences, ReferenceChannel, Settings};
 use calib_core::tone::Tone;
 use calib_core::verdict::{Reason, Verdict};
 use core::ops::Range;
@@ -55,6 +55,7 @@ pub(crate) fn settings(
     settings.drive_full_scale_peak_v = fields.take()?;
     settings.limits = limits(fields)?;
     settings.blocks = fields.take()?;
+    settings.point_influences = PointInfluences::NONE;
     read_influences(fields, &mut settings.influences)?;
     for influence in &mut settings.influences {
         // The number of a special distribution was the factor, its reciprocal.

@@ -8,15 +8,16 @@
 //! | 4 | inputs | volt per code of the reference's f32, of the device's f32 |
 //! | 5 | exciter | full scale V peak f32, limits f32: V, m/s2, m/s, m peak |
 //! | 6 | influences | rows: row u8, relative value f32, value in rad f32, distribution |
+//! | 7 | influences that differ from point to point | list of their coefficients, f32 |
 //!
 //! What is not there is as in [`Settings::BLANK`], which no instrument accepts where it matters.
 
 use crate::form1;
 use crate::record::RecordError;
-use crate::sections::{Fields, Read, needed, section};
+use crate::sections::{Fields, Read, find, needed, section};
 use calib_core::settings::{
-    Distribution, Influence, InputScale, Limits, ReferenceCalibration, ReferenceChannel,
-    ReferencePoint, Settings,
+    Distribution, Influence, InputScale, Limits, PointInfluences, ReferenceCalibration,
+    ReferenceChannel, ReferencePoint, Settings,
 };
 use heapless::Vec;
 use serde::de::Error;
@@ -29,6 +30,7 @@ const REFERENCE_TABLE: u8 = 3;
 const INPUTS: u8 = 4;
 const EXCITER: u8 = 5;
 const INFLUENCES: u8 = 6;
+const POINT_INFLUENCES: u8 = 7;
 
 /// Id of settings where they are a section themselves.
 const SETTINGS: u8 = 1;
@@ -40,6 +42,8 @@ impl Serialize for InSections<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let settings = self.0;
         let limits = &settings.limits;
+        let mut point_influences = settings.point_influences;
+        let coefficients = point_influences.coefficients_mut().map(|value| *value);
         (
             section(METHOD, (settings.method, settings.example, settings.blocks)),
             Calibration(&settings.reference),
@@ -58,6 +62,7 @@ impl Serialize for InSections<'_> {
                 ],
             ),
             section(INFLUENCES, List(&settings.influences, influence_row)),
+            section(POINT_INFLUENCES, List(&coefficients, |value| *value)),
         )
             .serialize(serializer)
     }
@@ -132,7 +137,24 @@ pub fn read(sections: &[u8], settings: &mut Settings) -> Result<(), RecordError>
     settings.drive_full_scale_peak_v = exciter.take()?;
     settings.limits = limits(&mut exciter)?;
     let mut influences = needed(sections, INFLUENCES)?;
-    read_influences(&mut influences, &mut settings.influences)
+    read_influences(&mut influences, &mut settings.influences)?;
+    settings.point_influences = PointInfluences::NONE;
+    match find(sections, POINT_INFLUENCES, 1)? {
+        Some((_, list)) => read_coefficients(Fields(list), &mut settings.point_influences),
+        None => Ok(()),
+    }
+}
+
+/// Coefficients, as many as there are on both sides.
+fn read_coefficients(
+    mut fields: Fields<'_>,
+    influences: &mut PointInfluences,
+) -> Result<(), RecordError> {
+    let count: usize = fields.take()?;
+    for coefficient in influences.coefficients_mut().into_iter().take(count) {
+        *coefficient = fields.take()?;
+    }
+    Ok(())
 }
 
 /// Reads settings of version 1, which had no sections.
@@ -280,7 +302,6 @@ pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sections::find;
 
     fn written(settings: &Settings) -> std::vec::Vec<u8> {
         let mut bytes = vec![0; 2048];
@@ -328,9 +349,13 @@ mod tests {
     #[test]
     fn every_shortening_is_noticed() {
         let bytes = written(&Settings::field_calibrator());
+        let found = find(&bytes, POINT_INFLUENCES, 1).expect("sections");
+        let (last, _) = found.expect("there");
         for length in 0..bytes.len() {
             let mut back = Settings::BLANK;
-            assert!(read(&bytes[..length], &mut back).is_err(), "{length}");
+            // Without its last section they are those of a release that did not have it.
+            let whole = length == last - 3;
+            assert_eq!(read(&bytes[..length], &mut back).is_ok(), whole, "{length}");
         }
     }
 }

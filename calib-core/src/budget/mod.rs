@@ -25,4 +25,4 @@ pub use catalogue::{Row, Table};
 pub use combine::{Budget, BudgetError, Combined, MAX_COMPONENTS};
 pub use component::Component;
 pub use coverage::{Coverage, CoverageRule, Expanded, Shape};
-pub use point::{PointBudget, TypeA, point_budget};
+pub use point::{PointBudget, point_budget};

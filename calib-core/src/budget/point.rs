@@ -4,6 +4,7 @@ use super::catalogue::Row;
 use super::combine::{Budget, BudgetError};
 use super::component::Component;
 use super::coverage::{CoverageRule, Expanded, PROBABILITY_K2};
+use crate::point::PointResult;
 use crate::reference::ReferenceSensitivity;
 use crate::settings::{Distribution, Settings};
 
@@ -17,24 +18,6 @@ const STANDARD: Distribution = Distribution::Normal {
     coverage_factor: 1.0,
 };
 
-/// The random part of a point: standard deviations of the mean over its blocks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TypeA {
-    /// Of the magnitude, relative.
-    pub repeatability_rel: f32,
-    /// Of the phase, rad.
-    pub repeatability_phase_rad: f32,
-    /// Blocks averaged.
-    pub blocks: u16,
-}
-
-impl TypeA {
-    /// Degrees of freedom: blocks - 1.
-    pub fn degrees_of_freedom(self) -> f32 {
-        f32::from(self.blocks.saturating_sub(1).max(1))
-    }
-}
-
 /// Magnitude (relative) and phase (rad) budget of a point.
 #[derive(Clone, Debug)]
 pub struct PointBudget<'a> {
@@ -47,9 +30,9 @@ pub struct PointBudget<'a> {
 /// Lists the components of a point.
 ///
 /// Row 1 is the reference's calibration, with a second component when its
-/// table had to be interpolated (5.1); the influences of the settings follow;
-/// the last row is the measurement's own scatter with blocks - 1 degrees of
-/// freedom.
+/// table had to be interpolated (5.1); the influences of the settings follow,
+/// those that differ from point to point last; the last row is the
+/// measurement's own scatter with blocks - 1 degrees of freedom.
 ///
 /// # Errors
 /// [`BudgetError`] names the component that makes no sense.
@@ -59,62 +42,82 @@ pub struct PointBudget<'a> {
 pub fn point_budget(
     settings: &Settings,
     reference: &ReferenceSensitivity,
-    type_a: TypeA,
+    point: &PointResult,
 ) -> Result<PointBudget<'static>, BudgetError> {
-    Ok(PointBudget {
-        magnitude: magnitude(settings, reference, type_a)?,
-        phase: phase(settings, reference, type_a)?,
-    })
-}
-
-fn magnitude(
-    settings: &Settings,
-    reference: &ReferenceSensitivity,
-    type_a: TypeA,
-) -> Result<Budget<'static>, BudgetError> {
-    let mut budget = Budget::new();
-    let expanded = reference.expanded_uncertainty_rel;
-    budget.add(Component::new(Row::a1(1), expanded, REFERENCE))?;
-    add_interpolation(&mut budget, Row::a1(1), reference.interpolation_rel)?;
+    let mut budget = PointBudget {
+        magnitude: Budget::new(),
+        phase: Budget::new(),
+    };
+    budget.add(
+        1,
+        |row, value| Component::new(row, value, REFERENCE),
+        [
+            reference.expanded_uncertainty_rel,
+            reference.expanded_uncertainty_phase_rad,
+        ],
+    )?;
+    budget.add_above_zero(
+        1,
+        "interpolation in the table of the reference",
+        [
+            reference.interpolation_rel,
+            reference.interpolation_phase_rad,
+        ],
+    )?;
     for influence in &settings.influences {
-        let row = Row::a1(influence.row);
-        let value = influence.value_rel;
-        budget.add(Component::new(row, value, influence.distribution))?;
+        let distribution = influence.distribution;
+        let values = [influence.value_rel, influence.value_phase_rad];
+        budget.add(
+            influence.row,
+            |row, value| Component::new(row, value, distribution),
+            values,
+        )?;
     }
-    let random = Component::new(Row::a1(18), type_a.repeatability_rel, STANDARD);
-    budget.add(random.with_degrees_of_freedom(type_a.degrees_of_freedom()))?;
+    for at_point in settings.point_influences.at(point) {
+        let half_widths = [at_point.half_width_rel, at_point.half_width_phase_rad];
+        budget.add_above_zero(at_point.row, at_point.label, half_widths)?;
+    }
+    let degrees = f32::from(point.blocks.saturating_sub(1).max(1));
+    let random = |row, value| Component::new(row, value, STANDARD).with_degrees_of_freedom(degrees);
+    budget.add(
+        18,
+        random,
+        [point.repeatability_rel, point.repeatability_phase_rad],
+    )?;
     Ok(budget)
 }
 
-fn phase(
-    settings: &Settings,
-    reference: &ReferenceSensitivity,
-    type_a: TypeA,
-) -> Result<Budget<'static>, BudgetError> {
-    let mut budget = Budget::new();
-    let expanded = reference.expanded_uncertainty_phase_rad;
-    budget.add(Component::new(Row::a2(1), expanded, REFERENCE))?;
-    add_interpolation(&mut budget, Row::a2(1), reference.interpolation_phase_rad)?;
-    for influence in &settings.influences {
-        let row = Row::a2_from_a1(influence.row);
-        let value = influence.value_phase_rad;
-        budget.add(Component::new(row, value, influence.distribution))?;
+impl PointBudget<'static> {
+    /// Adds a component of this row of Table A.1, and of Table A.2, by value.
+    fn add(
+        &mut self,
+        row: u8,
+        component: impl Fn(Row, f32) -> Component<'static>,
+        [magnitude, phase]: [f32; 2],
+    ) -> Result<(), BudgetError> {
+        self.magnitude.add(component(Row::a1(row), magnitude))?;
+        self.phase.add(component(Row::a2_from_a1(row), phase))?;
+        Ok(())
     }
-    let random = Component::new(Row::a2(17), type_a.repeatability_phase_rad, STANDARD);
-    budget.add(random.with_degrees_of_freedom(type_a.degrees_of_freedom()))?;
-    Ok(budget)
-}
 
-fn add_interpolation(
-    budget: &mut Budget<'static>,
-    row: Row,
-    half_width: f32,
-) -> Result<(), BudgetError> {
-    if half_width > 0.0 {
-        let component = Component::new(row, half_width, Distribution::Rectangular);
-        budget.add(component.labelled("interpolation in the table of the reference"))?;
+    /// Adds rectangular components where their half-widths are above zero.
+    fn add_above_zero(
+        &mut self,
+        row: u8,
+        label: &'static str,
+        [magnitude, phase]: [f32; 2],
+    ) -> Result<(), BudgetError> {
+        let component = |row, half_width| {
+            Component::new(row, half_width, Distribution::Rectangular).labelled(label)
+        };
+        if magnitude > 0.0 {
+            self.magnitude.add(component(Row::a1(row), magnitude))?;
+        }
+        if phase > 0.0 {
+            self.phase.add(component(Row::a2_from_a1(row), phase))?;
+        }
+        Ok(())
     }
-    Ok(())
 }
 
 impl PointBudget<'_> {

@@ -2,7 +2,9 @@
 
 use super::coverage::PROBABILITY_K2;
 use super::*;
+use crate::point::{PointResult, PointSpec};
 use crate::settings::{Distribution, Settings};
+use crate::verdict::Reason;
 
 const RECTANGULAR: Distribution = Distribution::Rectangular;
 const TWO: Distribution = Distribution::Normal {
@@ -519,12 +521,17 @@ fn nonsense_is_refused_by_name() {
 fn a_point_budget_has_a_row_for_every_source() {
     let settings = Settings::field_calibrator();
     let reference = settings.reference.at(160.0).expect("in the table");
-    let type_a = TypeA {
+    let spec = PointSpec {
+        frequency_hz: 160.0,
+        acceleration_rms_ms2: 10.0,
+    };
+    let point = PointResult {
         repeatability_rel: 1.0e-4,
         repeatability_phase_rad: 1.0e-4,
         blocks: 10,
+        ..PointResult::refused(spec, None, Reason::Stopped)
     };
-    let budget = point_budget(&settings, &reference, type_a).expect("valid");
+    let budget = point_budget(&settings, &reference, &point).expect("valid");
     let rows = |budget: &Budget<'_>| -> std::vec::Vec<u8> {
         budget.components().iter().map(|c| c.row.number).collect()
     };

@@ -15,7 +15,7 @@ use crate::broadband::{
     BroadbandDrive, CrossSpectra, Excitation, LEAST_AVERAGES, Phases, RECORD_SAMPLES, Response,
     SpectraMemory, line_frequency_hz, nearest_line, player,
 };
-use crate::budget::{TypeA, point_budget};
+use crate::budget::point_budget;
 use crate::output::Command;
 use crate::point::{ExcitationKind, PointResult, PointSpec};
 use crate::polarity::Polarity;
@@ -282,12 +282,7 @@ impl<'m> Survey<'m> {
         let over_noise_db = 10.0 * libm::log10f(response.coherence / noise);
         result.signal_to_noise_reference_db = over_noise_db;
         result.signal_to_noise_dut_db = over_noise_db;
-        let type_a = TypeA {
-            repeatability_rel: result.repeatability_rel,
-            repeatability_phase_rad: result.repeatability_phase_rad,
-            blocks: result.blocks,
-        };
-        let budget = point_budget(&self.settings, &reference, type_a);
+        let budget = point_budget(&self.settings, &reference, result);
         let Ok((magnitude, phase)) = budget.and_then(|budget| budget.expand()) else {
             return Verdict::Refused(Reason::BudgetInvalid);
         };

@@ -1,8 +1,8 @@
 //! Settings of a field calibrator as it leaves the bench.
 
 use super::{
-    Distribution, Example, Influence, InputScale, Limits, Method, ReferenceCalibration,
-    ReferencePoint, Settings,
+    Distribution, Example, Influence, InputScale, Limits, Method, PointInfluences,
+    ReferenceCalibration, ReferencePoint, Settings,
 };
 use crate::points::PREFERRED_HZ;
 use heapless::{String, Vec};
@@ -78,6 +78,7 @@ impl Settings {
             },
             blocks: 10,
             influences: INFLUENCES.iter().map(influence).collect(),
+            point_influences: PointInfluences::NONE,
         }
     }
 }

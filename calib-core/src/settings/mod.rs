@@ -2,8 +2,10 @@
 //! influence quantities. Plain SI values, stored and exchanged as one message.
 
 mod field;
+mod point_influences;
 mod validate;
 
+pub use point_influences::{AtPoint, PointInfluences};
 pub use validate::SettingsError;
 
 use heapless::{String, Vec};
@@ -151,6 +153,9 @@ pub struct Settings {
     /// Influence quantities beside the reference's own calibration (row 1) and
     /// the repeatability of the measurement (row 18), which are per point.
     pub influences: Vec<Influence, MAX_INFLUENCES>,
+    /// Influence quantities that differ from point to point.
+    #[serde(default)]
+    pub point_influences: PointInfluences,
 }
 
 impl Settings {
@@ -177,6 +182,7 @@ impl Settings {
         },
         blocks: 0,
         influences: Vec::new(),
+        point_influences: PointInfluences::NONE,
     };
 
     /// What is set of the reference's channel.

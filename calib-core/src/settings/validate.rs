@@ -24,6 +24,8 @@ pub enum SettingsError {
     /// Influence (from 0): row outside 1..=18, value negative or not finite,
     /// or a divisor that is not positive.
     Influence(u8),
+    /// A coefficient of an influence that differs from point to point is negative or not finite.
+    PointInfluences,
 }
 
 impl fmt::Display for SettingsError {
@@ -51,6 +53,9 @@ impl fmt::Display for SettingsError {
                  positive",
                 nth(i)
             ),
+            Self::PointInfluences => {
+                f.write_str("point_influences: coefficients must be finite and not negative")
+            }
         }
     }
 }
@@ -76,7 +81,11 @@ impl Settings {
         if self.blocks < 2 {
             return Err(SettingsError::Blocks);
         }
-        self.validate_influences()
+        self.validate_influences()?;
+        match self.point_influences.is_valid() {
+            true => Ok(()),
+            false => Err(SettingsError::PointInfluences),
+        }
     }
 
     fn validate_reference(&self) -> Result<(), SettingsError> {

@@ -5,7 +5,7 @@
 //! digits a record keeps; a record whose settings do not give its U is not trusted.
 
 use super::model::{Budget, BudgetRow, Certificate, Remark, Severity, Value};
-use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, TypeA, point_budget};
+use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, point_budget};
 use calib_core::point::PointResult;
 use calib_core::settings::Distribution;
 use calib_protocol::record::Record;
@@ -74,12 +74,7 @@ fn of_point(record: &Record, point: &PointResult) -> Result<PointBudget<'static>
     let reference = record.settings.reference.at(frequency_hz);
     let reference = reference
         .ok_or_else(|| format!("the table of the reference does not reach {frequency_hz} Hz"))?;
-    let type_a = TypeA {
-        repeatability_rel: point.repeatability_rel,
-        repeatability_phase_rad: point.repeatability_phase_rad,
-        blocks: point.blocks,
-    };
-    point_budget(&record.settings, &reference, type_a).map_err(|e| e.to_string())
+    point_budget(&record.settings, &reference, point).map_err(|e| e.to_string())
 }
 
 fn recompute(record: &Record, point: &PointResult) -> Result<(Budget, f64), String> {

@@ -7,8 +7,8 @@
 
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::settings::{
-    Distribution, Example, Influence, InputScale, Limits, Method, ReferenceCalibration,
-    ReferencePoint, Settings,
+    Distribution, Example, Influence, InputScale, Limits, Method, PointInfluences,
+    ReferenceCalibration, ReferencePoint, Settings,
 };
 use calib_core::tone::Tone;
 use calib_core::verdict::{Reason, Verdict};
@@ -114,6 +114,7 @@ fn settings() -> Settings {
         },
         blocks: BLOCKS,
         influences,
+        point_influences: PointInfluences::NONE,
     }
 }
 

@@ -2,7 +2,8 @@
 
 use calib_core::point::PointResult;
 use calib_core::settings::{
-    Example, InputScale, Limits, Method, ReferenceCalibration, ReferencePoint, Settings,
+    Example, InputScale, Limits, Method, PointInfluences, ReferenceCalibration, ReferencePoint,
+    Settings,
 };
 use calib_core::tone::Tone;
 use calib_core::verdict::{Reason, Verdict};
@@ -352,6 +353,7 @@ pub(crate) fn settings() -> Settings {
         },
         blocks: 5,
         influences: heapless::Vec::new(),
+        point_influences: PointInfluences::NONE,
     }
 }
 

@@ -1,7 +1,7 @@
 //! From what was gathered to the result of a point.
 
 use super::{Plan, Sequencer};
-use crate::budget::{TypeA, point_budget};
+use crate::budget::point_budget;
 use crate::control::full_output_peak_ms2;
 use crate::point::PointResult;
 use crate::sequence::checks::Measured;
@@ -78,12 +78,7 @@ impl Sequencer<'_> {
 
     /// Fills in the budget's numbers; a budget that makes no sense refuses.
     fn state_uncertainty(&self, plan: &Plan, result: &mut PointResult) {
-        let type_a = TypeA {
-            repeatability_rel: result.repeatability_rel,
-            repeatability_phase_rad: result.repeatability_phase_rad,
-            blocks: result.blocks,
-        };
-        let budget = point_budget(&self.settings, &plan.reference, type_a);
+        let budget = point_budget(&self.settings, &plan.reference, result);
         match budget.and_then(|budget| budget.expand()) {
             Ok((magnitude, phase)) => {
                 result.expanded_uncertainty_rel = magnitude.expanded_uncertainty;
