@@ -34,6 +34,9 @@ const BUDGET: [(u8, f32, f32, Kind); 13] = [
     (17, 0.03, 0.3, Kind::Rectangular),
 ];
 
+/// Relative motion that both sides are told, beside row 9: 0.2 % at 2 kHz.
+const MOTION_AT_10_KHZ_REL: f64 = 0.05;
+
 #[derive(Clone, Copy)]
 enum Kind {
     Rectangular,
@@ -155,7 +158,10 @@ fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
     };
     bench.mount(&draw.rig);
     bench.certify_reference(&draw.certificate)?;
-    bench.adjust(|settings| settings.influences = stated_budget())?;
+    bench.adjust(|settings| {
+        settings.influences = stated_budget();
+        settings.point_influences.relative_motion_at_10_khz_rel = MOTION_AT_10_KHZ_REL as f32;
+    })?;
     let outcome = bench.run(&FREQUENCIES_HZ.map(|frequency_hz| point(frequency_hz, 10.0)))?;
     let mut tally = Tally::default();
     for (result, frequency_hz) in outcome.points.iter().zip(frequencies_hz) {
@@ -199,6 +205,14 @@ fn drawn_budget() -> Vec<Influence> {
             bound_rel: f64::from(percent) / 100.0,
             bound_phase_rad: f64::from(mrad) / 1000.0,
             distribution: kind.drawn(),
+            square_from_hz: None,
         })
+        .chain(std::iter::once(Influence {
+            row: 9,
+            bound_rel: MOTION_AT_10_KHZ_REL,
+            bound_phase_rad: MOTION_AT_10_KHZ_REL,
+            distribution: Drawn::Rectangular,
+            square_from_hz: Some(10_000.0),
+        }))
         .collect()
 }

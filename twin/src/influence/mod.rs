@@ -9,6 +9,7 @@
 //! | 1 reference calibration | the certificate: its error differs from frequency to frequency |
 //! | 10 stability of the reference | sensitivity of the reference, since it was calibrated |
 //! | 2 to 9, 11 to 17 | gain of the device's channel: what the budget states is a factor |
+//! | 9 relative motion, where it grows with the square of the frequency | the certificate, likewise |
 //! | 6 transverse motion | the same, as the product of sensitivity, motion and cosine if so stated |
 //! | 18 residual effects | nothing: the plant's own noise and resolution |
 //!
@@ -42,6 +43,17 @@ pub struct Influence {
     pub bound_phase_rad: f64,
     /// Distribution of both.
     pub distribution: Distribution,
+    /// The bounds are those at this frequency, Hz, and grow with its square; they are the same at all
+    /// frequencies where there is none.
+    pub square_from_hz: Option<f64>,
+}
+
+impl Influence {
+    /// What an error at all frequencies, or at that of the bounds, comes to at this frequency.
+    fn share(&self, frequency_hz: f64) -> f64 {
+        self.square_from_hz
+            .map_or(1.0, |at_hz| (frequency_hz / at_hz).powi(2))
+    }
 }
 
 /// A rig that is wrong within its budget, and the truth about it.
@@ -69,15 +81,22 @@ impl InfluenceDraw {
             .filter(|influence| influence.row < RESIDUAL_ROW)
         {
             let mut draw = |bound| influence.distribution.draw(bound, &mut random);
-            let gain = 1.0 + draw(influence.bound_rel);
+            let error_rel = draw(influence.bound_rel);
             let phase_rad = draw(influence.bound_phase_rad);
+            let gain = 1.0 + error_rel;
             match influence.row {
                 1 => continue,
+                _ if influence.square_from_hz.is_some() => {
+                    for point in &mut certificate {
+                        point.sensitivity_v_per_ms2 *=
+                            1.0 + error_rel * influence.share(point.frequency_hz);
+                    }
+                }
                 REFERENCE_STABILITY_ROW => disturbed.reference.sensitivity_v_per_ms2 *= gain,
                 _ => disturbed.dut.conditioner_gain *= gain,
             }
             for point in &mut certificate {
-                point.phase_rad += phase_rad;
+                point.phase_rad += phase_rad * influence.share(point.frequency_hz);
             }
         }
         Self {
@@ -121,6 +140,7 @@ mod tests {
             bound_rel: percent / 100.0,
             bound_phase_rad: percent / 100.0,
             distribution,
+            square_from_hz: None,
         };
         TABLE_D1.iter().map(influence).collect()
     }
@@ -160,6 +180,32 @@ mod tests {
         // Nearly normal: 95.4 % with a standard error of 0.33 %.
         let share = f64::from(covered) / count as f64;
         assert!((0.94..0.97).contains(&share), "{share}");
+    }
+
+    #[test]
+    fn an_error_that_grows_with_the_square_does_so_and_stays_within_its_bound() {
+        let rig = Rig::standard();
+        let motion = Influence {
+            row: 9,
+            bound_rel: 0.02,
+            bound_phase_rad: 0.02,
+            distribution: Distribution::Rectangular,
+            square_from_hz: Some(10_000.0),
+        };
+        for seed in 0..50 {
+            let with = InfluenceDraw::new(&rig, &[1000.0, 2000.0], &[motion], seed);
+            let without = InfluenceDraw::new(&rig, &[1000.0, 2000.0], &[], seed);
+            let error = |index: usize| {
+                let (with, without) = (with.certificate[index], without.certificate[index]);
+                let rel = with.sensitivity_v_per_ms2 / without.sensitivity_v_per_ms2 - 1.0;
+                (rel, with.phase_rad - without.phase_rad)
+            };
+            let ((low, low_rad), (high, high_rad)) = (error(0), error(1));
+            assert!(low.abs() <= 2.0e-4 && low_rad.abs() <= 2.0e-4);
+            // 1 + error to 1e-16, of errors of 1e-6 and more.
+            assert!((high - 4.0 * low).abs() < 1.0e-12);
+            assert!((high_rad - 4.0 * low_rad).abs() < 1.0e-12);
+        }
     }
 
     #[test]
