@@ -3,7 +3,8 @@
 //! | file | idea |
 //! |---|---|
 //! | `store` | opening, versions of the form, errors in words |
-//! | `schema.sql` | the tables |
+//! | `schema.sql` | the tables, form 1 |
+//! | `form2.sql` ... | what makes a later form of the one before |
 //! | `sensors` | devices under test: what nobody wants to type twice |
 //! | `records` | records as downloaded, with what lists and drift need |
 //! | `certificates` | what was issued: numbered, never changed |

@@ -62,11 +62,12 @@ pub struct Filter {
     pub before_s: Option<i64>,
 }
 
+/// Kind of the log of a change of the reference, in the tables.
+const REFERENCE_CHANGE: &str = "reference_change";
+
 const LISTED: &str = "SELECT id, instrument, number, unix_time_s, sensor_serial, sensor_model,
     operator, points, refused, reference_frequency_hz, sensitivity_v_per_ms2,
-    expanded_uncertainty_rel,
-    points = 0 AND (SELECT substr(bytes, 2, 1) = x'01' FROM contents WHERE record = id)
-    FROM records";
+    expanded_uncertainty_rel, kind FROM records";
 
 impl Logbook {
     /// Keeps the bytes of a record as `calib download` wrote them. Instrument
@@ -174,8 +175,8 @@ fn listed(row: &rusqlite::Row<'_>) -> rusqlite::Result<Listed> {
         reference_frequency_hz: row.get(9)?,
         sensitivity_v_per_ms2: row.get(10)?,
         expanded_uncertainty_rel: row.get(11)?,
-        kind: match row.get::<_, Option<bool>>(12)? {
-            Some(true) => RecordKind::ReferenceChange,
+        kind: match row.get_ref(12)?.as_str()? {
+            REFERENCE_CHANGE => RecordKind::ReferenceChange,
             _ => RecordKind::Calibration,
         },
     })
@@ -250,6 +251,10 @@ fn insert_line(
     content: &Content,
     sum: Sha256Sum,
 ) -> rusqlite::Result<i64> {
+    let kind = match content {
+        Content::Calibration(_) => "calibration",
+        Content::ReferenceChange(_) => REFERENCE_CHANGE,
+    };
     let (complete, certificate) = match content {
         Content::Calibration(record) => {
             let particulars = Particulars::default();
@@ -265,8 +270,8 @@ fn insert_line(
         .prepare_cached(
             "INSERT INTO records (sha256, instrument, number, unix_time_s, sensor_serial,
              sensor_model, operator, complete, points, refused, reference_frequency_hz,
-             sensitivity_v_per_ms2, expanded_uncertainty_rel)
-             VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13)",
+             sensitivity_v_per_ms2, expanded_uncertainty_rel, kind)
+             VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13,?14)",
         )?
         .insert(params![
             &sum[..],
@@ -282,6 +287,7 @@ fn insert_line(
             reference.map(|(point, _)| point.nominal_frequency_hz),
             reference.map(|(_, values)| values.sensitivity_v_per_ms2),
             reference.map(|(_, values)| values.expanded_uncertainty_percent / 100.0),
+            kind,
         ])
 }
 

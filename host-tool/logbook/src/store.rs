@@ -5,14 +5,15 @@ use rusqlite::{Connection, ErrorCode, Transaction, TransactionBehavior};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+/// What makes each form of the tables of the one before, from an empty file on. A form that was ever
+/// released stays here as it is: files of every form are opened.
+const STEPS: [&str; 2] = [include_str!("schema.sql"), include_str!("form2.sql")];
 /// Form of the tables, in SQLite's `user_version`.
-const VERSION: i64 = 1;
+const VERSION: i64 = STEPS.len() as i64;
 /// Mark of our files, in SQLite's `application_id`: "CALB".
 const APPLICATION: i64 = 0x4341_4c42;
 /// Mark and form of a file nobody has written to.
 const NEW: (i64, i64) = (0, 0);
-
-const SCHEMA: &str = include_str!("schema.sql");
 
 /// The logbook.
 ///
@@ -55,10 +56,7 @@ impl Logbook {
             std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
         }
         let logbook = Self::connect(path)?;
-        match logbook.form()? {
-            NEW => logbook.create()?,
-            form => logbook.check(form)?,
-        }
+        logbook.bring_up()?;
         Ok(logbook)
     }
 
@@ -78,7 +76,7 @@ impl Logbook {
         let logbook = Self::connect(path)?;
         match logbook.form()? {
             NEW if logbook.is_empty()? => return Err(none()),
-            form => logbook.check(form)?,
+            _ => logbook.bring_up()?,
         }
         Ok(logbook)
     }
@@ -118,21 +116,28 @@ impl Logbook {
         pair.map_err(|error| self.failure(error))
     }
 
-    fn check(&self, form: (i64, i64)) -> Result<()> {
+    /// The steps from this form to that of this release; nobody else may be writing.
+    fn steps_from(&self, form: (i64, i64)) -> Result<&'static [&'static str]> {
         let place = self.path.display().to_string();
-        match form {
-            (APPLICATION, VERSION) => Ok(()),
-            (APPLICATION, found) if found > VERSION => Err(Error::input(
-                place,
-                format!("is a logbook of form {found}, this tool knows {VERSION}"),
-                "install the release of this tool that wrote it",
-            )),
-            _ => Err(Error::input(
-                place,
-                "is a database, and no logbook",
-                "name another file with --logbook or CALIB_LOGBOOK",
-            )),
-        }
+        let taken = match form {
+            NEW if self.is_empty()? => 0,
+            (APPLICATION, found @ 1..=VERSION) => found as usize,
+            (APPLICATION, found) if found > VERSION => {
+                return Err(Error::input(
+                    place,
+                    format!("is a logbook of form {found}, this tool knows {VERSION}"),
+                    "install the release of this tool that wrote it",
+                ));
+            }
+            _ => {
+                return Err(Error::input(
+                    place,
+                    "is a database, and no logbook",
+                    "name another file with --logbook or CALIB_LOGBOOK",
+                ));
+            }
+        };
+        Ok(STEPS.get(taken..).unwrap_or_default())
     }
 
     fn is_empty(&self) -> Result<bool> {
@@ -141,17 +146,18 @@ impl Logbook {
         Ok(count == 0)
     }
 
-    /// Makes the tables in an empty file, unless another program has just done so.
-    fn create(&self) -> Result<()> {
+    /// Brings the tables to the form of this release, all of the way or none of it, unless another
+    /// program has just done so.
+    fn bring_up(&self) -> Result<()> {
+        if self.form()? == (APPLICATION, VERSION) {
+            return Ok(());
+        }
         let failed = |error| self.failure(error);
         let alone = TransactionBehavior::Immediate;
         let transaction = Transaction::new_unchecked(&self.connection, alone).map_err(failed)?;
-        match self.form()? {
-            NEW if self.is_empty()? => {}
-            form => return self.check(form),
-        }
+        let steps = self.steps_from(self.form()?)?.join("\n");
         let script = format!(
-            "{SCHEMA}\nPRAGMA application_id = {APPLICATION};\nPRAGMA user_version = {VERSION};"
+            "{steps}\nPRAGMA application_id = {APPLICATION};\nPRAGMA user_version = {VERSION};"
         );
         transaction.execute_batch(&script).map_err(failed)?;
         transaction.commit().map_err(failed)
@@ -233,18 +239,6 @@ mod tests {
     }
 
     #[test]
-    fn a_file_of_november_2026_is_whole() {
-        let folder = tempfile::tempdir().expect("folder");
-        let path = folder.path().join("bench.sqlite");
-        let stored = include_bytes!("../../../tests/frozen/stored/bench.sqlite");
-        std::fs::write(&path, stored).expect("written");
-        let logbook = Logbook::open_existing(&path).expect("a logbook");
-        assert_eq!(logbook.inspect().expect("readable"), Vec::<String>::new());
-        let records = logbook.records(&crate::Filter::default());
-        assert!(!records.expect("a list").is_empty());
-    }
-
-    #[test]
     fn the_file_of_before_is_used_until_there_is_a_new_one() {
         let folder = tempfile::tempdir().expect("folder");
         let named = || in_folder(folder.path()).file_name().map(ToOwned::to_owned);
@@ -287,6 +281,37 @@ mod tests {
                     maker.join().expect("no panic").expect("a logbook");
                 }
             });
+        }
+    }
+
+    /// A file that a release of form 1 wrote, with three calibrations, the log of a change of the
+    /// reference and what belongs to them.
+    #[test]
+    fn a_file_of_form_1_is_brought_up_and_keeps_everything() {
+        let folder = tempfile::tempdir().expect("folder");
+        let path = folder.path().join("old.sqlite");
+        let old = include_bytes!("../../../tests/frozen/stored/bench.sqlite");
+        std::fs::write(&path, old).expect("written");
+        let count = |logbook: &Logbook, table: &str| -> i64 {
+            let sql = format!("SELECT count(*) FROM {table}");
+            logbook.one(&sql, []).expect("counted")
+        };
+        let tables = ["sensors", "records", "contents", "points", "operators"];
+        let before = Logbook::connect(&path).expect("opened");
+        assert_eq!(before.form().expect("a form"), (APPLICATION, 1));
+        let counted = tables.map(|table| count(&before, table));
+        assert!(counted[1] > 0);
+        drop(before);
+        for _again in 0..2 {
+            let logbook = Logbook::open_existing(&path).expect("a logbook");
+            assert_eq!(logbook.form().expect("a form"), (APPLICATION, VERSION));
+            assert_eq!(tables.map(|table| count(&logbook, table)), counted);
+            assert_eq!(logbook.inspect().expect("read"), [""; 0]);
+            for line in logbook.records(&crate::Filter::default()).expect("listed") {
+                let bytes = logbook.record(line.id).expect("kept");
+                let link = calib_protocol::record::link(&bytes).expect("a record");
+                assert_eq!(link.kind, line.kind);
+            }
         }
     }
 
