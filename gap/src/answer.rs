@@ -1,24 +1,12 @@
 //! The answer of a diagnosis, as it is written to JSON.
 
 use crate::axis::Axis;
-use crate::engine::gap::Gap;
+use crate::estimation::gap::Gap;
+use crate::estimation::verdict::POSSIBLE;
+pub use crate::estimation::verdict::Verdict;
 use crate::pictures::Pictures;
 use serde::Serialize;
 use std::collections::BTreeMap;
-
-/// The four outcomes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Verdict {
-    /// The simulation describes the data within the stated uncertainties.
-    NoGap,
-    /// One set of effects leads clearly and what is left is noise.
-    Explained,
-    /// Two or more sets cannot be told apart with these data.
-    Ambiguous,
-    /// Even the best set leaves significant structure.
-    Unexplained,
-}
 
 /// A place where simulation and measurement differ.
 #[derive(Debug, Clone, Serialize)]
@@ -139,4 +127,16 @@ pub struct Answer {
     /// What a report draws; no part of the JSON.
     #[serde(skip)]
     pub pictures: Pictures,
+}
+
+/// The leading set with each other that these data leave possible.
+pub(crate) fn hardly_separated(causes: &[Cause], verdict: Verdict) -> Vec<Vec<String>> {
+    let name = |c: &Cause| c.effects.join("+");
+    match causes {
+        [first, rest @ ..] if verdict != Verdict::NoGap => {
+            let possible = rest.iter().filter(|c| c.probability > POSSIBLE);
+            possible.map(|c| vec![name(first), name(c)]).collect()
+        }
+        _ => Vec::new(),
+    }
 }

@@ -1,11 +1,11 @@
 //! Diagnosis of a dataset, or of many.
 
 use crate::answer::{Answer, DatasetSummary};
+use crate::calibrator::diagnose_points;
+use crate::calibrator::problem::Problem;
 use crate::dataset::{Dataset, Measured};
-use crate::engine::problem::Problem;
 use crate::error::GapError;
 use crate::options::Options;
-use crate::points::diagnose_points;
 use rayon::prelude::*;
 use std::path::Path;
 

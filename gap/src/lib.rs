@@ -6,37 +6,31 @@
 
 mod answer;
 mod axis;
-mod bumps;
+mod calibrator;
 mod dataset;
 mod diagnose;
 mod effects;
-mod engine;
 mod error;
-mod lanes;
+mod estimation;
 mod model;
 mod observable;
 mod options;
 mod oscillator;
 mod pictures;
 mod plan;
-mod points;
 mod report;
-mod stability;
-mod stages;
-mod tuning;
-mod verdict;
 
 pub use answer::{Answer, Cause, Confirmation, DatasetSummary, Distance, Estimate, Verdict, Where};
 pub use axis::Axis;
+pub use calibrator::misfit;
 pub use diagnose::{diagnose, diagnose_all};
 pub use effects::{
     About, NEVER_IDENTIFIABLE, Parameter, Scale, Stage, check_name, list as effects,
 };
-pub use engine::gap::{Gap, ObservableGap, Slice};
 pub use error::GapError;
+pub use estimation::gap::{Gap, ObservableGap, Slice};
 pub use observable::{Channel, Group, Observable};
 pub use options::Options;
 pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 pub use plan::{ENOUGH_SIGMA, Measurement, Pair, Plan, plan};
-pub use points::misfit;
 pub use report::report;

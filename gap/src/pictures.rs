@@ -1,8 +1,5 @@
 //! What a report draws: every difference between measurement and simulation.
 
-use crate::engine::fit::Fit;
-use crate::engine::holdout;
-use crate::engine::problem::Problem;
 use crate::observable::Observable;
 
 /// Differences of a dataset, before and after the best set of effects is added.
@@ -75,42 +72,4 @@ pub struct Trace {
     pub before: Vec<f64>,
     /// Measured minus simulation with the named terms.
     pub after: Vec<f64>,
-}
-
-/// Differences that two fits of one problem leave.
-pub(crate) fn residuals(problem: &Problem, nominal: &Fit, best: &Fit) -> Pictures {
-    let of = |fit: &Fit| problem.evaluate(&fit.effects, &fit.theta, &mut problem.memory());
-    let (before, after) = (of(nominal), of(best));
-    let mut data = Vec::with_capacity(problem.len());
-    for (observable, range) in problem.measured_observables() {
-        data.extend(range.map(|at| Datum {
-            row: problem.row_of[at],
-            observable,
-            before: before.residual[at] / before.weight[at],
-            after: after.residual[at] / after.weight[at],
-            u: problem.uncertainty(at),
-            u_after: 1.0 / after.weight[at],
-        }));
-    }
-    Pictures::Points(Residuals {
-        rows: conditions(problem),
-        data,
-    })
-}
-
-fn conditions(problem: &Problem) -> Vec<Conditions> {
-    let held = holdout::held_out(problem);
-    let rows = problem.rows.iter().zip(held);
-    rows.map(|(row, held_out)| Conditions {
-        frequency_hz: row.frequency_hz,
-        level_ms2: row.level_ms2,
-        run: row.run,
-        time_s: row.time_s,
-        warmer_k: row.warmer_k,
-        rotation_deg: row.rotation.1.atan2(row.rotation.0).to_degrees().round(),
-        tilt_deg: row.vertical.clamp(-1.0, 1.0).acos().to_degrees().round(),
-        payload_kg: row.payload_kg,
-        held_out,
-    })
-    .collect()
 }

@@ -1,6 +1,6 @@
 //! A period of the motion as harmonics, and as values on a grid of time.
 
-use crate::lanes::dot;
+use crate::estimation::column::dot;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

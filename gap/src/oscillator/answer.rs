@@ -1,18 +1,18 @@
 //! What an answer states of a record: verdict, place, what next, pictures.
 
 use super::estimates::linear_parameters;
-use super::left::Parity;
+use super::fit::{compared, rms};
+use super::grow::Step;
+use super::holdout::{Scored, peak};
+use super::lack_of_fit::Parity;
 use super::model::TERMS;
-use super::residual::{compared, rms};
 use super::run::Run;
-use super::score::{self, Scored};
-use super::step::Step;
-use super::weigh::causes;
-use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where};
+use super::slices::stretch;
+use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where, hardly_separated};
 use crate::axis::Axis;
 use crate::effects::Stage;
+use crate::estimation::verdict::{Evidence, conclude};
 use crate::pictures::{Pictures, Trace};
-use crate::verdict::{conclude, hardly_separated};
 
 /// Share closed from which sets that do equally well are called ambiguous although what they
 /// leave is not white: the model error of a real oscillator.
@@ -29,9 +29,14 @@ pub(super) fn answer(
     dataset: DatasetSummary,
 ) -> Answer {
     let last = &steps[steps.len() - 1];
-    let causes = causes(last, part, score::resonance_hz(&steps[0].fit));
-    let leading = causes.first().map(|c| c.probability);
-    let verdict = verdict(leading, last, &scored);
+    let resonance_hz = steps[0].fit.values.resonance_hz();
+    let causes = match last.fit.terms[..] {
+        [] => Vec::new(),
+        _ => last
+            .compared()
+            .causes(part, stretch(resonance_hz, part.interval_s)),
+    };
+    let verdict = verdict(&causes, steps, &scored);
     if verdict == Verdict::NoGap {
         scored.gap.closed = None;
     }
@@ -50,11 +55,21 @@ pub(super) fn answer(
     }
 }
 
-fn verdict(leading: Option<f64>, last: &Step, scored: &Scored) -> Verdict {
-    let concluded = conclude(leading, last.left.p_value);
-    let tied = leading.is_some_and(|p| conclude(Some(p), 1.0) == Verdict::Ambiguous);
+fn verdict(causes: &[Cause], steps: &[Step], scored: &Scored) -> Verdict {
+    let evidence = Evidence {
+        // A term is only added where it is worth its cost.
+        none: 0.0,
+        leading: causes.first().map(|c| c.probability),
+        p_nominal: steps[0].left.p_value,
+        p_value: steps[steps.len() - 1].left.p_value,
+    };
+    let white = Evidence {
+        p_value: 1.0,
+        ..evidence
+    };
+    let tied = conclude(&white) == Verdict::Ambiguous;
     let nearly_all = scored.gap.closed.is_some_and(|c| c > NEARLY_ALL);
-    match concluded {
+    match conclude(&evidence) {
         Verdict::Unexplained if tied && nearly_all => Verdict::Ambiguous,
         other => other,
     }
@@ -90,7 +105,7 @@ fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
         observable: "output",
         axis: Axis::Amplitude,
         from: 0.0,
-        to: score::peak(&held.output),
+        to: peak(&held.output),
         share: 1.0 - last.fit.square / first.fit.square,
         p_value: first.left.p_value,
         class,

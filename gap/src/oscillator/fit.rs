@@ -1,31 +1,34 @@
 //! Least squares of the simulated against the recorded output.
 
-use super::model::VALUES;
-use super::moves::{bound, free};
-use super::residual::{compared, residual, rms, scale_of};
-use super::run::Run;
+use super::model::free;
+use super::parameters::{OscillatorParameters, Parameter, bound, slope_step};
+use super::run::{REACH, Run};
 use super::simulate::simulate;
-use super::slopes::{columns, normal};
-use crate::engine::normal::damped_step;
-use nalgebra::{Cholesky, DMatrix, DVector};
+use crate::estimation::column::{Column, OneBlock};
+use crate::estimation::descent::{Effort, LeastSquares, descend};
+use crate::estimation::tangent::Equations;
+use nalgebra::{DMatrix, DVector};
+use std::ops::Range;
 
-/// Share of the squared error that a step must take out for another to follow.
+/// Gain of -2 ln likelihood over the number of samples below which a fit stops.
 const ENOUGH: f64 = 1e-6;
-/// Damping of the steps beyond which no step helps.
-const MOST_DAMPING: f64 = 1e8;
+/// Samples at the start that only settle the state.
+pub(super) const SETTLING: usize = 50;
+/// Samples at the end beyond which the interpolation of the input would have to look.
+const ENDING: usize = REACH;
 
 /// A fitted oscillator.
 #[derive(Clone)]
-pub(crate) struct Fitted {
-    pub(crate) values: [f64; VALUES],
+pub(super) struct Fitted {
+    pub(super) values: OscillatorParameters,
     /// Terms in use.
-    pub(crate) terms: Vec<usize>,
+    pub(super) terms: Vec<usize>,
     /// Sum of squared simulation errors.
-    pub(crate) square: f64,
+    pub(super) square: f64,
     /// Covariance of the free values, residual variance included.
-    pub(crate) covariance: DMatrix<f64>,
+    pub(super) covariance: DMatrix<f64>,
     /// Estimated error of the integration, r.m.s.; zero where nobody asked.
-    pub(crate) integration: f64,
+    pub(super) integration: f64,
 }
 
 impl Fitted {
@@ -35,141 +38,174 @@ impl Fitted {
         let off: Vec<f64> = here.iter().zip(&there).map(|(a, b)| a - b).collect();
         Some(rms(compared(&off)))
     }
-
-    /// Change of the simulated output with the values the fit moves, or with those at `places` if
-    /// there are any; `left` is what the fit leaves.
-    pub(super) fn columns(
-        &self,
-        record: &Run,
-        left: &[f64],
-        places: &[usize],
-    ) -> Option<Vec<Vec<f64>>> {
-        let moved = free(&self.terms, &self.values, record);
-        let wanted = if places.is_empty() { &moved } else { places };
-        columns(record, &self.values, left, wanted, scale_of(record))
-    }
 }
 
-/// Refines the linear values and the given terms.
-pub(crate) fn refine(
+/// Refines the linear values and the given terms; none where the start diverges.
+pub(super) fn refine(
     record: &Run,
-    start: [f64; VALUES],
+    start: OscillatorParameters,
     terms: &[usize],
-    steps: usize,
+    most_steps: usize,
 ) -> Option<Fitted> {
     let free = free(terms, &start, record);
-    let scale = scale_of(record);
-    let mut here = Place::new(start, record)?;
-    let mut damping = 1e-3;
-    let (mut matrix, mut gradient) = here.normal(record, &free, scale)?;
-    for _ in 0..steps {
-        let mut values = here.moved(&free, &damped_step(&matrix, &gradient, damping)?);
-        if values.iter().any(|v| !v.is_finite()) {
-            break;
-        }
-        bound(&mut values, record, scale);
-        match Place::new(values, record).filter(|there| there.square < here.square) {
-            Some(there) => {
-                let gain = (here.square - there.square) / here.square;
-                here = there;
-                damping = (damping * 0.1).max(1e-9);
-                if gain < ENOUGH {
-                    break;
-                }
-                (matrix, gradient) = here.normal(record, &free, scale)?;
-            }
-            None => {
-                damping *= 10.0;
-                if damping > MOST_DAMPING {
-                    break;
-                }
-            }
-        }
-    }
-    let variance = here.square / (record.output.len() as f64 - free.len() as f64);
+    let (place, equations) = descend_from(start, &free, record, judged(record), most_steps)?;
+    let variance = place.square() / (record.output.len() as f64 - free.len() as f64);
     Some(Fitted {
-        values: here.values,
+        square: place.square(),
+        values: place.values,
         terms: terms.to_vec(),
-        square: here.square,
-        covariance: Cholesky::new(matrix)?.inverse() * variance,
+        covariance: equations.covariance()? * variance,
         integration: 0.0,
     })
 }
 
+/// Moves some values to where the simulation errs least on some samples; none where the start
+/// diverges.
+pub(super) fn descend_from(
+    start: OscillatorParameters,
+    free: &[Parameter],
+    record: &Run,
+    samples: Range<usize>,
+    most_steps: usize,
+) -> Option<(Place, Equations)> {
+    let mut model = Model {
+        record,
+        free,
+        samples,
+        unit: scale_of(record),
+    };
+    let start = model.place(start)?;
+    let effort = Effort {
+        most_steps,
+        enough: ENOUGH * start.left.len() as f64,
+        small_steps: 1,
+        damping: 1e-3,
+        leap: 10.0,
+    };
+    descend(&mut model, start, effort)
+}
+
+/// Samples of a record that a simulation is to describe.
+struct Model<'a> {
+    record: &'a Run,
+    /// Values that are moved.
+    free: &'a [Parameter],
+    samples: Range<usize>,
+    /// Size of the output.
+    unit: f64,
+}
+
 /// Values on the way of a fit, and what they leave.
-struct Place {
-    values: [f64; VALUES],
+pub(super) struct Place {
+    pub(super) values: OscillatorParameters,
     left: Vec<f64>,
-    square: f64,
 }
 
 impl Place {
-    /// `None` where the simulation diverges.
-    fn new(values: [f64; VALUES], record: &Run) -> Option<Self> {
-        let left = residual(&values, record)?;
-        Some(Self {
-            values,
-            square: left.iter().map(|r| r * r).sum(),
-            left,
-        })
-    }
-
-    /// The values a step further.
-    fn moved(&self, free: &[usize], step: &DVector<f64>) -> [f64; VALUES] {
-        let mut values = self.values;
-        for (&index, change) in free.iter().zip(step.iter()) {
-            values[index] += change;
-        }
-        values
-    }
-
-    /// Normal matrix and gradient against the free values.
-    fn normal(
-        &self,
-        record: &Run,
-        free: &[usize],
-        scale: f64,
-    ) -> Option<(DMatrix<f64>, DVector<f64>)> {
-        let columns = columns(record, &self.values, &self.left, free, scale)?;
-        Some(normal(&columns, &self.left))
+    fn square(&self) -> f64 {
+        self.left.iter().map(|r| r * r).sum()
     }
 }
 
-/// Size of a first stretch over that of the whole record below which it says nothing.
-const QUIET: f64 = 0.1;
-
-/// Linear fit from the rig's resonance, by growing parts of the record.
-pub(crate) fn linear(record: &Run, resonance_hz: f64, delta: f64) -> Option<Fitted> {
-    let mut best: Option<Fitted> = None;
-    for factor in [1.0, 0.9, 1.1, 0.8, 1.25] {
-        let mut values = [0.0; VALUES];
-        values[0] = (std::f64::consts::TAU * resonance_hz * factor).ln();
-        values[1] = delta;
-        values[2] = 1.0;
-        values[4] = record.output[0];
-        for count in [2_000, 8_000, usize::MAX] {
-            let part = record.head(count);
-            // A stretch before a shock shows nothing but noise.
-            if rms(&part.output) < QUIET * scale_of(record) {
-                continue;
-            }
-            if let Some(fit) = refine(&part, values, &[], 30) {
-                values = fit.values;
-                if part.input.len() == record.input.len()
-                    && best.as_ref().is_none_or(|b| fit.square < b.square)
-                {
-                    best = Some(fit);
-                }
-            }
-        }
-        if factor == 1.0 && best.as_ref().is_some_and(|b| explains(b, record)) {
-            break;
-        }
+impl Model<'_> {
+    fn place(&self, values: OscillatorParameters) -> Option<Place> {
+        let left = errors(&values, self.record, self.samples.clone())?;
+        Some(Place { values, left })
     }
-    best
 }
 
-/// Whether a fit describes most of the output.
-fn explains(fit: &Fitted, record: &Run) -> bool {
-    fit.square < 0.3 * record.output.iter().map(|x| x * x).sum::<f64>()
+impl LeastSquares for Model<'_> {
+    type State = Place;
+
+    /// The variance of the errors is not known: it is theirs.
+    fn objective(&self, at: &Place) -> f64 {
+        at.left.len() as f64 * at.square().max(f64::MIN_POSITIVE).ln()
+    }
+
+    fn equations(&mut self, at: &Place) -> Option<Equations> {
+        let errors = |values: &_| errors(values, self.record, self.samples.clone());
+        let columns = columns(&at.values, &at.left, self.free, self.unit, errors)?;
+        let block = OneBlock(at.left.len());
+        Some(Equations::new(&block, &columns, &[], &at.left, &[]))
+    }
+
+    fn moved(&mut self, from: &Place, step: &DVector<f64>) -> Option<Place> {
+        let mut values = from.values;
+        for (&parameter, change) in self.free.iter().zip(step.iter()) {
+            values[parameter] += change;
+        }
+        if step.iter().any(|change| !change.is_finite()) {
+            return None;
+        }
+        bound(&mut values, self.free, self.record, self.unit);
+        self.place(values)
+    }
+}
+
+/// Change of the simulated output with some values, from where it leaves `left`.
+pub(super) fn slopes(
+    record: &Run,
+    values: &OscillatorParameters,
+    left: &[f64],
+    moved: &[Parameter],
+) -> Option<Vec<Column<()>>> {
+    let errors = |values: &_| residual(values, record);
+    columns(values, left, moved, scale_of(record), errors)
+}
+
+/// Columns by differences, from values where a simulation leaves `left`.
+fn columns(
+    values: &OscillatorParameters,
+    left: &[f64],
+    moved: &[Parameter],
+    unit: f64,
+    errors: impl Fn(&OscillatorParameters) -> Option<Vec<f64>>,
+) -> Option<Vec<Column<()>>> {
+    let of = |&parameter: &Parameter| {
+        let mut there = *values;
+        let step = slope_step(values, parameter, unit);
+        there[parameter] += step;
+        let there = errors(&there)?;
+        let change = left.iter().zip(there).map(|(a, b)| (a - b) / step);
+        Some(Column::of_one_block(change.collect()))
+    };
+    moved.iter().map(of).collect()
+}
+
+/// Measured minus simulated output after the settling samples; `None` where the simulation diverges.
+pub(super) fn residual(values: &OscillatorParameters, record: &Run) -> Option<Vec<f64>> {
+    errors(values, record, judged(record))
+}
+
+fn errors(values: &OscillatorParameters, record: &Run, samples: Range<usize>) -> Option<Vec<f64>> {
+    let simulated = simulate(values, record)?;
+    let measured = record.output[samples.clone()].iter();
+    let both = measured.zip(&simulated[samples]);
+    Some(both.map(|(m, s)| m - s).collect())
+}
+
+/// Samples a fit is judged by: the first settle the state, and at the last the input that follows
+/// is not known.
+fn judged(record: &Run) -> Range<usize> {
+    judged_of(record.output.len())
+}
+
+fn judged_of(samples: usize) -> Range<usize> {
+    let end = samples.saturating_sub(ENDING).max(SETTLING).min(samples);
+    SETTLING.min(end)..end
+}
+
+/// The samples a fit is judged by.
+pub(super) fn compared(values: &[f64]) -> &[f64] {
+    &values[judged_of(values.len())]
+}
+
+/// Root mean square.
+pub(super) fn rms(values: &[f64]) -> f64 {
+    (values.iter().map(|r| r * r).sum::<f64>() / values.len() as f64).sqrt()
+}
+
+/// Root mean square of the output.
+pub(super) fn scale_of(record: &Run) -> f64 {
+    rms(&record.output).max(f64::MIN_POSITIVE)
 }

@@ -1,16 +1,14 @@
 //! One term at a time: what is tried, and when it stops.
 
-use super::begin::begin;
-use super::finely::{MOST_STEPS, REFINED, integrate_finely};
 use super::fit::{Fitted, refine};
-use super::gross;
-use super::left::{Left, examine};
+use super::integration::{MOST_STEPS, REFINED, integrate_finely};
+use super::lack_of_fit::{Left, examine};
 use super::model::TERMS;
+use super::model_selection::{Tried, cost_of_last};
 use super::run::Run;
-use super::step::Step;
-use super::weigh::{cost_of_last, weigh};
+use super::starts::{SPRING, begin, bent_spring};
+use crate::estimation::verdict::NONE_BELOW;
 use crate::options::Options;
-use crate::verdict::NONE_BELOW;
 use rayon::prelude::*;
 
 /// Share of the squared error a term must remove to be named, where what is left is no noise.
@@ -21,6 +19,22 @@ const WORTH_NAMING: f64 = 0.1;
 
 /// Steps after which terms are compared.
 const FIRST_STEPS: usize = 4;
+
+/// One step of a diagnosis that adds a term at a time.
+pub(super) struct Step {
+    pub(super) fit: Fitted,
+    /// What the fit leaves.
+    pub(super) left: Left,
+    /// The sets of its size that were tried.
+    pub(super) tried: Vec<Fitted>,
+}
+
+impl Step {
+    /// The sets of its size as what the fit leaves lets them compare.
+    pub(super) fn compared(&self) -> Tried<'_> {
+        Tried::new(&self.tried, &self.left)
+    }
+}
 
 /// From the linear oscillator on, the best term is added until none is worth a name.
 pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<Step>, Run)> {
@@ -36,8 +50,8 @@ pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<St
         if base.left.unresolved {
             break;
         }
-        let far = may_add(&base.fit, gross::SPRING, options)
-            .then(|| gross::spring(&run, &base.fit))
+        let far = may_add(&base.fit, SPRING, options)
+            .then(|| bent_spring(&run, &base.fit))
             .flatten();
         if let Some((_, steps)) = &far {
             run = run.stretch(usize::MAX, *steps);
@@ -108,7 +122,7 @@ fn worth(base: &Fitted, best: &Fitted, left: &Left) -> bool {
 
 /// The step with the most probable of its sets: that which errs least is not always it.
 fn led_by_the_most_probable(mut step: Step, record: &Run) -> Option<Step> {
-    let first = weigh(&step).first().map(|w| w.0.clone())?;
+    let first = step.compared().weighed().first().map(|w| w.fit.clone())?;
     if first.terms != step.fit.terms {
         step.left = examine(record, &first)?;
         step.fit = first;

@@ -1,54 +1,46 @@
 //! Datasets of `kind = "oscillator"`: which term a linear oscillator lacks.
 //!
 //! ```text
-//! run, simulate, mode   a record on a fine grid, and the oscillator driven by it
-//! model, terms          the terms and their values, and what they do at one instant
-//! moves                 which values a fit moves, between which bounds, in which steps
-//! residual, slopes      measured less simulated output, and how it changes with the values
-//! fit, begin            least squares, and where the fit of a term begins; gross: far away
-//! grow, step, finely    one term at a time; steps of the integration as fine as it takes
-//! left, score, across   what a fit leaves; its errors on what was held out, and by level and band
-//! validation            another record, of which the first state is fitted
-//! weigh, stability      probabilities of the sets, and how often each leads if stretches are drawn again
-//! parts                 which part of a record is fitted, and which is held out
-//! answer, estimates     what an answer states: verdict, place, what next, values
+//! model, terms      the terms, and what they do at one instant
+//! parameters        values of a simulation: names, bounds, steps for slopes
+//! run, mode         a record on a fine grid, and a linear oscillator driven by it
+//! simulate          the oscillator over a record; integration: in steps as fine as it takes
+//! fit               the estimator's model: simulated against recorded output
+//! starts            where the fit of the oscillator, and of a term, begins
+//! grow              one term at a time
+//! lack_of_fit       what a fit leaves
+//! model_selection   probabilities of the sets of terms
+//! holdout, slices   errors on what was held out, and by level and band
+//! answer, estimates what an answer states: verdict, place, what next, values
 //! ```
 
-mod across;
 mod answer;
-mod begin;
 mod estimates;
-mod finely;
 mod fit;
-mod gross;
 mod grow;
-mod left;
+mod holdout;
+mod integration;
+mod lack_of_fit;
 mod mode;
 mod model;
-mod moves;
-mod parts;
-mod residual;
+mod model_selection;
+mod parameters;
 mod run;
-mod score;
 mod simulate;
-mod slopes;
-mod stability;
-mod step;
+mod slices;
+mod starts;
 mod terms;
-mod validation;
-mod weigh;
 
 use crate::answer::{Answer, DatasetSummary};
 use crate::dataset::{Dataset, Record};
 use crate::error::GapError;
 use crate::options::Options;
 use answer::answer;
-use fit::linear;
 use grow::grow;
+use holdout::{Scored, parts};
 use model::TERMS;
-use parts::parts;
 use run::{FEWEST_STEPS, Run};
-use score::Scored;
+use starts::linear;
 
 /// Names of the terms.
 pub(crate) fn names() -> Vec<&'static str> {

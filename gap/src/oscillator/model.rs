@@ -1,10 +1,13 @@
 //! The oscillator with its candidate terms: x'' + 2 delta w0 x' + w0^2 x + terms(x, x') = w0^2 gain u + offset.
 
+use super::parameters::Parameter::{self, *};
+use super::parameters::{LINEAR, OscillatorParameters};
+use super::run::Run;
 use crate::effects::Stage;
 
 const COEFFICIENT: &[&str] = &["coefficient"];
 
-/// Candidate terms; the values of each follow those of the one before.
+/// Candidate terms.
 pub(crate) const TERMS: [Term; 11] = [
     Term {
         name: "cubic_stiffness",
@@ -12,6 +15,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: false,
         stage: Stage::Dut,
         parameters: COEFFICIENT,
+        values: &[CubicStiffness],
         separate_by: "the same record at half and at twice the amplitude",
     },
     Term {
@@ -20,6 +24,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: false,
         stage: Stage::Dut,
         parameters: COEFFICIENT,
+        values: &[QuadraticStiffness],
         separate_by: "the same input with its sign turned, and one with a steady offset",
     },
     Term {
@@ -28,6 +33,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: false,
         stage: Stage::Dut,
         parameters: COEFFICIENT,
+        values: &[QuadraticDamping],
         separate_by: "a sine at the resonance at several amplitudes: the loss per cycle over amplitude",
     },
     Term {
@@ -36,6 +42,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: false,
         stage: Stage::Dut,
         parameters: COEFFICIENT,
+        values: &[CubicDamping],
         separate_by: "a sine at the resonance at several amplitudes: the loss per cycle over amplitude",
     },
     Term {
@@ -44,6 +51,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: true,
         stage: Stage::Dut,
         parameters: COEFFICIENT,
+        values: &[CoulombFriction],
         separate_by: "a decay from the resonance down to rest, and the smallest amplitudes",
     },
     Term {
@@ -52,6 +60,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: false,
         stage: Stage::Amplifier,
         parameters: COEFFICIENT,
+        values: &[Delay],
         separate_by: "frequencies far above the resonance",
     },
     Term {
@@ -60,6 +69,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: true,
         stage: Stage::Amplifier,
         parameters: &["threshold"],
+        values: &[Saturation],
         separate_by: "an input of half the peak value, and the input as it arrives",
     },
     Term {
@@ -68,6 +78,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: false,
         stage: Stage::Conditioning,
         parameters: &["corner_hz"],
+        values: &[HighpassCorner],
         separate_by: "frequencies far below the resonance",
     },
     Term {
@@ -76,6 +87,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: false,
         stage: Stage::Dut,
         parameters: &["gain", "mode_hz", "damping"],
+        values: &[ModeGain, ModeLnRatio, ModeDamping],
         separate_by: "a small-amplitude sweep around the second frequency",
     },
     Term {
@@ -84,6 +96,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: true,
         stage: Stage::Dut,
         parameters: &["half_width"],
+        values: &[DeadZone],
         separate_by: "the smallest amplitudes, below and above the play",
     },
     Term {
@@ -92,6 +105,7 @@ pub(crate) const TERMS: [Term; 11] = [
         has_kink: true,
         stage: Stage::Dut,
         parameters: &["alpha", "yield_deflection"],
+        values: &[YieldingShare, LnYieldDeflection],
         separate_by: "slow loading and unloading: the path of the restoring force",
     },
 ];
@@ -109,52 +123,37 @@ pub(crate) struct Term {
     pub(crate) stage: Stage,
     /// The record that tells it from the others.
     pub(crate) separate_by: &'static str,
+    /// Its values in a simulation; all of them zero: there is no such term.
+    pub(crate) values: &'static [Parameter],
     /// Names of its values.
     pub(crate) parameters: &'static [&'static str],
 }
 
-/// Values every simulation has: ln w0, delta, gain, offset, and the state at the first sample.
-pub(crate) const LINEAR: usize = 6;
-/// All values of a simulation.
-pub(crate) const VALUES: usize = LINEAR + 17;
-/// Coefficients of damping and friction.
-pub(crate) const LOSSES: std::ops::Range<usize> = LINEAR + 2..LINEAR + 5;
-/// Delay of the input, in samples.
-pub(crate) const DELAY: usize = LINEAR + 5;
-/// One over the input at which it saturates.
-pub(crate) const SATURATION: usize = LINEAR + 6;
-/// Corner of the output's high-pass, in rad/s.
-pub(crate) const HIGHPASS: usize = LINEAR + 7;
-/// First value of the second mode: gain, ln of its frequency over w0, damping.
-pub(crate) const SECOND_MODE: usize = LINEAR + 8;
-/// Half width of the play.
-pub(crate) const DEAD_ZONE: usize = LINEAR + 11;
-/// First value of the hysteresis: alpha, ln of the yield deflection.
-pub(crate) const HYSTERESIS: usize = LINEAR + 12;
-
-/// What the high-pass holds back at the first sample: the first state that only some terms have.
-pub(crate) const HELD_BACK: usize = LINEAR + 14;
-/// Displacement and velocity of the second mode at the first sample.
-pub(crate) const SECOND_STATE: usize = HELD_BACK + 1;
-
-/// Places of the state at the first sample with the given terms.
-pub(crate) fn states(terms: &[usize]) -> Vec<usize> {
-    let mut states = vec![4, 5];
+/// Parameters of the state at the first sample with the given terms.
+pub(super) fn states(terms: &[usize]) -> Vec<Parameter> {
+    let mut states = vec![Displacement, Velocity];
     for term in terms {
-        match places(*term).start {
-            HIGHPASS => states.push(HELD_BACK),
-            SECOND_MODE => states.extend([SECOND_STATE, SECOND_STATE + 1]),
+        match TERMS[*term].values[0] {
+            HighpassCorner => states.push(HeldBack),
+            ModeGain => states.extend([ModeDisplacement, ModeVelocity]),
             _ => {}
         }
     }
     states
 }
 
-/// Places of the values of a term.
-pub(crate) fn places(term: usize) -> std::ops::Range<usize> {
-    let first = TERMS[..term]
-        .iter()
-        .map(|t| t.parameters.len())
-        .sum::<usize>();
-    LINEAR + first..LINEAR + first + TERMS[term].parameters.len()
+/// Times a record is longer than the memory of a high-pass from which what it held back
+/// before is fitted; left free in a slower one it would be an offset of the output.
+const REMEMBERED: f64 = 8.0;
+
+/// Parameters that a fit moves from there: of the linear oscillator, of the terms, of their states.
+pub(super) fn free(terms: &[usize], values: &OscillatorParameters, record: &Run) -> Vec<Parameter> {
+    let duration_s = record.interval_s * record.input.len() as f64;
+    let forgets = values[HighpassCorner] * duration_s > REMEMBERED;
+    let of_terms = terms.iter().flat_map(|t| TERMS[*t].values).copied();
+    let states = states(terms).into_iter().filter(|s| match s {
+        HeldBack => forgets,
+        state => !LINEAR.contains(state),
+    });
+    LINEAR.into_iter().chain(of_terms).chain(states).collect()
 }

@@ -5,7 +5,7 @@
 //! the amplitude above a fifth of the rate.
 
 use crate::dataset::Record;
-use crate::lanes::dot;
+use crate::estimation::column::dot;
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
 

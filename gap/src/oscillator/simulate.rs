@@ -6,7 +6,7 @@
 //! classical Runge-Kutta method in the frame of that motion (Lawson 1967).
 
 use super::mode::{Follower, Mode, NODES, State};
-use super::model::{DELAY, HELD_BACK, HIGHPASS, SECOND_MODE, SECOND_STATE, VALUES};
+use super::parameters::{OscillatorParameters, Parameter};
 use super::run::Run;
 use super::terms::Terms;
 
@@ -50,7 +50,7 @@ impl Stepper<'_> {
             (end, yielding) = self.bent(m, middle, end, lacking);
         }
         let second = self.second.as_ref().map_or([0.0; 2], |mode| {
-            let size = self.terms.values[SECOND_MODE] * self.gain;
+            let size = self.terms.values[Parameter::ModeGain] * self.gain;
             let mut lacks = *input;
             if lacking.iter().any(|l| *l != 0.0) {
                 lacks = input.map(|u| u + self.terms.lacking(u));
@@ -92,26 +92,31 @@ impl Stepper<'_> {
 /// Simulates the output over the record.
 ///
 /// Returns `None` where the simulation diverges.
-pub(super) fn simulate(values: &[f64; VALUES], run: &Run) -> Option<Vec<f64>> {
-    let step = values[0].exp() * run.interval_s / run.steps as f64;
-    let mode = |at: usize| Mode::new(values[at + 1].exp(), values[at + 2], step);
+pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f64>> {
+    let w0 = values[Parameter::LnResonance].exp();
+    let step = w0 * run.interval_s / run.steps as f64;
+    let second = || {
+        let ratio = values[Parameter::ModeLnRatio].exp();
+        Mode::new(ratio, values[Parameter::ModeDamping], step)
+    };
     let stepper = Stepper {
         terms: Terms::new(values, step),
-        first: Mode::new(1.0, values[1], step),
-        second: (values[SECOND_MODE] != 0.0).then(|| mode(SECOND_MODE)),
-        gain: values[2],
-        offset: values[3],
+        first: Mode::new(1.0, values[Parameter::Delta], step),
+        second: (values[Parameter::ModeGain] != 0.0).then(second),
+        gain: values[Parameter::Gain],
+        offset: values[Parameter::Offset],
         step,
     };
-    let rate = values[HIGHPASS] / values[0].exp();
-    let follower = (rate > 0.0 || values[HELD_BACK] != 0.0).then(|| Follower::new(rate, step));
-    let input = run.driven(values[DELAY]);
+    let rate = values[Parameter::HighpassCorner] / w0;
+    let mut held_back = values[Parameter::HeldBack];
+    let follower = (rate > 0.0 || held_back != 0.0).then(|| Follower::new(rate, step));
+    let input = run.driven(values[Parameter::Delay]);
+    let state = |x: Parameter, v: Parameter| [values[x], values[v]];
     let mut moving = Moving {
-        first: [values[4], values[5]],
-        second: [values[SECOND_STATE], values[SECOND_STATE + 1]],
+        first: state(Parameter::Displacement, Parameter::Velocity),
+        second: state(Parameter::ModeDisplacement, Parameter::ModeVelocity),
         yielding: 0.0,
     };
-    let mut held_back = values[HELD_BACK];
     let count = run.input.len();
     let mut output = Vec::with_capacity(count);
     for n in 0..count {

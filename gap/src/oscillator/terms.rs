@@ -1,11 +1,23 @@
 //! What an oscillator has beside mass, damping and spring: the terms at one instant.
 
 use super::mode::State;
-use super::model::{DEAD_ZONE, HYSTERESIS, LINEAR, SATURATION, VALUES};
+use super::parameters::{OscillatorParameters, Parameter};
+
+/// Parameters of the forces; without any the motion is that of the linear oscillator.
+const FORCES: [Parameter; 8] = [
+    Parameter::CubicStiffness,
+    Parameter::QuadraticStiffness,
+    Parameter::QuadraticDamping,
+    Parameter::CubicDamping,
+    Parameter::CoulombFriction,
+    Parameter::Saturation,
+    Parameter::DeadZone,
+    Parameter::YieldingShare,
+];
 
 /// The terms of an oscillator, as an acceleration in units of w0^2.
 pub(super) struct Terms<'a> {
-    pub(super) values: &'a [f64; VALUES],
+    pub(super) values: &'a OscillatorParameters,
     yields_at: f64,
     /// Slope of dry friction about rest: as steep as the steps can follow.
     steepness: f64,
@@ -14,23 +26,19 @@ pub(super) struct Terms<'a> {
 }
 
 impl<'a> Terms<'a> {
-    pub(super) fn new(values: &'a [f64; VALUES], step: f64) -> Self {
-        let own = &values[LINEAR..];
-        let some = own[..5].iter().any(|v| *v != 0.0)
-            || [SATURATION, DEAD_ZONE, HYSTERESIS]
-                .iter()
-                .any(|at| values[*at] != 0.0);
+    pub(super) fn new(values: &'a OscillatorParameters, step: f64) -> Self {
+        let acts = |parameter: &Parameter| values[*parameter] != 0.0;
         Self {
             values,
-            yields_at: values[HYSTERESIS + 1].exp(),
-            steepness: 1.0 / (own[4] * step).max(1e-9),
-            some,
+            yields_at: values[Parameter::LnYieldDeflection].exp(),
+            steepness: 1.0 / (values[Parameter::CoulombFriction] * step).max(1e-9),
+            some: FORCES.iter().any(acts),
         }
     }
 
     /// What a saturated input lacks.
     pub(super) fn lacking(&self, input: f64) -> f64 {
-        let saturation = self.values[SATURATION];
+        let saturation = self.values[Parameter::Saturation];
         if saturation > 0.0 {
             input.clamp(-1.0 / saturation, 1.0 / saturation) - input
         } else {
@@ -39,22 +47,24 @@ impl<'a> Terms<'a> {
     }
 
     pub(super) fn at(&self, [x, v]: State, yielding: f64, lacking: f64) -> f64 {
-        let terms = &self.values[LINEAR..];
-        let mut sum = -x * x * (terms[1] + terms[0] * x) - v * v.abs() * terms[2];
-        sum += self.values[2] * lacking - terms[3] * v * v * v;
-        if terms[4] != 0.0 {
-            sum -= terms[4] * (v * self.steepness).clamp(-1.0, 1.0);
+        let of = |parameter: Parameter| self.values[parameter];
+        let spring = of(Parameter::QuadraticStiffness) + of(Parameter::CubicStiffness) * x;
+        let mut sum = -x * x * spring - v * v.abs() * of(Parameter::QuadraticDamping);
+        sum += of(Parameter::Gain) * lacking - of(Parameter::CubicDamping) * v * v * v;
+        let friction = of(Parameter::CoulombFriction);
+        if friction != 0.0 {
+            sum -= friction * (v * self.steepness).clamp(-1.0, 1.0);
         }
-        let play = self.values[DEAD_ZONE];
+        let play = of(Parameter::DeadZone);
         if play > 0.0 {
             sum += x.clamp(-play, play);
         }
-        sum - self.values[HYSTERESIS] * yielding
+        sum - of(Parameter::YieldingShare) * yielding
     }
 
     /// The yielding part of the spring after a way.
     pub(super) fn yielded(&self, before: f64, way: f64) -> f64 {
-        if self.values[HYSTERESIS] == 0.0 {
+        if self.values[Parameter::YieldingShare] == 0.0 {
             0.0
         } else {
             yielded(before, way, self.yields_at)

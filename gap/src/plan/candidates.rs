@@ -1,12 +1,12 @@
-//! Points the rig can hold, and what would be measured there.
+//! Points the rig can hold, what would be measured there, and a chosen one in words.
 
 use super::duel::Duel;
-use super::measurement::Measurement;
 use super::settings::{BEYOND, settings};
+use crate::calibrator::evaluate::Memories;
+use crate::calibrator::problem::Problem;
 use crate::dataset::{Harmonic, Point, Rig};
-use crate::engine::evaluate::Memories;
-use crate::engine::problem::Problem;
 use crate::observable::{Observable, Table};
+use serde::Serialize;
 
 /// Effort of a point with sensors the dataset does not have.
 const DEARER: f64 = 2.0;
@@ -166,4 +166,31 @@ fn set_voltages(nominal: &Problem, grid: &mut [Point], largest_v: f64) -> Vec<bo
         kept[index] = volt <= largest_v;
     });
     kept
+}
+
+/// A point that is worth measuring.
+#[derive(Debug, Clone, Serialize)]
+pub struct Measurement {
+    /// Excitation frequency.
+    pub frequency_hz: f64,
+    /// Level, r.m.s.; null where levels were never stated.
+    pub acceleration_ms2: Option<f64>,
+    /// Rotation of the device under test.
+    pub rotation_deg: f64,
+    /// Angle between the axis of motion and the vertical.
+    pub tilt_deg: f64,
+    /// Mass on the armature.
+    pub payload_kg: f64,
+    /// Transducer temperature.
+    pub temperature_c: f64,
+    /// Since the first point.
+    pub time_s: f64,
+    /// Columns beyond those of the dataset.
+    pub extra_columns: Vec<&'static str>,
+    /// Observable in which the pair it helps most differs most.
+    pub look_at: &'static str,
+    /// The pair it helps most.
+    pub separates: [Vec<&'static str>; 2],
+    /// Separation of that pair after it.
+    pub sigma: f64,
 }

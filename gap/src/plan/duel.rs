@@ -1,9 +1,9 @@
 //! Two sets of effects: one is true, the other is refitted as well as it can be.
 
-use super::parameters::Parameters;
+use super::side::Parameters;
 use super::side::{Datum, Side};
-use crate::engine::fit::Fit;
-use crate::engine::problem::Problem;
+use crate::calibrator::fit::Fit;
+use crate::calibrator::problem::Problem;
 use crate::observable::{Group, Observable, Table};
 use nalgebra::{Cholesky, DMatrix, DVector};
 

@@ -1,14 +1,14 @@
 //! What is still possible: sets of effects as the data leave them, or any effect.
 
 use crate::answer::Verdict;
+use crate::calibrator::candidate::active;
+use crate::calibrator::evaluation::difference;
+use crate::calibrator::fit::{Fit, Workspace};
+use crate::calibrator::limits::Limits;
+use crate::calibrator::problem::Problem;
+use crate::calibrator::search::search;
+use crate::calibrator::verdict::judge;
 use crate::effects::{Active, Start, library};
-use crate::engine::atom::active;
-use crate::engine::fit::{Fit, Workspace};
-use crate::engine::limits::Limits;
-use crate::engine::normal::difference;
-use crate::engine::problem::Problem;
-use crate::engine::search::search;
-use crate::verdict::{left_by, verdict};
 use rayon::prelude::*;
 
 /// Probability above which a set is still possible.
@@ -31,8 +31,7 @@ pub(super) fn of_data<'a>(
 ) -> (Option<Verdict>, Pairs<'a>) {
     let found = search(problem, &Limits::without(&[], 2));
     let best = found.best();
-    let (nominal_left, left) = left_by(problem, &found, &mut Workspace::new(problem));
-    let verdict = verdict(&found, &left, &nominal_left);
+    let verdict = judge(problem, &found, &mut Workspace::new(problem)).verdict;
     if verdict == Verdict::NoGap {
         return (Some(verdict), of_library(reach));
     }

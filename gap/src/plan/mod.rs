@@ -5,7 +5,7 @@
 //! candidates   points the rig can hold, with what would be measured there
 //! hypotheses   sets of effects that are still possible, as fitted or of a usual size
 //! duel         one set is true, the other is refitted: what is left, in sigma
-//! side         what both say of the same data; parameters: what is refitted
+//! side         what both say of the same data, and what is refitted
 //! ```
 //!
 //! # Equation
@@ -18,18 +18,16 @@
 mod candidates;
 mod duel;
 mod hypotheses;
-mod measurement;
-mod parameters;
 mod settings;
 mod side;
 
 use crate::answer::Verdict;
+use crate::calibrator::problem::Problem;
 use crate::dataset::{Dataset, Measured};
-use crate::engine::problem::Problem;
 use crate::error::GapError;
 use candidates::Candidates;
+pub use candidates::Measurement;
 use duel::Duel;
-pub use measurement::Measurement;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::Path;

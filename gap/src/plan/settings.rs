@@ -1,7 +1,7 @@
 //! Settings of the generator, and of what takes other hands, that a rig can hold.
 
+use crate::calibrator::problem::Problem;
 use crate::dataset::{Point, Rig};
-use crate::engine::problem::Problem;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Points in one-third octaves.

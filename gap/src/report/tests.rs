@@ -3,7 +3,7 @@
 use super::{report, short};
 use crate::answer::*;
 use crate::axis::Axis;
-use crate::engine::gap::{Gap, ObservableGap, Slice};
+use crate::estimation::gap::{Gap, ObservableGap, Slice};
 use crate::observable::Observable;
 use crate::pictures::{Conditions, Datum, Pictures, Residuals, Trace};
 

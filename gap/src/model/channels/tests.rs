@@ -1,9 +1,9 @@
 //! What a channel shows of a bent wave, against the wave itself sampled in time.
 
 use super::*;
+use crate::calibrator::example::{named, rig};
 use crate::dataset::ExciterParameters;
 use crate::dataset::{Harmonic, Point};
-use crate::engine::example::{named, rig};
 use crate::model::memory::{Memory, Recall};
 use crate::model::predict::predict;
 use std::f64::consts::TAU;

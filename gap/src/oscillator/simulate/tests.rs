@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::dataset::Record;
-use crate::oscillator::model::{DEAD_ZONE, LINEAR};
 use std::f64::consts::TAU;
 
 const INTERVAL_S: f64 = 1.0 / 600.0;
@@ -25,11 +24,11 @@ fn run(steps: usize) -> Run {
     Run::new(&record, steps)
 }
 
-fn oscillator() -> [f64; VALUES] {
-    let mut values = [0.0; VALUES];
-    values[0] = (TAU * RESONANCE_HZ).ln();
-    values[1] = 0.02;
-    values[2] = 1.0;
+fn oscillator() -> OscillatorParameters {
+    let mut values = OscillatorParameters::default();
+    values[Parameter::LnResonance] = (TAU * RESONANCE_HZ).ln();
+    values[Parameter::Delta] = 0.02;
+    values[Parameter::Gain] = 1.0;
     values
 }
 
@@ -56,7 +55,8 @@ fn a_linear_oscillator_moves_as_its_response_says() {
         (0..14).map(line).sum::<f64>() / 14.0
     };
     let mut values = oscillator();
-    (values[4], values[5]) = (response(0.0, 0), response(0.0, 1));
+    values[Parameter::Displacement] = response(0.0, 0);
+    values[Parameter::Velocity] = response(0.0, 1);
     let found = simulate(&values, &run(2)).expect("it does not diverge");
     let expected: Vec<f64> = (0..900)
         .map(|n| response(n as f64 * INTERVAL_S, 0))
@@ -70,20 +70,20 @@ fn a_linear_oscillator_moves_as_its_response_says() {
 /// classical method alone err by 1e-3 here, an input held between the samples by more.
 #[test]
 fn every_smooth_term_is_integrated() {
-    let terms: [(&str, &[(usize, f64)]); 5] = [
-        ("cubic", &[(LINEAR, 0.02)]),
-        ("quadratic", &[(LINEAR + 1, 0.05)]),
-        ("quadratic damping", &[(LINEAR + 2, 0.02)]),
-        ("cubic damping", &[(LINEAR + 3, 0.02)]),
-        ("high-pass", &[(HIGHPASS, 20.0)]),
+    let terms = [
+        (Parameter::CubicStiffness, 0.02),
+        (Parameter::QuadraticStiffness, 0.05),
+        (Parameter::QuadraticDamping, 0.02),
+        (Parameter::CubicDamping, 0.02),
+        (Parameter::HighpassCorner, 20.0),
     ];
-    for (name, changes) in terms {
+    for (term, value) in terms {
         let mut values = oscillator();
-        changes.iter().for_each(|(at, v)| values[*at] = *v);
+        values[term] = value;
         let found = simulate(&values, &run(4)).expect("it does not diverge");
         let expected = midpoint(&values);
         let error = distance(&found, &expected);
-        assert!(error < 2e-5, "{name}: {error:e}");
+        assert!(error < 2e-5, "{term:?}: {error:e}");
     }
 }
 
@@ -92,37 +92,42 @@ fn every_smooth_term_is_integrated() {
 #[test]
 fn terms_with_a_kink_are_integrated_the_better_the_finer() {
     let terms = [
-        ("friction", LINEAR + 4, 0.003),
-        ("dead zone", DEAD_ZONE, 0.03),
+        (Parameter::CoulombFriction, 0.003),
+        (Parameter::DeadZone, 0.03),
     ];
-    for (name, at, value) in terms {
+    for (term, value) in terms {
         let mut values = oscillator();
-        values[at] = value;
+        values[term] = value;
         let expected = midpoint(&values);
         let error = |steps: usize| {
             let found = simulate(&values, &run(steps)).expect("it does not diverge");
             distance(&found, &expected)
         };
         let (coarse, fine) = (error(2), error(16));
-        assert!(fine < 3e-4, "{name}: {fine:e}");
-        assert!(fine < 0.25 * coarse, "{name}: {coarse:e} {fine:e}");
+        assert!(fine < 3e-4, "{term:?}: {fine:e}");
+        assert!(fine < 0.25 * coarse, "{term:?}: {coarse:e} {fine:e}");
     }
 }
 
-fn midpoint(values: &[f64; VALUES]) -> Vec<f64> {
+fn midpoint(values: &OscillatorParameters) -> Vec<f64> {
     const STEPS: usize = 400;
-    let w0 = values[0].exp();
-    let terms = &values[LINEAR..];
+    let w0 = values[Parameter::LnResonance].exp();
+    let of = |parameter: Parameter| values[parameter];
     let rate = |s: [f64; 3], t: f64| {
         let [x, v, low] = s;
-        let loss = v * (0.04 + terms[2] * v.abs() + terms[3] * v * v);
-        let play = values[DEAD_ZONE];
-        let spring = x - x.clamp(-play, play) + terms[1] * x * x + terms[0] * x * x * x;
-        let loss = loss + terms[4] * (v * 1e5).clamp(-1.0, 1.0);
+        let loss = v
+            * (0.04
+                + of(Parameter::QuadraticDamping) * v.abs()
+                + of(Parameter::CubicDamping) * v * v);
+        let play = of(Parameter::DeadZone);
+        let spring = x - x.clamp(-play, play)
+            + of(Parameter::QuadraticStiffness) * x * x
+            + of(Parameter::CubicStiffness) * x * x * x;
+        let loss = loss + of(Parameter::CoulombFriction) * (v * 1e5).clamp(-1.0, 1.0);
         [
             w0 * v,
             w0 * (force(t) - spring - loss),
-            values[HIGHPASS] * (x - low),
+            of(Parameter::HighpassCorner) * (x - low),
         ]
     };
     let h = INTERVAL_S / STEPS as f64;

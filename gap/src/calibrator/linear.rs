@@ -1,0 +1,157 @@
+//! The problem linearised at a fit: slopes against nuisances and parameters, of now or of an earlier step.
+
+use super::evaluation::{Evaluation, Responses};
+use super::finite_difference::{bent_columns, parameter_column};
+use super::fit::{Fit, Workspace};
+use super::nuisance_columns::nuisance_columns;
+use super::problem::{Column, Problem, Tangent};
+use crate::estimation::tangent::Equations;
+
+/// The problem linearised at a fit.
+pub(crate) struct Linearised {
+    pub(crate) evaluation: Evaluation,
+    pub(crate) columns: Vec<Column>,
+    pub(crate) prior: Vec<f64>,
+    theta: Vec<f64>,
+}
+
+impl Linearised {
+    pub(crate) fn new(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Self {
+        Self::with(problem, fit, None, work)
+    }
+
+    /// The same with earlier slopes, where new ones are expensive.
+    pub(super) fn with(
+        problem: &Problem,
+        fit: &Fit,
+        lagging: Option<&Slopes>,
+        work: &mut Workspace,
+    ) -> Self {
+        let (evaluation, responses) = problem.respond(&fit.effects, &fit.theta, &mut work.memory);
+        Self::at(problem, fit, (evaluation, &responses), lagging, work)
+    }
+
+    /// The same where the fit has been evaluated.
+    pub(super) fn at(
+        problem: &Problem,
+        fit: &Fit,
+        (evaluation, responses): (Evaluation, &Responses),
+        lagging: Option<&Slopes>,
+        work: &Workspace,
+    ) -> Self {
+        let bent = fit.effects.iter().any(|e| e.effect.bends());
+        let lagging = lagging.filter(|_| bent);
+        let earlier = |index: usize| lagging.and_then(|s| s.column(problem, index, &evaluation));
+        let mut columns = nuisance_columns(problem, &evaluation, responses, &fit.theta);
+        if bent && lagging.is_none() {
+            bent_columns(problem, fit, &evaluation, &mut columns, work);
+        }
+        for (index, column) in columns.iter_mut().enumerate() {
+            if let Some(earlier) = earlier(index) {
+                *column = earlier;
+            }
+        }
+        for (at, active) in fit.effects.iter().enumerate() {
+            for index in 0..active.parameters.len() {
+                let column = earlier(columns.len());
+                let fresh = || parameter_column(problem, fit, (at, index), &evaluation, work);
+                columns.push(column.unwrap_or_else(fresh));
+            }
+        }
+        let bounded = problem.free.iter().map(|f| f64::from(u8::from(f.bounded)));
+        let mut prior: Vec<f64> = bounded.collect();
+        prior.resize(columns.len(), 0.0);
+        Self {
+            evaluation,
+            columns,
+            prior,
+            theta: fit.theta.clone(),
+        }
+    }
+
+    /// The normal equations of the next step.
+    pub(super) fn equations(&self, problem: &Problem) -> Equations {
+        let residual = &self.evaluation.residual;
+        Equations::new(problem, &self.columns, &self.prior, residual, &self.theta)
+    }
+
+    /// The slopes against nuisances and parameters.
+    pub(crate) fn all_slopes(self) -> Slopes {
+        Slopes::new(self.columns, self.evaluation.weight)
+    }
+
+    /// The slopes against the nuisances alone.
+    pub(super) fn nuisance_slopes(self) -> Slopes {
+        let mut columns = self.columns;
+        columns.truncate(self.theta.len());
+        Slopes::new(columns, self.evaluation.weight)
+    }
+
+    /// The tangent space here, priors included.
+    pub(crate) fn tangent(self) -> Option<(Evaluation, Tangent)> {
+        let tangent = Tangent::new(self.columns, &self.prior)?;
+        Some((self.evaluation, tangent))
+    }
+}
+
+/// Slopes taken at an earlier step, or at a smaller set: against the nuisances,
+/// then perhaps against the parameters of the first effects.
+pub(crate) struct Slopes {
+    columns: Vec<Column>,
+    /// Weights that the columns hold.
+    weight: Vec<f64>,
+}
+
+impl Slopes {
+    /// Slopes with the weights they hold.
+    pub(crate) fn new(columns: Vec<Column>, weight: Vec<f64>) -> Self {
+        Self { columns, weight }
+    }
+
+    /// The slopes of those rows of a problem that are a problem of their own.
+    pub(crate) fn of_part(
+        &self,
+        whole: &Problem,
+        part: &Problem,
+        keep: &dyn Fn(usize) -> bool,
+    ) -> Self {
+        let kept = |values: &[f64], from: usize| -> Vec<f64> {
+            let data = values.iter().enumerate();
+            let inside = data.filter(|(at, _)| keep(whole.row_of[from + at]));
+            inside.map(|(_, value)| *value).collect()
+        };
+        let of_part = |column: &Column| Column {
+            parts: column
+                .parts
+                .iter()
+                .map(|(o, values)| (*o, kept(values, whole.data_of(*o).start)))
+                .collect(),
+        };
+        // Without its rows, a run has no gain.
+        let at = |kind| whole.free.iter().position(|free| free.kind == kind);
+        let nuisances = part.free.iter().filter_map(|free| at(free.kind));
+        let columns = nuisances.chain(whole.free.len()..self.columns.len());
+        Self {
+            columns: columns.map(|at| of_part(&self.columns[at])).collect(),
+            weight: kept(&self.weight, 0),
+        }
+    }
+
+    /// Column of a parameter, with the weights of now.
+    pub(super) fn column(
+        &self,
+        problem: &Problem,
+        index: usize,
+        here: &Evaluation,
+    ) -> Option<Column> {
+        let mut column = self.columns.get(index)?.clone();
+        for (observable, values) in &mut column.parts {
+            let range = problem.data_of(*observable);
+            let (now, then) = (&here.weight[range.clone()], &self.weight[range]);
+            for ((value, now), then) in values.iter_mut().zip(now).zip(then) {
+                *value *= now / then;
+            }
+        }
+        Some(column)
+    }
+}

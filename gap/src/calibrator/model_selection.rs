@@ -1,0 +1,80 @@
+//! How sets of effects compare: evidence with a cost for each effect and parameter.
+
+use super::fit::Fit;
+use super::problem::Problem;
+use crate::effects::library;
+use crate::estimation::selection::{cost_of_cause, cost_of_parameter, probabilities};
+
+/// Difference of score by which an earlier entry of the library is preferred.
+const TIE: f64 = 1e-4;
+
+/// A refined set with its score, -2 ln of the (unnormalised) posterior probability.
+#[derive(Clone)]
+pub(crate) struct Scored {
+    pub(crate) fit: Fit,
+    pub(crate) bic: f64,
+    pub(crate) score: f64,
+    pub(crate) probability: f64,
+}
+
+/// Scores the sets, keeps the best variant of each, drops what a subset does better.
+pub(super) fn score(
+    problem: &Problem,
+    nominal: &Fit,
+    found: Vec<Fit>,
+    allowed: &[bool],
+) -> Vec<Scored> {
+    let per_name = cost_of_cause(possible_names(problem, allowed).max(1) as f64);
+    let per_parameter = cost_of_parameter(problem.len() as f64);
+    let mut sets: Vec<Scored> = std::iter::once(nominal.clone())
+        .chain(found)
+        .map(|fit| {
+            let bic = fit.objective + per_parameter * fit.parameter_count() as f64;
+            // Equals come in the order of the library.
+            let order: usize = fit.effects.iter().map(|e| e.entry).sum();
+            let score = bic + per_name * fit.effects.len() as f64 + TIE * order as f64;
+            Scored {
+                fit,
+                bic,
+                score,
+                probability: 0.0,
+            }
+        })
+        .collect();
+    sets.sort_by(|a, b| a.score.total_cmp(&b.score));
+    let mut kept: Vec<Scored> = Vec::new();
+    for set in sets {
+        let names = sorted(set.fit.names());
+        // Occam's window: a set is not considered beside a better one made of part of it.
+        // (No effect at all is part of every set: a gap too faint to be claimed has possible causes.)
+        if !kept.iter().any(|k| {
+            let part = sorted(k.fit.names());
+            part.iter().all(|n| names.contains(n)) && (!part.is_empty() || names.is_empty())
+        }) {
+            kept.push(set);
+        }
+    }
+    normalise(&mut kept);
+    kept
+}
+
+/// Names of the library that may stand in this problem.
+fn possible_names(problem: &Problem, allowed: &[bool]) -> usize {
+    let entries = library().iter().zip(allowed);
+    let possible = entries.filter(|(e, ok)| **ok && e.applies(&problem.facts));
+    let mut names: Vec<&str> = possible.map(|(e, _)| e.about().id).collect();
+    names.dedup();
+    names.len()
+}
+
+fn sorted(mut names: Vec<&'static str>) -> Vec<&'static str> {
+    names.sort_unstable();
+    names
+}
+
+fn normalise(sets: &mut [Scored]) {
+    let scores: Vec<f64> = sets.iter().map(|s| s.score).collect();
+    for (set, probability) in sets.iter_mut().zip(probabilities(&scores)) {
+        set.probability = probability;
+    }
+}

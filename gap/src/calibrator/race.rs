@@ -1,0 +1,117 @@
+//! Refinement of a proposed set: a few steps, and all of them where it is within reach.
+
+use super::candidate::{PredictedGain, active};
+use super::fit::{Fit, Workspace};
+use super::found::Found;
+use super::problem::Problem;
+use super::proposal::Plan;
+use super::refine::{FULL, GLANCE, refine, refine_with};
+use super::step::moved;
+use crate::effects::{Active, library};
+
+/// Objective above the best set of a size from which a set is not refined further.
+const OUT_OF_REACH: f64 = 60.0;
+/// The same as a share of what the best set gained, as long as that leaves more than noise.
+const REACH: f64 = 0.02;
+
+/// Refines a proposed set and keeps what it finds; `nominal` is the objective without effects.
+pub(super) fn race(
+    problem: &Problem,
+    plan: &Plan,
+    nominal: f64,
+    found: &mut Found<'_>,
+    work: &mut Workspace,
+) {
+    let size = plan.base.fit.effects.len() + 1;
+    let leader = found.leader(size);
+    let best = leader.map_or(nominal, |f| f.objective.min(nominal));
+    let settled = leader.is_some_and(|f| found.is_noise(f));
+    let reach = if settled {
+        OUT_OF_REACH
+    } else {
+        OUT_OF_REACH.max(REACH * (nominal - best))
+    };
+    let glance = glance(problem, plan, work);
+    if glance.objective >= best + reach || glance.objective == f64::MAX {
+        return found.keep(glance);
+    }
+    let (effects, theta) = (glance.effects.clone(), glance.theta.clone());
+    let further = refine(problem, effects, theta, FULL, work);
+    let better = further.objective < glance.objective;
+    found.keep(if better { further } else { glance });
+}
+
+/// A few steps of a set.
+fn glance(problem: &Problem, plan: &Plan, work: &mut Workspace) -> Fit {
+    let predicted_gain = &plan.predicted_gain;
+    let base = shifted(problem, &plan.base.fit, predicted_gain, work);
+    let effect = library()[predicted_gain.entry];
+    // A second bend changes the slopes of the first.
+    let slopes = plan.base.slopes.as_ref().filter(|_| !effect.bends());
+    let effects = with(
+        &base,
+        predicted_gain.entry,
+        predicted_gain.parameters.clone(),
+    );
+    let theta = base.theta.clone();
+    let fit = refine_with(problem, effects, theta, slopes, GLANCE, work);
+    if effect.bends() && base.effects.is_empty() {
+        of_other_size(problem, predicted_gain.entry, fit, work)
+    } else {
+        fit
+    }
+}
+
+/// The screening of a bent exciter is linear in its size: tries the other sizes too.
+fn of_other_size(problem: &Problem, entry: usize, mut fit: Fit, work: &mut Workspace) -> Fit {
+    let starts = library()[entry].starts(&problem.facts);
+    for start in starts.into_iter().skip(1) {
+        let other = vec![active(entry, start.members[0].clone())];
+        let there = problem.evaluate(&other, &fit.theta, &mut work.memory);
+        if there.objective < fit.objective {
+            let theta = fit.theta.clone();
+            let again = refine(problem, other, theta, GLANCE, work);
+            if again.objective < fit.objective {
+                fit = again;
+            }
+        }
+    }
+    fit
+}
+
+/// The base moved to where the screening expects it beside the new effect, if that is an improvement.
+fn shifted(
+    problem: &Problem,
+    base: &Fit,
+    predicted_gain: &PredictedGain,
+    work: &mut Workspace,
+) -> Fit {
+    let there = match &predicted_gain.shift {
+        Some(shift) => moved(problem, base, shift),
+        None => Fit {
+            theta: problem.stated_noise(&base.theta),
+            ..base.clone()
+        },
+    };
+    let mut objective = |base: &Fit| {
+        let effects = with(
+            base,
+            predicted_gain.entry,
+            predicted_gain.parameters.clone(),
+        );
+        let found = problem.evaluate(&effects, &base.theta, &mut work.memory);
+        found.objective
+    };
+    if objective(&there) < objective(base) {
+        there
+    } else {
+        base.clone()
+    }
+}
+
+/// The effects of a set and one more.
+fn with(base: &Fit, entry: usize, parameters: Vec<f64>) -> Vec<Active<'static>> {
+    let mut effects = base.effects.clone();
+    effects.push(active(entry, parameters));
+    effects
+}

@@ -1,0 +1,197 @@
+//! Refinement of a set of effects: damped Gauss-Newton on the posterior.
+
+use super::evaluation::{Evaluation, Responses};
+use super::fit::{Fit, Workspace};
+use super::higher::higher_harmonics;
+use super::linear::Linearised;
+use super::linear::Slopes;
+use super::polish::polish;
+use super::problem::Problem;
+use super::step::{clamp, moved};
+use crate::effects::Active;
+use crate::estimation::descent::{self, Effort, LeastSquares};
+use crate::estimation::tangent::Equations;
+use nalgebra::DVector;
+
+/// All the steps a set is worth.
+pub(crate) const FULL: Effort = Effort {
+    most_steps: 25,
+    enough: 1e-2,
+    small_steps: 2,
+    damping: 1e-4,
+    leap: 100.0,
+};
+/// Enough to see whether a set is within reach of the best.
+pub(crate) const GLANCE: Effort = Effort {
+    most_steps: 5,
+    enough: 1.0,
+    ..FULL
+};
+
+/// Refines effects and nuisances from a start.
+pub(crate) fn refine(
+    problem: &Problem,
+    effects: Vec<Active<'static>>,
+    theta: Vec<f64>,
+    effort: Effort,
+    work: &mut Workspace,
+) -> Fit {
+    refine_with(problem, effects, theta, None, effort, work)
+}
+
+/// The same; the first step takes the slopes that are known of part of the set.
+pub(crate) fn refine_with(
+    problem: &Problem,
+    effects: Vec<Active<'static>>,
+    theta: Vec<f64>,
+    slopes: Option<&Slopes>,
+    effort: Effort,
+    work: &mut Workspace,
+) -> Fit {
+    let mut fit = Fit {
+        effects,
+        theta,
+        objective: f64::INFINITY,
+    };
+    clamp(&mut fit.effects);
+    descend(problem, &mut fit, slopes, effort, work);
+    unstretch(problem, &mut fit, effort, work);
+    if fit.effects.iter().any(|e| e.effect.opens()) {
+        // Slopes see the mean, the search sees the scatter: each moves the other's optimum.
+        let rounds = if effort.most_steps < FULL.most_steps {
+            1
+        } else {
+            3
+        };
+        for round in 0..rounds {
+            let before = fit.objective;
+            polish(problem, &mut fit, round, work);
+            descend(problem, &mut fit, None, effort, work);
+            if before - fit.objective < 0.1 {
+                break;
+            }
+        }
+    }
+    fit
+}
+
+/// Noise beyond this many of its standard uncertainties is stretched.
+const STRETCHED: f64 = 3.0;
+
+/// Puts stretched noise back where it is stated, if the search then describes the data better.
+///
+/// Higher harmonics count as noise or do not, for a whole dataset. A start from a set without them
+/// has stretched the noise in their place, and at that noise they are better not counted.
+fn unstretch(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspace) {
+    let stated = problem.stated_noise(&fit.theta);
+    let mut moved = stated.iter().zip(&fit.theta);
+    if !moved.any(|(to, from)| (to - from).abs() > STRETCHED)
+        || higher_harmonics(problem, fit, work).is_none()
+    {
+        return;
+    }
+    let mut other = Fit {
+        theta: stated,
+        ..fit.clone()
+    };
+    descend(problem, &mut other, None, effort, work);
+    if other.objective < fit.objective {
+        *fit = other;
+    }
+}
+
+/// Moves a fit to its optimum on a similar problem: by slopes alone.
+pub(crate) fn follow(
+    problem: &Problem,
+    mut fit: Fit,
+    slopes: &Slopes,
+    effort: Effort,
+    work: &mut Workspace,
+) -> Fit {
+    descend(problem, &mut fit, Some(slopes), effort, work);
+    fit
+}
+
+/// Accepted steps between renewals of the slopes of a nonlinear exciter.
+const RENEWAL: usize = 4;
+
+/// Damped steps until the objective stands still; the first takes `slopes` where there are any.
+fn descend(
+    problem: &Problem,
+    fit: &mut Fit,
+    slopes: Option<&Slopes>,
+    effort: Effort,
+    work: &mut Workspace,
+) {
+    let found = problem.respond(&fit.effects, &fit.theta, &mut work.memory);
+    let start = Place::new(fit.clone(), found);
+    let mut descent = Descent {
+        problem,
+        work,
+        first: slopes,
+        lagging: None,
+        taken: 0,
+    };
+    if let Some((place, _)) = descent::descend(&mut descent, start, effort) {
+        *fit = place.fit;
+    }
+}
+
+/// A set of effects on the way of a refinement.
+struct Descent<'a> {
+    problem: &'a Problem,
+    work: &'a mut Workspace,
+    /// Slopes that the first step takes.
+    first: Option<&'a Slopes>,
+    /// Slopes of the last step.
+    lagging: Option<Slopes>,
+    /// Steps so far.
+    taken: usize,
+}
+
+/// A fit with what the simulation says there.
+struct Place {
+    fit: Fit,
+    found: (Evaluation, Responses),
+}
+
+impl Place {
+    fn new(fit: Fit, found: (Evaluation, Responses)) -> Self {
+        let objective = found.0.objective;
+        Self {
+            fit: Fit { objective, ..fit },
+            found,
+        }
+    }
+}
+
+impl LeastSquares for Descent<'_> {
+    type State = Place;
+
+    fn objective(&self, at: &Place) -> f64 {
+        at.fit.objective
+    }
+
+    fn equations(&mut self, at: &Place) -> Option<Equations> {
+        let lagging = match self.taken {
+            0 => self.first,
+            taken if taken % RENEWAL == 0 => None,
+            _ => self.lagging.as_ref(),
+        };
+        self.taken += 1;
+        let (evaluation, responses) = (at.found.0.clone(), &at.found.1);
+        let found = (evaluation, responses);
+        let linear = Linearised::at(self.problem, &at.fit, found, lagging, self.work);
+        let equations = linear.equations(self.problem);
+        self.lagging = Some(linear.nuisance_slopes());
+        Some(equations)
+    }
+
+    fn moved(&mut self, from: &Place, step: &DVector<f64>) -> Option<Place> {
+        let fit = moved(self.problem, &from.fit, step);
+        let found = self
+            .problem
+            .respond(&fit.effects, &fit.theta, &mut self.work.memory);
+        Some(Place::new(fit, found))
+    }
+}

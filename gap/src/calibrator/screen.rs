@@ -1,0 +1,180 @@
+//! Screening: how much each effect could explain of what a fit leaves.
+
+use super::candidate::{Candidate, PredictedGain, active};
+use super::fit::{Fit, Workspace};
+use super::higher::higher_harmonics;
+use super::linear::Linearised;
+use super::linear::Slopes;
+use super::nuisance::Nuisance;
+use super::problem::Problem;
+use super::scatter::{QuietStarts, Scene};
+use super::settled::gradient;
+use crate::effects::library;
+
+/// Pull of a value of the exciter, in standard uncertainties, from which its slopes are taken anew.
+const PULLED: f64 = 2.0;
+
+/// All starts of all effects that apply, with their changes at the nominal fit.
+pub(crate) struct Candidates {
+    list: Vec<Candidate>,
+    /// Entries that only scatter, with their starts.
+    scattering: Vec<(usize, Vec<Vec<f64>>)>,
+    quiet: QuietStarts,
+}
+
+impl Candidates {
+    /// Prepares the starts of the entries that are allowed.
+    pub(crate) fn new(
+        problem: &Problem,
+        allowed: &[bool],
+        nominal: &Fit,
+        work: &mut Workspace,
+    ) -> Self {
+        let base = problem.evaluate(&[], &nominal.theta, &mut work.memory);
+        let mut candidates = Self {
+            list: Vec::new(),
+            scattering: Vec::new(),
+            quiet: QuietStarts::default(),
+        };
+        for (entry, effect) in library()
+            .iter()
+            .enumerate()
+            .filter(|(i, e)| allowed[*i] && e.applies(&problem.facts))
+        {
+            let mut starts = effect.starts(&problem.facts);
+            if effect.scatters() {
+                let list = starts.into_iter().map(|s| s.members[0].clone());
+                candidates.scattering.push((entry, list.collect()));
+                continue;
+            }
+            if effect.bends() {
+                // One balance per row and start: the screening takes the smallest start only.
+                if effect.about().id != "amplifier_clipping" {
+                    starts.truncate(1);
+                }
+                if effect.about().id == "suspension_cubic"
+                    || effect.about().id == "suspension_asymmetry"
+                {
+                    starts.iter_mut().for_each(|s| s.signed = true);
+                }
+            }
+            for start in starts {
+                let candidate = Candidate::new(problem, entry, start, nominal, &base, work);
+                candidates.list.extend(candidate);
+            }
+        }
+        candidates
+    }
+
+    /// The largest predicted gain of every entry that the fit does not hold yet, best first,
+    /// and the slopes at the fit.
+    pub(crate) fn scan(
+        &mut self,
+        problem: &Problem,
+        fit: &Fit,
+        work: &mut Workspace,
+    ) -> (Vec<PredictedGain>, Option<Slopes>) {
+        let Some((evaluation, tangent)) = Linearised::new(problem, fit, work).tangent() else {
+            return (Vec::new(), None);
+        };
+        let mut best: Vec<Option<PredictedGain>> = vec![None; library().len()];
+        let bent = fit.effects.iter().any(|e| e.effect.bends());
+        // Changes of the exciter at its nominal values are others than beside values far from them.
+        let pulled =
+            problem.free.iter().zip(&fit.theta).any(|(free, value)| {
+                matches!(free.kind, Nuisance::Exciter(_)) && value.abs() > PULLED
+            });
+        let slope = gradient(problem, fit, &tangent, &evaluation.residual);
+        let owed = tangent.halfway(slope);
+        for candidate in &self.list {
+            if fit.has(candidate.entry) {
+                continue;
+            }
+            let at = (&evaluation, &tangent);
+            let beside = ((bent || pulled) && candidate.moves_exciter())
+                .then(|| candidate.beside(problem, fit, at, work));
+            let columns = beside.as_ref().unwrap_or(&candidate.columns);
+            let best = &mut best[candidate.entry];
+            let floor = best.as_ref().map_or(f64::NEG_INFINITY, |p| p.gain);
+            if let Some(predicted_gain) =
+                candidate.predicted_gain(columns, problem, at, &owed, floor)
+            {
+                *best = Some(predicted_gain);
+            }
+        }
+        let higher_v2 = higher_harmonics(problem, fit, work);
+        for higher_v2 in std::iter::once(None).chain(higher_v2.as_deref().map(Some)) {
+            let scene = Scene::new(problem, &fit.effects, &fit.theta, &evaluation, higher_v2);
+            self.scan_scatter(problem, fit, &scene, &mut best);
+        }
+        let mut list: Vec<PredictedGain> = best.into_iter().flatten().collect();
+        list.sort_by(|a, b| b.gain.total_cmp(&a.gain));
+        (list, Some(Slopes::new(tangent.columns, evaluation.weight)))
+    }
+
+    /// The best start of each effect that only scatters, then other sizes and details around it.
+    fn scan_scatter(
+        &mut self,
+        problem: &Problem,
+        fit: &Fit,
+        scene: &Scene<'_>,
+        best: &mut [Option<PredictedGain>],
+    ) {
+        for (entry, starts) in self.scattering.iter().filter(|(e, _)| !fit.has(*e)) {
+            for round in [None, Some(0), Some(1), Some(2)] {
+                let list = match (round, &best[*entry]) {
+                    (None, _) => starts.clone(),
+                    (Some(round), Some(found)) => {
+                        library()[*entry].around(&found.parameters, round, &problem.facts)
+                    }
+                    (Some(_), None) => break,
+                };
+                let floor = best[*entry].as_ref().map_or(f64::NEG_INFINITY, |p| p.gain);
+                let starts = list.into_iter().map(|p| active(*entry, p));
+                if let Some((start, gain)) = scene.best(starts, floor, &mut self.quiet) {
+                    best[*entry] = Some(PredictedGain {
+                        entry: *entry,
+                        gain,
+                        parameters: start.parameters,
+                        shift: None,
+                        group: 2,
+                    });
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::example::measured;
+    use super::super::refine::{FULL, refine};
+    use super::*;
+
+    /// A damping 10 of its standard uncertainties off costs 100 as a pull and nothing as an
+    /// effect, which leaves no other trace: that is its predicted gain beside the armature's mode,
+    /// within what slopes foresee of so large a change.
+    #[test]
+    fn the_predicted_gain_of_an_effect_that_only_pulls_a_nominal_value_is_its_pull() {
+        let mode = ("armature_mode", vec![0.3, 5000.0, 0.03]);
+        let (rig, points) = measured(&[mode.clone(), ("mechanical_damping", vec![6.0])]);
+        let problem = Problem::new(&rig, &points);
+        let mut work = Workspace::new(&problem);
+        let mut fit = |effects: Vec<_>| {
+            let start = vec![0.0; problem.free.len()];
+            refine(&problem, effects, start, FULL, &mut work)
+        };
+        let entry = |name: &str| {
+            let mut entries = library().iter();
+            entries.position(|e| e.about().id == name).expect("a name")
+        };
+        let (nominal, beside) = (fit(vec![]), fit(vec![active(entry(mode.0), mode.1)]));
+        let allowed = vec![true; library().len()];
+        let mut candidates = Candidates::new(&problem, &allowed, &nominal, &mut work);
+        let (predicted, _) = candidates.scan(&problem, &beside, &mut work);
+        let damping = entry("mechanical_damping");
+        let predicted_gain = predicted.iter().find(|p| p.entry == damping);
+        let gain = predicted_gain.map_or(0.0, |p| p.gain);
+        assert!((80.0..125.0).contains(&gain), "{gain} {:?}", beside.theta);
+    }
+}

@@ -1,0 +1,199 @@
+//! Which set of effects: none, singles, pairs, with their probabilities.
+
+use super::fit::{Fit, Workspace};
+use super::found::Found;
+use super::limits::Limits;
+use super::model_selection::{Scored, score};
+use super::problem::Problem;
+use super::proposal::{Base, Plan, WORTH_REFINING, chosen};
+use super::race::race;
+use super::refine::{FULL, refine};
+use super::screen::Candidates;
+use std::rc::Rc;
+
+/// Difference in score, on part of the rows, above which a set is not tried on all of them.
+const SEEDED: f64 = 60.0;
+/// Pairs refined fully.
+const MOST_PAIRS: usize = 14;
+
+/// All sets that were refined, best first.
+pub(crate) struct Search {
+    /// The fit without effects.
+    pub(crate) nominal: Fit,
+    /// Every refined set, best variant of each name, by score.
+    pub(crate) sets: Vec<Scored>,
+    /// All refined fits, those that a subset does better included.
+    pub(crate) every: Vec<Fit>,
+}
+
+impl Search {
+    /// The leading set; the nominal simulation where there is none.
+    pub(crate) fn best(&self) -> &Fit {
+        self.sets.first().map_or(&self.nominal, |set| &set.fit)
+    }
+}
+
+struct Searcher<'a> {
+    problem: &'a Problem,
+    candidates: Candidates,
+    work: Workspace,
+    found: Found<'a>,
+}
+
+/// Fits nothing, singles and sets.
+pub(crate) fn search(problem: &Problem, limits: &Limits) -> Search {
+    search_from(problem, limits, None)
+}
+
+/// The same, from the sets that a search on part of the rows has found.
+///
+/// Sets that were out of reach there are not tried again; what only all rows
+/// show is found by screening from the best sets once more.
+pub(crate) fn search_from(
+    problem: &Problem,
+    limits: &Limits,
+    part: Option<(&Problem, &Search)>,
+) -> Search {
+    let mut work = Workspace::new(problem);
+    let nominal = refine(
+        problem,
+        Vec::new(),
+        vec![0.0; problem.free.len()],
+        FULL,
+        &mut work,
+    );
+    let candidates = Candidates::new(problem, &limits.allowed, &nominal, &mut work);
+    let mut searcher = Searcher {
+        problem,
+        candidates,
+        work,
+        found: Found::new(problem),
+    };
+    let seeded = part.is_some_and(|(of, search)| searcher.seed(of, search));
+    if limits.most_effects > 0 {
+        searcher.singles(&nominal, seeded);
+    }
+    for size in 2..=limits.most_effects {
+        if !searcher.grow(size, nominal.objective) {
+            break;
+        }
+    }
+    let every = searcher.found.fits;
+    let sets = score(problem, &nominal, every.clone(), &limits.allowed);
+    Search {
+        nominal,
+        sets,
+        every,
+    }
+}
+
+impl Searcher<'_> {
+    /// Refines the sets that were within reach on part of the rows.
+    fn seed(&mut self, of: &Problem, search: &Search) -> bool {
+        let best = search.sets.first().map_or(0.0, |s| s.score);
+        let near = |s: &&Scored| !s.fit.effects.is_empty() && s.score < best + SEEDED;
+        for set in search.sets.iter().filter(near) {
+            let fit = refine(
+                self.problem,
+                set.fit.effects.clone(),
+                self.problem.translate(of, &set.fit.theta),
+                FULL,
+                &mut self.work,
+            );
+            self.found.keep(fit);
+        }
+        !self.found.fits.is_empty()
+    }
+
+    fn singles(&mut self, nominal: &Fit, seeded: bool) {
+        let (predicted, slopes) = self.candidates.scan(self.problem, nominal, &mut self.work);
+        let best = predicted.first().map_or(0.0, |p| p.gain);
+        let floor = WORTH_REFINING.max(0.02 * best);
+        let base = Rc::new(Base {
+            fit: nominal.clone(),
+            slopes,
+        });
+        let mut plans: Vec<Plan> = chosen(&predicted, 16, 4, floor)
+            .into_iter()
+            .filter(|p| {
+                let mut singles = self.found.of_size(1);
+                !singles.any(|f| f.has(p.entry))
+            })
+            .map(|p| Plan::new(&base, p))
+            .collect();
+        if seeded {
+            self.found.drop_hopeless(&mut plans, 1);
+        }
+        for plan in plans {
+            self.race(&plan, nominal.objective);
+        }
+    }
+
+    /// Adds an effect to the best sets of the size below; false if no candidate is worth trying.
+    fn grow(&mut self, size: usize, nominal: f64) -> bool {
+        let mut tried = self.found.tried(size);
+        let mut any = !tried.is_empty();
+        for round in 0..3 {
+            let bases = if round == 0 {
+                self.found.bases(size - 1, nominal)
+            } else {
+                self.exchange_bases(size)
+            };
+            let mut plans: Vec<Plan> = Vec::new();
+            for fit in bases {
+                let (predicted, slopes) = self.candidates.scan(self.problem, &fit, &mut self.work);
+                let base = Rc::new(Base { fit, slopes });
+                let plan = chosen(&predicted, 5, 2, 9.0).into_iter();
+                plans.extend(
+                    plan.map(|predicted_gain| Plan::new(&base, predicted_gain))
+                        .filter(|plan| !plan.repeats() && !tried.contains(&plan.entries())),
+                );
+            }
+            self.found.drop_hopeless(&mut plans, size);
+            if plans.is_empty() {
+                break;
+            }
+            any = true;
+            plans.sort_by(|a, b| a.predicted.total_cmp(&b.predicted));
+            self.refine_plans(plans, &mut tried, nominal);
+        }
+        any
+    }
+
+    fn race(&mut self, plan: &Plan, nominal: f64) {
+        race(self.problem, plan, nominal, &mut self.found, &mut self.work);
+    }
+
+    fn refine_plans(&mut self, plans: Vec<Plan>, tried: &mut Vec<Vec<usize>>, nominal: f64) {
+        let before = tried.len();
+        for plan in plans {
+            let entries = plan.entries();
+            if tried.contains(&entries) {
+                continue;
+            }
+            if tried.len() - before >= MOST_PAIRS {
+                break;
+            }
+            tried.push(entries);
+            self.race(&plan, nominal);
+        }
+    }
+
+    /// The best set with each of its effects left out in turn, the others kept as they are.
+    fn exchange_bases(&mut self, size: usize) -> Vec<Fit> {
+        let Some(best) = self.found.leader(size).cloned() else {
+            return Vec::new();
+        };
+        let mut bases = Vec::new();
+        for leave in 0..best.effects.len() {
+            let mut base = best.clone();
+            base.effects.remove(leave);
+            // The smaller set restarts from where the larger one arrived: a gain
+            // that is only better convergence must not look like a second effect.
+            let base = refine(self.problem, base.effects, base.theta, FULL, &mut self.work);
+            self.found.keep(base.clone());
+            bases.push(base);
+        }
+        bases
+    }
+}

@@ -1,0 +1,74 @@
+//! The verdict on a search over the points of a calibrator.
+
+use super::evaluation::difference;
+use super::fit::{Fit, Workspace};
+use super::lack_of_fit::{LackOfFit, examine};
+use super::problem::Problem;
+use super::search::Search;
+use crate::effects::Active;
+use crate::estimation::verdict::{Evidence, Verdict, conclude};
+
+/// What a search leads to, and what is left of the data.
+pub(crate) struct Judgement {
+    pub(crate) verdict: Verdict,
+    /// What the nominal simulation leaves.
+    pub(crate) nominal_left: LackOfFit,
+    /// What the best set leaves.
+    pub(crate) left: LackOfFit,
+}
+
+/// Judges what the nominal simulation and the best set of a search leave.
+pub(crate) fn judge(problem: &Problem, found: &Search, work: &mut Workspace) -> Judgement {
+    let nominal_left = examine(problem, &found.nominal, work);
+    let best = found.best();
+    let left = if best.effects.is_empty() {
+        nominal_left.clone()
+    } else {
+        examine(problem, best, work)
+    };
+    let mut none = found.sets.iter().filter(|set| set.fit.effects.is_empty());
+    let leading = found.sets.first().filter(|set| !set.fit.effects.is_empty());
+    let verdict = conclude(&Evidence {
+        none: none.next().map_or(0.0, |set| set.probability),
+        leading: leading.map(|set| set.probability),
+        p_nominal: nominal_left.p_value,
+        p_value: left.p_value,
+    });
+    Judgement {
+        verdict,
+        nominal_left,
+        left,
+    }
+}
+
+/// Part of an effect that is left when its partner undoes it.
+const UNDONE: f64 = 0.1;
+/// Size, in standard deviations of all data, above which undoing is no accident of noise.
+const LARGE: f64 = 6.0;
+
+/// Whether two effects undo each other in some observable, to within a tenth.
+///
+/// Two independent causes do not have sizes so well matched: the pair imitates
+/// one cause that the library lacks.
+pub(crate) fn cancels(problem: &Problem, fit: &Fit) -> bool {
+    let [a, b] = fit.effects.as_slice() else {
+        return false;
+    };
+    let at =
+        |effects: &[Active<'static>]| problem.evaluate(effects, &fit.theta, &mut problem.memory());
+    let none = at(&[]);
+    let (only_a, only_b) = (
+        difference(problem, &none, &at(std::slice::from_ref(a))),
+        difference(problem, &none, &at(std::slice::from_ref(b))),
+    );
+    problem
+        .measured_observables()
+        .filter(|(observable, _)| observable.group().is_response())
+        .any(|(_, data)| {
+            let (va, vb) = (&only_a[data.clone()], &only_b[data]);
+            let size = |v: &mut dyn Iterator<Item = f64>| v.map(|x| x * x).sum::<f64>().sqrt();
+            let (na, nb) = (size(&mut va.iter().copied()), size(&mut vb.iter().copied()));
+            let sum = size(&mut va.iter().zip(vb).map(|(x, y)| x + y));
+            na > LARGE && nb > LARGE && sum < UNDONE * na.min(nb)
+        })
+}

@@ -1,0 +1,139 @@
+//! Least squares by Levenberg and Marquardt: one loop for whatever can be fitted.
+
+use super::tangent::Equations;
+use nalgebra::DVector;
+
+/// What a fit moves: parameters with their bounds, and the data they are to describe.
+pub(crate) trait LeastSquares {
+    /// Values of the parameters, and what is known of the model there.
+    type State;
+
+    /// -2 ln of the posterior density, up to a constant.
+    fn objective(&self, at: &Self::State) -> f64;
+
+    /// Normal equations of the next step; none where the model has no slopes.
+    fn equations(&mut self, at: &Self::State) -> Option<Equations>;
+
+    /// The state a step further, within the bounds of the parameters; none where the model
+    /// diverges.
+    fn moved(&mut self, from: &Self::State, step: &DVector<f64>) -> Option<Self::State>;
+}
+
+/// How far a fit goes, and how boldly.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Effort {
+    pub(crate) most_steps: usize,
+    /// Gain of the objective below which a step is small.
+    pub(crate) enough: f64,
+    /// Small steps in a row that end the fit.
+    pub(crate) small_steps: usize,
+    /// Damping of the first step.
+    pub(crate) damping: f64,
+    /// Factor on a damping below [`DAMPED`] after a step that did not help.
+    pub(crate) leap: f64,
+}
+
+/// Damping from which the factor after a step that did not help is ten.
+const DAMPED: f64 = 1e-2;
+/// Least damping, and that beyond which no step helps.
+const BOUNDS: (f64, f64) = (1e-9, 1e6);
+
+/// Damped steps until the objective stands still: the last state, and the last equations on
+/// the way. None where the start has no slopes.
+pub(crate) fn descend<M: LeastSquares>(
+    model: &mut M,
+    start: M::State,
+    effort: Effort,
+) -> Option<(M::State, Equations)> {
+    let (least, most) = BOUNDS;
+    let (mut here, mut damping) = (start, effort.damping);
+    let mut equations = model.equations(&here)?;
+    let mut small = 0;
+    for _ in 0..effort.most_steps {
+        let Some(step) = equations.step(damping) else {
+            damping *= 10.0;
+            continue;
+        };
+        let before = model.objective(&here);
+        let there = model.moved(&here, &step);
+        match there.filter(|there| model.objective(there) < before) {
+            Some(there) => {
+                let gain = before - model.objective(&there);
+                here = there;
+                damping = (damping * 0.1).max(least);
+                small = if gain < effort.enough { small + 1 } else { 0 };
+                if small == effort.small_steps {
+                    break;
+                }
+                equations = model.equations(&here)?;
+            }
+            None if damping > most => break,
+            None if damping < DAMPED => damping *= effort.leap,
+            None => damping *= 10.0,
+        }
+    }
+    Some((here, equations))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::column::{Column, OneBlock};
+    use super::*;
+
+    /// exp(-rate t) at some times.
+    struct Decay {
+        times: Vec<f64>,
+        measured: Vec<f64>,
+    }
+
+    impl Decay {
+        fn residual(&self, rate: f64) -> Vec<f64> {
+            let data = self.times.iter().zip(&self.measured);
+            data.map(|(t, m)| m - (-rate * t).exp()).collect()
+        }
+    }
+
+    impl LeastSquares for Decay {
+        type State = f64;
+
+        fn objective(&self, rate: &f64) -> f64 {
+            self.residual(*rate).iter().map(|r| r * r).sum()
+        }
+
+        fn equations(&mut self, rate: &f64) -> Option<Equations> {
+            let slope = self.times.iter().map(|t| -t * (-rate * t).exp());
+            let columns = [Column::of_one_block(slope.collect())];
+            let (block, residual) = (OneBlock(self.times.len()), self.residual(*rate));
+            Some(Equations::new(&block, &columns, &[], &residual, &[]))
+        }
+
+        fn moved(&mut self, rate: &f64, step: &DVector<f64>) -> Option<f64> {
+            Some((rate + step[0]).clamp(0.0, 4.0))
+        }
+    }
+
+    fn decay(rate: f64) -> Decay {
+        let times: Vec<f64> = (0..20).map(|n| 0.1 * f64::from(n)).collect();
+        Decay {
+            measured: times.iter().map(|t| (-rate * t).exp()).collect(),
+            times,
+        }
+    }
+
+    /// Data without noise have the rate they were made with; outside of its bounds the nearest one
+    /// describes them best.
+    #[test]
+    fn a_rate_is_found_within_its_bounds() {
+        let effort = Effort {
+            most_steps: 40,
+            enough: 1e-20,
+            small_steps: 2,
+            damping: 1e-4,
+            leap: 100.0,
+        };
+        for (rate, expected) in [(1.5, 1.5), (5.0, 4.0)] {
+            let found = descend(&mut decay(rate), 0.1, effort).expect("it has slopes");
+            assert!((found.0 - expected).abs() < 1e-8, "{rate}: {}", found.0);
+        }
+    }
+}

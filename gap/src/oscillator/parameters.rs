@@ -1,0 +1,142 @@
+//! The parameters of a simulated oscillator: their bounds, and their steps for slopes.
+
+use super::run::Run;
+use std::ops::{Index, IndexMut};
+
+/// A parameter of a simulated oscillator. Forces are in units of w0^2, time in units of 1/w0;
+/// displacements in the unit of the output, written x below.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Parameter {
+    /// ln of w0 in rad/s.
+    LnResonance,
+    /// Damping ratio.
+    Delta,
+    /// x over the input, at rest.
+    Gain,
+    /// Steady force.
+    Offset,
+    /// Displacement at the first sample.
+    Displacement,
+    /// Velocity at the first sample.
+    Velocity,
+    /// Force over x^3.
+    CubicStiffness,
+    /// Force over x^2.
+    QuadraticStiffness,
+    /// Force over the velocity squared.
+    QuadraticDamping,
+    /// Force over the velocity cubed.
+    CubicDamping,
+    /// Force against the velocity.
+    CoulombFriction,
+    /// Delay of the input, in samples.
+    Delay,
+    /// One over the input at which it saturates.
+    Saturation,
+    /// Corner of the output's high-pass, in rad/s.
+    HighpassCorner,
+    /// Gain of the second mode over that of the first.
+    ModeGain,
+    /// ln of the frequency of the second mode over w0.
+    ModeLnRatio,
+    /// Damping ratio of the second mode.
+    ModeDamping,
+    /// Half width of the play.
+    DeadZone,
+    /// Share of the spring that yields.
+    YieldingShare,
+    /// ln of the deflection at which it yields.
+    LnYieldDeflection,
+    /// What the high-pass holds back at the first sample.
+    HeldBack,
+    /// Displacement of the second mode at the first sample.
+    ModeDisplacement,
+    /// Velocity of the second mode at the first sample.
+    ModeVelocity,
+}
+
+use Parameter::*;
+
+/// Parameters of the linear oscillator, which every fit moves.
+pub(crate) const LINEAR: [Parameter; 6] =
+    [LnResonance, Delta, Gain, Offset, Displacement, Velocity];
+
+/// The values of all parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct OscillatorParameters([f64; ModeVelocity as usize + 1]);
+
+impl Index<Parameter> for OscillatorParameters {
+    type Output = f64;
+
+    fn index(&self, parameter: Parameter) -> &f64 {
+        &self.0[parameter as usize]
+    }
+}
+
+impl IndexMut<Parameter> for OscillatorParameters {
+    fn index_mut(&mut self, parameter: Parameter) -> &mut f64 {
+        &mut self.0[parameter as usize]
+    }
+}
+
+impl OscillatorParameters {
+    /// Resonance of the linear oscillator.
+    pub(super) fn resonance_hz(&self) -> f64 {
+        self[LnResonance].exp() / std::f64::consts::TAU
+    }
+
+    /// Sets the motion at the first sample.
+    pub(super) fn set_first_state(&mut self, record: &Run) {
+        (self[Displacement], self[Velocity]) = record.first_state(self[LnResonance]);
+    }
+}
+
+/// Logarithm of half the rate over the lowest resonance that is tried.
+const LOWEST: f64 = 20.0;
+
+/// Keeps some of the values where the simulation can follow them; `unit` is the size of the output.
+pub(super) fn bound(
+    values: &mut OscillatorParameters,
+    moved: &[Parameter],
+    record: &Run,
+    unit: f64,
+) {
+    // A mode must lie below half the rate at which the force is known, the first one too.
+    let half_rate = std::f64::consts::PI / record.interval_s;
+    for &parameter in moved {
+        let (lower, upper) = match parameter {
+            LnResonance => (half_rate.ln() - LOWEST, half_rate.ln()),
+            Delta => (1e-5, 2.0),
+            // Friction and damping take energy out.
+            QuadraticDamping | CubicDamping | CoulombFriction => (0.0, f64::INFINITY),
+            Saturation => (0.0, f64::INFINITY),
+            HighpassCorner => (0.0, half_rate),
+            ModeLnRatio => (-7.0, half_rate.ln() - values[LnResonance]),
+            ModeDamping => (1e-4, 1.0),
+            DeadZone => (0.0, 10.0 * unit),
+            YieldingShare => (0.0, 10.0),
+            LnYieldDeflection => ((1e-3 * unit).ln(), (30.0 * unit).ln()),
+            _ => (f64::NEG_INFINITY, f64::INFINITY),
+        };
+        values[parameter] = values[parameter].max(lower).min(upper);
+    }
+}
+
+/// Change of a value for its slope; `unit` is the size of the output.
+pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, unit: f64) -> f64 {
+    match parameter {
+        LnResonance => 1e-6,
+        Delta | Gain | ModeGain => 1e-5,
+        Offset | Displacement | Velocity | HeldBack | ModeDisplacement | ModeVelocity
+        | CoulombFriction => 1e-5 * unit,
+        CubicStiffness => 1e-3 / (unit * unit),
+        QuadraticStiffness => 1e-3 / unit,
+        QuadraticDamping => 1e-4 / unit,
+        CubicDamping => 1e-4 / (unit * unit),
+        Saturation => 1e-4 * values[Saturation].max(1e-9),
+        DeadZone => 1e-4 * unit,
+        Delay | HighpassCorner | ModeLnRatio | ModeDamping | YieldingShare | LnYieldDeflection => {
+            1e-3
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Where the fit of a term begins.
+//!
+//! A term near the fit of the others begins with the most promising of some values. A spring that is
+//! bent so far that the linear fit is no neighbour of it begins far away: what a wrong spring does
+//! to the phase grows with time, and hides the right one behind other minima, so short stretches
+//! come first. Over a few periods a fit finds a resonance that is off by some per cent: resonances
+//! that close are tried, each with springs from a softening to a hardening one.
+
+use super::fit::{Fitted, refine, residual, rms, scale_of, slopes};
+use super::integration::integrate_finely;
+use super::model::TERMS;
+use super::parameters::{LINEAR, OscillatorParameters, Parameter, bound};
+use super::run::Run;
+use crate::estimation::column::{Column, OneBlock};
+use crate::estimation::tangent::{RIDGE, Tangent};
+use nalgebra::DVector;
+
+/// Size of a first stretch over that of the whole record below which it says nothing.
+const QUIET: f64 = 0.1;
+
+/// Linear fit from the rig's resonance, by growing parts of the record.
+pub(super) fn linear(record: &Run, resonance_hz: f64, delta: f64) -> Option<Fitted> {
+    let mut best: Option<Fitted> = None;
+    for factor in [1.0, 0.9, 1.1, 0.8, 1.25] {
+        let mut values = OscillatorParameters::default();
+        let w0 = std::f64::consts::TAU * resonance_hz * factor;
+        values[Parameter::LnResonance] = w0.ln();
+        values[Parameter::Delta] = delta;
+        values[Parameter::Gain] = 1.0;
+        values[Parameter::Displacement] = record.output[0];
+        for count in [2_000, 8_000, usize::MAX] {
+            let part = record.head(count);
+            // A stretch before a shock shows nothing but noise.
+            if rms(&part.output) < QUIET * scale_of(record) {
+                continue;
+            }
+            if let Some(fit) = refine(&part, values, &[], 30) {
+                values = fit.values;
+                if part.input.len() == record.input.len()
+                    && best.as_ref().is_none_or(|b| fit.square < b.square)
+                {
+                    best = Some(fit);
+                }
+            }
+        }
+        if factor == 1.0 && best.as_ref().is_some_and(|b| explains(b, record)) {
+            break;
+        }
+    }
+    best
+}
+
+/// Whether a fit describes most of the output.
+fn explains(fit: &Fitted, record: &Run) -> bool {
+    fit.square < 0.3 * record.output.iter().map(|x| x * x).sum::<f64>()
+}
+
+/// Samples on which starts are compared.
+const COMPARED: usize = 4_000;
+/// Frequencies of a second mode that are tried: a step of 7 % meets every mode
+/// whose resonance is no sharper than that of the start.
+const MODES: usize = 90;
+/// Damping of a second mode at the start.
+const MODE_DAMPING: f64 = 0.05;
+
+/// Where the fit of a term begins: the most promising values of those it is not linear in.
+pub(super) fn begin(
+    record: &Run,
+    base: &OscillatorParameters,
+    term: usize,
+) -> OscillatorParameters {
+    let unit = scale_of(record);
+    let values = TERMS[term].values;
+    let starts = starts(record, base, values[0], unit);
+    if starts.is_empty() {
+        return *base;
+    }
+    let candidates = starts.into_iter().map(|start| {
+        let mut candidate = *base;
+        for (parameter, value) in values.iter().zip(start) {
+            candidate[*parameter] = value;
+        }
+        bound(&mut candidate, values, record, unit);
+        candidate
+    });
+    let Some((mut best, size)) = most_promising(record, base, candidates) else {
+        return *base;
+    };
+    // A width or a threshold is no amplitude.
+    let amplitude = values[0];
+    if !matches!(amplitude, Parameter::DeadZone | Parameter::Saturation) {
+        best[amplitude] *= size;
+    }
+    bound(&mut best, values, record, unit);
+    best
+}
+
+/// Values of a term, known by its first, that are tried; none for a term that is linear in its own.
+fn starts(record: &Run, base: &OscillatorParameters, term: Parameter, unit: f64) -> Vec<Vec<f64>> {
+    match term {
+        Parameter::ModeGain => {
+            let half_rate = std::f64::consts::PI / record.interval_s;
+            let highest = (0.9 * half_rate).ln() - base[Parameter::LnResonance];
+            let lowest = highest - 6.2;
+            let of = |i: usize| lowest + (highest - lowest) * i as f64 / (MODES - 1) as f64;
+            let modes = (0..MODES).map(|i| vec![1e-3, of(i), MODE_DAMPING]);
+            modes.collect()
+        }
+        Parameter::Saturation => {
+            let largest = record.input.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
+            let shares = [0.97, 0.9, 0.8, 0.65, 0.5, 0.35, 0.2];
+            shares.map(|share| vec![1.0 / (share * largest)]).into()
+        }
+        Parameter::DeadZone => {
+            let widths = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
+            widths.map(|width| vec![width * unit]).into()
+        }
+        Parameter::YieldingShare => {
+            let deflections: [f64; 5] = [0.03, 0.1, 0.3, 1.0, 3.0];
+            deflections.map(|at| vec![1e-3, (at * unit).ln()]).into()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The candidate that, scaled, takes most out of what the base leaves beside the linear values, and
+/// that scale.
+fn most_promising(
+    record: &Run,
+    base: &OscillatorParameters,
+    candidates: impl Iterator<Item = OscillatorParameters>,
+) -> Option<(OscillatorParameters, f64)> {
+    let part = record.head(COMPARED);
+    let left = residual(base, &part)?;
+    let block = OneBlock(left.len());
+    let tangent = Tangent::new(slopes(&part, base, &left, &LINEAR)?, &[])?;
+    let dots = tangent.columns.iter().map(|c| c.dot_data(&block, &left));
+    let owed = tangent.halfway(DVector::from_iterator(LINEAR.len(), dots));
+    let promise = |candidate: OscillatorParameters| {
+        let there = residual(&candidate, &part)?;
+        let change = left.iter().zip(&there).map(|(a, b)| a - b);
+        let column = [Column::of_one_block(change.collect())];
+        let beside = tangent.beside(&column, RIDGE);
+        let product = beside.products(&block, &column, &left, &owed)?[0];
+        let size = product / beside.matrix[(0, 0)];
+        Some((candidate, size, size * product))
+    };
+    let promises = candidates.filter_map(promise);
+    let best = promises.max_by(|a, b| a.2.total_cmp(&b.2))?;
+    Some((best.0, best.1))
+}
+
+/// Share of the squared output from which a linear fit counts as poor.
+const POOR: f64 = 0.03;
+/// Resonances over that of the linear fit: how many, the lowest, and the factor between two.
+const RESONANCES: (usize, f64, f64) = (24, 0.45, 1.04);
+/// Stiffness at the amplitude of the stretch that is cubic, over that which is linear: 3 k3 sigma^2
+/// for Gaussian motion of the standard deviation sigma.
+const HARDENING: [f64; 6] = [-0.3, 0.1, 0.4, 1.0, 2.5, 6.0];
+/// Factors on the damping: a linear fit takes for damping what does not repeat.
+const DAMPING: [f64; 2] = [1.0, 0.2];
+/// Samples of the first stretch, and steps of the fits on it.
+const FIRST: (usize, usize) = (150, 14);
+/// How much longer each stretch is than the one before, and steps of the fits on it. A motion that
+/// jumps between branches is foreseen for a while only, which grows as the values get better.
+const LONGER: (f64, usize) = (1.35, 40);
+/// Starts that are followed from the first stretch on, and least of them.
+const FOLLOWED: (usize, usize) = (12, 2);
+
+/// The term whose fit may begin far away, the first of [`TERMS`].
+pub(super) const SPRING: usize = 0;
+
+/// A cubic spring fitted from far away, and the steps per sample it takes; `None` where the linear
+/// fit is not poor.
+pub(super) fn bent_spring(run: &Run, base: &Fitted) -> Option<(Fitted, usize)> {
+    let size = rms(&run.output);
+    if base.square < POOR * size * size * run.output.len() as f64 {
+        return None;
+    }
+    let terms = [base.terms.as_slice(), &[SPRING]].concat();
+    let head = rms(&run.head(FIRST.0).output).max(0.1 * size);
+    let of = |lower: f64, hardening: f64, damping: f64| {
+        let mut values = base.values;
+        values[Parameter::LnResonance] += lower.ln();
+        values[Parameter::Delta] *= damping / lower;
+        values[Parameter::Gain] /= lower * lower;
+        values[Parameter::CubicStiffness] = hardening / (3.0 * head * head);
+        // The state at the first sample, from the samples: that of the linear fit is as wrong as it is.
+        values.set_first_state(run);
+        values
+    };
+    let (count, lowest, factor) = RESONANCES;
+    let mut starts = Vec::with_capacity(count * HARDENING.len() * DAMPING.len());
+    for i in 0..count {
+        let lower = lowest * factor.powi(i as i32);
+        for hardening in HARDENING {
+            starts.extend(DAMPING.map(|damping| of(lower, hardening, damping)));
+        }
+    }
+    let ((mut samples, mut most), (mut kept, least)) = (FIRST, FOLLOWED);
+    let mut steps = run.steps;
+    loop {
+        let part = run.stretch(samples, steps);
+        let fits = starts
+            .iter()
+            .filter_map(|s| refine(&part, *s, &terms, most));
+        let mut fits: Vec<Fitted> = fits.collect();
+        fits.sort_by(|a, b| a.square.total_cmp(&b.square));
+        fits.truncate(kept);
+        steps = integrate_finely(part, &mut fits).steps;
+        if samples >= run.input.len() {
+            return Some((fits.into_iter().next()?, steps));
+        }
+        starts = fits.into_iter().map(|f| f.values).collect();
+        samples = (samples as f64 * LONGER.0) as usize;
+        (most, kept) = (LONGER.1, (kept / 2).max(least));
+    }
+}
