@@ -1,7 +1,6 @@
 //! A candidate: one start of one effect, its change of the prediction and its predicted gain.
 
-use super::closed_form::by_values;
-use super::closed_form::response_added;
+use super::closed_form::{by_values, response_added};
 use super::evaluation::{Evaluation, difference};
 use super::fit::{Fit, Workspace};
 use super::problem::{Column, Problem, Tangent};

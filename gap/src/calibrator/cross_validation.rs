@@ -8,8 +8,7 @@
 use super::fit::{Fit, Workspace};
 use super::found::COST;
 use super::holdout::score_on;
-use super::linear::Linearised;
-use super::linear::Slopes;
+use super::linear::{Linearised, Slopes};
 use super::problem::Problem;
 use super::refine::{FULL, follow};
 use crate::dataset::Rig;

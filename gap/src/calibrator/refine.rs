@@ -3,8 +3,7 @@
 use super::evaluation::{Evaluation, Responses};
 use super::fit::{Fit, Workspace};
 use super::higher::higher_harmonics;
-use super::linear::Linearised;
-use super::linear::Slopes;
+use super::linear::{Linearised, Slopes};
 use super::polish::polish;
 use super::problem::Problem;
 use super::step::{clamp, moved};

@@ -3,8 +3,7 @@
 use super::candidate::{Candidate, PredictedGain, active};
 use super::fit::{Fit, Workspace};
 use super::higher::higher_harmonics;
-use super::linear::Linearised;
-use super::linear::Slopes;
+use super::linear::{Linearised, Slopes};
 use super::nuisance::Nuisance;
 use super::problem::Problem;
 use super::scatter::{QuietStarts, Scene};

@@ -32,6 +32,12 @@ impl Equations {
         }
     }
 
+    /// Adds a datum with its slopes.
+    pub(crate) fn add(&mut self, slopes: &DVector<f64>, difference: f64) {
+        self.matrix.ger(1.0, slopes, slopes, 1.0);
+        self.gradient.axpy(difference, slopes, 1.0);
+    }
+
     /// A step of Levenberg and Marquardt; none where the damped matrix is not positive definite.
     pub(crate) fn step(&self, damping: f64) -> Option<DVector<f64>> {
         let mut damped = self.matrix.clone();

@@ -1,9 +1,9 @@
 //! Two sets of effects: one is true, the other is refitted as well as it can be.
 
-use super::side::Parameters;
-use super::side::{Datum, Side};
+use super::side::{Datum, Parameters, Side};
 use crate::calibrator::fit::Fit;
 use crate::calibrator::problem::Problem;
+use crate::estimation::tangent::Equations;
 use crate::observable::{Group, Observable, Table};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -17,7 +17,7 @@ pub(super) struct Duel {
     /// Names of the set that tries to look like it.
     pub(super) rival: Vec<&'static str>,
     rows: Vec<Vec<Datum>>,
-    normal: Normal,
+    normal: Equations,
     /// Inverse of the normal matrix.
     covariance: DMatrix<f64>,
     /// How far the refitted parameters have moved to look alike.
@@ -43,19 +43,22 @@ impl Duel {
         let [true_theta, theta] = fits.map(|fit| names.values(of, old, &fit.theta));
         let cost = |theta: &DVector<f64>| theta.dot(&prior.component_mul(theta));
         let mut square = cost(&theta) - cost(&true_theta);
-        let mut normal = Normal {
+        let mut normal = Equations {
             gradient: -prior.component_mul(&theta),
             matrix: DMatrix::from_diagonal(&prior),
         };
         if let Some(side) = &measured {
             let rows = side.rows(&names.of_old, &scales, names.count);
             for datum in rows.iter().flatten() {
-                normal.add(datum);
+                normal.add(&datum.slopes, datum.difference);
                 square += datum.difference * datum.difference;
             }
         }
-        normal.add_ridge();
-        let (covariance, moved) = normal.solve()?;
+        for i in 0..names.count {
+            normal.matrix[(i, i)] += RIDGE * (1.0 + normal.matrix[(i, i)]);
+        }
+        let covariance = normal.covariance()?;
+        let moved = &covariance * &normal.gradient;
         square -= normal.gradient.dot(&moved);
         Some(Self {
             truth: truth.names(),
@@ -112,10 +115,11 @@ impl Duel {
     pub(super) fn add(&mut self, row: usize, known: &Table<bool>) {
         self.square += self.gain(row, known).0;
         for datum in self.rows[row].iter().filter(|d| known[d.observable]) {
-            self.normal.add(datum);
+            self.normal.add(&datum.slopes, datum.difference);
         }
-        if let Some((covariance, moved)) = self.normal.solve() {
-            (self.covariance, self.moved) = (covariance, moved);
+        if let Some(covariance) = self.normal.covariance() {
+            self.moved = &covariance * &self.normal.gradient;
+            self.covariance = covariance;
         }
     }
 
@@ -125,32 +129,6 @@ impl Duel {
         let data = self.rows[row].iter().filter(|d| known[d.observable]);
         let most = data.max_by(|a, b| left(a).total_cmp(&left(b)));
         most.map_or("ratio", |d| words(d.observable))
-    }
-}
-
-/// Normal equations of what is refitted.
-struct Normal {
-    matrix: DMatrix<f64>,
-    gradient: DVector<f64>,
-}
-
-impl Normal {
-    fn add(&mut self, datum: &Datum) {
-        self.matrix.ger(1.0, &datum.slopes, &datum.slopes, 1.0);
-        self.gradient.axpy(datum.difference, &datum.slopes, 1.0);
-    }
-
-    fn add_ridge(&mut self) {
-        for i in 0..self.gradient.len() {
-            self.matrix[(i, i)] += RIDGE * (1.0 + self.matrix[(i, i)]);
-        }
-    }
-
-    /// Covariance of the parameters, and how far they move.
-    fn solve(&self) -> Option<(DMatrix<f64>, DVector<f64>)> {
-        let covariance = Cholesky::new(self.matrix.clone())?.inverse();
-        let moved = &covariance * &self.gradient;
-        Some((covariance, moved))
     }
 }
 

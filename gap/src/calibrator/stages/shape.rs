@@ -1,8 +1,6 @@
 //! The course of a ratio's deviation over frequency, in words.
 
-use super::pattern::Kind;
-use super::pattern::bands;
-use super::pattern::{Pattern, column};
+use super::pattern::{Kind, Pattern, bands, column};
 use crate::calibrator::fit::{Fit, Workspace};
 use crate::calibrator::linear::Linearised;
 use crate::calibrator::problem::{Column, Problem};

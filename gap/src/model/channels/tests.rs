@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::calibrator::example::{named, rig};
-use crate::dataset::ExciterParameters;
-use crate::dataset::{Harmonic, Point};
+use crate::dataset::{ExciterParameters, Harmonic, Point};
 use crate::model::memory::{Memory, Recall};
 use crate::model::predict::predict;
 use std::f64::consts::TAU;
