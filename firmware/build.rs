@@ -1,4 +1,5 @@
-//! Puts the linker's memory map in reach and stamps the image with its origin.
+//! Puts the linker's memory map in reach, stamps the image with its origin, and
+//! refuses one that is for no board or for two.
 //!
 //! `memory.x` lives at the top of the workspace, where everyone looks for it,
 //! and cortex-m-rt's `link.x` includes it by name from the search path.
@@ -6,6 +7,11 @@
 use std::{env, error::Error, fs, path::PathBuf, process::Command};
 
 fn main() -> Result<(), Box<dyn Error>> {
+    let boards = env::vars().filter(|(name, _)| name.starts_with("CARGO_FEATURE_BOARD_"));
+    if boards.count() != 1 {
+        let choose = "--no-default-features --features board-NAME";
+        return Err(format!("an image is for one folder of firmware/boards: {choose}").into());
+    }
     let workspace = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?).join("..");
     let out = PathBuf::from(env::var("OUT_DIR")?);
     fs::copy(workspace.join("memory.x"), out.join("memory.x"))?;

@@ -16,6 +16,7 @@ pub mod broadband;
 pub mod budget;
 pub mod consecutive;
 pub mod control;
+pub mod converter;
 pub mod correlation;
 pub mod generator;
 pub mod output;

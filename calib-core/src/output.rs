@@ -1,6 +1,7 @@
 //! The one output: a tone or a broadband period, never both.
 
 use crate::broadband::{BroadbandDrive, PeriodMemory, Player};
+use crate::converter::Width;
 use crate::generator::{Drive, Generator};
 
 /// What the exciter is to do.
@@ -19,22 +20,29 @@ pub enum Command {
 pub struct Output<'m> {
     tone: Generator,
     broadband: Player<'m>,
+    width: Width,
     seed: u32,
 }
 
 impl<'m> Output<'m> {
     /// A silent output; see [`Generator::new`] and [`Player::new`].
-    pub fn new(period: &'m mut PeriodMemory, full_scale_peak_v: f32, seed: u32) -> Self {
+    pub fn new(
+        period: &'m mut PeriodMemory,
+        width: Width,
+        full_scale_peak_v: f32,
+        seed: u32,
+    ) -> Self {
         Self {
-            tone: Generator::new(full_scale_peak_v, seed),
-            broadband: Player::new(period, full_scale_peak_v),
+            tone: Generator::new(width, full_scale_peak_v, seed),
+            broadband: Player::new(period, width, full_scale_peak_v),
+            width,
             seed,
         }
     }
 
     /// Another full scale; only between runs, in silence.
     pub fn scale(&mut self, full_scale_peak_v: f32) {
-        self.tone = Generator::new(full_scale_peak_v, self.seed);
+        self.tone = Generator::new(self.width, full_scale_peak_v, self.seed);
         self.broadband.scale(full_scale_peak_v);
     }
 

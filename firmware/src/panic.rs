@@ -145,12 +145,10 @@ unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
     ))
 }
 
-/// The clock security system found the 8 MHz gone; nothing else raises it here.
+/// The clock security system found the clock at OSC_IN gone; nothing else raises it here.
 #[exception]
 unsafe fn NonMaskableInt() -> ! {
-    leave(format_args!(
-        "clock failure: the 8 MHz of the board are gone"
-    ))
+    leave(format_args!("clock failure: the clock at OSC_IN is gone"))
 }
 
 /// The supply falls: silent while there is still enough of it to be silent with.

@@ -1,6 +1,6 @@
 //! From reset to running tasks.
 
-use crate::board::{Board, RecordFlash, axi_static, usb_port};
+use crate::board::{Board, NAME, RecordFlash, axi_static, usb_port};
 use crate::identity::Identity;
 use crate::instrument::Calibrator;
 use crate::state;
@@ -42,9 +42,10 @@ pub(crate) async fn start(spawner: Spawner) {
     let identity: &'static Identity = IDENTITY.init(Identity::read());
     let board = Board::start().await;
     defmt::info!(
-        "calib-firmware {=str} {=str}, serial {=str}",
+        "calib-firmware {=str} {=str} for {=str}, serial {=str}",
         identity.version.as_str(),
         identity.git_hash.as_str(),
+        NAME,
         identity.serial.as_str()
     );
     if let Some(reason) = &identity.last_panic {

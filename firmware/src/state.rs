@@ -1,5 +1,6 @@
 //! What tasks know of each other: short copies under a critical section.
 
+use crate::board::CONVERTERS;
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
 use calib_core::verdict::Reason;
@@ -131,7 +132,7 @@ static SETTINGS: CriticalSectionMutex<RefCell<Option<Settings>>> =
 pub(crate) fn settings() -> Settings {
     SETTINGS
         .lock(|settings| settings.borrow().clone())
-        .unwrap_or_else(Settings::field_calibrator)
+        .unwrap_or_else(|| Settings::field_calibrator_with(&CONVERTERS))
 }
 
 /// Takes other settings into force.

@@ -3,10 +3,11 @@
 //! the time an emulated board takes for a few.
 
 use calib_core::broadband::PeriodMemory;
+use calib_core::converter::Converters;
 use calib_core::correlation::FoldMemory;
 use calib_core::output::{Command, Output};
 use calib_core::point::{PointResult, PointSpec};
-use calib_core::sequence::{Sequencer, Timing};
+use calib_core::sequence::{Sampling, Sequencer};
 use calib_core::settings::Settings;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
@@ -22,14 +23,20 @@ const LONGEST_S: f32 = 60.0;
 /// Measures the points of one run on a rig at rest, also behind one that would
 /// end a run; the last is missing when it does not end within a minute.
 pub fn measure(rig: &Rig, settings: &Settings, specs: &[PointSpec]) -> Vec<PointResult> {
-    let timing = Timing {
+    let sampling = Sampling {
+        input: Converters::FIELD.input,
         sample_rate_hz: RATE_HZ,
         latency_samples: 2 * BLOCK as u32 + 2,
     };
     let (mut fold, mut period) = (FoldMemory::new(), PeriodMemory::new());
     let mut calibrator = Calibrator {
-        sequencer: Sequencer::new(&mut fold, timing, settings.clone()),
-        output: Output::new(&mut period, settings.drive_full_scale_peak_v, 1),
+        sequencer: Sequencer::new(&mut fold, sampling, settings.clone()),
+        output: Output::new(
+            &mut period,
+            Converters::FIELD.drive,
+            settings.drive_full_scale_peak_v,
+            1,
+        ),
         plant: Plant::new(rig),
         ring: [[DRIVE_MID_CODE; BLOCK]; 2],
     };

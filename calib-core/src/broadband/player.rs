@@ -1,7 +1,7 @@
 //! Plays a broadband period again and again, as codes for the converter.
 
 use super::{Excitation, RECORD_SAMPLES};
-use crate::generator::MID_CODE;
+use crate::converter::Width;
 use num_complex::Complex32;
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +39,7 @@ impl Default for PeriodMemory {
 pub struct Player<'m> {
     period: &'m mut PeriodMemory,
     excitation: Option<Excitation>,
+    width: Width,
     code_per_volt: f32,
     next: usize,
     /// Amplitude now, its goal, and the step of the ramp, in codes.
@@ -48,11 +49,13 @@ pub struct Player<'m> {
 }
 
 impl<'m> Player<'m> {
-    /// A silent player; `full_scale_peak_v` is the voltage for 2048 codes.
-    pub fn new(period: &'m mut PeriodMemory, full_scale_peak_v: f32) -> Self {
+    /// A silent player; `full_scale_peak_v` is the voltage for half of the range
+    /// of a converter of `width`.
+    pub fn new(period: &'m mut PeriodMemory, width: Width, full_scale_peak_v: f32) -> Self {
         let mut player = Self {
             period,
             excitation: None,
+            width,
             code_per_volt: 0.0,
             next: 0,
             amplitude: 0.0,
@@ -65,7 +68,7 @@ impl<'m> Player<'m> {
 
     /// Another full scale; only in silence.
     pub fn scale(&mut self, full_scale_peak_v: f32) {
-        self.code_per_volt = f32::from(MID_CODE) / full_scale_peak_v;
+        self.code_per_volt = f32::from(self.width.mid_code()) / full_scale_peak_v;
     }
 
     /// Asks for another drive. The amplitude ramps; another excitation begins
@@ -82,7 +85,7 @@ impl<'m> Player<'m> {
         // What is not a number is silence, and so is a band that is none.
         let usable = wanted.is_finite() && self.excitation.is_some();
         let to = if usable { wanted.abs() } else { 0.0 };
-        let to = to.min(f32::from(MID_CODE) - 2.0);
+        let to = to.min(f32::from(self.width.mid_code()) - 2.0);
         if to != self.to {
             self.to = to;
             self.step = (to - self.amplitude).abs() / f32::from(RAMP_SAMPLES);
@@ -101,6 +104,7 @@ impl<'m> Player<'m> {
 
     /// Fills `codes` with the next samples.
     pub fn fill(&mut self, codes: &mut [u16]) {
+        let [mid_code, last_code] = [self.width.mid_code(), self.width.last_code()].map(f32::from);
         for code in codes {
             let left = self.to - self.amplitude;
             // The last step lands on the goal: rounding must not leave a rest.
@@ -111,8 +115,8 @@ impl<'m> Player<'m> {
             };
             let value = self.period.0.get(self.next).map_or(0.0, |value| value.re);
             self.next = (self.next + 1) % RECORD_SAMPLES;
-            let position = f32::from(MID_CODE) + self.amplitude * value;
-            *code = libm::roundf(position).clamp(0.0, 4095.0) as u16;
+            let position = mid_code + self.amplitude * value;
+            *code = libm::roundf(position).max(0.0).min(last_code) as u16;
         }
     }
 }
@@ -140,7 +144,7 @@ mod tests {
     #[test]
     fn the_period_repeats_at_the_peak_asked_for() {
         let mut memory = Box::new(PeriodMemory::new());
-        let mut player = Player::new(&mut memory, 10.0);
+        let mut player = Player::new(&mut memory, Width::of_bits(12), 10.0);
         player.set(drive(5.0, 3));
         play(&mut player, usize::from(RAMP_SAMPLES));
         let one = play(&mut player, RECORD_SAMPLES);
@@ -156,7 +160,7 @@ mod tests {
     #[test]
     fn silence_is_reached_by_a_ramp_or_at_once() {
         let mut memory = Box::new(PeriodMemory::new());
-        let mut player = Player::new(&mut memory, 10.0);
+        let mut player = Player::new(&mut memory, Width::of_bits(12), 10.0);
         assert!(player.is_silent());
         player.set(drive(5.0, 3));
         play(&mut player, 5_000);

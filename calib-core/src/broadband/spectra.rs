@@ -1,6 +1,7 @@
 //! Averaged cross spectra of reference and device under test.
 
 use super::{LINES, RECORD_SAMPLES};
+use crate::converter::MID_SAMPLE;
 use crate::verdict::Reason;
 use core::fmt;
 use microfft::complex::cfft_4096;
@@ -11,9 +12,6 @@ pub const LEAST_AVERAGES: u32 = 64;
 
 /// Coherence below which the note's 0.9 % no longer holds.
 pub const LEAST_COHERENCE: f32 = 0.98;
-
-/// Codes are offset binary.
-const MID_CODE: f32 = 32_768.0;
 
 /// Averaged spectra of one line.
 #[derive(Clone, Copy, Debug)]
@@ -218,9 +216,9 @@ impl<'m> CrossSpectra<'m> {
     }
 }
 
-/// A code about mid-scale.
-fn centred(code: u32) -> f32 {
-    code as f32 - MID_CODE
+/// A sample about mid-scale.
+fn centred(sample: u32) -> f32 {
+    sample as f32 - f32::from(MID_SAMPLE)
 }
 
 #[cfg(test)]

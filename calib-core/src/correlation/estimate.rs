@@ -3,6 +3,7 @@
 use super::block::Block;
 use super::fold::{Energy, FoldSum, SQUARE_STRIDE};
 use super::sums::Sums;
+use crate::converter::{MID_SAMPLE, Width};
 use crate::phase::PhaseWalk;
 use crate::tone::Tone;
 use num_complex::Complex32;
@@ -91,15 +92,8 @@ pub struct PairEstimate {
     pub dut: ChannelEstimate,
 }
 
-/// Code of 0 V.
-const MID_CODE: i64 = 32_768;
-
-/// Highest code.
-const LAST_CODE: u32 = 65_535;
-
-/// How far a sample at an end of the range is at least from a signal that stays
-/// within half of the range, less one code for rounding.
-const SPIKE_CODES: f32 = 16_383.0;
+/// [`MID_SAMPLE`] where sums of it are formed.
+const MIDDLE: i64 = MID_SAMPLE as i64;
 
 /// How far a spike stands out of what else the fit leaves: in normal noise, one
 /// of 1e15 places does. A spike in a fold of n places stands out by sqrt(n),
@@ -122,6 +116,7 @@ pub(super) fn estimate(
     start_index: u32,
     fold: &[FoldSum],
     energy: Energy,
+    width: Width,
 ) -> PairEstimate {
     let means = [mean_code(fold, 0), mean_code(fold, 1)];
     let walk = PhaseWalk::new(block.tone(), start_index);
@@ -135,8 +130,8 @@ pub(super) fn estimate(
             mean: mean_of_sample(means[index], block.passes()) + offsets[index],
             harmonics,
             residual_rms: libm::sqrtf((within + rests[index].energy) / block.samples() as f32),
-            clipped: stays_at_an_end(fold, index, block.passes())
-                || rests[index].has_spike(block.passes()),
+            clipped: stays_at_an_end(fold, index, block.passes(), width)
+                || rests[index].has_spike(block.passes(), width),
         }
     };
     PairEstimate {
@@ -158,12 +153,12 @@ fn mean_code(fold: &[FoldSum], channel: usize) -> u32 {
 
 /// Mean of a sample about mid-scale, from the mean of the sums.
 fn mean_of_sample(mean: u32, passes: u32) -> f32 {
-    (i64::from(mean) - MID_CODE * i64::from(passes)) as f32 / passes as f32
+    (i64::from(mean) - MIDDLE * i64::from(passes)) as f32 / passes as f32
 }
 
 /// True when some place held the first or the last code in every pass.
-fn stays_at_an_end(fold: &[FoldSum], channel: usize, passes: u32) -> bool {
-    let top = LAST_CODE * passes;
+fn stays_at_an_end(fold: &[FoldSum], channel: usize, passes: u32, width: Width) -> bool {
+    let top = u32::from(width.last_sample()) * passes;
     let mut sums = fold.iter().map(|sum| sum.channels()[channel]);
     sums.any(|sum| sum == 0 || sum == top)
 }
@@ -280,8 +275,10 @@ impl Rest {
     /// The signal around a spike must stay within half of the range. In a larger
     /// one a lone clipped sample is off by less than the signal itself, and
     /// shows in the residual.
-    fn has_spike(self, passes: u32) -> bool {
-        let summed = SPIKE_CODES / passes as f32;
+    fn has_spike(self, passes: u32, width: Width) -> bool {
+        // From an end of the range to half of it, less one code for rounding.
+        let spike = f32::from(MID_SAMPLE / 2 - width.sample_step());
+        let summed = spike / passes as f32;
         self.largest_square >= summed * summed
             && self.largest_square >= SPIKE_FACTOR * SPIKE_FACTOR * self.mean_square
     }
@@ -331,7 +328,7 @@ fn rests(
 /// `sum x^2 - sum F^2 / passes` is formed in 128-bit integers: exact, so
 /// nothing is lost when the signal is a million times the noise.
 fn spread_within_places(fold: &[FoldSum], channel: usize, energy: Energy, passes: u32) -> f32 {
-    let middle = MID_CODE * i64::from(passes);
+    let middle = MIDDLE * i64::from(passes);
     let (mut folded, mut places) = (0_i128, 0_u32);
     for sums in fold.iter().step_by(SQUARE_STRIDE) {
         let sum = i128::from(i64::from(sums.channels()[channel]) - middle);

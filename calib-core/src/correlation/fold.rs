@@ -2,10 +2,11 @@
 
 use super::block::Block;
 use super::estimate::{PairEstimate, estimate};
+use crate::converter::{MID_SAMPLE, Width};
 use crate::tone::MAX_PERIOD_SAMPLES;
 
-/// Turns a pair in offset binary (`ADC2 << 16 | ADC1`) into two signed halves.
-const OFFSET: u32 = 0x8000_8000;
+/// Turns a pair of samples (`ADC2 << 16 | ADC1`) into two signed halves.
+const OFFSET: u32 = (MID_SAMPLE as u32) << 16 | MID_SAMPLE as u32;
 
 /// Of so many places of the fold, one has its squares summed. A prime that
 /// divides no period of the preferred frequencies, so that the squared places
@@ -68,7 +69,7 @@ pub struct Energy {
 /// Streams sample pairs into one block after another.
 ///
 /// The low half of a pair is the reference, the high half the device under
-/// test, both 16 bit offset binary.
+/// test, both samples in the sense of [`crate::converter`].
 ///
 /// Squares, which tell how much the samples scatter from period to period, are
 /// summed at every 13th place: the scatter of so many samples is known well
@@ -76,6 +77,7 @@ pub struct Energy {
 /// and what repeats in every period come from the sums of all samples.
 pub struct Correlator<'m> {
     fold: &'m mut [FoldSum],
+    width: Width,
     block: Block,
     start_index: u32,
     taken: u32,
@@ -85,10 +87,11 @@ pub struct Correlator<'m> {
 
 impl<'m> Correlator<'m> {
     /// A correlator ready for `block`, whose first sample is number
-    /// `start_index` of the tone.
-    pub fn new(memory: &'m mut FoldMemory, block: Block, start_index: u32) -> Self {
+    /// `start_index` of the tone, behind converters of `width`.
+    pub fn new(memory: &'m mut FoldMemory, width: Width, block: Block, start_index: u32) -> Self {
         let mut correlator = Self {
             fold: &mut memory.0,
+            width,
             block,
             start_index,
             taken: 0,
@@ -172,7 +175,7 @@ impl<'m> Correlator<'m> {
         let length = usize::from(self.block.fold_samples());
         let fold = self.fold.get(..length)?;
         self.is_complete()
-            .then(|| estimate(self.block, self.start_index, fold, self.energy))
+            .then(|| estimate(self.block, self.start_index, fold, self.energy, self.width))
     }
 }
 

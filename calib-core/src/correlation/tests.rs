@@ -1,11 +1,13 @@
 //! The correlation against an independent calculation in f64.
 
 use super::*;
+use crate::converter::Width;
 use crate::points::PREFERRED_HZ;
 use crate::tone::Tone;
 use num_complex::Complex32;
 
 const RATE_HZ: f32 = 50_000.0;
+const SIXTEEN_BITS: Width = Width::of_bits(16);
 const TAU: f64 = std::f64::consts::TAU;
 
 /// A tone with everything a channel may show, in codes.
@@ -105,8 +107,12 @@ fn solve(mut m: [[f64; 4]; 3]) -> [f64; 3] {
 }
 
 fn correlate(block: Block, start_index: u32, pairs: &[u32]) -> PairEstimate {
+    correlate_at(SIXTEEN_BITS, block, start_index, pairs)
+}
+
+fn correlate_at(width: Width, block: Block, start_index: u32, pairs: &[u32]) -> PairEstimate {
     let mut memory = Box::new(FoldMemory::new());
-    let mut correlator = Correlator::new(&mut memory, block, start_index);
+    let mut correlator = Correlator::new(&mut memory, width, block, start_index);
     // Odd chunks, as no buffer is a whole number of periods.
     for chunk in pairs.chunks(997) {
         correlator.push(chunk);
@@ -290,7 +296,7 @@ fn the_variance_is_that_of_the_cramer_rao_bound() {
     let clean: Vec<f64> = (0..500).map(|n| signal.at(tone, n)).collect();
     let mut random = Noise(77);
     let mut memory = Box::new(FoldMemory::new());
-    let mut correlator = Correlator::new(&mut memory, block, 0);
+    let mut correlator = Correlator::new(&mut memory, SIXTEEN_BITS, block, 0);
     let (runs, mut square, mut bias) = (60_000, 0.0, 0.0);
     let (cosine, sine) = (signal.phase.cos(), signal.phase.sin());
     for _ in 0..runs {
@@ -380,6 +386,32 @@ fn a_single_clipped_sample_is_found_in_its_channel() {
 }
 
 #[test]
+fn a_narrower_converter_clips_at_its_own_last_code() {
+    // The highest sample of 14 bits is 4 * 16 383.
+    let fourteen_bits = Width::of_bits(14);
+    let tone = tone(160.0);
+    let block = Block::measuring(tone, 5_000);
+    for (peak, clipped) in [(32_000.0, false), (36_000.0, true)] {
+        let signal = Signal { peak, ..PLAIN };
+        let pairs: Vec<u32> = pairs(tone, [signal, signal], 0, block.samples(), 0.0)
+            .into_iter()
+            .map(|pair| pair & 0xFFFC_FFFC)
+            .collect();
+        let estimate = correlate_at(fourteen_bits, block, 0, &pairs);
+        assert_eq!(estimate.reference.clipped, clipped);
+        assert_eq!(estimate.dut.clipped, clipped);
+    }
+    let quiet = Signal {
+        peak: 900.0,
+        ..PLAIN
+    };
+    let mut pairs = pairs(tone, [quiet, quiet], 0, block.samples(), 1.0);
+    pairs[1234] = 0xFFFC_8000;
+    let estimate = correlate_at(fourteen_bits, block, 0, &pairs);
+    assert!(!estimate.reference.clipped && estimate.dut.clipped);
+}
+
+#[test]
 fn noise_is_not_taken_for_clipping() {
     // Noise that makes the sums of a place scatter far beyond half the range,
     // by 5 000 sqrt(8) and 2 000 sqrt(800), without one that stands out.
@@ -423,7 +455,7 @@ fn the_phase_counts_from_sample_zero_of_the_tone_in_every_block() {
 fn an_unfinished_block_has_no_estimate() {
     let block = Block::measuring(tone(160.0), 5_000);
     let mut memory = Box::new(FoldMemory::new());
-    let mut correlator = Correlator::new(&mut memory, block, 0);
+    let mut correlator = Correlator::new(&mut memory, SIXTEEN_BITS, block, 0);
     assert_eq!(correlator.estimate(), None);
     let pairs = vec![0x8000_8000; block.samples() as usize + 10];
     assert_eq!(correlator.push(&pairs[..100]), 100);
@@ -522,7 +554,7 @@ mod properties {
             let block = Block::measuring(tone(250.0), 2_000);
             let pairs: Vec<u32> = (0..block.samples()).map(|_| (random.uniform() * 4_294_967_295.0) as u32).collect();
             let mut memory = Box::new(FoldMemory::new());
-            let mut correlator = Correlator::new(&mut memory, block, 7);
+            let mut correlator = Correlator::new(&mut memory, SIXTEEN_BITS, block, 7);
             for chunk in pairs.chunks(piece) {
                 correlator.push(chunk);
             }

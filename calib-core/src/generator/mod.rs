@@ -1,4 +1,4 @@
-//! The tone for the exciter, as codes for a 12-bit converter.
+//! The tone for the exciter, as codes for the drive converter.
 //!
 //! | property | how |
 //! |---|---|
@@ -10,15 +10,10 @@
 #[cfg(test)]
 mod tests;
 
+use crate::converter::Width;
 use crate::phase::PhaseWalk;
 use crate::tone::Tone;
 use serde::{Deserialize, Serialize};
-
-/// Codes of the converter are 0..=4095, this is 0 V.
-pub const MID_CODE: u16 = 2048;
-
-/// Highest code.
-const MAX_CODE: f32 = 4095.0;
 
 /// Shortest ramp from one amplitude to the next, in samples (10 ms).
 pub const MIN_RAMP_SAMPLES: u16 = 500;
@@ -46,6 +41,7 @@ pub fn ramp_samples(tone: Tone) -> u16 {
 /// from one code peak upwards: test `amplitude_is_finer_than_a_code`.
 #[derive(Clone, Debug)]
 pub struct Generator {
+    width: Width,
     code_per_volt: f32,
     tone: Tone,
     walk: PhaseWalk,
@@ -62,22 +58,23 @@ pub struct Generator {
 impl Generator {
     /// A silent generator.
     ///
-    /// `full_scale_peak_v` is the voltage at the exciter for 2048 codes; `seed`
-    /// starts the dither and may be any number.
-    pub fn new(full_scale_peak_v: f32, seed: u32) -> Self {
+    /// `full_scale_peak_v` is the voltage at the exciter for half of the range
+    /// of a converter of `width`; `seed` starts the dither and may be any number.
+    pub fn new(width: Width, full_scale_peak_v: f32, seed: u32) -> Self {
         let tone = Tone {
             cycles: 1,
             period_samples: MIN_RAMP_SAMPLES,
         };
         Self {
-            code_per_volt: f32::from(MID_CODE) / full_scale_peak_v,
+            width,
+            code_per_volt: f32::from(width.mid_code()) / full_scale_peak_v,
             tone,
             walk: PhaseWalk::new(tone, 0),
             to: 0.0,
             from: 0.0,
             ramp_left: 0,
             pending: None,
-            shaper: Shaper::new(tone, seed),
+            shaper: Shaper::new(width, tone, seed),
         }
     }
 
@@ -126,7 +123,7 @@ impl Generator {
             } else {
                 // The walk goes on: the phase stays that of the sample clock.
                 self.walk.skip();
-                return MID_CODE;
+                return self.width.mid_code();
             }
         }
         let (_, sine) = self.walk.next_cos_sin();
@@ -148,7 +145,7 @@ impl Generator {
     fn ramp_to(&mut self, codes: f32) {
         // What is not a number is silence.
         let wanted = if codes.is_finite() { codes.abs() } else { 0.0 };
-        let codes = wanted.min(f32::from(MID_CODE) - 2.0);
+        let codes = wanted.min(f32::from(self.width.mid_code()) - 2.0);
         if codes != self.to {
             self.from = self.amplitude();
             self.to = codes;
@@ -173,14 +170,18 @@ impl Generator {
 /// error from repeating with the tone.
 #[derive(Clone, Debug)]
 struct Shaper {
+    mid_code: f32,
+    last_code: f32,
     feedback: [f32; 2],
     errors: [f32; 2],
     random: u32,
 }
 
 impl Shaper {
-    fn new(tone: Tone, seed: u32) -> Self {
+    fn new(width: Width, tone: Tone, seed: u32) -> Self {
         let mut shaper = Self {
+            mid_code: f32::from(width.mid_code()),
+            last_code: f32::from(width.last_code()),
             feedback: [1.0, 0.0],
             errors: [0.0; 2],
             // The generator of random numbers must not start at zero.
@@ -207,10 +208,11 @@ impl Shaper {
     fn code(&mut self, ideal: f32) -> u16 {
         let [last, before] = self.errors;
         let wanted = ideal + self.feedback[0] * last + self.feedback[1] * before;
-        let position = f32::from(MID_CODE) + wanted + self.dither();
-        let code = libm::roundf(position).clamp(0.0, MAX_CODE);
+        let position = self.mid_code + wanted + self.dither();
+        // Not `clamp`, which panics at limits that are no numbers.
+        let code = libm::roundf(position).max(0.0).min(self.last_code);
         // Limited, so that a clamped code does not wind the feedback up.
-        let error = (wanted - (code - f32::from(MID_CODE))).clamp(-1.0, 1.0);
+        let error = (wanted - (code - self.mid_code)).clamp(-1.0, 1.0);
         self.errors = [error, last];
         code as u16
     }

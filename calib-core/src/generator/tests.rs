@@ -4,6 +4,7 @@ use super::*;
 use crate::points::PREFERRED_HZ;
 
 const RATE_HZ: f32 = 50_000.0;
+const TWELVE_BITS: Width = Width::of_bits(12);
 const TAU: f64 = std::f64::consts::TAU;
 
 fn tone(hz: f32) -> Tone {
@@ -12,7 +13,7 @@ fn tone(hz: f32) -> Tone {
 
 /// A generator playing `peak_codes`, its ramp over, at a known sample.
 fn playing(tone: Tone, peak_codes: f32) -> (Generator, u64) {
-    let mut generator = Generator::new(2048.0, 7);
+    let mut generator = Generator::new(TWELVE_BITS, 2048.0, 7);
     generator.set(Drive {
         tone,
         peak_v: peak_codes,
@@ -66,10 +67,10 @@ fn amplitude_is_finer_than_a_code() {
 
 #[test]
 fn silence_is_mid_scale() {
-    let mut generator = Generator::new(10.0, 0);
+    let mut generator = Generator::new(TWELVE_BITS, 10.0, 0);
     let mut codes = [0; 1000];
     generator.fill(&mut codes);
-    assert!(generator.is_silent() && codes.iter().all(|code| *code == MID_CODE));
+    assert!(generator.is_silent() && codes.iter().all(|code| *code == TWELVE_BITS.mid_code()));
     let drive = Drive {
         tone: tone(160.0),
         peak_v: 5.0,
@@ -79,13 +80,13 @@ fn silence_is_mid_scale() {
     assert!(!generator.is_silent());
     generator.mute();
     generator.fill(&mut codes);
-    assert!(generator.is_silent() && codes.iter().all(|code| *code == MID_CODE));
+    assert!(generator.is_silent() && codes.iter().all(|code| *code == TWELVE_BITS.mid_code()));
 }
 
 #[test]
 fn amplitudes_and_tones_change_without_a_step() {
-    let mut generator = Generator::new(10.0, 3);
-    let mut last = f64::from(MID_CODE);
+    let mut generator = Generator::new(TWELVE_BITS, 10.0, 3);
+    let mut last = f64::from(TWELVE_BITS.mid_code());
     let mut before_hz = 0.0;
     let schedule = [
         (160.0, 1.0),
@@ -121,7 +122,7 @@ fn amplitudes_and_tones_change_without_a_step() {
 
 #[test]
 fn a_new_tone_waits_for_silence() {
-    let mut generator = Generator::new(10.0, 3);
+    let mut generator = Generator::new(TWELVE_BITS, 10.0, 3);
     generator.set(Drive {
         tone: tone(160.0),
         peak_v: 5.0,
@@ -139,7 +140,9 @@ fn a_new_tone_waits_for_silence() {
     let mut border = [0; 4];
     generator.fill(&mut border);
     assert!(
-        border.iter().all(|code| code.abs_diff(MID_CODE) < 8),
+        border
+            .iter()
+            .all(|code| code.abs_diff(TWELVE_BITS.mid_code()) < 8),
         "{border:?}"
     );
     let mut codes = vec![0; 500 * 20];
@@ -153,14 +156,14 @@ fn a_new_tone_waits_for_silence() {
 #[test]
 fn impossible_amplitudes_are_bounded() {
     for peak_v in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        let mut generator = Generator::new(10.0, 3);
+        let mut generator = Generator::new(TWELVE_BITS, 10.0, 3);
         generator.set(Drive {
             tone: tone(160.0),
             peak_v,
         });
         assert!(generator.is_silent());
     }
-    let mut generator = Generator::new(10.0, 3);
+    let mut generator = Generator::new(TWELVE_BITS, 10.0, 3);
     generator.set(Drive {
         tone: tone(160.0),
         peak_v: 1.0e9,
@@ -169,6 +172,28 @@ fn impossible_amplitudes_are_bounded() {
     generator.fill(&mut codes);
     assert!(codes.iter().all(|code| *code <= 4095));
     assert!(codes.iter().any(|code| *code > 4085));
+}
+
+#[test]
+fn another_width_has_its_own_middle_and_ends() {
+    // 10 bits: codes 0 to 1023 about 512; 5 V of 10 V are 256 codes.
+    let mut generator = Generator::new(Width::of_bits(10), 10.0, 3);
+    let mut codes = vec![0; 10_000];
+    generator.fill(&mut codes);
+    assert!(codes.iter().all(|code| *code == 512));
+    let tone = tone(160.0);
+    for (peak_v, peak_codes) in [(5.0, 256), (1.0e9, 510)] {
+        generator.set(Drive { tone, peak_v });
+        generator.fill(&mut codes);
+        let steady = &codes[codes.len() / 2..];
+        let peak = steady.iter().map(|code| code.abs_diff(512)).max();
+        // Dither and shaped error add a code or two.
+        assert!(
+            peak.is_some_and(|peak| peak.abs_diff(peak_codes) <= 3),
+            "{peak:?}"
+        );
+        assert!(codes.iter().all(|code| *code <= 1023));
+    }
 }
 
 #[test]

@@ -26,5 +26,5 @@ mod tests;
 
 pub use checks::{Measured, judge};
 pub use scatter::Scatter;
-pub use sequencer::{Activity, Progress, Sequencer, Timing};
+pub use sequencer::{Activity, Progress, Sampling, Sequencer};
 pub use survey::{Survey, SurveyRequest};

@@ -10,12 +10,13 @@
 //! # Source
 //! ISO 16063-21:2003, 4.4 Note 1 (64 averages, coherence), 5.1 a (level).
 
-use super::sequencer::{Activity, Progress, Timing};
+use super::sequencer::{Activity, Progress, Sampling};
 use crate::broadband::{
     BroadbandDrive, CrossSpectra, Excitation, LEAST_AVERAGES, Phases, RECORD_SAMPLES, Response,
     SpectraMemory, line_frequency_hz, nearest_line, player,
 };
 use crate::budget::point_budget;
+use crate::converter::MID_SAMPLE;
 use crate::output::Command;
 use crate::point::{ExcitationKind, PointResult, PointSpec};
 use crate::polarity::Polarity;
@@ -62,8 +63,8 @@ struct Motion {
     acceleration_ms2: f32,
     velocity_ms: f32,
     displacement_m: f32,
-    /// Of the reference channel, codes.
-    codes: f32,
+    /// Of the reference channel, samples r.m.s.
+    samples: f32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +83,7 @@ enum Stage {
 /// A broadband run; see the module for its course.
 pub struct Survey<'m> {
     spectra: CrossSpectra<'m>,
-    timing: Timing,
+    sampling: Sampling,
     settings: Settings,
     excitation: Excitation,
     random: bool,
@@ -104,10 +105,10 @@ pub struct Survey<'m> {
 
 impl<'m> Survey<'m> {
     /// A survey at rest.
-    pub fn new(memory: &'m mut SpectraMemory, timing: Timing, settings: Settings) -> Self {
+    pub fn new(memory: &'m mut SpectraMemory, sampling: Sampling, settings: Settings) -> Self {
         Self {
             spectra: CrossSpectra::new(memory),
-            timing,
+            sampling,
             settings,
             excitation: Excitation {
                 first: 1,
@@ -134,7 +135,7 @@ impl<'m> Survey<'m> {
     /// Begins a run with these settings. A run that cannot be driven ends with
     /// the next call of [`Self::feed`].
     pub fn start(&mut self, settings: Settings, request: SurveyRequest) {
-        let rate_hz = self.timing.sample_rate_hz;
+        let rate_hz = self.sampling.sample_rate_hz;
         let (low_hz, high_hz) = request.band_hz;
         self.settings = settings;
         self.random = request.kind == ExcitationKind::Random;
@@ -240,7 +241,7 @@ impl<'m> Survey<'m> {
     /// Result of a point, once [`Self::feed`] said that the run is over: that
     /// of the line nearest to it.
     pub fn result(&mut self, spec: PointSpec) -> PointResult {
-        let line = nearest_line(spec.frequency_hz, self.timing.sample_rate_hz);
+        let line = nearest_line(spec.frequency_hz, self.sampling.sample_rate_hz);
         let tone = Tone {
             cycles: line as u16,
             period_samples: RECORD_SAMPLES as u16,
@@ -248,7 +249,7 @@ impl<'m> Survey<'m> {
         let mut result = PointResult::refused(spec, Some(tone), Reason::Stopped);
         result.acceleration_rms_ms2 = self.motion.acceleration_ms2;
         result.drive_peak_v = self.drive_peak_v;
-        result.settling_s = self.settling_samples as f32 / self.timing.sample_rate_hz;
+        result.settling_s = self.settling_samples as f32 / self.sampling.sample_rate_hz;
         if let Some(reason) = self.fault {
             result.verdict = Verdict::Refused(reason);
             return result;
@@ -264,7 +265,7 @@ impl<'m> Survey<'m> {
 
     /// Fills in sensitivity and uncertainty, and judges the point.
     fn state(&mut self, result: &mut PointResult, line: usize, response: Response) -> Verdict {
-        let frequency_hz = line_frequency_hz(line, self.timing.sample_rate_hz);
+        let frequency_hz = line_frequency_hz(line, self.sampling.sample_rate_hz);
         let Some(reference) = self.settings.reference.at(frequency_hz) else {
             return Verdict::Refused(Reason::FrequencyUnavailable);
         };
@@ -301,7 +302,7 @@ impl<'m> Survey<'m> {
     /// Codes of an overload, or why the run cannot be driven.
     fn plan(&self) -> Result<f32, Reason> {
         let limits = &self.settings.limits;
-        let rate_hz = self.timing.sample_rate_hz;
+        let rate_hz = self.sampling.sample_rate_hz;
         let ends = [self.excitation.first, self.excitation.last];
         let [Some(low), Some(_)] =
             ends.map(|line| self.settings.reference.at(line_frequency_hz(line, rate_hz)))
@@ -335,17 +336,18 @@ impl<'m> Survey<'m> {
             peak_v: self.drive_peak_v,
         });
         let ramp = u32::from(player::RAMP_SAMPLES);
-        let left = self.timing.latency_samples + ramp + SETTLING_SAMPLES;
+        let left = self.sampling.latency_samples + ramp + SETTLING_SAMPLES;
         self.stage = Stage::Waiting { left };
     }
 
     /// Mutes at once where the motion exceeds what the exciter may do.
     fn guard(&mut self, pairs: &[u32]) {
         let mut highest = 0;
+        let last = u32::from(self.sampling.input.last_sample());
         for pair in pairs {
             let (reference, dut) = (pair & 0xFFFF, pair >> 16);
-            highest = highest.max(reference.abs_diff(32_768));
-            let at_end = |code: u32| code == 0 || code == 65_535;
+            highest = highest.max(reference.abs_diff(u32::from(MID_SAMPLE)));
+            let at_end = |sample: u32| sample == 0 || sample == last;
             self.clipped |= at_end(reference) || at_end(dut);
         }
         if highest as f32 > self.overload_codes {
@@ -385,7 +387,8 @@ impl<'m> Survey<'m> {
         let limit_v = self.settings.limits.drive_peak_v;
         let ratio = self.wanted_rms_ms2 / self.motion.acceleration_ms2;
         self.approaches += 1;
-        let dead = !(self.motion.codes >= DEAD_CODES);
+        let dead_rms = DEAD_CODES * f32::from(self.sampling.input.sample_step());
+        let dead = !(self.motion.samples >= dead_rms);
         if dead && self.drive_peak_v >= ALIVE_AT_REL * limit_v {
             return self.refuse(Reason::ReferenceDead);
         }
@@ -433,28 +436,28 @@ impl<'m> Survey<'m> {
     fn motion_of_band(&self) -> Motion {
         let mut squares = [0.0_f32; 4];
         for line in self.excitation.first..=self.excitation.last {
-            let frequency_hz = line_frequency_hz(line, self.timing.sample_rate_hz);
+            let frequency_hz = line_frequency_hz(line, self.sampling.sample_rate_hz);
             let omega = core::f32::consts::TAU * frequency_hz;
             let Some(reference) = self.settings.reference.at(frequency_hz) else {
                 continue;
             };
-            let codes = self.spectra.reference_mean_square(line);
+            let samples = self.spectra.reference_mean_square(line);
             let ms2_per_code =
                 self.settings.reference_input.volt_per_code / reference.sensitivity_v_per_ms2;
-            let acceleration = codes * ms2_per_code * ms2_per_code;
+            let acceleration = samples * ms2_per_code * ms2_per_code;
             let velocity = acceleration / (omega * omega);
-            let seen = [acceleration, velocity, velocity / (omega * omega), codes];
+            let seen = [acceleration, velocity, velocity / (omega * omega), samples];
             squares
                 .iter_mut()
                 .zip(seen)
                 .for_each(|(sum, add)| *sum += add);
         }
-        let [acceleration_ms2, velocity_ms, displacement_m, codes] = squares.map(libm::sqrtf);
+        let [acceleration_ms2, velocity_ms, displacement_m, samples] = squares.map(libm::sqrtf);
         Motion {
             acceleration_ms2,
             velocity_ms,
             displacement_m,
-            codes,
+            samples,
         }
     }
 
@@ -463,7 +466,7 @@ impl<'m> Survey<'m> {
         self.fault = Some(reason);
         self.command = Command::Mute;
         self.stage = Stage::Silencing {
-            left: self.timing.latency_samples,
+            left: self.sampling.latency_samples,
         };
     }
 
@@ -474,7 +477,7 @@ impl<'m> Survey<'m> {
             peak_v: 0.0,
         });
         self.stage = Stage::Silencing {
-            left: self.timing.latency_samples + u32::from(player::RAMP_SAMPLES),
+            left: self.sampling.latency_samples + u32::from(player::RAMP_SAMPLES),
         };
     }
 }

@@ -3,6 +3,7 @@
 use super::tests::Plant;
 use super::*;
 use crate::broadband::{PeriodMemory, SpectraMemory, line_frequency_hz, nearest_line};
+use crate::converter::Converters;
 use crate::output::Output;
 use crate::point::{ExcitationKind, PointResult, PointSpec};
 use crate::settings::Settings;
@@ -40,12 +41,13 @@ fn survey(
 ) -> (Vec<PointResult>, Plant, bool) {
     let mut spectra = Box::new(SpectraMemory::new());
     let mut period = Box::new(PeriodMemory::new());
-    let timing = Timing {
+    let sampling = Sampling {
+        input: Converters::FIELD.input,
         sample_rate_hz: RATE_HZ,
         latency_samples: 2 * BLOCK as u32,
     };
-    let mut survey = Survey::new(&mut spectra, timing, settings.clone());
-    let mut output = Output::new(&mut period, 10.0, 1);
+    let mut survey = Survey::new(&mut spectra, sampling, settings.clone());
+    let mut output = Output::new(&mut period, Converters::FIELD.drive, 10.0, 1);
     let mut waiting = vec![2048; BLOCK];
     survey.start(settings, request);
     for _ in 0..4_000 {

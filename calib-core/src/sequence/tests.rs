@@ -1,6 +1,7 @@
 //! The whole course of points against a simple plant in f64.
 
 use super::*;
+use crate::converter::Converters;
 use crate::correlation::FoldMemory;
 use crate::generator::Generator;
 use crate::output::Command;
@@ -153,13 +154,14 @@ struct Rig<'m> {
 
 impl<'m> Rig<'m> {
     fn new(memory: &'m mut FoldMemory, plant: Plant, delay: usize) -> Self {
-        let timing = Timing {
+        let sampling = Sampling {
+            input: Converters::FIELD.input,
             sample_rate_hz: RATE_HZ as f32,
             latency_samples: ((delay + 1) * HALF) as u32,
         };
         Self {
-            sequencer: Sequencer::new(memory, timing, Settings::field_calibrator()),
-            generator: Generator::new(10.0, 1),
+            sequencer: Sequencer::new(memory, sampling, Settings::field_calibrator()),
+            generator: Generator::new(Converters::FIELD.drive, 10.0, 1),
             plant,
             waiting: (0..delay).map(|_| vec![2048; HALF]).collect(),
         }

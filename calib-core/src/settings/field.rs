@@ -4,11 +4,9 @@ use super::{
     Distribution, Example, Influence, InputScale, Limits, Method, PointInfluences,
     ReferenceCalibration, ReferencePoint, Settings,
 };
+use crate::converter::Converters;
 use crate::points::PREFERRED_HZ;
 use heapless::{String, Vec};
-
-/// -5 V to +5 V at the connector for codes 0 to 65 535.
-const VOLT_PER_CODE: f32 = 10.0 / 65_536.0;
 
 /// Sensitivity of the built-in reference with its conditioner, V/(m/s2).
 const REFERENCE_V_PER_MS2: f32 = 0.0102;
@@ -52,26 +50,32 @@ const INFLUENCES: [Line; 15] = [
 ];
 
 impl Settings {
-    /// A calibrator for the field: Example 2, built-in reference, +-5 V inputs,
-    /// 10 V drive and an exciter of 200 m/s2, 1 m/s and 5 mm peak.
+    /// A calibrator for the field with the converters of [`Converters::FIELD`]:
+    /// Example 2, built-in reference, and an exciter of 200 m/s2, 1 m/s and 5 mm
+    /// peak that takes the whole drive.
     ///
     /// The reference table is flat; its expanded uncertainty is 0.5 % and
     /// 0.3 degrees up to 1 kHz, rising to 1.5 % and 1 degree at 10 kHz. A real
     /// instrument gets the table of its own certificate.
     pub fn field_calibrator() -> Self {
+        Self::field_calibrator_with(&Converters::FIELD)
+    }
+
+    /// [`Self::field_calibrator`] on another board.
+    pub fn field_calibrator_with(converters: &Converters) -> Self {
+        let input = InputScale {
+            volt_per_code: converters.volt_per_sample(),
+        };
+        let drive_full_scale_peak_v = converters.drive_full_scale_peak_v;
         Self {
             method: Method::Calibrator,
             example: Example::Example2,
             reference: reference(),
-            reference_input: InputScale {
-                volt_per_code: VOLT_PER_CODE,
-            },
-            dut_input: InputScale {
-                volt_per_code: VOLT_PER_CODE,
-            },
-            drive_full_scale_peak_v: 10.0,
+            reference_input: input,
+            dut_input: input,
+            drive_full_scale_peak_v,
             limits: Limits {
-                drive_peak_v: 10.0,
+                drive_peak_v: drive_full_scale_peak_v,
                 acceleration_peak_ms2: 200.0,
                 velocity_peak_ms: 1.0,
                 displacement_peak_m: 0.005,
@@ -120,6 +124,22 @@ fn reference_point(frequency_hz: f32) -> ReferencePoint {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn another_board_has_its_own_scales() {
+        let converters = Converters {
+            input_full_scale_peak_v: 2.5,
+            drive_full_scale_peak_v: 4.0,
+            ..Converters::FIELD
+        };
+        let settings = Settings::field_calibrator_with(&converters);
+        assert_eq!(settings.validate(), Ok(()));
+        // By hand: 5 V / 65 536.
+        assert_eq!(settings.reference_input.volt_per_code, 7.629_394_5e-5);
+        assert_eq!(settings.dut_input, settings.reference_input);
+        assert_eq!(settings.drive_full_scale_peak_v, 4.0);
+        assert_eq!(settings.limits.drive_peak_v, 4.0);
+    }
 
     #[test]
     fn the_field_calibrator_is_valid_and_has_every_preferred_frequency() {

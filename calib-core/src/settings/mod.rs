@@ -65,10 +65,11 @@ pub struct ReferenceCalibration {
     pub points: Vec<ReferencePoint, MAX_REFERENCE_POINTS>,
 }
 
-/// One input: converter code to volts at the conditioner's output.
+/// One input: sample to volts at the conditioner's output.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct InputScale {
-    /// Volts at the input connector per code of the 16-bit converter.
+    /// Volts at the input connector from one sample to the next, 1/65 536 of the
+    /// range whatever the width of the converter.
     pub volt_per_code: f32,
 }
 
@@ -121,7 +122,7 @@ pub struct Influence {
     pub distribution: Distribution,
 }
 
-/// What turns codes of the reference's channel into acceleration: every result
+/// What turns samples of the reference's channel into acceleration: every result
 /// rests on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReferenceChannel {

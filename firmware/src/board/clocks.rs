@@ -1,46 +1,71 @@
-//! Clock tree: 480 MHz core, everything derived from the 8 MHz of the ST-LINK.
+//! Clock tree: everything derived from the clock at OSC_IN.
 
+use super::description::Silicon;
+use super::selected::CLOCKS;
 use embassy_stm32::Config;
 use embassy_stm32::pac;
 use embassy_stm32::rcc::{
-    AHBPrescaler, APBPrescaler, Hse, HseMode, Pll, PllDiv, PllMul, PllPreDiv, PllSource, Sysclk,
+    AHBPrescaler, APBPrescaler, Hse, Pll, PllDiv, PllMul, PllPreDiv, PllSource, Sysclk,
     VoltageScale, mux,
 };
 use embassy_stm32::time::Hertz;
 
-/// Core clock, Hz (DS12110 Rev 10, table 23: VOS0, revision V).
-pub(crate) const CORE_HZ: u32 = 480_000_000;
+/// Clock of the timers on APB1, Hz: twice PCLK1, which is half of the bus clock
+/// (RM0433 Rev 8, 8.5.1).
+pub(crate) const TIMER_HZ: u32 = CLOCKS.bus_hz();
 
-/// Clock of the timers on APB1, Hz: twice PCLK1 (RM0433 Rev 8, 8.5.1).
-pub(crate) const TIMER_HZ: u32 = CORE_HZ / 2;
+/// Highest core clock of the silicon, Hz (DS12110 Rev 10, table 23: VOS0 of
+/// revision V; VOS1).
+const HIGHEST_CORE_HZ: u32 = match CLOCKS.silicon {
+    Silicon::Y => 400_000_000,
+    Silicon::V => 480_000_000,
+};
+
+/// The fastest core of voltage scale 1, Hz.
+const SCALE_1_CORE_HZ: u32 = 400_000_000;
+
+const _: () = {
+    assert!(CLOCKS.core_hz() <= HIGHEST_CORE_HZ, "core");
+    assert!(CLOCKS.bus_hz() <= HIGHEST_CORE_HZ / 2, "buses");
+    let usb_hz = CLOCKS.pll_hz() / CLOCKS.usb_divider as u32;
+    assert!(usb_hz == 48_000_000, "USB wants 48 MHz");
+};
 
 /// The configuration of all clocks.
 pub(crate) fn config() -> Config {
     let mut config = Config::default();
     let rcc = &mut config.rcc;
-    // MCO of the ST-LINK (UM2407 Rev 4, 6.4.3): crystal accuracy, so the
-    // frequency of every tone is within 50 ppm.
     rcc.hse = Some(Hse {
-        freq: Hertz(8_000_000),
-        mode: HseMode::Bypass,
+        freq: Hertz(CLOCKS.hse_hz),
+        mode: CLOCKS.hse,
     });
-    rcc.voltage_scale = VoltageScale::Scale0;
+    rcc.voltage_scale = if CLOCKS.core_hz() > SCALE_1_CORE_HZ {
+        VoltageScale::Scale0
+    } else {
+        VoltageScale::Scale1
+    };
     rcc.pll1 = Some(Pll {
         source: PllSource::HSE,
-        prediv: PllPreDiv::DIV1,
-        mul: PllMul::MUL120,
+        prediv: PllPreDiv::from_bits(CLOCKS.pll_divider),
+        mul: PllMul::from_bits(CLOCKS.pll_multiplier - 1),
         fracn: None,
-        divp: Some(PllDiv::DIV2),
-        divq: Some(PllDiv::DIV20),
+        divp: Some(PllDiv::from_bits(CLOCKS.core_divider - 1)),
+        divq: Some(PllDiv::from_bits(CLOCKS.usb_divider - 1)),
         divr: None,
     });
     rcc.sys = Sysclk::PLL1_P;
-    rcc.ahb_pre = AHBPrescaler::DIV2;
+    rcc.ahb_pre = const {
+        match CLOCKS.bus_divider {
+            2 => AHBPrescaler::DIV2,
+            4 => AHBPrescaler::DIV4,
+            _ => panic!("the buses run at a half or a quarter of the core's clock"),
+        }
+    };
     rcc.apb1_pre = APBPrescaler::DIV2;
     rcc.apb2_pre = APBPrescaler::DIV2;
     rcc.apb3_pre = APBPrescaler::DIV2;
     rcc.apb4_pre = APBPrescaler::DIV2;
-    // 960 MHz / 20: what full-speed USB wants, as exact as the crystal.
+    // As exact as the clock at OSC_IN.
     rcc.mux.usbsel = mux::Usbsel::PLL1_Q;
     // The internal oscillator, for ADC3 alone: the pair of ADC1 and ADC2 runs
     // on the bus clock.
@@ -48,8 +73,8 @@ pub(crate) fn config() -> Config {
     config
 }
 
-/// Watches the 8 MHz from now on: when they fail, the part goes on with its
-/// internal oscillator, which no tone may be derived from, and raises the NMI,
+/// Watches the clock at OSC_IN from now on: when it fails, the part goes on with
+/// its internal oscillator, which no tone may be derived from, and raises the NMI,
 /// whose handler silences the exciter (RM0433 Rev 8, 8.5.3).
 pub(super) fn watch() {
     pac::RCC.cr().modify(|w| w.set_hsecsson(true));

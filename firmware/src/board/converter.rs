@@ -2,6 +2,8 @@
 //!
 //! Source: RM0433 Rev 8, sections 25.4.6 to 25.4.9.
 
+use super::description::Silicon;
+use super::selected::CLOCKS;
 use embassy_stm32::pac::adc::{Adc, vals};
 use embassy_time::{Duration, Timer, with_timeout};
 
@@ -15,12 +17,28 @@ const CALIBRATION_LIMIT: Duration = Duration::from_millis(20);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, defmt::Format)]
 pub(crate) struct NotReady;
 
-/// Powers a converter and measures its offset and linearity (25.4.8).
-pub(super) async fn calibrate(adc: Adc, boost: vals::Boost) -> Result<(), NotReady> {
+/// What the comparators of a converter that is fed with `clock_hz` need (25.6.3).
+const fn boost(clock_hz: u32) -> vals::Boost {
+    match CLOCKS.silicon {
+        // One bit, above 20 MHz: the lower of the two that revision V has.
+        Silicon::Y if clock_hz > 20_000_000 => vals::Boost::LT12_5,
+        Silicon::Y => vals::Boost::LT6_25,
+        Silicon::V => match clock_hz / 2 {
+            ..=6_250_000 => vals::Boost::LT6_25,
+            ..=12_500_000 => vals::Boost::LT12_5,
+            ..=25_000_000 => vals::Boost::LT25,
+            _ => vals::Boost::LT50,
+        },
+    }
+}
+
+/// Powers a converter that is fed with `clock_hz` and measures its offset and
+/// linearity (25.4.8).
+pub(super) async fn calibrate(adc: Adc, clock_hz: u32) -> Result<(), NotReady> {
     adc.cr().modify(|w| {
         w.set_deeppwd(false);
         w.set_advregen(true);
-        w.set_boost(boost);
+        w.set_boost(boost(clock_hz));
     });
     // Start-up of the regulator, t_ADCVREG_STUP (DS12110 Rev 10, table 87).
     Timer::after_micros(10).await;

@@ -4,29 +4,38 @@
 //! set here and the HAL only runs the DMA ring. Source: RM0433 Rev 8, 25.4.
 //!
 //! One pair is one word of the common data register: low half reference
-//! (ADC1, master), high half device under test (ADC2), both 16 bit offset
-//! binary. A pair can be lost, but never torn: the phase between the channels
+//! (ADC1, master), high half device under test (ADC2), both left justified
+//! offset binary. A pair can be lost, but never torn: the phase between the channels
 //! does not depend on the DMA.
 
 use super::axi_sram::axi_static;
 use super::converter::{NotReady, calibrate, enable};
+use super::selected::{CLOCKS, CONVERTERS, Irqs};
 use defmt::Format;
+use embassy_stm32::adc::AnyAdcChannel;
 use embassy_stm32::dma::{self, ReadableRingBuffer, TransferOptions};
 use embassy_stm32::pac::{
     self,
     adc::{Adc, vals},
     adccommon::vals::{Ckmode, Damdf, Dual},
 };
-use embassy_stm32::{Peri, gpio, peripherals, rcc};
+use embassy_stm32::{Peri, peripherals, rcc};
 use embassy_time::{Duration, Timer};
 
 /// Sample pairs handed over at once: 10 ms, half of the DMA ring.
 pub(crate) const BLOCK_PAIRS: usize = 500;
 
-/// INP15 of ADC1 is PA3 (DS12110 Rev 10, table 9).
-const REFERENCE_CHANNEL: u8 = 15;
-/// INP10 of ADC2 is PC0.
-const DUT_CHANNEL: u8 = 10;
+/// Clock of the pair, before revision V halves it.
+const CLOCK_HZ: u32 = CLOCKS.bus_hz() / 4;
+/// Resolution of both.
+const RESOLUTION: vals::Res = match CONVERTERS.input.bits() {
+    16 => vals::Res::BITS16,
+    14 => vals::Res::BITS14,
+    12 => vals::Res::BITS12,
+    10 => vals::Res::BITS10,
+    8 => vals::Res::BITS8,
+    _ => panic!("the part's converters have 8, 10, 12, 14 or 16 bits"),
+};
 /// `tim6_trgo` among the triggers of a regular group (RM0433 Rev 8, table 209).
 const TRIGGER_TIM6: u8 = 13;
 
@@ -63,8 +72,8 @@ pub(crate) struct DigitiserParts {
         Peri<'static, peripherals::ADC1>,
         Peri<'static, peripherals::ADC2>,
     ),
-    pub(crate) reference_pin: Peri<'static, peripherals::PA3>,
-    pub(crate) dut_pin: Peri<'static, peripherals::PC0>,
+    pub(crate) reference: AnyAdcChannel<'static, peripherals::ADC1>,
+    pub(crate) dut: AnyAdcChannel<'static, peripherals::ADC2>,
     pub(crate) dma: Peri<'static, peripherals::DMA1_CH0>,
 }
 
@@ -75,18 +84,19 @@ impl Digitiser {
     /// [`DigitiserFault::NotReady`] when a converter does not answer.
     pub(crate) async fn new(parts: DigitiserParts) -> Result<Self, DigitiserFault> {
         rcc::enable_and_reset::<peripherals::ADC1>();
-        gpio::Flex::new(parts.reference_pin).set_as_analog();
-        gpio::Flex::new(parts.dut_pin).set_as_analog();
-
         pac::ADC12_COMMON.ccr().modify(|w| {
-            // 60 MHz, halved once more in revision V: synchronous to the
-            // timer's clock, so the aperture does not jitter against it.
+            // Synchronous to the timer's clock, so the aperture does not jitter
+            // against it.
             w.set_ckmode(Ckmode::SYNC_DIV4);
             w.set_dual(Dual::DUAL_R);
             w.set_damdf(Damdf::FORMAT32TO10);
         });
-        for (adc, channel) in [(pac::ADC1, REFERENCE_CHANNEL), (pac::ADC2, DUT_CHANNEL)] {
-            calibrate(adc, vals::Boost::LT50).await?;
+        let channels = [
+            (pac::ADC1, parts.reference.get_hw_channel()),
+            (pac::ADC2, parts.dut.get_hw_channel()),
+        ];
+        for (adc, channel) in channels {
+            calibrate(adc, CLOCK_HZ).await?;
             enable(adc).await?;
             select(adc, channel);
         }
@@ -97,7 +107,7 @@ impl Digitiser {
         });
 
         let request = embassy_stm32::adc::RxDma::<peripherals::ADC1>::request(&*parts.dma);
-        let channel = dma::Channel::new(parts.dma, super::Irqs);
+        let channel = dma::Channel::new(parts.dma, Irqs);
         let source = pac::ADC12_COMMON.cdr().as_ptr().cast::<u32>();
         let buffer = RING.take();
         // Note(unsafe): the common data register is a valid source of words.
@@ -159,14 +169,16 @@ fn converter_overrun() -> bool {
     status.ovr_mst() || status.ovr_slv()
 }
 
-/// One conversion of `channel` per trigger, 16 bit.
+/// One conversion of `channel` per trigger, left justified in 16 bits.
 fn select(adc: Adc, channel: u8) {
-    adc.cfgr().modify(|w| w.set_res(vals::Res::BITS16));
+    adc.cfgr().modify(|w| w.set_res(RESOLUTION));
+    adc.cfgr2()
+        .modify(|w| w.set_lshift(CONVERTERS.input.spare_bits()));
     adc.pcsel()
         .modify(|w| w.set_pcsel(usize::from(channel), vals::Pcsel::PRESELECTED));
-    // 64.5 cycles: 2.2 us settle 16 bits from the 1 kOhm of the front end.
-    adc.smpr(1).modify(|w| {
-        w.set_smp(usize::from(channel - 10), vals::SampleTime::CYCLES64_5);
+    // 64.5 cycles: 2.2 us and more settle 16 bits from the 1 kOhm of the front end.
+    adc.smpr(usize::from(channel / 10)).modify(|w| {
+        w.set_smp(usize::from(channel % 10), vals::SampleTime::CYCLES64_5);
     });
     adc.sqr1().modify(|w| {
         w.set_l(0);

@@ -1,4 +1,4 @@
-//! DAC1 channel 1: the drive signal, silent unless it is told otherwise.
+//! A channel of DAC1: the drive signal, silent unless it is told otherwise.
 //!
 //! Rest is mid-scale: zero volts behind the output stage. Converter and DMA
 //! never stop; silence is a ring full of mid-scale codes. Source: RM0433
@@ -6,16 +6,47 @@
 
 use super::axi_sram::axi_static;
 use super::digitiser::BLOCK_PAIRS;
+use super::selected::{CONVERTERS, DriveChannel, Irqs};
+use embassy_stm32::dac::{Ch1, Ch2, DacPin};
 use embassy_stm32::dma::{self, TransferOptions, WritableRingBuffer};
+use embassy_stm32::gpio::{self, AnyPin};
 use embassy_stm32::pac::{self, dac::vals::Mode};
-use embassy_stm32::{Peri, gpio, peripherals, rcc};
+use embassy_stm32::{Peri, peripherals, rcc};
 
 /// Code of zero volts at the exciter.
-pub(crate) const MID_SCALE: u16 = 2048;
-/// Channel 1 in the register arrays.
-const CHANNEL: usize = 0;
+pub(crate) const MID_SCALE: u16 = CONVERTERS.drive.mid_code();
+/// The channel in the register arrays.
+const CHANNEL: usize = DriveChannel::INDEX;
 /// `tim6_trgo` among the DAC triggers (RM0433 Rev 8, table 223).
 const TRIGGER_TIM6: u8 = 5;
+
+const _: () = assert!(CONVERTERS.drive.bits() == 12, "DAC1 has 12 bits");
+
+/// Place of a channel in the register arrays.
+trait Place {
+    const INDEX: usize;
+}
+
+impl Place for Ch1 {
+    const INDEX: usize = 0;
+}
+
+impl Place for Ch2 {
+    const INDEX: usize = 1;
+}
+
+/// A pin that [`DriveChannel`] drives.
+pub(crate) struct DrivePin(Peri<'static, AnyPin>);
+
+impl DrivePin {
+    /// The compiler refuses another one.
+    pub(crate) fn new<P>(pin: Peri<'static, P>) -> Self
+    where
+        P: DacPin<peripherals::DAC1, DriveChannel> + gpio::Pin,
+    {
+        Self(pin.into())
+    }
+}
 
 axi_static!(RING: [u16; 2 * BLOCK_PAIRS]);
 
@@ -33,7 +64,7 @@ unsafe impl Send for Exciter {}
 pub(crate) struct ExciterParts {
     /// Held, so that nothing else reprograms the converter.
     pub(crate) _dac: Peri<'static, peripherals::DAC1>,
-    pub(crate) pin: Peri<'static, peripherals::PA4>,
+    pub(crate) pin: DrivePin,
     pub(crate) dma: Peri<'static, peripherals::DMA1_CH1>,
 }
 
@@ -45,7 +76,7 @@ impl Exciter {
     /// Brings the output to rest and arms it for the sample clock.
     pub(crate) fn new(parts: ExciterParts) -> Self {
         rcc::enable_and_reset::<peripherals::DAC1>();
-        gpio::Flex::new(parts.pin).set_as_analog();
+        gpio::Flex::new(parts.pin.0).set_as_analog();
         let registers = pac::DAC1;
         // Without the buffer, which is linear only to within 0.2 V of the rails
         // (DS12110 Rev 10, table 93); the output stage has a high impedance.
@@ -58,10 +89,8 @@ impl Exciter {
         registers.cr().modify(|w| w.set_en(CHANNEL, true));
 
         let request =
-            embassy_stm32::dac::Dma::<peripherals::DAC1, embassy_stm32::dac::Ch1>::request(
-                &*parts.dma,
-            );
-        let channel = dma::Channel::new(parts.dma, super::Irqs);
+            embassy_stm32::dac::Dma::<peripherals::DAC1, DriveChannel>::request(&*parts.dma);
+        let channel = dma::Channel::new(parts.dma, Irqs);
         let target = registers.dhr12r(CHANNEL).as_ptr().cast::<u16>();
         let buffer = RING.take();
         buffer.fill(MID_SCALE);

@@ -21,6 +21,8 @@ const REFERENCE_CODE: usize = 0x1FF1_E860;
 /// Sensor and reference have started (DS12110 Rev 11, tables 117 and 180: less
 /// than 50 us).
 const START_UP: Duration = Duration::from_micros(100);
+/// The internal oscillator's 64 MHz, halved; revision V halves it once more.
+const CLOCK_HZ: u32 = 32_000_000;
 /// A conversion takes 52 us.
 const CONVERSION_LIMIT: Duration = Duration::from_millis(2);
 
@@ -49,13 +51,11 @@ impl SensorConverter {
     pub(crate) async fn start(&mut self) -> Result<(), NotReady> {
         rcc::enable_and_reset::<peripherals::ADC3>();
         pac::ADC3_COMMON.ccr().modify(|w| {
-            // 64 MHz of the internal oscillator, halved here and once more by
-            // revision V: 16 MHz.
             w.set_presc(Presc::DIV2);
             w.set_vsenseen(true);
             w.set_vrefen(true);
         });
-        calibrate(pac::ADC3, vals::Boost::LT25).await?;
+        calibrate(pac::ADC3, CLOCK_HZ).await?;
         enable(pac::ADC3).await?;
         pac::ADC3.cfgr().modify(|w| w.set_res(vals::Res::BITS16));
         for channel in [SENSOR_CHANNEL, REFERENCE_CHANNEL].map(usize::from) {

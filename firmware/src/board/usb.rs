@@ -1,6 +1,6 @@
 //! The part's own USB connector: a serial port (CDC-ACM) at full speed.
 
-use super::Irqs;
+use super::selected::Irqs;
 use embassy_futures::select::select;
 use embassy_stm32::peripherals::{PA9, PA11, PA12, USB_OTG_FS};
 use embassy_stm32::usb::{Config as OtgConfig, Driver};

@@ -10,7 +10,7 @@ use embassy_sync::zerocopy_channel::Sender;
 
 /// Consecutive sample pairs.
 pub(crate) struct Block {
-    /// Low half reference, high half device under test, offset binary.
+    /// Low half reference, high half device under test, samples of [`calib_core::converter`].
     pub(crate) pairs: [u32; BLOCK_PAIRS],
     /// Pairs are missing between the block before and this one.
     pub(crate) gap: bool,

@@ -5,7 +5,7 @@
 //! a tone on the table. And a mute does not wait for the blocks in the ring:
 //! it overwrites them.
 
-use crate::board::{BLOCK_PAIRS, Exciter, MID_SCALE, axi_static};
+use crate::board::{BLOCK_PAIRS, CONVERTERS, Exciter, MID_SCALE, axi_static};
 use crate::state;
 use calib_core::broadband::PeriodMemory;
 use calib_core::output::{Command, Output};
@@ -20,7 +20,7 @@ use embassy_time::{Duration, with_timeout};
 pub(crate) struct DriveOrder {
     /// What the core wants.
     pub(crate) command: Command,
-    /// Volts peak at the exciter for 2048 codes.
+    /// Volts peak at the exciter for half of the converter's range.
     pub(crate) full_scale_peak_v: f32,
 }
 
@@ -43,7 +43,7 @@ const SEED: u32 = 1;
 pub(crate) async fn drive(mut exciter: Exciter) -> ! {
     axi_static!(PERIOD: PeriodMemory);
     let mut full_scale_peak_v = 0.0;
-    let mut output = Output::new(PERIOD.take(), f32::INFINITY, SEED);
+    let mut output = Output::new(PERIOD.take(), CONVERTERS.drive, f32::INFINITY, SEED);
     let mut codes = [MID_SCALE; BLOCK_PAIRS];
     let mut patience = PATIENCE;
     loop {

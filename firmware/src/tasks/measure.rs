@@ -1,6 +1,6 @@
 //! Blocks in, drive commands and results out: the core decides everything.
 
-use crate::board::{BLOCK_PAIRS, SAMPLE_RATE_HZ, axi_static};
+use crate::board::{BLOCK_PAIRS, CONVERTERS, SAMPLE_RATE_HZ, axi_static};
 use crate::state::{self, Order};
 use crate::tasks::acquire::Block;
 use crate::tasks::drive::{COMMAND, DriveOrder, SILENCE};
@@ -8,7 +8,7 @@ use calib_core::broadband::SpectraMemory;
 use calib_core::correlation::FoldMemory;
 use calib_core::output::Command;
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
-use calib_core::sequence::{Activity, Sequencer, Survey, SurveyRequest, Timing};
+use calib_core::sequence::{Activity, Sampling, Sequencer, Survey, SurveyRequest};
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::message::RunState;
 use calib_protocol::stored_point::as_stored;
@@ -19,7 +19,8 @@ use embassy_sync::zerocopy_channel::Receiver;
 /// From a change of command to the first pair taken under it, at most: the
 /// rest of the block in which the change was decided, the block that is
 /// queued, and the two samples by which the converters follow each other.
-const TIMING: Timing = Timing {
+const SAMPLING: Sampling = Sampling {
+    input: CONVERTERS.input,
     sample_rate_hz: SAMPLE_RATE_HZ as f32,
     latency_samples: 2 * BLOCK_PAIRS as u32 + 2,
 };
@@ -33,8 +34,8 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
     let settings = state::settings();
     let mut runner = Runner {
         full_scale_peak_v: settings.drive_full_scale_peak_v,
-        survey: Survey::new(SPECTRA.take(), TIMING, settings.clone()),
-        sequencer: Sequencer::new(fold, TIMING, settings),
+        survey: Survey::new(SPECTRA.take(), SAMPLING, settings.clone()),
+        sequencer: Sequencer::new(fold, SAMPLING, settings),
         broadband: false,
         running: None,
         stopping: false,

@@ -1,6 +1,6 @@
 //! Lamps, button, watchdog, and the depth of the stack.
 
-use crate::board::{Lamps, Watchdog, unused_stack_bytes};
+use crate::board::{Lamps, PushButton, Watchdog, unused_stack_bytes};
 use crate::instrument::Calibrator;
 use crate::state::{self, Order};
 use calib_core::point::ExcitationKind;
@@ -11,7 +11,6 @@ use calib_firmware::command::Instrument;
 use calib_protocol::message::{RunSpec, RunState};
 use calib_protocol::record::RunLabels;
 use core::sync::atomic::Ordering;
-use embassy_stm32::gpio::{Input, Level};
 use embassy_time::{Duration, Ticker};
 
 /// Button and lamps are looked at this often.
@@ -23,13 +22,13 @@ const ALIVE_PERIODS: u8 = 5;
 #[embassy_executor::task]
 pub(crate) async fn supervise(
     mut lamps: Lamps,
-    pin: Input<'static>,
+    push_button: PushButton,
     mut watchdog: Watchdog,
     mut instrument: Calibrator,
 ) -> ! {
     watchdog.unleash();
     let mut alive = Alive::default();
-    let mut button = Button::new(pin.is_high());
+    let mut button = Button::new(push_button.is_down());
     let mut state_before = RunState::Idle;
     let mut ticker = Ticker::every(PERIOD);
     loop {
@@ -40,7 +39,7 @@ pub(crate) async fn supervise(
             panic!("the task {task} stands still");
         }
         watchdog.pet();
-        look(&mut button, pin.is_high(), &mut instrument).await;
+        look(&mut button, push_button.is_down(), &mut instrument).await;
         let state = state::status().state;
         if state != state_before && !state.is_running() {
             defmt::info!("{=u32} bytes of stack never used", unused_stack_bytes());
@@ -121,7 +120,7 @@ fn show(lamps: &mut Lamps, state: RunState) {
             .any(|point| point.verdict != Verdict::Pass)
     });
     let bad = state == RunState::Failed || refused;
-    lamps.yellow.set_level(Level::from(busy));
-    lamps.red.set_level(Level::from(bad));
-    lamps.green.set_level(Level::from(!busy && !bad));
+    lamps.yellow.set(busy);
+    lamps.red.set(bad);
+    lamps.green.set(!busy && !bad);
 }

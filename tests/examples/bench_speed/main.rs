@@ -3,6 +3,7 @@
 
 mod twin;
 
+use calib_core::converter::Width;
 use calib_core::correlation::{Block, Correlator, FoldMemory};
 use calib_core::point::PointResult;
 use calib_core::tone::Tone;
@@ -73,7 +74,7 @@ fn correlation_msamples_per_s() -> f64 {
     };
     let block = Block::measuring(tone, 5_000);
     let mut memory = Box::new(FoldMemory::new());
-    let mut correlator = Correlator::new(&mut memory, block, 0);
+    let mut correlator = Correlator::new(&mut memory, Width::of_bits(16), block, 0);
     let pairs: Vec<u32> = (0..BUFFER as u32)
         .map(|n| n.wrapping_mul(0x0101_0101))
         .collect();

@@ -4,6 +4,7 @@ use crate::lock_in::{LockIn, kernel_lock_in};
 use crate::shipping::{kernel_estimate, kernel_fold};
 use crate::table::{Table, kernel_table};
 use crate::{PAIRS, shipping};
+use calib_core::converter::Width;
 use calib_core::correlation::{Block, Correlator, FoldMemory};
 use calib_core::phase::PhaseWalk;
 use calib_core::tone::Tone;
@@ -32,7 +33,7 @@ fn main() -> ! {
     let tone = shipping::TONE;
     let block = Block::measuring(tone, 10 * PAIRS as u32);
     // Note(unwrap): nothing else takes them.
-    let mut correlator = Correlator::new(FOLD.take(), block, 0);
+    let mut correlator = Correlator::new(FOLD.take(), Width::of_bits(16), block, 0);
     let table = TABLE.take();
     table.fill(tone);
     let mut lock_in = LockIn::new(tone);

@@ -6,6 +6,7 @@ mod result;
 use super::checks::judge;
 use crate::control::level_loop::OVERLOAD_REL;
 use crate::control::{Level, LevelLoop, LevelState, Next};
+use crate::converter::Width;
 use crate::correlation::{Block, Correlator, Energy, FoldMemory, PairEstimate, SQUARE_STRIDE};
 use crate::generator::{Drive, ramp_samples};
 use crate::output::Command;
@@ -33,9 +34,11 @@ const DEAD_REL: f32 = 0.002;
 /// Level relative to the set one below which measuring makes no sense.
 const LOST_REL: f32 = 0.5;
 
-/// What the hardware around the sequencer takes.
+/// How the hardware around the sequencer samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Timing {
+pub struct Sampling {
+    /// Width of both inputs.
+    pub input: Width,
     /// Pairs per second.
     pub sample_rate_hz: f32,
     /// Upper bound of the pairs between a change of [`Sequencer::command`] and
@@ -106,7 +109,7 @@ enum Stage {
 /// Runs points one after another; see the module for the course of a point.
 pub struct Sequencer<'m> {
     correlator: Correlator<'m>,
-    timing: Timing,
+    sampling: Sampling,
     settings: Settings,
     polarity: Polarity,
     plan: Option<Plan>,
@@ -126,14 +129,14 @@ pub struct Sequencer<'m> {
 
 impl<'m> Sequencer<'m> {
     /// A sequencer at rest.
-    pub fn new(memory: &'m mut FoldMemory, timing: Timing, settings: Settings) -> Self {
+    pub fn new(memory: &'m mut FoldMemory, sampling: Sampling, settings: Settings) -> Self {
         let tone = Tone {
             cycles: 1,
             period_samples: 500,
         };
         Self {
-            correlator: Correlator::new(memory, Block::measuring(tone, 1), 0),
-            timing,
+            correlator: Correlator::new(memory, sampling.input, Block::measuring(tone, 1), 0),
+            sampling,
             settings,
             polarity: Polarity::default(),
             plan: None,
@@ -241,7 +244,7 @@ impl<'m> Sequencer<'m> {
 
     /// Tone, reference and loop of a point, or why there are none.
     fn plan(&self, spec: PointSpec) -> Result<Plan, (Option<Tone>, Reason)> {
-        let rate_hz = self.timing.sample_rate_hz;
+        let rate_hz = self.sampling.sample_rate_hz;
         let tone = Tone::nearest(spec.frequency_hz, rate_hz)
             .ok_or((None, Reason::FrequencyUnavailable))?;
         let refuse = |reason| (Some(tone), reason);
@@ -298,7 +301,7 @@ impl<'m> Sequencer<'m> {
     /// over `n` places an angle `t` apart at most `1 / (n sin(t/2))`, twice that
     /// where the fold begins anew between them, and 1.
     fn overloaded(&self, energy: Energy, taken: usize) -> bool {
-        let long_enough = taken as f32 >= 0.005 * self.timing.sample_rate_hz;
+        let long_enough = taken as f32 >= 0.005 * self.sampling.sample_rate_hz;
         match (self.plan, self.reference_mean) {
             (Some(plan), Some(mean)) if long_enough => {
                 let place = 1.0 + (1.0 / (plan.angle_rad * taken as f32)).min(1.0);
@@ -336,7 +339,7 @@ impl<'m> Sequencer<'m> {
     /// Changes the drive and waits until it is in force.
     fn drive(&mut self, tone: Tone, peak_v: f32) {
         self.command = Command::Play(Drive { tone, peak_v });
-        let wait = self.timing.latency_samples + u32::from(ramp_samples(tone));
+        let wait = self.sampling.latency_samples + u32::from(ramp_samples(tone));
         self.stage = Stage::Waiting;
         self.correlator
             .start(Block::discard(tone, wait), self.index);
@@ -364,12 +367,12 @@ impl<'m> Sequencer<'m> {
     fn control_block(&self, plan: &Plan, level: Level, estimate: &PairEstimate) -> Block {
         let excess = level.noise_ms2 / (CONTROL_NOISE_REL * plan.level_loop.set_peak_ms2());
         let wanted = excess * excess * estimate.block.samples() as f32;
-        let longest = LONGEST_CONTROL_BLOCK_S * self.timing.sample_rate_hz;
+        let longest = LONGEST_CONTROL_BLOCK_S * self.sampling.sample_rate_hz;
         Block::control_of(plan.tone, wanted.min(longest) as u32)
     }
 
     fn begin_measuring(&mut self, tone: Tone) {
-        let shortest = (MEASURING_BLOCK_S * self.timing.sample_rate_hz) as u32;
+        let shortest = (MEASURING_BLOCK_S * self.sampling.sample_rate_hz) as u32;
         self.stage = Stage::Measuring;
         self.correlator
             .start(Block::measuring(tone, shortest), self.index);
@@ -381,7 +384,8 @@ impl<'m> Sequencer<'m> {
         let set = plan.level_loop.set_peak_ms2();
         let dut = &estimate.dut;
         let noise = dut.amplitude_noise(estimate.block.samples());
-        let open = dut.amplitude_peak() < (OPEN_NOISE_FACTOR * noise).max(OPEN_CODES);
+        let open_peak = OPEN_CODES * f32::from(self.sampling.input.sample_step());
+        let open = dut.amplitude_peak() < (OPEN_NOISE_FACTOR * noise).max(open_peak);
         if level.peak_ms2 > OVERLOAD_REL * set {
             self.refuse(Reason::Overload);
         } else if level.peak_ms2 < DEAD_REL * set {
@@ -435,7 +439,7 @@ impl<'m> Sequencer<'m> {
     }
 
     fn end(&mut self, plan: &Plan, result: PointResult) {
-        let left = self.timing.latency_samples + u32::from(ramp_samples(plan.tone));
+        let left = self.sampling.latency_samples + u32::from(ramp_samples(plan.tone));
         self.stage = Stage::Silencing { left, result };
     }
 }

@@ -10,7 +10,7 @@ use core::f32::consts::FRAC_1_SQRT_2;
 
 impl Sequencer<'_> {
     pub(super) fn measured(&self, plan: &Plan) -> Measured {
-        let rate_hz = self.timing.sample_rate_hz;
+        let rate_hz = self.sampling.sample_rate_hz;
         let frequency_hz = plan.tone.frequency_hz(rate_hz);
         let full_rms_ms2 =
             full_output_peak_ms2(&self.settings.limits, frequency_hz) * FRAC_1_SQRT_2;
@@ -72,7 +72,7 @@ impl Sequencer<'_> {
         let set = plan.level_loop.set_peak_ms2();
         result.acceleration_rms_ms2 = self.last_level_peak_ms2 * FRAC_1_SQRT_2;
         result.drive_peak_v = self.level.drive_peak_v();
-        result.settling_s = settling as f32 / self.timing.sample_rate_hz;
+        result.settling_s = settling as f32 / self.sampling.sample_rate_hz;
         result.overshoot_rel = (self.level.highest_peak_ms2() / set - 1.0).max(0.0);
     }
 

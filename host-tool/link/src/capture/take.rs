@@ -3,12 +3,13 @@
 use super::Capture;
 use crate::Client;
 use crate::{Error, Result};
+use calib_core::converter::MID_SAMPLE;
 use calib_core::settings::Settings;
 use calib_protocol::capture::{CapturePart, MAX_CAPTURE_PAIRS};
 use std::time::Duration;
 
-/// Code of 0 V.
-const MID_CODE: f64 = 32_768.0;
+/// Narrowest converter, bits.
+const NARROWEST_BITS: u32 = 8;
 
 /// Time between two looks at a capture that is not whole: a block.
 const POLL_INTERVAL: Duration = Duration::from_millis(10);
@@ -69,7 +70,8 @@ impl Inputs {
 
     fn volts(&self, codes: &[[u16; 2]], channel: usize) -> Vec<f64> {
         let volt_per_code = [self.reference_volt_per_code, self.dut_volt_per_code][channel];
-        let volts = |pair: &[u16; 2]| (f64::from(pair[channel]) - MID_CODE) * volt_per_code;
+        let volts =
+            |pair: &[u16; 2]| (f64::from(pair[channel]) - f64::from(MID_SAMPLE)) * volt_per_code;
         codes.iter().map(volts).collect()
     }
 }
@@ -172,8 +174,9 @@ impl Taking {
     }
 
     fn finish(&self, first_index: u64) -> Capture {
+        let last = last_sample(&self.codes);
         let clipped = |channel: usize| {
-            let ends = |pair: &[u16; 2]| matches!(pair[channel], 0 | u16::MAX);
+            let ends = |pair: &[u16; 2]| [0, last].contains(&pair[channel]);
             self.codes.iter().any(ends)
         };
         Capture {
@@ -184,5 +187,26 @@ impl Taking {
             reference_clipped: clipped(0),
             dut_clipped: clipped(1),
         }
+    }
+}
+
+/// Highest sample of converters of which these are: codes are left justified, so the low bits that
+/// none of them uses tell the width.
+fn last_sample(pairs: &[[u16; 2]]) -> u16 {
+    let used = pairs.iter().flatten().fold(0, |used, sample| used | sample);
+    u16::MAX << used.trailing_zeros().min(u16::BITS - NARROWEST_BITS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_end_of_the_range_is_that_of_the_converter() {
+        assert_eq!(last_sample(&[[0x8001, 0x8000], [0x7FFE, 0xFFFF]]), 0xFFFF);
+        // 14 bits: 4 * 16 383. Silence alone is no end of any range.
+        assert_eq!(last_sample(&[[0x8004, 0x8000], [0x7FF8, 0xFFFC]]), 0xFFFC);
+        assert_ne!(last_sample(&[[0x8000, 0x8000]]), 0x8000);
+        assert_ne!(last_sample(&[]), 0);
     }
 }
