@@ -57,8 +57,15 @@ impl Bench {
     /// # Errors
     /// As [`Bench::with_rig`].
     pub fn with_port(port: Box<dyn RigPort>) -> Result<Self, Fault> {
-        let firmware = Firmware::shipping()?;
-        let emulator = Arc::new(Mutex::new(Emulator::power_on(&firmware, port)?));
+        Self::with_image(&Firmware::shipping()?, port)
+    }
+
+    /// Boots another image, on the board it is for.
+    ///
+    /// # Errors
+    /// As [`Bench::with_rig`].
+    pub fn with_image(firmware: &Firmware, port: Box<dyn RigPort>) -> Result<Self, Fault> {
+        let emulator = Arc::new(Mutex::new(Emulator::power_on(firmware, port)?));
         let mut client = conversation(&emulator, FIRST);
         client.wait(BOOT)?;
         client.info()?;

@@ -11,7 +11,7 @@
 //! - [`oracle`]: the truth about it, by formulas in the frequency domain.
 //! - [`influence`]: rigs that are wrong in every way an uncertainty budget admits.
 //! - [`rig_port`]: the seam between plant and board.
-//! - [`board`]: the emulated NUCLEO-H743ZI2.
+//! - [`board`]: the emulated board, by its schematic.
 //! - [`runner`]: runs an image on the board, step by step or paced.
 //! - [`usb_host`]: a USB host for the board.
 //!

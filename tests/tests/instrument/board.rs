@@ -17,21 +17,23 @@ fn board() -> Result<Emulator, Fault> {
     Ok(Emulator::power_on(&firmware, rig)?)
 }
 
-/// Every register the firmware touches is answered by a model, bar what is known and harmless.
-#[test]
-fn the_firmware_asks_for_nothing_the_board_does_not_model() -> Result<(), Fault> {
+/// What the firmware has asked for so far that no model answers, bar what is known and harmless.
+pub(crate) fn unmodelled(board: &mut Emulator) -> Result<Vec<String>, Fault> {
     // The clock driver writes fields that hardware ignores while a PLL runs. Clocks above what the
     // voltage scale allows are not among them: voltage scale 0 is reached before 480 MHz is.
     const KNOWN: [&str; 2] = ["RCC.PLLCKSELR: RM0433", "RCC.BDCR: RM0433"];
+    let gaps = board.gaps()?.into_iter().map(|gap| gap.0);
+    Ok(gaps
+        .filter(|gap| !KNOWN.iter().any(|known| gap.starts_with(known)))
+        .collect())
+}
+
+/// Every register the firmware touches is answered by a model.
+#[test]
+fn the_firmware_asks_for_nothing_the_board_does_not_model() -> Result<(), Fault> {
     let mut board = board()?;
     board.run_for(ON)?;
-    let unknown: Vec<String> = board
-        .gaps()?
-        .into_iter()
-        .map(|gap| gap.0)
-        .filter(|gap| !KNOWN.iter().any(|known| gap.starts_with(known)))
-        .collect();
-    assert!(unknown.is_empty(), "{unknown:#?}");
+    assert_eq!(unmodelled(&mut board)?, [""; 0]);
     Ok(())
 }
 

@@ -10,7 +10,7 @@ use rigless::time::VirtualNanos;
 
 use crate::rig_port::{DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
 
-/// The pins PA4 (drive), PA3 (reference) and PC0 (device under test), with the rig on them.
+/// The pins of drive, reference and device under test, with the rig on them.
 struct Pins {
     rig: Box<dyn RigPort>,
     drive_code: u16,
@@ -68,7 +68,7 @@ impl Analog {
         })))
     }
 
-    /// The level on PA4 becomes `code` at `now`.
+    /// The level on the drive output becomes `code` at `now`.
     pub(super) fn drive(&self, code: u16, now: VirtualNanos) {
         let mut pins = self.lock();
         if code == pins.drive_code {

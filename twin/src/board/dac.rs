@@ -1,39 +1,50 @@
-//! DAC1, channel 1 on PA4: the drive signal.
+//! DAC1: the drive signal, of the channel the board has it on.
 //!
 //! RM0433 Rev 9, chapter 26. A write to a data holding register reaches the output at once without a
-//! trigger (`TEN1` clear), or at the next trigger `TSEL1` selects: software, or TIM6's trigger output.
-//! With `DMAEN1` each trigger that moved a value asks for the next one; a trigger that finds the last
-//! request unserved sets `DMAUDR1`, and requests stop until it is cleared (section 26.4.8).
+//! trigger (`TEN` clear), or at the next trigger `TSEL` selects: software, or TIM6's trigger output.
+//! With `DMAEN` each trigger that moved a value asks for the next one; a trigger that finds the last
+//! request unserved sets `DMAUDR`, and requests stop until it is cleared (section 26.4.8).
 //! The output register keeps its value while the channel is off: a channel enabled before anything
 //! was loaded puts code 0, full negative drive, on the pin. While it is off the pin floats and the
 //! output stage's bias network holds mid-scale.
 //!
-//! Left out: channel 2 (its registers store), wave generation, calibration, sample and hold, each
-//! told to the run. `MODE1` 3 and other on-chip-only modes leave the pin floating.
+//! Left out: the other channel (its registers store), wave generation, calibration, sample and hold, each
+//! told to the run. `MODE` 3 and other on-chip-only modes leave the pin floating.
 
 use rigless::device::{Device, DeviceContext, Level, RegisterFile};
 use rigless::soc::stm32h743::generated::dac::{Register, cr, mcr, sr, swtrgr};
 
 use super::analog::Analog;
-use super::dmamux::{DAC_CHANNEL_1, RequestLines};
+use super::dmamux::{DAC_CHANNELS, RequestLines};
 use crate::rig_port::DRIVE_MID_CODE;
 
-/// Request line on which a software trigger wakes the DMA.
-pub(super) const SOFTWARE_REQUEST: usize = 0;
+/// Request lines on which a software trigger of either channel wakes the DMA.
+pub(super) const SOFTWARE_REQUESTS: [usize; 2] = [0, 1];
 /// The instance's name, as listeners see it.
 pub(super) const NAME: &str = "DAC";
 const UNDERRUN_LINE: usize = 0;
 
-/// `TSEL1` of a software trigger and of TIM6's (RM0433 Rev 9, table 225).
+/// The fields of channel 2 lie so many bits above those of channel 1, which the masks here are of.
+const CHANNEL_BITS: u32 = 16;
+/// Both channels' data holding registers, right and left aligned and of 8 bits, and output registers.
+const HOLDING: [[Register; 3]; 2] = [
+    [Register::Dhr12r1, Register::Dhr12l1, Register::Dhr8r1],
+    [Register::Dhr12r2, Register::Dhr12l2, Register::Dhr8r2],
+];
+const OUTPUT: [Register; 2] = [Register::Dor1, Register::Dor2];
+
+/// `TSEL` of a software trigger and of TIM6's (RM0433 Rev 9, table 225).
 const SOFTWARE: u64 = 0;
 const TIM6_TRGO: u64 = 5;
 
 /// The model's state beside the registers.
 #[derive(Debug)]
 pub(super) struct Dac {
+    /// Channel that is wired: 0 or 1.
+    channel: usize,
     analog: Analog,
     lines: RequestLines,
-    /// Data holding register of channel 1, whatever the alignment it was written in.
+    /// Its data holding register, whatever the alignment it was written in.
     holding: u16,
     /// A DMA request stands.
     pending: bool,
@@ -42,17 +53,27 @@ pub(super) struct Dac {
 rigless::store!(Dac {
     values: [holding, pending],
     parts: [],
-    built: [analog, lines],
+    built: [channel, analog, lines],
 });
 
 impl Dac {
-    pub(super) fn new(analog: Analog, lines: RequestLines) -> Self {
+    pub(super) fn new(channel: usize, analog: Analog, lines: RequestLines) -> Self {
         Self {
+            channel,
             analog,
             lines,
             holding: 0,
             pending: false,
         }
+    }
+
+    /// What a register says of the wired channel, as if it were channel 1.
+    fn own(&self, registers: &RegisterFile, register: Register) -> u64 {
+        registers.get(register) >> self.shift()
+    }
+
+    fn shift(&self) -> u32 {
+        CHANNEL_BITS * self.channel as u32
     }
 
     /// TIM6's trigger output pulses.
@@ -61,23 +82,23 @@ impl Dac {
         registers: &mut RegisterFile,
         context: &mut DeviceContext<'_>,
     ) {
-        if cr::TSEL1.get(registers.get(Register::Cr)) == TIM6_TRGO {
+        if cr::TSEL1.get(self.own(registers, Register::Cr)) == TIM6_TRGO {
             self.trigger(registers, context);
         }
     }
 
     /// Moves the holding register to the output.
     fn load(&self, registers: &mut RegisterFile, context: &DeviceContext<'_>) {
-        registers.set(Register::Dor1, u64::from(self.holding));
+        registers.set(OUTPUT[self.channel], u64::from(self.holding));
         self.drive_pin(registers, context);
     }
 
     fn drive_pin(&self, registers: &RegisterFile, context: &DeviceContext<'_>) {
-        let enabled = cr::EN1.is_set(registers.get(Register::Cr));
+        let enabled = cr::EN1.is_set(self.own(registers, Register::Cr));
         // Modes 0 to 2 reach the pin, 3 stays on chip; bit 2 selects sample and hold.
-        let on_pin = mcr::MODE1.get(registers.get(Register::Mcr)) & 0b11 != 0b11;
+        let on_pin = mcr::MODE1.get(self.own(registers, Register::Mcr)) & 0b11 != 0b11;
         let code = if enabled && on_pin {
-            registers.get(Register::Dor1) as u16
+            registers.get(OUTPUT[self.channel]) as u16
         } else {
             DRIVE_MID_CODE
         };
@@ -85,52 +106,53 @@ impl Dac {
     }
 
     fn trigger(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
-        let control = registers.get(Register::Cr);
+        let control = self.own(registers, Register::Cr);
         if !cr::EN1.is_set(control) || !cr::TEN1.is_set(control) {
             return;
         }
         self.load(registers, context);
-        if !cr::DMAEN1.is_set(control) || sr::DMAUDR1.is_set(registers.get(Register::Sr)) {
+        if !cr::DMAEN1.is_set(control) || sr::DMAUDR1.is_set(self.own(registers, Register::Sr)) {
             return;
         }
         if self.pending {
-            let status = registers.get(Register::Sr) | sr::DMAUDR1.mask();
+            let status = registers.get(Register::Sr) | sr::DMAUDR1.mask() << self.shift();
             registers.set(Register::Sr, status);
             self.drive_interrupt(registers, context);
         } else {
             self.pending = true;
-            self.lines.drive(DAC_CHANNEL_1, true);
+            self.lines.drive(DAC_CHANNELS[self.channel], true);
         }
     }
 
     fn withdraw(&mut self) {
         self.pending = false;
-        self.lines.drive(DAC_CHANNEL_1, false);
+        self.lines.drive(DAC_CHANNELS[self.channel], false);
     }
 
     fn drive_interrupt(&self, registers: &RegisterFile, context: &mut DeviceContext<'_>) {
-        let enabled = cr::DMAUDRIE1.is_set(registers.get(Register::Cr));
-        let flag = sr::DMAUDR1.is_set(registers.get(Register::Sr));
+        let enabled = cr::DMAUDRIE1.is_set(self.own(registers, Register::Cr));
+        let flag = sr::DMAUDR1.is_set(self.own(registers, Register::Sr));
         context.interrupt(UNDERRUN_LINE, Level::from(enabled && flag));
     }
 
     fn hold(&mut self, code: u64, registers: &mut RegisterFile, context: &DeviceContext<'_>) {
         self.holding = (code & 0xFFF) as u16;
         self.withdraw();
-        if !cr::TEN1.is_set(registers.get(Register::Cr)) {
+        if !cr::TEN1.is_set(self.own(registers, Register::Cr)) {
             self.load(registers, context);
         }
     }
 
     fn control_written(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
-        let control = registers.get(Register::Cr);
+        let control = self.own(registers, Register::Cr);
         if cr::WAVE1.get(control) != 0 || cr::CEN1.is_set(control) {
             context.tell("CR", "wave generation and calibration are not modelled");
         }
-        if cr::EN2.is_set(control) {
+        let other = CHANNEL_BITS * (1 - self.channel) as u32;
+        if cr::EN1.is_set(registers.get(Register::Cr) >> other) {
             context.tell(
                 "CR",
-                "channel 2 is not wired on this board and not modelled",
+                "this channel is not wired on this board and not modelled",
             );
         }
         if !cr::DMAEN1.is_set(control) {
@@ -154,24 +176,34 @@ impl Device for Dac {
         match register {
             Register::Cr => self.control_written(registers, context),
             Register::Mcr => self.drive_pin(registers, context),
-            Register::Swtrgr if swtrgr::SWTRIG1.is_set(value) => {
-                if cr::TSEL1.get(registers.get(Register::Cr)) == SOFTWARE {
+            Register::Swtrgr if swtrgr::SWTRIG1.is_set(value >> self.channel) => {
+                if cr::TSEL1.get(self.own(registers, Register::Cr)) == SOFTWARE {
                     self.trigger(registers, context);
                     if self.pending {
-                        context.request(SOFTWARE_REQUEST, Level::High);
+                        context.request(SOFTWARE_REQUESTS[self.channel], Level::High);
                     }
                 }
             }
-            Register::Dhr12r1 | Register::Dhr12rd => self.hold(value, registers, context),
-            Register::Dhr12l1 | Register::Dhr12ld => self.hold(value >> 4, registers, context),
-            Register::Dhr8r1 | Register::Dhr8rd => self.hold(value << 4, registers, context),
+            Register::Dhr12rd => self.hold(value >> self.shift(), registers, context),
+            Register::Dhr12ld => self.hold(value >> self.shift() >> 4, registers, context),
+            Register::Dhr8rd => {
+                self.hold(value >> (self.shift() / 2) << 4, registers, context);
+            }
             Register::Sr => {
                 // rc_w1, section 26.7.14.
-                let kept = !value & sr::DMAUDR1.mask();
+                let kept = !value & sr::DMAUDR1.mask() << self.shift();
                 registers.set(Register::Sr, kept & registers.get(Register::Sr));
                 self.drive_interrupt(registers, context);
             }
-            _ => {}
+            _ => match HOLDING[self.channel]
+                .iter()
+                .position(|own| *own == register)
+            {
+                Some(0) => self.hold(value, registers, context),
+                Some(1) => self.hold(value >> 4, registers, context),
+                Some(_) => self.hold(value << 4, registers, context),
+                None => {}
+            },
         }
     }
 

@@ -27,11 +27,12 @@ const DMA1_STREAMS: usize = 8;
 /// `DMAREQ_ID` of the lines the converters set (RM0433 Rev 9, table 124). The two input converters'
 /// line is driven by their common block: in dual mode the pair has one.
 pub(super) const ADC1: usize = 9;
-pub(super) const DAC_CHANNEL_1: usize = 67;
+pub(super) const DAC_CHANNELS: [usize; 2] = [67, 68];
 
 /// Request lines that come over the bus, by instance, its own numbering, and `DMAREQ_ID`.
-const LINES: [(&str, usize, usize); 7] = [
-    (dac::NAME, dac::SOFTWARE_REQUEST, DAC_CHANNEL_1),
+const LINES: [(&str, usize, usize); 8] = [
+    (dac::NAME, dac::SOFTWARE_REQUESTS[0], DAC_CHANNELS[0]),
+    (dac::NAME, dac::SOFTWARE_REQUESTS[1], DAC_CHANNELS[1]),
     ("USART1", RECEIVE_REQUEST, 41),
     ("USART1", TRANSMIT_REQUEST, 42),
     ("USART2", RECEIVE_REQUEST, 43),

@@ -1,59 +1,60 @@
-//! What a person sees and touches on the board: three LEDs and the blue button.
+//! What a person sees and touches on the board: three lamps and a button.
 
 use rigless::device::Level;
 use rigless::mcu::Mcu;
-use rigless::soc::stm32h743::peripherals::gpio::Pin;
+use rigless::soc::stm32h743::generated::gpioa;
+use rigless::soc::stm32h743::peripherals::gpio;
 use rigless::time::VirtualNanos;
 
 use super::part::Part;
+use super::schematic::Pin;
 
-/// Places of the ports in the part's list.
-const GPIOB: usize = 1;
-const GPIOC: usize = 2;
-const GPIOE: usize = 4;
+/// `MODER` of an output (RM0433 Rev 9, section 11.4.1).
+const OUTPUT: u64 = 0b01;
 
-/// Pins of the LEDs, lit by a high level (UM2407, section 6.5): LD1, LD2 and LD3.
-const GREEN: (usize, &str, u8) = (GPIOB, "GPIOB", 0);
-const YELLOW: (usize, &str, u8) = (GPIOE, "GPIOE", 1);
-const RED: (usize, &str, u8) = (GPIOB, "GPIOB", 14);
-
-/// Pin of the button B1, high while pressed.
-const BUTTON: u8 = 13;
-
-/// State of the three LEDs.
+/// State of the three lamps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Leds {
-    /// LD1 on PB0.
+    /// Ready, or the last run passed.
     pub green: bool,
-    /// LD2 on PE1.
+    /// Measuring.
     pub yellow: bool,
-    /// LD3 on PB14.
+    /// Fault, or the last run holds a refused point.
     pub red: bool,
 }
 
 impl Part {
-    /// Which LEDs are lit.
+    /// Which lamps are lit.
     #[must_use]
     pub fn leds(&self) -> Leds {
-        Leds {
-            green: self.pin_is_high(GREEN),
-            yellow: self.pin_is_high(YELLOW),
-            red: self.pin_is_high(RED),
-        }
+        let schematic = self.schematic();
+        let [green, yellow, red] = schematic
+            .lamps
+            .map(|pin| self.is_driven(pin, schematic.lit.is_high(true)));
+        Leds { green, yellow, red }
     }
 
     /// Presses or releases the button at `at`.
     pub fn press_button(&mut self, at: VirtualNanos, pressed: bool) {
-        let Some(pin) = Pin::new(BUTTON) else { return };
-        self.base.drive_port(at, GPIOC, |port, registers, context| {
-            port.drive(pin, Some(Level::from(pressed)), registers, context);
-        });
+        let schematic = self.schematic();
+        let (button, high) = (schematic.button, schematic.pressed.is_high(pressed));
+        let Some(pin) = gpio::Pin::new(button.number) else {
+            return;
+        };
+        self.base
+            .drive_port(at, button.port, |port, registers, context| {
+                port.drive(pin, Some(Level::from(high)), registers, context);
+            });
     }
 
-    fn pin_is_high(&self, (port, name, number): (usize, &str, u8)) -> bool {
-        let (Some(pin), Some(registers)) = (Pin::new(number), self.bus().registers(name)) else {
+    /// Whether the part drives `pin` to that level: an input lights no lamp.
+    fn is_driven(&self, pin: Pin, high: bool) -> bool {
+        let registers = self.bus().registers(&pin.instance());
+        let (Some(number), Some(registers)) = (gpio::Pin::new(pin.number), registers) else {
             return false;
         };
-        self.base.gpio[port].level(pin, registers) == Level::High
+        let mode = registers.get(gpioa::Register::Moder) >> (2 * pin.number) & 0b11;
+        let level = self.base.gpio[pin.port].level(number, registers);
+        mode == OUTPUT && level == Level::from(high)
     }
 }

@@ -1,11 +1,13 @@
-//! The emulated board: a NUCLEO-H743ZI2 that runs the shipping image unmodified.
+//! The emulated board: an STM32H743ZI and what a [`Schematic`] says is around it. It runs the shipping
+//! image unmodified.
 //!
 //! The core, clocks, flash, pins, DMA and serial ports are the emulator's (`rigless`); what this
 //! instrument needs beyond them is modelled here, one peripheral per file:
 //!
 //! | File | What |
 //! |---|---|
-//! | `analog` | PA4, PA3 and PC0: where converters meet the rig |
+//! | `schematic` | which pin and port has which task on a board: data |
+//! | `analog` | drive, reference, device under test: where converters meet the rig |
 //! | `tim6` | sample clock |
 //! | `dac` | DAC1, drive |
 //! | `adc` | ADC1 and ADC2, reference and device under test |
@@ -13,14 +15,14 @@
 //! | `flash` | flash interface, watched: what a power cut leaves behind |
 //! | `iwdg` | watchdog |
 //! | `overdrive` | SYSCFG's switch to voltage scale 0 |
-//! | `serial_line`, `line_rate` | USART3 to the virtual COM port; what it hears of another rate |
+//! | `serial_line`, `line_rate` | the serial port's far end; what it hears of another rate |
 //! | `usb` | OTG FS in device mode, and the host's end of its cable |
-//! | `front_panel` | LEDs and button |
+//! | `front_panel` | lamps and button |
 //! | `part_faults` | what can fail in the part |
 //! | `memory_map`, `part`, `cortex_m7` | address map, the part as a whole, its core |
 //!
 //! Citations: RM0433 is the reference manual of the part, DS12110 its datasheet, ES0392 its errata,
-//! PM0253 the core's programming manual, UM2407 the board's manual.
+//! PM0253 the core's programming manual.
 
 mod adc;
 mod analog;
@@ -36,11 +38,14 @@ mod memory_map;
 mod overdrive;
 mod part;
 mod part_faults;
+mod schematic;
 mod serial_line;
 #[cfg(test)]
 mod tests;
 mod tim6;
 pub mod usb;
+
+use std::sync::Arc;
 
 use rigless::machine::{Board, Target};
 use rigless::mcu::Mcu;
@@ -55,25 +60,24 @@ pub use flash::{
 pub use front_panel::Leds;
 pub use part::Part;
 pub use part_faults::PartFault;
+pub use schematic::{Schematic, SchematicError};
 pub use serial_line::SerialLine;
 use usb::UsbPort;
 
-/// The clock ST-LINK feeds the part's oscillator pin (UM2407, section 6.8.1).
-const HSE_HZ: u64 = 8_000_000;
 /// Rail of the part, and of its converters.
 const SUPPLY_MV: u32 = 3300;
-/// Place of USART3 in the emulator's list of serial ports.
-const USART3: usize = 2;
 /// Name of the board and of its one core.
-const NAME: &str = "nucleo-h743zi2";
+const NAME: &str = "calibrator";
 const CORE: &str = "stm32h743zi";
 
 /// What is connected to the board, each a handle that others may hold too.
 #[derive(Debug, Clone)]
 pub struct Pins {
+    /// Which pin is which.
+    pub schematic: Arc<Schematic>,
     /// The rig on the analogue pins.
     pub analog: Analog,
-    /// The far end of the virtual COM port.
+    /// The far end of the serial port.
     pub serial: SerialLine,
     /// A view of the record flash's operations.
     pub flash: FlashWatch,
@@ -84,8 +88,9 @@ pub struct Pins {
 impl Pins {
     /// A board with `rig` on its connectors.
     #[must_use]
-    pub fn with_rig(rig: Box<dyn RigPort>) -> Self {
+    pub fn new(schematic: Arc<Schematic>, rig: Box<dyn RigPort>) -> Self {
         Self {
+            schematic,
             analog: Analog::new(rig),
             serial: SerialLine::default(),
             flash: FlashWatch::default(),
@@ -96,12 +101,12 @@ impl Pins {
 
 /// The board: the part, and what is soldered around it.
 #[derive(Debug)]
-pub struct NucleoH743zi2 {
+pub struct CalibratorBoard {
     /// The microcontroller.
     pub part: Part,
 }
 
-impl NucleoH743zi2 {
+impl CalibratorBoard {
     /// A board just powered on.
     ///
     /// # Errors
@@ -113,7 +118,7 @@ impl NucleoH743zi2 {
     }
 }
 
-rigless::store!(NucleoH743zi2 {
+rigless::store!(CalibratorBoard {
     values: [],
     parts: [part],
     built: [],
@@ -123,10 +128,10 @@ rigless::store!(NucleoH743zi2 {
 rigless::store!(Pins {
     values: [],
     parts: [analog],
-    built: [serial, flash, usb],
+    built: [schematic, serial, flash, usb],
 });
 
-impl Board for NucleoH743zi2 {
+impl Board for CalibratorBoard {
     fn name(&self) -> &'static str {
         NAME
     }

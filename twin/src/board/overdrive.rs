@@ -11,7 +11,6 @@ use rigless::soc::stm32h743::generated::{pwr, rcc};
 use rigless::soc::stm32h743::peripherals::syscfg::{ODEN, Syscfg};
 use rigless::time::VirtualNanos;
 
-use super::HSE_HZ;
 use super::part::Part;
 
 /// Highest clocks of voltage scale 0, Hz: core, AHB, APB (DS12110 Rev 11, table 112).
@@ -81,7 +80,8 @@ pub(super) fn allows(part: &Part, told: &Told) -> bool {
 fn clocks_hz(part: &Part) -> [u64; 3] {
     use rcc::Register;
     let read = |register| part.register(register, "RCC");
-    let input_hz = HSE_HZ / rcc::pllckselr::DIVM1.get(read(Register::Pllckselr)).max(1);
+    let input_hz =
+        part.schematic().clock_hz / rcc::pllckselr::DIVM1.get(read(Register::Pllckselr)).max(1);
     let dividers = read(Register::Pll1divr);
     let vco_hz = input_hz * (rcc::pll1divr::DIVN1.get(dividers) + 1);
     let system_hz = vco_hz / (rcc::pll1divr::DIVP1.get(dividers) + 1);

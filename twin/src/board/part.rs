@@ -23,7 +23,7 @@ use super::memory_map;
 use super::overdrive::{self, WatchedSyscfg};
 use super::tim6::{self, Tim6};
 use super::usb::UsbWindow;
-use super::{HSE_HZ, Pins, SUPPLY_MV, USART3};
+use super::{Pins, SUPPLY_MV, Schematic};
 
 /// Bit of the voltage detector in the registers of EXTI lines 0 to 31.
 const DETECTOR_LINE: u64 = 1 << 16;
@@ -76,7 +76,7 @@ pub struct Part {
     usb_slot: usize,
     pins: Pins,
     own: Box<[Option<Own>]>,
-    usart3_slot: usize,
+    serial_slot: usize,
     slots: SampleSlots,
     /// ADC3 is the emulator's; it is told how warm the part is.
     adc3_slot: usize,
@@ -97,7 +97,7 @@ rigless::store!(Part {
     parts: [
         base, tim6, dac, dmamux, dma1, converters, common, flash, iwdg, syscfg, usb, pins,
     ],
-    built: [usb_slot, own, usart3_slot, adc3_slot, slots],
+    built: [usb_slot, own, serial_slot, adc3_slot, slots],
 });
 
 impl Part {
@@ -115,7 +115,7 @@ impl Part {
         for (instance, model) in OWN {
             own[base.bus().slot(instance)?] = Some(model);
         }
-        let pair = SharedPair::new(pins.analog.clone());
+        let pair = SharedPair::new(pins.analog.clone(), pins.schematic.input_channels);
         let lines = RequestLines::new();
         let slots = SampleSlots {
             dac: base.bus().slot(super::dac::NAME)?,
@@ -123,12 +123,16 @@ impl Part {
             dma1: base.bus().slot(super::dma1::NAME)?,
         };
         let mut part = Self {
-            usart3_slot: base.bus().slot("USART3")?,
+            serial_slot: base.bus().slot(pins.schematic.serial_name())?,
             adc3_slot: base.bus().slot("ADC3")?,
             supply_mv: SUPPLY_MV,
             base,
             tim6: Tim6::new(),
-            dac: Dac::new(pins.analog.clone(), lines.clone()),
+            dac: Dac::new(
+                pins.schematic.drive_channel,
+                pins.analog.clone(),
+                lines.clone(),
+            ),
             dmamux: Dmamux::new(lines.clone()),
             dma1: Dma1::new(lines.clone()),
             converters: [
@@ -152,10 +156,12 @@ impl Part {
 
     /// What the board puts on the pins.
     fn fit(&mut self) {
-        self.base.rcc.attach_crystals(HSE_HZ, 0);
+        self.base
+            .rcc
+            .attach_crystals(self.pins.schematic.clock_hz, 0);
         self.base.set_supply(SUPPLY_MV);
         self.base.set_analog_supply(SUPPLY_MV);
-        self.base.usart[USART3].attach(self.pins.serial.clone());
+        self.base.usart[self.pins.schematic.serial].attach(self.pins.serial.clone());
         for converter in &mut self.base.adc {
             converter.set_reference(SUPPLY_MV);
         }
@@ -198,6 +204,11 @@ impl Part {
                 fresh.set_register(register, "RTC", kept);
             }
         }
+    }
+
+    /// The board around the part.
+    pub(super) fn schematic(&self) -> &Schematic {
+        &self.pins.schematic
     }
 
     /// The pair converted last was not fetched.
@@ -259,7 +270,7 @@ impl Part {
 
     /// Cuts the supply of the part, or gives it back, when the run goes on.
     pub(crate) fn power(&mut self, at: VirtualNanos, on: bool) {
-        let slot = self.usart3_slot;
+        let slot = self.serial_slot;
         let (_, mut context) = self.base.bus_mut().drive(at, slot);
         context.request_power(on);
     }
@@ -294,7 +305,7 @@ impl Mcu for Part {
         fresh.base.set_supply(self.supply_mv);
         self.pins.flash.abandon();
         self.pins.usb.part_reset();
-        // PA4 floats from here on, until a firmware enables the converter again.
+        // The drive's pin floats from here on, until a firmware enables the converter again.
         let analog = self.pins.analog.clone();
         analog.drive(crate::rig_port::DRIVE_MID_CODE, at);
         *self = fresh;
@@ -307,9 +318,9 @@ impl Mcu for Part {
         // Two instances have something outside that speaks on its own, and this is called at every
         // stop: ask them only when it has.
         if self.pins.serial.is_sending() {
-            let errors = self.base.usart[USART3].errors_mut();
+            let errors = self.base.usart[self.pins.schematic.serial].errors_mut();
             self.pins.serial.garble(errors);
-            self.poll_slot(self.usart3_slot, now);
+            self.poll_slot(self.serial_slot, now);
         }
         if self.pins.usb.has_news() {
             self.poll_slot(self.usb_slot, now);

@@ -33,7 +33,7 @@ pub enum PartFault {
         /// Number of the stream.
         stream: u8,
     },
-    /// The 8 MHz from outside end.
+    /// The clock from outside ends.
     ClockLost,
 }
 

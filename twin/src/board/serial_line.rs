@@ -1,4 +1,5 @@
-//! The far end of USART3: the ST-LINK's virtual COM port as two queues of bytes.
+//! The far end of the serial port as two queues of bytes: on a NUCLEO board the ST-LINK's virtual COM
+//! port.
 //!
 //! Bytes cross at the line rate the firmware set: the emulator frames each one in virtual time.
 

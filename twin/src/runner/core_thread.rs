@@ -14,7 +14,7 @@ use rigless::time::VirtualNanos;
 
 use super::log::{self, Log};
 use super::{Error, Firmware};
-use crate::board::{FlashWatch, NucleoH743zi2, Pins, SerialLine};
+use crate::board::{CalibratorBoard, FlashWatch, Pins, SerialLine};
 
 /// Symbol of the firmware's RTT control block.
 const LOG_CONTROL: &str = "_SEGGER_RTT";
@@ -22,7 +22,7 @@ const LOG_CONTROL: &str = "_SEGGER_RTT";
 const STEP_NS: u64 = 1_000_000;
 
 /// Something to do with the board between two instructions.
-type Act = Box<dyn FnOnce(&mut Session<NucleoH743zi2>, &mut dyn Host, Stop) + Send>;
+type Act = Box<dyn FnOnce(&mut Session<CalibratorBoard>, &mut dyn Host, Stop) + Send>;
 
 enum Command {
     Act(Act),
@@ -53,10 +53,10 @@ pub(super) struct CoreThread {
     last: Stop,
 }
 
-impl Driver<NucleoH743zi2> for Callbacks {
+impl Driver<CalibratorBoard> for Callbacks {
     fn on_settled(
         &mut self,
-        session: &mut Session<NucleoH743zi2>,
+        session: &mut Session<CalibratorBoard>,
         _host: &mut dyn Host,
         settled: Settled,
     ) {
@@ -72,7 +72,7 @@ impl Driver<NucleoH743zi2> for Callbacks {
 
     fn on_stop(
         &mut self,
-        session: &mut Session<NucleoH743zi2>,
+        session: &mut Session<CalibratorBoard>,
         stop: Stop,
         host: &mut dyn Host,
     ) -> Option<VirtualNanos> {
@@ -120,7 +120,7 @@ impl CoreThread {
     pub(super) fn go_on(
         firmware: &Firmware,
         pins: &Pins,
-        restore: impl FnOnce(&mut Session<NucleoH743zi2>) -> Result<Resume<'static>, Error>,
+        restore: impl FnOnce(&mut Session<CalibratorBoard>) -> Result<Resume<'static>, Error>,
     ) -> Result<Self, Error> {
         let mut session = session(pins)?;
         let resume = restore(&mut session)?;
@@ -132,7 +132,7 @@ impl CoreThread {
         firmware: &Firmware,
         images: Vec<Image>,
         pins: &Pins,
-        session: Session<NucleoH743zi2>,
+        session: Session<CalibratorBoard>,
         resume: Option<Resume<'static>>,
     ) -> Result<Self, Error> {
         let (commands, for_callbacks) = channel();
@@ -190,7 +190,7 @@ impl CoreThread {
     /// Does `act` where the core stands and hands its result back.
     pub(super) fn act<T: Send + 'static>(
         &mut self,
-        act: impl FnOnce(&mut Session<NucleoH743zi2>, &mut dyn Host, Stop) -> T + Send + 'static,
+        act: impl FnOnce(&mut Session<CalibratorBoard>, &mut dyn Host, Stop) -> T + Send + 'static,
     ) -> Result<T, Error> {
         let (result, answer) = channel();
         self.send(Command::Act(Box::new(move |session, host, stop| {
@@ -242,9 +242,9 @@ impl CoreThread {
 }
 
 /// A session of a new board.
-fn session(pins: &Pins) -> Result<Session<NucleoH743zi2>, Error> {
+fn session(pins: &Pins) -> Result<Session<CalibratorBoard>, Error> {
     let ended = |error: &dyn std::fmt::Display| Error::Ended(error.to_string());
-    let board = NucleoH743zi2::new(pins.clone()).map_err(|error| ended(&error))?;
+    let board = CalibratorBoard::new(pins.clone()).map_err(|error| ended(&error))?;
     Session::new(Box::new(board), 0, VirtualNanos(0)).map_err(|error| ended(&error))
 }
 

@@ -44,7 +44,7 @@ impl std::fmt::Debug for Emulator {
 }
 
 impl Emulator {
-    /// A new board with erased record flash, switched on: it stands before its first instruction.
+    /// A new board, the one the image is for, with erased record flash, switched on: it stands before its first instruction.
     ///
     /// # Errors
     ///
@@ -63,7 +63,7 @@ impl Emulator {
         rig: Box<dyn RigPort>,
         flash: &[u8],
     ) -> Result<Self, Error> {
-        let pins = Pins::with_rig(rig);
+        let pins = Pins::new(firmware.schematic(), rig);
         let core = start(firmware, &pins, flash)?;
         Ok(Self {
             core,
@@ -145,7 +145,7 @@ impl Emulator {
         &self.log
     }
 
-    /// Which LEDs are lit.
+    /// Which lamps are lit.
     ///
     /// # Errors
     ///

@@ -1,6 +1,7 @@
-//! The firmware image: an ELF file.
+//! The firmware image: an ELF file, and the board it is for.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use object::{Object, ObjectSymbol};
 use rigless::cpu::armv7m::code_address;
@@ -8,6 +9,7 @@ use rigless::image::Image;
 use rigless::symbols::Symbols;
 
 use super::Error;
+use crate::board::Schematic;
 
 /// Environment variable that names the image to run.
 const ELF_VARIABLE: &str = "CALIB_FIRMWARE_ELF";
@@ -20,10 +22,11 @@ const BUILT: &str = "thumbv7em-none-eabihf/firmware/calib-firmware";
 pub struct Firmware {
     path: PathBuf,
     image: Image,
+    schematic: Arc<Schematic>,
 }
 
 impl Firmware {
-    /// Reads the image at `path`.
+    /// Reads the image at `path`, which is for the NUCLEO-H743ZI2 until [`Firmware::on`] says otherwise.
     ///
     /// # Errors
     ///
@@ -45,7 +48,23 @@ impl Firmware {
         Ok(Self {
             path: path.to_owned(),
             image,
+            schematic: Arc::new(Schematic::nucleo_h743zi2()),
         })
+    }
+
+    /// The image on another board.
+    #[must_use]
+    pub fn on(self, schematic: Schematic) -> Self {
+        Self {
+            schematic: Arc::new(schematic),
+            ..self
+        }
+    }
+
+    /// The board it is run on.
+    #[must_use]
+    pub fn schematic(&self) -> Arc<Schematic> {
+        Arc::clone(&self.schematic)
     }
 
     /// The shipping image: what `CALIB_FIRMWARE_ELF` names, else where `cargo xtask elf` puts it.

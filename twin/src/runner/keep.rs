@@ -13,7 +13,7 @@ use rigless::snapshot::{self, Snapshot};
 
 use super::core_thread::CoreThread;
 use super::{Emulator, Error, Firmware, Log};
-use crate::board::{NucleoH743zi2, Pins};
+use crate::board::{CalibratorBoard, Pins};
 use crate::rig_port::RigPort;
 
 /// What the owner of a board knows beside the board.
@@ -63,9 +63,9 @@ impl Emulator {
             reason: error.to_string(),
         };
         let kept = Snapshot::read(path).map_err(failed)?;
-        let pins = Pins::with_rig(rig);
+        let pins = Pins::new(firmware.schematic(), rig);
         let mut owner = Owner::default();
-        let restore = |session: &mut Session<NucleoH743zi2>| -> Result<Resume<'static>, Error> {
+        let restore = |session: &mut Session<CalibratorBoard>| -> Result<Resume<'static>, Error> {
             kept.restore(session, &firmware.digest(), &mut owner)
                 .map_err(failed)
         };

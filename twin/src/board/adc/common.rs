@@ -114,9 +114,10 @@ impl Pair {
     }
 
     fn take(&mut self, codes: [u16; 2], context: &mut DeviceContext<'_>) {
+        let wired = self.wired;
         for (nth, code) in codes.into_iter().enumerate() {
             let converter = &mut self.converters[nth];
-            converter.data = converter.convert(nth, code, context);
+            converter.data = converter.convert(wired[nth], code, context);
             converter.status |= isr::EOC.mask() | isr::EOS.mask();
         }
         self.unread = true;

@@ -127,8 +127,9 @@ impl Converter {
         }
         let mut pair = self.pair.lock();
         let code = pair.analog.sample(context.now())[self.nth];
+        let wired = pair.wired[self.nth];
         let state = &mut pair.converters[self.nth];
-        state.data = state.convert(self.nth, code, context);
+        state.data = state.convert(wired, code, context);
         state.flag(isr::EOC, true);
         state.flag(isr::EOS, true);
         state.control &= !cr::ADSTART.mask();
@@ -140,6 +141,7 @@ impl Converter {
     fn mirror(&self, registers: &RegisterFile) {
         self.with_state(|state| {
             state.configuration = registers.get(Register::Cfgr);
+            state.processing = registers.get(Register::Cfgr2);
             state.interrupts = registers.get(Register::Ier);
             state.sampling = [
                 registers.get(Register::Smpr1),

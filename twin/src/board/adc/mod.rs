@@ -4,7 +4,7 @@
 //! calibration and enable with the datasheet's times; dual regular simultaneous mode (`DUAL` = 6) of
 //! one conversion per trigger on TIM6's trigger output, with the pair's 32-bit data register, its DMA
 //! request, end-of-conversion and overrun flags and the pair's interrupt; a single software-started
-//! conversion of one converter. Resolution, sampling time and clock are honoured: a trigger during a
+//! conversion of one converter. Resolution, left shift, sampling time and clock are honoured: a trigger during a
 //! conversion is ignored, and the run is told.
 //!
 //! A conversion samples at its trigger and its data is there at once: for a chain of which both
@@ -24,7 +24,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use rigless::device::{DeviceContext, Level};
 use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::soc::FieldSpec;
-use rigless::soc::stm32h743::generated::adc3::{cfgr, cr, isr};
+use rigless::soc::stm32h743::generated::adc3::{cfgr, cfgr2, cr, isr};
 use rigless::time::VirtualNanos;
 
 pub(super) use common::Common;
@@ -37,9 +37,6 @@ pub(super) const NAME: &str = "ADC12_Common";
 /// Position of the pair's interrupt in each of its instances.
 const PAIR_LINE: usize = 0;
 
-/// Channel of each converter that is wired to a connector: ADC1 INP15 = PA3, ADC2 INP10 = PC0.
-const WIRED_CHANNEL: [u64; 2] = [15, 10];
-
 const NS_PER_S: u128 = 1_000_000_000;
 
 /// Half cycles of the analogue clock each `SMP` code samples for (RM0433 Rev 9, section 25.6.6).
@@ -49,6 +46,8 @@ const SAMPLING_HALF_CYCLES: [u64; 8] = [3, 5, 17, 33, 65, 129, 775, 1621];
 #[derive(Debug)]
 struct Pair {
     analog: Analog,
+    /// Channel of each converter that is wired to a connector.
+    wired: [u64; 2],
     /// The analogue clock both converters run on, 0 while it stands still.
     clock_hz: u64,
     converters: [State; 2],
@@ -62,6 +61,7 @@ struct Pair {
 struct State {
     control: u64,
     configuration: u64,
+    processing: u64,
     status: u64,
     interrupts: u64,
     sampling: [u64; 2],
@@ -77,7 +77,7 @@ pub(super) struct SharedPair(Arc<Mutex<Pair>>);
 rigless::store!(Pair {
     values: [clock_hz, converters, unread, busy_until],
     parts: [],
-    built: [analog],
+    built: [analog, wired],
 });
 
 impl Store for SharedPair {
@@ -91,9 +91,10 @@ impl Store for SharedPair {
 }
 
 impl SharedPair {
-    pub(super) fn new(analog: Analog) -> Self {
+    pub(super) fn new(analog: Analog, wired: [u64; 2]) -> Self {
         Self(Arc::new(Mutex::new(Pair {
             analog,
+            wired,
             clock_hz: 0,
             converters: [State::default(); 2],
             unread: false,
@@ -142,16 +143,15 @@ impl State {
         }
     }
 
-    /// What converter `nth` makes of the code at its connector: 0 where the channel selected is not
-    /// the wired one, because that pin carries nothing.
-    fn convert(&mut self, nth: usize, code: u16, context: &mut DeviceContext<'_>) -> u16 {
-        let wired = WIRED_CHANNEL[nth];
+    /// What a converter makes of the code at its connector, shifted to the left as `LSHIFT` says: 0
+    /// where the channel selected is not the wired one, because that pin carries nothing.
+    fn convert(&mut self, wired: u64, code: u16, context: &mut DeviceContext<'_>) -> u16 {
         let selected = self.channel() == Some(wired) && self.preselection & (1 << wired) != 0;
         if !selected {
             context.tell("SQR1", "a pin without a signal is converted: 0 V");
             return 0;
         }
-        code >> (16 - self.bits())
+        code >> (16 - self.bits()) << cfgr2::LSHIFT.get(self.processing)
     }
 }
 

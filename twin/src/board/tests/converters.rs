@@ -173,3 +173,26 @@ fn fewer_bits_drop_the_lowest() {
     // 12 bits of the reference's 0x1001, and all 16 of the other.
     assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2001_0100);
 }
+
+/// What a driver does that wants the same mid-scale of every width (RM0433 Rev 9, section 25.6.5).
+#[test]
+fn fewer_bits_may_be_left_justified() {
+    use rigless::soc::stm32h743::generated::adc3::{cfgr, cfgr2};
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    for (converter, configuration) in [(&ADC1, CONFIGURATION), (&ADC2, 0)] {
+        let fourteen_bits = cfgr::RES.set(configuration, 0b001);
+        bench.write(converter, Register::Cfgr, fourteen_bits);
+        bench.write(converter, Register::Cfgr2, cfgr2::LSHIFT.set(0, 2));
+    }
+    start(&mut bench);
+    for _ in 0..3 {
+        bench.run(20_000);
+        bench.read(&ADC12_COMMON, Pair::Cdr);
+    }
+    bench.run(20_000);
+    // 0x2004 and 0x1004, then 0x2005 and 0x1005 without their lowest two bits.
+    assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2004_1004);
+    bench.run(20_000);
+    assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2004_1004);
+}

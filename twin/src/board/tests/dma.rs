@@ -10,7 +10,7 @@ use rigless::soc::{Layout, Width};
 use rigless::time::VirtualNanos;
 
 use super::super::dma1::{Dma1, STREAMS};
-use super::super::dmamux::{self, DAC_CHANNEL_1, RequestLines};
+use super::super::dmamux::{self, DAC_CHANNELS, RequestLines};
 use super::super::memory_map;
 use super::{RAM, Ram};
 
@@ -110,12 +110,12 @@ fn both_controllers_move_the_same() {
         let stream = draw(STREAMS as u64) as usize;
         if draw(3) > 0 {
             // A peripheral lowers its line at the access that serves it.
-            lines.select(stream, DAC_CHANNEL_1);
-            lines.drive(DAC_CHANNEL_1, true);
+            lines.select(stream, DAC_CHANNELS[0]);
+            lines.drive(DAC_CHANNELS[0], true);
             ours.drive(|model, registers, context| {
                 model.on_request(request(stream, Level::High), registers, context);
             });
-            lines.drive(DAC_CHANNEL_1, false);
+            lines.drive(DAC_CHANNELS[0], false);
             for level in [Level::High, Level::Low] {
                 theirs.drive(|model, registers, context| {
                     model.on_request(request(stream, level), registers, context);

@@ -1,9 +1,9 @@
-//! DAC1 channel 1.
+//! The drive output of DAC1.
 
 use rigless::soc::stm32h743::generated::dac::Register;
 use rigless::soc::stm32h743::generated::{DAC, DMA1, DMAMUX1, dma1, dmamux1};
 
-use super::{Bench, RAM};
+use super::{Bench, RAM, Schematic};
 use crate::rig_port::DRIVE_MID_CODE;
 
 const ENABLE: u64 = 1;
@@ -132,4 +132,38 @@ fn a_system_reset_lets_the_pin_float() {
     let at = rigless::time::VirtualNanos(bench.now);
     rigless::mcu::Mcu::reset(&mut bench.part, at, rigless::device::ResetCause::Pin);
     assert_eq!(bench.analog.drive_code(), DRIVE_MID_CODE);
+}
+
+/// On a board that has its drive on PA5: everything of channel 2, and nothing of channel 1.
+#[test]
+fn the_other_channel_drives_where_the_board_has_it() {
+    const UP: u32 = 16;
+    let schematic = Schematic {
+        drive_channel: 1,
+        ..Schematic::nucleo_h743zi2()
+    };
+    let mut bench = Bench::on(schematic);
+    bench.write(&DAC, Register::Cr, ENABLE << UP);
+    for (register, value, code) in [
+        (Register::Dhr12r2, 3000, 3000),
+        (Register::Dhr12l2, 3001 << 4, 3001),
+        (Register::Dhr8r2, 0x80, 0x800),
+        (Register::Dhr12rd, 3002 << 16 | 1, 3002),
+        (Register::Dhr12ld, 3003 << 20 | 1, 3003),
+        (Register::Dhr8rd, 0x90 << 8 | 1, 0x900),
+        (Register::Dhr12r1, 1, 0x900),
+    ] {
+        bench.write(&DAC, register, value);
+        assert_eq!(bench.analog.drive_code(), code, "{register:?}");
+    }
+    // Unserved requests, as on channel 1.
+    let control = ENABLE | TRIGGERED_BY_TIM6 | DMA | UNDERRUN_INTERRUPT;
+    bench.write(&DAC, Register::Cr, control << UP);
+    bench.interrupts(54);
+    bench.start_sample_clock(1280);
+    bench.run(2 * 20_000);
+    assert_eq!(bench.read(&DAC, Register::Sr), UNDERRUN << UP);
+    assert_eq!(bench.interrupts(54), [true]);
+    bench.write(&DAC, Register::Sr, UNDERRUN << UP);
+    assert_eq!(bench.read(&DAC, Register::Sr), 0, "cleared by writing one");
 }

@@ -18,7 +18,7 @@ use rigless::soc::stm32h743::generated::{self, rcc};
 use rigless::soc::{Layout, Peripheral, Width};
 use rigless::time::VirtualNanos;
 
-use super::{Analog, Part, Pins};
+use super::{Analog, Part, Pins, Schematic};
 use crate::rig_port::{INPUT_CHANNELS, RigPort};
 
 /// What a recording rig was told: each stretch of constant drive, and when it was sampled.
@@ -79,8 +79,12 @@ struct Bench {
 
 impl Bench {
     fn new() -> Self {
+        Self::on(Schematic::nucleo_h743zi2())
+    }
+
+    fn on(schematic: Schematic) -> Self {
         let told = Arc::new(Mutex::new(Told::default()));
-        let pins = Pins::with_rig(Box::new(Recorder(told.clone())));
+        let pins = Pins::new(Arc::new(schematic), Box::new(Recorder(told.clone())));
         let analog = pins.analog.clone();
         let part = Part::new(pins).unwrap();
         let mut bench = Self {

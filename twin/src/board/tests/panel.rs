@@ -1,18 +1,30 @@
-//! LEDs and button.
+//! Lamps and button.
 
+use rigless::soc::Peripheral;
 use rigless::soc::stm32h743::generated::gpioa::Register;
 use rigless::soc::stm32h743::generated::{GPIOB, GPIOC, GPIOE};
 use rigless::time::VirtualNanos;
 
 use super::super::Leds;
-use super::Bench;
+use super::super::schematic::Active;
+use super::{Bench, Schematic};
+
+/// Ports of an output each, by number.
+fn drive(bench: &mut Bench, port: &Peripheral, pins: u64) {
+    let outputs = (0..16).filter(|pin| pins >> pin & 1 == 1);
+    bench.write(
+        port,
+        Register::Moder,
+        outputs.map(|pin| 1 << (2 * pin)).sum(),
+    );
+}
 
 #[test]
 fn leds_follow_their_output_pins() {
     let mut bench = Bench::new();
     assert_eq!(bench.part.leds(), Leds::default());
-    bench.write(&GPIOB, Register::Moder, 1 | 1 << 28);
-    bench.write(&GPIOE, Register::Moder, 1 << 2);
+    drive(&mut bench, &GPIOB, 1 | 1 << 14);
+    drive(&mut bench, &GPIOE, 1 << 1);
     bench.write(&GPIOB, Register::Bsrr, 1 << 14);
     bench.write(&GPIOE, Register::Bsrr, 1 << 1);
     let expected = Leds {
@@ -32,5 +44,34 @@ fn the_button_is_high_while_pressed() {
         bench.part.press_button(VirtualNanos(bench.now), pressed);
         let input = bench.read(&GPIOC, Register::Idr);
         assert_eq!(input & BUTTON != 0, pressed);
+    }
+}
+
+#[test]
+fn lamps_and_button_to_the_other_rail_are_the_other_way_round() {
+    const BUTTON: u64 = 1 << 13;
+    let schematic = Schematic {
+        lit: Active::Low,
+        pressed: Active::Low,
+        ..Schematic::nucleo_h743zi2()
+    };
+    let mut bench = Bench::on(schematic);
+    assert_eq!(
+        bench.part.leds(),
+        Leds::default(),
+        "an input lights nothing"
+    );
+    drive(&mut bench, &GPIOB, 1 | 1 << 14);
+    bench.write(&GPIOB, Register::Bsrr, 1 << 14);
+    let expected = Leds {
+        green: true,
+        ..Leds::default()
+    };
+    assert_eq!(bench.part.leds(), expected);
+    bench.write(&GPIOC, Register::Moder, 0);
+    for pressed in [true, false] {
+        bench.part.press_button(VirtualNanos(bench.now), pressed);
+        let input = bench.read(&GPIOC, Register::Idr);
+        assert_eq!(input & BUTTON == 0, pressed);
     }
 }
