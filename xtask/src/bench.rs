@@ -150,7 +150,7 @@ impl Prepared {
     fn new() -> Result<Self> {
         let image = elf::build()?;
         let sizes = elf::totals(&image)?.map(|size| size.to_string()).join(" ");
-        let kernels = elf::build_package("calib-kernels")?;
+        let kernels = elf::build_package("calib-kernels", &[])?;
         demo::build_tool()?;
         let interpreter = python::interpreter()?;
         let folder = target_dir().join("bench");

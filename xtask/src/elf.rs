@@ -1,7 +1,7 @@
-//! The firmware image: built once, tested and shipped as it is.
+//! The firmware images, one for each board: built once, tested and shipped as they are.
 
 use crate::shell::{cargo, root, run, target_dir};
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use object::elf::{SHF_ALLOC, SHF_WRITE};
 use object::{Object, ObjectSection, SectionFlags};
 use std::path::{Path, PathBuf};
@@ -10,15 +10,65 @@ use std::process::Command;
 const TARGET: &str = "thumbv7em-none-eabihf";
 const PROFILE: &str = "firmware";
 const PACKAGE: &str = "calib-firmware";
+/// The board of the image without a name.
+const DEFAULT_BOARD: &str = "nucleo-h743zi2";
 
-/// Builds the image and returns its path.
+/// Builds the image of the default board and returns its path.
 pub(crate) fn build() -> Result<PathBuf> {
     eprintln!("building the firmware image ...");
-    build_package(PACKAGE)
+    build_package(PACKAGE, &[])
+}
+
+/// Builds the image of a board, by default as [`build`] does, and returns its path.
+pub(crate) fn build_for(board: Option<&str>) -> Result<PathBuf> {
+    match board {
+        None | Some(DEFAULT_BOARD) => build(),
+        Some(board) => {
+            let kept = build_other(board)?;
+            // Cargo puts every image in one place, where the default one belongs.
+            build()?;
+            Ok(kept)
+        }
+    }
+}
+
+/// Builds the images of all boards, the default one last, and returns their paths in that order.
+pub(crate) fn build_all() -> Result<Vec<PathBuf>> {
+    let boards = boards()?.into_iter();
+    let others = boards.filter(|board| board != DEFAULT_BOARD);
+    let mut images: Vec<PathBuf> = others
+        .map(|board| build_other(&board))
+        .collect::<Result<_>>()?;
+    images.push(build()?);
+    Ok(images)
+}
+
+/// Names of the boards: the folders of `firmware/boards`.
+fn boards() -> Result<Vec<String>> {
+    let folders = std::fs::read_dir(root().join("firmware/boards"))?;
+    let names = folders.map(|folder| Ok(folder?.file_name().to_string_lossy().into_owned()));
+    let mut names: Vec<String> = names.collect::<Result<_>>()?;
+    names.sort();
+    Ok(names)
+}
+
+/// Builds the image of a board and copies it to where the next does not replace it.
+fn build_other(board: &str) -> Result<PathBuf> {
+    let boards = boards()?;
+    if !boards.iter().any(|name| name == board) {
+        bail!("no board `{board}`: there are {}", boards.join(", "));
+    }
+    eprintln!("building the firmware image for {board} ...");
+    let features = format!("board-{board}");
+    let image = build_package(PACKAGE, &["--no-default-features", "--features", &features])?;
+    let kept = image.with_file_name("boards").join(board);
+    std::fs::create_dir_all(image.with_file_name("boards"))?;
+    std::fs::copy(&image, &kept).with_context(|| format!("cannot write {}", kept.display()))?;
+    Ok(kept)
 }
 
 /// Builds a program for the board as the image is built, and returns its path.
-pub(crate) fn build_package(package: &str) -> Result<PathBuf> {
+pub(crate) fn build_package(package: &str, features: &[&str]) -> Result<PathBuf> {
     let mut command = if std::env::var("CALIB_ELF_TOOLCHAIN").as_deref() == Ok("debian") {
         debian_cargo()
     } else {
@@ -32,6 +82,7 @@ pub(crate) fn build_package(package: &str) -> Result<PathBuf> {
         "--target",
         TARGET,
     ]);
+    command.args(features);
     run(&mut command)?;
     Ok(path(package))
 }
@@ -56,8 +107,8 @@ fn debian_cargo() -> Command {
 }
 
 /// Prints what the image takes of flash and RAM, section by section.
-pub(crate) fn print_size() -> Result<()> {
-    let path = build()?;
+pub(crate) fn print_size(board: Option<&str>) -> Result<()> {
+    let path = build_for(board)?;
     let bytes = std::fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
     let [text, data, bss] = totals(&path)?;
     println!("text {text}, data {data}, bss {bss} bytes\n");

@@ -24,10 +24,10 @@ usage: ./run <command>
                     (options go to `calib demo`: --out DIR, --seed N, --json)
   test [FILTER]     format, lints and every test there is
   bench [NAME]      benchmark tables, also written to target/bench/NAME.json
-  elf               build the firmware image for the STM32H743ZI
-  no-panic          look for panics in what calib-core became in the image
+  elf [BOARD]       build the firmware image, for one of firmware/boards
+  no-panic [BOARD]  look for panics in what calib-core became in the image
   screenshots       pictures of the page for docs/images (needs Chromium)
-  size              flash and RAM used by the image
+  size [BOARD]      flash and RAM used by the image
   setup             build everything and run nothing
 ";
 
@@ -37,14 +37,15 @@ fn main() -> Result<()> {
         Some((command, rest)) => (command.as_str(), rest),
         None => ("help", &[][..]),
     };
+    let board = rest.first().map(String::as_str);
     match command {
         "demo" => demo::run(rest),
         "test" | "ci" => test::run(rest),
         "bench" => bench::run(rest),
-        "elf" => elf::build().map(|path| println!("{}", path.display())),
-        "no-panic" => elf::build().and_then(|image| no_panic::check(&image)),
+        "elf" => elf::build_for(board).map(|path| println!("{}", path.display())),
+        "no-panic" => elf::build_for(board).and_then(|image| no_panic::check(&image)),
         "screenshots" => browser::screenshots(),
-        "size" => elf::print_size(),
+        "size" => elf::print_size(board),
         "setup" => demo::build_all().map(|_| ()),
         "help" | "--help" | "-h" => {
             print!("{HELP}");

@@ -2,18 +2,19 @@
 
 use crate::shell::{self, cargo, target_dir};
 use crate::{browser, demo, elf, no_panic, python, tshark};
-use anyhow::{Result, bail};
+use anyhow::{Context, Result, bail};
 
-/// Format, lints, image, tool, tests. With a filter: only tests of that name.
+/// Format, lints, images, tool, tests. With a filter: only tests of that name.
 pub(crate) fn run(filter: &[String]) -> Result<()> {
     if filter.is_empty() {
         shell::run(cargo_plain("fmt").args(["--all", "--check"]))?;
         no_test_is_skipped()?;
     }
-    let image = elf::build()?;
+    let images = elf::build_all()?;
     if filter.is_empty() {
-        no_panic::check(&image)?;
+        images.iter().try_for_each(|image| no_panic::check(image))?;
     }
+    let image = images.last().context("no board")?;
     // The tests of the tool need it, so cargo builds and places it with them; a
     // build of its own would compile half of the tree a second time, since the
     // features of shared crates differ.

@@ -1,10 +1,12 @@
-//! The shipping image on the emulated board, behaviour by behaviour.
+//! The shipping image on the emulated board, behaviour by behaviour; and the images of the other
+//! boards, as far as a board decides.
 //!
 //! One program, so that it is linked once and its tests share the cores; what waits in real time, for
 //! a process or a browser, is in programs of its own beside it.
 
 mod board;
 mod board_faults;
+mod boards;
 mod broadband;
 mod capture;
 mod coverage;

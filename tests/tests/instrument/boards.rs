@@ -1,0 +1,111 @@
+//! The boards of `firmware/boards` with the images built for them, each on its own schematic. The one
+//! of the shipping image is what all other tests are on.
+
+use super::board::unmodelled;
+use calib_core::verdict::Verdict;
+use calib_protocol::message::RunState;
+use calib_tests::bench::{Bench, Fault, point, true_certificate};
+use calib_tests::judge::deviation;
+use calib_twin::board::{Leds, Schematic};
+use calib_twin::plant::Plant;
+use calib_twin::rig::Rig;
+use calib_twin::runner::{Emulator, Firmware};
+use std::path::Path;
+use std::time::Duration;
+
+const BOARDS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../firmware/boards");
+/// The board of the shipping image.
+const SHIPPING: &str = "nucleo-h743zi2";
+/// Longer than the firmware takes from a look at the button to its lamps.
+const SEEN: Duration = Duration::from_millis(100);
+
+const READY: Leds = Leds {
+    green: true,
+    yellow: false,
+    red: false,
+};
+const MEASURING: Leds = Leds {
+    green: false,
+    yellow: true,
+    red: false,
+};
+const REFUSED: Leds = Leds {
+    green: false,
+    yellow: false,
+    red: true,
+};
+
+/// The other boards by the names of their folders.
+fn boards() -> Result<Vec<String>, Fault> {
+    let mut names = Vec::new();
+    for folder in std::fs::read_dir(BOARDS)? {
+        names.push(folder?.file_name().to_string_lossy().into_owned());
+    }
+    names.retain(|name| name != SHIPPING);
+    Ok(names)
+}
+
+fn schematic(board: &str) -> Result<Schematic, Fault> {
+    let folder = Path::new(BOARDS).join(board);
+    Ok(Schematic::read(&folder.join("schematic.toml"))?)
+}
+
+/// The image of a board, beside the shipping one.
+fn image(board: &str) -> Result<Firmware, Fault> {
+    let shipping = Firmware::shipping()?;
+    let path = shipping.path().with_file_name("boards").join(board);
+    Firmware::read(&path).map_err(|error| format!("{error}; `./run elf {board}` builds it").into())
+}
+
+/// A calibrator of that board on a rig with the board's front end.
+fn calibrator(board: &str) -> Result<(Bench, Rig), Fault> {
+    let schematic = schematic(board)?;
+    let mut rig = Rig::standard();
+    schematic.fit(&mut rig);
+    let firmware = image(board)?.on(schematic);
+    let bench = Bench::with_image(&firmware, Box::new(Plant::new(&rig)))?;
+    Ok((bench, rig))
+}
+
+#[test]
+fn every_board_calibrates_with_its_own_pins_clocks_and_scales() -> Result<(), Fault> {
+    for board in boards()? {
+        let (mut bench, rig) = calibrator(&board)?;
+        // With a hand on the button of the board.
+        bench.certify_reference(&true_certificate(&rig))?;
+        bench.adjust(|settings| settings.blocks = 3)?;
+        let outcome = bench.run(&[point(160.0, 10.0), point(5_000.0, 10.0)])?;
+        assert_eq!(outcome.state, RunState::Finished, "{board}");
+        let sample_rate_hz = bench.client.info()?.sample_rate_hz;
+        for result in &outcome.points {
+            let off = deviation(result, &rig, sample_rate_hz).magnitude_rel;
+            let budget = result.expanded_uncertainty_rel;
+            println!(
+                "{board}: {} Hz, {off:+.1e}, U {budget:.1e}",
+                result.spec.frequency_hz
+            );
+            assert_eq!(result.verdict, Verdict::Pass, "{board}");
+            assert!(off.abs() <= f64::from(budget), "{board}: {off}");
+        }
+        bench.expect_silence(SEEN)?;
+        tap_and_stop(&board, &mut bench.board())?;
+    }
+    Ok(())
+}
+
+/// Starts the default list with a tap, stops it with a press, and looks at the lamps.
+fn tap_and_stop(board: &str, device: &mut Emulator) -> Result<(), Fault> {
+    assert_eq!(device.leds()?, READY, "{board}");
+    for (pressed, lamps) in [(true, READY), (false, MEASURING)] {
+        device.press_button(pressed)?;
+        device.run_for(SEEN)?;
+        assert_eq!(device.leds()?, lamps, "{board}");
+    }
+    device.press_button(true)?;
+    // Until the exciter is silent and the record stored.
+    device.run_for(Duration::from_secs(1))?;
+    assert_eq!(device.leds()?, REFUSED, "{board}");
+    assert!(device.silent_for().is_some(), "{board}");
+    assert_eq!(unmodelled(device)?, [""; 0], "{board}");
+    Ok(())
+}
