@@ -3,6 +3,10 @@
 //! exactly one is chosen.
 
 #[cfg_attr(
+    feature = "board-fictitious-carrier",
+    path = "../../boards/fictitious-carrier/board.rs"
+)]
+#[cfg_attr(
     feature = "board-nucleo-h743zi",
     path = "../../boards/nucleo-h743zi/board.rs"
 )]
