@@ -69,7 +69,9 @@ fn calibrator(board: &str) -> Result<(Bench, Rig), Fault> {
 
 #[test]
 fn every_board_calibrates_with_its_own_pins_clocks_and_scales() -> Result<(), Fault> {
-    for board in boards()? {
+    let boards = boards()?;
+    assert!(boards.len() >= 2, "{boards:?}");
+    for board in boards {
         let (mut bench, rig) = calibrator(&board)?;
         // With a hand on the button of the board.
         bench.certify_reference(&true_certificate(&rig))?;
@@ -107,5 +109,15 @@ fn tap_and_stop(board: &str, device: &mut Emulator) -> Result<(), Fault> {
     assert_eq!(device.leds()?, REFUSED, "{board}");
     assert!(device.silent_for().is_some(), "{board}");
     assert_eq!(unmodelled(device)?, [""; 0], "{board}");
+    Ok(())
+}
+
+/// Otherwise the test above would show nothing.
+#[test]
+fn an_image_on_a_board_it_is_not_for_answers_nothing() -> Result<(), Fault> {
+    let carrier = schematic("fictitious-carrier")?;
+    let firmware = Firmware::shipping()?.on(carrier);
+    let rig = Box::new(Plant::new(&Rig::standard()));
+    assert!(Bench::with_image(&firmware, rig).is_err());
     Ok(())
 }
