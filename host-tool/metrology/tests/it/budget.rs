@@ -335,7 +335,7 @@ fn the_report_fits_eighty_columns() {
     );
     assert!(report.contains("0.847 %"), "{report}");
     let chart = budget::contribution_chart(&evaluation);
-    assert_eq!(chart.matches("<rect").count(), 1 + 17 + 1);
+    assert_eq!(chart.matches("<rect class='dot").count(), 17 + 1);
 }
 
 #[test]
