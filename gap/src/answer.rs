@@ -5,6 +5,7 @@ use crate::estimation::gap::Gap;
 use crate::estimation::verdict::POSSIBLE;
 pub use crate::estimation::verdict::Verdict;
 use crate::pictures::Pictures;
+use calib_effects::Stage;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -12,7 +13,7 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, Serialize)]
 pub struct Where {
     /// Stage of the chain it points to.
-    pub stage: &'static str,
+    pub stage: Stage,
     /// Observable in which it shows.
     pub observable: &'static str,
     /// Condition along which it varies.

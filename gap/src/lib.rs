@@ -24,9 +24,7 @@ pub use answer::{Answer, Cause, Confirmation, DatasetSummary, Distance, Estimate
 pub use axis::Axis;
 pub use calibrator::misfit;
 pub use diagnose::{diagnose, diagnose_all};
-pub use effects::{
-    About, NEVER_IDENTIFIABLE, Parameter, Scale, Stage, check_name, list as effects,
-};
+pub use effects::check_name;
 pub use error::GapError;
 pub use estimation::gap::{Gap, ObservableGap, Slice};
 pub use observable::{Channel, Group, Observable};

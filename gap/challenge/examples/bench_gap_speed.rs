@@ -193,7 +193,7 @@ fn name(index: usize) -> &'static str {
     let all = draw::nameable();
     match index % 15 {
         14 => NONE,
-        _ => all[(index - index / 15) % all.len()].id,
+        _ => all[(index - index / 15) % all.len()].entry.id,
     }
 }
 
@@ -202,7 +202,9 @@ fn make(folder: &Path, index: usize) -> PathBuf {
     let design = standard_design(&nominal);
     let mut random = ChaCha12Rng::seed_from_u64(index as u64);
     let all = draw::nameable();
-    let effect = all.into_iter().find(|effect| effect.id == name(index));
+    let effect = all
+        .into_iter()
+        .find(|effect| effect.entry.id == name(index));
     let effects: Vec<_> = effect
         .map(|effect| draw::draw(effect, &mut random))
         .into_iter()

@@ -8,6 +8,7 @@ use calib_files::file::{self, Existing};
 use calib_files::{Error, Result};
 use calib_twin::dataset::{Nominal, Point, Setting, generate, points_csv, standard_design};
 use calib_twin::effects::ActiveEffect;
+use calib_twin::model::{Channel, Conditions, Model};
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
@@ -167,11 +168,13 @@ fn case(
 
 /// Whether there is such a rig: a suspension takes energy from the motion.
 fn is_rig(nominal: &Nominal, effects: &[Drawn]) -> bool {
-    let added = effects
-        .iter()
-        .filter(|drawn| drawn.effect().id == "mechanical_damping")
-        .map(|drawn| drawn.values()[0]);
-    nominal.exciter.damping_ns_per_m.value + added.sum::<f64>() > 0.0
+    let conditions = Conditions::usual(0.0);
+    let [reference, dut] = [Channel::flat(1.0), Channel::flat(1.0)];
+    let mut model = Model::new(nominal.exciter.model(0.0), reference, dut);
+    for effect in effects {
+        effect.apply(&conditions, &mut model);
+    }
+    model.coil.damping_ns_per_m > 0.0
 }
 
 /// Weakens or strengthens the effect until it changes the data by about `wanted`.
@@ -198,17 +201,9 @@ fn resize(effects: &mut [Drawn], wanted: f64, size: impl Fn(&[Drawn]) -> f64) {
 /// The effect with its first parameter (its size, or the frequency it sits at) scaled.
 fn scaled(effect: &Drawn, factor: f64) -> Drawn {
     let mut values = effect.values().to_vec();
-    let sizes = if effect.effect().id == "crosstalk" {
-        3
-    } else {
-        1
-    };
-    for (value, parameter) in values
-        .iter_mut()
-        .zip(effect.effect().parameters)
-        .take(sizes)
-    {
-        let [lowest, highest] = parameter.bounds;
+    let entry = effect.effect().entry;
+    for (value, parameter) in values.iter_mut().zip(entry.parameters).take(entry.sizes) {
+        let [lowest, highest] = parameter.simulated;
         *value = (*value * factor).clamp(lowest, highest);
     }
     // Note: within bounds by the line above.
@@ -222,9 +217,12 @@ fn store(nominal: &Nominal, case: Measured, out: &Path, name: String) -> Result<
     let rig = std::fs::read(folder.join("rig.toml")).map_err(failed)?;
     let dataset = [rig, points_csv(&case.points).into_bytes()].concat();
     let effects = &case.plan.effects;
-    let mut names: Vec<String> = effects.iter().map(|e| e.effect().id.to_owned()).collect();
+    let mut names: Vec<String> = effects
+        .iter()
+        .map(|e| e.effect().entry.id.to_owned())
+        .collect();
     names.sort();
-    let stage = |e: &Drawn| format!("{:?}", e.effect().stage).to_lowercase();
+    let stage = |e: &Drawn| e.effect().entry.stage.to_string();
     Ok(TrueCase {
         name,
         stratum: case.plan.stratum.name().to_owned(),

@@ -1,6 +1,7 @@
 //! Effects with values drawn around what is usual in the field.
 
-use calib_twin::effects::{ActiveEffect, CalibratorAction, Effect, Library, Parameter};
+use calib_effects::Parameter;
+use calib_twin::effects::{ActiveEffect, CalibratorAction, Effect, Library};
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::Rng;
 
@@ -25,7 +26,7 @@ pub fn below(count: usize, random: &mut ChaCha12Rng) -> usize {
 pub fn nameable() -> Vec<&'static Effect> {
     CalibratorAction::effects()
         .iter()
-        .filter(|effect| !matches!(effect.id, "dut_gain" | "reference_gain"))
+        .filter(|effect| effect.entry.identifiable)
         .collect()
 }
 
@@ -33,21 +34,30 @@ pub fn nameable() -> Vec<&'static Effect> {
 /// sign where both occur, and its switches either way.
 pub fn draw(effect: &'static Effect, random: &mut ChaCha12Rng) -> Drawn {
     let mut values: Vec<f64> = effect
+        .entry
         .parameters
         .iter()
         .map(|parameter| value(parameter, random))
         .collect();
-    if effect.id == "crosstalk" && uniform(random) < 0.5 {
-        // Through a common resistance instead of a capacitance.
-        values = vec![0.0, signed(0.003, random), signed(0.003, random)];
+    if let Some(other_way) = effect.entry.other_way
+        && uniform(random) < 0.5
+    {
+        let mut either = |size: f64| {
+            if size == 0.0 {
+                0.0
+            } else {
+                signed(size, random)
+            }
+        };
+        values = other_way.iter().map(|size| either(*size)).collect();
     }
     // Note: bounds are kept by `value`; the usual values are within them.
     ActiveEffect::new(effect, &values).unwrap_or_else(|_| effect.usual())
 }
 
 fn value(parameter: &Parameter, random: &mut ChaCha12Rng) -> f64 {
-    let [lowest, highest] = parameter.bounds;
-    if parameter.unit.starts_with("0 ") {
+    let [lowest, highest] = parameter.simulated;
+    if parameter.is_switch {
         return f64::from(uniform(random) < 0.5);
     }
     let factor = LARGEST_FACTOR.powf(2.0 * uniform(random) - 1.0);
@@ -76,8 +86,8 @@ mod tests {
             let all: Vec<Drawn> = (0..8).map(|_| draw(effect, &mut random)).collect();
             assert!(all.iter().any(|drawn| drawn.values() != all[0].values()));
             for drawn in all {
-                for (value, parameter) in drawn.values().iter().zip(effect.parameters) {
-                    let [lowest, highest] = parameter.bounds;
+                for (value, parameter) in drawn.values().iter().zip(effect.entry.parameters) {
+                    let [lowest, highest] = parameter.simulated;
                     assert!((lowest..=highest).contains(value), "{drawn}");
                 }
             }

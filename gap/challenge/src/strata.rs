@@ -85,18 +85,18 @@ impl Stratum {
         let ratio: Vec<_> = all
             .iter()
             .copied()
-            .filter(|e| shows_in_ratio(e.id))
+            .filter(|e| e.entry.shows_in_ratio())
             .collect();
         let turn = all[index % all.len()];
         let chosen = match self {
             Self::Null | Self::NominalOff => Vec::new(),
             Self::Single | Self::Withheld | Self::Decoy | Self::Size => vec![turn],
             Self::RatioOnly => vec![ratio[index % ratio.len()]],
-            Self::Pair => vec![turn, other(&all, turn.id, random)],
+            Self::Pair => vec![turn, other(&all, turn.entry.id, random)],
         };
         let without = match self {
-            Self::Withheld => vec![turn.id.to_owned()],
-            Self::Decoy => vec![other(&all, turn.id, random).id.to_owned()],
+            Self::Withheld => vec![turn.entry.id.to_owned()],
+            Self::Decoy => vec![other(&all, turn.entry.id, random).entry.id.to_owned()],
             _ => Vec::new(),
         };
         Plan {
@@ -123,31 +123,6 @@ impl Stratum {
 type Effect = &'static calib_twin::effects::Effect;
 
 fn other(all: &[Effect], than: &str, random: &mut ChaCha12Rng) -> Effect {
-    let rest: Vec<Effect> = all.iter().copied().filter(|e| e.id != than).collect();
+    let rest: Vec<Effect> = all.iter().copied().filter(|e| e.entry.id != than).collect();
     rest[draw::below(rest.len(), random)]
-}
-
-/// Effects a ratio and its phase can show: not those of the drive alone, nor
-/// noise that averages out.
-fn shows_in_ratio(id: &str) -> bool {
-    !matches!(
-        id,
-        "suspension_cubic"
-            | "suspension_asymmetry"
-            | "force_factor_droop"
-            | "coulomb_friction"
-            | "mechanical_damping"
-            | "back_emf"
-            | "lossy_inductance"
-            | "coil_heating"
-            | "armature_mode"
-            | "payload_mass"
-            | "amplifier_clipping"
-            | "amplifier_even_order"
-            | "amplifier_gain_drift"
-            | "adc_quadratic"
-            | "sampling_jitter"
-            | "mains_pickup"
-            | "ambient_vibration"
-    )
 }

@@ -4,33 +4,10 @@ use super::sealed::random::Random;
 use super::sealed::table::{self, GOOD};
 use super::sealed::truth::{NOMINAL, Truth};
 use super::sealed::{design, effects as drawn_effects};
-use calib_gap::{Answer, GapError, Options, Verdict, diagnose, effects, misfit};
+use calib_effects::{Entry, Of, named};
+use calib_gap::{Answer, GapError, Options, Verdict, diagnose, misfit};
 use std::fmt;
 use std::path::Path;
-
-/// Effects that a ratio over frequency, rotation, payload, temperature and time can show.
-const SEEN_IN_RATIO: [&str; 20] = [
-    "dut_resonance",
-    "reference_resonance",
-    "mount_compliance",
-    "relative_motion",
-    "transverse_motion",
-    "base_strain",
-    "gravity_tilt",
-    "dut_frequency_slope",
-    "dut_temperature",
-    "reference_temperature",
-    "reference_drift",
-    "dut_drift",
-    "dut_highpass",
-    "reference_highpass",
-    "dut_lowpass_1",
-    "dut_lowpass_2",
-    "averaging_window",
-    "crosstalk",
-    "channel_skew",
-    "clock_offset",
-];
 
 /// What came out of a case.
 pub(super) struct Outcome {
@@ -57,11 +34,9 @@ impl Outcome {
 
     /// Whether the stage of the (first) true effect is among the first two places.
     pub(super) fn stage_found(&self) -> bool {
-        let truth = effects()
-            .into_iter()
-            .find(|e| Some(&e.id) == self.truth.first());
+        let truth = self.truth.first().and_then(|id| named(Of::Calibrator, id));
         let first_two = self.answer.r#where.iter().take(2);
-        truth.is_some_and(|t| first_two.into_iter().any(|w| w.stage == t.stage.name()))
+        truth.is_some_and(|t| first_two.into_iter().any(|w| w.stage == t.stage))
     }
 
     pub(super) fn is(&self, verdict: Verdict) -> bool {
@@ -78,7 +53,7 @@ impl fmt::Display for Outcome {
             .take(5)
             .map(|c| format!("{}:{:.3}", c.effects.join("+"), c.probability))
             .collect();
-        let stages: Vec<&str> = a.r#where.iter().map(|w| w.stage).collect();
+        let stages: Vec<&str> = a.r#where.iter().map(|w| w.stage.name()).collect();
         write!(
             f,
             "{} {} {:?} p={:.2e} sigma={:.1} left={:.1} top={} stage={} chi={:.2}>{:.2} closed={:.3} {:.2}s [{}] {}",
@@ -113,15 +88,19 @@ pub(super) fn processor_s() -> f64 {
 fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
     let all: Vec<&'static str> = drawn_effects::names().collect();
     let turn = |list: &[&'static str]| vec![list[index as usize % list.len()]];
+    // Over frequency, rotation, payload, temperature and time, but not over level.
+    let seen = |entry: &Entry| entry.shows_in_ratio() && !entry.shows_in("acceleration_ms2");
+    let is_seen = |name: &&&str| named(Of::Calibrator, name).is_some_and(seen);
+    let seen_in_ratio: Vec<&'static str> = all.iter().filter(is_seen).copied().collect();
     match stratum {
         "null" | "off2u" => Vec::new(),
-        "ratio" => turn(&SEEN_IN_RATIO),
+        "ratio" => turn(&seen_in_ratio),
         "pairs" => {
             let first = all[random.below(all.len())];
             loop {
                 let second = all[random.below(all.len())];
-                let converters = first.starts_with("adc") && second.starts_with("adc");
-                if second != first && !converters {
+                let converters = [first, second].map(drawn_effects::is_of_one_channel);
+                if second != first && converters != [true; 2] {
                     return vec![first, second];
                 }
             }

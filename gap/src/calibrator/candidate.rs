@@ -4,9 +4,10 @@ use super::closed_form::{by_values, response_added};
 use super::evaluation::{Evaluation, difference};
 use super::fit::{Fit, Workspace};
 use super::problem::{Column, Problem, Tangent};
-use crate::effects::{Active, Parameter, Scale, Stage, Start, library};
+use crate::effects::{Active, Start, library};
 use crate::estimation::tangent::RIDGE;
 use crate::observable::Group;
+use calib_effects::{Parameter, Scale, Stage};
 use nalgebra::{Cholesky, DVector};
 
 /// How much a fit would gain by an effect, as the slopes foresee it.
@@ -37,7 +38,7 @@ pub(crate) fn active(entry: usize, parameters: Vec<f64>) -> Active<'static> {
         Scale::Linear if *value != 0.0 => value.abs(),
         Scale::Linear => 1e-3 * (about.upper - about.lower).min(1.0),
     };
-    let unit = parameters.iter().zip(effect.about().parameters).map(unit);
+    let unit = parameters.iter().zip(effect.parameters()).map(unit);
     Active {
         entry,
         effect,
@@ -91,7 +92,7 @@ impl Candidate {
     /// Whether the effect changes the linear exciter, and with it the harmonics of a bent one.
     pub(super) fn moves_exciter(&self) -> bool {
         let effect = library()[self.entry];
-        effect.about().stage == Stage::Exciter && !effect.is_linear() && !effect.bends()
+        effect.entry().stage == Stage::Exciter && !effect.is_linear() && !effect.bends()
     }
 
     /// The changes beside the effects that a fit holds.

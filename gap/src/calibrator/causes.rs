@@ -7,9 +7,10 @@ use super::nuisance::Nuisance;
 use super::problem::Problem;
 use super::search::Search;
 use crate::answer::{Cause, Estimate, Verdict, hardly_separated};
-use crate::effects::Scale;
+use crate::effects::{Effect, Stated, library};
 use crate::estimation::selection::{bootstrap, without_each};
 use crate::estimation::verdict::LISTED;
+use calib_effects::Scale;
 use std::collections::BTreeMap;
 
 /// Most causes that are listed.
@@ -92,9 +93,9 @@ fn parameters(
     let mut at = problem.free.len();
     let mut all = BTreeMap::new();
     for active in &fit.effects {
-        let about = active.effect.about();
-        let mut values = BTreeMap::new();
-        let of = about.parameters.iter().zip(&active.unit);
+        let parameters = active.effect.parameters();
+        let mut values = Vec::new();
+        let of = parameters.iter().zip(&active.unit);
         for ((parameter, unit), &value) in of.zip(&active.parameters) {
             let step = covariance.as_ref().map_or(f64::NAN, |c| c[(at, at)].sqrt());
             let scale = if parameter.scale == Scale::Log {
@@ -104,10 +105,13 @@ fn parameters(
             };
             // A parameter the data do not move is known no better than its bounds.
             let u = (step * scale).min(parameter.upper - parameter.lower);
-            values.insert(parameter.name, Estimate { value, u });
+            values.push(Stated { value, u });
             at += 1;
         }
-        all.insert(about.id, values);
+        active.effect.state(&mut values);
+        let named = parameters.iter().zip(values);
+        let named = named.map(|(of, Stated { value, u })| (of.name, Estimate { value, u }));
+        all.insert(active.effect.entry().id, named.collect());
     }
     all
 }
@@ -152,9 +156,10 @@ pub(super) fn confusable(
     problem: &Problem,
 ) -> Vec<Vec<String>> {
     let mut pairs = hardly_separated(causes, verdict);
-    if verdict != Verdict::NoGap && problem.facts.drive && !problem.facts.current {
-        // Bl^2/R and the damping of the suspension only ever act as a sum on the drive.
-        pairs.push(vec!["mechanical_damping".into(), "back_emf".into()]);
+    if verdict != Verdict::NoGap {
+        let alike = |e: &&dyn Effect| Some([e.entry().id, e.alike(&problem.facts)?.id]);
+        let alike = library().iter().filter_map(alike);
+        pairs.extend(alike.map(|pair| pair.map(String::from).to_vec()));
     }
     pairs
 }

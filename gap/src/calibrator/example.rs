@@ -31,7 +31,7 @@ pub(crate) fn rig() -> Rig {
 /// An effect of the library with values; entries of one name are told apart by their number.
 pub(crate) fn named(name: &str, number: usize, parameters: &[f64]) -> Active<'static> {
     let entries = library().iter().enumerate();
-    let mut named = entries.filter(|(_, e)| e.about().id == name);
+    let mut named = entries.filter(|(_, e)| e.entry().id == name);
     let (entry, _) = named.nth(number).expect("an entry of the library");
     active(entry, parameters.to_vec())
 }

@@ -5,8 +5,9 @@ use super::evaluation::Evaluation;
 use super::fit::{Fit, Workspace};
 use super::nuisance::Nuisance;
 use super::problem::{Column, Problem};
-use crate::effects::{Active, Scale};
+use crate::effects::Active;
 use crate::observable::Observable;
+use calib_effects::Scale;
 
 /// Change of all data, in standard deviations, that a small step of a parameter must exceed.
 const STANDS_STILL: f64 = 1e-9;
@@ -122,7 +123,7 @@ fn column(problem: &Problem, here: &Evaluation, there: &Evaluation, step: f64) -
 
 /// A parameter moved by a small step, and that step in internal units.
 fn nudged(active: &Active<'_>, index: usize) -> (f64, f64) {
-    let parameter = active.effect.about().parameters[index];
+    let parameter = active.effect.parameters()[index];
     let value = active.parameters[index];
     let (there, step) = match parameter.scale {
         Scale::Log => (value * 1.0005, 0.0005_f64.ln_1p()),

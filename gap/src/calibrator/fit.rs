@@ -23,7 +23,7 @@ impl Fit {
 
     /// Names of the effects in library order.
     pub(crate) fn names(&self) -> Vec<&'static str> {
-        self.effects.iter().map(|e| e.effect.about().id).collect()
+        self.effects.iter().map(|e| e.effect.entry().id).collect()
     }
 
     /// Whether a library entry takes part.

@@ -3,6 +3,7 @@
 use super::fit::Fit;
 use super::problem::Problem;
 use super::proposal::{Plan, WORTH_REFINING, entries};
+use crate::effects::Shows;
 
 /// Singles from which pairs are grown.
 const BASES: usize = 7;
@@ -92,21 +93,13 @@ impl<'a> Found<'a> {
         let mut kept: Vec<Fit> = Vec::new();
         let mut of_kind = [0; 3];
         for fit in list {
-            let kind = kind(&fit);
+            let first = fit.effects.first();
+            let kind = first.map_or(Shows::Response, |e| e.effect.shows()) as usize;
             if kept.len() < BASES || of_kind[kind] < 2 {
                 of_kind[kind] += 1;
                 kept.push(fit);
             }
         }
         kept
-    }
-}
-
-/// Kind of observable in which a set shows: response, harmonics, noise.
-fn kind(fit: &Fit) -> usize {
-    match fit.effects.first() {
-        Some(e) if e.effect.scatters() => 2,
-        Some(e) if e.effect.bends() || e.effect.about().id.starts_with("adc") => 1,
-        _ => 0,
     }
 }

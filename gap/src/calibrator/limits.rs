@@ -16,7 +16,7 @@ impl Limits {
     pub(crate) fn only(names: &[&str]) -> Self {
         let allowed = library()
             .iter()
-            .map(|e| names.contains(&e.about().id))
+            .map(|e| names.contains(&e.entry().id))
             .collect();
         Self {
             allowed,
@@ -28,7 +28,7 @@ impl Limits {
     pub(crate) fn without(names: &[String], most_effects: usize) -> Self {
         let allowed = library()
             .iter()
-            .map(|e| !names.iter().any(|n| n == e.about().id))
+            .map(|e| !names.iter().any(|n| n == e.entry().id))
             .collect();
         Self {
             allowed,

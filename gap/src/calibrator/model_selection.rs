@@ -62,7 +62,7 @@ pub(super) fn score(
 fn possible_names(problem: &Problem, allowed: &[bool]) -> usize {
     let entries = library().iter().zip(allowed);
     let possible = entries.filter(|(e, ok)| **ok && e.applies(&problem.facts));
-    let mut names: Vec<&str> = possible.map(|(e, _)| e.about().id).collect();
+    let mut names: Vec<&str> = possible.map(|(e, _)| e.entry().id).collect();
     names.dedup();
     names.len()
 }

@@ -4,8 +4,8 @@ use super::lack_of_fit::LackOfFit;
 use super::problem::Problem;
 use crate::answer::{Cause, Verdict, Where};
 use crate::axis::Axis;
-use crate::effects::list;
 use crate::observable::Group;
+use calib_effects::{Of, named};
 
 /// The measurement that would tell, in words.
 pub(super) fn next_measurement(
@@ -35,8 +35,7 @@ pub(super) fn next_measurement(
 
 /// The measurement that tells an effect from those it is mistaken for.
 fn separate_by(id: &str) -> Option<&'static str> {
-    let about = list().into_iter().find(|a| a.id == id);
-    about.map(|a| a.separate_by)
+    named(Of::Calibrator, id).map(|entry| entry.separate_by)
 }
 
 /// What the second cause lacks of the first is to be measured.

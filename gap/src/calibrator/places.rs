@@ -8,6 +8,7 @@ use crate::answer::{Verdict, Where};
 use crate::axis::Axis;
 use crate::estimation::significance::two_sided;
 use crate::observable::Observable;
+use calib_effects::Stage;
 
 /// Where the gap lies: stages in the order of what their effects (or the shape of the structure) explain.
 pub(super) fn places(
@@ -34,7 +35,7 @@ pub(super) fn places(
         let (from, to) = extent(problem, axis, observable, &nominal.residual);
         let tests = nominal.outcomes.len().max(1) as f64;
         places.push(Where {
-            stage: stage.name(),
+            stage,
             observable: observable.group().name(),
             axis,
             from,
@@ -63,7 +64,7 @@ pub(super) fn local(
     bumps
         .into_iter()
         .map(|bump| Where {
-            stage: places.first().map_or("dut", |place| place.stage),
+            stage: places.first().map_or(Stage::Dut, |place| place.stage),
             observable: bump.observable.group().name(),
             axis: Axis::Frequency,
             from: bump.from_hz,

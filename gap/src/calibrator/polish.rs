@@ -3,7 +3,7 @@
 use super::fit::{Fit, Workspace};
 use super::problem::Problem;
 use super::step::clamp;
-use crate::effects::Scale;
+use calib_effects::Scale;
 
 /// Direct search over the parameters of effects that act on scatter, which slopes do not see.
 pub(super) fn polish(problem: &Problem, fit: &mut Fit, round: usize, work: &mut Workspace) {
@@ -16,7 +16,7 @@ pub(super) fn polish(problem: &Problem, fit: &mut Fit, round: usize, work: &mut 
             for index in 0..fit.effects[at].parameters.len() {
                 for direction in [1.0_f64, -1.0] {
                     let mut trial = fit.clone();
-                    let parameter = trial.effects[at].effect.about().parameters[index];
+                    let parameter = trial.effects[at].effect.parameters()[index];
                     let value = &mut trial.effects[at].parameters[index];
                     match parameter.scale {
                         Scale::Log => *value *= (direction * size).exp(),

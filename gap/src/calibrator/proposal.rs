@@ -41,9 +41,9 @@ impl Plan {
 
     /// Whether the base holds an effect of the same name.
     pub(super) fn repeats(&self) -> bool {
-        let name = library()[self.predicted_gain.entry].about().id;
+        let name = library()[self.predicted_gain.entry].entry().id;
         let mut there = self.base.fit.effects.iter();
-        there.any(|e| e.effect.about().id == name)
+        there.any(|e| e.effect.entry().id == name)
     }
 }
 

@@ -40,22 +40,11 @@ impl Candidates {
             .enumerate()
             .filter(|(i, e)| allowed[*i] && e.applies(&problem.facts))
         {
-            let mut starts = effect.starts(&problem.facts);
+            let starts = effect.screened(&problem.facts);
             if effect.scatters() {
                 let list = starts.into_iter().map(|s| s.members[0].clone());
                 candidates.scattering.push((entry, list.collect()));
                 continue;
-            }
-            if effect.bends() {
-                // One balance per row and start: the screening takes the smallest start only.
-                if effect.about().id != "amplifier_clipping" {
-                    starts.truncate(1);
-                }
-                if effect.about().id == "suspension_cubic"
-                    || effect.about().id == "suspension_asymmetry"
-                {
-                    starts.iter_mut().for_each(|s| s.signed = true);
-                }
             }
             for start in starts {
                 let candidate = Candidate::new(problem, entry, start, nominal, &base, work);
@@ -165,7 +154,7 @@ mod tests {
         };
         let entry = |name: &str| {
             let mut entries = library().iter();
-            entries.position(|e| e.about().id == name).expect("a name")
+            entries.position(|e| e.entry().id == name).expect("a name")
         };
         let (nominal, beside) = (fit(vec![]), fit(vec![active(entry(mode.0), mode.1)]));
         let allowed = vec![true; library().len()];

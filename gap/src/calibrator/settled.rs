@@ -53,7 +53,7 @@ fn leaves_bounds(movable: &DVector<f64>, tangent: &Tangent, step: &DVector<f64>)
 /// 1 for what can move, 0 for a parameter at its bound: nuisances, then parameters.
 fn movable(problem: &Problem, fit: &Fit) -> DVector<f64> {
     let parameters = fit.effects.iter().flat_map(|effect| {
-        let bounds = effect.effect.about().parameters.iter();
+        let bounds = effect.effect.parameters().iter();
         let values = bounds.zip(&effect.parameters);
         values.map(|(bound, value)| *value > bound.lower && *value < bound.upper)
     });

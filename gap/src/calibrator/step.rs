@@ -2,7 +2,8 @@
 
 use super::fit::Fit;
 use super::problem::Problem;
-use crate::effects::{Active, Scale};
+use crate::effects::Active;
+use calib_effects::Scale;
 use nalgebra::DVector;
 
 /// A fit after a step in internal units.
@@ -19,7 +20,7 @@ pub(crate) fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
     }
     let mut at = nuisances;
     for active in &mut trial.effects {
-        let of = active.effect.about().parameters.iter().zip(&active.unit);
+        let of = active.effect.parameters().iter().zip(&active.unit);
         for (value, (parameter, unit)) in active.parameters.iter_mut().zip(of) {
             match parameter.scale {
                 Scale::Log => *value *= step[at].clamp(-1.0, 1.0).exp(),
@@ -35,11 +36,7 @@ pub(crate) fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
 /// Takes parameters back into their bounds.
 pub(super) fn clamp(effects: &mut [Active<'static>]) {
     for active in effects {
-        for (value, parameter) in active
-            .parameters
-            .iter_mut()
-            .zip(active.effect.about().parameters)
-        {
+        for (value, parameter) in active.parameters.iter_mut().zip(active.effect.parameters()) {
             *value = value.clamp(parameter.lower, parameter.upper);
         }
     }

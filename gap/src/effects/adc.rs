@@ -1,11 +1,22 @@
 //! Bent characteristics of one converter.
 
-use super::about::{About, Parameter, Stage};
 use super::start::{Start, ratios};
-use super::{Effect, Facts};
+use super::{Effect, Explanations, Facts, Shows};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
 use crate::model::waveform::Characteristic;
+use calib_effects::{Entry, Parameter, digitiser};
+
+pub(super) static EXPLANATIONS: Explanations = &[
+    &Adc::CUBIC_REF,
+    &Adc::CUBIC_DUT,
+    &Adc::QUADRATIC_REF,
+    &Adc::QUADRATIC_DUT,
+    &Adc::DEAD_ZONE_REF,
+    &Adc::DEAD_ZONE_DUT,
+    &Adc::CLIPPING_REF,
+    &Adc::CLIPPING_DUT,
+];
 
 #[derive(Clone, Copy)]
 enum Bend {
@@ -16,20 +27,20 @@ enum Bend {
 }
 
 /// One kind of error in one channel (0 reference, 1 device under test).
-pub(super) struct Adc {
+struct Adc {
     bend: Bend,
     channel: usize,
 }
 
 impl Adc {
-    pub(super) const CUBIC_REF: Self = Self::of(Bend::Cubic, 0);
-    pub(super) const CUBIC_DUT: Self = Self::of(Bend::Cubic, 1);
-    pub(super) const QUADRATIC_REF: Self = Self::of(Bend::Quadratic, 0);
-    pub(super) const QUADRATIC_DUT: Self = Self::of(Bend::Quadratic, 1);
-    pub(super) const DEAD_ZONE_REF: Self = Self::of(Bend::DeadZone, 0);
-    pub(super) const DEAD_ZONE_DUT: Self = Self::of(Bend::DeadZone, 1);
-    pub(super) const CLIPPING_REF: Self = Self::of(Bend::Clipping, 0);
-    pub(super) const CLIPPING_DUT: Self = Self::of(Bend::Clipping, 1);
+    const CUBIC_REF: Self = Self::of(Bend::Cubic, 0);
+    const CUBIC_DUT: Self = Self::of(Bend::Cubic, 1);
+    const QUADRATIC_REF: Self = Self::of(Bend::Quadratic, 0);
+    const QUADRATIC_DUT: Self = Self::of(Bend::Quadratic, 1);
+    const DEAD_ZONE_REF: Self = Self::of(Bend::DeadZone, 0);
+    const DEAD_ZONE_DUT: Self = Self::of(Bend::DeadZone, 1);
+    const CLIPPING_REF: Self = Self::of(Bend::Clipping, 0);
+    const CLIPPING_DUT: Self = Self::of(Bend::Clipping, 1);
 
     const fn of(bend: Bend, channel: usize) -> Self {
         Self { bend, channel }
@@ -51,68 +62,24 @@ impl Adc {
     }
 }
 
-const HARMONIC_COLUMNS: &[&str] = &[
-    "acceleration_ms2",
-    "ratio",
-    "ref_h3",
-    "dut_h3",
-    "ref_h5",
-    "dut_h5",
-];
-static CUBIC: About = About {
-    id: "adc_cubic",
-    stage: Stage::Digitiser,
-    formula: "gain 1 + 3/4 c3 A^2, H3 = c3 A^2/4 in one channel",
-    parameters: &[Parameter::linear("c3_per_v2", "1/V2", -0.5, 0.5)],
-    columns: HARMONIC_COLUMNS,
-    confused_with: &["dut_level_nonlinearity", "adc_clipping", "adc_dead_zone"],
-    separate_by: "a wider range of levels, with harmonics",
-};
-static QUADRATIC: About = About {
-    id: "adc_quadratic",
-    stage: Stage::Digitiser,
-    formula: "H2 = c2 A/2 and d.c. = c2 A^2/2 in one channel",
-    parameters: &[Parameter::linear("c2_per_v", "1/V", -0.5, 0.5)],
-    columns: &[
-        "acceleration_ms2",
-        "ref_h2",
-        "dut_h2",
-        "ref_dc_v",
-        "dut_dc_v",
-    ],
-    confused_with: &["dut_level_nonlinearity"],
-    separate_by: "d.c. of both channels at the highest level",
-};
-static DEAD_ZONE: About = About {
-    id: "adc_dead_zone",
-    stage: Stage::Digitiser,
-    formula: "gain 1 - 4 delta/(pi A), H3 and H5 as 1/A in one channel",
-    parameters: &[Parameter::linear("delta_v", "V", 0.0, 1.0)],
-    columns: HARMONIC_COLUMNS,
-    confused_with: &["dut_level_nonlinearity", "adc_cubic"],
-    separate_by: "the smallest levels, with harmonics",
-};
-static CLIPPING: About = About {
-    id: "adc_clipping",
-    stage: Stage::Digitiser,
-    formula: "saturation of one channel at large outputs: odd harmonics and loss of gain",
-    parameters: &[Parameter::log("threshold_v", "V", 1e-4, 100.0)],
-    columns: HARMONIC_COLUMNS,
-    confused_with: &["adc_cubic", "loose_mount"],
-    separate_by: "levels around the threshold, with harmonics",
-};
-
 impl Effect for Adc {
-    fn about(&self) -> &'static About {
+    fn entry(&self) -> &'static Entry {
         match self.bend {
-            Bend::Cubic => &CUBIC,
-            Bend::Quadratic => &QUADRATIC,
-            Bend::DeadZone => &DEAD_ZONE,
-            Bend::Clipping => &CLIPPING,
+            Bend::Cubic => &digitiser::CUBIC,
+            Bend::Quadratic => &digitiser::QUADRATIC,
+            Bend::DeadZone => &digitiser::DEAD_ZONE,
+            Bend::Clipping => &digitiser::CLIPPING,
         }
+    }
+    /// The channel is a variant, not fitted.
+    fn parameters(&self) -> &'static [Parameter] {
+        &self.entry().parameters[..1]
     }
     fn distorts(&self) -> bool {
         true
+    }
+    fn shows(&self) -> Shows {
+        Shows::Harmonics
     }
     fn applies(&self, facts: &Facts) -> bool {
         let seen = match self.bend {

@@ -1,41 +1,24 @@
 //! The power amplifier.
 
-use super::about::{About, Parameter, Stage};
 use super::start::{Start, ratios};
-use super::{Effect, Facts};
+use super::{Effect, Explanations, Facts};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
+use calib_effects::{Entry, amplifier};
+
+pub(super) static EXPLANATIONS: Explanations = &[&Amplifier::Clipping, &Amplifier::EvenOrder];
 
 /// Distortion of the coil voltage.
-pub(super) enum Amplifier {
+enum Amplifier {
     Clipping,
     EvenOrder,
 }
 
-static CLIPPING: About = About {
-    id: "amplifier_clipping",
-    stage: Stage::Amplifier,
-    formula: "coil voltage saturates at a threshold: odd harmonics in both channels",
-    parameters: &[Parameter::log("threshold_v", "V", 1e-3, 1e4)],
-    columns: &["coil_v", "ref_h3", "dut_h3", "ref_h5", "dut_h5"],
-    confused_with: &["suspension_cubic"],
-    separate_by: "harmonics at the highest coil voltage, at several frequencies",
-};
-static EVEN: About = About {
-    id: "amplifier_even_order",
-    stage: Stage::Amplifier,
-    formula: "coil voltage e + b e^2: H2 as V in both channels",
-    parameters: &[Parameter::linear("even_per_v", "1/V", -1.0, 1.0)],
-    columns: &["coil_v", "ref_h2", "dut_h2"],
-    confused_with: &["suspension_asymmetry"],
-    separate_by: "harmonics at the highest coil voltage, at several frequencies",
-};
-
 impl Effect for Amplifier {
-    fn about(&self) -> &'static About {
+    fn entry(&self) -> &'static Entry {
         match self {
-            Self::Clipping => &CLIPPING,
-            Self::EvenOrder => &EVEN,
+            Self::Clipping => &amplifier::CLIPPING,
+            Self::EvenOrder => &amplifier::EVEN_ORDER,
         }
     }
     fn bends(&self) -> bool {

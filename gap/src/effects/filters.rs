@@ -1,16 +1,24 @@
 //! Filters of the conditioning.
 
-use super::about::{About, Parameter, Stage};
 use super::resonance::second_order;
 use super::start::{Start, ratios};
-use super::{Effect, Facts};
+use super::{Effect, Explanations, Facts};
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
+use calib_effects::{Entry, conditioning};
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
+pub(super) static EXPLANATIONS: Explanations = &[
+    &Filter::DutHighpass,
+    &Filter::ReferenceHighpass,
+    &Filter::DutLowpass1,
+    &Filter::AveragingWindow,
+    &Lowpass2,
+];
+
 /// Filters with one parameter.
-pub(super) enum Filter {
+enum Filter {
     DutHighpass,
     ReferenceHighpass,
     DutLowpass1,
@@ -18,66 +26,7 @@ pub(super) enum Filter {
 }
 
 /// Second-order low-pass without a resonance peak to speak of.
-pub(super) struct Lowpass2;
-
-static DUT_HIGHPASS: About = About {
-    id: "dut_highpass",
-    stage: Stage::Conditioning,
-    formula: "r = j f/fc / (1 + j f/fc)",
-    parameters: &[Parameter::log("corner_hz", "Hz", 1e-5, 1000.0)],
-    columns: &["frequency_hz", "ratio", "dut_deg"],
-    confused_with: &["gravity_tilt", "base_strain", "dut_frequency_slope"],
-    separate_by: "phase at the lowest frequencies",
-};
-static REFERENCE_HIGHPASS: About = About {
-    id: "reference_highpass",
-    stage: Stage::Conditioning,
-    formula: "1/r = j f/fc / (1 + j f/fc), the same in d",
-    parameters: DUT_HIGHPASS.parameters,
-    columns: &["frequency_hz", "ratio", "dut_deg", "ref_v", "coil_v"],
-    confused_with: &["gravity_tilt", "dut_frequency_slope", "base_strain"],
-    separate_by: "phase at the lowest frequencies; coil voltage beside the ratio",
-};
-static LOWPASS_1: About = About {
-    id: "dut_lowpass_1",
-    stage: Stage::Conditioning,
-    formula: "r = 1/(1 + j f/fc)",
-    parameters: &[Parameter::log("corner_hz", "Hz", 100.0, 1e9)],
-    columns: &["frequency_hz", "ratio", "dut_deg"],
-    confused_with: &[
-        "averaging_window",
-        "dut_lowpass_2",
-        "channel_skew",
-        "crosstalk",
-    ],
-    separate_by: "higher frequencies, magnitude and phase",
-};
-static WINDOW: About = About {
-    id: "averaging_window",
-    stage: Stage::Conditioning,
-    formula: "r = sinc(f T) exp(-j pi f T)",
-    parameters: &[Parameter::log("duration_s", "s", 1e-9, 0.1)],
-    columns: &["frequency_hz", "ratio", "dut_deg"],
-    confused_with: &["dut_lowpass_1", "dut_lowpass_2", "channel_skew"],
-    separate_by: "higher frequencies, up to the zero at 1/T",
-};
-static LOWPASS_2: About = About {
-    id: "dut_lowpass_2",
-    stage: Stage::Conditioning,
-    formula: "r = 1/(1 - (f/f0)^2 + j f/(Q f0)), Q 0.5..1",
-    parameters: &[
-        Parameter::log("corner_hz", "Hz", 100.0, 1e7),
-        Parameter::log("quality", "1", 0.5, 1.1),
-    ],
-    columns: &["frequency_hz", "ratio", "dut_deg"],
-    confused_with: &[
-        "dut_lowpass_1",
-        "averaging_window",
-        "dut_resonance",
-        "channel_skew",
-    ],
-    separate_by: "higher frequencies, magnitude and phase",
-};
+struct Lowpass2;
 
 impl Filter {
     fn response(&self, p: f64, frequency_hz: f64) -> Complex64 {
@@ -99,12 +48,12 @@ impl Effect for Filter {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
+    fn entry(&self) -> &'static Entry {
         match self {
-            Self::DutHighpass => &DUT_HIGHPASS,
-            Self::ReferenceHighpass => &REFERENCE_HIGHPASS,
-            Self::DutLowpass1 => &LOWPASS_1,
-            Self::AveragingWindow => &WINDOW,
+            Self::DutHighpass => &conditioning::DUT_HIGHPASS,
+            Self::ReferenceHighpass => &conditioning::REFERENCE_HIGHPASS,
+            Self::DutLowpass1 => &conditioning::DUT_LOWPASS_1,
+            Self::AveragingWindow => &conditioning::AVERAGING_WINDOW,
         }
     }
     fn applies(&self, facts: &Facts) -> bool {
@@ -134,8 +83,8 @@ impl Effect for Lowpass2 {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
-        &LOWPASS_2
+    fn entry(&self) -> &'static Entry {
+        &conditioning::DUT_LOWPASS_2
     }
     fn applies(&self, facts: &Facts) -> bool {
         facts.ratio || facts.ratio_phase

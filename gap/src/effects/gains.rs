@@ -1,16 +1,28 @@
 //! Gains that depend on frequency, level, temperature or time.
 
-use super::about::{About, Parameter, Stage};
 use super::start::Start;
-use super::{Effect, Facts};
+use super::{Effect, Explanations, Facts};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
+use calib_effects::{Entry, Parameter, amplifier, dut, reference};
+
+pub(super) static EXPLANATIONS: Explanations = &[
+    &FrequencySlope,
+    &LevelNonlinearity::Plain,
+    &LevelNonlinearity::Second,
+    &LevelNonlinearity::Third,
+    &Slow::DutTemperature,
+    &Slow::ReferenceTemperature,
+    &Slow::ReferenceDrift,
+    &Slow::DutDrift,
+    &Slow::AmplifierGainDrift,
+];
 
 /// Sensitivity that falls by a constant amount per decade.
-pub(super) struct FrequencySlope;
+struct FrequencySlope;
 
 /// Sensitivity that grows with level; how it distorts depends on its symmetry.
-pub(super) enum LevelNonlinearity {
+enum LevelNonlinearity {
     /// Gain only.
     Plain,
     /// Gain with a second harmonic in proportion to level.
@@ -20,7 +32,7 @@ pub(super) enum LevelNonlinearity {
 }
 
 /// A gain that follows temperature or time.
-pub(super) enum Slow {
+enum Slow {
     DutTemperature,
     ReferenceTemperature,
     ReferenceDrift,
@@ -28,84 +40,12 @@ pub(super) enum Slow {
     AmplifierGainDrift,
 }
 
-static SLOPE: About = About {
-    id: "dut_frequency_slope",
-    stage: Stage::Dut,
-    formula: "r = 1 - s lg(f/fref)",
-    parameters: &[Parameter::linear("slope_per_decade", "1", 0.0, 0.3)],
-    columns: &["frequency_hz", "ratio"],
-    confused_with: &["dut_highpass", "base_strain", "reference_highpass"],
-    separate_by: "more decades of frequency, with phase",
-};
-const LEVEL_COLUMNS: &[&str] = &["acceleration_ms2", "ratio", "dut_h2"];
-static LEVEL: About = About {
-    id: "dut_level_nonlinearity",
-    stage: Stage::Dut,
-    formula: "r = 1 + gamma A, A = r.m.s. acceleration in m/s2; H2 if asymmetric",
-    parameters: &[Parameter::linear("gamma_per_ms2", "s2/m", -0.1, 0.1)],
-    columns: LEVEL_COLUMNS,
-    confused_with: &["adc_cubic", "adc_dead_zone"],
-    separate_by: "a wider range of levels, with harmonics",
-};
-static LEVEL_SECOND: About = About {
-    parameters: &[
-        Parameter::linear("gamma_per_ms2", "s2/m", -0.1, 0.1),
-        Parameter::linear("second_harmonic_per_ms2", "s2/m", -0.1, 0.1),
-    ],
-    ..LEVEL
-};
-static DUT_TEMPERATURE: About = About {
-    id: "dut_temperature",
-    stage: Stage::Dut,
-    formula: "r = 1 + alpha (T - T0)",
-    parameters: &[Parameter::linear("alpha_per_k", "1/K", -0.05, 0.05)],
-    columns: &["temperature_c", "ratio"],
-    confused_with: &["reference_temperature", "dut_drift"],
-    separate_by: "coil voltage beside the ratio; temperature changed out of step with time",
-};
-static REFERENCE_TEMPERATURE: About = About {
-    id: "reference_temperature",
-    stage: Stage::Reference,
-    formula: "r = 1 - alpha (T - T0), d the other way",
-    parameters: DUT_TEMPERATURE.parameters,
-    columns: &["temperature_c", "ratio", "ref_v", "coil_v"],
-    confused_with: &["dut_temperature", "reference_drift"],
-    separate_by: "coil voltage beside the ratio; temperature changed out of step with time",
-};
-static REFERENCE_DRIFT: About = About {
-    id: "reference_drift",
-    stage: Stage::Reference,
-    formula: "r = 1 + b t, d the other way",
-    parameters: &[Parameter::linear("drift_per_s", "1/s", -1e-2, 1e-2)],
-    columns: &["time_s", "ratio", "ref_v", "coil_v"],
-    confused_with: &["dut_drift", "reference_temperature", "amplifier_gain_drift"],
-    separate_by: "coil voltage beside the ratio; repeated points over time at constant temperature",
-};
-static DUT_DRIFT: About = About {
-    id: "dut_drift",
-    stage: Stage::Dut,
-    formula: "r = 1 + b t",
-    parameters: REFERENCE_DRIFT.parameters,
-    columns: &["time_s", "ratio"],
-    confused_with: &["reference_drift", "dut_temperature"],
-    separate_by: "coil voltage beside the ratio; repeated points over time at constant temperature",
-};
-static AMPLIFIER_DRIFT: About = About {
-    id: "amplifier_gain_drift",
-    stage: Stage::Amplifier,
-    formula: "d = 1 + b t, r and z stay",
-    parameters: REFERENCE_DRIFT.parameters,
-    columns: &["time_s", "ref_v", "coil_v"],
-    confused_with: &["reference_drift", "coil_heating"],
-    separate_by: "the ratio over the same time (a drift of the reference shows there)",
-};
-
 impl Effect for FrequencySlope {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
-        &SLOPE
+    fn entry(&self) -> &'static Entry {
+        &dut::FREQUENCY_SLOPE
     }
     fn applies(&self, facts: &Facts) -> bool {
         facts.ratio
@@ -119,11 +59,13 @@ impl Effect for FrequencySlope {
 }
 
 impl Effect for LevelNonlinearity {
-    fn about(&self) -> &'static About {
-        if matches!(self, Self::Second) {
-            &LEVEL_SECOND
-        } else {
-            &LEVEL
+    fn entry(&self) -> &'static Entry {
+        &dut::LEVEL_NONLINEARITY
+    }
+    fn parameters(&self) -> &'static [Parameter] {
+        match self {
+            Self::Second => self.entry().parameters,
+            _ => &self.entry().parameters[..1],
         }
     }
     fn distorts(&self) -> bool {
@@ -179,13 +121,13 @@ impl Effect for Slow {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
+    fn entry(&self) -> &'static Entry {
         match self {
-            Self::DutTemperature => &DUT_TEMPERATURE,
-            Self::ReferenceTemperature => &REFERENCE_TEMPERATURE,
-            Self::ReferenceDrift => &REFERENCE_DRIFT,
-            Self::DutDrift => &DUT_DRIFT,
-            Self::AmplifierGainDrift => &AMPLIFIER_DRIFT,
+            Self::DutTemperature => &dut::TEMPERATURE,
+            Self::ReferenceTemperature => &reference::TEMPERATURE,
+            Self::ReferenceDrift => &reference::DRIFT,
+            Self::DutDrift => &dut::DRIFT,
+            Self::AmplifierGainDrift => &amplifier::GAIN_DRIFT,
         }
     }
     fn applies(&self, facts: &Facts) -> bool {

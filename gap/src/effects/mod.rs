@@ -1,16 +1,17 @@
-//! The library of effects: what can cause a gap, by name.
+//! The library of explanations: what can cause a gap, by name.
 //!
-//! One entry says what the effect is, when data can show it, where a fit
-//! starts, and what it does to one row. An effect that can sit in either
-//! channel, or whose text leaves a detail open, has variants: several entries
-//! of one name, of which the best one speaks for the name.
+//! Words are those of the vocabulary ([`calib_effects`]). One explanation says
+//! when data can show the effect, where a fit starts, and what it does to one
+//! row. An effect that can sit in either channel, or whose text leaves a detail
+//! open, has variants: several explanations of one name, of which the best one
+//! speaks for the name.
 
-mod about;
 mod facts;
 mod start;
 
 mod adc;
 mod amplifier;
+mod armature;
 mod coil;
 mod filters;
 mod gains;
@@ -22,7 +23,6 @@ mod resonance;
 mod suspension;
 mod timing;
 
-pub use about::{About, Parameter, Scale, Stage};
 pub(crate) use facts::Facts;
 pub(crate) use start::Start;
 
@@ -30,17 +30,60 @@ use crate::error::GapError;
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use crate::model::scatter::Scatter;
+use calib_effects::{Entry, Parameter};
+use std::sync::LazyLock;
+
+/// Explanations of a file, in the order in which equals are preferred.
+type Explanations = &'static [&'static dyn Effect];
+
+/// Kind of observable in which an effect shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shows {
+    /// Magnitude and phase.
+    Response,
+    /// Harmonics, of the exciter or of a channel.
+    Harmonics,
+    /// Noise and leakage.
+    Noise,
+}
+
+/// A fitted parameter before it is stated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Stated {
+    /// Value.
+    pub(crate) value: f64,
+    /// Standard uncertainty.
+    pub(crate) u: f64,
+}
 
 /// One entry of the library.
 pub(crate) trait Effect: Sync {
-    /// Name, stage, formula, parameters.
-    fn about(&self) -> &'static About;
+    /// Its words.
+    fn entry(&self) -> &'static Entry;
+
+    /// The parameters that are fitted, in the order of their values.
+    fn parameters(&self) -> &'static [Parameter] {
+        self.entry().parameters
+    }
+
+    /// Turns the values of a fit into those that the vocabulary defines.
+    fn state(&self, _values: &mut [Stated]) {}
 
     /// Whether the data can show the effect at all.
     fn applies(&self, facts: &Facts) -> bool;
 
     /// Where a fit starts.
     fn starts(&self, facts: &Facts) -> Vec<Start>;
+
+    /// The starts of the first screening.
+    fn screened(&self, facts: &Facts) -> Vec<Start> {
+        self.starts(facts)
+    }
+
+    /// The effect from which no data with these facts can tell this one.
+    fn alike(&self, _facts: &Facts) -> Option<&'static Entry> {
+        None
+    }
 
     /// Parameters from the amplitudes that a linear fit gave to the members of a start.
     fn combine(&self, start: &Start, amplitudes: &[f64]) -> Vec<f64> {
@@ -97,7 +140,16 @@ pub(crate) trait Effect: Sync {
 
     /// Whether the effect works by noise and scatter, not by a response.
     fn scatters(&self) -> bool {
-        false
+        self.entry().only_scatters
+    }
+
+    /// Where it shows.
+    fn shows(&self) -> Shows {
+        match (self.scatters(), self.bends()) {
+            (true, _) => Shows::Noise,
+            (_, true) => Shows::Harmonics,
+            _ => Shows::Response,
+        }
     }
 }
 
@@ -128,104 +180,27 @@ impl Active<'_> {
     }
 }
 
-/// All entries, in the order in which equals are preferred.
+/// All explanations, in the order in which equals are preferred.
 pub(crate) fn library() -> &'static [&'static dyn Effect] {
-    &[
-        &resonance::Resonance::Dut,
-        &resonance::Resonance::Reference,
-        &resonance::Resonance::Mount,
-        &motion::RelativeMotion,
-        &motion::TransverseMotion,
-        &mount::BaseStrain,
-        &mount::GravityTilt,
-        &mount::LooseMount {
-            upper: false,
-            with_gravity: false,
-        },
-        &mount::LooseMount {
-            upper: true,
-            with_gravity: false,
-        },
-        &mount::LooseMount {
-            upper: false,
-            with_gravity: true,
-        },
-        &mount::LooseMount {
-            upper: true,
-            with_gravity: true,
-        },
-        &gains::FrequencySlope,
-        &gains::LevelNonlinearity::Plain,
-        &gains::LevelNonlinearity::Second,
-        &gains::LevelNonlinearity::Third,
-        &gains::Slow::DutTemperature,
-        &gains::Slow::ReferenceTemperature,
-        &gains::Slow::ReferenceDrift,
-        &gains::Slow::DutDrift,
-        &gains::Slow::AmplifierGainDrift,
-        &filters::Filter::DutHighpass,
-        &filters::Filter::ReferenceHighpass,
-        &filters::Filter::DutLowpass1,
-        &filters::Filter::AveragingWindow,
-        &filters::Lowpass2,
-        &timing::Crosstalk::Capacitive,
-        &timing::Crosstalk::Resistive,
-        &timing::ChannelSkew,
-        &timing::ClockOffset,
-        &noise::MainsPickup::Fundamental,
-        &noise::MainsPickup::Everywhere,
-        &noise::SamplingJitter,
-        &noise::AmbientVibration::Broadband,
-        &noise::AmbientVibration::ToneNearby,
-        &noise::AmbientVibration::ToneEverywhere,
-        &adc::Adc::CUBIC_REF,
-        &adc::Adc::CUBIC_DUT,
-        &adc::Adc::QUADRATIC_REF,
-        &adc::Adc::QUADRATIC_DUT,
-        &adc::Adc::DEAD_ZONE_REF,
-        &adc::Adc::DEAD_ZONE_DUT,
-        &adc::Adc::CLIPPING_REF,
-        &adc::Adc::CLIPPING_DUT,
-        &suspension::Suspension::Cubic,
-        &suspension::Suspension::Asymmetry,
-        &suspension::Suspension::Droop,
-        &suspension::Suspension::Friction,
-        &mechanics::Mechanics::Damping,
-        &mechanics::Mechanics::BackEmf,
-        &mechanics::Mechanics::PayloadMass,
-        &coil::LossyInductance,
-        &coil::CoilHeating,
-        &motion::ArmatureMode,
-        &amplifier::Amplifier::Clipping,
-        &amplifier::Amplifier::EvenOrder,
-    ]
-}
-
-/// Gains that no data with one unknown gain can name: described, never a candidate.
-pub const NEVER_IDENTIFIABLE: [(&str, Stage, &str); 2] = [
-    (
-        "dut_gain",
-        Stage::Dut,
-        "constant r: the measurand itself; a second reference would tell",
-    ),
-    (
-        "reference_gain",
-        Stage::Reference,
-        "constant 1/r: shared with the measurand; a second reference would tell",
-    ),
-];
-
-/// One description per name, in library order.
-#[must_use]
-pub fn list() -> Vec<&'static About> {
-    let mut all: Vec<&'static About> = Vec::new();
-    for effect in library() {
-        let about = effect.about();
-        if !all.iter().any(|a| a.id == about.id) {
-            all.push(about);
-        }
-    }
-    all
+    static LIBRARY: LazyLock<Vec<&'static dyn Effect>> = LazyLock::new(|| {
+        [
+            resonance::EXPLANATIONS,
+            motion::EXPLANATIONS,
+            mount::EXPLANATIONS,
+            gains::EXPLANATIONS,
+            filters::EXPLANATIONS,
+            timing::EXPLANATIONS,
+            noise::EXPLANATIONS,
+            adc::EXPLANATIONS,
+            suspension::EXPLANATIONS,
+            mechanics::EXPLANATIONS,
+            coil::EXPLANATIONS,
+            armature::EXPLANATIONS,
+            amplifier::EXPLANATIONS,
+        ]
+        .concat()
+    });
+    &LIBRARY
 }
 
 /// Looks a name up, oscillator effects and constant gains included.
@@ -233,19 +208,43 @@ pub fn list() -> Vec<&'static About> {
 /// # Errors
 /// [`GapError::UnknownEffect`] with the nearest name.
 pub fn check_name(name: &str) -> Result<(), GapError> {
-    let mut names: Vec<&str> = list().iter().map(|a| a.id).collect();
-    names.extend(NEVER_IDENTIFIABLE.iter().map(|n| n.0));
-    names.extend(crate::oscillator::names());
-    if names.contains(&name) {
+    if calib_effects::effect(name).is_some() {
         return Ok(());
     }
-    let common = |n: &str| name.split('_').filter(|part| n.contains(part)).count();
-    let nearest = names
-        .iter()
-        .max_by_key(|n| common(n))
-        .filter(|n| common(n) > 0);
+    let nearest = calib_effects::nearest(name);
     Err(GapError::UnknownEffect {
         name: name.into(),
         hint: nearest.map_or(String::new(), |n| format!(" (did you mean {n}?)")),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calib_effects::{Of, entries};
+
+    #[test]
+    fn every_effect_that_can_be_named_is_explained_and_nothing_else() {
+        for entry in entries(Of::Calibrator) {
+            let explained = library().iter().any(|e| std::ptr::eq(e.entry(), entry));
+            assert_eq!(explained, entry.identifiable, "{}", entry.id);
+        }
+        assert!(library().iter().all(|e| e.entry().of == Of::Calibrator));
+    }
+
+    #[test]
+    fn what_is_fitted_is_in_the_vocabulary() {
+        for effect in library() {
+            let entry = effect.entry();
+            for fitted in effect.parameters() {
+                let known = entry.parameters.iter().chain(entry.only_fitted);
+                assert!(
+                    known.clone().any(|p| p == fitted),
+                    "{} {}",
+                    entry.id,
+                    fitted.name
+                );
+            }
+        }
+    }
 }

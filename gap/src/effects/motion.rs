@@ -1,69 +1,26 @@
-//! Motion that the two transducers do not share, or share beyond the armature.
+//! Motion that the two transducers do not share.
 
-use super::about::{About, Parameter, Stage};
 use super::resonance::second_order;
 use super::start::{Start, ratios};
-use super::{Effect, Facts};
+use super::{Effect, Explanations, Facts};
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
+use calib_effects::{Entry, mount};
 use num_complex::Complex64;
 
-/// Compliance between the surfaces the two transducers see.
-pub(super) struct RelativeMotion;
-/// Sideways motion picked up through transverse sensitivity.
-pub(super) struct TransverseMotion;
-/// Axial mode of the moving element.
-pub(super) struct ArmatureMode;
+pub(super) static EXPLANATIONS: Explanations = &[&RelativeMotion, &TransverseMotion];
 
-static RELATIVE: About = About {
-    id: "relative_motion",
-    stage: Stage::Mount,
-    formula: "r = 1 - kappa m f^2",
-    parameters: &[Parameter::linear(
-        "kappa_per_kg_hz2",
-        "1/(kg Hz2)",
-        0.0,
-        1e-4,
-    )],
-    columns: &["frequency_hz", "payload_kg", "ratio"],
-    confused_with: &["mount_compliance", "dut_lowpass_2", "averaging_window"],
-    separate_by: "a second payload; phase at the highest frequencies",
-};
-static TRANSVERSE: About = About {
-    id: "transverse_motion",
-    stage: Stage::Mount,
-    formula: "r = 1 + (t0 + t1 H(f; fr, Q)) cos(rotation - beta), H a second-order rocking mode",
-    parameters: &[
-        Parameter::linear("t0", "1", -0.3, 0.3),
-        Parameter::linear("beta_rad", "rad", -10.0, 10.0),
-        Parameter::linear("t1", "1", -0.3, 0.3),
-        Parameter::log("rocking_hz", "Hz", 20.0, 60_000.0),
-        Parameter::log("quality", "1", 0.7, 300.0),
-    ],
-    columns: &["frequency_hz", "rotation_deg", "ratio"],
-    confused_with: &["gravity_tilt"],
-    separate_by: "rotation in steps of 90 degrees over the whole band",
-};
-static ARMATURE: About = About {
-    id: "armature_mode",
-    stage: Stage::Exciter,
-    formula: "d x (1 + kappa q^2/(1 - q^2 + 2 j zeta q)), q = f/fa, the same for all payloads",
-    parameters: &[
-        Parameter::linear("kappa", "1", -3.0, 3.0),
-        Parameter::log("mode_hz", "Hz", 1000.0, 40_000.0),
-        Parameter::log("zeta", "1", 0.0005, 0.7),
-    ],
-    columns: &["frequency_hz", "ref_v", "coil_v", "ref_deg"],
-    confused_with: &["reference_resonance", "lossy_inductance"],
-    separate_by: "ratio beside the drive (a reference resonance shows there); points around the mode",
-};
+/// Compliance between the surfaces the two transducers see.
+struct RelativeMotion;
+/// Sideways motion picked up through transverse sensitivity.
+struct TransverseMotion;
 
 impl Effect for RelativeMotion {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
-        &RELATIVE
+    fn entry(&self) -> &'static Entry {
+        &mount::RELATIVE_MOTION
     }
     fn applies(&self, facts: &Facts) -> bool {
         (facts.ratio || facts.ratio_phase)
@@ -94,8 +51,8 @@ impl Effect for TransverseMotion {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
-        &TRANSVERSE
+    fn entry(&self) -> &'static Entry {
+        &mount::TRANSVERSE_MOTION
     }
     fn applies(&self, facts: &Facts) -> bool {
         facts.ratio && facts.rotation_varies
@@ -146,31 +103,5 @@ impl Effect for TransverseMotion {
             second_order(frequency_hz, p[3], p[4]) * p[2]
         };
         transfer.dut *= 1.0 + (p[0] + rocking) * direction;
-    }
-}
-
-impl Effect for ArmatureMode {
-    fn is_linear(&self) -> bool {
-        true
-    }
-    fn about(&self) -> &'static About {
-        &ARMATURE
-    }
-    fn applies(&self, facts: &Facts) -> bool {
-        facts.drive
-    }
-    fn starts(&self, facts: &Facts) -> Vec<Start> {
-        let mut starts = Vec::new();
-        for mode_hz in ratios(1500.0, 25_000.0, 30) {
-            for zeta in [0.008, 0.03, 0.1] {
-                starts.push(Start::signed(vec![0.01, mode_hz, zeta], 0));
-            }
-        }
-        starts.retain(|s| s.members[0][1] < 4.0 * facts.highest_hz);
-        starts
-    }
-    fn transfer(&self, p: &[f64], _row: &Row, frequency_hz: f64, transfer: &mut Transfer) {
-        let q = frequency_hz / p[1];
-        transfer.table *= 1.0 + p[0] * q * q / Complex64::new(1.0 - q * q, 2.0 * p[2] * q);
     }
 }

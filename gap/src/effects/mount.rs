@@ -1,75 +1,55 @@
 //! What the mounting does to the device under test.
 
-use super::about::{About, Parameter, Stage};
 use super::start::{Start, ratios};
-use super::{Effect, Facts};
+use super::{Effect, Explanations, Facts};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use crate::model::scatter::Scatter;
 use crate::model::waveform::Characteristic;
+use calib_effects::{Entry, Parameter, mount};
+
+pub(super) static EXPLANATIONS: Explanations = &[
+    &BaseStrain,
+    &GravityTilt,
+    &LooseMount {
+        upper: false,
+        with_gravity: false,
+    },
+    &LooseMount {
+        upper: true,
+        with_gravity: false,
+    },
+    &LooseMount {
+        upper: false,
+        with_gravity: true,
+    },
+    &LooseMount {
+        upper: true,
+        with_gravity: true,
+    },
+];
 
 /// Standard acceleration of free fall, in m/s2 (ISO 80000-3).
 pub(super) const FREE_FALL_MS2: f64 = 9.806_65;
 
 /// Strain of the base, driven by the payload at low frequency.
-pub(super) struct BaseStrain;
+struct BaseStrain;
 /// Tilt in proportion to travel.
-pub(super) struct GravityTilt;
+struct GravityTilt;
 /// A device that lifts off when the table falls away.
-pub(super) struct LooseMount {
+struct LooseMount {
     /// The cut is on the positive side.
-    pub(super) upper: bool,
+    upper: bool,
     /// Weight holds the device down: tilting lowers the threshold.
-    pub(super) with_gravity: bool,
+    with_gravity: bool,
 }
-
-static STRAIN: About = About {
-    id: "base_strain",
-    stage: Stage::Mount,
-    formula: "r = 1 + s (payload/40 g)/(1 + (f/f1)^2)",
-    parameters: &[
-        Parameter::linear("strain", "1", -0.3, 0.3),
-        Parameter::log("corner_hz", "Hz", 5.0, 200.0),
-    ],
-    columns: &["frequency_hz", "payload_kg", "ratio"],
-    confused_with: &["dut_highpass", "gravity_tilt", "dut_frequency_slope"],
-    separate_by: "a second payload below the corner; phase at low frequency",
-};
-static TILT: About = About {
-    id: "gravity_tilt",
-    stage: Stage::Mount,
-    formula: "r = 1 + g cos(rotation)/f^2",
-    parameters: &[Parameter::linear("tilt_hz2", "Hz2", -1e4, 1e4)],
-    columns: &["frequency_hz", "rotation_deg", "ratio"],
-    confused_with: &["reference_highpass", "dut_highpass", "transverse_motion"],
-    separate_by: "the device rotated by 180 degrees at the lowest frequencies",
-};
-static LOOSE: About = About {
-    id: "loose_mount",
-    stage: Stage::Mount,
-    formula: "acceleration of the device cut on one side at a threshold of 0.5..3 g, impact noise above it",
-    parameters: &[
-        Parameter::log("threshold_ms2", "m/s2", 0.5, 300.0),
-        Parameter::log("impact_noise", "1", 1e-7, 3.0),
-    ],
-    columns: &[
-        "acceleration_ms2",
-        "ratio",
-        "dut_h2",
-        "dut_h3",
-        "dut_noise_v",
-        "tilt_deg",
-    ],
-    confused_with: &["adc_clipping"],
-    separate_by: "levels around the threshold with harmonics; another tilt",
-};
 
 impl Effect for BaseStrain {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
-        &STRAIN
+    fn entry(&self) -> &'static Entry {
+        &mount::BASE_STRAIN
     }
     fn applies(&self, facts: &Facts) -> bool {
         facts.ratio && (facts.largest_payload_kg > 0.0 || !facts.payload_stated)
@@ -95,8 +75,8 @@ impl Effect for GravityTilt {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
-        &TILT
+    fn entry(&self) -> &'static Entry {
+        &mount::GRAVITY_TILT
     }
     fn applies(&self, facts: &Facts) -> bool {
         facts.ratio
@@ -124,8 +104,11 @@ impl LooseMount {
 }
 
 impl Effect for LooseMount {
-    fn about(&self) -> &'static About {
-        &LOOSE
+    fn entry(&self) -> &'static Entry {
+        &mount::LOOSE_MOUNT
+    }
+    fn parameters(&self) -> &'static [Parameter] {
+        &mount::LOOSE_MOUNT.parameters[..2]
     }
     fn distorts(&self) -> bool {
         true

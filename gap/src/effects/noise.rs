@@ -1,77 +1,42 @@
 //! Effects that show as noise and as scatter, not as a response.
 
-use super::about::{About, Parameter, Stage};
 use super::start::{Start, ratios};
-use super::{Effect, Facts};
+use super::{Effect, Explanations, Facts, Stated};
 use crate::model::chain::Transfer;
 use crate::model::leakage::{Line, taken};
 use crate::model::row::Row;
 use crate::model::scatter::Scatter;
 use crate::observable::Observable;
+use calib_effects::{Entry, Parameter, conditioning, digitiser, environment};
 use std::f64::consts::{SQRT_2, TAU};
+
+pub(super) static EXPLANATIONS: Explanations = &[
+    &MainsPickup::Fundamental,
+    &MainsPickup::Everywhere,
+    &SamplingJitter,
+    &AmbientVibration::Broadband,
+    &AmbientVibration::ToneNearby,
+    &AmbientVibration::ToneEverywhere,
+];
 
 /// Mains lines in the channel of the device under test.
 ///
 /// How far the lines leak depends on the window of the instrument: into the
 /// fundamental alone, or into every component that is computed alike.
-pub(super) enum MainsPickup {
+enum MainsPickup {
     Fundamental,
     Everywhere,
 }
 /// Scatter of the sampling instants.
-pub(super) struct SamplingJitter;
+struct SamplingJitter;
 /// Motion of the base.
-pub(super) enum AmbientVibration {
+enum AmbientVibration {
     Broadband,
     /// A tone that leaks into fundamentals within a bin.
     ToneNearby,
     /// A tone that leaks into all components, however far.
     ToneEverywhere,
 }
-
-static MAINS: About = About {
-    id: "mains_pickup",
-    stage: Stage::Conditioning,
-    formula: "lines at n x mains in the DUT channel, not locked to the block: noise, and leakage near n x mains",
-    parameters: &[
-        Parameter::log("pickup_v", "V", 1e-9, 1.0),
-        Parameter::linear("leaking_share", "1", 0.0, 2.0),
-    ],
-    columns: &["dut_noise_v", "ratio", "acceleration_ms2"],
-    confused_with: &["ambient_vibration"],
-    separate_by: "noise of both channels with the exciter at rest; points at and beside multiples of the mains frequency",
-};
-static JITTER: About = About {
-    id: "sampling_jitter",
-    stage: Stage::Digitiser,
-    formula: "d = exp(-(2 pi f sigma)^2/2), noise 2 pi f sigma A in both channels",
-    parameters: &[Parameter::log("sigma_s", "s", 1e-12, 1e-3)],
-    columns: &[
-        "frequency_hz",
-        "acceleration_ms2",
-        "ref_noise_v",
-        "dut_noise_v",
-    ],
-    confused_with: &["ambient_vibration", "mains_pickup"],
-    separate_by: "noise at the highest frequency and level",
-};
-static AMBIENT: About = About {
-    id: "ambient_vibration",
-    stage: Stage::Environment,
-    formula: "tone (1..30 Hz) and broadband motion of the base, the same in both channels: noise, and leakage near the tone",
-    parameters: &[Parameter::log("motion_ms2", "m/s2", 1e-7, 10.0)],
-    columns: &["ref_noise_v", "dut_noise_v", "ref_v", "coil_v"],
-    confused_with: &["mains_pickup"],
-    separate_by: "noise of both channels with the exciter at rest",
-};
-static AMBIENT_TONE: About = About {
-    parameters: &[
-        Parameter::log("motion_ms2", "m/s2", 1e-7, 10.0),
-        Parameter::log("tone_ms2", "m/s2", 1e-7, 10.0),
-        Parameter::linear("tone_hz", "Hz", 0.8, 32.0),
-    ],
-    ..AMBIENT
-};
 
 /// Factors on the size of the best of the coarse starts.
 const FINE: [f64; 7] = [0.75, 0.82, 0.9, 1.0, 1.1, 1.21, 1.33];
@@ -88,14 +53,19 @@ fn with_measured(mut sizes: Vec<f64>, measured: f64) -> Vec<f64> {
 }
 
 impl Effect for MainsPickup {
-    fn about(&self) -> &'static About {
-        &MAINS
+    fn entry(&self) -> &'static Entry {
+        &conditioning::MAINS_PICKUP
+    }
+    /// All lines as one, and how far they leak.
+    fn parameters(&self) -> &'static [Parameter] {
+        static FITTED: [Parameter; 2] = [
+            conditioning::MAINS_PICKUP.parameters[0],
+            conditioning::MAINS_PICKUP.only_fitted[0],
+        ];
+        &FITTED
     }
     fn applies(&self, facts: &Facts) -> bool {
         facts.dut_noise || (facts.ratio && facts.block_known)
-    }
-    fn scatters(&self) -> bool {
-        true
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let largest = 0.3 * facts.largest_peak_v[1].max(10.0 * facts.noise_v);
@@ -135,14 +105,11 @@ impl Effect for MainsPickup {
 }
 
 impl Effect for SamplingJitter {
-    fn about(&self) -> &'static About {
-        &JITTER
+    fn entry(&self) -> &'static Entry {
+        &digitiser::SAMPLING_JITTER
     }
     fn applies(&self, facts: &Facts) -> bool {
         facts.ref_noise || facts.dut_noise || facts.drive
-    }
-    fn scatters(&self) -> bool {
-        true
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let largest = 0.3 / (TAU * facts.highest_hz);
@@ -174,11 +141,24 @@ impl Effect for SamplingJitter {
 }
 
 impl Effect for AmbientVibration {
-    fn about(&self) -> &'static About {
-        if matches!(self, Self::Broadband) {
-            &AMBIENT
-        } else {
-            &AMBIENT_TONE
+    fn entry(&self) -> &'static Entry {
+        &environment::AMBIENT_VIBRATION
+    }
+    fn parameters(&self) -> &'static [Parameter] {
+        match self {
+            Self::Broadband => &self.entry().parameters[..1],
+            _ => self.entry().parameters,
+        }
+    }
+    /// Noise has the size of the whole motion, so that is what is fitted first.
+    fn state(&self, values: &mut [Stated]) {
+        if let [motion, tone, _] = values {
+            let tone_ms2 = tone.value.min(motion.value);
+            let broadband_ms2 = (motion.value.powi(2) - tone_ms2.powi(2)).sqrt();
+            let moved = (motion.value * motion.u).hypot(tone_ms2 * tone.u);
+            // It lies between nothing and the whole motion in any case.
+            motion.u = (moved / broadband_ms2).min(motion.value);
+            motion.value = broadband_ms2;
         }
     }
     fn applies(&self, facts: &Facts) -> bool {
@@ -189,9 +169,6 @@ impl Effect for AmbientVibration {
                 facts.drive && facts.level_known && facts.block_known && facts.lowest_hz < 32.0
             }
         }
-    }
-    fn scatters(&self) -> bool {
-        true
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let smallest = 0.1 * facts.noise_v.max(1e-6) * facts.ms2_per_v[0];
@@ -260,5 +237,27 @@ impl Effect for AmbientVibration {
             scatter.leaks.dc_v2[channel] += (tone_ms2 * v).powi(2) * leaking[0];
             scatter.taken_v2[channel] += (taken_ms2 * v).powi(2);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 0.005 m/s2 in all, of which 0.003 are a tone: 0.004 are broadband. Of u = 1e-5 of the whole
+    /// alone 5/4 arrive there, of the tone alone 3/4.
+    #[test]
+    fn the_broadband_part_is_what_the_tone_leaves_of_the_motion() {
+        let of = |value, u| Stated { value, u };
+        for (u, expected) in [([1e-5, 0.0], 1.25e-5), ([0.0, 1e-5], 0.75e-5)] {
+            let mut values = [of(0.005, u[0]), of(0.003, u[1]), of(12.0, 0.1)];
+            AmbientVibration::ToneNearby.state(&mut values);
+            assert!((values[0].value / 0.004 - 1.0).abs() < 1e-12, "{values:?}");
+            assert!((values[0].u / expected - 1.0).abs() < 1e-12, "{values:?}");
+        }
+        // A tone as large as the motion leaves nothing, or anything up to the motion.
+        let mut values = [of(0.003, 3e-5), of(0.004, 4e-5), of(12.0, 0.1)];
+        AmbientVibration::ToneEverywhere.state(&mut values);
+        assert_eq!(values[0], of(0.0, 0.003));
     }
 }

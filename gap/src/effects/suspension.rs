@@ -1,80 +1,34 @@
 //! Nonlinear moving parts of the exciter.
 
-use super::about::{About, Parameter, Stage};
 use super::mount::FREE_FALL_MS2;
 use super::start::{Start, ratios};
-use super::{Effect, Facts};
+use super::{Effect, Explanations, Facts};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
+use calib_effects::{Entry, exciter};
+
+pub(super) static EXPLANATIONS: Explanations = &[
+    &Suspension::Cubic,
+    &Suspension::Asymmetry,
+    &Suspension::Droop,
+    &Suspension::Friction,
+];
 
 /// What bends between coil force and motion.
-pub(super) enum Suspension {
+enum Suspension {
     Cubic,
     Asymmetry,
     Droop,
     Friction,
 }
 
-const COLUMNS: &[&str] = &[
-    "acceleration_ms2",
-    "ref_v",
-    "coil_v",
-    "ref_h3",
-    "dut_h3",
-    "coil_a",
-];
-static CUBIC: About = About {
-    id: "suspension_cubic",
-    stage: Stage::Exciter,
-    formula: "restoring force k1 x + k3 x^3: d near f0, H3 as X^2 in both channels",
-    parameters: &[Parameter::linear("k3_n_per_m3", "N/m3", -1e14, 1e14)],
-    columns: COLUMNS,
-    confused_with: &["force_factor_droop", "coulomb_friction"],
-    separate_by: "large travel at low frequency, with coil current and harmonics",
-};
-static ASYMMETRY: About = About {
-    id: "suspension_asymmetry",
-    stage: Stage::Exciter,
-    formula: "restoring force k1 x + k2 x^2 about the unloaded position, sag -M g cos(tilt)/k1: H2, f0 moves with tilt and payload",
-    parameters: &[Parameter::linear("k2_n_per_m2", "N/m2", -1e10, 1e10)],
-    columns: &[
-        "acceleration_ms2",
-        "tilt_deg",
-        "payload_kg",
-        "ref_v",
-        "coil_v",
-        "ref_h2",
-        "dut_h2",
-    ],
-    confused_with: &["amplifier_even_order"],
-    separate_by: "another tilt and payload near the suspension resonance, with harmonics",
-};
-static DROOP: About = About {
-    id: "force_factor_droop",
-    stage: Stage::Exciter,
-    formula: "Bl(x) = Bl0 (1 - b2 x^2): force and back-EMF fall with travel",
-    parameters: &[Parameter::linear("b2_per_m2", "1/m2", 0.0, 1e9)],
-    columns: COLUMNS,
-    confused_with: &["suspension_cubic"],
-    separate_by: "large travel at low frequency, with coil current",
-};
-static FRICTION: About = About {
-    id: "coulomb_friction",
-    stage: Stage::Exciter,
-    formula: "force Fc against the motion, 4 Fc/(pi F): odd harmonics in both channels, as 1/A",
-    parameters: &[Parameter::linear("friction_n", "N", 0.0, 100.0)],
-    columns: COLUMNS,
-    confused_with: &["mechanical_damping", "suspension_cubic"],
-    separate_by: "the smallest levels at low frequency, with harmonics",
-};
-
 impl Effect for Suspension {
-    fn about(&self) -> &'static About {
+    fn entry(&self) -> &'static Entry {
         match self {
-            Self::Cubic => &CUBIC,
-            Self::Asymmetry => &ASYMMETRY,
-            Self::Droop => &DROOP,
-            Self::Friction => &FRICTION,
+            Self::Cubic => &exciter::SUSPENSION_CUBIC,
+            Self::Asymmetry => &exciter::SUSPENSION_ASYMMETRY,
+            Self::Droop => &exciter::FORCE_FACTOR_DROOP,
+            Self::Friction => &exciter::COULOMB_FRICTION,
         }
     }
     fn bends(&self) -> bool {
@@ -101,6 +55,15 @@ impl Effect for Suspension {
                 .map(|s| Start::positive(vec![s * force], 0))
                 .collect(),
         }
+    }
+    /// One balance per row and start: the smallest start only, of either sign where both occur.
+    fn screened(&self, facts: &Facts) -> Vec<Start> {
+        let mut starts = self.starts(facts);
+        starts.truncate(1);
+        if matches!(self, Self::Cubic | Self::Asymmetry) {
+            starts.iter_mut().for_each(|start| start.signed = true);
+        }
+        starts
     }
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
         match self {

@@ -1,69 +1,42 @@
 //! Delays, clocks and coupling between the channels.
 
-use super::about::{About, Parameter, Stage};
 use super::start::Start;
-use super::{Effect, Facts};
+use super::{Effect, Explanations, Facts};
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
+use calib_effects::{Entry, Parameter, conditioning, digitiser};
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
+pub(super) static EXPLANATIONS: Explanations = &[
+    &Crosstalk::Capacitive,
+    &Crosstalk::Resistive,
+    &ChannelSkew,
+    &ClockOffset,
+];
+
 /// Coupling into the channel of the device under test.
-pub(super) enum Crosstalk {
+enum Crosstalk {
     Capacitive,
     Resistive,
 }
 /// Fixed delay between the channels.
-pub(super) struct ChannelSkew;
+struct ChannelSkew;
 /// Clocks of different rate: the delay grows.
-pub(super) struct ClockOffset;
-
-static CAPACITIVE: About = About {
-    id: "crosstalk",
-    stage: Stage::Conditioning,
-    formula: "r = 1 + j f/fx (capacitive) or a constant complex factor (resistive)",
-    parameters: &[Parameter::linear("inverse_fx_s", "s", -1e-3, 1e-3)],
-    columns: &["frequency_hz", "ratio", "dut_deg"],
-    confused_with: &["channel_skew", "dut_lowpass_1", "averaging_window"],
-    separate_by: "magnitude at the highest frequencies; the source of the coupled channel switched off",
-};
-static RESISTIVE: About = About {
-    parameters: &[Parameter::linear("quadrature", "1", -0.5, 0.5)],
-    ..CAPACITIVE
-};
-static SKEW: About = About {
-    id: "channel_skew",
-    stage: Stage::Digitiser,
-    formula: "r = exp(-j 2 pi f tau)",
-    parameters: &[Parameter::linear("tau_s", "s", -1e-3, 1e-3)],
-    columns: &["frequency_hz", "dut_deg"],
-    confused_with: &[
-        "crosstalk",
-        "dut_lowpass_1",
-        "averaging_window",
-        "dut_lowpass_2",
-    ],
-    separate_by: "magnitude at the highest frequencies; both channels on one signal",
-};
-static CLOCK: About = About {
-    id: "clock_offset",
-    stage: Stage::Digitiser,
-    formula: "r = exp(-j 2 pi f delta t)",
-    parameters: &[Parameter::linear("delta", "1", -1e-2, 1e-2)],
-    columns: &["frequency_hz", "time_s", "dut_deg"],
-    confused_with: &["channel_skew"],
-    separate_by: "the highest frequency repeated over time",
-};
+struct ClockOffset;
 
 impl Effect for Crosstalk {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
-        if matches!(self, Self::Capacitive) {
-            &CAPACITIVE
-        } else {
-            &RESISTIVE
+    fn entry(&self) -> &'static Entry {
+        &conditioning::CROSSTALK
+    }
+    fn parameters(&self) -> &'static [Parameter] {
+        let parameters = self.entry().parameters;
+        match self {
+            Self::Capacitive => &parameters[..1],
+            Self::Resistive => &parameters[2..],
         }
     }
     fn applies(&self, facts: &Facts) -> bool {
@@ -93,8 +66,8 @@ impl Effect for ChannelSkew {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
-        &SKEW
+    fn entry(&self) -> &'static Entry {
+        &digitiser::CHANNEL_SKEW
     }
     fn applies(&self, facts: &Facts) -> bool {
         facts.ratio_phase
@@ -111,8 +84,8 @@ impl Effect for ClockOffset {
     fn is_linear(&self) -> bool {
         true
     }
-    fn about(&self) -> &'static About {
-        &CLOCK
+    fn entry(&self) -> &'static Entry {
+        &digitiser::CLOCK_OFFSET
     }
     fn applies(&self, facts: &Facts) -> bool {
         facts.ratio_phase && facts.longest_s > 0.0

@@ -10,9 +10,9 @@ use super::run::Run;
 use super::slices::stretch;
 use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where, hardly_separated};
 use crate::axis::Axis;
-use crate::effects::Stage;
 use crate::estimation::verdict::{Evidence, conclude};
 use crate::pictures::{Pictures, Trace};
+use calib_effects::{Of, Stage, named};
 
 /// Share closed from which sets that do equally well are called ambiguous although what they
 /// leave is not white: the model error of a real oscillator.
@@ -99,9 +99,9 @@ fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
         .fit
         .terms
         .first()
-        .map_or(Stage::Dut, |t| TERMS[*t].stage);
+        .map_or(Stage::Dut, |t| TERMS[*t].entry.stage);
     vec![Where {
-        stage: stage.name(),
+        stage,
         observable: "output",
         axis: Axis::Amplitude,
         from: 0.0,
@@ -115,8 +115,7 @@ fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
 
 fn next_measurement(verdict: Verdict, causes: &[Cause]) -> String {
     let how = |name: &str| {
-        let term = TERMS.iter().find(|t| t.name == name);
-        term.map_or("another record", |t| t.separate_by)
+        named(Of::Oscillator, name).map_or("another record", |entry| entry.separate_by)
     };
     let last = |c: &Cause| c.effects.last().copied().unwrap_or_default();
     match (verdict, causes) {

@@ -7,25 +7,26 @@ use crate::answer::Estimate;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-/// Values of the terms, by name.
+/// Values of the terms as the vocabulary defines them, by name.
 pub(super) fn term_parameters(
     fit: &Fitted,
+    interval_s: f64,
 ) -> BTreeMap<&'static str, BTreeMap<&'static str, Estimate>> {
     let mut row = LINEAR.len();
     let mut all = BTreeMap::new();
     for term in fit.terms.iter().map(|t| &TERMS[*t]) {
         let mut values = BTreeMap::new();
-        for (name, parameter) in term.parameters.iter().zip(term.values) {
-            values.insert(*name, estimate(fit, *parameter, row));
+        for (stated, parameter) in term.entry.parameters.iter().zip(term.values) {
+            values.insert(stated.name, estimate(fit, *parameter, row, interval_s));
             row += 1;
         }
-        all.insert(term.name, values);
+        all.insert(term.entry.id, values);
     }
     all
 }
 
 /// A value of a term in the unit it is stated in; `row` is its row in the covariance matrix.
-fn estimate(fit: &Fitted, parameter: Parameter, row: usize) -> Estimate {
+fn estimate(fit: &Fitted, parameter: Parameter, row: usize, interval_s: f64) -> Estimate {
     let (value, c) = (fit.values[parameter], &fit.covariance);
     let variance = c[(row, row)];
     // A value that is fitted as its logarithm is known relatively.
@@ -36,6 +37,16 @@ fn estimate(fit: &Fitted, parameter: Parameter, row: usize) -> Estimate {
             let mode_hz = fit.values.resonance_hz() * value.exp();
             relative(mode_hz, variance + c[(0, 0)] + 2.0 * c[(0, row)])
         }
+        Parameter::QuadraticDamping | Parameter::CubicDamping => {
+            // Stated relative to the linear damping, 2 delta, which is fitted itself.
+            let linear = 2.0 * fit.values[Parameter::Delta];
+            let (own, of_delta) = (1.0 / linear, -2.0 * value / (linear * linear));
+            let variance = own * own * variance
+                + of_delta * of_delta * c[(1, 1)]
+                + 2.0 * own * of_delta * c[(1, row)];
+            (value / linear, variance.max(0.0).sqrt())
+        }
+        Parameter::Delay => (value * interval_s, variance.sqrt() * interval_s),
         Parameter::LnYieldDeflection => relative(value.exp(), variance),
         Parameter::Saturation => (1.0 / value, variance.sqrt() / (value * value)),
         Parameter::HighpassCorner => (value / TAU, variance.sqrt() / TAU),

@@ -74,7 +74,7 @@ pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<St
 }
 
 fn may_add(base: &Fitted, term: usize, options: &Options) -> bool {
-    let withheld = options.without.iter().any(|w| w == TERMS[term].name);
+    let withheld = options.without.iter().any(|w| w == TERMS[term].entry.id);
     !withheld && !base.terms.contains(&term)
 }
 

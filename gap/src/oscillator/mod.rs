@@ -38,14 +38,8 @@ use crate::options::Options;
 use answer::answer;
 use grow::grow;
 use holdout::{Scored, parts};
-use model::TERMS;
 use run::{FEWEST_STEPS, Run};
 use starts::linear;
-
-/// Names of the terms.
-pub(crate) fn names() -> Vec<&'static str> {
-    TERMS.iter().map(|t| t.name).collect()
-}
 
 /// Diagnoses a record by adding one term at a time.
 pub(crate) fn diagnose(

@@ -3,130 +3,89 @@
 use super::parameters::Parameter::{self, *};
 use super::parameters::{LINEAR, OscillatorParameters};
 use super::run::Run;
-use crate::effects::Stage;
-
-const COEFFICIENT: &[&str] = &["coefficient"];
+use calib_effects::{Entry, oscillator};
 
 /// Candidate terms.
 pub(crate) const TERMS: [Term; 11] = [
     Term {
-        name: "cubic_stiffness",
+        entry: &oscillator::CUBIC_STIFFNESS,
         leading: true,
         has_kink: false,
-        stage: Stage::Dut,
-        parameters: COEFFICIENT,
         values: &[CubicStiffness],
-        separate_by: "the same record at half and at twice the amplitude",
     },
     Term {
-        name: "quadratic_stiffness",
+        entry: &oscillator::QUADRATIC_STIFFNESS,
         leading: true,
         has_kink: false,
-        stage: Stage::Dut,
-        parameters: COEFFICIENT,
         values: &[QuadraticStiffness],
-        separate_by: "the same input with its sign turned, and one with a steady offset",
     },
     Term {
-        name: "quadratic_damping",
+        entry: &oscillator::QUADRATIC_DAMPING,
         leading: false,
         has_kink: false,
-        stage: Stage::Dut,
-        parameters: COEFFICIENT,
         values: &[QuadraticDamping],
-        separate_by: "a sine at the resonance at several amplitudes: the loss per cycle over amplitude",
     },
     Term {
-        name: "cubic_damping",
+        entry: &oscillator::CUBIC_DAMPING,
         leading: false,
         has_kink: false,
-        stage: Stage::Dut,
-        parameters: COEFFICIENT,
         values: &[CubicDamping],
-        separate_by: "a sine at the resonance at several amplitudes: the loss per cycle over amplitude",
     },
     Term {
-        name: "coulomb_friction",
+        entry: &oscillator::COULOMB_FRICTION,
         leading: false,
         has_kink: true,
-        stage: Stage::Dut,
-        parameters: COEFFICIENT,
         values: &[CoulombFriction],
-        separate_by: "a decay from the resonance down to rest, and the smallest amplitudes",
     },
     Term {
-        name: "input_delay",
+        entry: &oscillator::INPUT_DELAY,
         leading: true,
         has_kink: false,
-        stage: Stage::Amplifier,
-        parameters: COEFFICIENT,
         values: &[Delay],
-        separate_by: "frequencies far above the resonance",
     },
     Term {
-        name: "input_saturation",
+        entry: &oscillator::INPUT_SATURATION,
         leading: true,
         has_kink: true,
-        stage: Stage::Amplifier,
-        parameters: &["threshold"],
         values: &[Saturation],
-        separate_by: "an input of half the peak value, and the input as it arrives",
     },
     Term {
-        name: "output_highpass",
+        entry: &oscillator::OUTPUT_HIGHPASS,
         leading: true,
         has_kink: false,
-        stage: Stage::Conditioning,
-        parameters: &["corner_hz"],
         values: &[HighpassCorner],
-        separate_by: "frequencies far below the resonance",
     },
     Term {
-        name: "second_mode",
+        entry: &oscillator::SECOND_MODE,
         leading: true,
         has_kink: false,
-        stage: Stage::Dut,
-        parameters: &["gain", "mode_hz", "damping"],
         values: &[ModeGain, ModeLnRatio, ModeDamping],
-        separate_by: "a small-amplitude sweep around the second frequency",
     },
     Term {
-        name: "dead_zone",
+        entry: &oscillator::DEAD_ZONE,
         leading: false,
         has_kink: true,
-        stage: Stage::Dut,
-        parameters: &["half_width"],
         values: &[DeadZone],
-        separate_by: "the smallest amplitudes, below and above the play",
     },
     Term {
-        name: "hysteresis",
+        entry: &oscillator::HYSTERESIS,
         leading: false,
         has_kink: true,
-        stage: Stage::Dut,
-        parameters: &["alpha", "yield_deflection"],
         values: &[YieldingShare, LnYieldDeflection],
-        separate_by: "slow loading and unloading: the path of the restoring force",
     },
 ];
 
 /// A term a diagnosis may add.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Term {
-    /// Name in the library.
-    pub(crate) name: &'static str,
+    /// Its words; all its parameters are fitted.
+    pub(crate) entry: &'static Entry,
     /// Whether it comes early in an expansion of the forces in powers.
     pub(crate) leading: bool,
     /// Whether its force has a kink, which the integration meets between two steps.
     pub(crate) has_kink: bool,
-    /// Where it sits.
-    pub(crate) stage: Stage,
-    /// The record that tells it from the others.
-    pub(crate) separate_by: &'static str,
     /// Its values in a simulation; all of them zero: there is no such term.
     pub(crate) values: &'static [Parameter],
-    /// Names of its values.
-    pub(crate) parameters: &'static [&'static str],
 }
 
 /// Parameters of the state at the first sample with the given terms.
@@ -156,4 +115,20 @@ pub(super) fn free(terms: &[usize], values: &OscillatorParameters, record: &Run)
         state => !LINEAR.contains(state),
     });
     LINEAR.into_iter().chain(of_terms).chain(states).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_term_of_the_vocabulary_is_fitted_with_all_its_parameters() {
+        for entry in calib_effects::entries(calib_effects::Of::Oscillator) {
+            let terms = TERMS.iter().filter(|term| std::ptr::eq(term.entry, entry));
+            assert_eq!(terms.count(), 1, "{}", entry.id);
+        }
+        for term in &TERMS {
+            assert_eq!(term.values.len(), term.entry.parameters.len());
+        }
+    }
 }

@@ -100,7 +100,7 @@ impl<'a> Tried<'a> {
                 delta_bic: set.above_best,
                 stability,
                 stability_over_runs: None,
-                parameters: term_parameters(set.fit),
+                parameters: term_parameters(set.fit, part.interval_s),
             })
             .collect()
     }
@@ -118,5 +118,5 @@ pub(super) fn cost_of_last(fit: &Fitted, samples: f64) -> f64 {
 
 /// Names of the terms of a fit.
 pub(super) fn names_of(fit: &Fitted) -> Vec<&'static str> {
-    fit.terms.iter().map(|t| TERMS[*t].name).collect()
+    fit.terms.iter().map(|t| TERMS[*t].entry.id).collect()
 }

@@ -85,7 +85,7 @@ pub(super) fn of_library(reach: &Problem) -> Pairs<'_> {
         .par_iter()
         .flat_map_iter(|entry| signatures(reach, &nothing, *entry))
         .collect();
-    let mut names: Vec<&str> = entries.iter().map(|e| library()[*e].about().id).collect();
+    let mut names: Vec<&str> = entries.iter().map(|e| library()[*e].entry().id).collect();
     names.dedup();
     let mut pairs = Vec::new();
     for name in names {
@@ -93,7 +93,7 @@ pub(super) fn of_library(reach: &Problem) -> Pairs<'_> {
             continue;
         };
         pairs.push((one.fit.clone(), nothing.clone()));
-        for other in library()[one.entry].about().confused_with {
+        for other in library()[one.entry].entry().confused_with {
             if let Some(rival) = most_alike(&signatures, one, other) {
                 pairs.push((one.fit.clone(), rival.fit.clone()));
             }
@@ -126,7 +126,7 @@ fn signatures(reach: &Problem, nothing: &Fit, entry: usize) -> Vec<Signature> {
     let starts = library()[entry].starts(&reach.facts);
     let of = |parameters: Vec<f64>| {
         let mut effect = active(entry, parameters);
-        let bounds = effect.effect.about().parameters;
+        let bounds = effect.effect.parameters();
         for (value, bound) in effect.parameters.iter_mut().zip(bounds) {
             *value = value.clamp(bound.lower, bound.upper);
         }
@@ -153,7 +153,7 @@ fn signatures(reach: &Problem, nothing: &Fit, entry: usize) -> Vec<Signature> {
 }
 
 fn name(signature: &Signature) -> &'static str {
-    library()[signature.entry].about().id
+    library()[signature.entry].entry().id
 }
 
 /// The start of an effect whose size is nearest to the usual one.

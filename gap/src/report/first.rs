@@ -2,38 +2,35 @@
 
 use super::{plain, short};
 use crate::answer::{Answer, Cause, Verdict, Where};
+use calib_effects::{Of, Stage, effect};
 
 /// The effects of a cause in words that need no training.
 pub(super) fn words(cause: &Cause) -> Vec<&'static str> {
-    cause
-        .effects
-        .iter()
-        .filter_map(|id| plain::effect(id))
-        .collect()
+    let entries = cause.effects.iter().filter_map(|id| effect(id));
+    entries.map(|entry| entry.plain).collect()
 }
 
 /// A place where simulation and measurement differ, as a sentence.
 pub(super) fn place(place: &Where) -> String {
     format!(
         "It points to {} and shows in {}, {}.",
-        plain::stage(place.stage),
+        place.stage.plain(),
         plain::observable(place.observable),
         plain::range(place.axis, place.from, place.to)
     )
 }
 
 /// Stages of the chain that are suspected.
-pub(super) fn suspects(answer: &Answer) -> Vec<&'static str> {
+pub(super) fn suspects(answer: &Answer) -> Vec<Stage> {
     let named: Vec<&str> = answer
         .causes
         .iter()
         .filter(|c| c.probability > 0.05)
         .flat_map(|c| c.effects.iter().copied())
         .collect();
-    let of_causes = crate::effects::list()
-        .into_iter()
-        .filter(|about| named.contains(&about.id))
-        .map(|about| about.stage.name());
+    let of_causes = calib_effects::entries(Of::Calibrator)
+        .filter(|entry| named.contains(&entry.id))
+        .map(|entry| entry.stage);
     let places = answer.r#where.iter().take(1).map(|place| place.stage);
     match answer.verdict {
         Verdict::NoGap => Vec::new(),

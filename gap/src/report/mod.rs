@@ -6,7 +6,7 @@
 //! first    what the first screen says beyond the fields of an answer
 //! map      residuals over frequency, level and condition
 //! curve    the most probable cause's curve through the data; of a record, the error over time
-//! plain    causes and stages in words that need no training
+//! plain    observables and conditions in words that need no training
 //! ```
 
 mod curve;
@@ -20,6 +20,7 @@ use crate::answer::Answer;
 use crate::axis::Axis;
 use crate::error::GapError;
 use crate::pictures::Pictures;
+use calib_effects::Stage;
 use minijinja::value::{Serde, Value};
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
 use serde::Serialize;
@@ -35,7 +36,7 @@ struct Section<'a> {
     oscillator: bool,
     /// Of each cause, its effects in words that need no training.
     words: Vec<Vec<&'static str>>,
-    suspects: Vec<&'static str>,
+    suspects: Vec<Stage>,
     /// Where it shows most clearly.
     place: Option<String>,
     /// Whether the cause holds on data it was not fitted to.

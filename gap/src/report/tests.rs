@@ -6,6 +6,7 @@ use crate::axis::Axis;
 use crate::estimation::gap::{Gap, ObservableGap, Slice};
 use crate::observable::Observable;
 use crate::pictures::{Conditions, Datum, Pictures, Residuals, Trace};
+use calib_effects::Stage;
 
 const HOSTILE: &str = "a<b>&'\"</style><script>";
 
@@ -60,7 +61,7 @@ fn answer(verdict: Verdict, gap: Gap, pictures: Pictures) -> Answer {
     Answer {
         verdict,
         r#where: vec![Where {
-            stage: "dut",
+            stage: Stage::Dut,
             observable: "ratio",
             axis: Axis::Level,
             from: 1.0,

@@ -241,14 +241,22 @@ pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     CASES.iter().map(|(name, _)| *name)
 }
 
+/// Whether an effect sits in one channel or the other.
+pub(crate) fn is_of_one_channel(name: &str) -> bool {
+    let (_, parameters) = case(name);
+    parameters.iter().any(|(key, _)| matches!(key, Channel(_)))
+}
+
+fn case(name: &str) -> Case {
+    let found = CASES.iter().find(|(effect, _)| *effect == name);
+    *found.expect("a name of the list")
+}
+
 /// Adds an effect of a visible size.
 pub(crate) fn add(truth: &mut Truth, name: &str, random: &mut Random) {
     let channel = usize::from(random.uniform() >= 0.5);
-    let (_, parameters) = CASES
-        .iter()
-        .find(|(effect, _)| *effect == name)
-        .expect("a name of the list");
-    for (key, law) in *parameters {
+    let (_, parameters) = case(name);
+    for (key, law) in parameters {
         let key = match key {
             One(key) => key,
             Channel(keys) => keys[channel],

@@ -104,12 +104,13 @@ fn take_fitted(nominal: &mut Nominal, answer: &Answer) {
 /// The named effect with its fitted values, as far as the twin knows them by name and allows them.
 fn effect(id: &str, cause: &Cause) -> Result<ActiveEffect> {
     let fitted = cause.parameters.get(id);
-    let known = Effect::<CalibratorAction>::named(id).map_or(&[][..], |effect| effect.parameters);
+    let known =
+        Effect::<CalibratorAction>::named(id).map_or(&[][..], |effect| effect.entry.parameters);
     let values: Vec<String> = known
         .iter()
         .filter_map(|parameter| {
             let value = fitted?.get(parameter.name)?.value;
-            let value = value.clamp(parameter.bounds[0], parameter.bounds[1]);
+            let value = value.clamp(parameter.simulated[0], parameter.simulated[1]);
             Some(format!("{}:{value}", parameter.name))
         })
         .collect();

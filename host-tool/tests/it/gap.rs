@@ -1,6 +1,7 @@
 //! `calib gap` from the outside: datasets of known cause, sealed sets, bad input.
 
 use crate::command_line::{calib, json, text};
+use calib_twin::rig::{Rig, STANDARD_RIG_TOML};
 use serde_json::Value;
 use std::path::Path;
 
@@ -324,6 +325,16 @@ fn effects_are_described_with_units_bounds_columns_and_confusions() {
             !entry["confused_with"].as_array().expect("names").is_empty(),
             "{entry}"
         );
+    }
+    for entry in all.iter().filter(|entry| entry["of"] == "calibrator") {
+        for p in entry["parameters"].as_array().expect("parameters") {
+            for value in [&p["simulated"][0], &p["simulated"][1], &p["usual"]] {
+                let (id, name) = (&entry["id"], &p["name"]);
+                let effect = format!("{id}={name}:{value}").replace('"', "");
+                let rig = format!("effects = [\"{effect}\"]\n{STANDARD_RIG_TOML}");
+                assert!(Rig::parse(&rig, &effect).is_ok(), "{effect}");
+            }
+        }
     }
     let one = text(&calib(directory.path(), &["gap", "effects", "channel_skew"]).stdout);
     assert!(

@@ -69,12 +69,12 @@ impl<A: Library> ActiveEffect<A> {
     /// [`EffectError::OutOfBounds`] for a value outside of its bounds, a missing one (NaN) included.
     pub fn new(effect: &'static Effect<A>, values: &[f64]) -> Result<Self, EffectError> {
         let given = values.iter().copied().chain(std::iter::repeat(f64::NAN));
-        let mut accepted = Vec::with_capacity(effect.parameters.len());
-        for (parameter, value) in effect.parameters.iter().zip(given) {
-            let [lowest, highest] = parameter.bounds;
+        let mut accepted = Vec::with_capacity(effect.entry.parameters.len());
+        for (parameter, value) in effect.entry.parameters.iter().zip(given) {
+            let [lowest, highest] = parameter.simulated;
             if !(lowest..=highest).contains(&value) {
                 return Err(EffectError::OutOfBounds {
-                    effect: effect.id,
+                    effect: effect.entry.id,
                     parameter: parameter.name,
                     value,
                     lowest,
@@ -118,7 +118,7 @@ impl ActiveEffect<OscillatorAction> {
 
 impl<A> PartialEq for ActiveEffect<A> {
     fn eq(&self, other: &Self) -> bool {
-        self.effect.id == other.effect.id && self.values == other.values
+        self.effect.entry.id == other.effect.entry.id && self.values == other.values
     }
 }
 
@@ -144,9 +144,9 @@ impl<A> fmt::Debug for ActiveEffect<A> {
 
 impl<A> fmt::Display for ActiveEffect<A> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(self.effect.id)?;
+        formatter.write_str(self.effect.entry.id)?;
         let mut separator = '=';
-        for (parameter, value) in self.effect.parameters.iter().zip(&self.values) {
+        for (parameter, value) in self.effect.entry.parameters.iter().zip(&self.values) {
             write!(formatter, "{separator}{}:{value}", parameter.name)?;
             separator = ',';
         }
@@ -175,7 +175,7 @@ impl<A: Library> FromStr for ActiveEffect<A> {
 
 /// Names of all effects of a library.
 fn names<A: Library>() -> Vec<&'static str> {
-    Effect::<A>::all().map(|effect| effect.id).collect()
+    Effect::<A>::all().map(|effect| effect.entry.id).collect()
 }
 
 /// Index and value of one `PARAM:VALUE`.
@@ -185,10 +185,14 @@ fn assignment<A>(effect: &'static Effect<A>, part: &str) -> Result<(usize, f64),
     };
     let (name, value) = part.split_once(':').ok_or_else(malformed)?;
     let value: f64 = value.trim().parse().map_err(|_| malformed())?;
-    let names = effect.parameters.iter().map(|parameter| parameter.name);
+    let names = effect
+        .entry
+        .parameters
+        .iter()
+        .map(|parameter| parameter.name);
     let index = names.clone().position(|known| known == name.trim());
     let index = index.ok_or_else(|| EffectError::UnknownParameter {
-        effect: effect.id,
+        effect: effect.entry.id,
         parameter: name.trim().to_owned(),
         known: names.collect::<Vec<_>>().join(", "),
     })?;
@@ -205,20 +209,25 @@ mod tests {
         unique.sort_unstable();
         unique.dedup();
         assert_eq!(unique, names, "sorted, each once");
+        let mut entries: Vec<&str> = calib_effects::entries(A::OF).map(|e| e.id).collect();
+        entries.sort_unstable();
+        assert_eq!(
+            names, entries,
+            "every entry of the vocabulary acts, and nothing else"
+        );
         for effect in Effect::<A>::all() {
             let text = effect.usual().to_string();
             let read: ActiveEffect<A> = text.parse().expect("own text");
             assert_eq!(read.to_string(), text);
             assert!(
                 ActiveEffect::new(effect, effect.usual().values()).is_ok(),
-                "{}",
-                effect.id
+                "{text}"
             );
         }
     }
 
     #[test]
-    fn every_effect_is_written_and_read_back_with_usual_values_in_bounds() {
+    fn every_entry_acts_and_is_read_back_with_usual_values_in_bounds() {
         hold_for::<CalibratorAction>();
         hold_for::<OscillatorAction>();
         hold_for::<super::super::fault::FaultAction>();

@@ -178,7 +178,7 @@ fn halving_the_step_changes_nothing() {
     for effect in OscillatorEffect::all() {
         let mut bent = oscillator(&[]);
         effect.usual().apply_to(&mut bent);
-        assert_ne!(bent, oscillator(&[]), "{}", effect.id);
+        assert_ne!(bent, oscillator(&[]), "{}", effect.entry.id);
         let run = |phase| simulate_in_steps(&bent, &input, RATE_HZ, 500, 1.0, phase);
         let (coarse, fine) = (run(0.015), run(0.0075));
         let size = fine.iter().map(|value| value * value).sum::<f64>();
@@ -186,7 +186,7 @@ fn halving_the_step_changes_nothing() {
         assert!(
             (error / size).sqrt() < 3e-4,
             "{} {:e}",
-            effect.id,
+            effect.entry.id,
             (error / size).sqrt()
         );
     }

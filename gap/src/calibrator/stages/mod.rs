@@ -18,8 +18,8 @@ use crate::calibrator::fit::Workspace;
 use crate::calibrator::lack_of_fit::LackOfFit;
 use crate::calibrator::problem::Problem;
 use crate::calibrator::search::Search;
-use crate::effects::{About, Stage, list};
 use crate::observable::{Group, Observable};
+use calib_effects::{Entry, Of, Stage, named as entry};
 use rules::classes;
 use std::collections::BTreeMap;
 use suggested::by_class;
@@ -37,15 +37,15 @@ pub(crate) fn rank(
     let by_effects = by_effects(found);
     let classes = classes(problem, &found.nominal, work);
     let by_class = by_class(problem, nominal, &classes);
-    let named: Vec<&About> = found.sets.first().map_or_else(Vec::new, |best| {
-        best.fit.effects.iter().map(|e| e.effect.about()).collect()
+    let named: Vec<&Entry> = found.sets.first().map_or_else(Vec::new, |best| {
+        best.fit.effects.iter().map(|e| e.effect.entry()).collect()
     });
     let mut order: Vec<Stage> = Vec::new();
     if verdict == Verdict::Unexplained {
         // What was named is a substitute: the gap itself speaks first.
         order.extend(by_class.iter().take(2).map(|s| s.0));
     }
-    order.extend(named.iter().map(|about| about.stage));
+    order.extend(named.iter().map(|entry| entry.stage));
     if let [alone] = named.as_slice() {
         order.extend(mistaken_for(alone));
     }
@@ -65,14 +65,10 @@ pub(crate) fn rank(
 }
 
 /// The other stage in which what is first mistaken for an effect sits.
-fn mistaken_for(about: &About) -> Option<Stage> {
-    let library = list();
-    let stage = |id: &&str| library.iter().find(|a| a.id == *id).map(|a| a.stage);
-    about
-        .confused_with
-        .iter()
-        .filter_map(stage)
-        .find(|s| *s != about.stage)
+fn mistaken_for(one: &Entry) -> Option<Stage> {
+    let others = one.confused_with.iter();
+    let mut stages = others.filter_map(|id| Some(entry(Of::Calibrator, id)?.stage));
+    stages.find(|stage| *stage != one.stage)
 }
 
 /// Gain of the best set that has an effect of a stage and nothing else.
@@ -80,7 +76,7 @@ fn by_effects(found: &Search) -> Vec<(Stage, f64)> {
     let mut best: BTreeMap<Stage, f64> = BTreeMap::new();
     for set in found.sets.iter().filter(|s| s.fit.effects.len() == 1) {
         let gain = found.nominal.objective - set.fit.objective;
-        let stage = set.fit.effects[0].effect.about().stage;
+        let stage = set.fit.effects[0].effect.entry().stage;
         let entry = best.entry(stage).or_insert(0.0);
         *entry = entry.max(gain);
     }

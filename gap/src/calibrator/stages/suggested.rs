@@ -6,8 +6,8 @@ use crate::axis::Axis;
 use crate::calibrator::lack_of_fit::{LackOfFit, Outcome};
 use crate::calibrator::problem::Problem;
 use crate::calibrator::shapes::BANDS;
-use crate::effects::Stage;
 use crate::observable::{Channel, Group, Observable};
+use calib_effects::Stage;
 use std::ops::Range;
 
 /// Stages suggested by the classes of a gap, with the chi-square that speaks for each.

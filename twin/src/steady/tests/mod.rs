@@ -465,11 +465,11 @@ fn every_effect_changes_something() {
         let plain = Model::new(coil(), Channel::flat(0.01), Channel::flat(0.01));
         let mut model = plain.clone();
         effect.usual().apply(&conditions, &mut model);
-        assert_ne!(model, plain, "{}", effect.id);
+        assert_ne!(model, plain, "{}", effect.entry.id);
         for frequency_hz in [8.0, 60.0, 1e3, 1e4] {
             let level_v = 0.01 * f64::min(10.0, 0.01 * f64::powi(frequency_hz, 2));
             let held = solver.hold(&model, &conditions, frequency_hz, level_v);
-            assert!(held.is_ok(), "{} {frequency_hz} {held:?}", effect.id);
+            assert!(held.is_ok(), "{} {frequency_hz} {held:?}", effect.entry.id);
         }
     }
 }

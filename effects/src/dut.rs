@@ -1,0 +1,103 @@
+//! The device under test.
+
+use super::{Entry, Parameter, Stage};
+
+pub(crate) static ENTRIES: &[&Entry] = &[
+    &RESONANCE,
+    &FREQUENCY_SLOPE,
+    &LEVEL_NONLINEARITY,
+    &TEMPERATURE,
+    &DRIFT,
+    &GAIN,
+];
+
+/// Resonance of the mounted transducer: the element is a mass on a stiff spring, lightly damped.
+/// Data sheets of general-purpose accelerometers state 5 to 60 kHz. A quality factor below 1.5 is
+/// a filter.
+pub static RESONANCE: Entry = Entry {
+    id: "dut_resonance",
+    stage: Stage::Dut,
+    formula: "r = 1/(1 - (f/fr)^2 + j f/(Q fr))",
+    parameters: &[
+        Parameter::log("resonance_hz", "Hz", [2e3, 120e3], 30e3).on_site(5e3, 60e3),
+        Parameter::log("quality", "1", [1.5, 1000.0], 25.0).on_site(3.0, 100.0),
+    ],
+    plain: "the device under test has a resonance that already shows in this range",
+    columns: &["frequency_hz", "ratio", "dut_deg"],
+    confused_with: &["mount_compliance", "dut_lowpass_2", "averaging_window"],
+    separate_by: "other payloads; higher frequencies with phase",
+    ..Entry::CALIBRATOR
+};
+
+/// Sensitivity that falls by a constant share per decade: piezoelectric ceramics relax over a wide
+/// spectrum of time constants. ISO 16063-21:2003, Annex D has 2 % per decade.
+pub static FREQUENCY_SLOPE: Entry = Entry {
+    id: "dut_frequency_slope",
+    stage: Stage::Dut,
+    formula: "r = 1 - s lg(f/fref), fref = 160 Hz",
+    parameters: &[Parameter::linear("slope_per_decade", "1", [0.0, 0.3], 0.02).on_site(0.0, 0.05)],
+    plain: "the device's sensitivity falls slowly with frequency",
+    columns: &["frequency_hz", "ratio"],
+    confused_with: &["dut_highpass", "base_strain", "reference_highpass"],
+    separate_by: "more decades of frequency, with phase",
+    ..Entry::CALIBRATOR
+};
+
+/// Sensitivity that depends on the level: domains of a piezoelectric ceramic follow the stress of
+/// the whole cycle, so the gain follows the r.m.s. acceleration; if the element is asymmetric, a
+/// second harmonic grows alike. Sound devices state 2e-6 (1 % per 500 g), damaged ones and loose
+/// preloads reach 1e-3.
+pub static LEVEL_NONLINEARITY: Entry = Entry {
+    id: "dut_level_nonlinearity",
+    stage: Stage::Dut,
+    formula: "r = 1 + gamma A, A = r.m.s. acceleration in m/s2; H2 if asymmetric",
+    parameters: &[
+        Parameter::linear("gamma_per_ms2", "s2/m", [-0.1, 0.1], 1e-4).on_site(-1e-3, 1e-3),
+        Parameter::linear("second_harmonic_per_ms2", "s2/m", [-0.1, 0.1], 0.0).on_site(-1e-3, 1e-3),
+    ],
+    plain: "the device's sensitivity depends on the level",
+    columns: &["acceleration_ms2", "ratio", "dut_h2"],
+    confused_with: &["adc_cubic", "adc_dead_zone"],
+    separate_by: "a wider range of levels, with harmonics",
+    ..Entry::CALIBRATOR
+};
+
+/// Temperature coefficient: data sheets state 0.02 to 0.3 % per kelvin.
+pub static TEMPERATURE: Entry = Entry {
+    id: "dut_temperature",
+    stage: Stage::Dut,
+    formula: "r = 1 + alpha (T - T0)",
+    parameters: &[Parameter::linear("alpha_per_k", "1/K", [-0.05, 0.05], 1e-3).on_site(-3e-3, 3e-3)],
+    plain: "the device's sensitivity changes with temperature",
+    columns: &["temperature_c", "ratio"],
+    confused_with: &["reference_temperature", "dut_drift"],
+    separate_by: "coil voltage beside the ratio; temperature changed out of step with time",
+    ..Entry::CALIBRATOR
+};
+
+/// Drift while a device warms up, ages or its charge amplifier discharges: up to 2 % an hour.
+pub static DRIFT: Entry = Entry {
+    id: "dut_drift",
+    stage: Stage::Dut,
+    formula: "r = 1 + b t",
+    parameters: &[Parameter::linear("drift_per_s", "1/s", [-1e-2, 1e-2], 2e-6).on_site(-5e-6, 5e-6)],
+    plain: "the device drifts with time",
+    columns: &["time_s", "ratio"],
+    confused_with: &["reference_drift", "dut_temperature"],
+    separate_by: "coil voltage beside the ratio; repeated points over time at constant temperature",
+    ..Entry::CALIBRATOR
+};
+
+/// A constant error of the gain: the measurand itself. Field devices come back up to 10 % off.
+pub static GAIN: Entry = Entry {
+    id: "dut_gain",
+    stage: Stage::Dut,
+    formula: "constant r: the measurand itself; a second reference would tell",
+    parameters: &[Parameter::linear("gain", "1", [-0.9, 10.0], 0.01).on_site(-0.1, 0.1)],
+    plain: "the device's sensitivity is not the stated one",
+    columns: &["ratio"],
+    confused_with: &["reference_gain"],
+    separate_by: "compare with a second reference",
+    identifiable: false,
+    ..Entry::CALIBRATOR
+};

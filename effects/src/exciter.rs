@@ -1,0 +1,184 @@
+//! Moving coil and suspension. Sizes are those of exciters of 10 to 100 N of force.
+
+use super::{Entry, Parameter, Stage};
+
+pub(crate) static ENTRIES: &[&Entry] = &[
+    &SUSPENSION_CUBIC,
+    &SUSPENSION_ASYMMETRY,
+    &FORCE_FACTOR_DROOP,
+    &COULOMB_FRICTION,
+    &MECHANICAL_DAMPING,
+    &BACK_EMF,
+    &PAYLOAD_MASS,
+    &LOSSY_INDUCTANCE,
+    &COIL_HEATING,
+    &ARMATURE_MODE,
+];
+
+const BENT_COLUMNS: &[&str] = &[
+    "acceleration_ms2",
+    "ref_v",
+    "coil_v",
+    "ref_h3",
+    "dut_h3",
+    "coil_a",
+];
+
+/// Real flexures stiffen symmetrically at large travel: the resonance moves with level and a third
+/// harmonic appears in the motion itself, so in both channels. 2e9 doubles 8 kN/m at 2 mm.
+pub static SUSPENSION_CUBIC: Entry = Entry {
+    id: "suspension_cubic",
+    stage: Stage::Exciter,
+    formula: "restoring force k1 x + k3 x^3: d near f0, H3 as X^2 in both channels",
+    parameters: &[Parameter::linear("k3_n_per_m3", "N/m3", [-1e14, 1e14], 3e7).on_site(-1e8, 2e9)],
+    plain: "the spring that carries the table stiffens as it is deflected",
+    columns: BENT_COLUMNS,
+    confused_with: &["force_factor_droop", "coulomb_friction"],
+    separate_by: "large travel at low frequency, with coil current and harmonics",
+    ..Entry::CALIBRATOR
+};
+
+/// A quadratic term about the unloaded position. The weight of armature and payload shifts the
+/// working point, so tilt and payload change stiffness, resonance and second harmonic. 1e6 changes
+/// 8 kN/m by an eighth per millimetre.
+pub static SUSPENSION_ASYMMETRY: Entry = Entry {
+    id: "suspension_asymmetry",
+    stage: Stage::Exciter,
+    formula: "restoring force k1 x + k2 x^2 about the unloaded position, sag -M g cos(tilt)/k1: H2, f0 moves with tilt and payload",
+    parameters: &[Parameter::linear("k2_n_per_m2", "N/m2", [-1e10, 1e10], 3e5).on_site(-1e6, 1e6)],
+    plain: "the spring that carries the table is stiffer to one side",
+    columns: &[
+        "acceleration_ms2",
+        "tilt_deg",
+        "payload_kg",
+        "ref_v",
+        "coil_v",
+        "ref_h2",
+        "dut_h2",
+    ],
+    confused_with: &["amplifier_even_order"],
+    separate_by: "another tilt and payload near the suspension resonance, with harmonics",
+    ..Entry::CALIBRATOR
+};
+
+/// The coil leaves the gap: less force per ampere and less induced voltage at large travel. 1e5 is
+/// 10 % at 1 mm.
+pub static FORCE_FACTOR_DROOP: Entry = Entry {
+    id: "force_factor_droop",
+    stage: Stage::Exciter,
+    formula: "Bl(x) = Bl0 (1 - b2 x^2): force and back-EMF fall with travel",
+    parameters: &[Parameter::linear("b2_per_m2", "1/m2", [0.0, 1e9], 2e4).on_site(0.0, 1e5)],
+    plain: "the motor loses force as the coil leaves the magnet's gap",
+    columns: BENT_COLUMNS,
+    confused_with: &["suspension_cubic"],
+    separate_by: "large travel at low frequency, with coil current",
+    ..Entry::CALIBRATOR
+};
+
+/// A constant force against the motion, such as a coil that rubs or a cable that drags; where the
+/// drive is too weak to break it, the armature sticks.
+pub static COULOMB_FRICTION: Entry = Entry {
+    id: "coulomb_friction",
+    stage: Stage::Exciter,
+    formula: "force Fc against the motion, 4 Fc/(pi F): odd harmonics in both channels, as 1/A",
+    parameters: &[Parameter::linear("friction_n", "N", [0.0, 100.0], 0.02).on_site(0.0, 0.2)],
+    plain: "something rubs against the moving part",
+    columns: BENT_COLUMNS,
+    confused_with: &["mechanical_damping", "suspension_cubic"],
+    separate_by: "the smallest levels at low frequency, with harmonics",
+    ..Entry::CALIBRATOR
+};
+
+/// Viscous damping beside the nominal one. Rubber and grease change it by a factor of a few with
+/// temperature and age.
+pub static MECHANICAL_DAMPING: Entry = Entry {
+    id: "mechanical_damping",
+    stage: Stage::Exciter,
+    formula: "added force dc x velocity: 2 zeta q near f0",
+    parameters: &[
+        Parameter::linear("added_damping_ns_per_m", "N s/m", [-1e3, 1e4], 3.0).on_site(-2.0, 15.0),
+    ],
+    plain: "the table is damped differently from what is stated",
+    columns: &["frequency_hz", "ref_v", "coil_v", "coil_a"],
+    confused_with: &["back_emf", "coulomb_friction"],
+    separate_by: "coil current near the suspension resonance",
+    ..Entry::CALIBRATOR
+};
+
+/// Induced voltage other than force factor times velocity: a shorted turn or eddy currents in the
+/// gap make the transducer not reciprocal.
+pub static BACK_EMF: Entry = Entry {
+    id: "back_emf",
+    stage: Stage::Exciter,
+    formula: "induced voltage (1 + beta) Bl x velocity: damping Bl^2/Z differs from nominal",
+    parameters: &[Parameter::linear("beta", "1", [-0.95, 10.0], 0.15).on_site(-0.5, 0.5)],
+    plain: "the voltage induced in the coil differs from what is stated",
+    columns: &["frequency_hz", "ref_v", "coil_v", "coil_a"],
+    confused_with: &["mechanical_damping"],
+    separate_by: "coil current near the suspension resonance",
+    ..Entry::CALIBRATOR
+};
+
+/// A payload that was not weighed, a cable, an adapter.
+pub static PAYLOAD_MASS: Entry = Entry {
+    id: "payload_mass",
+    stage: Stage::Exciter,
+    formula: "M -> M + dm in d: f0 and high frequencies",
+    parameters: &[
+        Parameter::linear("added_mass_kg", "kg", [-10.0, 100.0], 0.005).on_site(-0.02, 0.05),
+    ],
+    plain: "the mass on the table differs from what is stated",
+    columns: &["frequency_hz", "ref_v", "coil_v"],
+    confused_with: &["reference_drift"],
+    separate_by: "a weighed payload; coil current near the suspension resonance",
+    ..Entry::CALIBRATOR
+};
+
+/// Eddy currents in the pole make the impedance grow slower than the frequency, with a loss angle.
+/// Solid poles measure 0.5 to 0.7, laminated ones 0.9.
+pub static LOSSY_INDUCTANCE: Entry = Entry {
+    id: "lossy_inductance",
+    stage: Stage::Exciter,
+    formula: "Z = R + j^n w0 L (w/w0)^n, w0 = 2 pi 1 kHz, n 0.5..0.9 (1 = ideal)",
+    parameters: &[Parameter::linear("exponent", "1", [0.3, 1.0], 0.7).on_site(0.5, 1.0)],
+    plain: "the coil loses energy in the iron around it",
+    columns: &["frequency_hz", "coil_v", "coil_a", "coil_a_deg", "ref_v"],
+    confused_with: &["armature_mode"],
+    separate_by: "coil current at the highest frequencies",
+    ..Entry::CALIBRATOR
+};
+
+/// The resistance of copper rises by 0.39 % per kelvin while the coil approaches its final
+/// temperature. A coil may warm up by 100 K; its former and the magnet take minutes to an hour.
+pub static COIL_HEATING: Entry = Entry {
+    id: "coil_heating",
+    stage: Stage::Exciter,
+    formula: "R (1 + 0.0039 dT (1 - exp(-t/tau)))",
+    parameters: &[
+        Parameter::linear("rise_k", "K", [0.0, 300.0], 15.0).on_site(0.0, 100.0),
+        Parameter::log("time_constant_s", "s", [1.0, 1e5], 900.0).on_site(60.0, 4e3),
+    ],
+    plain: "the coil warms up as it works",
+    columns: &["time_s", "coil_v", "coil_a", "ref_v"],
+    confused_with: &["amplifier_gain_drift", "reference_drift"],
+    separate_by: "coil current over time",
+    ..Entry::CALIBRATOR
+};
+
+/// Axial mode of the moving element: the table resonates on the coil former and moves more than the
+/// driven end near the mode.
+pub static ARMATURE_MODE: Entry = Entry {
+    id: "armature_mode",
+    stage: Stage::Exciter,
+    formula: "d and travel of the table x (1 + kappa q^2/(1 - q^2 + 2 j zeta q)), q = f/fa, the same for all payloads",
+    parameters: &[
+        Parameter::linear("kappa", "1", [-3.0, 3.0], 0.3).on_site(-0.5, 0.5),
+        Parameter::log("mode_hz", "Hz", [1e3, 40e3], 8e3).on_site(2e3, 20e3),
+        Parameter::log("zeta", "1", [5e-4, 0.7], 0.02).on_site(0.005, 0.1),
+    ],
+    plain: "the table itself bends at high frequency",
+    columns: &["frequency_hz", "ref_v", "coil_v", "ref_deg"],
+    confused_with: &["reference_resonance", "lossy_inductance"],
+    separate_by: "ratio beside the drive (a reference resonance shows there); points around the mode",
+    ..Entry::CALIBRATOR
+};

@@ -1,0 +1,56 @@
+//! Actions of moving coil and suspension.
+
+use super::Effect;
+use crate::model::{FREE_FALL_MS2, SecondOrder, Section};
+use calib_effects::exciter;
+
+pub(super) static EFFECTS: &[Effect] = &[
+    Effect::new(&exciter::SUSPENSION_CUBIC, |values, _conditions, model| {
+        model.coil.cubic_n_per_m3 += values[0];
+    }),
+    Effect::new(
+        &exciter::SUSPENSION_ASYMMETRY,
+        |values, conditions, model| {
+            let weight_n = model.coil.mass_kg * FREE_FALL_MS2 * conditions.tilt_rad.cos();
+            model.coil.quadratic_n_per_m2 += values[0];
+            model.coil.static_force_n = -weight_n;
+        },
+    ),
+    Effect::new(
+        &exciter::FORCE_FACTOR_DROOP,
+        |values, _conditions, model| {
+            model.coil.droop_per_m2 += values[0];
+        },
+    ),
+    Effect::new(&exciter::COULOMB_FRICTION, |values, _conditions, model| {
+        model.coil.friction_n += values[0];
+    }),
+    Effect::new(
+        &exciter::MECHANICAL_DAMPING,
+        |values, _conditions, model| {
+            model.coil.damping_ns_per_m += values[0];
+        },
+    ),
+    Effect::new(&exciter::BACK_EMF, |values, _conditions, model| {
+        model.coil.emf_ratio *= 1.0 + values[0];
+    }),
+    Effect::new(&exciter::PAYLOAD_MASS, |values, _conditions, model| {
+        model.coil.mass_kg += values[0];
+    }),
+    Effect::new(&exciter::LOSSY_INDUCTANCE, |values, _conditions, model| {
+        model.coil.inductance_exponent = values[0];
+    }),
+    Effect::new(&exciter::COIL_HEATING, |values, _conditions, model| {
+        model.coil.rise_k = values[0];
+        model.coil.rise_time_constant_s = values[1];
+    }),
+    // q^2 = -p^2 and 2 zeta = 1/Q.
+    Effect::new(&exciter::ARMATURE_MODE, |values, _conditions, model| {
+        let damping = 2.0 * values[2];
+        model.table.push(Section::SecondOrder(SecondOrder {
+            corner_hz: values[1],
+            quality_factor: 1.0 / damping,
+            numerator: [1.0, damping, 1.0 - values[0]],
+        }));
+    }),
+];
