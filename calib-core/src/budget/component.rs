@@ -1,7 +1,6 @@
 //! One line of a budget.
 
 use super::catalogue::Row;
-use super::coverage::Expanded;
 use crate::settings::Distribution;
 use core::f32::consts::SQRT_2;
 
@@ -36,17 +35,6 @@ impl<'a> Component<'a> {
             sensitivity_coefficient: 1.0,
             degrees_of_freedom: f32::INFINITY,
         }
-    }
-
-    /// The result of another budget as a component of this one: a working
-    /// reference that was calibrated by the reference (A.2.1, Note 1), or row 1
-    /// of Tables A.3 and A.4.
-    pub fn from_result(row: Row, result: &Expanded) -> Component<'static> {
-        let normal = Distribution::Normal {
-            coverage_factor: 1.0,
-        };
-        Component::new(row, result.standard_uncertainty, normal)
-            .with_degrees_of_freedom(result.effective_degrees_of_freedom)
     }
 
     /// The same with another label.

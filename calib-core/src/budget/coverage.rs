@@ -1,6 +1,8 @@
 //! Coverage factor and expanded uncertainty.
 
+use super::catalogue::Row;
 use super::combine::{Budget, BudgetError, Combined};
+use super::component::Component;
 use super::student::student_quantile;
 use crate::settings::Distribution;
 
@@ -67,6 +69,19 @@ pub struct Expanded {
     pub expanded_uncertainty: f32,
 }
 
+impl Expanded {
+    /// The result as a component of another budget: a working reference that
+    /// was calibrated by the reference (A.2.1, Note 1), or row 1 of Tables A.3
+    /// and A.4.
+    pub fn as_component(&self, row: Row) -> Component<'static> {
+        let normal = Distribution::Normal {
+            coverage_factor: 1.0,
+        };
+        Component::new(row, self.standard_uncertainty, normal)
+            .with_degrees_of_freedom(self.effective_degrees_of_freedom)
+    }
+}
+
 impl Budget<'_> {
     /// Combines the components and expands the result.
     ///
@@ -124,7 +139,7 @@ impl Budget<'_> {
 
     /// The two largest contributions of rectangular components.
     fn largest_rectangular(&self) -> [f32; 2] {
-        let rectangular = |c: &&super::Component<'_>| c.distribution == Distribution::Rectangular;
+        let rectangular = |c: &&Component<'_>| c.distribution == Distribution::Rectangular;
         let mut largest = [0.0_f32; 2];
         for component in self.components().iter().filter(rectangular) {
             let size = component.contribution().abs();

@@ -455,7 +455,7 @@ fn a_working_reference_takes_two_stages() {
     let first = budget([standard(0.3, f32::INFINITY), standard(0.4, 4.0)])
         .expand(CoverageRule::Fixed(2.0))
         .expect("valid");
-    let working = Component::from_result(Row::a1(1), &first);
+    let working = first.as_component(Row::a1(1));
     let second = budget([working, standard(1.2, f32::INFINITY)])
         .combine()
         .expect("valid");

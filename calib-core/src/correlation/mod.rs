@@ -4,6 +4,7 @@
 //! |---|---|---|
 //! | every pair is added to an integer fold | [`fold`] | per sample |
 //! | the fold is correlated with exact sines | [`estimate`] | per block |
+//! | one block follows another | [`correlator`] | per buffer |
 //!
 //! A block holds whole periods of a [`Tone`](crate::tone::Tone). All samples at
 //! the same place of the period are summed in 32-bit integers, exactly; the
@@ -17,6 +18,7 @@
 //! multiple of `period`. Derived with its limits in `docs/metrology/measurement.md`.
 
 pub mod block;
+pub mod correlator;
 pub mod estimate;
 pub mod fold;
 mod sums;
@@ -24,5 +26,6 @@ mod sums;
 mod tests;
 
 pub use block::Block;
+pub use correlator::Correlator;
 pub use estimate::{ChannelEstimate, PairEstimate};
-pub use fold::{Correlator, Energy, FoldMemory, SQUARE_STRIDE};
+pub use fold::{Energy, FoldMemory, SQUARE_STRIDE};
