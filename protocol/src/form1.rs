@@ -10,8 +10,10 @@
 //! | calibration | incident, complete, list of [`point`] |
 //! | change of the reference | the channel before: identity, table, scale of the input |
 
+use crate::calibration::Record;
+use crate::error::RecordError;
 use crate::head::{RecordHead, RunLabels};
-use crate::record::{Record, RecordError, RecordKind};
+use crate::kind::RecordKind;
 use crate::sections::Fields;
 use crate::settings_form::{input, limits, read_identity, read_influences, read_table};
 use crate::stored_point::{LEVEL_PARTS, Round, Temperature, from_upper};
@@ -41,11 +43,16 @@ pub(crate) fn head(fields: &mut Fields<'_>) -> Result<RecordHead, RecordError> {
     })
 }
 
+/// Reads settings that stand alone.
+///
+/// # Errors
+/// [`RecordError::Content`]; what was read until then is in `settings`.
+pub fn read_settings(bytes: &[u8], settings: &mut Settings) -> Result<(), RecordError> {
+    self::settings(&mut Fields(bytes), settings)
+}
+
 /// Reads settings.
-pub(crate) fn settings(
-    fields: &mut Fields<'_>,
-    settings: &mut Settings,
-) -> Result<(), RecordError> {
+fn settings(fields: &mut Fields<'_>, settings: &mut Settings) -> Result<(), RecordError> {
     settings.method = fields.take()?;
     settings.example = fields.take()?;
     read_identity(fields, &mut settings.reference)?;

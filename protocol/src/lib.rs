@@ -11,11 +11,14 @@
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
+pub mod calibration;
 pub mod capture;
 pub mod change;
-mod form1;
+pub mod error;
+pub mod form1;
 pub mod frame;
 pub mod head;
+pub mod kind;
 pub mod message;
 pub mod record;
 pub mod sections;

@@ -18,101 +18,27 @@
 //!
 //! The head comes first. Records of version 1 had no sections: they are read, and written no more.
 
+pub use crate::calibration::{MAX_POINTS, Record};
+pub use crate::error::RecordError;
 use crate::form1;
 use crate::frame::CRC;
 pub use crate::head::{RecordHead, RunLabels, Sha256Sum};
+use crate::kind::{Form, kind_of};
+pub use crate::kind::{RECORD_VERSION, RecordKind};
 use crate::sections::{Fields, find, needed, section};
 use crate::settings_form::{self, InSections};
 use crate::stored_point::{self, InColumns};
-use calib_core::point::PointResult;
 use calib_core::settings::{ReferenceChannel, Settings};
 use core::ops::Range;
-use heapless::{String, Vec};
+use heapless::String;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
-
-/// Version of the records that are written.
-pub const RECORD_VERSION: u16 = 2;
-/// Most points of one run.
-pub const MAX_POINTS: usize = 200;
 
 const HEAD: u8 = 1;
 const SETTINGS: u8 = 2;
 const RUN: u8 = 3;
 const POINTS: u8 = 4;
 const BEFORE: u8 = 5;
-
-/// What a record is about.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum RecordKind {
-    /// A run that was measured: a [`Record`].
-    #[default]
-    Calibration,
-    /// Another calibration of the reference: a [`crate::change::ReferenceChange`].
-    ReferenceChange,
-}
-
-/// How the content of a record is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Form {
-    /// Version 1, fields one behind the other.
-    Plain,
-    /// Version 2, in sections.
-    Sections,
-}
-
-impl RecordKind {
-    /// The first two bytes of a record of this kind, as it is written.
-    const fn mark(self) -> u16 {
-        match self {
-            Self::Calibration => RECORD_VERSION,
-            Self::ReferenceChange => 0x0100 | RECORD_VERSION,
-        }
-    }
-}
-
-/// Kind and form of the records that begin with `mark`.
-pub(crate) const fn kind_of(mark: u16) -> Option<(RecordKind, Form)> {
-    match mark {
-        0x0001 => Some((RecordKind::Calibration, Form::Plain)),
-        0x0101 => Some((RecordKind::ReferenceChange, Form::Plain)),
-        0x0002 => Some((RecordKind::Calibration, Form::Sections)),
-        0x0102 => Some((RecordKind::ReferenceChange, Form::Sections)),
-        _ => None,
-    }
-}
-
-/// One calibration, as stored.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Record {
-    /// Number, place in the chain, instrument and labels.
-    pub head: RecordHead,
-    /// Settings and reference calibration the run was made with.
-    pub settings: Settings,
-    /// What made the instrument restart since the record before, if that was a
-    /// panic or a fault.
-    pub incident: Option<String<160>>,
-    /// True when every point of the list was attempted.
-    pub complete: bool,
-    /// Results in the order measured.
-    pub points: Vec<PointResult, MAX_POINTS>,
-    /// [`digest`] of the bytes it was read from; none of a record that was not read.
-    pub sha256: Option<Sha256Sum>,
-}
-
-impl Record {
-    /// A record of nothing, for memory that waits for one.
-    pub const BLANK: Self = Self {
-        head: RecordHead::BLANK,
-        settings: Settings::BLANK,
-        incident: None,
-        complete: false,
-        points: Vec::new(),
-        sha256: None,
-    };
-}
 
 /// One line of the record list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -157,71 +83,6 @@ pub struct ChainLink {
 pub fn digest(record: &[u8]) -> Sha256Sum {
     Sha256::digest(record).into()
 }
-
-/// Why stored bytes are not a record.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum RecordError {
-    /// Too short to be a record, or the buffer is too small to write one.
-    Length,
-    /// Of a version this code does not know: up to [`RECORD_VERSION`] it does.
-    Version {
-        /// Version found.
-        found: u16,
-    },
-    /// A section that is needed is of a version this code does not know.
-    Section {
-        /// Its id.
-        id: u8,
-        /// Its version.
-        version: u8,
-    },
-    /// The checksum differs: bytes were damaged or are missing.
-    Checksum,
-    /// The checksum holds, and yet the content is no record of this version.
-    Content,
-    /// A record of another kind than the one wanted.
-    Kind {
-        /// The kind it is.
-        found: RecordKind,
-    },
-}
-
-impl RecordError {
-    /// Whether a newer release reads the record.
-    pub fn is_of_newer_release(self) -> bool {
-        match self {
-            Self::Version { found } => found > RECORD_VERSION,
-            other => matches!(other, Self::Section { .. }),
-        }
-    }
-}
-
-impl core::fmt::Display for RecordError {
-    fn fmt(&self, formatter: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Length => formatter.write_str("wrong length for a record"),
-            Self::Version { found } => write!(
-                formatter,
-                "record version {found}, only 1 to {RECORD_VERSION} are known here"
-            ),
-            Self::Section { id, version } => write!(
-                formatter,
-                "version {version} of section {id} of a record is not known here"
-            ),
-            Self::Checksum => formatter.write_str("checksum of the record failed"),
-            Self::Content => formatter.write_str("content is no record"),
-            Self::Kind {
-                found: RecordKind::ReferenceChange,
-            } => formatter.write_str("logs a change of the reference and is no calibration"),
-            Self::Kind {
-                found: RecordKind::Calibration,
-            } => formatter.write_str("is a calibration and logs no change of the reference"),
-        }
-    }
-}
-
-impl core::error::Error for RecordError {}
 
 /// Writes a record and returns its length in bytes.
 ///
@@ -306,7 +167,7 @@ impl<'a> Content<'a> {
         settings: &mut Settings,
     ) -> Result<(), RecordError> {
         match self.form {
-            Form::Plain => form1::settings(&mut Fields(bytes), settings),
+            Form::Plain => form1::read_settings(bytes, settings),
             Form::Sections => settings_form::read(bytes, settings),
         }
     }
@@ -441,7 +302,7 @@ pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use calib_core::point::PointSpec;
+    use calib_core::point::{PointResult, PointSpec};
     use calib_core::verdict::{Reason, Verdict};
 
     fn record() -> Record {

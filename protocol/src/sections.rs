@@ -15,7 +15,7 @@
 //!
 //! So fields are added at the end, none is taken away, and no id is used twice.
 
-use crate::record::RecordError;
+use crate::error::RecordError;
 use postcard::experimental::serialized_size;
 use postcard::take_from_bytes;
 use serde::ser::Error;

@@ -12,8 +12,7 @@
 //!
 //! What is not there is as in [`Settings::BLANK`], which no instrument accepts where it matters.
 
-use crate::form1;
-use crate::record::RecordError;
+use crate::error::RecordError;
 use crate::sections::{Fields, Read, find, needed, section};
 use calib_core::settings::{
     Distribution, Influence, InputScale, Limits, PointInfluences, ReferenceCalibration,
@@ -155,14 +154,6 @@ fn read_coefficients(
         *coefficient = fields.take()?;
     }
     Ok(())
-}
-
-/// Reads settings of version 1, which had no sections.
-///
-/// # Errors
-/// [`RecordError::Content`]; what was read until then is in `settings`.
-pub fn read_version_1(bytes: &[u8], settings: &mut Settings) -> Result<(), RecordError> {
-    form1::settings(&mut Fields(bytes), settings)
 }
 
 fn read_calibration(

@@ -17,7 +17,7 @@
 //!
 //! Rounded values are for reading; the host evaluates the budget again where it needs every digit.
 
-use crate::record::RecordError;
+use crate::error::RecordError;
 use crate::sections::{Fields, Read, find, section};
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::verdict::{Reason, Verdict};

@@ -7,7 +7,7 @@ use calib_core::settings::{Distribution, Settings};
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::{self, RecordError, RecordKind, digest};
 use calib_protocol::stored::{self, MAX_HEAD};
-use calib_protocol::{change, settings_form};
+use calib_protocol::{change, form1};
 
 const CALIBRATION: &[u8] = include_bytes!("form1/calibration.calibrec");
 const CHANGE: &[u8] = include_bytes!("form1/change.calibrec");
@@ -59,7 +59,7 @@ fn a_calibration_keeps_its_values() {
     assert_eq!((summary.points, summary.refused), (6, 0));
     let mut read = Settings::BLANK;
     let bytes = &CALIBRATION[settings];
-    assert_eq!(settings_form::read_version_1(bytes, &mut read), Ok(()));
+    assert_eq!(form1::read_settings(bytes, &mut read), Ok(()));
     check_settings(&read);
 }
 
@@ -82,7 +82,7 @@ fn a_change_of_the_reference_keeps_its_values() {
 #[test]
 fn settings_keep_their_values() {
     let mut read = Settings::BLANK;
-    assert_eq!(settings_form::read_version_1(SETTINGS, &mut read), Ok(()));
+    assert_eq!(form1::read_settings(SETTINGS, &mut read), Ok(()));
     check_settings(&read);
     assert_eq!(read.reference.points.len(), 9);
 }

@@ -1,6 +1,7 @@
 //! What the instrument must not forget, beside its records.
 
 use calib_core::settings::Settings;
+use calib_protocol::form1;
 use calib_protocol::record::{RecordError, Sha256Sum};
 use calib_protocol::sections::{Fields, find, needed, section};
 use calib_protocol::settings_form::{self, InSections};
@@ -82,7 +83,7 @@ impl State {
             Form::Plain => {
                 let mut fields = Fields(bytes);
                 let counters: Counters = fields.take()?;
-                settings_form::read_version_1(fields.0, &mut settings)?;
+                form1::read_settings(fields.0, &mut settings)?;
                 (counters, bytes.len() - fields.0.len()..bytes.len())
             }
             Form::Sections => {

@@ -1,0 +1,39 @@
+//! The record of a calibration, whatever form it is written in.
+
+use crate::head::{RecordHead, Sha256Sum};
+use calib_core::point::PointResult;
+use calib_core::settings::Settings;
+use heapless::{String, Vec};
+
+/// Most points of one run.
+pub const MAX_POINTS: usize = 200;
+
+/// One calibration, as stored.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// Number, place in the chain, instrument and labels.
+    pub head: RecordHead,
+    /// Settings and reference calibration the run was made with.
+    pub settings: Settings,
+    /// What made the instrument restart since the record before, if that was a
+    /// panic or a fault.
+    pub incident: Option<String<160>>,
+    /// True when every point of the list was attempted.
+    pub complete: bool,
+    /// Results in the order measured.
+    pub points: Vec<PointResult, MAX_POINTS>,
+    /// [Digest](crate::record::digest) of the bytes it was read from; none of a record that was not read.
+    pub sha256: Option<Sha256Sum>,
+}
+
+impl Record {
+    /// A record of nothing, for memory that waits for one.
+    pub const BLANK: Self = Self {
+        head: RecordHead::BLANK,
+        settings: Settings::BLANK,
+        incident: None,
+        complete: false,
+        points: Vec::new(),
+        sha256: None,
+    };
+}
