@@ -6,7 +6,7 @@
 
 use heapless::Vec;
 
-use super::SECTORS;
+use super::layout::SECTORS;
 
 /// Different settings of a sector that are known.
 const PER_SECTOR: usize = 8;

@@ -3,12 +3,7 @@
 //! `sequential-storage` keeps a queue of items over all sectors of the record
 //! area: it survives a power cut at any write, checks every item and uses the
 //! sectors in turn, so they wear alike. On top of it, this module keeps a
-//! directory in memory: a record is read from where it lies.
-//!
-//! | bytes of an item | content |
-//! |---|---|
-//! | 2 | u16 LE: [`RECORD_ITEM`] or [`STATE_ITEM`] |
-//! | n | [`stored`] record, of any version, or [`State`] |
+//! directory in memory: a record is read from where it lies. [`layout`] has the form of an item.
 //!
 //! A sector stands alone: records share settings only with a state item of
 //! their own sector, and a state item follows the first record of each. So
@@ -24,6 +19,7 @@
 //! and the next run is refused before it begins.
 
 mod known;
+mod layout;
 mod located;
 mod reading;
 mod sector;
@@ -33,6 +29,7 @@ mod writing;
 #[cfg(test)]
 mod tests;
 
+pub use layout::{MAX_ITEM, SECTORS};
 pub use located::LastAccess;
 pub use state::State;
 
@@ -40,11 +37,11 @@ use calib_core::settings::Settings;
 use calib_protocol::message::Refusal;
 use calib_protocol::record::{Record, RecordKind, RecordSummary};
 use calib_protocol::stored::{self, settings_mark};
-use calib_protocol::stored_point::LONGEST_HEADINGS;
 use core::ops::Range;
 use embedded_storage_async::nor_flash::{NorFlash, ReadNorFlash};
 use heapless::Vec;
 use known::{Known, KnownSettings};
+use layout::{RECORD_ITEM, STATE_ITEM, STATE_ITEM_1};
 use located::Located;
 use sector::Marked;
 use sequential_storage::cache::page_pointers::ArrayPagePointers;
@@ -53,29 +50,8 @@ use sequential_storage::cache::{Cache, Uncached};
 use sequential_storage::queue::{QueueConfig, QueueStorage};
 use state::Form;
 
-/// Sectors of the record area.
-pub const SECTORS: usize = 8;
 /// Most records the directory holds: more than the shortest ones that fit.
 pub const MAX_RECORDS: usize = 3072;
-/// Longest item, and longest record as hosts get it: the most points with the
-/// fullest settings.
-pub const MAX_ITEM: usize = 24 * 1024;
-
-/// Mark of a record in its stored form; its body says of which version it is.
-const RECORD_ITEM: u16 = 0x0001;
-/// Mark of a [`State`], version 2.
-const STATE_ITEM: u16 = 0x8002;
-/// Mark of a [`State`], version 1: read, and written no more.
-const STATE_ITEM_1: u16 = 0x8001;
-/// Where the body of a record is put together: behind mark and head.
-const BODY_AT: usize = 2 + stored::MAX_HEAD;
-/// Bytes of a record that are neither points nor settings, at most.
-const LONGEST_HEAD: usize = 720 + LONGEST_HEADINGS;
-/// Bytes of an item that hold what the list says of a record, at most: mark, stored head, version and
-/// head of the record.
-const LONGEST_LISTED: usize = 2 + stored::MAX_HEAD + 2 + 400;
-/// Bytes of settings, at most.
-const LONGEST_SETTINGS: usize = 1600;
 
 /// Where a record lies.
 #[derive(Clone, Copy, Debug)]

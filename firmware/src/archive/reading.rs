@@ -1,6 +1,7 @@
 //! Reading: the list, and records to the byte.
 
-use super::{Archive, ArchiveError, Directory, Entry, LONGEST_LISTED, mark_of, read, sector_of};
+use super::layout::LONGEST_LISTED;
+use super::{Archive, ArchiveError, Directory, Entry, mark_of, read, sector_of};
 use crate::command::{RecordPage, RecordPart};
 use calib_protocol::message::{RECORD_CHUNK, Refusal};
 use calib_protocol::record::digest;

@@ -21,7 +21,7 @@
 //! counts. What an erase has just begun to damage keeps its marks and is told by its checks; what
 //! looks like the head of an item longer than any is none ([`Marked::read`]).
 
-use super::MAX_ITEM;
+use super::layout::MAX_ITEM;
 use core::ops::Range;
 use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
 

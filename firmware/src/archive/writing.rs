@@ -1,9 +1,8 @@
 //! Storing: records, settings, releases.
 
-use super::{
-    Archive, ArchiveError, BODY_AT, Entry, Known, LONGEST_HEAD, LONGEST_SETTINGS, RECORD_ITEM,
-    STATE_ITEM, end_of, insert, read, sector_of,
-};
+use super::known::Known;
+use super::layout::{BODY_AT, LONGEST_HEAD, LONGEST_SETTINGS, RECORD_ITEM, STATE_ITEM};
+use super::{Archive, ArchiveError, Entry, end_of, insert, read, sector_of};
 use calib_core::settings::Settings;
 use calib_protocol::change;
 use calib_protocol::record::{self, Record, RecordError};
