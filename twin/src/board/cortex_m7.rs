@@ -8,8 +8,8 @@ use rigless::image::Image;
 use rigless::machine::armv7m;
 use rigless::mcu::{Mcu, Operate};
 
-use super::SUPPLY_MV;
 use super::part::Part;
+use super::pins::SUPPLY_MV;
 
 /// SYSCLK of the shipping firmware, which drives SysTick alone (480 MHz, VOS0).
 const CLOCK_HZ: NonZeroU64 = NonZeroU64::new(480_000_000).expect("not zero");

@@ -15,7 +15,7 @@ use rigless::device::{Device, DeviceContext, Level, RegisterFile};
 use rigless::soc::stm32h743::generated::dac::{Register, cr, mcr, sr, swtrgr};
 
 use super::analog::Analog;
-use super::dmamux::{DAC_CHANNELS, RequestLines};
+use super::request_lines::{DAC_CHANNELS, RequestLines};
 use crate::rig_port::DRIVE_MID_CODE;
 
 /// Request lines on which a software trigger of either channel wakes the DMA.

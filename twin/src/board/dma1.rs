@@ -16,7 +16,7 @@ use rigless::soc::stm32h743::peripherals::dma::Span;
 use rigless::soc::{Layout, Width};
 use serde::{Deserialize, Serialize};
 
-use super::dmamux::RequestLines;
+use super::request_lines::RequestLines;
 
 /// The instance's name.
 pub(super) const NAME: &str = "DMA1";

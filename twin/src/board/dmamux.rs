@@ -7,27 +7,18 @@
 //! The converters set their lines themselves ([`RequestLines`]); those of the emulator's peripherals
 //! come over its bus.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-
 use rigless::device::{Device, DeviceContext, Level, RegisterFile, RequestChange};
-use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::soc::Layout;
 use rigless::soc::stm32h743::generated::dmamux1::{Register, dmamux_c0cr};
 use rigless::soc::stm32h743::peripherals::usart::{RECEIVE_REQUEST, TRANSMIT_REQUEST};
 
 use super::dac;
+use super::request_lines::{ADC1, CHANNELS, DAC_CHANNELS, RequestLines};
 
 /// The instance's name, as listeners see it.
 pub(super) const NAME: &str = "DMAMUX1";
-const CHANNELS: usize = 16;
 /// Channels of the first controller. The second is not wired: each listener costs speed.
 const DMA1_STREAMS: usize = 8;
-
-/// `DMAREQ_ID` of the lines the converters set (RM0433 Rev 9, table 124). The two input converters'
-/// line is driven by their common block: in dual mode the pair has one.
-pub(super) const ADC1: usize = 9;
-pub(super) const DAC_CHANNELS: [usize; 2] = [67, 68];
 
 /// Request lines that come over the bus, by instance, its own numbering, and `DMAREQ_ID`.
 const LINES: [(&str, usize, usize); 8] = [
@@ -40,68 +31,6 @@ const LINES: [(&str, usize, usize); 8] = [
     ("USART3", RECEIVE_REQUEST, 45),
     ("USART3", TRANSMIT_REQUEST, 46),
 ];
-
-const IDS: usize = 128;
-
-/// Every request line's level, and the line each channel listens to: a handle for those who drive a
-/// line and those who serve it.
-#[derive(Debug, Clone)]
-pub(super) struct RequestLines(Arc<Shared>);
-
-#[derive(Debug)]
-struct Shared {
-    /// By `DMAREQ_ID`.
-    levels: [AtomicBool; IDS],
-    selected: [AtomicUsize; CHANNELS],
-}
-
-impl RequestLines {
-    pub(super) fn new() -> Self {
-        Self(Arc::new(Shared {
-            levels: std::array::from_fn(|_| AtomicBool::new(false)),
-            selected: std::array::from_fn(|_| AtomicUsize::new(0)),
-        }))
-    }
-
-    /// Sets the level of line `id`.
-    pub(super) fn drive(&self, id: usize, high: bool) {
-        self.0.levels[id].store(high, Ordering::Relaxed);
-    }
-
-    /// Whether the line `channel` listens to is high.
-    pub(super) fn stands(&self, channel: usize) -> bool {
-        self.0.levels[self.selected(channel)].load(Ordering::Relaxed)
-    }
-
-    fn selected(&self, channel: usize) -> usize {
-        self.0.selected[channel].load(Ordering::Relaxed)
-    }
-
-    pub(super) fn select(&self, channel: usize, id: usize) {
-        self.0.selected[channel].store(id, Ordering::Relaxed);
-    }
-}
-
-impl Store for RequestLines {
-    fn store(&self, to: &mut Writer) -> Result<(), snapshot::Error> {
-        let Shared { levels, selected } = &*self.0;
-        let levels = levels.iter().map(|level| level.load(Ordering::Relaxed));
-        let selected = selected.iter().map(|id| id.load(Ordering::Relaxed));
-        to.put(&levels.collect::<Vec<bool>>())?;
-        to.put(&selected.collect::<Vec<usize>>())
-    }
-
-    fn load(&mut self, from: &mut Reader) -> Result<(), snapshot::Error> {
-        let (levels, selected): (Vec<bool>, Vec<usize>) = (from.take()?, from.take()?);
-        for (id, level) in levels.into_iter().enumerate().take(IDS) {
-            self.drive(id, level);
-        }
-        for (channel, id) in selected.into_iter().enumerate().take(CHANNELS) {
-            self.select(channel, id.min(IDS - 1));
-        }
-        Ok(())
-    }
-}
 
 /// The model's state beside the registers.
 #[derive(Debug)]

@@ -6,15 +6,16 @@
 //!
 //! | File | What |
 //! |---|---|
+//! | `pins` | what is connected to the board |
 //! | `schematic` | which pin and port has which task on a board: data |
 //! | `analog` | drive, reference, device under test: where converters meet the rig |
 //! | `tim6` | sample clock |
 //! | `dac` | DAC1, drive |
 //! | `adc` | ADC1 and ADC2, reference and device under test |
-//! | `dma1`, `dmamux` | DMA controller, and the request multiplexer before it |
+//! | `dma1`, `dmamux`, `request_lines` | DMA controller, the request multiplexer before it, its lines |
 //! | `flash` | flash interface, watched: what a power cut leaves behind |
 //! | `iwdg` | watchdog |
-//! | `overdrive` | SYSCFG's switch to voltage scale 0 |
+//! | `overdrive`, `voltage_scale` | SYSCFG's switch to voltage scale 0; what that scale allows |
 //! | `serial_line`, `line_rate` | the serial port's far end; what it hears of another rate |
 //! | `usb` | OTG FS in device mode, and the host's end of its cable |
 //! | `front_panel` | lamps and button |
@@ -38,19 +39,18 @@ mod memory_map;
 mod overdrive;
 mod part;
 mod part_faults;
+mod pins;
+mod request_lines;
 mod schematic;
 mod serial_line;
 #[cfg(test)]
 mod tests;
 mod tim6;
 pub mod usb;
-
-use std::sync::Arc;
+mod voltage_scale;
 
 use rigless::machine::{Board, Target};
 use rigless::mcu::Mcu;
-
-use crate::rig_port::RigPort;
 
 pub use analog::Analog;
 pub use cortex_m7::INSTRUCTIONS_PER_S;
@@ -60,44 +60,13 @@ pub use flash::{
 pub use front_panel::Leds;
 pub use part::Part;
 pub use part_faults::PartFault;
+pub use pins::Pins;
 pub use schematic::{Schematic, SchematicError};
 pub use serial_line::SerialLine;
-use usb::UsbPort;
 
-/// Rail of the part, and of its converters.
-const SUPPLY_MV: u32 = 3300;
 /// Name of the board and of its one core.
 const NAME: &str = "calibrator";
 const CORE: &str = "stm32h743zi";
-
-/// What is connected to the board, each a handle that others may hold too.
-#[derive(Debug, Clone)]
-pub struct Pins {
-    /// Which pin is which.
-    pub schematic: Arc<Schematic>,
-    /// The rig on the analogue pins.
-    pub analog: Analog,
-    /// The far end of the serial port.
-    pub serial: SerialLine,
-    /// A view of the record flash's operations.
-    pub flash: FlashWatch,
-    /// The USB connector.
-    pub usb: UsbPort,
-}
-
-impl Pins {
-    /// A board with `rig` on its connectors.
-    #[must_use]
-    pub fn new(schematic: Arc<Schematic>, rig: Box<dyn RigPort>) -> Self {
-        Self {
-            schematic,
-            analog: Analog::new(rig),
-            serial: SerialLine::default(),
-            flash: FlashWatch::default(),
-            usb: UsbPort::default(),
-        }
-    }
-}
 
 /// The board: the part, and what is soldered around it.
 #[derive(Debug)]
@@ -122,13 +91,6 @@ rigless::store!(CalibratorBoard {
     values: [],
     parts: [part],
     built: [],
-});
-
-// The far end of the serial port, the flash and USB are kept by the models that hold them.
-rigless::store!(Pins {
-    values: [],
-    parts: [analog],
-    built: [schematic, serial, flash, usb],
 });
 
 impl Board for CalibratorBoard {

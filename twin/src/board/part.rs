@@ -4,7 +4,7 @@
 //! emulator's, on our own bus ([`memory_map`]), with TIM6, DAC, ADC1, ADC2, their common block,
 //! DMA1, DMAMUX1, the flash interface, SYSCFG and IWDG answered by the models next door.
 
-use rigless::device::{Device, ErasedDevice, ResetCause, Told};
+use rigless::device::{Device, ErasedDevice, ResetCause};
 use rigless::mcu::{Mcu, Operate};
 use rigless::soc::stm32h743::Stm32h743;
 use rigless::soc::stm32h743::generated::pwr::csr1;
@@ -16,14 +16,16 @@ use rigless::time::VirtualNanos;
 use super::adc::{self, Common, Converter, SharedPair};
 use super::dac::Dac;
 use super::dma1::Dma1;
-use super::dmamux::{Dmamux, RequestLines};
+use super::dmamux::Dmamux;
 use super::flash::WatchedFlash;
 use super::iwdg::Iwdg;
 use super::memory_map;
-use super::overdrive::{self, WatchedSyscfg};
+use super::overdrive::WatchedSyscfg;
+use super::pins::{Pins, SUPPLY_MV};
+use super::request_lines::RequestLines;
+use super::schematic::Schematic;
 use super::tim6::{self, Tim6};
 use super::usb::UsbWindow;
-use super::{Pins, SUPPLY_MV, Schematic};
 
 /// Bit of the voltage detector in the registers of EXTI lines 0 to 31.
 const DETECTOR_LINE: u64 = 1 << 16;
@@ -219,11 +221,6 @@ impl Part {
     /// Since when the regulator's overdrive has been on.
     pub(super) fn overdrive_since(&self) -> Option<VirtualNanos> {
         self.syscfg.overdrive_since()
-    }
-
-    /// Whether what a model told is answered by what the emulator's models cannot see.
-    pub(crate) fn explains(&self, told: &Told) -> bool {
-        overdrive::allows(self, told)
     }
 
     pub(super) fn register<L: rigless::soc::Layout>(&self, register: L, instance: &str) -> u64 {

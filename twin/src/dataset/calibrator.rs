@@ -5,43 +5,12 @@ use rand_chacha::ChaCha12Rng;
 
 use super::Setting;
 use super::nominal::Nominal;
-use super::observe::Instrument;
+use super::observe::{Instrument, Uncertainties};
 use super::point::{Columns, Point};
 use super::truth::TrueRig;
 use crate::effects::ActiveEffect;
 use crate::model::Conditions;
 use crate::steady::Solver;
-
-/// Standard uncertainties of the random part of each row.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Uncertainties {
-    /// Ratio, relative.
-    pub ratio: f64,
-    /// Its phase, degrees.
-    pub phase_deg: f64,
-    /// Reference over coil voltage, relative and in rad.
-    pub drive: f64,
-    /// Coil current over coil voltage, relative and in rad.
-    pub current: f64,
-    /// Real and imaginary part of each relative harmonic.
-    pub harmonic: f64,
-    /// Mean, V.
-    pub dc_v: f64,
-}
-
-impl Default for Uncertainties {
-    /// A good laboratory instrument.
-    fn default() -> Self {
-        Self {
-            ratio: 2e-4,
-            phase_deg: 0.02,
-            drive: 5e-4,
-            current: 5e-4,
-            harmonic: 5e-5,
-            dc_v: 2e-5,
-        }
-    }
-}
 
 /// How a dataset is made.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

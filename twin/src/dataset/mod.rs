@@ -15,11 +15,12 @@ mod unlocked;
 
 use std::path::Path;
 
-pub use self::calibrator::{Generated, Options, Uncertainties, generate};
+pub use self::calibrator::{Generated, Options, generate};
 pub use self::design::{Setting, standard_design};
 pub use self::nominal::{
     Digitiser, Environment, Exciter, Nominal, NominalError, Quantity, Repeatability, Transducer,
 };
+pub use self::observe::Uncertainties;
 pub use self::point::{Columns, Harmonic, Point, points_csv};
 pub use self::record::{NominalOscillator, Record, RecordOptions};
 

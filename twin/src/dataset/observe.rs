@@ -8,7 +8,6 @@ use rand_chacha::ChaCha12Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::Setting;
-use super::calibrator::Uncertainties;
 use super::nominal::Nominal;
 use super::point::{Harmonic, Point};
 use super::unlocked::UnlockedTone;
@@ -17,6 +16,37 @@ use crate::steady::{ChannelState, REPORTED, SteadyState};
 
 /// Relative scatter of the noise columns.
 const NOISE_SCATTER: f64 = 0.01;
+
+/// Standard uncertainties of the random part of each row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Uncertainties {
+    /// Ratio, relative.
+    pub ratio: f64,
+    /// Its phase, degrees.
+    pub phase_deg: f64,
+    /// Reference over coil voltage, relative and in rad.
+    pub drive: f64,
+    /// Coil current over coil voltage, relative and in rad.
+    pub current: f64,
+    /// Real and imaginary part of each relative harmonic.
+    pub harmonic: f64,
+    /// Mean, V.
+    pub dc_v: f64,
+}
+
+impl Default for Uncertainties {
+    /// A good laboratory instrument.
+    fn default() -> Self {
+        Self {
+            ratio: 2e-4,
+            phase_deg: 0.02,
+            drive: 5e-4,
+            current: 5e-4,
+            harmonic: 5e-5,
+            dc_v: 2e-5,
+        }
+    }
+}
 
 /// A channel as seen over one block.
 struct Seen {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::validate::Range;
+use super::range::Range;
 
 /// What the certificate of the reference states about its own uncertainty (k = 2, normal).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

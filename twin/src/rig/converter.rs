@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::validate::Range;
+use super::range::Range;
 
 /// Digital-to-analogue and analogue-to-digital conversion.
 ///

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::validate::Range;
+use super::range::Range;
 use crate::model::CoilModel;
 
 /// A voltage-driven moving coil carrying table, reference and payload on a suspension.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::validate::Range;
+use super::range::Range;
 
 /// A transducer with its conditioner, up to the input connector.
 ///

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::validate::Range;
+use super::range::Range;
 use crate::model::Conditions;
 
 /// Conditions that effects depend on.

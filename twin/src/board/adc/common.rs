@@ -5,8 +5,8 @@ use rigless::soc::stm32h743::generated::adc3::{cfgr, cr, isr};
 use rigless::soc::stm32h743::generated::adc3_common::{Register, ccr};
 use rigless::time::VirtualNanos;
 
-use super::super::dmamux::{ADC1, RequestLines};
 use super::{Pair, SharedPair};
+use crate::board::request_lines::{ADC1, RequestLines};
 
 /// `DUAL` of the regular simultaneous mode alone (RM0433 Rev 9, section 25.7.2).
 const REGULAR_SIMULTANEOUS: u64 = 0b00110;
@@ -22,7 +22,7 @@ const KERNEL_CLOCK: usize = 0;
 
 /// The model's state beside the registers.
 #[derive(Debug)]
-pub(in super::super) struct Common {
+pub(crate) struct Common {
     pair: SharedPair,
     lines: RequestLines,
     kernel_hz: u64,
@@ -36,7 +36,7 @@ rigless::store!(Common {
 });
 
 impl Common {
-    pub(in super::super) fn new(pair: SharedPair, lines: RequestLines) -> Self {
+    pub(crate) fn new(pair: SharedPair, lines: RequestLines) -> Self {
         Self {
             pair,
             lines,
@@ -46,7 +46,7 @@ impl Common {
     }
 
     /// The pair converted last was not fetched.
-    pub(in super::super) fn leave_a_pair_unread(&mut self) {
+    pub(crate) fn leave_a_pair_unread(&mut self) {
         self.pair.lock().unread = true;
     }
 
@@ -61,11 +61,7 @@ impl Common {
     }
 
     /// TIM6's trigger output pulses.
-    pub(in super::super) fn on_tim6(
-        &mut self,
-        registers: &RegisterFile,
-        context: &mut DeviceContext<'_>,
-    ) {
+    pub(crate) fn on_tim6(&mut self, registers: &RegisterFile, context: &mut DeviceContext<'_>) {
         let control = registers.get(Register::Ccr);
         if ccr::DUAL.get(control) == REGULAR_SIMULTANEOUS {
             self.trigger(control, context);

@@ -15,7 +15,7 @@ const LINEARITY_CYCLES: u64 = 165_010;
 
 /// The model's state beside the registers.
 #[derive(Debug)]
-pub(in super::super) struct Converter {
+pub(crate) struct Converter {
     nth: usize,
     pair: SharedPair,
     regulator: Option<EventId>,
@@ -31,7 +31,7 @@ rigless::store!(Converter {
 
 impl Converter {
     /// ADC1 is number 0, ADC2 number 1.
-    pub(in super::super) fn new(nth: usize, pair: SharedPair) -> Self {
+    pub(crate) fn new(nth: usize, pair: SharedPair) -> Self {
         Self {
             nth,
             pair,

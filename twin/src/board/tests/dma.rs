@@ -10,8 +10,9 @@ use rigless::soc::{Layout, Width};
 use rigless::time::VirtualNanos;
 
 use super::super::dma1::{Dma1, STREAMS};
-use super::super::dmamux::{self, DAC_CHANNELS, RequestLines};
+use super::super::dmamux;
 use super::super::memory_map;
+use super::super::request_lines::{DAC_CHANNELS, RequestLines};
 use super::{RAM, Ram};
 
 /// A register without a side effect, for a peripheral's side: DAC's `DHR12R1` as a plain store.

@@ -18,7 +18,7 @@ const GLOBAL_LINE: usize = 0;
 
 /// The core on the bus of the part.
 #[derive(Debug)]
-pub(in super::super) struct UsbWindow {
+pub(crate) struct UsbWindow {
     port: UsbPort,
     layout: &'static [RegisterSpec],
     /// Level last driven on the interrupt line.
@@ -34,7 +34,7 @@ rigless::store!(UsbWindow {
 
 impl UsbWindow {
     /// Adds the window to `bus`; its slot and its model.
-    pub(in super::super) fn add_to(bus: &mut Bus, port: UsbPort) -> Result<(usize, Self), Error> {
+    pub(crate) fn add_to(bus: &mut Bus, port: UsbPort) -> Result<(usize, Self), Error> {
         let clock = Gate::by("RCC", "AHB1ENR", "USB2OTGHSEN");
         let window = Window::new("OTG_FS", BASE, SIZE)
             .gated(clock)

@@ -1,0 +1,49 @@
+//! What is connected to the board.
+
+use std::sync::Arc;
+
+use super::analog::Analog;
+use super::flash::FlashWatch;
+use super::schematic::Schematic;
+use super::serial_line::SerialLine;
+use super::usb::UsbPort;
+use crate::rig_port::RigPort;
+
+/// Rail of the part, and of its converters.
+pub(super) const SUPPLY_MV: u32 = 3300;
+
+/// What is connected to the board, each a handle that others may hold too.
+#[derive(Debug, Clone)]
+pub struct Pins {
+    /// Which pin is which.
+    pub schematic: Arc<Schematic>,
+    /// The rig on the analogue pins.
+    pub analog: Analog,
+    /// The far end of the serial port.
+    pub serial: SerialLine,
+    /// A view of the record flash's operations.
+    pub flash: FlashWatch,
+    /// The USB connector.
+    pub usb: UsbPort,
+}
+
+impl Pins {
+    /// A board with `rig` on its connectors.
+    #[must_use]
+    pub fn new(schematic: Arc<Schematic>, rig: Box<dyn RigPort>) -> Self {
+        Self {
+            schematic,
+            analog: Analog::new(rig),
+            serial: SerialLine::default(),
+            flash: FlashWatch::default(),
+            usb: UsbPort::default(),
+        }
+    }
+}
+
+// The far end of the serial port, the flash and USB are kept by the models that hold them.
+rigless::store!(Pins {
+    values: [],
+    parts: [analog],
+    built: [schematic, serial, flash, usb],
+});
