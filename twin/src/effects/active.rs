@@ -5,10 +5,8 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::oscillator::OscillatorAction;
-use super::{CalibratorAction, Effect, Library};
+use super::effect::{CalibratorAction, Effect, Library};
 use crate::model::{Conditions, Model};
-use crate::oscillator::Oscillator;
 
 /// An effect at work.
 #[derive(Clone)]
@@ -62,6 +60,14 @@ pub enum EffectError {
     },
 }
 
+impl<A: Library> Effect<A> {
+    /// The effect with the usual value of each parameter.
+    pub fn usual(&'static self) -> ActiveEffect<A> {
+        let parameters = self.entry.parameters.iter();
+        ActiveEffect::trusted(self, parameters.map(|parameter| parameter.usual).collect())
+    }
+}
+
 impl<A: Library> ActiveEffect<A> {
     /// `effect` with `values` in the order of its parameters.
     ///
@@ -87,7 +93,7 @@ impl<A: Library> ActiveEffect<A> {
         Ok(Self::trusted(effect, accepted))
     }
 
-    pub(super) fn trusted(effect: &'static Effect<A>, values: Vec<f64>) -> Self {
+    fn trusted(effect: &'static Effect<A>, values: Vec<f64>) -> Self {
         Self { effect, values }
     }
 
@@ -106,13 +112,6 @@ impl ActiveEffect<CalibratorAction> {
     /// Changes `model` as the effect does under `conditions`.
     pub fn apply(&self, conditions: &Conditions, model: &mut Model) {
         (self.effect.apply)(&self.values, conditions, model);
-    }
-}
-
-impl ActiveEffect<OscillatorAction> {
-    /// Changes `oscillator` as the effect does.
-    pub fn apply_to(&self, oscillator: &mut Oscillator) {
-        (self.effect.apply)(&self.values, oscillator);
     }
 }
 
@@ -201,6 +200,7 @@ fn assignment<A>(effect: &'static Effect<A>, part: &str) -> Result<(usize, f64),
 
 #[cfg(test)]
 mod tests {
+    use super::super::oscillator::OscillatorAction;
     use super::*;
 
     fn hold_for<A: Library>() {

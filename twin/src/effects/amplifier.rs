@@ -1,6 +1,6 @@
 //! Actions of the power amplifier.
 
-use super::Effect;
+use super::effect::Effect;
 use calib_effects::amplifier;
 
 pub(super) static EFFECTS: &[Effect] = &[

@@ -1,6 +1,6 @@
 //! Actions of amplifiers and filters between transducer and converter.
 
-use super::Effect;
+use super::effect::Effect;
 use crate::model::{Pickup, SecondOrder, Section};
 use calib_effects::conditioning;
 

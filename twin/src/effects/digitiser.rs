@@ -1,6 +1,6 @@
 //! Actions of the converter and its clock.
 
-use super::Effect;
+use super::effect::Effect;
 use crate::model::{Channel, Model, Section};
 use calib_effects::digitiser;
 

@@ -1,6 +1,6 @@
 //! Actions of the device under test.
 
-use super::Effect;
+use super::effect::Effect;
 use crate::model::{SecondOrder, Section};
 use calib_effects::dut;
 

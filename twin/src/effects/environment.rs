@@ -1,6 +1,6 @@
 //! Actions from outside.
 
-use super::Effect;
+use super::effect::Effect;
 use crate::model::AmbientMotion;
 use calib_effects::environment;
 

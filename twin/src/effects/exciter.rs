@@ -1,6 +1,6 @@
 //! Actions of moving coil and suspension.
 
-use super::Effect;
+use super::effect::Effect;
 use crate::model::{FREE_FALL_MS2, SecondOrder, Section};
 use calib_effects::exciter;
 

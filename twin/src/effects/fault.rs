@@ -3,7 +3,8 @@
 //! Faults are given like effects, as `NAME=PARAM:VALUE,...`, in the list `faults` of a rig file. They
 //! act on the rig in time only: no steady state has them.
 
-use super::{ActiveEffect, Effect, Library};
+use super::active::ActiveEffect;
+use super::effect::{Effect, Library};
 use crate::faults::{BodyFault, Contact, DriveFault, Fade, Faults, Surge};
 use calib_effects::fault;
 

@@ -1,6 +1,6 @@
 //! Actions between table and transducers.
 
-use super::Effect;
+use super::effect::Effect;
 use crate::model::{FREE_FALL_MS2, SecondOrder, Section, Separation};
 use calib_effects::mount;
 use std::f64::consts::TAU;

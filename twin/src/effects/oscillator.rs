@@ -1,6 +1,7 @@
 //! Actions on an oscillator beside ISO 16063-43 formula (1).
 
-use super::{Effect, Library};
+use super::active::ActiveEffect;
+use super::effect::{Effect, Library};
 use crate::oscillator::Oscillator;
 use calib_effects::oscillator;
 
@@ -54,5 +55,12 @@ impl Library for OscillatorAction {
 
     fn effects() -> &'static [Effect<Self>] {
         &EFFECTS
+    }
+}
+
+impl ActiveEffect<OscillatorAction> {
+    /// Changes `oscillator` as the effect does.
+    pub fn apply_to(&self, oscillator: &mut Oscillator) {
+        (self.effect.apply)(&self.values, oscillator);
     }
 }

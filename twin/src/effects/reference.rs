@@ -1,6 +1,6 @@
 //! Actions of the reference transducer.
 
-use super::Effect;
+use super::effect::Effect;
 use crate::model::{SecondOrder, Section};
 use calib_effects::reference;
 
