@@ -4,7 +4,7 @@ use crate::broadband::{BroadbandDrive, PeriodMemory, Player};
 use crate::converter::Width;
 use crate::generator::{Drive, Generator};
 
-/// What the exciter is to do.
+/// Command to the exciter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Command {
@@ -16,7 +16,7 @@ pub enum Command {
     Mute,
 }
 
-/// What feeds the converter.
+/// Source of the converter's codes.
 pub struct Output<'m> {
     tone: Generator,
     broadband: Player<'m>,

@@ -1,4 +1,4 @@
-//! What is asked of a point and what comes back.
+//! Request for a point, and its result.
 
 use crate::tone::Tone;
 use crate::verdict::{Reason, Verdict};
@@ -34,7 +34,7 @@ pub enum ExcitationKind {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PointResult {
-    /// What was asked.
+    /// The request.
     pub spec: PointSpec,
     /// The tone that was played; its frequency follows from the sample rate.
     pub tone: Tone,

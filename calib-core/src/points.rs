@@ -72,7 +72,7 @@ pub fn linearity_points(frequency_hz: f32, low_rms_ms2: f32, high_rms_ms2: f32) 
 pub struct Deviation {
     /// Relative deviation of the magnitude, 1.
     pub rel: f32,
-    /// The same in decibels.
+    /// Deviation in decibels.
     pub db: f32,
     /// Deviation of the phase, rad, in (-pi, pi].
     pub phase_rad: f32,

@@ -46,7 +46,7 @@ pub struct Sensitivity {
 }
 
 impl Sensitivity {
-    /// The same transducer's sensitivity to another quantity.
+    /// Sensitivity of this transducer to another quantity.
     ///
     /// # Equation
     /// `S_x = S_y w^n exp(-j n pi/2)`, `n` being how many times `y` is

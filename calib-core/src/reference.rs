@@ -20,7 +20,7 @@ pub struct ReferenceSensitivity {
     pub expanded_uncertainty_phase_rad: f32,
     /// Half-width of the error by interpolation, relative; 0 at a row.
     pub interpolation_rel: f32,
-    /// The same for the phase, rad.
+    /// Expanded uncertainty of the phase, rad.
     pub interpolation_phase_rad: f32,
 }
 

@@ -17,7 +17,7 @@ pub struct VibrationGeneration {
     pub distortion_rel: f32,
     /// Hum and noise below full output from 10 Hz on, dB, at least.
     pub noise_below_full_db: f32,
-    /// The same below 10 Hz.
+    /// Limit below 10 Hz.
     pub noise_below_full_under_10_hz_db: f32,
 }
 

@@ -1,6 +1,6 @@
 //! The instrument's own temperature, by the sensor inside its processor.
 //!
-//! What it shows is the silicon, which its own dissipation keeps warmer than
+//! It shows the silicon, which its own dissipation keeps warmer than
 //! the instrument, and the sensor is good to some kelvin. That is enough to
 //! refuse work outside of what the parts are made for, and to see the
 //! instrument warm up; it is no ambient temperature of a certificate.
@@ -32,7 +32,7 @@ const FACTORY_HIGH_C: f32 = 110.0;
 /// An erased halfword.
 const ERASED: u16 = 0xFFFF;
 
-/// What the factory read with 3.3 V as the converter's reference, and left in
+/// Codes the factory read with 3.3 V as the converter's reference, and left in
 /// the part: 16-bit codes.
 ///
 /// # Source

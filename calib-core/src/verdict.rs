@@ -1,4 +1,4 @@
-//! What a point ends in: a verdict, never a silent number.
+//! A point ends in a verdict, never in a silent number.
 
 use core::fmt;
 use serde::{Deserialize, Serialize};

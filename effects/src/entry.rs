@@ -34,7 +34,7 @@ pub enum Stage {
     Exciter,
     /// Power amplifier; of a record, its input.
     Amplifier,
-    /// What comes from outside.
+    /// Surroundings.
     Environment,
 }
 

@@ -1,4 +1,4 @@
-//! What comes from outside.
+//! Surroundings.
 
 use super::{Entry, Parameter, Stage};
 

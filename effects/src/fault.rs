@@ -1,4 +1,4 @@
-//! What breaks on site.
+//! Faults on site.
 //!
 //! Faults are given like effects, in the list `faults` of a rig file. They act on the rig in time
 //! only: no steady state has them. `at_s` counts from the instant the rig was connected.

@@ -1,4 +1,4 @@
-//! What real oscillators have beside mass, damping and spring of ISO 16063-43 formula (1).
+//! Terms of real oscillators beside mass, damping and spring of ISO 16063-43 formula (1).
 //!
 //! Terms of like parity and like force are confused: conservative ones move the resonance with
 //! level, dissipative ones its height. Amplitudes are in the unit of the output, which is whatever

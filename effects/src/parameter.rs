@@ -83,7 +83,7 @@ impl Parameter {
         }
     }
 
-    /// What a rig file may state, where a fit has other bounds.
+    /// Bounds of a rig file, where a fit has other ones.
     pub(crate) const fn simulated(self, lowest: f64, highest: f64) -> Self {
         Self {
             simulated: [lowest, highest],

@@ -19,7 +19,7 @@ const FIRM_PERIODS: u32 = 2;
 /// Longest hand: a minute. What stays down longer is stuck.
 const HELD_PERIODS: u32 = 3_000;
 
-/// What a look at the button shows.
+/// Event a look at the button found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Press {
     /// Nothing new.

@@ -30,7 +30,7 @@ pub struct RecordPage {
     pub more: bool,
 }
 
-/// What a host can ask of the calibrator.
+/// Commands of a host to the calibrator.
 // Both ends are in this crate and run on one executor: no `Send` is needed.
 #[allow(async_fn_in_trait)]
 pub trait Instrument {
@@ -38,7 +38,7 @@ pub trait Instrument {
     fn admit(&mut self, request: &Request) -> Result<(), Refusal>;
     /// Identity and health.
     fn info(&mut self) -> Info;
-    /// What is going on.
+    /// Asks for the state.
     fn status(&mut self) -> Status;
     /// Result of a point of the running or last run.
     fn point(&mut self, index: u16) -> Option<PointResult>;

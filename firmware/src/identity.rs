@@ -9,7 +9,7 @@ use heapless::String;
 const GIT_HASH: &str = env!("CALIB_GIT_HASH");
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// What does not change while the board runs.
+/// Facts that do not change while the board runs.
 #[derive(Clone)]
 pub(crate) struct Identity {
     pub(crate) serial: String<32>,
@@ -17,7 +17,7 @@ pub(crate) struct Identity {
     pub(crate) git_hash: String<24>,
     pub(crate) reset_cause: ResetCause,
     pub(crate) last_panic: Option<String<160>>,
-    /// What made the board restart, when that was not meant to be.
+    /// Cause of an unintended restart.
     pub(crate) incident: Option<String<160>>,
 }
 

@@ -23,7 +23,7 @@ use crate::scpi::Console;
 use calib_protocol::frame::{self, Frame, FrameError, MAX_FRAME, Receiver};
 use calib_protocol::message::{Refusal, Request, Response};
 
-/// What a frame asked for beside its answer.
+/// Action a frame asked for beside its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aftermath {
     /// Nothing.
@@ -32,7 +32,7 @@ pub enum Aftermath {
     Reset,
 }
 
-/// What came since the last end of a frame or line.
+/// Bytes received since the last end of a frame or line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 enum Begun {
@@ -43,7 +43,7 @@ enum Begun {
     Line = 3,
 }
 
-/// What a byte ended.
+/// Unit of input a byte completed.
 enum End {
     Nothing,
     Frame,

@@ -76,7 +76,7 @@ fn keep(reason: &str) {
     unsafe { RETAINED.0.get().write_volatile(kept) };
 }
 
-/// What fits is kept: a long message must not lose its beginning.
+/// Keeps as much as fits: a long message must not lose its beginning.
 struct Truncating(String<REASON_BYTES>);
 
 impl Write for Truncating {

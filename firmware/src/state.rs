@@ -1,4 +1,4 @@
-//! What tasks know of each other: short copies under a critical section.
+//! State the tasks share: short copies under a critical section.
 
 use crate::board::CONVERTERS;
 use calib_core::point::{ExcitationKind, PointResult};
@@ -48,7 +48,7 @@ pub(crate) fn with_session<T>(look: impl FnOnce(&mut Session) -> T) -> T {
 
 /// The running or last run.
 pub(crate) struct Run {
-    /// What was asked.
+    /// The request.
     pub(crate) spec: RunSpec,
     /// Results so far, in order.
     pub(crate) results: Vec<PointResult, MAX_POINTS>,

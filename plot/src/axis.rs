@@ -16,7 +16,7 @@ pub enum Scale {
 /// One axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What it shows, with unit; may be empty.
+    /// Title with unit; may be empty.
     pub title: String,
     /// Lower end.
     pub low: f64,

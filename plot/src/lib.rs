@@ -31,7 +31,7 @@ pub use svg::sheet;
 /// A frame with axes and the marks in it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
-    /// What is drawn, with its unit: above the frame, and what a screen reader says.
+    /// Caption with unit: above the frame, and for a screen reader.
     pub caption: String,
     /// From left to right.
     pub x: Axis,

@@ -1,4 +1,4 @@
-//! What stands in the frame of a plot.
+//! Marks in the frame of a plot.
 
 /// Colour of a mark; its meaning is the caller's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -15,7 +15,7 @@ pub struct Record {
     pub head: RecordHead,
     /// Settings and reference calibration the run was made with.
     pub settings: Settings,
-    /// What made the instrument restart since the record before, if that was a
+    /// Cause of the restart since the record before, if that was a
     /// panic or a fault.
     pub incident: Option<String<160>>,
     /// True when every point of the list was attempted.

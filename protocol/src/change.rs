@@ -16,7 +16,7 @@ pub struct ReferenceChange {
     pub head: RecordHead,
     /// All settings in force from here on, those of the reference among them.
     pub settings: Settings,
-    /// What was in force of the reference's channel before.
+    /// Settings of the reference's channel in force before.
     pub before: ReferenceChannel,
 }
 

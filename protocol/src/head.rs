@@ -1,4 +1,4 @@
-//! What every record begins with, whatever it is about.
+//! Head of every record, of any kind.
 
 use heapless::String;
 use serde::{Deserialize, Serialize};
@@ -20,7 +20,7 @@ pub struct RecordHead {
     pub firmware: String<40>,
     /// Samples per second and channel, Hz.
     pub sample_rate_hz: f32,
-    /// What the operator said; in the log of a change time and operator alone.
+    /// Labels the operator gave; in the log of a change time and operator alone.
     pub labels: RunLabels,
 }
 
@@ -36,7 +36,7 @@ impl RecordHead {
     };
 }
 
-/// What the operator says about a run.
+/// Labels the operator gives a run.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RunLabels {
     /// Seconds since 1970-01-01 UTC by the host's clock; 0 = not known.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 /// Version of the records that are written.
 pub const RECORD_VERSION: u16 = 2;
 
-/// What a record is about.
+/// Kind of a record.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

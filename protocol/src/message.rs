@@ -26,14 +26,14 @@ use serde::{Deserialize, Serialize};
 /// Bytes of a record in one answer.
 pub const RECORD_CHUNK: usize = 1024;
 
-/// What a host asks.
+/// Request of a host.
 // A request is built once and encoded: its size never matters.
 #[allow(clippy::large_enum_variant)]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Request {
     /// Who are you?
     Info,
-    /// What are you doing?
+    /// Asks for the state of the instrument.
     Status,
     /// Result of one point of the running or last run, from 0.
     Point {
@@ -88,7 +88,7 @@ pub enum Request {
     },
 }
 
-/// What the calibrator answers.
+/// Answer of the calibrator.
 // An answer is encoded at once and never stored in numbers.
 #[allow(clippy::large_enum_variant)]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -220,7 +220,7 @@ pub struct RunSpec {
     /// Tone after tone, or all at once; then all points have one level, the
     /// total r.m.s. of the band from the lowest to the highest of them.
     pub excitation: ExcitationKind,
-    /// What the record should say about the run.
+    /// Labels of the run for the record.
     pub labels: RunLabels,
 }
 
@@ -270,7 +270,7 @@ pub enum ResetCause {
     Other,
 }
 
-/// What the instrument is doing now.
+/// State of the instrument.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Status {
     /// Phase of the run.

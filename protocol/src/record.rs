@@ -57,20 +57,20 @@ pub struct RecordSummary {
     pub refused: u16,
     /// [`digest`] of the record.
     pub sha256: Sha256Sum,
-    /// What it is about.
+    /// Kind of record.
     pub kind: RecordKind,
 }
 
 /// Where a record stands in the chain of its instrument.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ChainLink {
-    /// What the record is about.
+    /// Kind of record.
     pub kind: RecordKind,
     /// Running number.
     pub id: u32,
     /// Serial number of the instrument.
     pub instrument_serial: String<32>,
-    /// What it says of the record before: its [`digest`].
+    /// [`digest`] of the record before, as stored in this one.
     pub previous_sha256: Sha256Sum,
     /// Its own [`digest`].
     pub sha256: Sha256Sum,
@@ -133,7 +133,7 @@ fn seal(
     Ok(end + 4)
 }
 
-/// What lies between the checksum and the first two bytes of a record.
+/// Content between the first two bytes of a record and its checksum.
 #[derive(Clone, Copy)]
 pub(crate) struct Content<'a> {
     pub(crate) kind: RecordKind,
@@ -258,7 +258,7 @@ pub fn link(bytes: &[u8]) -> Result<ChainLink, RecordError> {
     })
 }
 
-/// What the record list says of a record, and where the settings lie in its bytes. Of the points only
+/// Line of the record list for a record, and the place of the settings in its bytes. Of the points only
 /// the verdicts are read: that takes little memory, where [`decode`] takes room for the longest record.
 ///
 /// # Errors

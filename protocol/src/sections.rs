@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize, Serializer};
 /// A section to be written.
 #[derive(Clone, Copy, Debug)]
 pub struct Section<T> {
-    /// What it is.
+    /// Description.
     pub id: u8,
     /// Version of its content.
     pub version: u8,

@@ -10,7 +10,7 @@
 //! | 6 | influences | rows: row u8, relative value f32, value in rad f32, distribution |
 //! | 7 | influences that differ from point to point | list of their coefficients, f32 |
 //!
-//! What is not there is as in [`Settings::BLANK`], which no instrument accepts where it matters.
+//! Missing sections are as in [`Settings::BLANK`], which no instrument accepts where it matters.
 
 use crate::error::RecordError;
 use crate::sections::{Fields, Read, find, needed, section};

@@ -16,7 +16,7 @@ use core::ops::Range;
 use postcard::take_from_bytes;
 use serde::{Deserialize, Serialize};
 
-/// What must be known of a stored record to list it and to put it together.
+/// Everything needed to list a stored record and to put it together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct StoredHead {
     /// SHA-256 of the whole record.
@@ -46,7 +46,7 @@ impl StoredHead {
         usize::from(self.body_bytes) + self.cut().len()
     }
 
-    /// What is missing in the body: range of the record's bytes.
+    /// Gap in the body: range of the record's bytes.
     pub fn cut(&self) -> Range<usize> {
         let at = usize::from(self.settings_at);
         let missing = if self.with_settings {

@@ -13,7 +13,7 @@ const CALIBRATION: &[u8] = include_bytes!("form1/calibration.calibrec");
 const CHANGE: &[u8] = include_bytes!("form1/change.calibrec");
 const SETTINGS: &[u8] = include_bytes!("form1/settings.bin");
 
-/// What the settings of all three say, but for the table of the reference.
+/// Settings common to all three, but for the table of the reference.
 fn check_settings(settings: &Settings) {
     assert_eq!(settings.blocks, 12);
     assert_eq!(settings.reference.serial, "R 1");

@@ -23,7 +23,7 @@ const TEN_MINUTES: Duration = Duration::from_secs(600);
 /// Time between two instants at which the run is kept.
 const HOUR: Duration = Duration::from_secs(3600);
 
-/// What a long run has come to.
+/// Result of a long run.
 #[derive(Serialize, Deserialize)]
 struct Tally {
     runs: u32,

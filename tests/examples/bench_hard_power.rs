@@ -16,7 +16,7 @@ const OPERATIONS: u64 = 130;
 /// How far into an operation.
 const FRACTIONS: [f64; 5] = [0.02, 0.25, 0.5, 0.75, 0.98];
 
-/// What the cuts met.
+/// Circumstances of the cuts.
 #[derive(Default)]
 struct Tally {
     cuts: u32,

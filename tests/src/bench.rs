@@ -16,7 +16,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// What goes wrong on a bench ends a test: there is nothing to recover.
+/// A fault on a bench ends a test: there is nothing to recover.
 pub type Fault = Box<dyn std::error::Error + Send + Sync>;
 
 /// Time from power-on after which the firmware must answer.
@@ -25,7 +25,7 @@ const BOOT: Duration = Duration::from_millis(300);
 /// Time after which the firmware has seen the button go up or down.
 const BUTTON_SEEN: Duration = Duration::from_millis(60);
 
-/// What a conversation counts its requests from, so that every run sends the same bytes; a later one
+/// First request number of a conversation, so that every run sends the same bytes; a later one
 /// not from where an earlier one stands, or the device takes its first start for a repetition.
 const FIRST: u16 = 0x1000;
 const AFTER_KEEPING: u16 = 0x8000;
@@ -52,7 +52,7 @@ impl Bench {
         Self::with_port(Box::new(Plant::new(rig)))
     }
 
-    /// The same with anything on its connectors.
+    /// Boots the shipping image with anything on its connectors.
     ///
     /// # Errors
     /// As [`Bench::with_rig`].

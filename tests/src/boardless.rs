@@ -51,7 +51,7 @@ struct Calibrator<'m> {
     sequencer: Sequencer<'m>,
     output: Output<'m>,
     plant: Plant,
-    /// What is played now, and what is queued behind it.
+    /// Codes played now, and those queued behind.
     ring: [[u16; BLOCK]; 2],
 }
 

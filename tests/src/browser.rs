@@ -18,7 +18,7 @@ use tokio::runtime::Runtime;
 /// Longest wait for something to appear on a page.
 const PATIENCE: Duration = Duration::from_secs(40);
 
-/// What keeps Chromium to the page under test: no sandbox, which root cannot have,
+/// Keeps Chromium to the page under test: no sandbox, which root cannot have,
 /// no shared memory, of which containers have little, and nothing asked of anybody on a
 /// network.
 const FLAGS: [&str; 9] = [
@@ -199,7 +199,7 @@ impl Browser {
         found.map_err(|error| format!("{selector}: {error}").into())
     }
 
-    /// What an expression of JavaScript says on this page.
+    /// Evaluates an expression of JavaScript on this page.
     ///
     /// # Errors
     /// It throws.
@@ -227,7 +227,7 @@ impl Browser {
         }
     }
 
-    /// What is on the screen, as PNG.
+    /// Picture of the screen, as PNG.
     ///
     /// # Errors
     /// The browser refuses.

@@ -12,7 +12,7 @@ const USBMON_HEADER: usize = 64;
 /// One packet: a transfer submitted or completed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Packet {
-    /// What its submission and its completion have in common.
+    /// Fields that submission and completion share.
     pub id: u64,
     /// `S` for a submission, `C` for a completion.
     pub kind: u8,
@@ -35,7 +35,7 @@ pub struct Packet {
 /// Reads a whole capture.
 ///
 /// # Errors
-/// What is wrong, and at which byte.
+/// Defect, and the byte it is at.
 pub fn read(file: &[u8]) -> Result<Vec<Packet>, String> {
     let header = file.get(..FILE_HEADER).ok_or("no file header")?;
     if header[..8] != [0xD4, 0xC3, 0xB2, 0xA1, 2, 0, 4, 0] || header[20..] != [220, 0, 0, 0] {

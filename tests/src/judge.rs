@@ -21,7 +21,7 @@ pub fn deviation(result: &PointResult, rig: &Rig, sample_rate_hz: f32) -> Deviat
     from_truth(result, oracle::dut_sensitivity(rig, frequency_hz))
 }
 
-/// The same from a truth given as a complex sensitivity, V/(m/s2).
+/// Judges by a truth given as a complex sensitivity, V/(m/s2).
 pub fn from_truth(result: &PointResult, truth: calib_twin::Complex<f64>) -> Deviation {
     let phase_rad = f64::from(result.phase_rad) - truth.arg();
     Deviation {

@@ -11,7 +11,7 @@ use std::sync::{Arc, mpsc};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-/// What the thread of the board and its user share.
+/// State shared by the board's thread and its user.
 #[derive(Default)]
 struct Shared {
     ended: AtomicBool,
@@ -22,7 +22,7 @@ struct Shared {
 
 /// The calibrator; switched off when it is dropped.
 pub struct Live {
-    /// What `--device` is given.
+    /// Address for `--device`.
     pub address: String,
     shared: Arc<Shared>,
     thread: Option<JoinHandle<()>>,

@@ -22,7 +22,7 @@ pub fn tool() -> Result<PathBuf, Fault> {
 /// The server; ended when it is dropped.
 pub struct Served {
     process: Child,
-    /// What it printed: the address to open.
+    /// Address it printed.
     pub url: String,
 }
 

@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// Sample pairs of a block: the converters' DMA interrupts with each (10 ms).
 const BLOCK_PAIRS: u64 = 500;
 
-/// What a witness has seen of the table.
+/// Motion of the table as a witness saw it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen {
     /// Highest magnitude of its acceleration, m/s2.
@@ -24,12 +24,12 @@ pub struct Seen {
     block_ns: u64,
 }
 
-/// What a witness has seen, shared with the test.
+/// Observations of a witness, shared with the test.
 #[derive(Clone, Debug, Default)]
 pub struct Sight(Arc<Mutex<Seen>>);
 
 impl Sight {
-    /// What was seen so far.
+    /// Observations so far.
     pub fn take(&self) -> Seen {
         *self.seen()
     }

@@ -385,7 +385,7 @@ fn a_silent_port_is_given_up_in_seconds() {
     assert!(start.elapsed() < Duration::from_secs(8));
 }
 
-/// What a laboratory's own script does, with the drivers it has: no line of ours.
+/// A laboratory's own script, with the drivers it has: no line of ours.
 const SCPI_SCRIPT: &str = r#"
 import json, sys, pyvisa
 manager = pyvisa.ResourceManager('@py')
@@ -411,7 +411,7 @@ heard['version'] = calibrator.query('SYST:VERS?')
 print(json.dumps(heard))
 "#;
 
-/// What PyVISA hears at a resource, if there is a Python that has it.
+/// Answer PyVISA hears at a resource, if there is a Python that has it.
 fn pyvisa(resource: &str) -> Option<Value> {
     let Some(python) = std::env::var_os("CALIB_PYTHON") else {
         assert!(std::env::var_os("CI").is_none(), "CALIB_PYTHON is not set");

@@ -28,7 +28,7 @@ pub const AIR_C: f64 = 23.0;
 /// 480 MHz) over some 42 K/W from junction to air.
 pub const SELF_HEATING_K: f64 = 25.0;
 
-/// What is connected to the board's analogue pins, and the air around it.
+/// Devices at the board's analogue pins, and the air around it.
 ///
 /// The board calls [`hold`](Self::hold) for every stretch of time in which the drive output was
 /// constant, and [`sample`](Self::sample) at each conversion, in the order of virtual time. In

@@ -92,7 +92,7 @@ const BENCHES: &[Bench] = &[
     },
 ];
 
-/// What `gap-speed` compares itself with; of no use to anything else.
+/// Peer of `gap-speed`; of no use to anything else.
 const PEER_OF_GAP: &str = "scipy==1.15.*";
 
 /// Runs one benchmark, or all of them.
@@ -136,7 +136,7 @@ fn choose(name: Option<&String>) -> Result<Vec<&'static Bench>> {
     Ok(chosen)
 }
 
-/// What benchmarks measure, built, and where their numbers go.
+/// Programs the benchmarks measure, built, and the folder for their numbers.
 struct Prepared {
     image: PathBuf,
     /// Bytes of the image, as `CALIB_IMAGE_BYTES` states them.

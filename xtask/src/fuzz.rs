@@ -15,7 +15,7 @@ use std::process::Command;
 /// Time for each target when nothing else is said.
 const MINUTES: f64 = 10.0;
 
-/// What a target's run came to, as libFuzzer prints it.
+/// Summary of a target's run, as libFuzzer prints it.
 struct Figures {
     target: String,
     executions: u64,

@@ -1,4 +1,4 @@
-//! What calib-core became in the image, what silences the exciter, and
+//! Searches calib-core as it is in the image, the code that silences the exciter, and
 //! everything they call, contains no panic.
 //!
 //! Reads the image's functions and follows every branch from one to another
@@ -21,7 +21,7 @@ const PANICS: [&str; 4] = [
 /// name one of its types carry their own crate's name first.
 const CRATE: &str = "calib_core";
 
-/// What brings the exciter to rest, in a fault and in a run, as the linker has
+/// Code that brings the exciter to rest, in a fault and in a run, as the linker has
 /// it: the length of a name, and the name.
 const SILENCE: [&str; 2] = ["11silence_now", "4hush"];
 

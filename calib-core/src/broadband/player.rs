@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// Samples of a ramp from one amplitude to the next (20 ms).
 pub const RAMP_SAMPLES: u16 = 1_000;
 
-/// What the exciter is to play.
+/// Signal the exciter plays.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BroadbandDrive {

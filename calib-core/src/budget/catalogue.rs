@@ -97,7 +97,7 @@ const A4: [&str; 11] = [
 ];
 
 impl Table {
-    /// What each row is about, in the table's order.
+    /// Subject of each row, in the table's order.
     pub fn sources(self) -> &'static [&'static str] {
         match self {
             Self::A1 => &A1,
@@ -148,7 +148,7 @@ impl Row {
         })
     }
 
-    /// What the row is about; "other" for a number the table does not have.
+    /// Subject of the row; "other" for a number the table does not have.
     pub fn source(self) -> &'static str {
         let index = usize::from(self.number).checked_sub(1);
         let sources = self.table.sources();

@@ -9,7 +9,7 @@ use core::f32::consts::SQRT_2;
 pub struct Component<'a> {
     /// Row of Tables A.1 to A.4 it belongs to.
     pub row: Row,
-    /// What it is, in words.
+    /// Name in words.
     pub label: &'a str,
     /// Half-width, or expanded uncertainty for `Normal`, in the unit of the
     /// input quantity; relative in a relative budget.
@@ -37,7 +37,7 @@ impl<'a> Component<'a> {
         }
     }
 
-    /// The same with another label.
+    /// Replaces the label.
     pub fn labelled(self, label: &str) -> Component<'_> {
         Component {
             label,
@@ -49,7 +49,7 @@ impl<'a> Component<'a> {
         }
     }
 
-    /// The same with degrees of freedom, for type A evaluations.
+    /// Sets the degrees of freedom, for type A evaluations.
     pub fn with_degrees_of_freedom(self, degrees_of_freedom: f32) -> Self {
         Self {
             degrees_of_freedom,
@@ -57,7 +57,7 @@ impl<'a> Component<'a> {
         }
     }
 
-    /// The same with a sensitivity coefficient.
+    /// Sets the sensitivity coefficient.
     pub fn with_sensitivity_coefficient(self, sensitivity_coefficient: f32) -> Self {
         Self {
             sensitivity_coefficient,

@@ -10,7 +10,7 @@ const PROBE_REL: f32 = 0.005;
 /// Drive up to which an exciter that shows nothing is driven, relative to the
 /// limit: one that is only weak would show a twentieth of its level there.
 const SEARCH_REL: f32 = 0.05;
-/// The same relative to the drive an exciter needs for the set level whose
+/// Step relative to the drive an exciter needs for the set level whose
 /// limits of drive and acceleration belong together: with a dead reference the
 /// table must not do what nobody sees.
 const SEARCH_LEVEL_REL: f32 = 0.5;
@@ -127,7 +127,7 @@ impl LevelState {
     }
 }
 
-/// What is to be done after a block.
+/// Decision of the loop after a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Next {
     /// Measure another block with the same drive.

@@ -1,4 +1,4 @@
-//! What the exciter can be asked for at a frequency.
+//! Limits of the exciter at a frequency.
 
 use crate::settings::Limits;
 use crate::verdict::Reason;

@@ -11,7 +11,7 @@ use num_complex::Complex32;
 /// Highest harmonic that is looked at.
 pub const HARMONICS: usize = 5;
 
-/// What one channel shows in one block, in the unit of its samples.
+/// Estimates of one channel in one block, in the unit of its samples.
 ///
 /// The signal is described as `mean + sum Re{amplitude_h exp(j h w t)} + rest`:
 /// amplitudes are peak values, phases those of a cosine at the block's sample
@@ -34,7 +34,7 @@ pub struct ChannelEstimate {
 }
 
 impl ChannelEstimate {
-    /// The same in another unit, such as volts for codes.
+    /// Converts to another unit, such as volts for codes.
     pub fn scaled(self, unit_per_code: f32) -> Self {
         Self {
             amplitude: self.amplitude * unit_per_code,
@@ -255,7 +255,7 @@ fn without_leakage(seen: Complex32, leakage: Complex32) -> Complex32 {
     (seen - seen.conj() * leakage) / (1.0 - leakage.norm_sqr())
 }
 
-/// What the fit leaves of a channel's averaged period.
+/// Residual of the fit in a channel's averaged period.
 #[derive(Clone, Copy, Default)]
 struct Rest {
     /// Its energy times the passes: the part of the residual that repeats in
@@ -284,7 +284,7 @@ impl Rest {
     }
 }
 
-/// What mean, fundamental and harmonics leave of both averaged periods.
+/// Residual of mean, fundamental and harmonics in both averaged periods.
 fn rests(
     mut walk: PhaseWalk,
     fold: &[FoldSum],

@@ -90,7 +90,7 @@ impl Energy {
         sum as f32 / self.samples.max(1) as f32
     }
 
-    /// What was added since `earlier`.
+    /// Difference to `earlier`: everything added since.
     pub fn since(self, earlier: Self) -> Self {
         Self {
             squares: [

@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 /// Shortest ramp from one amplitude to the next, in samples (10 ms).
 pub const MIN_RAMP_SAMPLES: u16 = 500;
 
-/// What the exciter is to play.
+/// Signal the exciter plays.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Drive {

@@ -14,7 +14,7 @@ const MIN_DUT_SIGNAL_TO_NOISE_DB: f32 = 10.0;
 const DUT_DISTORTION_FACTOR: f32 = 1.5;
 const DUT_DISTORTION_REL: f32 = 0.03;
 
-/// What the checks look at.
+/// Measured values the checks judge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// Nominal frequency, Hz.

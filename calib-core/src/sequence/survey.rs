@@ -46,7 +46,7 @@ const CREST: f32 = 4.0;
 /// Records of one random realisation: to ring in, and to be measured.
 const SETTLING_SAMPLES: u32 = RECORD_SAMPLES as u32;
 
-/// What is asked of a broadband run.
+/// Request for a broadband run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurveyRequest {
     /// Lowest and highest frequency wanted, Hz.
@@ -211,7 +211,7 @@ impl<'m> Survey<'m> {
         }
     }
 
-    /// What the exciter is to do now; ask after every [`Self::feed`].
+    /// Command to the exciter now; ask after every [`Self::feed`].
     pub fn command(&self) -> Command {
         self.command
     }

@@ -1,4 +1,4 @@
-//! What the instrument knows before it measures: reference, inputs, limits,
+//! Everything the instrument knows before it measures: reference, inputs, limits,
 //! influence quantities. Plain SI values, stored and exchanged as one message.
 
 mod field;
@@ -73,7 +73,7 @@ pub struct InputScale {
     pub volt_per_code: f32,
 }
 
-/// What the exciter must never be asked to exceed.
+/// Limits the exciter must never exceed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
     /// Drive voltage at the exciter output, V peak.
@@ -116,13 +116,13 @@ pub struct Influence {
     pub row: u8,
     /// Half-width, or expanded uncertainty for `Normal`: relative.
     pub value_rel: f32,
-    /// The same for the phase (Table A.2), rad.
+    /// Half-width for the phase (Table A.2), rad.
     pub value_phase_rad: f32,
     /// Probability distribution of both.
     pub distribution: Distribution,
 }
 
-/// What turns samples of the reference's channel into acceleration: every result
+/// Turns samples of the reference's channel into acceleration: every result
 /// rests on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReferenceChannel {
@@ -186,7 +186,7 @@ impl Settings {
         point_influences: PointInfluences::NONE,
     };
 
-    /// What is set of the reference's channel.
+    /// Settings of the reference's channel.
     pub fn reference_channel(&self) -> ReferenceChannel {
         ReferenceChannel {
             calibration: self.reference.clone(),

@@ -1,6 +1,6 @@
 //! Influence quantities that differ from point to point: the one list.
 //!
-//! What is the same at every point is an [`Influence`](super::Influence). Here each quantity has a
+//! A quantity equal at every point is an [`Influence`](super::Influence). Here each quantity has a
 //! coefficient, which is a setting, and a formula that makes of it the half-width at a point.
 
 use crate::point::PointResult;
@@ -16,12 +16,12 @@ pub struct PointInfluences {
     pub relative_motion_at_10_khz_rel: f32,
 }
 
-/// What a quantity comes to at a point: a component of rectangular distribution in both budgets.
+/// Contribution of a quantity at a point: a component of rectangular distribution in both budgets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AtPoint {
     /// Row of Table A.1; that of Table A.2 follows from it.
     pub row: u8,
-    /// What it is, in words.
+    /// Name in words.
     pub label: &'static str,
     /// Half-width of the magnitude, relative.
     pub half_width_rel: f32,
@@ -40,7 +40,7 @@ impl PointInfluences {
         [&mut self.relative_motion_at_10_khz_rel]
     }
 
-    /// What the quantities come to at a point.
+    /// Contributions of the quantities at a point.
     pub fn at(&self, point: &PointResult) -> [AtPoint; 1] {
         let ratio = point.spec.frequency_hz / 10_000.0;
         let motion_rel = self.relative_motion_at_10_khz_rel * ratio * ratio;

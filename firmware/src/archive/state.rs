@@ -1,4 +1,4 @@
-//! What the instrument must not forget, beside its records.
+//! State the instrument must not forget, beside its records.
 
 use calib_core::settings::Settings;
 use calib_protocol::form1;

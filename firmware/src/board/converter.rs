@@ -17,7 +17,7 @@ const CALIBRATION_LIMIT: Duration = Duration::from_millis(20);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, defmt::Format)]
 pub(crate) struct NotReady;
 
-/// What the comparators of a converter that is fed with `clock_hz` need (25.6.3).
+/// Boost the comparators of a converter fed with `clock_hz` need (25.6.3).
 const fn boost(clock_hz: u32) -> vals::Boost {
     match CLOCKS.silicon {
         // One bit, above 20 MHz: the lower of the two that revision V has.

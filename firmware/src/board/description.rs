@@ -1,4 +1,4 @@
-//! What a board's file states beside its pins.
+//! Facts a board's file states beside its pins.
 
 use embassy_stm32::gpio::{Level, Pull};
 use embassy_stm32::rcc::HseMode;

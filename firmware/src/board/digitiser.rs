@@ -65,7 +65,7 @@ pub(crate) struct Digitiser {
     ring: ReadableRingBuffer<'static, u32>,
 }
 
-/// What the digitiser is made of.
+/// Peripherals and pins of the digitiser.
 pub(crate) struct DigitiserParts {
     /// Held, so that nothing else reprograms the converters.
     pub(crate) _converters: (

@@ -60,7 +60,7 @@ pub(crate) struct Exciter {
 // Note(unsafe): the pointer is to a static that this value alone writes.
 unsafe impl Send for Exciter {}
 
-/// What the exciter is made of.
+/// Peripherals and pins of the exciter.
 pub(crate) struct ExciterParts {
     /// Held, so that nothing else reprograms the converter.
     pub(crate) _dac: Peri<'static, peripherals::DAC1>,

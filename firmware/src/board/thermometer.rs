@@ -98,7 +98,7 @@ async fn convert(channel: u8) -> Result<u16, NotReady> {
     Ok(adc.dr().read().rdata())
 }
 
-/// What the factory read.
+/// Codes the factory read.
 pub(crate) fn factory_codes() -> FactoryCodes {
     // Note(unsafe): halfwords of the system memory, which every part has.
     let code = |address: usize| unsafe { (address as *const u16).read_volatile() };

@@ -25,7 +25,7 @@ pub(crate) type UsbDriver = Driver<'static, USB_OTG_FS>;
 /// The serial port.
 pub(crate) type UsbPort = CdcAcmClass<'static, UsbDriver>;
 
-/// What the port is made of.
+/// Peripherals and pins of the port.
 pub(crate) struct UsbParts {
     pub(crate) otg: Peri<'static, USB_OTG_FS>,
     pub(crate) d_plus: Peri<'static, PA12>,

@@ -1,4 +1,4 @@
-//! What a SCPI controller has configured, and what its lines do.
+//! Session of a SCPI controller: its configuration, and the effect of its lines.
 
 use super::errors::{ScpiError, Status};
 use super::header::{self, Command};
@@ -17,7 +17,7 @@ const AFTER_RESET: PointSpec = PointSpec {
     acceleration_rms_ms2: 10.0,
 };
 
-/// What a line left to be sent.
+/// Answer a line left to be sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
     /// Nothing.

@@ -15,10 +15,10 @@ use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
 use embassy_time::{Duration, with_timeout};
 
-/// What the exciter does during the next block.
+/// Task of the exciter during the next block.
 #[derive(Clone, Copy, Debug, PartialEq, defmt::Format)]
 pub(crate) struct DriveOrder {
-    /// What the core wants.
+    /// Command of the core.
     pub(crate) command: Command,
     /// Volts peak at the exciter for half of the converter's range.
     pub(crate) full_scale_peak_v: f32,

@@ -216,7 +216,7 @@ impl Runner {
     }
 }
 
-/// What a broadband run is asked for; none for single sines.
+/// Request for a broadband run; none for single sines.
 fn survey_request() -> Option<SurveyRequest> {
     state::RUN.lock(|run| {
         let run = run.borrow();

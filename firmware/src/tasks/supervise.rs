@@ -52,7 +52,7 @@ pub(crate) async fn supervise(
 /// Whether acquiring, driving and measuring go on.
 #[derive(Default)]
 struct Alive {
-    /// What each had counted when it last moved, and for how many periods it
+    /// Count of each task when it last moved, and for how many periods it
     /// has not moved since.
     tasks: [(u32, u8); 3],
 }

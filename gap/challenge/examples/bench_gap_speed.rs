@@ -77,7 +77,7 @@ fn one_by_one(sets: &[PathBuf]) -> Vec<Run> {
     sets.iter().enumerate().map(run).collect()
 }
 
-/// What the slowest dataset was made with.
+/// Effect of the slowest dataset.
 fn slowest(runs: &[Run]) -> &'static str {
     let by_time = |(_, a): &(usize, &Run), (_, b): &(usize, &Run)| a.seconds.total_cmp(&b.seconds);
     name(runs.iter().enumerate().max_by(by_time).map_or(0, |r| r.0))
@@ -156,7 +156,7 @@ fn truth(index: usize) -> Vec<&'static str> {
         .collect()
 }
 
-/// The same datasets with numpy and scipy, if there is an interpreter that has them.
+/// Runs numpy and scipy on these datasets, if there is an interpreter that has them.
 fn peer(sets: &[PathBuf]) -> Option<Vec<Run>> {
     let interpreter = std::env::var_os("CALIB_PYTHON").unwrap_or_else(|| "python3".into());
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../xtask/bench/gap_scipy.py");

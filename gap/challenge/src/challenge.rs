@@ -25,7 +25,7 @@ const LEAST_ROWS: usize = 60;
 /// Draws until an effect is neither invisible nor beyond what the rig can hold.
 const MOST_DRAWS: usize = 40;
 
-/// What is published about a set that was made.
+/// Published facts of a set that was made.
 #[derive(Clone, Debug, Serialize)]
 pub struct Sealed {
     /// Folder of the set.

@@ -22,7 +22,7 @@ pub enum Stratum {
 pub struct Plan {
     /// Kind.
     pub stratum: Stratum,
-    /// What the measured side has beside.
+    /// Effects of the measured side.
     pub effects: Vec<Drawn>,
     /// Names the diagnosis has to do without.
     pub without: Vec<String>,
@@ -46,7 +46,7 @@ impl Stratum {
         self.described().0
     }
 
-    /// What a case of this kind is.
+    /// Description of a case of this kind.
     pub fn about(self) -> &'static str {
         self.described().1
     }

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 /// Name of the manifest in the folder of a set.
 pub const MANIFEST: &str = "challenge.json";
 
-/// What is known of a case before the truth is opened.
+/// Facts of a case before the truth is opened.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct OpenCase {
     /// Name of its folder.
@@ -23,7 +23,7 @@ pub struct OpenCase {
     pub without: Vec<String>,
 }
 
-/// What is published of a sealed set.
+/// Published part of a sealed set.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Manifest {
     /// SHA-256 of the file with the truth, hexadecimal.
@@ -47,7 +47,7 @@ pub struct TrueCase {
     pub stages: Vec<String>,
     /// Effects the diagnosis has to do without.
     pub without: Vec<String>,
-    /// What the effects changed beyond what nominal values, mounting and the measurand can, in
+    /// Change by the effects beyond what nominal values, mounting and the measurand can do, in
     /// standard uncertainties of the whole dataset.
     pub size_sigma: f64,
     /// The smallest of the sizes that its effects have alone.

@@ -41,11 +41,11 @@ pub(super) struct Yardstick<'a> {
     design: &'a [Setting],
     options: &'a Options,
     bare: Generated,
-    /// What the gains change, one column each.
+    /// Changes by the gains, one column each.
     gains: DMatrix<f64>,
     /// Weights of the priors of all free values: the measurand has none.
     prior: DVector<f64>,
-    /// What each free value changes at the nominal ones.
+    /// Changes by each free value at the nominal ones.
     columns: OnceCell<DMatrix<f64>>,
 }
 
@@ -138,7 +138,7 @@ impl<'a> Yardstick<'a> {
         None
     }
 
-    /// What the free values change together.
+    /// Change by all free values together.
     fn moved(&self, values: &DVector<f64>) -> DVector<f64> {
         let points = generate(&self.at(values), self.design, &[], self.options).points;
         let change = vector(&differences(&self.bare.points, &points));
@@ -157,7 +157,7 @@ impl<'a> Yardstick<'a> {
         nominal
     }
 
-    /// What each free value changes by one unit, from `values` on: each quantity by its standard
+    /// Change by one unit of each free value, from `values` on: each quantity by its standard
     /// uncertainty, then the gains.
     fn changes(&self, values: &DVector<f64>) -> DMatrix<f64> {
         let here = self.moved(values);
@@ -185,7 +185,7 @@ fn gains(nominal: &Nominal, points: &[Point]) -> DMatrix<f64> {
     DMatrix::from_columns(&measurand.chain(runs).collect::<Vec<_>>())
 }
 
-/// What relative changes of ratio and drive in a run, or in all, do.
+/// Effect of relative changes of ratio and drive in a run, or in all.
 fn gain(points: &[Point], run: Option<usize>, ratio: f64, drive: f64) -> DVector<f64> {
     let row = |point: &Point| {
         let mut values = [None; VALUES];

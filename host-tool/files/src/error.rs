@@ -11,11 +11,11 @@ pub enum Error {
     /// A file or directory could not be read or written.
     #[error("cannot {action} {}: {source}", path.display())]
     File {
-        /// What was tried: "read", "write", "create".
+        /// Action tried: "read", "write", "create".
         action: &'static str,
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// An input is not usable: which one, where in it, why, and the way out.
@@ -23,17 +23,17 @@ pub enum Error {
     Input {
         /// File with line or field, such as `points.toml:7`.
         place: String,
-        /// What is wrong there.
+        /// Problem at that place.
         problem: String,
-        /// What to do about it; empty when the problem says it.
+        /// Remedy; empty when the problem says it.
         hint: String,
     },
     /// The request, such as a command line, asks for something that cannot be.
     #[error("{problem}")]
     Usage {
-        /// What is wrong.
+        /// Problem.
         problem: String,
-        /// What to ask instead.
+        /// Request to make instead.
         hint: String,
     },
 }
@@ -69,7 +69,7 @@ impl Error {
         }
     }
 
-    /// The same complaint about an input, where it is this file that was meant.
+    /// Moves an error about an input to this file.
     #[must_use]
     pub fn of_file(self, path: &Path) -> Self {
         match self {
@@ -80,7 +80,7 @@ impl Error {
         }
     }
 
-    /// What the user can do about it, if the message does not say it already.
+    /// Remedy, if the message does not state it already.
     pub fn hint(&self) -> Option<&str> {
         match self {
             Self::Input { hint, .. } | Self::Usage { hint, .. } if !hint.is_empty() => Some(hint),

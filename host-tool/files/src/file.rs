@@ -4,7 +4,7 @@ use crate::{Error, Result};
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-/// What happens to a file that is there already with other content.
+/// Treatment of a file that is there already with other content.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Existing {
     /// It stays and nothing is written: what was once given out is kept.

@@ -30,7 +30,7 @@ pub fn parse_toml<T: DeserializeOwned>(path: &Path, text: &str, hint: &str) -> R
     toml::from_str(text).map_err(|error| malformed(path, text, &error, hint))
 }
 
-/// What the TOML reader says about `text`, with the line.
+/// Error of the TOML reader about `text`, with the line.
 pub fn malformed(path: &Path, text: &str, error: &toml::de::Error, hint: &str) -> Error {
     let start = error.span().map_or(0, |span| span.start);
     let line = line_at(text.as_bytes(), start);

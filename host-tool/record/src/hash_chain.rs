@@ -12,7 +12,7 @@
 //! | removes a record | the gap in the numbers of the list |
 //! | puts another record in its place | its number, its instrument, or its sum |
 //!
-//! What nothing at hand contradicts cannot be found: the last record of all,
+//! A forgery that nothing at hand contradicts cannot be found: the last record of all,
 //! altered with a right checksum, where there is no instrument to ask.
 
 use calib_protocol::record::{self, ChainLink, RecordSummary, Sha256Sum};
@@ -96,7 +96,7 @@ impl fmt::Display for Break {
     }
 }
 
-/// What is known of a record's place in the chain.
+/// Standing of a record in the chain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Standing {
@@ -110,7 +110,7 @@ pub enum Standing {
     Broken,
 }
 
-/// What is at hand of the records of one instrument.
+/// Records of one instrument at hand.
 #[derive(Clone, Debug, Default)]
 pub struct Evidence {
     instrument_serial: String,
@@ -197,7 +197,7 @@ impl Evidence {
         breaks
     }
 
-    /// What is known of record `id`.
+    /// Standing of record `id`.
     pub fn standing(&self, id: u32) -> Standing {
         let before = id.saturating_sub(1);
         if self.breaks().iter().any(|found| found.concerns(id)) {
@@ -265,7 +265,7 @@ mod tests {
         evidence
     }
 
-    /// The same with a checksum that is right.
+    /// Corrects the checksum.
     fn mend(bytes: &mut [u8]) {
         let end = bytes.len() - 4;
         let checksum = CRC.checksum(&bytes[..end]).to_le_bytes();

@@ -17,7 +17,7 @@ pub(super) struct Differences(Vec<String>);
 
 impl Differences {
     /// Adds the differences between two sets of answers; without a baseline there are none.
-    /// What is not there today (measured sets of another computer) is left out.
+    /// Sets missing today (measured ones of another computer) are left out.
     pub(super) fn compare(&mut self, before: &Frozen, now: &Frozen) {
         for (name, now) in now {
             match before.get(name) {

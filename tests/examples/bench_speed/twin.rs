@@ -1,4 +1,4 @@
-//! What the rig costs without the processor: a sample of the plant, a steady state, a data set.
+//! Cost of the rig without the processor: a sample of the plant, a steady state, a data set.
 
 use calib_tests::bench::Fault;
 use calib_twin::dataset::{Nominal, Options, generate, standard_design};

@@ -1,4 +1,4 @@
-//! What the work costs on the target: `./run bench target`.
+//! Cost of the work on the target: `./run bench target`.
 //!
 //! Instructions are counted in the emulator, which knows neither caches, wait
 //! states nor dual issue. Shares and times at 480 MHz take one cycle for each

@@ -7,9 +7,9 @@ pub(crate) struct Row {
     pub(crate) what: &'static str,
     pub(crate) value: f64,
     pub(crate) unit: &'static str,
-    /// What it cannot be below, or above for a rate.
+    /// Lower limit, or upper limit for a rate.
     pub(crate) limit: Option<f64>,
-    /// What sets the limit, or how the figure came about.
+    /// Reason of the limit, or origin of the figure.
     pub(crate) note: String,
 }
 
@@ -25,7 +25,7 @@ impl Row {
         }
     }
 
-    /// The same beside its limit.
+    /// Adds the limit.
     pub(crate) fn limit(self, limit: f64, note: impl Into<String>) -> Self {
         Self {
             limit: Some(limit),
@@ -34,7 +34,7 @@ impl Row {
         }
     }
 
-    /// The same with a remark.
+    /// Adds a remark.
     pub(crate) fn note(self, note: impl Into<String>) -> Self {
         Self {
             note: note.into(),

@@ -1,4 +1,4 @@
-//! The same job by crate `idsp`: both channels demodulated by one oscillator.
+//! Correlation by crate `idsp`: both channels demodulated by one oscillator.
 
 use crate::PAIRS;
 use calib_core::tone::Tone;

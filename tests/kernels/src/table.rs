@@ -1,4 +1,4 @@
-//! The same job plainly: every sample times a table of sines, in f32.
+//! Correlation done plainly: every sample times a table of sines, in f32.
 
 use crate::PAIRS;
 use calib_core::phase::PhaseWalk;

@@ -62,7 +62,7 @@ pub fn commands(data: &[u8]) {
     }
 }
 
-/// What a link makes of bytes.
+/// Messages a link finds in bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Heard {
     /// Frames that were answered.
@@ -71,7 +71,7 @@ pub struct Heard {
     pub stops: usize,
 }
 
-/// What the firmware's own link and command layer make of bytes from a host that does not hold the
+/// Answers of the firmware's own link and command layer to bytes from a host that does not hold the
 /// session.
 pub fn heard(data: &[u8]) -> Heard {
     let mut instrument = Notes::held_by(LinkName::Usb);

@@ -2,7 +2,7 @@
 
 use calib_protocol::{record, stored};
 
-/// What is read of a record is what it says, and its list line agrees.
+/// Checks that a record reads back as it says, and that its list line agrees.
 pub fn records(data: &[u8]) {
     let decoded = record::decode(data);
     let inspected = record::inspect(data);

@@ -19,7 +19,7 @@ pub const AFTER_DAMAGE: Duration = Duration::from_millis(12);
 /// Every so many blows the attack pauses, and the attacked link is asked something.
 const PAUSE: u32 = 10;
 
-/// What is done to the calibrator while it measures.
+/// Attack on the calibrator while it measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Assault {
     /// Frames at 3 Mbaud without a pause on the serial line, whose receiver is at 115 200.
@@ -76,7 +76,7 @@ impl Assault {
 /// without an attack.
 ///
 /// # Errors
-/// What did not hold.
+/// Promises that did not hold.
 pub fn run(assault: Assault, points: &[PointSpec], quiet: &[u8]) -> Result<Toll, Fault> {
     let mut siege = Siege::begin(assault.holder(), points)?;
     let mut fire = Ammunition::new(5);

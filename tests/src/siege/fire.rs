@@ -1,4 +1,4 @@
-//! What hostile hosts send.
+//! Ammunition of hostile hosts.
 
 use crate::hostile::{Heard, Mutator, heard, seeds};
 use calib_protocol::frame::{MAX_FRAME, encode};

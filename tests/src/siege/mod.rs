@@ -41,7 +41,7 @@ pub enum End {
     Usb,
 }
 
-/// What a siege has come to.
+/// Result of a siege.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Toll {
     /// Attacks.
@@ -119,7 +119,7 @@ impl Siege {
         Ok(())
     }
 
-    /// The same run without an attack: its record.
+    /// Record of the run without an attack.
     ///
     /// # Errors
     /// As [`Siege::begin`].

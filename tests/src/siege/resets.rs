@@ -46,7 +46,7 @@ enum Way {
 /// the first of them without a reset.
 ///
 /// # Errors
-/// What did not hold.
+/// Promises that did not hold.
 pub fn run(count: u32, points: &[PointSpec], quiet: &[u8]) -> Result<Toll, Fault> {
     let mut siege = Siege::begin(End::Serial, points)?;
     let host = UsbHost::new(siege.bench.shared());

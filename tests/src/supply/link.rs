@@ -22,7 +22,7 @@ pub enum Cut {
     InErase(f64),
 }
 
-/// What the cut has left, once it has come.
+/// State the cut left, once it has come.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Failure(Arc<Mutex<Option<Torn>>>);
 

@@ -37,12 +37,12 @@ pub struct Desk {
     folder: PathBuf,
 }
 
-/// What a cut met.
+/// Circumstances of a cut.
 #[derive(Clone, Copy, Debug)]
 pub struct Met {
-    /// What the host was doing.
+    /// Action of the host at the cut.
     pub doing: Doing,
-    /// What it left in flash.
+    /// State it left in flash.
     pub torn: Torn,
 }
 

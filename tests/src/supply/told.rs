@@ -1,4 +1,4 @@
-//! What a host was told, and whether it is still so.
+//! Everything a host was told, and whether it still holds.
 
 use crate::bench::{Fault, point};
 use calib_core::point::PointResult;
@@ -19,7 +19,7 @@ const LEFT: u32 = 5;
 /// Releases of a round; some 130 fill a sector.
 const RELEASES: u32 = 25;
 
-/// What a host does with the instrument.
+/// Action of a host on the instrument.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Doing {
     /// Waiting until it hears.
@@ -37,7 +37,7 @@ pub enum Doing {
     Release,
 }
 
-/// What the host knows.
+/// Knowledge of the host.
 #[derive(Default)]
 pub(super) struct Told {
     pub(super) doing: Doing,
@@ -47,12 +47,12 @@ pub(super) struct Told {
     pub(super) stored: u32,
     /// Their sums, as far as they were listed.
     records: BTreeMap<u32, Option<Sha256Sum>>,
-    /// What the newest run measured.
+    /// Results of the newest run.
     measured: Option<Outcome>,
     settings: Option<Settings>,
     /// A change that was begun may or may not have come through.
     attempted: Option<Settings>,
-    /// What may be gone is what the host has let go.
+    /// Only records the host released may be gone.
     released: u32,
 }
 

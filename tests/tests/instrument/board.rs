@@ -17,7 +17,7 @@ fn board() -> Result<Emulator, Fault> {
     Ok(Emulator::power_on(&firmware, rig)?)
 }
 
-/// What the firmware has asked for so far that no model answers, bar what is known and harmless.
+/// Accesses of the firmware so far that no model answers, bar known and harmless ones.
 pub(crate) fn unmodelled(board: &mut Emulator) -> Result<Vec<String>, Fault> {
     // The clock driver writes fields that hardware ignores while a PLL runs. Clocks above what the
     // voltage scale allows are not among them: voltage scale 0 is reached before 480 MHz is.
@@ -94,7 +94,7 @@ fn a_pulled_reset_pin_restarts_the_board_silently() -> Result<(), Fault> {
     Ok(())
 }
 
-/// What a long run is kept and gone on with for: the same record, byte for byte, at the same
+/// A long run that was kept and resumed gives one record, byte for byte, at the same
 /// instruction of the same nanosecond, with the noise of the same rig.
 #[test]
 fn a_run_that_was_kept_goes_on_as_one_that_was_not() -> Result<(), Fault> {

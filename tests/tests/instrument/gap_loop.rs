@@ -31,7 +31,7 @@ fn rig(effects: &[&str]) -> Rig {
     }
 }
 
-/// What the firmware records of a rig, with what is known of it but its effects.
+/// Record of a rig by the firmware, with everything known of it but its effects.
 fn recorded(rig: &Rig, points: &[PointSpec], waveforms: bool) -> (Known, Recorded) {
     let known = Known::of(rig);
     let board = EmulatedBoard::power_on_calibrated(rig, None).expect("boots");

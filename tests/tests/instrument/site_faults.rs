@@ -39,7 +39,7 @@ struct Scenario {
     /// How long it may be above 1.5 times the set level, ms.
     #[serde(default)]
     above_for_ms: f64,
-    /// What all blocks of the point together tell: its tone ends as that of every point does.
+    /// Account of all blocks of the point: its tone ends as that of every point does.
     #[serde(default)]
     judged_at_the_end: bool,
     /// From mounting the rig to asking for the run, s.
@@ -109,7 +109,7 @@ impl Scenario {
         Ok(rig)
     }
 
-    /// What the table did and must not.
+    /// Forbidden motion of the table.
     fn wrong_with_motion(&self, seen: &Seen, set_peak_ms2: f64) -> Vec<String> {
         let highest_rel = seen.highest_ms2 / set_peak_ms2;
         let (above_ms, driven_ms) = (seen.above_for_ms, seen.driven_after_block_ms);
@@ -134,7 +134,7 @@ impl Scenario {
     }
 }
 
-/// What result and record say and should not. There were `records` before.
+/// Forbidden claims of result and record. There were `records` before.
 fn wrong_with_record(
     bench: &mut Bench,
     scenario: &Scenario,
@@ -164,7 +164,7 @@ fn wrong_with_record(
     Ok(failures)
 }
 
-/// What is wrong where the instrument must not start: it declines, stays silent, and stores nothing.
+/// Checks a start that must not happen: the instrument declines, stays silent, and stores nothing.
 fn not_started(
     bench: &mut Bench,
     started: Result<Outcome, Fault>,

@@ -216,7 +216,7 @@ fn ask_tshark(file: &Path, packets: usize, serial: &str) -> Result<(), Fault> {
     Ok(())
 }
 
-/// What tshark prints of these fields of the packets it shows; nothing when it is not there.
+/// Fields tshark prints of the packets it shows; nothing when it is not there.
 fn tshark(
     named: Option<&OsStr>,
     file: &Path,

@@ -1,4 +1,4 @@
-//! What goes wrong ends in a named verdict and a silent exciter.
+//! Every fault ends in a named verdict and a silent exciter.
 
 use calib_core::point::PointSpec;
 use calib_core::verdict::{Reason, Verdict};

@@ -33,7 +33,7 @@ const UNIQUE_ID_AT: u64 = 0x1FF1_E800;
 /// Flash size in KiB (section 61.2).
 const FLASH_SIZE_KIB: u16 = 2048;
 const FLASH_SIZE_AT: u64 = 0x1FF1_E880;
-/// What the factory reads of the temperature sensor at 30 and 110 degrees Celsius and of the internal
+/// Codes the factory reads of the temperature sensor at 30 and 110 degrees Celsius and of the internal
 /// reference, with 3.3 V as the converter's reference, in 16 bits (DS12110 Rev 11, tables 118 and 181):
 /// 620 mV, 780 mV (2 mV/K) and 1216 mV, the typical values of tables 180 and 117, which the emulator's
 /// ADC3 converts.
@@ -95,7 +95,7 @@ pub(super) fn spec(part: &Part) -> CoreSpec {
     spec
 }
 
-/// What the vendor programs into the system memory: the part's identity, its flash size, and codes of
+/// Content of the system memory as the vendor programs it: the part's identity, its flash size, and codes of
 /// its sensors.
 fn factory_images() -> Vec<Image> {
     let code = |millivolt: u32| (millivolt * 0xFFFF / SUPPLY_MV) as u16;

@@ -67,7 +67,7 @@ impl Dac {
         }
     }
 
-    /// What a register says of the wired channel, as if it were channel 1.
+    /// Value of a register for the wired channel, as if it were channel 1.
     fn own(&self, registers: &RegisterFile, register: Register) -> u64 {
         registers.get(register) >> self.shift()
     }

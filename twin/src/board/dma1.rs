@@ -39,7 +39,7 @@ const COMPLETE: u64 = 1 << 5;
 const ENABLES: u64 = 0b1_1110;
 /// `FS` of an empty FIFO.
 const EMPTY: u64 = 0b100;
-/// What the controller does not reach: ITCM and DTCM (section 2.1.6).
+/// Memories the controller does not reach: ITCM and DTCM (section 2.1.6).
 const UNREACHABLE: [Span; 2] = [
     Span {
         base: 0,
@@ -78,7 +78,7 @@ struct Transfer {
 }
 
 impl Transfer {
-    /// What comes next, `None` where it waits for its line.
+    /// Next step, `None` where it waits for its line.
     fn next(&self, requested: bool) -> Option<Access> {
         if self.under_way.is_some() {
             None
@@ -123,7 +123,7 @@ impl Transfer {
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 struct Stream {
     transfer: Option<Transfer>,
-    /// What the counter was last written with: every enable begins with it (section 15.5.6).
+    /// Value last written to the counter: every enable begins with it (section 15.5.6).
     programmed: u64,
     /// Its registers as they stand, for what may not be written while it runs.
     kept: [u64; STREAM_ROWS],
@@ -330,7 +330,7 @@ impl Dma1 {
         self.advance(nth, registers, context);
     }
 
-    /// What a running stream lets a write change: its enables.
+    /// Bits a write may change while the stream runs: its enables.
     fn protect(&self, nth: usize, row: usize, registers: &mut RegisterFile) {
         let open = match row {
             CONTROL => s0cr::EN.mask() | ENABLES,

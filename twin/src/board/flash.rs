@@ -37,7 +37,7 @@ pub enum Operation {
     Program {
         /// Its address.
         address: u64,
-        /// What is to be there.
+        /// Content to be there.
         data: [u8; WORD_BYTES],
     },
     /// One sector is being erased.
@@ -128,7 +128,7 @@ impl FlashWatch {
         self.lock().trap = Some((Trap::Ordinal(ordinal), fraction));
     }
 
-    /// The same for the next erase.
+    /// Sets the trap for the next erase.
     pub fn set_erase_trap(&self, fraction: f64) {
         self.lock().trap = Some((Trap::Erase, fraction));
     }

@@ -1,4 +1,4 @@
-//! What a person sees and touches on the board: three lamps and a button.
+//! Front panel of the board: three lamps and a button.
 
 use rigless::device::Level;
 use rigless::mcu::Mcu;

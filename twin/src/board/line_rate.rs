@@ -1,4 +1,4 @@
-//! What a receiver hears of a sender at another baud rate.
+//! Bytes a receiver hears of a sender at another baud rate.
 //!
 //! Both are asynchronous: the sender puts ten bits of its own length on the line for each byte, and
 //! the receiver looks at the line sixteen times in each of its own bits. At equal rates it hears what
@@ -56,7 +56,7 @@ impl Line<'_> {
     }
 }
 
-/// What a receiver at `receiver_baud` hears of `bytes` sent at `sender_baud` without a pause.
+/// Bytes a receiver at `receiver_baud` hears of `bytes` sent at `sender_baud` without a pause.
 pub(super) fn heard(bytes: &[u8], sender_baud: u32, receiver_baud: u32) -> Vec<Heard> {
     let line = Line {
         bytes,

@@ -94,7 +94,7 @@ pub(super) fn bus() -> Result<Bus, rigless::soc::Error> {
     builder().build()
 }
 
-/// The same, before it is checked.
+/// Map before it is checked.
 pub(super) fn builder() -> Builder {
     let builder = Bus::builder(CPU, &MEMORY, instances())
         .undefined_reads_zero()

@@ -156,7 +156,7 @@ impl Part {
         Ok(part)
     }
 
-    /// What the board puts on the pins.
+    /// Levels the board puts on the pins.
     fn fit(&mut self) {
         self.base
             .rcc

@@ -1,4 +1,4 @@
-//! What can fail in the part itself, to be asked for by a test.
+//! Faults of the part itself, for tests.
 //!
 //! Nothing here is known to the firmware: each is what the silicon would show.
 

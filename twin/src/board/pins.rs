@@ -1,4 +1,4 @@
-//! What is connected to the board.
+//! Connections of the board.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::rig_port::RigPort;
 /// Rail of the part, and of its converters.
 pub(super) const SUPPLY_MV: u32 = 3300;
 
-/// What is connected to the board, each a handle that others may hold too.
+/// Devices connected to the board, each a handle that others may hold too.
 #[derive(Debug, Clone)]
 pub struct Pins {
     /// Which pin is which.

@@ -59,7 +59,7 @@ pub enum SchematicError {
     /// A pin or port cannot be what it is said to be.
     #[error("`{what}` of the schematic cannot be {pin}")]
     Impossible {
-        /// What the pin or port is for.
+        /// Use of the pin or port.
         what: &'static str,
         /// Its name.
         pin: String,

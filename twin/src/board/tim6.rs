@@ -19,7 +19,7 @@ pub(super) const NAME: &str = "TIM6";
 const UPDATE_LINE: usize = 0;
 const NS_PER_S: u128 = 1_000_000_000;
 
-/// What `MMS` makes the trigger output.
+/// Source of the trigger output, by `MMS`.
 const MMS_RESET: u64 = 0;
 const MMS_ENABLE: u64 = 1;
 const MMS_UPDATE: u64 = 2;

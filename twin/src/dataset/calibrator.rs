@@ -26,7 +26,7 @@ pub struct Options {
     pub parameters_off_by: Option<f64>,
 }
 
-/// What was measured.
+/// Measured values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Generated {
     /// Points in the order of their settings.

@@ -27,7 +27,7 @@ pub use self::record::{NominalOscillator, Record, RecordOptions};
 /// Writes a dataset of points to the folder `directory`, which is made if it does not exist.
 ///
 /// # Errors
-/// What the file system says.
+/// Error of the file system.
 pub fn write(directory: &Path, nominal: &Nominal, points: &[Point]) -> std::io::Result<()> {
     std::fs::create_dir_all(directory)?;
     let rig = nominal.to_toml().map_err(std::io::Error::other)?;

@@ -1,4 +1,4 @@
-//! What the simulation believes about a rig: nominal values with standard uncertainties.
+//! Beliefs of the simulation about a rig: nominal values with standard uncertainties.
 
 use serde::{Deserialize, Serialize};
 
@@ -105,7 +105,7 @@ pub struct Nominal {
     pub dut: Transducer,
     /// Exciter.
     pub exciter: Exciter,
-    /// What a run shares.
+    /// Values common to a run.
     pub repeatability: Repeatability,
     /// Digitiser.
     pub digitiser: Digitiser,
@@ -133,7 +133,7 @@ pub enum NominalError {
         parameter: &'static str,
         /// The value.
         value: f64,
-        /// What it must be.
+        /// Requirement.
         range: &'static str,
     },
 }

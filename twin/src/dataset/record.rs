@@ -161,7 +161,7 @@ impl Record {
     /// Writes the record with its nominal rig as a dataset folder.
     ///
     /// # Errors
-    /// What the file system says.
+    /// Error of the file system.
     pub fn write(&self, directory: &Path, nominal: &NominalOscillator) -> std::io::Result<()> {
         std::fs::create_dir_all(directory)?;
         let rig = RecordRig {

@@ -16,7 +16,7 @@ pub(super) struct UnlockedTone {
 }
 
 impl UnlockedTone {
-    /// What a correlation over `block_s` at `frequency_hz` takes for a component, peak.
+    /// Component that a correlation over `block_s` finds at `frequency_hz`, peak.
     ///
     /// # Equation
     /// `2/T Integral sqrt(2) A cos(w0 t + p) e^{-j w t} dt`, its two exponentials each giving
@@ -36,7 +36,7 @@ impl UnlockedTone {
             + turn.conj() * kernel(-self.frequency_hz - frequency_hz)
     }
 
-    /// What a block takes for d.c.
+    /// Mean a block finds.
     pub(super) fn mean(&self, block_s: f64) -> f64 {
         self.leaked(0.0, block_s).re / 2.0
     }

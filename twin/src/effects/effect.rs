@@ -3,7 +3,7 @@
 use crate::model::{Conditions, Model};
 use calib_effects::{Entry, Of};
 
-/// What an effect of a calibrator does to a model; values are in the order of its parameters.
+/// Action of an effect on the model of a calibrator; values are in the order of its parameters.
 pub type CalibratorAction = fn(&[f64], &Conditions, &mut Model);
 
 /// A set of effects with the same kind of action.

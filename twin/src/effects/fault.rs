@@ -8,7 +8,7 @@ use super::effect::{Effect, Library};
 use crate::faults::{BodyFault, Contact, DriveFault, Fade, Faults, Surge};
 use calib_effects::fault;
 
-/// What a fault does; values are in the order of its parameters.
+/// Action of a fault; values are in the order of its parameters.
 pub type FaultAction = fn(&[f64], &mut Faults);
 
 /// A fault of the library.

@@ -1,4 +1,4 @@
-//! What a real calibrator does and the nominal simulation leaves out: how each entry of the
+//! Effects of real calibrators that the nominal simulation leaves out: how each entry of the
 //! vocabulary acts, one file per stage.
 //!
 //! An effect changes the [`Model`](crate::model::Model) it is applied to, nothing else. It acts at

@@ -5,7 +5,7 @@ use super::effect::{Effect, Library};
 use crate::oscillator::Oscillator;
 use calib_effects::oscillator;
 
-/// What an effect does to an oscillator; values are in the order of its parameters.
+/// Action of an effect on an oscillator; values are in the order of its parameters.
 pub type OscillatorAction = fn(&[f64], &mut Oscillator);
 
 /// An effect of an oscillator.

@@ -2,7 +2,7 @@
 
 use crate::model::Model;
 
-/// What is left of the force factor of an open coil: no current, so neither force nor braking, and
+/// Remainder of the force factor of an open coil: no current, so neither force nor braking, and
 /// yet a network of the same shape.
 const OPEN_COIL: f64 = 1e-9;
 

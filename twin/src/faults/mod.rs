@@ -1,4 +1,4 @@
-//! What breaks on site: faults of a rig, each from an instant on.
+//! Faults of a rig on site, each from an instant on.
 //!
 //! An effect is a property a rig has; a fault happens to it. Faults act at three places: on the drive
 //! before the coil, on the body that moves, and on the volts at an input connector. Their files are in

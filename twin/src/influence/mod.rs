@@ -49,7 +49,7 @@ pub struct Influence {
 }
 
 impl Influence {
-    /// What an error at all frequencies, or at that of the bounds, comes to at this frequency.
+    /// Contribution at this frequency of an error stated for all frequencies, or for that of the bounds.
     fn share(&self, frequency_hz: f64) -> f64 {
         self.square_from_hz
             .map_or(1.0, |at_hz| (frequency_hz / at_hz).powi(2))
@@ -59,9 +59,9 @@ impl Influence {
 /// A rig that is wrong within its budget, and the truth about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InfluenceDraw {
-    /// What the plant simulates: the rig with all influences at work.
+    /// Rig the plant simulates, with all influences at work.
     pub rig: Rig,
-    /// What the laboratory believes about the reference, to be set in the instrument.
+    /// Beliefs of the laboratory about the reference, to be set in the instrument.
     pub certificate: Vec<CalibrationPoint>,
     /// The rig without influences, which defines the truth.
     undisturbed: Rig,
@@ -145,7 +145,7 @@ mod tests {
         TABLE_D1.iter().map(influence).collect()
     }
 
-    /// What an ideal instrument makes of a draw: `S = S1 X2 / X1` with the certified S1.
+    /// Result of an ideal instrument for a draw: `S = S1 X2 / X1` with the certified S1.
     fn ideal_result(draw: &InfluenceDraw, index: usize) -> Complex<f64> {
         let point = draw.certificate[index];
         let certified = Complex::from_polar(point.sensitivity_v_per_ms2, point.phase_rad);

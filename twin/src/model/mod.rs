@@ -1,4 +1,4 @@
-//! What a calibrator is made of, effects included: the one description that the plant in time and
+//! Parts of a calibrator, effects included: the one description that the plant in time and
 //! the steady-state generator of datasets both read.
 //!
 //! ```text

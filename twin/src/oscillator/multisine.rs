@@ -37,7 +37,7 @@ impl Multisine {
         }
     }
 
-    /// The same with an amplitude that grows from nothing to its value at `duration_s`.
+    /// Lets the amplitude grow from nothing to its value at `duration_s`.
     #[must_use]
     pub fn growing(mut self, duration_s: f64) -> Self {
         self.ramp = [0.0, 1.0 / duration_s];

@@ -4,7 +4,7 @@ use crate::model::{Model, Separation};
 
 use super::wiring::{FACE_TERMS, FORCE_TERM, TERMS, VOLTAGE_TERM};
 
-/// What the terms depend on, at one instant.
+/// State the terms depend on, at one instant.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Instant {
     /// Since the model's own time, s.
@@ -101,7 +101,7 @@ impl Bends {
         terms
     }
 
-    /// What the amplifier gives beside what is demanded, V.
+    /// Output of the amplifier beside the demand, V.
     pub(super) fn amplifier_v(&self, at: &Instant, levels: &Levels) -> f64 {
         let amplifier = &self.model.amplifier;
         let gain = 1.0 + amplifier.drift_per_s * (self.start_s + at.elapsed_s);

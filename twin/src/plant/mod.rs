@@ -43,7 +43,7 @@ pub struct Plant {
     simulation: Simulation,
     samplers: [Sampler; INPUT_CHANNELS],
     noise: ChaCha8Rng,
-    /// What happens to it, and the body as it is by now.
+    /// Faults, and the body as it is by now.
     faults: Faults,
     model: Model,
 }
@@ -144,7 +144,7 @@ impl Plant {
         faults.body.len()
     }
 
-    /// What the faults of a channel make of its code.
+    /// Code of a channel after its faults.
     fn faulty_code(&self, channel: usize, code: u16, elapsed_s: f64) -> u16 {
         let faults = &self.faults.channels[channel];
         if faults.is_none() {

@@ -15,7 +15,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use crate::model::{CoilModel, InductanceLadder, SecondOrder};
 
-/// What a coefficient of a [`Signal`] multiplies.
+/// Factor a coefficient of a [`Signal`] multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Source {
     State(usize),

@@ -250,7 +250,7 @@ impl Simulation {
         nonlinear.terms = end;
     }
 
-    /// What the nonlinear terms depend on, at present.
+    /// State the nonlinear terms depend on, at present.
     pub(super) fn instant(&self) -> Instant {
         Instant {
             elapsed_s: self.elapsed_s(),

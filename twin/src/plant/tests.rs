@@ -41,7 +41,7 @@ fn steady_response(rig: &Rig, cycles: usize, period: usize) -> [Complex<f64>; 3]
     sums
 }
 
-/// What sampling makes of a continuous response: the tone and all its images, folded.
+/// Sampled continuous response: the tone and all its images, folded.
 ///
 /// The image at `f + k fs` has the amplitude the hold gives it, and `oracle::drive_transfer` holds
 /// for images as well since it is a formula of the continuous frequency.

@@ -1,10 +1,10 @@
-//! What is stated about the reference's own calibration.
+//! Certificate of the reference's own calibration.
 
 use serde::{Deserialize, Serialize};
 
 use super::range::Range;
 
-/// What the certificate of the reference states about its own uncertainty (k = 2, normal).
+/// Uncertainty the certificate of the reference states (k = 2, normal).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Certificate {

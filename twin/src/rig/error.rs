@@ -10,7 +10,7 @@ pub enum RigError {
     Unreadable {
         /// File as it was named.
         file: String,
-        /// What the system said.
+        /// Error of the system.
         source: std::io::Error,
     },
     /// The text is no rig.

@@ -47,12 +47,12 @@ pub struct Rig {
     pub reference: Sensing,
     /// Device under test with its conditioner.
     pub dut: Sensing,
-    /// What is stated about the reference's own calibration.
+    /// Certificate of the reference's own calibration.
     pub certificate: Certificate,
-    /// What this rig does beside, each as `NAME` or `NAME=PARAM:VALUE,PARAM:VALUE`; may be left out.
+    /// Effects of this rig, each as `NAME` or `NAME=PARAM:VALUE,PARAM:VALUE`; may be left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<ActiveEffect>,
-    /// What happens to it, in the same form; may be left out.
+    /// Faults of this rig, in the same form; may be left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub faults: Vec<ActiveFault>,
     /// Under which conditions it works; may be left out.

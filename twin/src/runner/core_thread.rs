@@ -30,7 +30,7 @@ enum Command {
     PowerOff,
 }
 
-/// What the callbacks keep.
+/// State of the callbacks.
 struct Callbacks {
     commands: Receiver<Command>,
     reached: Sender<Stop>,

@@ -139,7 +139,7 @@ impl Emulator {
         self.pins.serial.receive()
     }
 
-    /// What the firmware has logged since the first power-on.
+    /// Log of the firmware since the first power-on.
     #[must_use]
     pub fn log(&self) -> &Log {
         &self.log

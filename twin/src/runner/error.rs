@@ -1,4 +1,4 @@
-//! What can keep an image from running.
+//! Errors that keep an image from running.
 
 use std::path::PathBuf;
 
@@ -17,7 +17,7 @@ pub enum Error {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         source: std::io::Error,
     },
     /// The file is no image for this board.
@@ -25,7 +25,7 @@ pub enum Error {
     NotAnImage {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Problem.
         reason: String,
     },
     /// A stored copy of the record flash has the wrong size.

@@ -16,7 +16,7 @@ use super::{Emulator, Error, Firmware, Log};
 use crate::board::{CalibratorBoard, Pins};
 use crate::rig_port::RigPort;
 
-/// What the owner of a board knows beside the board.
+/// State the owner of a board keeps beside the board.
 #[derive(Debug, Default, serde::Serialize, serde::Deserialize)]
 struct Owner {
     power_ons: u64,

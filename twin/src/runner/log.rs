@@ -1,4 +1,4 @@
-//! What the firmware logs over RTT, collected as a debug probe would.
+//! Log of the firmware over RTT, collected as a debug probe would.
 //!
 //! RTT is a ring buffer in the firmware's RAM that a probe drains: a control block with the
 //! descriptors of its channels, of which the first carries the log (SEGGER, UM08001, chapter 16).
@@ -15,7 +15,7 @@ const BUFFER: u64 = 4;
 const SIZE: u64 = 8;
 const WRITE: u64 = 12;
 const READ: u64 = 16;
-/// What the control block starts with once the firmware has set it up.
+/// Signature of the control block once the firmware has set it up.
 const ID: u64 = u64::from_le_bytes(*b"SEGGER R");
 /// The largest buffer taken for real: a damaged descriptor is left alone.
 const LARGEST_BYTES: u32 = 1 << 16;

@@ -10,7 +10,7 @@ use super::{Emulator, Error};
 use crate::board::SerialLine;
 use crate::board::usb::UsbPort;
 
-/// What is run between two looks at the doors.
+/// Virtual time run between two looks at the doors.
 const STEP: Duration = Duration::from_millis(1);
 
 /// How far behind the wall virtual time may be before the difference is given up.

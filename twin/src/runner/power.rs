@@ -12,7 +12,7 @@ use crate::board::{Operation, SECTOR_BYTES, WORD_BYTES, torn_sector, torn_word};
 /// How long the supply stays away in a power cycle: nothing in the part remembers longer.
 const OFF: Duration = Duration::from_millis(10);
 
-/// What a power cut left in the record flash.
+/// State of the record flash after a power cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Torn {
     /// No operation was under way.

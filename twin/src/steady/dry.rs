@@ -30,7 +30,7 @@ impl Point<'_> {
         0.5 * peaks.map(|peak| peak.norm_sqr()).sum::<f64>()
     }
 
-    /// What a force on the armature does, (m/s2)/N: a voltage makes the force `Bl/Z` of it.
+    /// Response to a force on the armature, (m/s2)/N: a voltage makes the force `Bl/Z` of it.
     fn acceleration_per_n(&self, order: usize) -> Complex<f64> {
         let (coil, time_s) = (&self.model.coil, self.conditions.time_s);
         let omega = TAU * self.frequency_hz * order as f64;

@@ -22,14 +22,14 @@ pub const REPORTED: usize = 5;
 /// Samples per period for static characteristics: a kink is placed to 1/2048 of a period.
 const FINE: usize = 2048;
 
-/// What a channel shows in steady state.
+/// Steady state of a channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChannelState {
     /// Mean, V.
     pub mean_v: f64,
     /// Harmonics 1 to 5, V peak, as `Re c e^{j h w t}`.
     pub harmonics_v: [Complex<f64>; REPORTED],
-    /// What is left of the periodic signal after mean and those harmonics, V r.m.s.
+    /// Remainder of the periodic signal after mean and those harmonics, V r.m.s.
     pub remainder_rms_v: f64,
     /// Noise the motion makes, V r.m.s.
     pub noise_rms_v: f64,

@@ -1,4 +1,4 @@
-//! What crossed the bus as a capture file: pcap with Linux usbmon packets, which Wireshark decodes.
+//! Traffic of the bus as a capture file: pcap with Linux usbmon packets, which Wireshark decodes.
 //!
 //! Each transfer becomes a submission and a completion with the 64-byte header of
 //! `LINKTYPE_USB_LINUX_MMAPPED` (220). Source: tcpdump.org, link-layer header types, and the kernel's
@@ -27,7 +27,7 @@ const SHUT_DOWN: i32 = -108;
 ///
 /// # Errors
 ///
-/// What `to` says.
+/// Error of `to`.
 pub fn write(transfers: &[Transferred], to: &mut impl Write) -> io::Result<()> {
     to.write_all(&0xA1B2_C3D4_u32.to_le_bytes())?;
     for half in [2_u16, 4] {

@@ -111,7 +111,7 @@ impl CdcFunction {
     }
 }
 
-/// What a walk along a configuration has found.
+/// Result of a walk along a configuration.
 #[derive(Debug, Default)]
 struct Search {
     control_interface: Option<u8>,

@@ -23,7 +23,7 @@ const READY: u16 = 0b11;
 /// Address given to the device.
 const ADDRESS: u8 = 7;
 
-/// What enumeration has found.
+/// Result of enumeration.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Enumerated {
     /// The device.

@@ -31,14 +31,14 @@ const STEP: Duration = Duration::from_millis(1);
 /// Longest a control transfer takes: what a device is allowed, and some.
 const CONTROL_LIMIT: Duration = Duration::from_secs(6);
 
-/// What can go wrong between host and device.
+/// Errors between host and device.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum HostError {
     /// A transfer failed.
     #[error("{what}: {error}")]
     Transfer {
-        /// What was asked for.
+        /// Request.
         what: &'static str,
         /// Why it failed.
         error: UsbError,
@@ -48,7 +48,7 @@ pub enum HostError {
     Descriptor {
         /// Which descriptor.
         what: &'static str,
-        /// What is wrong with it.
+        /// Problem.
         reason: String,
     },
     /// No device shows itself.

@@ -1,4 +1,4 @@
-//! What the measuring blocks of a point add up to.
+//! Sums over the measuring blocks of a point.
 
 use crate::correlation::PairEstimate;
 use crate::sequence::scatter::Scatter;

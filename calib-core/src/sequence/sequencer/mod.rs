@@ -47,7 +47,7 @@ pub struct Sampling {
     pub latency_samples: u32,
 }
 
-/// What the sequencer is doing.
+/// Phase of the sequence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Activity {
@@ -65,7 +65,7 @@ pub enum Activity {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Progress {
-    /// What is being done.
+    /// Current phase.
     pub activity: Activity,
     /// Blocks measured.
     pub block: u16,
@@ -77,7 +77,7 @@ pub struct Progress {
     pub drive_peak_v: f32,
 }
 
-/// What is known of a point before its first sample.
+/// Everything known of a point before its first sample.
 #[derive(Clone, Copy, Debug)]
 struct Plan {
     spec: PointSpec,
@@ -218,7 +218,7 @@ impl<'m> Sequencer<'m> {
         }
     }
 
-    /// What the exciter is to do now; ask after every [`Self::feed`].
+    /// Command to the exciter now; ask after every [`Self::feed`].
     pub fn command(&self) -> Command {
         self.command
     }

@@ -14,7 +14,7 @@ use calib_protocol::message::Refusal;
 use calib_protocol::record::{self, Record, RecordHead, RecordSummary};
 use embassy_futures::block_on;
 
-/// What an archive works in.
+/// Buffers an archive works in.
 pub(crate) struct Desk {
     directory: Box<Directory>,
     scratch: Box<[u8; MAX_ITEM]>,
@@ -32,7 +32,7 @@ impl Desk {
         }
     }
 
-    /// What a boot does.
+    /// Opens the archive as a boot does.
     pub(crate) fn open<const SECTOR: usize>(
         &mut self,
         flash: &MockFlash<SECTOR>,

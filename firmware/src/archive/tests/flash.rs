@@ -60,7 +60,7 @@ impl<const SECTOR: usize> MockFlash<SECTOR> {
         })))
     }
 
-    /// The same content in a flash of its own.
+    /// Copies the content into a flash of its own.
     pub(super) fn duplicate(&self, seed: u64) -> Self {
         let cells = self.0.borrow();
         Self(Rc::new(RefCell::new(Cells {

@@ -9,7 +9,7 @@ use calib_protocol::record::{self, RecordKind};
 use embassy_futures::block_on;
 use std::collections::BTreeMap;
 
-/// What a host was told: records stored, settings in force, records released.
+/// Everything a host was told: records stored, settings in force, records released.
 #[derive(Clone, Default)]
 pub(crate) struct Told {
     pub(crate) records: BTreeMap<u32, Vec<u8>>,

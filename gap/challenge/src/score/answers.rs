@@ -4,7 +4,7 @@ use calib_files::{Error, Result, text};
 use serde::Deserialize;
 use std::path::Path;
 
-/// What scoring needs of an answer; anybody's diagnosis can write these fields.
+/// Fields of an answer that scoring needs; anybody's diagnosis can write them.
 #[derive(Clone, Debug, Deserialize)]
 pub struct ScoredAnswer {
     pub(super) verdict: String,

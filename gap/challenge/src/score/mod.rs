@@ -1,4 +1,4 @@
-//! What answers to a sealed set are worth.
+//! Score of answers to a sealed set.
 
 mod answers;
 mod pair;
@@ -22,7 +22,7 @@ use std::collections::BTreeMap;
 /// which somebody can be asked to see it.
 const VISIBLE_SIGMA: f64 = 6.0;
 
-/// What a substitute has to leave of a withheld effect, in the same unit.
+/// Least remainder of a withheld effect behind a substitute, in the same unit.
 const LEFT_SIGMA: f64 = 3.0;
 
 /// Everything about a set of answers.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// Bins of stated probabilities.
 const PROBABILITY_BINS: usize = 10;
 
-/// What a choice of cases comes to.
+/// Rates over a choice of cases.
 #[derive(Clone, Debug, Serialize)]
 pub struct Rates {
     /// By kind of case.

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// What the first cause of each withheld case leaves beyond what the true effects leave, both
+/// Remainder of the first cause of each withheld case beyond that of the true effects, both
 /// fitted to the dataset in `folder`, in standard uncertainties of the whole dataset; by the name of
 /// the case. A substitute that leaves nothing is as good as the truth, and no answer can tell.
 /// Left out is what cannot be known: an effect that another's library has, a dataset that is gone.

@@ -7,7 +7,7 @@ use calib_metrology::input::Source;
 use calib_metrology::{budget, identify, linking, phase5347, record, sensitivity, shock};
 use std::path::Path;
 
-/// What the input's first byte chooses, by the name its files have.
+/// Choices of the input's first byte, by the name its files have.
 const KINDS: [&str; 7] = [
     "budget.toml",
     "link.toml",

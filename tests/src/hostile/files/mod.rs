@@ -37,7 +37,7 @@ fn folder() -> PathBuf {
     FOLDER.with(|folder| folder.path().to_owned())
 }
 
-/// What was read, if it was not refused with the file's name.
+/// Value read, if it was not refused with the file's name.
 fn read_or_refused<T>(path: &Path, read: Result<T, Error>) -> Option<T> {
     let error = match read {
         Ok(read) => return Some(read),

@@ -42,7 +42,7 @@ const NS_PER_S: u128 = 1_000_000_000;
 /// Half cycles of the analogue clock each `SMP` code samples for (RM0433 Rev 9, section 25.6.6).
 const SAMPLING_HALF_CYCLES: [u64; 8] = [3, 5, 17, 33, 65, 129, 775, 1621];
 
-/// What both converters and their common block share.
+/// State shared by both converters and their common block.
 #[derive(Debug)]
 struct Pair {
     analog: Analog,
@@ -143,7 +143,7 @@ impl State {
         }
     }
 
-    /// What a converter makes of the code at its connector, shifted to the left as `LSHIFT` says: 0
+    /// Code of a converter for the code at its connector, shifted to the left as `LSHIFT` says: 0
     /// where the channel selected is not the wired one, because that pin carries nothing.
     fn convert(&mut self, wired: u64, code: u16, context: &mut DeviceContext<'_>) -> u16 {
         let selected = self.channel() == Some(wired) && self.preselection & (1 << wired) != 0;

@@ -174,7 +174,7 @@ fn fewer_bits_drop_the_lowest() {
     assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2001_0100);
 }
 
-/// What a driver does that wants the same mid-scale of every width (RM0433 Rev 9, section 25.6.5).
+/// Tests a driver that wants one mid-scale for every width (RM0433 Rev 9, section 25.6.5).
 #[test]
 fn fewer_bits_may_be_left_justified() {
     use rigless::soc::stm32h743::generated::adc3::{cfgr, cfgr2};

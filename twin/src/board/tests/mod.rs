@@ -21,7 +21,7 @@ use rigless::time::VirtualNanos;
 use super::{Analog, Part, Pins, Schematic};
 use crate::rig_port::{INPUT_CHANNELS, RigPort};
 
-/// What a recording rig was told: each stretch of constant drive, and when it was sampled.
+/// Log of a recording rig: each stretch of constant drive, and when it was sampled.
 #[derive(Debug, Default)]
 struct Told {
     holds: Vec<(u16, u64)>,

@@ -41,7 +41,7 @@ pub struct Transferred {
     pub outcome: Result<(), UsbError>,
 }
 
-/// What the host wants of the bus.
+/// Request of the host to the bus.
 #[derive(Debug, Default)]
 pub(super) struct Bus {
     control: Option<(u8, ControlTransfer)>,
@@ -59,7 +59,7 @@ pub(super) struct Bus {
     handshakes: u32,
     /// Transactions after which the cable is pulled out.
     pub(super) pull_after: Option<u32>,
-    /// What crossed the bus, when somebody wants to know.
+    /// Traffic of the bus, when somebody wants to know.
     pub(super) capture: Option<Vec<Transferred>>,
 }
 

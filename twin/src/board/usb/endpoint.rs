@@ -7,7 +7,7 @@ use super::registers::*;
 /// Packet sizes the two-bit code of endpoint 0 stands for.
 const CONTROL_PACKET: [u32; 4] = [64, 32, 16, 8];
 
-/// What both directions have.
+/// State common to both directions.
 #[derive(Debug, Clone, Default, serde::Serialize, serde::Deserialize)]
 pub(super) struct Endpoint {
     stored: u32,

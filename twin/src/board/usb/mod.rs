@@ -55,7 +55,7 @@ impl Usb {
         }
     }
 
-    /// What happens in one slot of the bus.
+    /// One slot of the bus.
     fn use_slot(&mut self, now_ns: u64) {
         self.bus.use_slot(&mut self.controller, now_ns);
         match &mut self.bus.pull_after {

@@ -39,7 +39,7 @@ pub(super) const EP_INTERRUPT: u64 = 0x08;
 pub(super) const EP_SIZE: u64 = 0x10;
 pub(super) const EP_FIFO_STATUS: u64 = 0x18;
 
-/// What `CID` reads on this part.
+/// Value of `CID` on this part.
 pub(super) const CORE_ID: u32 = 0x0000_2300;
 
 /// `GOTGCTL`: B-session valid.
@@ -89,7 +89,7 @@ pub(super) const SD0PID: u32 = 1 << 28;
 pub(super) const SD1PID: u32 = 1 << 29;
 pub(super) const EPDIS: u32 = 1 << 30;
 pub(super) const EPENA: u32 = 1 << 31;
-/// What the register stores: packet size, activity, type, stall and FIFO number.
+/// Bits the register stores: packet size, activity, type, stall and FIFO number.
 pub(super) const STORED: u32 = 0x7FF | USBAEP | 0b11 << 18 | STALL | 0xF << 22;
 
 /// `DIEPINT` and `DOEPINT`.

@@ -78,7 +78,7 @@ enum Stage {
 pub(super) struct ControlTransfer {
     address: u8,
     pub(super) setup: Setup,
-    /// What is to be sent, or what has been received.
+    /// Bytes to be sent, or received.
     pub(super) data: Vec<u8>,
     sent: usize,
     packet_bytes: usize,
@@ -194,7 +194,7 @@ pub(super) fn heard(handshake: Handshake) -> Result<bool, UsbError> {
     }
 }
 
-/// What was received, if anything; a NAK is to be tried again.
+/// Bytes received, if any; a NAK is to be tried again.
 pub(super) fn asked(answer: Answer) -> Result<Option<(Vec<u8>, bool)>, UsbError> {
     match answer {
         Answer::Data(packet, toggle) => Ok(Some((packet, toggle))),

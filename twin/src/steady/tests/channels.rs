@@ -42,7 +42,7 @@ fn of_reference(text: &'static str, d: Complex<f64>) -> Shape {
     (text, 1.0 / d, d)
 }
 
-/// What moves otherwise than the reference says.
+/// Motion that the reference does not see.
 fn motion(f: f64) -> Vec<Shape> {
     let mounted_hz = (2e9 / PAYLOAD_KG).sqrt() / TAU;
     let rocking = resonance(f, 2500.0, 12.0);
@@ -75,7 +75,7 @@ fn motion(f: f64) -> Vec<Shape> {
     ]
 }
 
-/// What the transducers make of a motion.
+/// Signals of the transducers for a motion.
 fn transducers(f: f64) -> Vec<Shape> {
     vec![
         of_dut(
@@ -99,7 +99,7 @@ fn transducers(f: f64) -> Vec<Shape> {
     ]
 }
 
-/// What conditioners, converters and the evaluation make of a signal.
+/// Signal after conditioners, converters and the evaluation.
 fn electronics(f: f64) -> Vec<Shape> {
     let high = J * f / 0.8 / (1.0 + J * f / 0.8);
     let window = PI * f * 1e-5;
