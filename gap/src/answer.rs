@@ -2,9 +2,9 @@
 
 use crate::axis::Axis;
 use crate::estimation::gap::Gap;
-use crate::estimation::verdict::POSSIBLE;
 pub use crate::estimation::verdict::Verdict;
 use crate::pictures::Pictures;
+use crate::thresholds;
 use calib_effects::Stage;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -135,7 +135,9 @@ pub(crate) fn hardly_separated(causes: &[Cause], verdict: Verdict) -> Vec<Vec<St
     let name = |c: &Cause| c.effects.join("+");
     match causes {
         [first, rest @ ..] if verdict != Verdict::NoGap => {
-            let possible = rest.iter().filter(|c| c.probability > POSSIBLE);
+            let possible = rest
+                .iter()
+                .filter(|c| c.probability > thresholds::POSSIBLE_PROBABILITY);
             possible.map(|c| vec![name(first), name(c)]).collect()
         }
         _ => Vec::new(),

@@ -19,6 +19,7 @@ mod oscillator;
 mod pictures;
 mod plan;
 mod report;
+mod thresholds;
 
 pub use answer::{Answer, Cause, Confirmation, DatasetSummary, Distance, Estimate, Verdict, Where};
 pub use axis::Axis;
@@ -30,5 +31,6 @@ pub use estimation::gap::{Gap, ObservableGap, Slice};
 pub use observable::{Channel, Group, Observable};
 pub use options::Options;
 pub use pictures::{Conditions, Datum, Pictures, Residuals, Trace};
-pub use plan::{ENOUGH_SIGMA, Measurement, Pair, Plan, plan};
+pub use plan::{Measurement, Pair, Plan, plan};
 pub use report::report;
+pub use thresholds::ENOUGH_SIGMA;

@@ -9,11 +9,10 @@
 use super::problem::Problem;
 use crate::estimation::significance::two_sided;
 use crate::observable::{Complex, Observable};
+use crate::thresholds;
 
 /// Frequencies in a group.
 const WIDEST: usize = 3;
-/// Probability that noise alone shows one bump somewhere.
-const NOISE_BELOW: f64 = 0.01;
 /// Most bumps of an observable.
 const MOST: usize = 6;
 /// A bump.
@@ -90,7 +89,9 @@ impl Spectrum {
         let mut rest: Vec<usize> = (0..self.frequency_hz.len()).collect();
         let mut bumps: Vec<Bump> = Vec::new();
         while bumps.len() < MOST
-            && let Some(group) = self.largest(&rest).filter(|g| g.p_value < NOISE_BELOW)
+            && let Some(group) = self
+                .largest(&rest)
+                .filter(|g| g.p_value < thresholds::BUMP_P_VALUE)
         {
             let (first, last) = self.followed(&rest, &group);
             bumps.push(Bump {
@@ -209,7 +210,10 @@ mod tests {
     fn noise_has_no_bumps() {
         let records = 400;
         let alarms = (0..records).filter(|seed| !noise(50, *seed as u64 + 1).bumps().is_empty());
-        let (alarms, allowed) = (alarms.count() as f64, NOISE_BELOW * f64::from(records));
+        let (alarms, allowed) = (
+            alarms.count() as f64,
+            thresholds::BUMP_P_VALUE * f64::from(records),
+        );
         assert!(
             alarms <= allowed + 3.0 * allowed.sqrt(),
             "{alarms} of {records}"

@@ -9,7 +9,7 @@ use super::search::Search;
 use crate::answer::{Cause, Estimate, Verdict, hardly_separated};
 use crate::effects::{Effect, Stated, library};
 use crate::estimation::selection::{bootstrap, without_each};
-use crate::estimation::verdict::LISTED;
+use crate::thresholds;
 use calib_effects::Scale;
 use std::collections::BTreeMap;
 
@@ -25,7 +25,9 @@ pub(super) fn causes(problem: &Problem, found: &Search, work: &mut Workspace) ->
         .fold(f64::INFINITY, f64::min);
     let every = found.sets.iter().enumerate();
     let listed: Vec<(usize, &Scored)> = every
-        .filter(|(_, s)| !s.fit.effects.is_empty() && s.probability >= LISTED)
+        .filter(|(_, s)| {
+            !s.fit.effects.is_empty() && s.probability >= thresholds::LISTED_PROBABILITY
+        })
         .take(MOST)
         .collect();
     let stability = Stability::new(problem, &found.sets, work);

@@ -6,7 +6,6 @@
 //! effects is taken to the rows left out. The fits start from those to all rows.
 
 use super::fit::{Fit, Workspace};
-use super::found::COST;
 use super::holdout::score_on;
 use super::linear::{Linearised, Slopes};
 use super::problem::Problem;
@@ -15,11 +14,10 @@ use crate::dataset::Rig;
 use crate::estimation::descent::Effort;
 use crate::estimation::gap::Slice;
 use crate::model::row::Row;
+use crate::thresholds;
 
 /// Most levels, or bands, of a dataset: equal steps of the logarithm.
 const MOST: usize = 4;
-/// Relative difference of levels, or frequencies, that were meant to be the same.
-const ALIKE: f64 = 0.005;
 /// From fits to all rows the rest needs few steps.
 const EFFORT: Effort = Effort {
     most_steps: 4,
@@ -116,7 +114,7 @@ impl Whole<'_> {
         } else {
             fitted(self.best)
         };
-        let cost = COST * best.effects.len() as f64;
+        let cost = thresholds::EFFECT_COST * best.effects.len() as f64;
         let chosen = if best.objective + cost < nominal.objective {
             &best
         } else {
@@ -160,7 +158,8 @@ fn groups(values: &[f64]) -> Vec<Group> {
     let step = (highest / lowest).ln() / MOST as f64;
     // Levels that were held alike are one level.
     let place = |value: f64| {
-        let alike = ((value / lowest).ln() / ALIKE).round() * ALIKE;
+        let alike =
+            ((value / lowest).ln() / thresholds::LEVELS_ALIKE).round() * thresholds::LEVELS_ALIKE;
         ((alike / step + 1e-9) as usize).min(MOST - 1)
     };
     let of = |at: usize| {

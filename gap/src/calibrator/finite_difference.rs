@@ -7,13 +7,8 @@ use super::nuisance::Nuisance;
 use super::problem::{Column, Problem};
 use crate::effects::Active;
 use crate::observable::Observable;
+use crate::thresholds;
 use calib_effects::Scale;
-
-/// Change of all data, in standard deviations, that a small step of a parameter must exceed.
-const STANDS_STILL: f64 = 1e-9;
-
-/// Step of a nuisance, in its unit.
-const ASIDE: f64 = 0.01;
 
 /// Slope against one parameter of one effect.
 pub(super) fn parameter_column(
@@ -38,7 +33,7 @@ pub(super) fn parameter_column(
         column(problem, here, &there, step)
     };
     // What only rounding moves would be moved without bounds.
-    let moves = slope.norm2() * step * step > STANDS_STILL * STANDS_STILL;
+    let moves = slope.norm2() * step * step > thresholds::STANDS_STILL * thresholds::STANDS_STILL;
     if moves { slope } else { Column::default() }
 }
 
@@ -58,9 +53,9 @@ pub(super) fn bent_columns(
 ) {
     let aside = |index: usize| {
         let mut theta = fit.theta.clone();
-        theta[index] += ASIDE;
+        theta[index] += thresholds::NUISANCE_STEP;
         let there = problem.evaluate_aside(&fit.effects, &theta, &work.memory);
-        column(problem, evaluation, &there, ASIDE)
+        column(problem, evaluation, &there, thresholds::NUISANCE_STEP)
     };
     let mut level = None;
     for (index, free) in problem.free.iter().enumerate() {

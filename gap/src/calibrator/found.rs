@@ -2,19 +2,12 @@
 
 use super::fit::Fit;
 use super::problem::Problem;
-use super::proposal::{Plan, WORTH_REFINING, entries};
+use super::proposal::{Plan, entries};
 use crate::effects::Shows;
+use crate::thresholds;
 
 /// Singles from which pairs are grown.
 const BASES: usize = 7;
-/// Share of a predicted gain by which the truth may exceed it.
-const SLACK: f64 = 0.1;
-/// Least cost of one more effect in the score.
-pub(crate) const COST: f64 = 12.0;
-/// Difference in score above which a set is not worth listing.
-const COMPETING: f64 = 14.0;
-/// Uncertainties by which noise does not move a nominal value.
-const STRETCHED: f64 = 3.5;
 
 /// All fits so far.
 pub(super) struct Found<'a> {
@@ -58,8 +51,9 @@ impl<'a> Found<'a> {
     pub(super) fn is_noise(&self, fit: &Fit) -> bool {
         let count = self.problem.len() as f64;
         let mut nominal = self.problem.free.iter().zip(&fit.theta);
-        fit.objective < count + 3.0 * (2.0 * count).sqrt()
-            && nominal.all(|(free, theta)| !free.bounded || theta.abs() < STRETCHED)
+        fit.objective < count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt()
+            && nominal
+                .all(|(free, theta)| !free.bounded || theta.abs() < thresholds::NOMINAL_STRETCHED)
     }
 
     /// Drops plans that cannot compete even if they gain more than the screening predicts.
@@ -67,7 +61,7 @@ impl<'a> Found<'a> {
         let best = self
             .fits
             .iter()
-            .map(|f| f.objective + COST * f.effects.len() as f64)
+            .map(|f| f.objective + thresholds::EFFECT_COST * f.effects.len() as f64)
             .fold(f64::INFINITY, f64::min);
         let found = &self.fits;
         plans.retain(|plan| {
@@ -80,8 +74,9 @@ impl<'a> Found<'a> {
                     && f.effects.iter().all(|e| entries.contains(&e.entry))
             });
             !worse
-                && plan.predicted - SLACK * plan.predicted_gain.gain + COST * (size as f64)
-                    < best + COMPETING
+                && plan.predicted - thresholds::GAIN_SLACK * plan.predicted_gain.gain
+                    + thresholds::EFFECT_COST * (size as f64)
+                    < best + thresholds::COMPETING
         });
     }
 
@@ -89,7 +84,7 @@ impl<'a> Found<'a> {
     pub(super) fn bases(&self, size: usize, nominal: f64) -> Vec<Fit> {
         let mut list: Vec<Fit> = self.of_size(size).cloned().collect();
         list.sort_by(|a, b| a.objective.total_cmp(&b.objective));
-        list.retain(|f| f.objective < nominal - WORTH_REFINING);
+        list.retain(|f| f.objective < nominal - thresholds::WORTH_REFINING);
         let mut kept: Vec<Fit> = Vec::new();
         let mut of_kind = [0; 3];
         for fit in list {

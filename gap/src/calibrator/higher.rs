@@ -4,9 +4,7 @@ use super::evaluate::Memories;
 use super::fit::{Fit, Workspace};
 use super::problem::Problem;
 use crate::observable::Group;
-
-/// Share of the healthy noise power from which the higher harmonics of a row matter.
-const SHOWS: f64 = 1e-2;
+use crate::thresholds;
 
 /// Mean square of the harmonics above 5 in each row and channel, in V^2, where a fit has any that
 /// would show in the noise.
@@ -26,7 +24,9 @@ pub(super) fn higher_harmonics(
     problem.predictions(&fit.effects, &fit.theta, memory, |row, found| {
         all[row] = found.remainder_v2;
         let shows = all[row].iter().zip(healthy_v2);
-        any |= shows.into_iter().any(|(added, own)| *added > SHOWS * own);
+        any |= shows
+            .into_iter()
+            .any(|(added, own)| *added > thresholds::HARMONICS_SHOW * own);
     });
     any.then_some(all)
 }

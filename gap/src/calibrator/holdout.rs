@@ -5,6 +5,7 @@ use super::problem::Problem;
 use crate::dataset::Rig;
 use crate::estimation::gap::{Gap, ObservableGap, closed_share};
 use crate::observable::{Group, Observable};
+use crate::thresholds;
 use std::collections::BTreeMap;
 
 /// Rows to choose and fit on, and rows that take no part: every third frequency.
@@ -194,8 +195,8 @@ impl Compared {
     pub(super) fn gap(&self) -> ObservableGap {
         let [before_percent, after_percent, floor_percent] = self.percent();
         let [chi_before, chi_after] = self.chi();
-        let is_gap =
-            self.excess() > 4.0 * (2.0 * self.before.data).sqrt() && before_percent > floor_percent;
+        let is_gap = self.excess() > thresholds::GAP_SHOWN_SIGMA * (2.0 * self.before.data).sqrt()
+            && before_percent > floor_percent;
         ObservableGap {
             before_percent,
             after_percent,

@@ -12,6 +12,7 @@ use crate::estimation::significance::{
     Gauss, chi_square_tail, lack_of_fit, length_beside, two_sided,
 };
 use crate::observable::{Group, Observable};
+use crate::thresholds;
 
 /// One test of the residual and its outcome.
 #[derive(Debug, Clone)]
@@ -69,9 +70,6 @@ fn counted(problem: &Problem, evaluation: &Evaluation) -> Vec<f64> {
         .collect()
 }
 
-/// Share of the square of a shape that a fit must leave of it to be tested.
-const LEAST_LEFT: f64 = 1e-3;
-
 /// All tests of what a fit leaves, with what the fit would take over taken out of each.
 struct Examination<'a> {
     problem: &'a Problem,
@@ -92,7 +90,8 @@ impl<'a> Examination<'a> {
     ) -> Self {
         let usable = tests.iter().filter_map(|test| {
             let length = length_beside(tangent, &test.column);
-            (length * length > LEAST_LEFT * test.column.norm2()).then_some((test, length))
+            (length * length > thresholds::LEAST_LEFT * test.column.norm2())
+                .then_some((test, length))
         });
         // A nuisance with a prior is estimated with the variance 1 - c about that prior.
         let covariance = tangent.covariance();
@@ -120,7 +119,7 @@ impl<'a> Examination<'a> {
     fn pull(&self, theta: &[f64]) -> f64 {
         let pulled = theta.iter().zip(&self.known);
         pulled.fold(0.0, |most, (value, known)| match known {
-            Some(known) if *known > 0.1 => most.max(value.abs() / known.sqrt()),
+            Some(known) if *known > thresholds::LEAST_KNOWN => most.max(value.abs() / known.sqrt()),
             _ => most,
         })
     }

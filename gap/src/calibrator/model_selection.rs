@@ -4,9 +4,7 @@ use super::fit::Fit;
 use super::problem::Problem;
 use crate::effects::library;
 use crate::estimation::selection::{cost_of_cause, cost_of_parameter, probabilities};
-
-/// Difference of score by which an earlier entry of the library is preferred.
-const TIE: f64 = 1e-4;
+use crate::thresholds;
 
 /// A refined set with its score, -2 ln of the (unnormalised) posterior probability.
 #[derive(Clone)]
@@ -32,7 +30,7 @@ pub(super) fn score(
             let bic = fit.objective + per_parameter * fit.parameter_count() as f64;
             // Equals come in the order of the library.
             let order: usize = fit.effects.iter().map(|e| e.entry).sum();
-            let score = bic + per_name * fit.effects.len() as f64 + TIE * order as f64;
+            let score = bic + per_name * fit.effects.len() as f64 + thresholds::TIE * order as f64;
             Scored {
                 fit,
                 bic,

@@ -3,13 +3,7 @@
 use super::evaluation::Evaluation;
 use super::problem::Problem;
 use super::shapes::Test;
-
-/// Effective number of open data that a test of them needs.
-const FEWEST_OPEN: f64 = 12.0;
-/// Factor to which the size of open scatter is known.
-const ROUGHLY: f64 = 3.0;
-/// Standard uncertainty over the whole of what a datum may scatter below which it is open.
-const OPEN: f64 = 0.7;
+use crate::thresholds;
 
 /// The open data of an evaluation, and the tests that cover enough of them.
 pub(super) struct OpenData<'a> {
@@ -24,7 +18,7 @@ impl<'a> OpenData<'a> {
             .weight
             .iter()
             .enumerate()
-            .map(|(at, w)| w * problem.uncertainty(at) < OPEN)
+            .map(|(at, w)| w * problem.uncertainty(at) < thresholds::OPEN)
             .collect();
         let covers = |test: &&Test| {
             let (observable, values) = &test.column.parts[0];
@@ -35,7 +29,7 @@ impl<'a> OpenData<'a> {
                 fourth += v.powi(4);
             }
             // How the noise itself is left open is a matter of shape: no pattern is asked of it.
-            !observable.is_noise() && square * square > FEWEST_OPEN * fourth
+            !observable.is_noise() && square * square > thresholds::FEWEST_OPEN * fourth
         };
         let tests = if open.iter().any(|o| *o) {
             tests.iter().filter(covers).collect()
@@ -49,7 +43,9 @@ impl<'a> OpenData<'a> {
     /// single datum, whose scatter is known to a factor.
     pub(super) fn largest(&self, problem: &Problem, residual: &[f64]) -> f64 {
         let open = residual.iter().zip(&self.open).filter(|(_, open)| **open);
-        let outlier = open.fold(0.0, |m: f64, (r, _)| m.max(r.abs() / ROUGHLY));
+        let outlier = open.fold(0.0, |m: f64, (r, _)| {
+            m.max(r.abs() / thresholds::OPEN_FACTOR)
+        });
         self.tests.iter().fold(outlier, |most: f64, test| {
             let (observable, values) = &test.column.parts[0];
             let range = problem.data_of(*observable);

@@ -4,10 +4,8 @@ use super::candidate::PredictedGain;
 use super::fit::Fit;
 use super::linear::Slopes;
 use crate::effects::library;
+use crate::thresholds;
 use std::rc::Rc;
-
-/// Gain of -2 ln likelihood below which a candidate is not worth a refinement.
-pub(super) const WORTH_REFINING: f64 = 5.0;
 
 /// A set to which effects are added, with its slopes.
 pub(super) struct Base {
@@ -65,7 +63,7 @@ pub(super) fn chosen(
     let mut list = Vec::new();
     for (rank, predicted_gain) in predicted.iter().enumerate() {
         let count = &mut counts[predicted_gain.group];
-        let in_group = *count < per_group && predicted_gain.gain > WORTH_REFINING;
+        let in_group = *count < per_group && predicted_gain.gain > thresholds::WORTH_REFINING;
         if (predicted_gain.gain > floor && rank < overall) || in_group {
             *count += 1;
             list.push(predicted_gain.clone());

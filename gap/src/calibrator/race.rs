@@ -8,11 +8,7 @@ use super::proposal::Plan;
 use super::refine::{FULL, GLANCE, refine, refine_with};
 use super::step::moved;
 use crate::effects::{Active, library};
-
-/// Objective above the best set of a size from which a set is not refined further.
-const OUT_OF_REACH: f64 = 60.0;
-/// The same as a share of what the best set gained, as long as that leaves more than noise.
-const REACH: f64 = 0.02;
+use crate::thresholds;
 
 /// Refines a proposed set and keeps what it finds; `nominal` is the objective without effects.
 pub(super) fn race(
@@ -27,9 +23,9 @@ pub(super) fn race(
     let best = leader.map_or(nominal, |f| f.objective.min(nominal));
     let settled = leader.is_some_and(|f| found.is_noise(f));
     let reach = if settled {
-        OUT_OF_REACH
+        thresholds::OUT_OF_REACH
     } else {
-        OUT_OF_REACH.max(REACH * (nominal - best))
+        thresholds::OUT_OF_REACH.max(thresholds::REACH_SHARE * (nominal - best))
     };
     let glance = glance(problem, plan, work);
     if glance.objective >= best + reach || glance.objective == f64::MAX {

@@ -10,6 +10,7 @@ use super::step::{clamp, moved};
 use crate::effects::Active;
 use crate::estimation::descent::{self, Effort, LeastSquares};
 use crate::estimation::tangent::Equations;
+use crate::thresholds;
 use nalgebra::DVector;
 
 /// All the steps a set is worth.
@@ -66,16 +67,13 @@ pub(crate) fn refine_with(
             let before = fit.objective;
             polish(problem, &mut fit, round, work);
             descend(problem, &mut fit, None, effort, work);
-            if before - fit.objective < 0.1 {
+            if before - fit.objective < thresholds::POLISHED {
                 break;
             }
         }
     }
     fit
 }
-
-/// Noise beyond this many of its standard uncertainties is stretched.
-const STRETCHED: f64 = 3.0;
 
 /// Puts stretched noise back where it is stated, if the search then describes the data better.
 ///
@@ -84,7 +82,7 @@ const STRETCHED: f64 = 3.0;
 fn unstretch(problem: &Problem, fit: &mut Fit, effort: Effort, work: &mut Workspace) {
     let stated = problem.stated_noise(&fit.theta);
     let mut moved = stated.iter().zip(&fit.theta);
-    if !moved.any(|(to, from)| (to - from).abs() > STRETCHED)
+    if !moved.any(|(to, from)| (to - from).abs() > thresholds::NOISE_STRETCHED)
         || higher_harmonics(problem, fit, work).is_none()
     {
         return;

@@ -9,9 +9,7 @@ use super::problem::Problem;
 use super::scatter::{QuietStarts, Scene};
 use super::settled::gradient;
 use crate::effects::library;
-
-/// Pull of a value of the exciter, in standard uncertainties, from which its slopes are taken anew.
-const PULLED: f64 = 2.0;
+use crate::thresholds;
 
 /// All starts of all effects that apply, with their changes at the nominal fit.
 pub(crate) struct Candidates {
@@ -68,10 +66,9 @@ impl Candidates {
         let mut best: Vec<Option<PredictedGain>> = vec![None; library().len()];
         let bent = fit.effects.iter().any(|e| e.effect.bends());
         // Changes of the exciter at its nominal values are others than beside values far from them.
-        let pulled =
-            problem.free.iter().zip(&fit.theta).any(|(free, value)| {
-                matches!(free.kind, Nuisance::Exciter(_)) && value.abs() > PULLED
-            });
+        let pulled = problem.free.iter().zip(&fit.theta).any(|(free, value)| {
+            matches!(free.kind, Nuisance::Exciter(_)) && value.abs() > thresholds::EXCITER_PULLED
+        });
         let slope = gradient(problem, fit, &tangent, &evaluation.residual);
         let owed = tangent.halfway(slope);
         for candidate in &self.list {

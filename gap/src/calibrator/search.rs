@@ -5,14 +5,13 @@ use super::found::Found;
 use super::limits::Limits;
 use super::model_selection::{Scored, score};
 use super::problem::Problem;
-use super::proposal::{Base, Plan, WORTH_REFINING, chosen};
+use super::proposal::{Base, Plan, chosen};
 use super::race::race;
 use super::refine::{FULL, refine};
 use super::screen::Candidates;
+use crate::thresholds;
 use std::rc::Rc;
 
-/// Difference in score, on part of the rows, above which a set is not tried on all of them.
-const SEEDED: f64 = 60.0;
 /// Pairs refined fully.
 const MOST_PAIRS: usize = 14;
 
@@ -91,7 +90,7 @@ impl Searcher<'_> {
     /// Refines the sets that were within reach on part of the rows.
     fn seed(&mut self, of: &Problem, search: &Search) -> bool {
         let best = search.sets.first().map_or(0.0, |s| s.score);
-        let near = |s: &&Scored| !s.fit.effects.is_empty() && s.score < best + SEEDED;
+        let near = |s: &&Scored| !s.fit.effects.is_empty() && s.score < best + thresholds::SEEDED;
         for set in search.sets.iter().filter(near) {
             let fit = refine(
                 self.problem,
@@ -108,7 +107,7 @@ impl Searcher<'_> {
     fn singles(&mut self, nominal: &Fit, seeded: bool) {
         let (predicted, slopes) = self.candidates.scan(self.problem, nominal, &mut self.work);
         let best = predicted.first().map_or(0.0, |p| p.gain);
-        let floor = WORTH_REFINING.max(0.02 * best);
+        let floor = thresholds::WORTH_REFINING.max(thresholds::REACH_SHARE * best);
         let base = Rc::new(Base {
             fit: nominal.clone(),
             slopes,
@@ -143,7 +142,7 @@ impl Searcher<'_> {
             for fit in bases {
                 let (predicted, slopes) = self.candidates.scan(self.problem, &fit, &mut self.work);
                 let base = Rc::new(Base { fit, slopes });
-                let plan = chosen(&predicted, 5, 2, 9.0).into_iter();
+                let plan = chosen(&predicted, 5, 2, thresholds::WORTH_ADDING).into_iter();
                 plans.extend(
                     plan.map(|predicted_gain| Plan::new(&base, predicted_gain))
                         .filter(|plan| !plan.repeats() && !tried.contains(&plan.entries())),

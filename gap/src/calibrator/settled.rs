@@ -6,6 +6,7 @@
 
 use super::fit::Fit;
 use super::problem::{Problem, Tangent};
+use crate::thresholds;
 use nalgebra::DVector;
 
 /// Where the parameters of a fit stand still.
@@ -36,9 +37,6 @@ impl Settled {
     }
 }
 
-/// Deviate from which noise alone does not lead beyond a bound.
-const BEYOND_NOISE: f64 = 3.0;
-
 /// Whether a step leads beyond a bound by more than noise does. By less it may: what is left of a
 /// value that stays, though the data have it a little farther out, would look like structure.
 fn leaves_bounds(movable: &DVector<f64>, tangent: &Tangent, step: &DVector<f64>) -> bool {
@@ -47,7 +45,7 @@ fn leaves_bounds(movable: &DVector<f64>, tangent: &Tangent, step: &DVector<f64>)
     }
     let covariance = tangent.covariance();
     let mut stuck = (0..step.len()).filter(|at| movable[*at] == 0.0);
-    stuck.any(|at| step[at].abs() > BEYOND_NOISE * covariance[(at, at)].sqrt())
+    stuck.any(|at| step[at].abs() > thresholds::BOUND_SIGMA * covariance[(at, at)].sqrt())
 }
 
 /// 1 for what can move, 0 for a parameter at its bound: nuisances, then parameters.

@@ -7,6 +7,7 @@ use super::problem::Problem;
 use super::search::Search;
 use crate::effects::Active;
 use crate::estimation::verdict::{Evidence, Verdict, conclude};
+use crate::thresholds;
 
 /// What a search leads to, and what is left of the data.
 pub(crate) struct Judgement {
@@ -41,11 +42,6 @@ pub(crate) fn judge(problem: &Problem, found: &Search, work: &mut Workspace) -> 
     }
 }
 
-/// Part of an effect that is left when its partner undoes it.
-const UNDONE: f64 = 0.1;
-/// Size, in standard deviations of all data, above which undoing is no accident of noise.
-const LARGE: f64 = 6.0;
-
 /// Whether two effects undo each other in some observable, to within a tenth.
 ///
 /// Two independent causes do not have sizes so well matched: the pair imitates
@@ -69,6 +65,8 @@ pub(crate) fn cancels(problem: &Problem, fit: &Fit) -> bool {
             let size = |v: &mut dyn Iterator<Item = f64>| v.map(|x| x * x).sum::<f64>().sqrt();
             let (na, nb) = (size(&mut va.iter().copied()), size(&mut vb.iter().copied()));
             let sum = size(&mut va.iter().zip(vb).map(|(x, y)| x + y));
-            na > LARGE && nb > LARGE && sum < UNDONE * na.min(nb)
+            na > thresholds::CANCELLED_SIGMA
+                && nb > thresholds::CANCELLED_SIGMA
+                && sum < thresholds::CANCELLED_SHARE * na.min(nb)
         })
 }

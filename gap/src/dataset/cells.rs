@@ -3,10 +3,8 @@
 use super::layout::FILE;
 use super::point::{Harmonic, Point};
 use crate::error::GapError;
+use crate::thresholds;
 use std::collections::HashMap;
-
-/// Relative distance at which a ratio and the quotient of its voltages are two different things.
-const RATIO_AGREES: f64 = 0.01;
 
 /// Values of one row by column.
 pub(super) struct Cells<'a> {
@@ -109,7 +107,7 @@ impl Cells<'_> {
             return Ok(());
         };
         let quotient = dut_v / ref_v;
-        if (ratio / quotient - 1.0).abs() > RATIO_AGREES {
+        if (ratio / quotient - 1.0).abs() > thresholds::RATIO_AGREES {
             return Err(self.unusable(
                 "ratio",
                 format!("{ratio} contradicts dut_v/ref_v = {quotient:.6}; give one of the two"),

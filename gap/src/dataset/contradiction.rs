@@ -2,10 +2,7 @@
 
 use super::{Measured, Point, Rig};
 use crate::error::GapError;
-
-/// Factor by which the stated level may differ from the reference output over the nominal sensitivity, in the median;
-/// the two are the same by definition of the level.
-const LEVEL_AGREES: f64 = 2.0;
+use crate::thresholds;
 
 /// Checks what rig and table say about the same quantity.
 ///
@@ -72,7 +69,7 @@ fn level_is_reference(rig: &Rig, points: &[Point]) -> Result<(), GapError> {
     let Some(&median) = quotients.get(quotients.len() / 2) else {
         return Ok(());
     };
-    if (LEVEL_AGREES.recip()..=LEVEL_AGREES).contains(&median) {
+    if (thresholds::LEVEL_AGREES.recip()..=thresholds::LEVEL_AGREES).contains(&median) {
         return Ok(());
     }
     Err(contradicts(format!(

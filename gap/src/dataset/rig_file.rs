@@ -2,10 +2,8 @@
 
 use super::rig::{Environment, Quantity, Repeatability, Rig};
 use crate::error::GapError;
+use crate::thresholds::STATES_NOTHING;
 use std::path::Path;
-
-/// Uncertainty over value beyond which a statement says nothing.
-const LEAST_KNOWN: f64 = 10.0;
 
 /// Magnitudes of the entries of a rig, each in its unit, from the inductance of a single turn to the stiffest mounting.
 const MAGNITUDES: std::ops::RangeInclusive<f64> = 1e-12..=1e15;
@@ -48,9 +46,9 @@ fn check_quantity(name: &str, Quantity { value, u }: Quantity) -> Result<(), Str
     if !(u.is_finite() && u >= 0.0) {
         return Err(format!("{name}: u {u} must be zero (exact) or positive"));
     }
-    if u > LEAST_KNOWN * value {
+    if u > STATES_NOTHING * value {
         return Err(format!(
-            "{name}: u {u} is more than {LEAST_KNOWN} times the value {value}; leave out what is not known"
+            "{name}: u {u} is more than {STATES_NOTHING} times the value {value}; leave out what is not known"
         ));
     }
     Ok(())

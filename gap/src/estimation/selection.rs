@@ -1,9 +1,8 @@
 //! Model selection: what a cause costs, how probable each set is, and how often it leads.
 
 use super::significance::Gauss;
+use crate::thresholds;
 
-/// Prior odds of one more cause, spread over all names.
-const PRIOR_OF_MORE: f64 = 0.5;
 /// Bootstrap samples.
 const DRAWS: usize = 100;
 
@@ -15,7 +14,7 @@ pub(crate) fn cost_of_parameter(data: f64) -> f64 {
 
 /// Cost of one more cause out of so many that are as probable.
 pub(crate) fn cost_of_cause(names: f64) -> f64 {
-    2.0 * (names / PRIOR_OF_MORE).ln()
+    2.0 * (names / thresholds::PRIOR_OF_MORE).ln()
 }
 
 /// Probabilities of sets from their scores, -2 ln of the posterior probability up to a constant.

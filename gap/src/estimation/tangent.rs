@@ -1,6 +1,7 @@
 //! Normal equations of least squares, and projection off the tangent space of a fit.
 
 use super::column::{Blocks, Column};
+use crate::thresholds;
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Normal equations at a fit, for steps of any damping.
@@ -163,7 +164,7 @@ impl Beside {
             products[i] = column.dot_data(of, residual) - load.dot(owed);
             // A direction that the nuisances can take over completely promises nothing.
             // (One that they take over against their priors does: the priors are the evidence.)
-            if self.matrix[(i, i)] < 1e-11 * column.norm2() {
+            if self.matrix[(i, i)] < thresholds::TAKEN_OVER * column.norm2() {
                 return None;
             }
         }

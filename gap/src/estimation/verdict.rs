@@ -1,5 +1,6 @@
 //! The verdict: from the probability of the leading set, and from what it leaves.
 
+use crate::thresholds;
 use serde::Serialize;
 
 /// The four outcomes.
@@ -16,18 +17,6 @@ pub enum Verdict {
     Unexplained,
 }
 
-/// Structure left by the best set at which "none of these" is the answer.
-pub(crate) const NONE_BELOW: f64 = 0.01;
-/// Structure left by the nominal simulation at which there is a gap without a name.
-const GAP_BELOW: f64 = 5e-4;
-/// Probability above which a set leads clearly.
-const CLEAR: f64 = 0.8;
-/// Smallest probability that is listed.
-pub(crate) const LISTED: f64 = 0.01;
-/// Probability above which a set is possible beside the leading one. No effect at all is such a set:
-/// where it is possible none is claimed.
-pub(crate) const POSSIBLE: f64 = 0.05;
-
 /// What a verdict is drawn from: probabilities of sets, and p-values of what is left.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Evidence {
@@ -43,14 +32,16 @@ pub(crate) struct Evidence {
 
 /// The verdict on a search.
 pub(crate) fn conclude(evidence: &Evidence) -> Verdict {
-    if evidence.none > POSSIBLE && evidence.p_nominal >= GAP_BELOW {
+    if evidence.none > thresholds::POSSIBLE_PROBABILITY
+        && evidence.p_nominal >= thresholds::GAP_P_VALUE
+    {
         return Verdict::NoGap;
     }
     match evidence.leading {
-        None if evidence.p_value < GAP_BELOW => Verdict::Unexplained,
+        None if evidence.p_value < thresholds::GAP_P_VALUE => Verdict::Unexplained,
         None => Verdict::NoGap,
-        Some(_) if evidence.p_value < NONE_BELOW => Verdict::Unexplained,
-        Some(probability) if probability >= CLEAR => Verdict::Explained,
+        Some(_) if evidence.p_value < thresholds::UNEXPLAINED_P_VALUE => Verdict::Unexplained,
+        Some(probability) if probability >= thresholds::EXPLAINED_PROBABILITY => Verdict::Explained,
         Some(_) => Verdict::Ambiguous,
     }
 }

@@ -12,14 +12,11 @@ use super::exciter::Exciter;
 use super::friction::{Friction, Rubbed};
 use super::grid::{GRID, Motion, ORDERS, Parity, analyse, synthesize};
 use super::waveform::{Characteristic, clipped_order};
+use crate::thresholds;
 use num_complex::Complex64;
 
 /// Largest number of corrections.
 const MOST_CORRECTIONS: usize = 60;
-/// Correction of the motion, relative to its fundamental, at which the balance holds.
-const TOLERANCE: f64 = 1e-9;
-/// The same, relative to the first correction, where only a slope is wanted.
-const SLOPE_TOLERANCE: f64 = 1e-3;
 
 /// What a balance is for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -145,13 +142,13 @@ impl<'a> Work<'a> {
 
     /// Corrects the motion until the balance holds; whether it does.
     fn settle(&self, motion: &mut Motion, purpose: Purpose) -> (State, bool) {
-        let mut enough = TOLERANCE * motion[1].re.abs();
+        let mut enough = thresholds::BALANCED * motion[1].re.abs();
         let mut state = self.voltages(motion);
         for step in 0..MOST_CORRECTIONS {
             let damping = if step < 25 { 1.0 } else { 0.5 };
             let (correction, size) = self.correction(&state, damping);
             if step == 0 && purpose == Purpose::Slope {
-                enough = enough.max(SLOPE_TOLERANCE * size);
+                enough = enough.max(thresholds::BALANCED_SLOPE * size);
             }
             if size < enough {
                 return (state, true);
@@ -342,7 +339,7 @@ mod tests {
             let (warm, cold) = (of(second, &mut warm), of(second, &mut cold()));
             assert!(warm.converged && cold.converged);
             for (a, b) in warm.harmonics.iter().zip(&cold.harmonics) {
-                assert!((a - b).norm() < 10.0 * TOLERANCE, "{a} {b}");
+                assert!((a - b).norm() < 10.0 * thresholds::BALANCED, "{a} {b}");
             }
         }
     }

@@ -15,12 +15,9 @@ use super::row::Row;
 use super::wave::{Wave, mean_square};
 use super::waveform::{Characteristic, REPORTED};
 use crate::observable::{Channel, Observable};
+use crate::thresholds;
 use num_complex::Complex64;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
-
-/// Share of the orders above 5 that is not known better: those above the balance, and how the
-/// channels carry them, stay open.
-const REMAINDER_OPEN: f64 = 0.2;
 
 /// Fills harmonics and d.c.; returns the gains of reference and device under test.
 pub(super) fn channels(
@@ -177,7 +174,7 @@ impl Signal {
         if path.remainder > 0.0 {
             let carried = (above.beyond - path.beyond).abs() / above.remainder;
             out.remainder_carried[self.channel as usize] = carried;
-            out.remainder_open[self.channel as usize] = REMAINDER_OPEN.max(carried);
+            out.remainder_open[self.channel as usize] = thresholds::REMAINDER_OPEN.max(carried);
         }
     }
 }

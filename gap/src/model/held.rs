@@ -5,11 +5,12 @@ use super::complex::size;
 use super::drive::{Drive, drive};
 use super::grid::ORDERS;
 use super::memory::Recall;
-use super::passed::{NEGLIGIBLE, mixes, shaped};
+use super::passed::{mixes, shaped};
 use super::path::Path;
 use super::prediction::Nominal;
 use super::row::Row;
 use super::transfers::Transfers;
+use crate::thresholds;
 
 /// Times the level is corrected for what a bent reference channel makes of the harmonics.
 const MOST_LEVELS: usize = 4;
@@ -107,7 +108,7 @@ impl Reference {
             next.peak_v *= 1.0 + by;
             next.gain = gain(next.peak_v);
         }
-        ((next.gain / self.gain - 1.0).abs() > NEGLIGIBLE).then_some(next)
+        ((next.gain / self.gain - 1.0).abs() > thresholds::NEGLIGIBLE).then_some(next)
     }
 
     /// Held level corrected for the channel, r.m.s.

@@ -7,10 +7,8 @@ use super::complex::size;
 use super::grid::ORDERS;
 use super::wave::Wave;
 use super::waveform::Characteristic;
+use crate::thresholds;
 use num_complex::Complex64;
-
-/// Relative size below which what a bend does to arriving harmonics is left out.
-pub(super) const NEGLIGIBLE: f64 = 1e-7;
 
 /// Whether a bend does to the harmonics that arrive what a sum would not.
 pub(super) fn mixes(bend: Option<Characteristic>, peak: f64, others: f64) -> bool {
@@ -23,7 +21,7 @@ pub(super) fn mixes(bend: Option<Characteristic>, peak: f64, others: f64) -> boo
             f64::from(u8::from(peak * (1.0 + others) > threshold))
         }
     };
-    peak.is_finite() && bend.is_some_and(|bend| strength(bend) * others > NEGLIGIBLE)
+    peak.is_finite() && bend.is_some_and(|bend| strength(bend) * others > thresholds::NEGLIGIBLE)
 }
 
 /// A wave behind a characteristic.

@@ -7,6 +7,7 @@ use super::grid::ORDERS;
 use super::transfers::Transfers;
 use super::wave::Wave;
 use super::waveform::REPORTED;
+use crate::thresholds;
 use num_complex::Complex64;
 
 /// Orders that stand for all above [`ORDERS`] of a jump, whose powers fall with the square of the
@@ -14,8 +15,6 @@ use num_complex::Complex64;
 const JUMP: [usize; 4] = [128, 43, 26, 18];
 /// The same for a kink, whose powers fall with the fourth power: above 5, and above [`ORDERS`].
 const KINK: [[usize; 4]; 2] = [[6, 7, 8, 11], [16, 18, 22, 31]];
-/// Power over that of the fundamental below which no response is asked.
-const UNSEEN: f64 = 1e-12;
 
 /// Orders above 5 behind a response.
 pub(super) struct Above {
@@ -79,7 +78,7 @@ impl<'a> Path<'a> {
     /// Mean square of the orders above 5 behind a response, over that of the fundamental there, and
     /// what of it no wave holds.
     pub(super) fn above(&self, of: fn(&Transfer) -> Complex64) -> Above {
-        if self.remainder < UNSEEN {
+        if self.remainder < thresholds::UNSEEN {
             return Above {
                 remainder: self.remainder,
                 beyond: self.beyond,

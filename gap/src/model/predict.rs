@@ -11,6 +11,7 @@ use super::row::Row;
 use super::transfers::Transfers;
 use crate::effects::Active;
 use crate::observable::{Channel, Observable};
+use crate::thresholds;
 
 /// Simulates one row.
 pub(crate) fn predict(
@@ -55,14 +56,10 @@ fn chain(row: &Row, nominal: &Nominal, effects: &[Active<'_>]) -> Chain {
     chain
 }
 
-/// Share of its largest harmonic to which an armature that rests for a while is described: 4 % of it
-/// were seen.
-const AT_REST: f64 = 0.1;
-
 /// An armature that rests for part of the period: its fundamental and odd orders are known roughly.
 fn leave_rough(balanced: &Balanced, out: &mut Prediction) {
     let largest = balanced.harmonics.iter().map(|h| h.norm_sqr());
-    let open = AT_REST * AT_REST * largest.fold(0.0, f64::max);
+    let open = thresholds::AT_REST * thresholds::AT_REST * largest.fold(0.0, f64::max);
     let odd = Channel::BOTH.map(|channel| {
         let [_, third, _, fifth] = Observable::harmonics(channel);
         [third, fifth]

@@ -3,10 +3,8 @@
 use super::leakage::{leaked_mains, taken_mains};
 use crate::dataset::{Harmonic, Point, Rig, Transducer};
 use crate::observable::{Channel, Complex, Observable, Table};
+use crate::thresholds;
 use std::f64::consts::{SQRT_2, TAU};
-
-/// Scatter of one noise value about its expectation, relative.
-pub(crate) const NOISE_SCATTER: f64 = 0.01;
 
 /// Conditions of a point; what was not stated has a neutral value.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,8 +123,12 @@ impl Row {
         self.set(Observable::DutDc, p.dut_dc_v, p.u_dc_v);
         if rig.digitiser.noise_v.is_some() {
             let (reference, dut) = (p.ref_noise_v.map(f64::ln), p.dut_noise_v.map(f64::ln));
-            self.set(Observable::RefNoise, reference, Some(NOISE_SCATTER));
-            self.set(Observable::DutNoise, dut, Some(NOISE_SCATTER));
+            self.set(
+                Observable::RefNoise,
+                reference,
+                Some(thresholds::NOISE_SCATTER),
+            );
+            self.set(Observable::DutNoise, dut, Some(thresholds::NOISE_SCATTER));
         }
     }
 

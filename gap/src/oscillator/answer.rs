@@ -12,11 +12,9 @@ use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where, hardly_separa
 use crate::axis::Axis;
 use crate::estimation::verdict::{Evidence, conclude};
 use crate::pictures::{Pictures, Trace};
+use crate::thresholds;
 use calib_effects::{Of, Stage, named};
 
-/// Share closed from which sets that do equally well are called ambiguous although what they
-/// leave is not white: the model error of a real oscillator.
-const NEARLY_ALL: f64 = 0.95;
 /// Samples of a stretch that is drawn.
 const MOST_DRAWN: usize = 4000;
 
@@ -68,7 +66,10 @@ fn verdict(causes: &[Cause], steps: &[Step], scored: &Scored) -> Verdict {
         ..evidence
     };
     let tied = conclude(&white) == Verdict::Ambiguous;
-    let nearly_all = scored.gap.closed.is_some_and(|c| c > NEARLY_ALL);
+    let nearly_all = scored
+        .gap
+        .closed
+        .is_some_and(|c| c > thresholds::NEARLY_ALL);
     match conclude(&evidence) {
         Verdict::Unexplained if tied && nearly_all => Verdict::Ambiguous,
         other => other,

@@ -7,11 +7,10 @@ use super::simulate::simulate;
 use crate::estimation::column::{Column, OneBlock};
 use crate::estimation::descent::{Effort, LeastSquares, descend};
 use crate::estimation::tangent::Equations;
+use crate::thresholds;
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
 
-/// Gain of -2 ln likelihood over the number of samples below which a fit stops.
-const ENOUGH: f64 = 1e-6;
 /// Samples at the start that only settle the state.
 pub(super) const SETTLING: usize = 50;
 /// Samples at the end beyond which the interpolation of the input would have to look.
@@ -77,7 +76,7 @@ pub(super) fn descend_from(
     let start = model.place(start)?;
     let effort = Effort {
         most_steps,
-        enough: ENOUGH * start.left.len() as f64,
+        enough: thresholds::STEP_WORTH * start.left.len() as f64,
         small_steps: 1,
         damping: 1e-3,
         leap: 10.0,

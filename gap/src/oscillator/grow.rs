@@ -7,15 +7,9 @@ use super::model::TERMS;
 use super::model_selection::{Tried, cost_of_last};
 use super::run::Run;
 use super::starts::{SPRING, begin, bent_spring};
-use crate::estimation::verdict::NONE_BELOW;
 use crate::options::Options;
+use crate::thresholds;
 use rayon::prelude::*;
-
-/// Share of the squared error a term must remove to be named, where what is left is no noise.
-///
-/// A record has tens of thousands of samples: beside model error any term is
-/// "significant". One counts if it lowers the simulation error by 5 %.
-const WORTH_NAMING: f64 = 0.1;
 
 /// Steps after which terms are compared.
 const FIRST_STEPS: usize = 4;
@@ -113,10 +107,10 @@ fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Ve
 /// Whether the last term of a set says more than chance: by the likelihood where
 /// it leaves noise, by a share of the error where it leaves more.
 fn worth(base: &Fitted, best: &Fitted, left: &Left) -> bool {
-    if left.p_value >= NONE_BELOW {
+    if left.p_value >= thresholds::UNEXPLAINED_P_VALUE {
         left.samples * (base.square / best.square).ln() > cost_of_last(best, left.samples)
     } else {
-        best.square < base.square * (1.0 - WORTH_NAMING)
+        best.square < base.square * (1.0 - thresholds::WORTH_NAMING)
     }
 }
 

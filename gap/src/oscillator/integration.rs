@@ -2,15 +2,13 @@
 
 use super::fit::{Fitted, refine, residual, rms};
 use super::run::Run;
+use crate::thresholds;
 use rayon::prelude::*;
 
 /// Steps of the fits that lead.
 pub(super) const MOST_STEPS: usize = 10;
 /// Sets that are refined to the end.
 pub(super) const REFINED: usize = 5;
-/// Share of what is left, r.m.s., up to which an error of the integration does not matter: over
-/// thousands of samples a direction of it still stays near one standard deviation.
-const FINE: f64 = 0.04;
 
 /// Halves the steps of the integration until its error is small beside what the best set leaves,
 /// and fits the leading sets anew.
@@ -21,7 +19,7 @@ pub(super) fn integrate_finely(run: Run, tried: &mut [Fitted]) -> Run {
             break;
         };
         best.integration = off;
-        if off < FINE * rms(&left) {
+        if off < thresholds::RESOLVED_FINELY * rms(&left) {
             break;
         }
         run = finer;

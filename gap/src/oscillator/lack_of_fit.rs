@@ -3,12 +3,13 @@
 use super::fit::{Fitted, residual, rms, slopes};
 use super::model::{TERMS, free};
 use super::parameters::Parameter;
-use super::run::{INTERPOLATED, Run};
+use super::run::Run;
 use crate::estimation::column::{Column, OneBlock, dot};
 use crate::estimation::significance::{
     Gauss, chi_square_tail, lack_of_fit, length_beside, two_sided,
 };
 use crate::estimation::tangent::Tangent;
+use crate::thresholds;
 
 /// Lags of the tests for memory: a few samples, and about a period of a resonance that is
 /// sampled well.
@@ -22,9 +23,6 @@ const FORCES: [(Parameter, Parity); 6] = [
     (Parameter::CoulombFriction, Parity::Odd),
     (Parameter::Delay, Parity::Linear),
 ];
-
-/// Share of what is left, r.m.s., that the integration may err by: more would be taken for structure.
-const RESOLVED: f64 = 0.3;
 
 /// What a force does when the motion is mirrored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,11 +61,11 @@ pub(super) fn examine(record: &Run, fit: &Fitted) -> Option<Left> {
     let traces: Vec<Trace> = traces
         .filter_map(|(column, parity)| Trace::new(&tangent, column, parity))
         .collect();
-    let known = RESOLVED * rms(&left);
+    let known = thresholds::RESOLVED * rms(&left);
     let unresolved = known
         < fit
             .integration
-            .max(INTERPOLATED * RESOLVED * rms(&record.output));
+            .max(thresholds::INTERPOLATED * thresholds::RESOLVED * rms(&record.output));
     let block = OneBlock(left.len());
     let (left, _) = tangent.reduce(&block, &left);
     let p_value = lack_of_fit(

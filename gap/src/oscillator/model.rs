@@ -3,6 +3,7 @@
 use super::parameters::Parameter::{self, *};
 use super::parameters::{LINEAR, OscillatorParameters};
 use super::run::Run;
+use crate::thresholds;
 use calib_effects::{Entry, oscillator};
 
 /// Candidate terms.
@@ -101,14 +102,10 @@ pub(super) fn states(terms: &[usize]) -> Vec<Parameter> {
     states
 }
 
-/// Times a record is longer than the memory of a high-pass from which what it held back
-/// before is fitted; left free in a slower one it would be an offset of the output.
-const REMEMBERED: f64 = 8.0;
-
 /// Parameters that a fit moves from there: of the linear oscillator, of the terms, of their states.
 pub(super) fn free(terms: &[usize], values: &OscillatorParameters, record: &Run) -> Vec<Parameter> {
     let duration_s = record.interval_s * record.input.len() as f64;
-    let forgets = values[HighpassCorner] * duration_s > REMEMBERED;
+    let forgets = values[HighpassCorner] * duration_s > thresholds::REMEMBERED;
     let of_terms = terms.iter().flat_map(|t| TERMS[*t].values).copied();
     let states = states(terms).into_iter().filter(|s| match s {
         HeldBack => forgets,

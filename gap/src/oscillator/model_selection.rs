@@ -7,17 +7,7 @@ use super::model::TERMS;
 use super::run::Run;
 use crate::answer::Cause;
 use crate::estimation::selection::{bootstrap, cost_of_cause, cost_of_parameter, probabilities};
-use crate::estimation::verdict::{LISTED, NONE_BELOW};
-
-/// Share of squared errors below which two sets do equally well where both leave more than
-/// noise: 3 % in amplitude. What is left is model error, and favours none of them.
-const AS_GOOD: f64 = 0.061;
-/// Share of the samples that count as independent beside model error: it has the memory of the
-/// resonance, a few tens of samples.
-const INDEPENDENT: f64 = 0.02;
-/// Odds of a leading term against a later one, or one with a kink: forces of a real oscillator
-/// expand in powers first.
-const ODDS_OF_LEADING: f64 = 3.0;
+use crate::thresholds;
 
 /// Sets of one size, and how they compare.
 pub(super) struct Tried<'a> {
@@ -39,11 +29,11 @@ pub(super) struct Weighed<'a> {
 impl<'a> Tried<'a> {
     /// Sets of which the best leaves `left`.
     pub(super) fn new(sets: &'a [Fitted], left: &Left) -> Self {
-        let white = left.p_value >= NONE_BELOW;
+        let white = left.p_value >= thresholds::UNEXPLAINED_P_VALUE;
         Self {
             sets,
-            samples: left.samples * if white { 1.0 } else { INDEPENDENT },
-            tied: if white { 0.0 } else { AS_GOOD },
+            samples: left.samples * if white { 1.0 } else { thresholds::INDEPENDENT },
+            tied: if white { 0.0 } else { thresholds::AS_GOOD },
         }
     }
 
@@ -82,7 +72,7 @@ impl<'a> Tried<'a> {
     /// samples are drawn again, `stretch` of them come together.
     pub(super) fn causes(&self, part: &Run, stretch: usize) -> Vec<Cause> {
         let mut listed = self.weighed();
-        listed.retain(|w| w.probability > LISTED);
+        listed.retain(|w| w.probability > thresholds::LISTED_PROBABILITY);
         let squares = listed.iter().map(|w| {
             let left = residual(&w.fit.values, part).unwrap_or_default();
             let stretches = left.chunks_exact(stretch.max(1));
@@ -110,7 +100,11 @@ impl<'a> Tried<'a> {
 pub(super) fn cost_of_last(fit: &Fitted, samples: f64) -> f64 {
     fit.terms.last().map_or(0.0, |term| {
         let term = &TERMS[*term];
-        let odds = if term.leading { 1.0 } else { ODDS_OF_LEADING };
+        let odds = if term.leading {
+            1.0
+        } else {
+            thresholds::ODDS_OF_LEADING
+        };
         let parameters = cost_of_parameter(samples.max(std::f64::consts::E));
         term.values.len() as f64 * parameters + cost_of_cause(odds * TERMS.len() as f64)
     })

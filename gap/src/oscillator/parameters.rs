@@ -1,6 +1,7 @@
 //! The parameters of a simulated oscillator: their bounds, and their steps for slopes.
 
 use super::run::Run;
+use crate::thresholds;
 use std::ops::{Index, IndexMut};
 
 /// A parameter of a simulated oscillator. Forces are in units of w0^2, time in units of 1/w0;
@@ -91,9 +92,6 @@ impl OscillatorParameters {
     }
 }
 
-/// Logarithm of half the rate over the lowest resonance that is tried.
-const LOWEST: f64 = 20.0;
-
 /// Keeps some of the values where the simulation can follow them; `unit` is the size of the output.
 pub(super) fn bound(
     values: &mut OscillatorParameters,
@@ -105,7 +103,7 @@ pub(super) fn bound(
     let half_rate = std::f64::consts::PI / record.interval_s;
     for &parameter in moved {
         let (lower, upper) = match parameter {
-            LnResonance => (half_rate.ln() - LOWEST, half_rate.ln()),
+            LnResonance => (half_rate.ln() - thresholds::LOWEST_LN, half_rate.ln()),
             Delta => (1e-5, 2.0),
             // Friction and damping take energy out.
             QuadraticDamping | CubicDamping | CoulombFriction => (0.0, f64::INFINITY),

@@ -18,8 +18,6 @@ const MOST_VALUES: usize = 20_000_000;
 pub(super) const REACH: usize = 24;
 /// Shape of the window (Kaiser): sidelobes near -130 dB, and the passband up to 0.4 of the rate.
 const BETA: f64 = 14.0;
-/// Share of the output, r.m.s., by which the interpolation of the input errs at most.
-pub(super) const INTERPOLATED: f64 = 1e-6;
 
 /// Input and output of a record, and how finely it is integrated.
 pub(super) struct Run {

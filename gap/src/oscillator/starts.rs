@@ -13,10 +13,8 @@ use super::parameters::{LINEAR, OscillatorParameters, Parameter, bound};
 use super::run::Run;
 use crate::estimation::column::{Column, OneBlock};
 use crate::estimation::tangent::{RIDGE, Tangent};
+use crate::thresholds;
 use nalgebra::DVector;
-
-/// Size of a first stretch over that of the whole record below which it says nothing.
-const QUIET: f64 = 0.1;
 
 /// Linear fit from the rig's resonance, by growing parts of the record.
 pub(super) fn linear(record: &Run, resonance_hz: f64, delta: f64) -> Option<Fitted> {
@@ -31,7 +29,7 @@ pub(super) fn linear(record: &Run, resonance_hz: f64, delta: f64) -> Option<Fitt
         for count in [2_000, 8_000, usize::MAX] {
             let part = record.head(count);
             // A stretch before a shock shows nothing but noise.
-            if rms(&part.output) < QUIET * scale_of(record) {
+            if rms(&part.output) < thresholds::QUIET * scale_of(record) {
                 continue;
             }
             if let Some(fit) = refine(&part, values, &[], 30) {
@@ -60,8 +58,6 @@ const COMPARED: usize = 4_000;
 /// Frequencies of a second mode that are tried: a step of 7 % meets every mode
 /// whose resonance is no sharper than that of the start.
 const MODES: usize = 90;
-/// Damping of a second mode at the start.
-const MODE_DAMPING: f64 = 0.05;
 
 /// Where the fit of a term begins: the most promising values of those it is not linear in.
 pub(super) fn begin(
@@ -103,7 +99,7 @@ fn starts(record: &Run, base: &OscillatorParameters, term: Parameter, unit: f64)
             let highest = (0.9 * half_rate).ln() - base[Parameter::LnResonance];
             let lowest = highest - 6.2;
             let of = |i: usize| lowest + (highest - lowest) * i as f64 / (MODES - 1) as f64;
-            let modes = (0..MODES).map(|i| vec![1e-3, of(i), MODE_DAMPING]);
+            let modes = (0..MODES).map(|i| vec![1e-3, of(i), thresholds::MODE_DAMPING]);
             modes.collect()
         }
         Parameter::Saturation => {
@@ -150,8 +146,6 @@ fn most_promising(
     Some((best.0, best.1))
 }
 
-/// Share of the squared output from which a linear fit counts as poor.
-const POOR: f64 = 0.03;
 /// Resonances over that of the linear fit: how many, the lowest, and the factor between two.
 const RESONANCES: (usize, f64, f64) = (24, 0.45, 1.04);
 /// Stiffness at the amplitude of the stretch that is cubic, over that which is linear: 3 k3 sigma^2
@@ -174,7 +168,7 @@ pub(super) const SPRING: usize = 0;
 /// fit is not poor.
 pub(super) fn bent_spring(run: &Run, base: &Fitted) -> Option<(Fitted, usize)> {
     let size = rms(&run.output);
-    if base.square < POOR * size * size * run.output.len() as f64 {
+    if base.square < thresholds::POOR * size * size * run.output.len() as f64 {
         return None;
     }
     let terms = [base.terms.as_slice(), &[SPRING]].concat();

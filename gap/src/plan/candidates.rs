@@ -1,15 +1,13 @@
 //! Points the rig can hold, what would be measured there, and a chosen one in words.
 
 use super::duel::Duel;
-use super::settings::{BEYOND, settings};
+use super::settings::settings;
 use crate::calibrator::evaluate::Memories;
 use crate::calibrator::problem::Problem;
 use crate::dataset::{Harmonic, Point, Rig};
 use crate::observable::{Observable, Table};
+use crate::thresholds;
 use serde::Serialize;
-
-/// Effort of a point with sensors the dataset does not have.
-const DEARER: f64 = 2.0;
 
 /// One point that could be measured.
 pub(super) struct Candidate {
@@ -59,7 +57,11 @@ impl Candidates {
         let mut list = Vec::new();
         for (row, effort) in efforts.into_iter().enumerate() {
             for (known, extra) in [(base, false), (all, true)] {
-                let cost = if extra { DEARER } else { 1.0 };
+                let cost = if extra {
+                    thresholds::EFFORT_OF_SENSORS
+                } else {
+                    1.0
+                };
                 if !extra || all != base {
                     list.push(Candidate {
                         row,
@@ -145,7 +147,7 @@ fn largest_coil_v(points: &[Point]) -> f64 {
     let known = points.iter().filter_map(|p| p.coil_v);
     let largest = known.fold(0.0_f64, f64::max);
     if largest > 0.0 {
-        BEYOND * largest
+        thresholds::BEYOND_SEEN * largest
     } else {
         f64::INFINITY
     }

@@ -5,10 +5,8 @@ use crate::calibrator::fit::Fit;
 use crate::calibrator::problem::Problem;
 use crate::estimation::tangent::Equations;
 use crate::observable::{Group, Observable, Table};
+use crate::thresholds;
 use nalgebra::{Cholesky, DMatrix, DVector};
-
-/// Keeps parameters that nothing has taught anything about.
-const RIDGE: f64 = 1e-8;
 
 /// State of a comparison.
 pub(super) struct Duel {
@@ -55,7 +53,7 @@ impl Duel {
             }
         }
         for i in 0..names.count {
-            normal.matrix[(i, i)] += RIDGE * (1.0 + normal.matrix[(i, i)]);
+            normal.matrix[(i, i)] += thresholds::UNTAUGHT_RIDGE * (1.0 + normal.matrix[(i, i)]);
         }
         let covariance = normal.covariance()?;
         let moved = &covariance * &normal.gradient;

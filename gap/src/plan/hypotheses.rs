@@ -9,14 +9,11 @@ use crate::calibrator::problem::Problem;
 use crate::calibrator::search::search;
 use crate::calibrator::verdict::judge;
 use crate::effects::{Active, Start, library};
+use crate::thresholds;
 use rayon::prelude::*;
 
-/// Probability above which a set is still possible.
-const POSSIBLE: f64 = 0.01;
 /// Sets of a dataset that are compared.
 const MOST_SETS: usize = 6;
-/// Size of an effect that is to be told from others, in sigma over all points in reach.
-const SIZE_SIGMA: f64 = 100.0;
 
 /// A set that is taken for true, and one that is refitted; both are fits of one problem.
 pub(super) struct Pairs<'a> {
@@ -38,7 +35,7 @@ pub(super) fn of_data<'a>(
     let mut sets: Vec<Fit> = found
         .sets
         .iter()
-        .filter(|s| s.probability > POSSIBLE && !s.fit.effects.is_empty())
+        .filter(|s| s.probability > thresholds::LISTED_PROBABILITY && !s.fit.effects.is_empty())
         .map(|s| s.fit.clone())
         .take(MOST_SETS)
         .collect();
@@ -144,7 +141,7 @@ fn signatures(reach: &Problem, nothing: &Fit, entry: usize) -> Vec<Signature> {
     let sized = |start: &Start| {
         let first = of(start.members[0].clone());
         match start.amplitude {
-            Some(_) if first.size > 0.0 => of(start.scaled(SIZE_SIGMA / first.size)),
+            Some(_) if first.size > 0.0 => of(start.scaled(thresholds::USUAL_SIGMA / first.size)),
             _ => first,
         }
     };
@@ -158,7 +155,7 @@ fn name(signature: &Signature) -> &'static str {
 
 /// The start of an effect whose size is nearest to the usual one.
 fn largest<'a>(all: &'a [Signature], id: &str) -> Option<&'a Signature> {
-    let off = |s: &Signature| (s.size / SIZE_SIGMA).ln().abs();
+    let off = |s: &Signature| (s.size / thresholds::USUAL_SIGMA).ln().abs();
     let of_name = all.iter().filter(|s| name(s) == id);
     of_name.min_by(|a, b| off(a).total_cmp(&off(b)))
 }

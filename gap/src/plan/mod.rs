@@ -25,6 +25,7 @@ use crate::answer::Verdict;
 use crate::calibrator::problem::Problem;
 use crate::dataset::{Dataset, Measured};
 use crate::error::GapError;
+use crate::thresholds;
 use candidates::Candidates;
 pub use candidates::Measurement;
 use duel::Duel;
@@ -32,15 +33,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::path::Path;
 
-/// Separation at which two causes count as told apart.
-pub const ENOUGH_SIGMA: f64 = 5.0;
-const ENOUGH: f64 = ENOUGH_SIGMA * ENOUGH_SIGMA;
-/// Worth of a point that only pins the refitted parameters down, in squared sigma.
-const PREPARES: f64 = 0.1;
-/// Logarithm of the ratio of variances beyond which more is no better.
-const MOST_TAUGHT: f64 = 5.0;
-/// Gain of squared separation below which a point is not worth its time.
-const WORTH: f64 = 0.25;
+const ENOUGH: f64 = thresholds::ENOUGH_SIGMA * thresholds::ENOUGH_SIGMA;
 
 /// What to measure next.
 #[derive(Debug, Clone, Serialize)]
@@ -103,7 +96,7 @@ pub fn plan(folder: &Path, nothing_measured: bool, most: usize) -> Result<Plan, 
         };
         measurements.push(measurement);
         let now: f64 = duels.iter().map(|d| d.square().min(ENOUGH)).sum();
-        if now - told > WORTH {
+        if now - told > thresholds::WORTH_A_POINT {
             useful = measurements.len();
         }
     }
@@ -152,7 +145,7 @@ fn next(candidates: &Candidates, duels: &mut [Duel]) -> Option<Measurement> {
                 let (gain, taught) = duel.gain(candidate.row, &candidate.known);
                 let gain = worth(duel, gain);
                 // A cause that needs two points to show is found by the first that prepares it.
-                sum += gain + PREPARES * taught.min(MOST_TAUGHT);
+                sum += gain + thresholds::PREPARES * taught.min(thresholds::MOST_TAUGHT);
                 if gain > most.0 {
                     most = (gain, index);
                 }
@@ -162,7 +155,7 @@ fn next(candidates: &Candidates, duels: &mut [Duel]) -> Option<Measurement> {
         })
         .collect();
     let best = gains.into_iter().max_by(|a, b| a.0.total_cmp(&b.0))?;
-    if best.0 < WORTH {
+    if best.0 < thresholds::WORTH_A_POINT {
         return None;
     }
     let candidate = &candidates.list[best.1];

@@ -2,18 +2,8 @@
 
 use crate::calibrator::problem::Problem;
 use crate::dataset::{Point, Rig};
+use crate::thresholds;
 use std::f64::consts::{FRAC_PI_2, TAU};
-
-/// Points in one-third octaves.
-const PER_DECADE: f64 = 10.0;
-/// Highest frequency over sample rate that is proposed: what anti-aliasing filters usually pass.
-const BELOW_NYQUIST: f64 = 0.39;
-/// Travel and coil voltage beyond what the dataset has seen.
-pub(super) const BEYOND: f64 = 1.1;
-/// Effort of a point that needs other hands than those on the generator.
-const DEAR: f64 = 1.5;
-/// How much later a point is taken that shows what drifts, in s.
-const LATER_S: f64 = 7200.0;
 
 /// Frequencies times one change of condition at a time, each with its effort.
 pub(super) fn settings(rig: &Rig, points: &[Point], measured: &Problem) -> Vec<(Point, f64)> {
@@ -22,11 +12,12 @@ pub(super) fn settings(rig: &Rig, points: &[Point], measured: &Problem) -> Vec<(
     let highest_hz = rig
         .digitiser
         .sample_rate_hz
-        .map_or(1.0, |rate| BELOW_NYQUIST * rate);
+        .map_or(1.0, |rate| thresholds::BELOW_NYQUIST * rate);
     let highest_hz = highest_hz.min(2.0 * facts.highest_hz).max(facts.highest_hz);
     let mut list = Vec::new();
     for frequency_hz in frequencies(facts.lowest_hz, highest_hz) {
-        let largest_ms2 = facts.largest_travel_m * BEYOND * (TAU * frequency_hz).powi(2);
+        let largest_ms2 =
+            facts.largest_travel_m * thresholds::BEYOND_SEEN * (TAU * frequency_hz).powi(2);
         for (point, effort) in &conditions {
             let mut point = Point {
                 frequency_hz,
@@ -70,18 +61,26 @@ fn conditions(rig: &Rig, points: &[Point], now_s: f64) -> Vec<(Point, f64)> {
     add(1.0, &|p| p.acceleration_ms2 = Some(level(0)));
     add(1.0, &|p| p.acceleration_ms2 = Some(level(2)));
     for quarter in 1..4 {
-        add(DEAR, &|p| {
+        add(thresholds::EFFORT_OF_HANDS, &|p| {
             p.rotation_rad = Some(f64::from(quarter) * FRAC_PI_2);
         });
     }
-    add(DEAR, &|p| p.tilt_rad = Some(FRAC_PI_2));
+    add(thresholds::EFFORT_OF_HANDS, &|p| {
+        p.tilt_rad = Some(FRAC_PI_2)
+    });
     for payload_kg in [0.02, 0.1] {
-        add(DEAR, &|p| p.payload_kg = Some(payload_kg));
+        add(thresholds::EFFORT_OF_HANDS, &|p| {
+            p.payload_kg = Some(payload_kg)
+        });
     }
     for warmer_k in [-8.0, 10.0] {
-        add(DEAR, &|p| p.temperature_c = Some(warm_c + warmer_k));
+        add(thresholds::EFFORT_OF_HANDS, &|p| {
+            p.temperature_c = Some(warm_c + warmer_k)
+        });
     }
-    add(DEAR, &|p| p.time_s = Some(now_s + LATER_S));
+    add(thresholds::EFFORT_OF_HANDS, &|p| {
+        p.time_s = Some(now_s + thresholds::LATER_S)
+    });
     list
 }
 
@@ -95,10 +94,10 @@ fn stated(points: &[Point], value: fn(&Point) -> Option<f64>) -> Vec<f64> {
 
 /// Preferred frequencies of one-third octaves within the range.
 fn frequencies(lowest_hz: f64, highest_hz: f64) -> Vec<f64> {
-    let first = (PER_DECADE * lowest_hz.log10()).round() as i32;
-    let last = (PER_DECADE * highest_hz.log10()).round() as i32;
+    let first = (thresholds::POINTS_PER_DECADE * lowest_hz.log10()).round() as i32;
+    let last = (thresholds::POINTS_PER_DECADE * highest_hz.log10()).round() as i32;
     (first..=last)
-        .map(|n| 10.0_f64.powf(f64::from(n) / PER_DECADE))
+        .map(|n| 10.0_f64.powf(f64::from(n) / thresholds::POINTS_PER_DECADE))
         .map(|f| f.clamp(lowest_hz, highest_hz))
         .collect()
 }

@@ -19,6 +19,7 @@ use crate::calibrator::lack_of_fit::LackOfFit;
 use crate::calibrator::problem::Problem;
 use crate::calibrator::search::Search;
 use crate::observable::{Group, Observable};
+use crate::thresholds;
 use calib_effects::{Entry, Of, Stage, named as entry};
 use rules::classes;
 use std::collections::BTreeMap;
@@ -80,7 +81,10 @@ fn by_effects(found: &Search) -> Vec<(Stage, f64)> {
         let entry = best.entry(stage).or_insert(0.0);
         *entry = entry.max(gain);
     }
-    let mut list: Vec<_> = best.into_iter().filter(|(_, g)| *g > 9.0).collect();
+    let mut list: Vec<_> = best
+        .into_iter()
+        .filter(|(_, g)| *g > thresholds::WORTH_ADDING)
+        .collect();
     list.sort_by(|a, b| b.1.total_cmp(&a.1));
     list
 }

@@ -5,10 +5,8 @@ use crate::calibrator::problem::{Column, Problem, Tangent};
 use crate::estimation::tangent::Beside;
 use crate::model::row::Row;
 use crate::observable::Observable;
+use crate::thresholds;
 use nalgebra::{Cholesky, DVector, Dyn};
-
-/// Ridge that keeps directions still which the nuisances take over.
-const RIDGE: f64 = 1e-6;
 
 /// A rule with one choice of free courses.
 pub(super) struct Pattern {
@@ -31,7 +29,7 @@ impl Pattern {
         if columns.iter().any(|c| c.norm2() == 0.0) {
             return None;
         }
-        let beside = tangent.beside(&columns, RIDGE);
+        let beside = tangent.beside(&columns, thresholds::PATTERN_RIDGE);
         let data = touched(&columns)
             .map(|observable| problem.data_of(observable).len())
             .sum::<usize>();

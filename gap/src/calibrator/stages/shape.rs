@@ -6,6 +6,7 @@ use crate::calibrator::linear::Linearised;
 use crate::calibrator::problem::{Column, Problem};
 use crate::calibrator::settled::Settled;
 use crate::observable::Observable;
+use crate::thresholds;
 
 /// A function of the frequency.
 type Course = fn(f64) -> f64;
@@ -22,10 +23,6 @@ const POWERS: [(&str, Course); 5] = [
 const CORNER: &str = "corner";
 /// Corners that are tried, evenly over the logarithm of the band.
 const CORNERS: usize = 24;
-/// Share of what a free course takes out that a course with a word must take out.
-const MOST: f64 = 0.8;
-/// 2 ln of the odds within which a second word is said too.
-const CLOSE: f64 = 6.0;
 
 /// Words for the course of the ratio's magnitude over frequency, most probable first;
 /// `None` where no simple course describes it.
@@ -61,6 +58,10 @@ pub(crate) fn of_ratio(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Op
     let mut words: Vec<(&str, f64)> = powers.chain(corner).collect();
     words.sort_by(|a, b| b.1.total_cmp(&a.1));
     let best = words.first()?.1;
-    let near = words.iter().filter(|w| w.1 > best - CLOSE).map(|w| w.0);
-    (best > 0.0 && best + cost > MOST * free).then(|| near.collect::<Vec<_>>().join(" or "))
+    let near = words
+        .iter()
+        .filter(|w| w.1 > best - thresholds::SHAPE_ODDS)
+        .map(|w| w.0);
+    (best > 0.0 && best + cost > thresholds::SHAPE_SHARE * free)
+        .then(|| near.collect::<Vec<_>>().join(" or "))
 }

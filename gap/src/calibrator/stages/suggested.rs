@@ -7,6 +7,7 @@ use crate::calibrator::lack_of_fit::{LackOfFit, Outcome};
 use crate::calibrator::problem::Problem;
 use crate::calibrator::shapes::BANDS;
 use crate::observable::{Channel, Group, Observable};
+use crate::thresholds;
 use calib_effects::Stage;
 use std::ops::Range;
 
@@ -72,14 +73,14 @@ fn of_the_ratio(s: &LackOfFit) -> [Stage; 2] {
     };
     let (size, phase) = (most(Observable::Ratio), most(Observable::RatioPhase));
     if is_low(s) {
-        if phase > 0.05 * size {
+        if phase > thresholds::LOW_PHASE * size {
             [Stage::Conditioning, Stage::Mount]
         } else {
             [Stage::Mount, Stage::Dut]
         }
-    } else if phase > 15.0 * size {
+    } else if phase > thresholds::SKEWED_PHASE * size {
         [Stage::Digitiser, Stage::Conditioning]
-    } else if phase > 0.3 * size {
+    } else if phase > thresholds::FILTERED_PHASE * size {
         [Stage::Conditioning, Stage::Digitiser]
     } else {
         [Stage::Dut, Stage::Conditioning]
@@ -97,9 +98,11 @@ fn distorted(problem: &Problem, s: &LackOfFit, [reference, dut]: [f64; 2]) -> [S
     let [second, third, fourth, fifth] = Observable::harmonics(Channel::Dut).map(of_order);
     let (even, odd) = (second + fourth, third + fifth);
     let (shared, data) = shared(problem, s);
-    if shared > 0.3 * reference.max(dut) && shared > 3.0 * data.sqrt() {
+    if shared > thresholds::SHARED_SHARE * reference.max(dut)
+        && shared > thresholds::SHARED_SIGMA * data.sqrt()
+    {
         [Stage::Exciter, Stage::Amplifier]
-    } else if dut > reference && even.min(odd) > 0.02 * even.max(odd) {
+    } else if dut > reference && even.min(odd) > thresholds::BOTH_PARITIES * even.max(odd) {
         [Stage::Mount, Stage::Digitiser]
     } else if dut > reference {
         [Stage::Digitiser, Stage::Dut]
@@ -133,7 +136,7 @@ fn noisy(s: &LackOfFit) -> [Stage; 2] {
     let grows = along(Axis::Frequency).max(along(Axis::Level));
     let all = s.outcomes.iter();
     let most = largest_square(all.filter(|o| o.observable.is_noise()));
-    if grows >= 0.5 * most && level_counts(s) {
+    if grows >= thresholds::NOISE_GROWS * most && level_counts(s) {
         [Stage::Digitiser, Stage::Environment]
     } else {
         [Stage::Environment, Stage::Digitiser]
@@ -146,14 +149,14 @@ fn level_counts(s: &LackOfFit) -> bool {
         let tests = of_tests(s, Group::Noise, axis);
         tests.fold(0.0_f64, |m, o| m.max(o.z.abs()))
     };
-    largest(Axis::Level) > 0.8 * largest(Axis::Frequency)
+    largest(Axis::Level) > thresholds::LEVEL_COUNTS * largest(Axis::Frequency)
 }
 
 /// Chi-square of some data beyond what noise gives.
 fn excess(structure: &LackOfFit, data: Range<usize>) -> f64 {
     let count = data.len() as f64;
     let sum: f64 = structure.residual[data].iter().map(|r| r * r).sum();
-    (sum - count - 2.0 * (2.0 * count).sqrt()).max(0.0)
+    (sum - count - thresholds::EXCESS_SIGMA * (2.0 * count).sqrt()).max(0.0)
 }
 
 /// Tests of a group along an axis.

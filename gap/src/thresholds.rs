@@ -1,0 +1,241 @@
+//! Every number that a decision of the diagnosis hangs on.
+//!
+//! Each states what it follows from, or that it is a choice. Where sets are counted, so many get
+//! another verdict or another first name when the number is changed and all else kept; where none
+//! are, that was not measured. Numbers of physics (the copper of a coil, free fall), sizes of
+//! grids, starts of fits and what only a page looks like stay where they are used.
+
+// Is there a gap, and does a set explain it?
+
+/// P-value of what the nominal simulation leaves below which there is a gap, named or not. Of
+/// 2000 healthy sets one raises an alarm; less than 1 % may.
+pub(crate) const GAP_P_VALUE: f64 = 5e-4;
+/// P-value of what the best set leaves below which it explains nothing: 1 of 100 true sets is
+/// called unexplained. x0.5: 2 of 346 verdicts change; x2: 2.
+pub(crate) const UNEXPLAINED_P_VALUE: f64 = 0.01;
+/// Probability of the leading set from which it is named alone: odds of 4 to 1 against all
+/// others. x0.8: 1 of 346 verdicts changes; x1.2 is no probability, 0.96: 7.
+pub(crate) const EXPLAINED_PROBABILITY: f64 = 0.8;
+/// Probability above which a set is possible beside the leading one. No effect at all is such a
+/// set: where it is possible none is claimed. x0.5: 2 of 346 sets list other pairs that are
+/// hardly told apart; x2: 4.
+pub(crate) const POSSIBLE_PROBABILITY: f64 = 0.05;
+/// Smallest probability that is listed, or that a plan compares. x2: 15 of 346 sets list fewer
+/// causes.
+pub(crate) const LISTED_PROBABILITY: f64 = 0.01;
+/// Share of an effect that its partner may leave: two causes of their own do not have sizes
+/// matched to a tenth.
+pub(crate) const CANCELLED_SHARE: f64 = 0.1;
+/// Size, in standard deviations of all data, from which such a match is no accident of noise.
+pub(crate) const CANCELLED_SIGMA: f64 = 6.0;
+/// Standard deviations of chi-square above its mean from which a group of observables shows a gap
+/// by itself: 3e-5 a group, of seven.
+pub(crate) const GAP_SHOWN_SIGMA: f64 = 4.0;
+/// Probability that noise alone shows one bump somewhere.
+pub(crate) const BUMP_P_VALUE: f64 = 0.01;
+
+// How probable is a set?
+
+/// Prior odds of one more effect, or term, spread over all names that are possible. A choice: one
+/// more cause is as probable as not.
+pub(crate) const PRIOR_OF_MORE: f64 = 0.5;
+/// Difference of score by which an earlier entry of the library is preferred: far below what any
+/// datum says.
+pub(crate) const TIE: f64 = 1e-4;
+/// Least cost of one more effect in the score: ln 100 for one parameter and 100 data, 4.6, and 2
+/// ln(20/0.5) for one of 20 names, 7.4.
+pub(crate) const EFFECT_COST: f64 = 12.0;
+
+// Which sets are refined?
+
+/// Gain of -2 ln likelihood below which a candidate is not refined: less than half of what it
+/// costs.
+pub(crate) const WORTH_REFINING: f64 = 5.0;
+/// Gain of -2 ln likelihood that counts as a finding: three standard deviations.
+pub(crate) const WORTH_ADDING: f64 = 9.0;
+/// Share of a predicted gain by which the truth may exceed it: the screening is linear.
+pub(crate) const GAIN_SLACK: f64 = 0.1;
+/// Difference in score above which a set is not worth listing: its probability is below 1e-3.
+pub(crate) const COMPETING: f64 = 14.0;
+/// Difference in score, on part of the rows, above which a set is not tried on all of them.
+pub(crate) const SEEDED: f64 = 60.0;
+/// Objective above the best set of a size from which a set is not refined further. x0.5, x2: 0 of
+/// 23 sets change.
+pub(crate) const OUT_OF_REACH: f64 = 60.0;
+/// The same as a share of what the best set gains, as long as that leaves more than noise.
+pub(crate) const REACH_SHARE: f64 = 0.02;
+/// Gain of a round of direct search below which it ends: a tenth of what one standard deviation
+/// changes.
+pub(crate) const POLISHED: f64 = 0.1;
+
+// What is noise, and what is stretched?
+
+/// Standard deviations of chi-square above its mean up to which a fit leaves noise: 1 of 740.
+pub(crate) const NOISE_CHI_SIGMA: f64 = 3.0;
+/// Standard uncertainties by which noise does not move any of about ten nominal values: 1 of 200
+/// healthy fits.
+pub(crate) const NOMINAL_STRETCHED: f64 = 3.5;
+/// Standard uncertainties from which the noise of a channel is put back where it is stated. Not
+/// [`NOMINAL_STRETCHED`]: there are two such values, not ten, and a try costs one descent only.
+pub(crate) const NOISE_STRETCHED: f64 = 3.0;
+/// Standard uncertainties of a value of the exciter from which its slopes are taken anew.
+pub(crate) const EXCITER_PULLED: f64 = 2.0;
+/// Standard deviations of a step beyond a bound from which noise alone does not lead there.
+pub(crate) const BOUND_SIGMA: f64 = 3.0;
+/// Share of the healthy noise power from which the harmonics above 5 of a row matter: half of
+/// [`NOISE_SCATTER`] in the noise.
+pub(crate) const HARMONICS_SHOW: f64 = 1e-2;
+/// Scatter of one noise value about its expectation, relative: that of the r.m.s. of 5000
+/// independent samples.
+pub(crate) const NOISE_SCATTER: f64 = 0.01;
+
+// Which structure is left?
+
+/// Share of the square of a shape that a fit must leave of it: of less only rounding speaks.
+pub(crate) const LEAST_LEFT: f64 = 1e-3;
+/// Variance of a nuisance about its prior, over that of the prior, from which its pull is tested:
+/// less was not moved by data.
+pub(crate) const LEAST_KNOWN: f64 = 0.1;
+/// Standard uncertainty over the whole of what a datum may scatter below which the datum is open:
+/// half of its variance, as 1/sqrt(2).
+pub(crate) const OPEN: f64 = 0.7;
+/// Factor to which the size of open scatter is known.
+pub(crate) const OPEN_FACTOR: f64 = 3.0;
+/// Effective number of open data that a test of them needs.
+pub(crate) const FEWEST_OPEN: f64 = 12.0;
+/// Relative difference of levels, or frequencies, that were meant to be the same.
+pub(crate) const LEVELS_ALIKE: f64 = 0.005;
+
+// Which stage does a gap point to?
+
+/// Standard deviations of chi-square above its mean that noise may take of a class.
+pub(crate) const EXCESS_SIGMA: f64 = 2.0;
+/// Square of the phase over that of the magnitude from which a low deviation of the ratio is
+/// electric.
+pub(crate) const LOW_PHASE: f64 = 0.05;
+/// The same from which a high one is a matter of time alone.
+pub(crate) const SKEWED_PHASE: f64 = 15.0;
+/// The same from which a high one is a filter's.
+pub(crate) const FILTERED_PHASE: f64 = 0.3;
+/// Share of the excess of the harmonics that both channels must show for it to be of the motion.
+pub(crate) const SHARED_SHARE: f64 = 0.3;
+/// Standard deviations from which that is no accident.
+pub(crate) const SHARED_SIGMA: f64 = 3.0;
+/// Share of the larger of even and odd harmonics that the smaller one must have to count.
+pub(crate) const BOTH_PARITIES: f64 = 0.02;
+/// Share of the strongest test of the noise that frequency or level must have for it to grow with
+/// the signal.
+pub(crate) const NOISE_GROWS: f64 = 0.5;
+/// The same of level over frequency, as deviates: jitter grows with level, motion of the base
+/// does not.
+pub(crate) const LEVEL_COUNTS: f64 = 0.8;
+/// Share of what a free course takes out that a course with a word must take out.
+pub(crate) const SHAPE_SHARE: f64 = 0.8;
+/// 2 ln of the odds within which a second word is said too: 20 to 1.
+pub(crate) const SHAPE_ODDS: f64 = 6.0;
+/// Ridge, relative, that keeps directions still which the nuisances take over.
+pub(crate) const PATTERN_RIDGE: f64 = 1e-6;
+
+// How exactly is a point simulated?
+
+/// Share of the harmonics above 5 that is not known better: those above the balance, and how the
+/// channels carry them.
+pub(crate) const REMAINDER_OPEN: f64 = 0.2;
+/// Share of its largest harmonic to which an armature that rests for part of the period is
+/// described: 4 % were seen against collocation in time.
+pub(crate) const AT_REST: f64 = 0.1;
+/// Relative size below which what a nonlinearity does to arriving harmonics is left out: a
+/// thousandth of any stated uncertainty.
+pub(crate) const NEGLIGIBLE: f64 = 1e-7;
+/// Power over that of the fundamental below which no response is asked.
+pub(crate) const UNSEEN: f64 = 1e-12;
+/// Correction of the motion, relative to its fundamental, at which a harmonic balance holds.
+pub(crate) const BALANCED: f64 = 1e-9;
+/// The same, relative to the first correction, where only a slope is wanted.
+pub(crate) const BALANCED_SLOPE: f64 = 1e-3;
+/// Change of all data, in standard deviations, that a small step of a parameter must exceed: what
+/// only rounding moves would be moved without bounds.
+pub(crate) const STANDS_STILL: f64 = 1e-9;
+/// Step of a nuisance for a slope, in its unit: the slope errs by half of it times the curvature.
+pub(crate) const NUISANCE_STEP: f64 = 0.01;
+/// Share of the square of a change that must be left beside the nuisances, else it promises
+/// nothing: above the rounding of sums over 1e4 data.
+pub(crate) const TAKEN_OVER: f64 = 1e-11;
+
+// What is a usable input?
+
+/// Relative distance at which a ratio and the quotient of its voltages are two different things.
+pub(crate) const RATIO_AGREES: f64 = 0.01;
+/// Factor by which the stated level may differ, in the median, from the reference output over the
+/// nominal sensitivity: the two are the same by definition of the level.
+pub(crate) const LEVEL_AGREES: f64 = 2.0;
+/// Uncertainty over value beyond which a statement says nothing.
+pub(crate) const STATES_NOTHING: f64 = 10.0;
+
+// Which term does a record show?
+
+/// Share closed from which sets that do equally well are called ambiguous although what they
+/// leave is not white: the model error of a real oscillator. x0.8, x1.04: 0 of 11 records change.
+pub(crate) const NEARLY_ALL: f64 = 0.95;
+/// Share of the squared error a term must remove to be named where what is left is no noise: 5 %
+/// in amplitude. Beside model error any term is significant on tens of thousands of samples.
+pub(crate) const WORTH_NAMING: f64 = 0.1;
+/// Share of squared errors below which two sets do equally well where both leave more than noise:
+/// 3 % in amplitude.
+pub(crate) const AS_GOOD: f64 = 0.061;
+/// Share of the samples that count as independent beside model error: it has the memory of the
+/// resonance, a few tens of samples.
+pub(crate) const INDEPENDENT: f64 = 0.02;
+/// Odds of a leading term against a later one, or one with a kink: forces of a real oscillator
+/// expand in powers first.
+pub(crate) const ODDS_OF_LEADING: f64 = 3.0;
+/// Share of what is left, r.m.s., that the integration may err by: more would be taken for
+/// structure.
+pub(crate) const RESOLVED: f64 = 0.3;
+/// Share of what is left, r.m.s., up to which an error of the integration does not matter: over
+/// thousands of samples a direction of it still stays near one standard deviation.
+pub(crate) const RESOLVED_FINELY: f64 = 0.04;
+/// Share of the output, r.m.s., by which the interpolation of the input errs at most.
+pub(crate) const INTERPOLATED: f64 = 1e-6;
+/// Share of the squared output from which a linear fit counts as poor.
+pub(crate) const POOR: f64 = 0.03;
+/// Size of a first stretch over that of the whole record below which it says nothing.
+pub(crate) const QUIET: f64 = 0.1;
+/// Gain of -2 ln likelihood over the number of samples below which a fit stops.
+pub(crate) const STEP_WORTH: f64 = 1e-6;
+/// Damping of a second mode where a fit starts. x0.5: 1 of 11 records changes.
+pub(crate) const MODE_DAMPING: f64 = 0.05;
+/// Times a record is longer than the memory of a high-pass from which what it held back before is
+/// fitted; left free in a slower one it would be an offset of the output.
+pub(crate) const REMEMBERED: f64 = 8.0;
+/// Logarithm of half the rate over the lowest resonance that is tried.
+pub(crate) const LOWEST_LN: f64 = 20.0;
+
+// What is worth measuring next?
+
+/// Separation, in standard deviations, at which two causes count as told apart: 6e-7.
+pub const ENOUGH_SIGMA: f64 = 5.0;
+/// Worth of a point that only pins the refitted parameters down, in squared standard deviations.
+pub(crate) const PREPARES: f64 = 0.1;
+/// Logarithm of the ratio of variances beyond which more is no better.
+pub(crate) const MOST_TAUGHT: f64 = 5.0;
+/// Gain of squared separation below which a point is not worth its time.
+pub(crate) const WORTH_A_POINT: f64 = 0.25;
+/// Size of an effect that is to be told from others, in standard deviations over all points in
+/// reach.
+pub(crate) const USUAL_SIGMA: f64 = 100.0;
+/// Ridge, relative, that keeps parameters that nothing has taught anything about.
+pub(crate) const UNTAUGHT_RIDGE: f64 = 1e-8;
+/// Points of a plan in one-third octaves.
+pub(crate) const POINTS_PER_DECADE: f64 = 10.0;
+/// Highest frequency over sample rate that is proposed: what anti-aliasing filters usually pass.
+pub(crate) const BELOW_NYQUIST: f64 = 0.39;
+/// Travel and coil voltage proposed, over the largest that the dataset has seen.
+pub(crate) const BEYOND_SEEN: f64 = 1.1;
+/// Effort of a point that needs other hands than those on the generator, over one that does not.
+/// A choice.
+pub(crate) const EFFORT_OF_HANDS: f64 = 1.5;
+/// Effort of a point with sensors the dataset does not have. A choice.
+pub(crate) const EFFORT_OF_SENSORS: f64 = 2.0;
+/// How much later a point is taken that shows what drifts, in s.
+pub(crate) const LATER_S: f64 = 7200.0;
