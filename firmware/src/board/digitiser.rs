@@ -11,15 +11,15 @@
 use super::axi_sram::axi_static;
 use super::converter::{NotReady, calibrate, enable};
 use super::selected::{CLOCKS, CONVERTERS, Irqs};
+use super::wiring::DigitiserParts;
 use defmt::Format;
-use embassy_stm32::adc::AnyAdcChannel;
 use embassy_stm32::dma::{self, ReadableRingBuffer, TransferOptions};
 use embassy_stm32::pac::{
     self,
     adc::{Adc, vals},
     adccommon::vals::{Ckmode, Damdf, Dual},
 };
-use embassy_stm32::{Peri, peripherals, rcc};
+use embassy_stm32::{peripherals, rcc};
 use embassy_time::{Duration, Timer};
 
 /// Sample pairs handed over at once: 10 ms, half of the DMA ring.
@@ -63,18 +63,6 @@ impl From<NotReady> for DigitiserFault {
 /// The pair of converters with its DMA ring.
 pub(crate) struct Digitiser {
     ring: ReadableRingBuffer<'static, u32>,
-}
-
-/// Peripherals and pins of the digitiser.
-pub(crate) struct DigitiserParts {
-    /// Held, so that nothing else reprograms the converters.
-    pub(crate) _converters: (
-        Peri<'static, peripherals::ADC1>,
-        Peri<'static, peripherals::ADC2>,
-    ),
-    pub(crate) reference: AnyAdcChannel<'static, peripherals::ADC1>,
-    pub(crate) dut: AnyAdcChannel<'static, peripherals::ADC2>,
-    pub(crate) dma: Peri<'static, peripherals::DMA1_CH0>,
 }
 
 impl Digitiser {

@@ -7,11 +7,12 @@
 use super::axi_sram::axi_static;
 use super::digitiser::BLOCK_PAIRS;
 use super::selected::{CONVERTERS, DriveChannel, Irqs};
-use embassy_stm32::dac::{Ch1, Ch2, DacPin};
+use super::wiring::ExciterParts;
+use embassy_stm32::dac::{Ch1, Ch2};
 use embassy_stm32::dma::{self, TransferOptions, WritableRingBuffer};
-use embassy_stm32::gpio::{self, AnyPin};
+use embassy_stm32::gpio;
 use embassy_stm32::pac::{self, dac::vals::Mode};
-use embassy_stm32::{Peri, peripherals, rcc};
+use embassy_stm32::{peripherals, rcc};
 
 /// Code of zero volts at the exciter.
 pub(crate) const MID_SCALE: u16 = CONVERTERS.drive.mid_code();
@@ -35,19 +36,6 @@ impl Place for Ch2 {
     const INDEX: usize = 1;
 }
 
-/// A pin that [`DriveChannel`] drives.
-pub(crate) struct DrivePin(Peri<'static, AnyPin>);
-
-impl DrivePin {
-    /// The compiler refuses another one.
-    pub(crate) fn new<P>(pin: Peri<'static, P>) -> Self
-    where
-        P: DacPin<peripherals::DAC1, DriveChannel> + gpio::Pin,
-    {
-        Self(pin.into())
-    }
-}
-
 axi_static!(RING: [u16; 2 * BLOCK_PAIRS]);
 
 /// The drive output with its DMA ring.
@@ -59,14 +47,6 @@ pub(crate) struct Exciter {
 
 // Note(unsafe): the pointer is to a static that this value alone writes.
 unsafe impl Send for Exciter {}
-
-/// Peripherals and pins of the exciter.
-pub(crate) struct ExciterParts {
-    /// Held, so that nothing else reprograms the converter.
-    pub(crate) _dac: Peri<'static, peripherals::DAC1>,
-    pub(crate) pin: DrivePin,
-    pub(crate) dma: Peri<'static, peripherals::DMA1_CH1>,
-}
 
 /// The drive was written too late: the ring played a stale block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, defmt::Format)]

@@ -37,24 +37,19 @@ mod wiring;
 pub(crate) use axi_sram::{AllZero, axi_static};
 pub(crate) use converter::NotReady;
 pub(crate) use description::{Clocks, Panel, Silicon};
-pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser, DigitiserParts};
-pub(crate) use exciter::{DrivePin, Exciter, ExciterParts, MID_SCALE, silence_now};
+pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser};
+pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
 pub(crate) use panel::{Lamp, Lamps, PushButton};
 pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
 pub(crate) use selected::{CONVERTERS, NAME};
 pub(crate) use stack::unused_bytes as unused_stack_bytes;
 pub(crate) use thermometer::{SensorConverter, factory_codes};
-pub(crate) use usb::{PACKET_BYTES, UsbDriver, UsbParts, UsbPort, run as run_usb, usb_port};
-pub(crate) use wiring::{Wired, wiring};
+pub(crate) use usb::{PACKET_BYTES, UsbDriver, UsbPort, run as run_usb, usb_port};
+pub(crate) use wiring::{Port, UsbParts, wiring};
 
 use embassy_stm32::flash::Flash;
-use embassy_stm32::mode::Async;
 use embassy_stm32::peripherals;
-use embassy_stm32::usart::Uart;
 use embassy_stm32::wdg::IndependentWatchdog;
-
-/// Speed of the serial port, baud, 8N1.
-pub(crate) const LINK_BAUD: u32 = 115_200;
 
 /// The record area: all of bank 2, as offsets in flash (see `memory.x`).
 pub(crate) const RECORD_AREA: core::ops::Range<u32> = 0x10_0000..0x20_0000;
@@ -63,8 +58,6 @@ pub(crate) const RECORD_AREA: core::ops::Range<u32> = 0x10_0000..0x20_0000;
 /// hang that keeps the drive task from running lets the ring repeat its 20 ms.
 const WATCHDOG_US: u32 = 250_000;
 
-/// The serial port.
-pub(crate) type Port = Uart<'static, Async>;
 /// The flash behind the archive.
 pub(crate) type RecordFlash = Flash<'static>;
 /// The watchdog.

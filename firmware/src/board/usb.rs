@@ -1,10 +1,11 @@
 //! The part's own USB connector: a serial port (CDC-ACM) at full speed.
 
 use super::selected::Irqs;
+use super::wiring::UsbParts;
 use embassy_futures::select::select;
-use embassy_stm32::peripherals::{PA9, PA11, PA12, USB_OTG_FS};
+use embassy_stm32::pac;
+use embassy_stm32::peripherals::USB_OTG_FS;
 use embassy_stm32::usb::{Config as OtgConfig, Driver};
-use embassy_stm32::{Peri, pac};
 use embassy_time::{Duration, Timer};
 use embassy_usb::class::cdc_acm::{CdcAcmClass, State};
 use embassy_usb::{Builder, Config, UsbDevice};
@@ -24,15 +25,6 @@ const PRODUCT_NAME: &str = "Field vibration calibrator";
 pub(crate) type UsbDriver = Driver<'static, USB_OTG_FS>;
 /// The serial port.
 pub(crate) type UsbPort = CdcAcmClass<'static, UsbDriver>;
-
-/// Peripherals and pins of the port.
-pub(crate) struct UsbParts {
-    pub(crate) otg: Peri<'static, USB_OTG_FS>,
-    pub(crate) d_plus: Peri<'static, PA12>,
-    pub(crate) d_minus: Peri<'static, PA11>,
-    /// Watched by the peripheral itself.
-    pub(crate) _vbus: Peri<'static, PA9>,
-}
 
 /// Makes the device with its serial port; nothing shows on the bus before the
 /// device runs.

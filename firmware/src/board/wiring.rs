@@ -1,10 +1,60 @@
 //! From the table of pins in a board's file to the drivers.
 
-use super::digitiser::DigitiserParts;
-use super::exciter::ExciterParts;
-use super::{Port, UsbParts};
-use embassy_stm32::gpio::AnyPin;
+use embassy_stm32::adc::AnyAdcChannel;
+use embassy_stm32::dac::{Channel, DacPin};
+use embassy_stm32::gpio::{self, AnyPin};
+use embassy_stm32::mode::Async;
+use embassy_stm32::peripherals::{PA9, PA11, PA12, USB_OTG_FS};
+use embassy_stm32::usart::Uart;
 use embassy_stm32::{Peri, peripherals};
+
+/// Speed of the serial port, baud, 8N1.
+pub(crate) const LINK_BAUD: u32 = 115_200;
+
+/// The serial port.
+pub(crate) type Port = Uart<'static, Async>;
+
+/// Peripherals and pins of the digitiser.
+pub(crate) struct DigitiserParts {
+    /// Held, so that nothing else reprograms the converters.
+    pub(crate) _converters: (
+        Peri<'static, peripherals::ADC1>,
+        Peri<'static, peripherals::ADC2>,
+    ),
+    pub(crate) reference: AnyAdcChannel<'static, peripherals::ADC1>,
+    pub(crate) dut: AnyAdcChannel<'static, peripherals::ADC2>,
+    pub(crate) dma: Peri<'static, peripherals::DMA1_CH0>,
+}
+
+/// Peripherals and pins of the exciter.
+pub(crate) struct ExciterParts {
+    /// Held, so that nothing else reprograms the converter.
+    pub(crate) _dac: Peri<'static, peripherals::DAC1>,
+    pub(crate) pin: DrivePin,
+    pub(crate) dma: Peri<'static, peripherals::DMA1_CH1>,
+}
+
+/// The pin of the exciter.
+pub(crate) struct DrivePin(pub(super) Peri<'static, AnyPin>);
+
+impl DrivePin {
+    /// The compiler refuses a pin that `C`, a channel of DAC1, does not drive.
+    pub(crate) fn new<C: Channel, P>(pin: Peri<'static, P>) -> Self
+    where
+        P: DacPin<peripherals::DAC1, C> + gpio::Pin,
+    {
+        Self(pin.into())
+    }
+}
+
+/// Peripherals and pins of the port.
+pub(crate) struct UsbParts {
+    pub(crate) otg: Peri<'static, USB_OTG_FS>,
+    pub(crate) d_plus: Peri<'static, PA12>,
+    pub(crate) d_minus: Peri<'static, PA11>,
+    /// Watched by the peripheral itself.
+    pub(crate) _vbus: Peri<'static, PA9>,
+}
 
 /// The part, split into what each driver owns.
 pub(crate) struct Wired {
@@ -58,31 +108,31 @@ macro_rules! wiring {
         /// Gives every driver what it owns of the part.
         ///
         /// # Panics
-        /// When the serial port takes no rate of [`crate::board::LINK_BAUD`].
-        pub(crate) fn wire(p: embassy_stm32::Peripherals) -> crate::board::Wired {
+        /// When the serial port takes no rate of [`crate::board::wiring::LINK_BAUD`].
+        pub(crate) fn wire(p: embassy_stm32::Peripherals) -> crate::board::wiring::Wired {
             use embassy_stm32::adc::AdcChannel;
             let mut config = embassy_stm32::usart::Config::default();
-            config.baudrate = crate::board::LINK_BAUD;
+            config.baudrate = crate::board::wiring::LINK_BAUD;
             let port = embassy_stm32::usart::Uart::new(
                 p.$serial, p.$receive, p.$transmit, p.DMA1_CH3, p.DMA1_CH2, Irqs, config,
             );
-            crate::board::Wired {
+            crate::board::wiring::Wired {
                 lamps: [p.$green.into(), p.$yellow.into(), p.$red.into()],
                 button: p.$button.into(),
-                digitiser: crate::board::DigitiserParts {
+                digitiser: crate::board::wiring::DigitiserParts {
                     _converters: (p.ADC1, p.ADC2),
                     reference: p.$reference.degrade_adc(),
                     dut: p.$dut.degrade_adc(),
                     dma: p.DMA1_CH0,
                 },
-                exciter: crate::board::ExciterParts {
+                exciter: crate::board::wiring::ExciterParts {
                     _dac: p.DAC1,
-                    pin: crate::board::DrivePin::new(p.$drive),
+                    pin: crate::board::wiring::DrivePin::new::<DriveChannel, _>(p.$drive),
                     dma: p.DMA1_CH1,
                 },
                 // Note(unwrap): init; the rate is a constant.
                 port: port.expect("serial port"),
-                usb: crate::board::UsbParts {
+                usb: crate::board::wiring::UsbParts {
                     otg: p.USB_OTG_FS,
                     d_plus: p.PA12,
                     d_minus: p.PA11,
