@@ -167,7 +167,7 @@ fn what_is_no_record_is_refused_with_the_way_out() {
     let mut flipped = whole.clone();
     flipped[whole.len() / 2] ^= 0x10;
     let cases = [
-        (newer, "record version 2", "install a newer calib"),
+        (newer, "record version 3", "install a newer calib"),
         (flipped, "checksum", "download it again"),
         (
             whole[..whole.len() - 9].to_vec(),

@@ -392,6 +392,36 @@ pub(crate) fn result(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResul
     })
 }
 
+/// A point that has none of its values in common with another, as in life: what points share is stored
+/// once.
+fn nth(n: u16) -> PointResult {
+    let mut point = result(20.0 + f32::from(n), 10.0);
+    let more = 1.0 + 0.02 * f32::from(n);
+    point.phase_rad *= more;
+    for value in [
+        &mut point.repeatability_rel,
+        &mut point.repeatability_phase_rad,
+        &mut point.expanded_uncertainty_phase_rad,
+        &mut point.distortion_reference_rel,
+        &mut point.distortion_dut_rel,
+        &mut point.signal_to_noise_reference_db,
+        &mut point.signal_to_noise_dut_db,
+        &mut point.amplitude_stability_rel,
+        &mut point.drive_peak_v,
+        &mut point.settling_s,
+        &mut point.overshoot_rel,
+    ] {
+        *value *= more;
+    }
+    as_stored(&point)
+}
+
+/// [`record`] as it is read from what the device has stored.
+pub(crate) fn read_back(id: u32, points: u16) -> Record {
+    let device = Device::with_record(id, points);
+    record::decode(&device.records[&id]).expect("own record")
+}
+
 pub(crate) fn record(id: u32, points: u16) -> Record {
     Record {
         head: RecordHead {
@@ -408,9 +438,7 @@ pub(crate) fn record(id: u32, points: u16) -> Record {
         },
         settings: settings(),
         complete: true,
-        points: (0..points)
-            .map(|n| result(20.0 + f32::from(n), 10.0))
-            .collect(),
+        points: (0..points).map(nth).collect(),
         ..Record::BLANK
     }
 }
