@@ -1,4 +1,4 @@
-//! What can be wrong with the input of a diagnosis, and the way out.
+//! Errors in the input of a diagnosis, and the way out.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ pub enum GapError {
     File {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the system.
         source: std::io::Error,
     },
     /// `rig.toml` is not a rig.
@@ -18,7 +18,7 @@ pub enum GapError {
     Rig {
         /// The file.
         path: PathBuf,
-        /// What is wrong and what is expected.
+        /// Problem, and the expected value.
         problem: String,
     },
     /// A table as a whole is unusable.
@@ -26,7 +26,7 @@ pub enum GapError {
     Table {
         /// File name inside the dataset.
         file: &'static str,
-        /// What is wrong and what is expected.
+        /// Problem, and the expected value.
         problem: String,
     },
     /// One cell of a table is unusable.
@@ -38,7 +38,7 @@ pub enum GapError {
         line: usize,
         /// Name of the column.
         column: String,
-        /// What is wrong and what is expected.
+        /// Problem, and the expected value.
         problem: String,
     },
     /// A name that is not in the library of effects.

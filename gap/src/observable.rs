@@ -95,7 +95,7 @@ macro_rules! observables {
             /// All of them, in the order of the data.
             pub const ALL: [Self; 26] = [$($(Self::$name,)+)+];
 
-            /// What it is measured with.
+            /// Group of columns it is measured in.
             #[must_use]
             pub const fn group(self) -> Group {
                 match self {

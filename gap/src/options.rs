@@ -1,6 +1,6 @@
-//! What a diagnosis may use.
+//! Options of a diagnosis.
 
-/// What a diagnosis may use.
+/// Options of a diagnosis.
 #[derive(Debug, Clone)]
 pub struct Options {
     /// Names that must not be used.

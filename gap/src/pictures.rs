@@ -1,4 +1,4 @@
-//! What a report draws: every difference between measurement and simulation.
+//! Data for the pictures of a report: every difference between measurement and simulation.
 
 use crate::observable::Observable;
 
@@ -49,7 +49,7 @@ pub struct Conditions {
 pub struct Datum {
     /// Index of the row.
     pub row: usize,
-    /// What was measured.
+    /// Measured values.
     pub observable: Observable,
     /// Measured minus nominal simulation.
     pub before: f64,
@@ -57,7 +57,7 @@ pub struct Datum {
     pub after: f64,
     /// Standard uncertainty of the measured value.
     pub u: f64,
-    /// The same with the scatter that the effects leave open.
+    /// Standard uncertainty with the scatter that the effects leave open.
     pub u_after: f64,
 }
 

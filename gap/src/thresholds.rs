@@ -151,7 +151,7 @@ pub(crate) const NEGLIGIBLE: f64 = 1e-7;
 pub(crate) const UNSEEN: f64 = 1e-12;
 /// Correction of the motion, relative to its fundamental, at which a harmonic balance holds.
 pub(crate) const BALANCED: f64 = 1e-9;
-/// The same, relative to the first correction, where only a slope is wanted.
+/// Tolerance relative to the first correction, where only a slope is wanted.
 pub(crate) const BALANCED_SLOPE: f64 = 1e-3;
 /// Change of all data, in standard deviations, that a small step of a parameter must exceed: what
 /// only rounding moves would be moved without bounds.

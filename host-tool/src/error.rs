@@ -1,4 +1,4 @@
-//! What can go wrong in the program, with the way out and the exit code.
+//! Errors of the program, with the way out and the exit code.
 //!
 //! | exit code | meaning |
 //! |---|---|
@@ -19,7 +19,7 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 /// A failure of the program; [`Error::hint`] says what to do about it.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// Whatever may happen between this computer and a calibrator.
+    /// Any error between this computer and a calibrator.
     #[error(transparent)]
     Calibrator(calib_link::Error),
     /// A file, an input or the command line is not usable.
@@ -59,7 +59,7 @@ impl Error {
         calib_files::Error::usage(problem, hint).into()
     }
 
-    /// What the user can do about it, if the message does not say it already.
+    /// Remedy, if the message does not state it already.
     pub fn hint(&self) -> Option<&str> {
         match self {
             Self::Calibrator(error) => error.hint(),

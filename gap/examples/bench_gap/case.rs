@@ -9,7 +9,7 @@ use calib_gap::{Answer, GapError, Options, Verdict, diagnose, misfit};
 use std::fmt;
 use std::path::Path;
 
-/// What came out of a case.
+/// Outcome of a case.
 pub(super) struct Outcome {
     pub(super) index: u64,
     pub(super) truth: Vec<&'static str>,
@@ -18,7 +18,7 @@ pub(super) struct Outcome {
     pub(super) time_s: f64,
     /// Size in standard deviations of the whole dataset, with the true form known.
     pub(super) sigma: f64,
-    /// What the best substitute leaves, in the same unit (stratum `withheld`).
+    /// Remainder of the best substitute, in the same unit (stratum `withheld`).
     pub(super) left_sigma: f64,
 }
 

@@ -19,7 +19,7 @@ pub(super) fn response_added(problem: &Problem, added: &Active<'_>, weight: &[f6
     change(problem, weight, |row| responses(problem, row, added))
 }
 
-/// The same when its parameters move.
+/// Change of the responses when its parameters move.
 pub(super) fn response_change(
     problem: &Problem,
     from: &Active<'_>,

@@ -25,7 +25,7 @@ const EFFORT: Effort = Effort {
     ..FULL
 };
 
-/// What rows are told apart by.
+/// Conditions that tell rows apart.
 type Axis = fn(&Row) -> f64;
 const LEVEL: Axis = |row| row.level_ms2;
 const BAND: Axis = |row| row.frequency_hz;
@@ -137,7 +137,7 @@ impl Group {
     }
 }
 
-/// What was stated of an axis.
+/// Statement about an axis.
 fn stated(rows: &[Row], axis: Axis) -> Vec<f64> {
     let values = rows.iter().map(axis);
     values.filter(|v| *v > 0.0 && v.is_finite()).collect()

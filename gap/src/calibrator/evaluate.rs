@@ -111,7 +111,7 @@ impl Problem {
         self.evaluate_with(effects, theta, Memories::Keep(memory), |_| {})
     }
 
-    /// The same a small step aside: starts from the memory and leaves it as it is.
+    /// Evaluates a small step aside: starts from the memory and leaves it as it is.
     pub(crate) fn evaluate_aside(
         &self,
         effects: &[Active<'_>],
@@ -121,7 +121,7 @@ impl Problem {
         self.evaluate_with(effects, theta, Memories::Look(memory), |_| {})
     }
 
-    /// The same, with what the slopes against the nuisances need.
+    /// Evaluates, and keeps the values the slopes against the nuisances need.
     pub(super) fn respond(
         &self,
         effects: &[Active<'_>],

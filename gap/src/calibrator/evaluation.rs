@@ -27,7 +27,7 @@ impl Evaluation {
     }
 }
 
-/// What the slopes against the nuisances need of each row.
+/// Values of each row that the slopes against the nuisances need.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Responses {
     /// Slopes of drive and current against the values of the exciter.

@@ -1,4 +1,4 @@
-//! What a fit leaves: tests by class, their significance calibrated by simulation.
+//! Tests of the residuals of a fit by class, their significance calibrated by simulation.
 
 use super::evaluation::Evaluation;
 use super::fit::{Fit, Workspace};

@@ -1,8 +1,8 @@
-//! What a search may do.
+//! Limits of a search.
 
 use crate::effects::library;
 
-/// What a search may do.
+/// Limits of a search.
 #[derive(Debug, Clone)]
 pub(crate) struct Limits {
     /// Entries of the library that may take part.

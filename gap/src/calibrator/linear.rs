@@ -20,7 +20,7 @@ impl Linearised {
         Self::with(problem, fit, None, work)
     }
 
-    /// The same with earlier slopes, where new ones are expensive.
+    /// Linearises with earlier slopes, where new ones are expensive.
     pub(super) fn with(
         problem: &Problem,
         fit: &Fit,
@@ -31,7 +31,7 @@ impl Linearised {
         Self::at(problem, fit, (evaluation, &responses), lagging, work)
     }
 
-    /// The same where the fit has been evaluated.
+    /// Linearises where the fit has been evaluated.
     pub(super) fn at(
         problem: &Problem,
         fit: &Fit,

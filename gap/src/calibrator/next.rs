@@ -1,4 +1,4 @@
-//! What to measure next.
+//! Next measurement.
 
 use super::lack_of_fit::LackOfFit;
 use super::problem::Problem;
@@ -38,7 +38,7 @@ fn separate_by(id: &str) -> Option<&'static str> {
     named(Of::Calibrator, id).map(|entry| entry.separate_by)
 }
 
-/// What the second cause lacks of the first is to be measured.
+/// Measures the part of the first cause that the second lacks.
 fn to_tell(first: &Cause, second: &Cause) -> String {
     let mut lacking = first
         .effects
@@ -68,7 +68,7 @@ fn more_points(left: &LackOfFit, problem: &Problem) -> String {
     )
 }
 
-/// What tells where bumps come from.
+/// Measurement that tells where bumps come from.
 pub(super) fn sweep(local: &[Where]) -> Option<String> {
     let range = |place: &Where| match place.from == place.to {
         true => format!("{} Hz", place.from),

@@ -1,4 +1,4 @@
-//! What a fit moves that is no effect: gains, nominal values of the exciter, healthy noise.
+//! Free values of a fit that are no effect: gains, nominal values of the exciter, healthy noise.
 
 use crate::dataset::{ExciterParameter, Measurand, Quantity, Repeatability, Rig, Transducer};
 use crate::effects::Facts;
@@ -101,7 +101,7 @@ fn exciter(rig: &Rig) -> impl Iterator<Item = Free> {
     })
 }
 
-/// What the repeatability of both channels leaves to each run.
+/// Scatter between runs by the repeatability of both channels.
 fn gains_of_runs(rig: &Rig, rows: &[Row], facts: &Facts) -> impl Iterator<Item = Free> {
     let Repeatability {
         reference_gain,

@@ -85,7 +85,7 @@ impl Place<'_> {
         (observable, weighted.collect())
     }
 
-    /// The same slope in all rows of a run.
+    /// One slope in all rows of a run.
     fn in_run(&self, observable: Observable, run: usize, slope: f64) -> Part {
         self.part(observable, |row| {
             if self.problem.rows[row].run == run {

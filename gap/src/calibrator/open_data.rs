@@ -71,7 +71,7 @@ fn by_size(data: impl Iterator<Item = (f64, f64)>) -> f64 {
     sum.abs() / square.sqrt().max(1e-300) * 0.9
 }
 
-/// The same of its sign: what is not locked to the excitation has either sign
+/// Tests the sign: a component not locked to the excitation has either sign
 /// by chance, however large, so that a few large data do not hide the others.
 fn by_sign(data: impl Iterator<Item = (f64, f64)>) -> f64 {
     let (mut sum, mut square) = (0.0, 0.0);

@@ -123,12 +123,12 @@ impl Problem {
         self.first_of_row.push(self.by_row.len());
     }
 
-    /// What was measured in a row, in the order of the observables.
+    /// Measured values of a row, in the order of the observables.
     pub(super) fn of_row(&self, row: usize) -> &[Datum] {
         &self.by_row[self.first_of_row[row]..self.first_of_row[row + 1]]
     }
 
-    /// The same rig with some of the rows only.
+    /// Keeps the rig with some of the rows only.
     pub(crate) fn subset(&self, rig: &Rig, keep: &dyn Fn(usize) -> bool) -> Self {
         let rows = self
             .rows

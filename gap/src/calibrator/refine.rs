@@ -39,7 +39,7 @@ pub(crate) fn refine(
     refine_with(problem, effects, theta, None, effort, work)
 }
 
-/// The same; the first step takes the slopes that are known of part of the set.
+/// Refines; the first step takes the slopes that are known of part of the set.
 pub(crate) fn refine_with(
     problem: &Problem,
     effects: Vec<Active<'static>>,

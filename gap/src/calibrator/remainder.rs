@@ -39,7 +39,7 @@ impl Counted {
 }
 
 impl Remainders {
-    /// What the noise would be with the harmonics above 5 in it.
+    /// Noise with the harmonics above 5 in it.
     pub(super) fn compare(
         &mut self,
         problem: &Problem,

@@ -1,4 +1,4 @@
-//! What a report draws of the points: every difference, before and after.
+//! Data for the pictures of points: every difference, before and after.
 
 use super::fit::Fit;
 use super::holdout::held_out;

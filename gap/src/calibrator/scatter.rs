@@ -14,13 +14,13 @@ use crate::model::scatter::Scatter;
 use crate::observable::{Channel, Group, Observable, Table};
 use std::collections::HashMap;
 
-/// What starts do beside fits that make no noise, by entry and parameters.
+/// Effects of starts beside fits that make no noise, by entry and parameters.
 #[derive(Default)]
 pub(super) struct QuietStarts {
     of_start: HashMap<(usize, Vec<u64>), Shown>,
 }
 
-/// What a start shows in the noise columns, and where else it shows.
+/// Action of a start on the noise columns, and the other places where it shows.
 #[derive(Clone, Copy)]
 struct Shown {
     noise: [NoiseSum; 2],

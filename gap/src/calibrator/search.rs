@@ -44,7 +44,7 @@ pub(crate) fn search(problem: &Problem, limits: &Limits) -> Search {
     search_from(problem, limits, None)
 }
 
-/// The same, from the sets that a search on part of the rows has found.
+/// Searches from the sets that a search on part of the rows has found.
 ///
 /// Sets that were out of reach there are not tried again; what only all rows
 /// show is found by screening from the best sets once more.

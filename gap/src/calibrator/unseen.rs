@@ -1,4 +1,4 @@
-//! What a diagnosis is scored on: rows, or a dataset, that took no part in it.
+//! Data a diagnosis is scored on: rows, or a dataset, that took no part in it.
 
 use super::cross_validation;
 use super::fit::{Fit, Workspace};

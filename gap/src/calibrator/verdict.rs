@@ -9,12 +9,12 @@ use crate::effects::Active;
 use crate::estimation::verdict::{Evidence, Verdict, conclude};
 use crate::thresholds;
 
-/// What a search leads to, and what is left of the data.
+/// Result of a search, and the remainder of the data.
 pub(crate) struct Judgement {
     pub(crate) verdict: Verdict,
-    /// What the nominal simulation leaves.
+    /// Residuals of the nominal simulation.
     pub(crate) nominal_left: LackOfFit,
-    /// What the best set leaves.
+    /// Residuals of the best set.
     pub(crate) left: LackOfFit,
 }
 

@@ -58,7 +58,7 @@ impl ExciterParameter {
 }
 
 impl<T: Copy> ExciterParameters<T> {
-    /// The same for every parameter.
+    /// Gives every parameter one value.
     pub(crate) const fn all(value: T) -> Self {
         Self {
             moving_mass_kg: value,

@@ -1,4 +1,4 @@
-//! What a diagnosis reads: the folder of `rig.toml` and one table.
+//! Input of a diagnosis: the folder of `rig.toml` and one table.
 //!
 //! ```text
 //! DATASET/
@@ -51,9 +51,9 @@ pub(crate) enum Measured {
 /// One dataset: rig and measurement, and nothing about the cause of a difference.
 #[derive(Debug, Clone)]
 pub(crate) struct Dataset {
-    /// What the simulation believes.
+    /// Beliefs of the simulation.
     pub(crate) rig: Rig,
-    /// What was measured.
+    /// Measured values.
     pub(crate) measured: Measured,
     /// SHA-256 over `rig.toml` and the table, in hexadecimal.
     pub(crate) sha256: String,

@@ -1,4 +1,4 @@
-//! What a cell of `points.csv` may hold.
+//! Values a cell of `points.csv` may hold.
 
 /// Values a column can have: wide enough for every instrument, narrow enough to find a wrong unit or decimal mark.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +27,7 @@ impl Range {
         }
     }
 
-    /// What is wrong with a value, and what is expected; `None` if nothing is.
+    /// Problem of a value, and the expected one; `None` if it is sound.
     pub(super) fn problem(self, value: f64) -> Option<String> {
         if self.positive && value <= 0.0 || self.lowest == 0.0 && value < 0.0 {
             return Some("must be positive".into());

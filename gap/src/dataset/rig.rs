@@ -20,7 +20,7 @@ impl Quantity {
     }
 }
 
-/// What a dataset is about.
+/// Subject of a dataset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Kind {
@@ -49,7 +49,7 @@ pub(crate) struct Transducer {
     pub(crate) sensitivity_v_per_ms2: Option<Quantity>,
 }
 
-/// What all rows of a run share: relative standard deviations of one draw per run.
+/// Relative standard deviations of the draws that all rows of a run share.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(crate) struct Repeatability {
@@ -97,7 +97,7 @@ pub(crate) struct Oscillator {
     pub(crate) delta: Option<Quantity>,
 }
 
-/// What the simulation believes about the rig; absent parts are not simulated.
+/// Beliefs of the simulation about the rig; absent parts are not simulated.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Rig {
@@ -112,7 +112,7 @@ pub(crate) struct Rig {
     pub(crate) dut: Option<Transducer>,
     /// Exciter.
     pub(crate) exciter: Option<ExciterParameters<Option<Quantity>>>,
-    /// What a run shares.
+    /// Values common to a run.
     #[serde(default)]
     pub(crate) repeatability: Repeatability,
     /// Digitiser.

@@ -1,4 +1,4 @@
-//! What a dataset can show at all.
+//! Facts about a dataset: which effects it can show at all.
 
 use crate::dataset::ExciterParameters;
 use crate::model::row::Row;
@@ -36,7 +36,7 @@ pub(crate) struct Facts {
     pub(crate) noise_v: f64,
     /// Noise of each channel beyond the healthy one, r.m.s., in the median row; 0 where it was not measured.
     pub(crate) excess_noise_v: [f64; 2],
-    /// The same over the rate of change of the channel's voltage: a scatter of the sampling instants, in s.
+    /// Excess noise over the rate of change of the channel's voltage: a scatter of the sampling instants, in s.
     pub(crate) excess_noise_s: f64,
     /// Level over peak voltage of reference and device under test, in (m/s2)/V r.m.s.
     pub(crate) ms2_per_v: [f64; 2],
@@ -92,7 +92,7 @@ fn excess_noise_v(rows: &[Row], channel: Channel, healthy_v: f64) -> f64 {
     median(excess.filter_map(|row| excess_v(row, channel, healthy_v)))
 }
 
-/// The same of the reference over the rate of change of its voltage, in s.
+/// Excess noise of the reference over the rate of change of its voltage, in s.
 fn excess_noise_s(rows: &[Row], healthy_v: f64) -> f64 {
     let scatter_s = rows.iter().filter_map(|row| {
         let rate_v_per_s = row.omega * row.ref_peak_v / std::f64::consts::SQRT_2;

@@ -1,4 +1,4 @@
-//! What the mounting does to the device under test.
+//! Effects of the mounting on the device under test.
 
 use super::start::{Start, ratios};
 use super::{Effect, Explanations, Facts};

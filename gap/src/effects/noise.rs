@@ -40,7 +40,7 @@ enum AmbientVibration {
 
 /// Factors on the size of the best of the coarse starts.
 const FINE: [f64; 7] = [0.75, 0.82, 0.9, 1.0, 1.1, 1.21, 1.33];
-/// The same around the best of those: noise is known to 1 % a row, and a size off by more
+/// Sizes around the best of those: noise is known to 1 % a row, and a size off by more
 /// looks worse than no effect.
 const FINER: [f64; 7] = [0.955, 0.97, 0.985, 1.0, 1.015, 1.03, 1.045];
 

@@ -14,7 +14,7 @@ pub(super) static EXPLANATIONS: Explanations = &[
     &Suspension::Friction,
 ];
 
-/// What bends between coil force and motion.
+/// Nonlinear forces between coil force and motion.
 enum Suspension {
     Cubic,
     Asymmetry,

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 /// Blocks in which the data of a model lie, one behind the other.
 pub(crate) trait Blocks {
-    /// What a block is known by.
+    /// Key of a block.
     type Block: Copy + PartialEq;
 
     /// Places of the data of a block.

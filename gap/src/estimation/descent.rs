@@ -3,7 +3,7 @@
 use super::tangent::Equations;
 use nalgebra::DVector;
 
-/// What a fit moves: parameters with their bounds, and the data they are to describe.
+/// Free values of a fit: parameters with their bounds, and the data they are to describe.
 pub(crate) trait LeastSquares {
     /// Values of the parameters, and what is known of the model there.
     type State;

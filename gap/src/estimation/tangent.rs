@@ -106,7 +106,7 @@ impl<B: Copy + PartialEq> Tangent<B> {
         (left, solution)
     }
 
-    /// What columns add to this space; `ridge`, a share of each column, keeps those still that it
+    /// Part of columns outside this space; `ridge`, a share of each column, keeps those still that it
     /// takes over.
     pub(crate) fn beside(&self, columns: &[Column<B>], ridge: f64) -> Beside {
         let loads: Vec<DVector<f64>> = columns.iter().map(|c| self.load(c)).collect();

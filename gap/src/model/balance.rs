@@ -18,7 +18,7 @@ use num_complex::Complex64;
 /// Largest number of corrections.
 const MOST_CORRECTIONS: usize = 60;
 
-/// What a balance is for.
+/// Inputs of a balance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Purpose {
     /// The value itself.
@@ -38,11 +38,11 @@ pub(crate) struct Balanced {
     pub(crate) stiffness: Complex64,
     /// Acceleration of orders 2..5 over the fundamental, phase relative to n times its phase.
     pub(crate) harmonics: [Complex64; 4],
-    /// The same of the orders above 5.
+    /// Acceleration of the orders above 5 over the fundamental.
     pub(crate) above: [Complex64; ORDERS - 5],
     /// Mean square of the orders above 5 over that of the fundamental.
     pub(crate) remainder: f64,
-    /// What of it lies above [`ORDERS`].
+    /// Part of it above [`ORDERS`].
     pub(crate) beyond: f64,
     /// Whether the armature rests for part of the period, which no order describes well.
     pub(crate) rests: bool,
@@ -316,7 +316,7 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// What is remembered is a start, not part of the answer: both solutions hold to the tolerance.
+    /// The memory is a start, not part of the answer: both solutions hold to the tolerance.
     #[test]
     fn a_balance_does_not_depend_on_what_another_bend_left() {
         let exciter = Exciter::example();

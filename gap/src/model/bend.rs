@@ -1,8 +1,8 @@
-//! What bends the exciter away from the linear one.
+//! Nonlinear forces of the exciter.
 
 use super::grid::Parity;
 
-/// What bends the exciter away from the linear one, in one row.
+/// Nonlinear forces of the exciter in one row.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Bend {
     /// Force k3 x^3, in N/m3.

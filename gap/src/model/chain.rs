@@ -1,4 +1,4 @@
-//! What effects do to one row: the places where they may act.
+//! Places where effects may act on one row.
 
 use super::bend::Bend;
 use super::scatter::Scatter;

@@ -1,4 +1,4 @@
-//! What both channels make of the motion: gains, harmonics and means.
+//! Signals of both channels: gains, harmonics and means.
 //!
 //! In the order of the signal path: the wave of the table, the mount, the
 //! linear responses, the converter. Each bends the wave that reaches it, and a

@@ -10,7 +10,7 @@ use super::row::Row;
 use crate::dataset::ExciterParameters;
 use std::f64::consts::SQRT_2;
 
-/// What the exciter does to one row.
+/// Action of the exciter on one row.
 pub(super) struct Drive {
     pub(super) first: Fundamental,
     /// A balance of harmonics where the exciter is nonlinear.

@@ -27,7 +27,7 @@ pub(crate) struct Exciter {
     pub(crate) inductance_exponent: f64,
 }
 
-/// What does not belong to the exciter itself but moves with it.
+/// Payload that moves with the exciter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Added {
     /// Payload and unknown mass, in kg.

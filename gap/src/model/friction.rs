@@ -14,7 +14,7 @@ const FIRST_BEYOND: usize = ORDERS + 1 + ORDERS % 2;
 pub(super) struct Friction {
     force_n: f64,
     yields: Yields,
-    /// What the orders above [`ORDERS`] add to the velocity over omega where it turns
+    /// Part of the orders above [`ORDERS`] in the velocity over omega where it turns
     /// upwards, in m.
     tail_m: f64,
     /// Mass times omega squared, in N/m.
@@ -216,7 +216,7 @@ mod tests {
     use num_complex::Complex64;
     use std::f64::consts::{PI, TAU};
 
-    /// The same rig was integrated in time, each turning point found by bisection and each piece
+    /// The rig was integrated in time, each turning point found by bisection and each piece
     /// solved exactly (matrix exponential), until it repeated: third harmonic over the fundamental
     /// at 160 Hz, at this level. A sum of 15 orders alone misses it by 7.5e-4.
     #[test]

@@ -1,4 +1,4 @@
-//! What a linear exciter, or a balanced one, does to the fundamental.
+//! Response of a linear exciter, or a balanced one, at the fundamental.
 
 use super::complex::ln;
 use super::exciter::{ExciterSlopes, Linear};

@@ -17,7 +17,7 @@ const MOST_LEVELS: usize = 4;
 
 /// The motion at which the reference channel shows the level that is held.
 pub(super) struct Held<'a> {
-    /// What the exciter does; `None` without a complete exciter.
+    /// Motion of the exciter; `None` without a complete exciter.
     pub(super) motion: Option<Drive>,
     pub(super) reference: Reference,
     pub(super) path: Path<'a>,
@@ -64,7 +64,7 @@ impl<'a> Held<'a> {
 pub(super) struct Reference {
     /// Peak voltage that enters the converter.
     pub(super) peak_v: f64,
-    /// What it shows over what enters.
+    /// Output over input.
     pub(super) gain: f64,
 }
 

@@ -64,7 +64,7 @@ pub(crate) fn taken(leaking: &[f64; 6]) -> f64 {
     (leaking[1..].iter().sum::<f64>() + 2.0 * leaking[0]).min(1.0)
 }
 
-/// The same for the line at a multiple of the mains that loses most.
+/// Share taken of the line at a multiple of the mains that loses most.
 pub(crate) fn taken_mains(frequency_hz: f64, mains_hz: f64, bin_hz: f64) -> f64 {
     let lines = (1..=LINES).map(|n| taken_of(n as f64 * mains_hz, frequency_hz, bin_hz));
     lines.fold(0.0, f64::max)

@@ -1,4 +1,4 @@
-//! What is remembered of a row between evaluations.
+//! Memory of a row between evaluations.
 
 use super::balance::{Balanced, Purpose, balance};
 use super::bend::Bend;
@@ -11,7 +11,7 @@ use num_complex::Complex64;
 #[derive(Debug, Clone)]
 pub(crate) struct Memory {
     motion: Motion,
-    /// What was balanced last, and the result: many effects leave the exciter as it was.
+    /// Last balanced input, and its result: many effects leave the exciter as it was.
     last: Option<(Exciter, Bend, f64, Balanced)>,
     /// The linear exciter of the last evaluation that had one.
     still: Option<(Exciter, Added, Fundamental)>,

@@ -35,7 +35,7 @@ pub(super) struct Passed {
     pub(super) beyond: f64,
 }
 
-/// What a characteristic makes of a fundamental of the given peak and its relative harmonics;
+/// Output of a characteristic for a fundamental of the given peak and its relative harmonics;
 /// as a whole wave, or by the closed form to which the harmonics are added.
 pub(super) fn pass(bend: Characteristic, peak: f64, arriving: &Wave, whole: bool) -> Passed {
     if whole {

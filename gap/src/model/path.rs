@@ -13,14 +13,14 @@ use num_complex::Complex64;
 /// Orders that stand for all above [`ORDERS`] of a jump, whose powers fall with the square of the
 /// order: in the middle of quarters of 1/n.
 const JUMP: [usize; 4] = [128, 43, 26, 18];
-/// The same for a kink, whose powers fall with the fourth power: above 5, and above [`ORDERS`].
+/// Orders for a kink, whose powers fall with the fourth power: above 5, and above [`ORDERS`].
 const KINK: [[usize; 4]; 2] = [[6, 7, 8, 11], [16, 18, 22, 31]];
 
 /// Orders above 5 behind a response.
 pub(super) struct Above {
     /// Mean square over that of the fundamental.
     pub(super) remainder: f64,
-    /// What of it no wave holds.
+    /// Part of it that no wave holds.
     pub(super) beyond: f64,
 }
 
@@ -33,7 +33,7 @@ pub(super) struct Path<'a> {
     pub(super) others: f64,
     /// Mean square of the orders above 5 over that of the fundamental.
     pub(super) remainder: f64,
-    /// What of it no wave holds.
+    /// Part of it that no wave holds.
     pub(super) beyond: f64,
 }
 
@@ -104,14 +104,14 @@ impl<'a> Path<'a> {
         self.carried_power(of, &KINK[usize::from(whole)])
     }
 
-    /// The same, the mean of some orders.
+    /// Power carried, the mean of some orders.
     fn carried_power(&self, of: fn(&Transfer) -> Complex64, orders: &[usize]) -> f64 {
         let first = of(&self.transfers.first).norm_sqr();
         let power = |n: &usize| of(&self.transfers.at_order(*n)).norm_sqr() / first;
         orders.iter().map(power).sum::<f64>() / orders.len() as f64
     }
 
-    /// What the reference channel receives.
+    /// Input of the reference channel.
     pub(super) fn to_reference(&self, highest: usize) -> Wave {
         self.carry(&self.table, highest, |t| t.table * t.reference)
     }

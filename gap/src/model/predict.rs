@@ -46,7 +46,7 @@ pub(crate) fn predict(
     out
 }
 
-/// What all effects together do to the chain.
+/// Joint action of all effects on the chain.
 fn chain(row: &Row, nominal: &Nominal, effects: &[Active<'_>]) -> Chain {
     let mut chain = Chain::default();
     for effect in effects {

@@ -1,4 +1,4 @@
-//! What the simulation of a row starts from, and what it says.
+//! Start of the simulation of a row, and its prediction.
 
 use super::exciter::ExciterSlopes;
 use crate::dataset::ExciterParameters;
@@ -22,7 +22,7 @@ pub(crate) struct Nominal {
     pub(crate) noise_ln: [f64; 2],
 }
 
-/// What the simulation says about one row.
+/// Prediction of the simulation for one row.
 #[derive(Debug, Clone)]
 pub(crate) struct Prediction {
     /// Value of each observable.

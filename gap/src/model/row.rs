@@ -24,7 +24,7 @@ pub(crate) struct Row {
     pub(crate) payload_stated: bool,
     /// Power that mains lines leak into orders 1..5 over their power; 0 where the block is unknown.
     pub(crate) mains_leak: [f64; 5],
-    /// The same for d.c.
+    /// Power that mains lines leak into d.c. over their power.
     pub(crate) mains_leak_dc: f64,
     /// Measured coil voltage, peak; NaN if unknown.
     pub(crate) coil_peak_v: f64,

@@ -2,7 +2,7 @@
 
 use crate::observable::{Group, Observable};
 
-/// What effects add to the noise of a row, and to the uncertainty of its components.
+/// Noise that effects add to a row and to the uncertainty of its components.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Scatter {
     /// Mean square noise added in the channels: reference, device under test, in V^2.
@@ -21,7 +21,7 @@ pub(crate) struct Scatter {
 pub(crate) struct Leaks {
     /// Per part, of the relative error of ratio and drive.
     pub(crate) response: [f64; 2],
-    /// The same for relative harmonics 2..5 of reference and device under test.
+    /// Scatter of the relative harmonics 2..5 of reference and device under test.
     pub(crate) harmonics: [[f64; 4]; 2],
     /// Of the d.c. values of both channels, in V^2.
     pub(crate) dc_v2: [f64; 2],

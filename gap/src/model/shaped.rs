@@ -1,6 +1,6 @@
 //! A wave of many orders through a bent or cut characteristic.
 //!
-//! What bends a channel acts on the wave that arrives, with the harmonics it
+//! The nonlinearity of a channel acts on the wave that arrives, with the harmonics it
 //! has already. A cut is integrated in closed form between the places where
 //! the wave crosses the threshold; a polynomial is exact on the grid.
 
@@ -11,7 +11,7 @@ use super::waveform::Characteristic;
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-/// What a characteristic makes of a wave.
+/// Wave behind a characteristic.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Shaped {
     pub(crate) wave: Wave,
@@ -51,7 +51,7 @@ fn bent(wave: &Wave, second: f64, third: f64) -> Shaped {
     }
 }
 
-/// What of a wave lies beyond a threshold, and its whole mean square.
+/// Part of a wave beyond a threshold, and its whole mean square.
 struct Excess {
     wave: Wave,
     mean_square: f64,

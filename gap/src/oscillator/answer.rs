@@ -1,4 +1,4 @@
-//! What an answer states of a record: verdict, place, what next, pictures.
+//! Answer for a record: verdict, place, next measurement, pictures.
 
 use super::estimates::linear_parameters;
 use super::fit::{compared, rms};

@@ -17,7 +17,7 @@ const FIRST_STEPS: usize = 4;
 /// One step of a diagnosis that adds a term at a time.
 pub(super) struct Step {
     pub(super) fit: Fitted,
-    /// What the fit leaves.
+    /// Residuals of the fit.
     pub(super) left: Left,
     /// The sets of its size that were tried.
     pub(super) tried: Vec<Fitted>,

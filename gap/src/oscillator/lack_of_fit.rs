@@ -1,4 +1,4 @@
-//! What a fitted oscillator leaves: is it white noise?
+//! Tests whether a fitted oscillator leaves white noise.
 
 use super::fit::{Fitted, residual, rms, slopes};
 use super::model::{TERMS, free};
@@ -24,7 +24,7 @@ const FORCES: [(Parameter, Parity); 6] = [
     (Parameter::Delay, Parity::Linear),
 ];
 
-/// What a force does when the motion is mirrored.
+/// Parity of a force: its change when the motion is mirrored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Parity {
     /// It is mirrored too.
@@ -35,7 +35,7 @@ pub(super) enum Parity {
     Linear,
 }
 
-/// What a fit leaves.
+/// Residuals of a fit.
 #[derive(Debug, Clone)]
 pub(super) struct Left {
     /// Probability that white noise leaves as much structure.
@@ -84,7 +84,7 @@ pub(super) fn examine(record: &Run, fit: &Fitted) -> Option<Left> {
     })
 }
 
-/// What a little of a force would add to the output.
+/// Response of the output to a little of a force.
 struct Trace {
     column: Column<()>,
     /// Length of the column without what the fit takes over.

@@ -1,4 +1,4 @@
-//! What a linear oscillator, and what follows one, does in a step: exactly, but for the interpolation
+//! One step of a linear oscillator and of the filters behind it: exact, but for the interpolation
 //! of what drives it.
 
 /// Displacement and velocity.
@@ -11,9 +11,9 @@ pub(super) const NODES: usize = 7;
 pub(super) struct Mode {
     pub(super) full: [State; 2],
     pub(super) half: [State; 2],
-    /// What one unit of input at each node adds in a step, and in half of it.
+    /// Response to one unit of input at each node, over a step and over half of it.
     driven: [[State; NODES]; 2],
-    /// The same for a constant.
+    /// Response to a constant input, over a step and over half of it.
     steady: [State; 2],
 }
 
@@ -106,7 +106,7 @@ fn transition(frequency: f64, damping: f64, t: f64) -> [State; 2] {
     ]
 }
 
-/// What a high-pass holds back follows the motion; over a step that is a cubic through both ends.
+/// The state of a high-pass follows the motion; over a step that is a cubic through both ends.
 pub(super) struct Follower {
     keeps: f64,
     /// Weights of displacement and velocity before, and of those after.

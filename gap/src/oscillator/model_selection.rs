@@ -96,7 +96,7 @@ impl<'a> Tried<'a> {
     }
 }
 
-/// What the last term of a set costs, in -2 ln of the posterior probability.
+/// Cost of the last term of a set, in -2 ln of the posterior probability.
 pub(super) fn cost_of_last(fit: &Fitted, samples: f64) -> f64 {
     fit.terms.last().map_or(0.0, |term| {
         let term = &TERMS[*term];

@@ -48,7 +48,7 @@ pub(crate) enum Parameter {
     YieldingShare,
     /// ln of the deflection at which it yields.
     LnYieldDeflection,
-    /// What the high-pass holds back at the first sample.
+    /// State of the high-pass at the first sample.
     HeldBack,
     /// Displacement of the second mode at the first sample.
     ModeDisplacement,

@@ -79,14 +79,14 @@ impl Run {
         }
     }
 
-    /// The same in a quarter of the steps, if there are so many.
+    /// Takes a quarter of the steps, if there are so many.
     pub(super) fn coarser(&self) -> Self {
         let steps = (self.steps / 4).max(FEWEST_STEPS);
         let (input, output) = (self.input.clone(), self.output.clone());
         Self::of(self.interval_s, input, output, steps)
     }
 
-    /// The same with twice as many steps per sample, if that is possible.
+    /// Doubles the steps per sample, if that is possible.
     pub(super) fn finer(&self) -> Option<Self> {
         if self.steps >= MOST_STEPS {
             return None;

@@ -32,7 +32,7 @@ struct Moving {
 }
 
 impl Moving {
-    /// What an instrument sees.
+    /// Signal an instrument sees.
     fn seen(&self) -> State {
         std::array::from_fn(|i| self.first[i] + self.second[i])
     }

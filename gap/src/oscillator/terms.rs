@@ -1,4 +1,4 @@
-//! What an oscillator has beside mass, damping and spring: the terms at one instant.
+//! Terms of an oscillator beside mass, damping and spring, at one instant.
 
 use super::mode::State;
 use super::parameters::{OscillatorParameters, Parameter};
@@ -36,7 +36,7 @@ impl<'a> Terms<'a> {
         }
     }
 
-    /// What a saturated input lacks.
+    /// Part of the input that saturation cuts off.
     pub(super) fn lacking(&self, input: f64) -> f64 {
         let saturation = self.values[Parameter::Saturation];
         if saturation > 0.0 {

@@ -1,4 +1,4 @@
-//! What is still possible: sets of effects as the data leave them, or any effect.
+//! Hypotheses still possible: sets of effects as the data leave them, or any effect.
 
 use crate::answer::Verdict;
 use crate::calibrator::candidate::active;
@@ -21,7 +21,7 @@ pub(super) struct Pairs<'a> {
     pub(super) list: Vec<(Fit, Fit)>,
 }
 
-/// What a dataset leaves possible; where it shows no gap, any effect too small for it.
+/// Hypotheses a dataset leaves possible; where it shows no gap, any effect too small for it.
 pub(super) fn of_data<'a>(
     problem: &'a Problem,
     reach: &'a Problem,

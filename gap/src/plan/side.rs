@@ -1,4 +1,4 @@
-//! What two sets of effects say of the same data: differences, and slopes of what is refitted.
+//! Predictions of two sets of effects for the same data: differences, and slopes of the refitted values.
 
 use crate::calibrator::evaluation::difference;
 use crate::calibrator::fit::{Fit, Workspace};

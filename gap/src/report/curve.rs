@@ -84,7 +84,7 @@ fn clearest(residuals: &Residuals) -> Vec<Observable> {
     chosen
 }
 
-/// What a plot is drawn over: its words, and the value of a row.
+/// Axis of a plot: its words, and the value of a row.
 type Abscissa = (&'static str, fn(&Conditions) -> f64);
 const LEVEL: Abscissa = ("level in m/s\u{b2}", |r| r.level_ms2);
 const FREQUENCY: Abscissa = ("frequency in Hz", |r| r.frequency_hz);
@@ -158,7 +158,7 @@ impl<'a> Curve<'a> {
         }
     }
 
-    /// What the cause predicts, in ascending order, by rows of the same condition.
+    /// Prediction of the cause, in ascending order, by rows of the same condition.
     fn model(&self, factor: f64) -> Vec<Vec<(f64, f64)>> {
         let mut groups: BTreeMap<String, Vec<(f64, f64)>> = BTreeMap::new();
         for datum in &self.data {

@@ -1,4 +1,4 @@
-//! What the first screen says beyond the fields of an answer.
+//! Text of the first screen beyond the fields of an answer.
 
 use super::{plain, short};
 use crate::answer::{Answer, Cause, Verdict, Where};

@@ -8,7 +8,7 @@ use crate::observable::Group;
 use crate::pictures::{Conditions, Datum, Residuals};
 use serde::Serialize;
 
-/// What is mapped together: the observables of a group that are phases, or those that are not.
+/// Rows of a map: the observables of a group that are phases, or those that are not.
 type Mapped = (Group, bool);
 
 const MAPPED: [(Mapped, &str); 10] = [

@@ -87,7 +87,7 @@ fn section((at, answer): (usize, &Answer)) -> Section<'_> {
     }
 }
 
-/// What the template may use: numbers and names as a person reads them.
+/// Data for the template: numbers and names as a person reads them.
 fn environment() -> Environment<'static> {
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);

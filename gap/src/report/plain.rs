@@ -2,7 +2,7 @@
 
 use crate::axis::Axis;
 
-/// What an observable is.
+/// Words for an observable.
 pub(super) fn observable(name: &str) -> &'static str {
     match name {
         "ratio" => "the ratio of the two transducers",

@@ -1,4 +1,4 @@
-//! What is known about measured data, found again.
+//! Tests that known facts about measured data are found again.
 
 use super::shared_data::dataset;
 use calib_gap::{Answer, Options, Verdict, diagnose};

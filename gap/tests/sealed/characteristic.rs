@@ -24,7 +24,7 @@ pub(crate) fn bent(waveform: &[C], characteristic: impl Fn(f64) -> f64) -> Vec<C
     orders
 }
 
-/// What the converter of a channel makes of a waveform.
+/// Waveform behind the converter of a channel.
 pub(crate) fn converted(truth: &Truth, channel: &str, waveform: Vec<C>) -> Vec<C> {
     let parameter = |effect: &str| truth.get(&format!("{effect}.{channel}"));
     if let Some(c3) = parameter("adc_cubic") {

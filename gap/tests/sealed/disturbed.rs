@@ -48,7 +48,7 @@ fn leakage(offset_hz: f64) -> f64 {
     if x.abs() < 1e-9 { 1.0 } else { x.sin() / x }
 }
 
-/// What the mains and its harmonics do to the device's fundamental.
+/// Leakage of the mains and its harmonics into the device's fundamental.
 fn hum(truth: &Truth, row: &Condition, dut_rms_v: f64, random: &mut Random) -> C {
     truth.factor("mains_pickup.v", |hum_rms_v| {
         let lines = [(1.0, 0.8), (2.0, 0.36), (3.0, 0.48)];
@@ -61,7 +61,7 @@ fn hum(truth: &Truth, row: &Condition, dut_rms_v: f64, random: &mut Random) -> C
     })
 }
 
-/// What a machine beside it does to the drive, where its tone is near.
+/// Action of a neighbouring machine on the drive, where its tone is near.
 fn neighbour(truth: &Truth, row: &Condition, random: &mut Random) -> C {
     truth.factor("ambient_vibration.tone", |tone_ms2| {
         let offset_hz = row.frequency_hz - truth.or("ambient_vibration.f", 10.0);

@@ -8,7 +8,7 @@ enum Law {
     Between(f64, f64),
     /// Uniform in the logarithm.
     Log(f64, f64),
-    /// The same, with either sign.
+    /// Uniform in the logarithm, with either sign.
     Either(f64, f64),
     Sign,
 }

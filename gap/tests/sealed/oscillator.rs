@@ -11,7 +11,7 @@ const DAMPING: f64 = 0.03;
 /// Steps per sample: the midpoint rule errs by (w0 h)^2/24 per radian, 6e-8 of the motion here.
 const STEPS: usize = 320;
 
-/// What is added to the linear oscillator; all zero is nothing.
+/// Terms added to the linear oscillator; all zero is none.
 #[derive(Default, Clone)]
 pub(crate) struct Added {
     pub(crate) cubic: f64,
@@ -123,7 +123,7 @@ pub(crate) fn record(a: &Added, samples: usize, random: &mut Random) -> String {
     record_with(a, samples, 1e-5, random)
 }
 
-/// The same with another noise of the output.
+/// `record.csv` with another noise of the output.
 pub(crate) fn record_with(a: &Added, samples: usize, noise: f64, random: &mut Random) -> String {
     let lines = lines(random);
     let input = |t: f64| -> f64 {

@@ -60,7 +60,7 @@ fn reference(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
     resonance * warm * drift * corner
 }
 
-/// What the device feels of the motion of the table.
+/// Motion of the table as the device feels it.
 fn mounting(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
     let rotation_rad = row.rotation_deg.to_radians();
     let compliance = truth.factor("mount_compliance.k", |stiffness| {

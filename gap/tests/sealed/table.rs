@@ -78,7 +78,7 @@ fn conditions(row: &Condition) -> String {
     )
 }
 
-/// What is measured of a row, in the order of the columns.
+/// Measured values of a row, in the order of the columns.
 fn values(
     truth: &Truth,
     row: &Condition,

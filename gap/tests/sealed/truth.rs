@@ -1,4 +1,4 @@
-//! What a rig really is: its values, and any effects.
+//! True rig: its values, and any effects.
 
 use super::random::Random;
 use num_complex::Complex64 as C;
@@ -57,7 +57,7 @@ impl Truth {
         self.get(key).unwrap_or(without)
     }
 
-    /// What an effect multiplies a response by; 1 without it.
+    /// Factor of an effect on a response; 1 without it.
     pub(crate) fn factor<F: Into<C>>(&self, key: &str, effect: impl FnOnce(f64) -> F) -> C {
         self.get(key).map_or(C::ONE, |value| effect(value).into())
     }

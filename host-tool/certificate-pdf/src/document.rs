@@ -26,9 +26,9 @@ pub struct File<'a> {
 pub struct Error {
     /// Line of the template, from 1; 0 when the problem has no place there.
     pub line: usize,
-    /// What is wrong.
+    /// Problem.
     pub problem: String,
-    /// What the typesetter suggests; may be empty.
+    /// Suggestion of the typesetter; may be empty.
     pub hint: String,
 }
 

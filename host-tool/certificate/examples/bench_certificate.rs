@@ -15,7 +15,7 @@ use std::time::Instant;
 
 /// One-third octaves from 10 Hz to 10 kHz.
 const POINTS: usize = 31;
-/// What a certificate set may take.
+/// Longest time for a certificate set.
 const LIMIT_S: f64 = 0.5;
 const RUNS: usize = 11;
 

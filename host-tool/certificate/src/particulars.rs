@@ -1,4 +1,4 @@
-//! What a certificate states and no record knows: laboratory, customer, place.
+//! Statements of a certificate that no record knows: laboratory, customer, place.
 //!
 //! A TOML file holds them. A laboratory keeps one with its own address, texts
 //! and decision rule, a job may add a second one; what the second states wins.
@@ -36,7 +36,7 @@ pub struct Particulars {
     pub laboratory: Contact,
     /// For whom (7.8.2.1 e).
     pub customer: Contact,
-    /// What is calibrated (7.8.2.1 g, h).
+    /// Item under calibration (7.8.2.1 g, h).
     pub item: Item,
     /// When, where and by whom (7.8.2.1 c, i, j, n, o).
     pub calibration: Calibration,
@@ -84,7 +84,7 @@ pub struct Contact {
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Item {
-    /// What it is: "accelerometer with IEPE electronics".
+    /// Description: "accelerometer with IEPE electronics".
     pub description: Option<String>,
     /// Manufacturer and model, if the record does not state them.
     pub model: Option<String>,
@@ -185,7 +185,7 @@ pub struct Mounting {
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Amplifier {
-    /// What it is.
+    /// Description.
     pub description: Option<String>,
     /// Gain, with its unit in words.
     pub gain: Option<String>,
@@ -212,7 +212,7 @@ pub struct Calibrator {
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Equipment {
-    /// What it is: "thermometer".
+    /// Name: "thermometer".
     pub name: String,
     /// Serial or inventory number.
     pub serial: String,

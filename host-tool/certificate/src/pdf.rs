@@ -13,7 +13,7 @@ pub(super) const TEMPLATE: &str = include_str!("page/certificate.typ");
 
 /// The certificate as PDF/A-3b, by the laboratory's template or the built-in.
 ///
-/// The same certificate gives the same bytes: no clock is read, no font of the
+/// One certificate always gives equal bytes: no clock is read, no font of the
 /// system is used.
 ///
 /// # Errors
@@ -92,7 +92,7 @@ fn logo(path: &Path) -> Result<(String, Vec<u8>)> {
     Ok((format!("logo.{extension}"), bytes))
 }
 
-/// What the template reads: the presented certificate, every text printable.
+/// Data for the template: the presented certificate, every text printable.
 fn data(certificate: &Certificate, presented: &Presented, logo: Option<&str>, dcc: bool) -> Value {
     let mut data = json!(presented);
     data["date"] = json!(

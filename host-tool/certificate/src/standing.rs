@@ -1,4 +1,4 @@
-//! What a certificate says of its record's place in the chain.
+//! A record's place in the chain, as a certificate states it.
 
 use super::model::{Certificate, Entry, Remark, Severity, Value};
 use calib_protocol::record::{self, Record, Sha256Sum};

@@ -94,7 +94,7 @@ fn a_reader_of_others_finds_number_pages_fonts_and_the_same_dcc() {
     is_pdf_a_3b(&read);
 }
 
-/// What ISO 19005-3:2012 wants and another program can read, by its clauses. Not all
+/// Requirements of ISO 19005-3:2012 that another program can read, by its clauses. Not all
 /// of it: veraPDF, which looks at more, is a Java program that no registry of ours has.
 fn is_pdf_a_3b(read: &serde_json::Value) {
     use serde_json::json;

@@ -18,7 +18,7 @@ pub struct RetryPolicy {
     pub attempts: u32,
     /// Longest wait for an answer. A record chunk takes 0.1 s at 115 200 baud.
     pub answer_timeout: Duration,
-    /// The same for requests that may erase a flash sector (4 s at most,
+    /// Time limit of requests that may erase a flash sector (4 s at most,
     /// STM32H743 data sheet DS12110, table "Flash memory programming").
     pub flash_timeout: Duration,
 }
@@ -70,7 +70,7 @@ impl Client {
         }
     }
 
-    /// The same conversation, with a first request that bears the number after `sequence` instead
+    /// Sets the number of the first request to the one after `sequence` instead
     /// of one by chance: what is sent is then the same in every run of a test.
     #[must_use]
     pub fn counting_from(mut self, sequence: u16) -> Self {
@@ -104,7 +104,7 @@ impl Client {
         }
     }
 
-    /// What the calibrator is doing now.
+    /// State of the calibrator.
     pub fn status(&mut self) -> Result<Status> {
         match self.ask("its status", &Request::Status)? {
             Response::Status(status) => Ok(status),

@@ -8,7 +8,7 @@ use std::path::Path;
 /// Result of an operation on a calibrator.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// What can go wrong between this computer and a calibrator.
+/// Errors between this computer and a calibrator.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// Bytes do not get through to the calibrator.
@@ -40,7 +40,7 @@ impl Error {
         calib_files::Error::input(place, problem, hint).into()
     }
 
-    /// What the user can do about it, if the message does not say it already.
+    /// Remedy, if the message does not state it already.
     pub fn hint(&self) -> Option<&str> {
         match self {
             Self::Link(error) => Some(error.hint()),
@@ -70,9 +70,9 @@ pub enum LinkError {
     Open {
         /// Address as given.
         address: String,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: std::io::Error,
-        /// What to do about it.
+        /// Remedy.
         hint: String,
     },
     /// The connection broke.
@@ -80,7 +80,7 @@ pub enum LinkError {
     Closed {
         /// Address as given.
         address: String,
-        /// What the operating system said.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// Not a single byte came back.
@@ -112,7 +112,7 @@ pub enum LinkError {
 }
 
 impl LinkError {
-    /// What the user can do about it.
+    /// Remedy.
     pub fn hint(&self) -> &str {
         match self {
             Self::Open { hint, .. } => hint,
@@ -146,13 +146,13 @@ pub enum ProtocolError {
     /// An answer that does not belong to the request.
     #[error("the calibrator answered {request} with something else")]
     UnexpectedAnswer {
-        /// What was asked, in words.
+        /// Request in words.
         request: &'static str,
     },
 }
 
 impl ProtocolError {
-    /// What the user can do about it.
+    /// Remedy.
     pub fn hint(&self) -> &str {
         match self {
             Self::Version { device } if *device > PROTOCOL_VERSION => {
@@ -172,7 +172,7 @@ impl ProtocolError {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the calibrator refused {request}: {}", reason(*.refusal))]
 pub struct Refused {
-    /// What was asked, in words.
+    /// Request in words.
     pub request: &'static str,
     /// Its reason.
     pub refusal: Refusal,
@@ -211,7 +211,7 @@ impl Refused {
         self.refusal == Refusal::ButtonNotHeld
     }
 
-    /// What the user can do about it.
+    /// Remedy.
     pub fn hint(&self) -> &str {
         match self.refusal {
             Refusal::ButtonNotHeld => {

@@ -37,7 +37,7 @@ pub(super) enum Failure {
 /// A whole frame with our sequence number.
 type Answer = Result<Box<Response>, Failure>;
 
-/// What a received frame turned out to be.
+/// Kind of a received frame.
 enum Heard {
     Answer(Answer),
     Late,

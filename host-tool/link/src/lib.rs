@@ -1,4 +1,4 @@
-//! What every program that talks to a calibrator uses: link, session, capture.
+//! Library for every program that talks to a calibrator: link, session, capture.
 //!
 //! ```text
 //!                 Address -> Transport (serial | tcp | any other)

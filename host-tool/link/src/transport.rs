@@ -1,4 +1,4 @@
-//! What carries bytes to a calibrator and back.
+//! Carriers of bytes to a calibrator and back.
 
 use std::io;
 use std::time::Duration;

@@ -30,7 +30,7 @@ impl Logbook {
         Ok(wrong)
     }
 
-    /// What the list says about a record, against the record.
+    /// Compares the list's line of a record with the record.
     fn inspect_record(&self, id: i64, bytes: &[u8]) -> Result<Vec<String>> {
         let place = format!("record {id}");
         let content = match Content::of(bytes) {

@@ -199,7 +199,7 @@ impl Logbook {
     }
 }
 
-/// What SQLite said, in our words and with a way out.
+/// Error of SQLite, in our words and with a way out.
 pub(super) fn failure(path: &Path, error: rusqlite::Error) -> Error {
     let (problem, hint) = match error.sqlite_error_code() {
         Some(ErrorCode::DiskFull) => {

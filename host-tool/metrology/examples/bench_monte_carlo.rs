@@ -92,7 +92,7 @@ fn whole_per_second(budget: &Budget) -> f64 {
     best(|| monte_carlo::propagate(&plan, &options).trials)
 }
 
-/// The same budget with numpy, if there is an interpreter that has it.
+/// Draws per second of numpy for this budget, if there is an interpreter that has it.
 fn python_per_second() -> Option<f64> {
     let interpreter = std::env::var_os("CALIB_PYTHON").unwrap_or_else(|| "python3".into());
     let script =

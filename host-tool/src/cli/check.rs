@@ -14,7 +14,7 @@ use std::path::PathBuf;
 pub(crate) struct Check {
     /// Downloaded record.
     record: PathBuf,
-    /// What the laboratory states beside the record (TOML; may be repeated).
+    /// Statements of the laboratory beside the record (TOML; may be repeated).
     #[arg(long, value_name = "FILE.toml")]
     particulars: Vec<PathBuf>,
     /// Apply the requirements of Example 1 or 2 instead of the record's own.

@@ -11,13 +11,13 @@ use std::path::Path;
 
 /// A record that was found.
 pub(super) struct Found {
-    /// What it says.
+    /// Content.
     pub(super) content: Content,
     /// Its place in the chain, by what is at hand.
     pub(super) standing: Standing,
 }
 
-/// What a record says, by its kind.
+/// Content of a record, by its kind.
 pub(super) enum Content {
     /// A run that was measured.
     Calibration(Box<Record>),

@@ -1,4 +1,4 @@
-//! What stands between this computer and a calibrator, and the way out.
+//! Finds obstacles between this computer and a calibrator, and the way out.
 //!
 //! Each [`Finding`] is one check: ports, rights, the answer, versions, the
 //! clock. A check that cannot be made is a warning that says so.

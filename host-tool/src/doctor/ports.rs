@@ -69,7 +69,7 @@ fn rights(name: &str) -> Finding {
     Finding::new("rights", State::Good, format!("{name} is there"))
 }
 
-/// What to type, once.
+/// Command to type, once.
 #[cfg(unix)]
 fn permission_remedy() -> String {
     format!(

@@ -25,7 +25,7 @@ impl KeptBoard {
         Self::power_on_and(|board| Ok(Box::new(board.link())))
     }
 
-    /// The same with a USB cable instead of the serial line.
+    /// Connects by a USB cable instead of the serial line.
     ///
     /// # Errors
     /// As [`Self::power_on`], and when the USB port does not come up.

@@ -1,4 +1,4 @@
-//! What an instrument on a simulated rig must know about its reference.
+//! Settings an instrument on a simulated rig needs about its reference.
 
 use calib_core::settings::{ReferenceCalibration, ReferencePoint, Settings};
 use calib_twin::oracle;

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 /// From power to a device on the bus: the board boots first.
 const BOOT: Duration = Duration::from_secs(1);
-/// What serial ports are opened with; over USB it means nothing.
+/// Baud rate serial ports are opened with; over USB it means nothing.
 const BAUD: u32 = calib_protocol::frame::SERIAL_BAUD;
 
 /// The USB serial port of an emulated board, in virtual time.

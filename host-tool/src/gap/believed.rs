@@ -1,4 +1,4 @@
-//! What a simulation believes about a rig, read from any file that says it.
+//! Beliefs of a simulation about a rig, read from any file that states them.
 
 use crate::emulated::rig_file;
 use crate::{Error, Result};
@@ -96,7 +96,7 @@ fn oscillator(table: Option<OscillatorTable>) -> Result<Believed, String> {
     }))
 }
 
-/// What is believed about a simulated rig whose file states values without
+/// Beliefs about a simulated rig whose file states values without
 /// uncertainties: those of the format's description, in proportion. Its effects
 /// are no belief and are left out.
 pub fn nominal_of(rig: &Rig) -> Nominal {

@@ -1,4 +1,4 @@
-//! What is known of a calibrator and has no place in `rig.toml`.
+//! Knowledge of a calibrator that has no place in `rig.toml`.
 //!
 //! The simulation of a dataset has flat transducers and no filters. A response that is known
 //! beforehand, such as the high-pass of a conditioner or the hold of the output converter, is no
@@ -14,10 +14,10 @@ use num_complex::Complex64;
 use std::f64::consts::PI;
 use std::path::Path;
 
-/// What is believed of a connected calibrator.
+/// Beliefs about a connected calibrator.
 #[derive(Clone, Debug)]
 pub struct Known {
-    /// What the dataset says the simulation believes.
+    /// Beliefs of the simulation, as the dataset states them.
     pub nominal: Nominal,
     /// Filters and resonances, if a rig file states them.
     rig: Option<Rig>,
@@ -95,7 +95,7 @@ impl Known {
         })
     }
 
-    /// The same of the device's channel.
+    /// Known response of the device's channel.
     pub fn at_dut(&self, frequency_hz: f64) -> Complex64 {
         let filter = self.rig.as_ref().map_or(Complex64::ONE, |rig| {
             let response = oracle::anti_alias(rig, frequency_hz);
@@ -117,7 +117,7 @@ impl Known {
         Complex64::from_polar(angle.sin() / angle, -angle)
     }
 
-    /// What is taken out of the rows, for people.
+    /// Corrections taken out of the rows, for people.
     pub fn corrections(&self) -> Vec<String> {
         let Some(rig) = &self.rig else {
             return vec!["hold of the output converter".to_owned()];

@@ -32,7 +32,7 @@ impl Row {
         self.get("acceleration_ms2")
     }
 
-    /// What a calibrator is asked for to repeat it.
+    /// Request to a calibrator that repeats the point.
     pub(super) fn spec(&self) -> PointSpec {
         PointSpec {
             frequency_hz: self.get("frequency_hz").unwrap_or(0.0) as f32,

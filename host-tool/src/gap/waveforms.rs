@@ -166,7 +166,7 @@ fn still_held(client: &mut Client, index: usize) -> Result<bool> {
 
 /// Harmonics as they were before a channel of known `response` (at n times the frequency).
 ///
-/// What is reported of order n is `T(n) X(n) / |T(1) X(1)|` with the phase taken to n times that of
+/// Order n is reported as `T(n) X(n) / |T(1) X(1)|` with the phase taken to n times that of
 /// the fundamental.
 fn harmonics(fit: &ToneFit, response: impl Fn(f64) -> Complex64) -> Option<Harmonics> {
     let first = response(1.0);

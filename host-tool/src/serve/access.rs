@@ -6,7 +6,7 @@ use std::net::SocketAddr;
 /// Bytes of a token: nobody guesses 128 bits.
 const TOKEN_BYTES: usize = 16;
 
-/// What is asked of a request.
+/// Conditions a request must meet.
 #[derive(Clone, Debug)]
 pub struct Access {
     address: SocketAddr,
@@ -20,7 +20,7 @@ impl Access {
         Self { address, token }
     }
 
-    /// What to type into a browser.
+    /// Address for a browser.
     pub fn url(&self) -> String {
         match &self.token {
             None => format!("http://{}/", self.address),

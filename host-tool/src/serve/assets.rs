@@ -12,7 +12,7 @@ const SCRIPT: &str = "text/javascript; charset=utf-8";
 
 const PAGE: Asset = ("/", HTML, include_str!("page/index.html"));
 
-/// What the page is made of. It holds nothing of anybody's, and links to it hold
+/// Files of the page. They hold nothing of anybody's, and links to them hold
 /// no token: everybody may read it.
 const PARTS: [Asset; 8] = [
     ("/style.css", "text/css", include_str!("page/style.css")),

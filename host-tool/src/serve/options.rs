@@ -12,6 +12,6 @@ pub struct Options {
     pub device: Option<String>,
     /// The logbook; the first run makes it.
     pub logbook: PathBuf,
-    /// What laboratory and job state on certificates, as TOML files.
+    /// Statements of laboratory and job for certificates, as TOML files.
     pub particulars: Vec<PathBuf>,
 }

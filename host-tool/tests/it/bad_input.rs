@@ -1,4 +1,4 @@
-//! What cannot be right is refused, with file, line and remedy, by every verb.
+//! Every verb refuses impossible input, with file, line and remedy.
 
 use std::process::Command;
 

@@ -78,7 +78,7 @@ fn a_download_cut_at_any_byte_is_resumed() {
 /// this to the 1024 bytes of a chunk.
 const RECORD_CHUNK_ON_WIRE: usize = 1024 + 32;
 
-/// Whatever byte a part ends at, also in the middle of a chunk.
+/// Resumes at any byte, also in the middle of a chunk.
 #[test]
 fn a_part_of_any_length_is_completed() {
     let stored = short_device().records[&3].clone();

@@ -68,7 +68,7 @@ impl MemoryLink {
         Arc::clone(&self.passed)
     }
 
-    /// What arrives at the other end of `byte`.
+    /// Bytes that arrive at the other end for `byte`.
     fn pass(&mut self, direction: Direction, byte: u8) -> Vec<u8> {
         let position = {
             let mut passed = self.passed.lock().expect("counter");

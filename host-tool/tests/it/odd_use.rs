@@ -1,4 +1,4 @@
-//! What a program, a hostile file or a full disk may do to the tool.
+//! Effects of a program, a hostile file or a full disk on the tool.
 
 use crate::command_line::{calib, text};
 use crate::device::record;

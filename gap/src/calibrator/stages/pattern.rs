@@ -122,9 +122,9 @@ pub(crate) enum Kind {
     Level,
     /// Ratio and drive, equal and opposite, over frequency.
     Mirrored,
-    /// The same, with temperature or time.
+    /// Mirrored, with temperature or time.
     MirroredSlow,
-    /// The same, with level.
+    /// Mirrored, with level.
     MirroredLevel,
     /// The drive alone, with time.
     DriveInTime,

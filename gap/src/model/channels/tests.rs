@@ -1,4 +1,4 @@
-//! What a channel shows of a bent wave, against the wave itself sampled in time.
+//! Tests a channel's view of a bent wave against the wave itself sampled in time.
 
 use super::*;
 use crate::calibrator::example::{named, rig};

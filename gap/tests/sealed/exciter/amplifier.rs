@@ -1,4 +1,4 @@
-//! What a power amplifier makes of a sine.
+//! Output of a power amplifier for a sine.
 
 use super::series::{HARMONICS, Series};
 use num_complex::Complex64 as C;

@@ -38,7 +38,7 @@ impl Exciter {
         }
     }
 
-    /// The same with a part of its nonlinearity.
+    /// Exciter with a part of its nonlinearity.
     fn with_share(&self, share: f64) -> Self {
         Self {
             quadratic_n_per_m2: self.quadratic_n_per_m2 * share,

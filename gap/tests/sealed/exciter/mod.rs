@@ -14,7 +14,7 @@ pub(crate) use amplifier::Amplifier;
 /// Frequency at which a lossy inductance has its nominal size.
 const NOMINAL_HZ: f64 = 1000.0;
 
-/// What moves the table.
+/// Motion of the table.
 #[derive(Clone, Copy)]
 pub(crate) struct Exciter {
     pub(crate) mass_kg: f64,

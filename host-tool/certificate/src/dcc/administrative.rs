@@ -36,7 +36,7 @@ pub(super) fn write(
     });
 }
 
-/// What is stated, in words, or "not stated".
+/// Statement in words, or "not stated".
 pub(super) fn stated(
     certificate: &Certificate,
     section: &str,

@@ -4,7 +4,7 @@ use crate::model::Certificate;
 use calib_files::{Error, Result};
 use jiff::civil::Date;
 
-/// What a DCC cannot be without, beside the results.
+/// Parts a DCC needs beside the results.
 #[derive(Clone, Copy)]
 pub(crate) struct Needs<'a> {
     /// Day of calibration.

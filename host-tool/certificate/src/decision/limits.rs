@@ -32,7 +32,7 @@ pub struct Band {
     pub from_hz: f64,
     /// Highest frequency, Hz.
     pub to_hz: f64,
-    /// What the tolerance refers to.
+    /// Base of the tolerance.
     pub base: Base,
     /// Lower limit, %, such as -5.
     pub lower_percent: f64,
@@ -43,7 +43,7 @@ pub struct Band {
     pub reference_point_only: bool,
 }
 
-/// What a tolerance refers to.
+/// Base of a tolerance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Base {

@@ -1,4 +1,4 @@
-//! What is tolerated: bands over frequency around a nominal or the reference.
+//! Tolerances: bands over frequency around a nominal or the reference.
 
 use super::limits::{Band, Base, Limits};
 use super::request::Request;

@@ -66,7 +66,7 @@ pub struct PresentedSection {
 pub struct PresentedEntry {
     /// Key within the section.
     pub key: &'static str,
-    /// What is stated, in words.
+    /// Statement in words.
     pub label: String,
     /// The statement; `None` is missing.
     pub value: Option<String>,
@@ -79,7 +79,7 @@ pub struct PresentedRemark {
     pub severity: super::model::Severity,
     /// The severity in the language.
     pub label: String,
-    /// What is said.
+    /// Text.
     pub text: String,
 }
 

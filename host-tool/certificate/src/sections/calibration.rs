@@ -36,7 +36,7 @@ fn statement(record: &Record, particulars: &Particulars) -> [Line; 9] {
     ]
 }
 
-/// What was measured and is in the record.
+/// Measured values in the record.
 fn measurement(record: &Record) -> [Line; 6] {
     let id = record.head.id.to_string();
     let number = [id, record.head.instrument_serial.to_string()];

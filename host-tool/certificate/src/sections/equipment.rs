@@ -1,4 +1,4 @@
-//! What it was calibrated with, and how that is traceable.
+//! Equipment of the calibration, and its traceability.
 
 use super::clause;
 use super::value::{exact, phrase, said, text};

@@ -12,7 +12,7 @@ pub(super) fn said(words: &Option<String>) -> Option<Value> {
     words.as_deref().and_then(text)
 }
 
-/// What the record states, else what the file states.
+/// Statement of the record, else of the file.
 pub(super) fn either(recorded: &str, stated: &Option<String>) -> Option<Value> {
     text(recorded).or_else(|| said(stated))
 }

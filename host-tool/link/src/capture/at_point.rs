@@ -29,7 +29,7 @@ pub struct Measured {
     pub record_id: u32,
     /// How the run ended.
     pub state: RunState,
-    /// What the calibrator measured; none if the run was stopped before.
+    /// Result of the calibrator; none if the run was stopped before.
     pub point: Option<PointResult>,
     /// Frequency of the tone, Hz: the exact one, within 0.01 % of the nominal.
     pub frequency_hz: f64,

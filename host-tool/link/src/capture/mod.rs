@@ -44,7 +44,7 @@ pub struct Capture {
     /// A sample of the reference lies at an end of the converter's range: the
     /// waveform is cut off.
     pub reference_clipped: bool,
-    /// The same of the device under test.
+    /// Whether the device under test clipped.
     pub dut_clipped: bool,
 }
 

@@ -18,7 +18,7 @@ const POLL_INTERVAL: Duration = Duration::from_millis(10);
 /// every 10 ms, so 20 times longer than the longest pause of a sound instrument.
 const IDLE_LOOKS: u32 = 20;
 
-/// What turns codes into volts and sample numbers into seconds.
+/// Scales that turn codes into volts and sample numbers into seconds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inputs {
     /// Samples per second and channel, Hz.
@@ -82,7 +82,7 @@ impl Inputs {
 pub struct Taking {
     inputs: Inputs,
     pairs: u16,
-    /// What the calibrator last said: taken pairs, and the first one's number
+    /// Last state of the calibrator: taken pairs, and the first one's number
     /// once all are taken.
     taken: u16,
     first: Option<u64>,

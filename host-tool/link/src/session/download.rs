@@ -1,6 +1,6 @@
 //! Downloading a stored record: chunk by chunk, resumed where it broke off.
 //!
-//! What has arrived is kept in `NAME.part` beside the destination, chunk by
+//! Received bytes are kept in `NAME.part` beside the destination, chunk by
 //! chunk. The next attempt goes on at its end, whatever byte that is. Only a
 //! record whose checksum holds gets the final name.
 
@@ -134,7 +134,7 @@ fn whole(bytes: &[u8]) -> Result<ChainLink, RecordError> {
     record::link(bytes)
 }
 
-/// What the calibrator and `folder` say of records that were downloaded: their
+/// Facts from the calibrator and `folder` about records that were downloaded: their
 /// sums, and their neighbours.
 ///
 /// # Errors
@@ -202,7 +202,7 @@ impl Part {
         Ok(Self { path, file, bytes })
     }
 
-    /// What holds nothing helps nobody to go on.
+    /// Removes an empty part: it helps nobody to go on.
     fn drop_if_empty(&self) {
         if self.bytes.is_empty() {
             let _ = std::fs::remove_file(&self.path);

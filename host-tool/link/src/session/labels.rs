@@ -1,4 +1,4 @@
-//! What an operator says about a run, as a record has room for it.
+//! Labels an operator gives a run, cut to the room of a record.
 
 use calib_files::{Error, Result};
 

@@ -1,4 +1,4 @@
-//! What is done with a calibrator over its link: run, follow, download.
+//! Session with a calibrator over its link: run, follow, download.
 
 mod broadband;
 mod download;

@@ -9,7 +9,7 @@
 //! acceleration_rms_ms2 = 50
 //! ```
 //!
-//! The same as CSV; the second column may be empty or missing:
+//! The list as CSV; the second column may be empty or missing:
 //!
 //! ```csv
 //! frequency_hz,acceleration_rms_ms2

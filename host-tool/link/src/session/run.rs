@@ -19,7 +19,7 @@ const IDLE_POLLS: u32 = 20;
 /// Where a run stands.
 #[derive(Clone, Copy, Debug)]
 pub struct Progress<'a> {
-    /// What the calibrator says.
+    /// State of the calibrator.
     pub status: Status,
     /// Results so far, in the order of the list.
     pub points: &'a [PointResult],

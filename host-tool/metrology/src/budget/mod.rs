@@ -30,7 +30,7 @@ pub use file::{load, parse};
 pub use report::report;
 pub use template::{Template, TemplateRow, template};
 
-/// What the numbers of a budget are: relative in percent, or angles.
+/// Kind of a budget's numbers: relative in percent, or angles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     /// Relative to the measurand, percent (magnitude; Tables A.1 and A.3).
@@ -62,7 +62,7 @@ pub enum Model {
 /// matrix positive semidefinite.
 #[derive(Clone, Debug)]
 pub struct Budget {
-    /// What is measured, in the author's words.
+    /// Measurand, in the author's words.
     pub measurand: String,
     /// Unit of every value.
     pub unit: Unit,
@@ -78,6 +78,6 @@ pub struct Budget {
     pub components: Vec<Component>,
     /// Correlations between components.
     pub correlations: Vec<Correlation>,
-    /// What was assumed while reading, for the reader of the report.
+    /// Assumptions made while reading, for the reader of the report.
     pub remarks: Vec<String>,
 }

@@ -7,7 +7,7 @@ use crate::text::significant;
 /// Rise over S0 the data should reach (8.3 b).
 const WANTED_RISE: f64 = 1.10;
 
-/// What a metrologist should know before the parameters are used.
+/// Advice to the metrologist before the parameters are used.
 pub(super) fn advise(points: &Points, result: &Identification) -> Vec<String> {
     let mut advice = points.remarks.clone();
     let oscillator = &result.oscillator;

@@ -82,7 +82,7 @@ impl Fit {
         })
     }
 
-    /// What the solution says of the oscillator.
+    /// Parameters of the oscillator from the solution.
     fn interpret(&self, points: &Points) -> Result<Identification> {
         let Self { unit, inverse, .. } = self;
         let block = |row: &Equation| unit * inverse * row.design.transpose() * row.weight;

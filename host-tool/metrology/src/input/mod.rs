@@ -29,7 +29,7 @@ impl Source {
         Self::from_text(path, text::read(path)?)
     }
 
-    /// The same from text already at hand; `path` is only a name.
+    /// Reads from text already at hand; `path` is only a name.
     ///
     /// # Errors
     /// Nothing but white space in it.

@@ -4,7 +4,7 @@ use super::Vibration;
 use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale, sheet};
 use std::f64::consts::{SQRT_2, TAU};
 
-/// What an exciter can do.
+/// Limits of an exciter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RigLimits {
     /// Acceleration, m/s2 r.m.s.

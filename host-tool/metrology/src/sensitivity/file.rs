@@ -14,7 +14,7 @@ pub struct Readings {
     pub points: Vec<Reading>,
     /// Phases were measured.
     pub with_phase: bool,
-    /// What the reader should know.
+    /// Remarks for the reader.
     pub remarks: Vec<String>,
 }
 

@@ -8,11 +8,11 @@ use num_complex::Complex32;
 pub struct Reading {
     /// Frequency, Hz.
     pub frequency_hz: f32,
-    /// What was read.
+    /// Readings.
     pub values: Values,
 }
 
-/// What was read, depending on the method.
+/// Readings, depending on the method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Values {
     /// Outputs at the same time, V.

@@ -1,6 +1,6 @@
 //! What a user chooses about an identification from a shock.
 
-/// What to fit and how.
+/// Options of the fit.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Choice {
     /// Lowest frequency, Hz; default the first bin.

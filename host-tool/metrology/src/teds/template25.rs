@@ -19,7 +19,7 @@ pub struct Basic {
     pub serial_number: u32,
 }
 
-/// What template 25 states of an accelerometer.
+/// Accelerometer as template 25 states it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Accelerometer {
     /// The basic TEDS.
@@ -137,7 +137,7 @@ fn accelerometer(basic: Basic, bits: &mut Bits<'_>) -> Result<Accelerometer, Ted
     })
 }
 
-/// What follows when the response is stated.
+/// Fields that follow when the response is stated.
 fn response(bits: &mut Bits<'_>) -> Result<[Option<f64>; 5], TedsError> {
     Ok([
         bits.relative(7, 10.0, 0.05)?,

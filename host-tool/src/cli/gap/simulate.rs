@@ -32,7 +32,7 @@ impl From<Columns> for dataset::Columns {
 /// `calib gap simulate`.
 #[derive(Debug, Args)]
 pub(crate) struct Simulate {
-    /// What the simulation believes: rig.toml, a dataset folder, a rig file, `standard` or `oscillator`.
+    /// Beliefs of the simulation: rig.toml, a dataset folder, a rig file, `standard` or `oscillator`.
     #[arg(value_name = "RIG")]
     rig: PathBuf,
     /// An effect of the measured side, with its usual values where none are given; may be repeated.

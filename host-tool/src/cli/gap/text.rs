@@ -42,7 +42,7 @@ fn verdict(verdict: Verdict) -> &'static str {
     }
 }
 
-/// What leads or might, with its parameters.
+/// A cause that leads or might, with its parameters.
 fn cause(text: &mut String, word: &str, cause: &Cause) {
     let over_runs = cause.stability_over_runs.map_or(String::new(), |share| {
         format!(" and in {:.0} % with a run left out", 100.0 * share)
@@ -140,7 +140,7 @@ fn short(value: f64) -> String {
     format!("{value:.*}", decimals.clamp(0, 9) as usize)
 }
 
-/// What the firmware on the emulated rig says.
+/// Result of the firmware on the emulated rig.
 fn confirmation(confirmation: &Confirmation) -> String {
     let effects = confirmation.effects.join(" and ");
     let refused = confirmation.refused;

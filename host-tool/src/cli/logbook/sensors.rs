@@ -56,7 +56,7 @@ enum What {
     },
 }
 
-/// What may be stated about a sensor.
+/// Statements about a sensor.
 #[derive(Debug, Args)]
 struct About {
     /// Manufacturer.
