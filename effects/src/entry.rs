@@ -1,10 +1,11 @@
 //! An entry of the vocabulary, and the stages of a measuring chain.
 
 use super::parameter::Parameter;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Of what an entry is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Of {
     /// An effect of a calibrator, in the list `effects` of a rig file.
@@ -17,7 +18,7 @@ pub enum Of {
 }
 
 /// Part of the measuring chain in which an effect sits.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Stage {
     /// Device under test; of a record, the oscillator itself.
@@ -77,7 +78,7 @@ impl std::fmt::Display for Stage {
 }
 
 /// An effect, a term of an oscillator or a fault, in words.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Entry {
     /// Name on the command line, in files and in JSON.
     pub id: &'static str,

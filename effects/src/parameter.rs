@@ -1,9 +1,10 @@
 //! A parameter of an entry.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// How a parameter is moved by a fit.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Scale {
     /// By addition.
@@ -13,7 +14,7 @@ pub enum Scale {
 }
 
 /// A parameter of an effect or a fault.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Parameter {
     /// Name, with its unit as suffix where it has one.
     pub name: &'static str,

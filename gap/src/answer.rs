@@ -6,17 +6,19 @@ pub use crate::estimation::verdict::Verdict;
 use crate::pictures::Pictures;
 use crate::thresholds;
 use calib_effects::Stage;
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 
 /// A place where simulation and measurement differ.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Where {
     /// Stage of the chain it points to.
     pub stage: Stage,
     /// Observable in which it shows.
     pub observable: &'static str,
     /// Condition along which it varies.
+    #[schemars(with = "&str")]
     pub axis: Axis,
     /// Lowest value of that condition (or of frequency).
     pub from: f64,
@@ -35,16 +37,17 @@ pub struct Where {
 }
 
 /// Value and standard uncertainty of a parameter.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, Serialize, JsonSchema)]
 pub struct Estimate {
     /// Best value.
     pub value: f64,
     /// Standard uncertainty.
+    #[serde(rename = "standard_uncertainty")]
     pub u: f64,
 }
 
 /// A set of effects with its probability.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Cause {
     /// Names.
     pub effects: Vec<&'static str>,
@@ -62,11 +65,13 @@ pub struct Cause {
 }
 
 /// Gap between records of the simulator and the measurement.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Distance {
     /// Root mean square error of the simulator without the effect, percent.
+    #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
     pub before_percent: f64,
     /// The same with the effect added.
+    #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
     pub after_percent: f64,
     /// Rows compared.
     pub rows: usize,
@@ -75,7 +80,7 @@ pub struct Distance {
 /// What the simulator of the whole instrument says about a cause that was added to it.
 ///
 /// No part of the diagnosis: who runs the simulator fills it in.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Confirmation {
     /// Effects that were added, with their values.
     pub effects: Vec<String>,
@@ -90,7 +95,7 @@ pub struct Confirmation {
 }
 
 /// What was read.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct DatasetSummary {
     /// Folder, as given.
     pub path: String,
@@ -103,7 +108,7 @@ pub struct DatasetSummary {
 }
 
 /// The whole answer; every field is always present.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Answer {
     /// Outcome.
     pub verdict: Verdict,
@@ -142,4 +147,9 @@ pub(crate) fn hardly_separated(causes: &[Cause], verdict: Verdict) -> Vec<Vec<St
         }
         _ => Vec::new(),
     }
+}
+
+/// What is kept in percent is stated relative: percent is for people.
+pub(crate) fn as_rel<S: Serializer>(percent: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(percent / 100.0)
 }

@@ -11,9 +11,11 @@ use calib_core::point::{PointResult, PointSpec};
 use calib_files::file::Existing;
 use calib_link::Client;
 use calib_link::session::{self, Progress};
+use calib_output::PointView;
 use calib_protocol::record::{Record, RunLabels};
 use calib_twin::oracle;
 use calib_twin::rig::Rig;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -27,48 +29,33 @@ pub enum Event<'a> {
     /// A step begins.
     Step(&'static str),
     /// The run stands here.
-    Progress(&'a Progress<'a>, &'a [PointSpec]),
+    Progress {
+        /// Where.
+        progress: &'a Progress<'a>,
+        /// What is measured.
+        list: &'a [PointSpec],
+        /// Samples per second and channel, Hz.
+        sample_rate_hz: f32,
+    },
 }
 
-/// What was measured at a frequency, and the truth of the simulated device.
-#[derive(Clone, Debug, Serialize)]
-pub struct DemoResult {
-    /// Nominal frequency, Hz.
-    pub frequency_hz: f32,
-    /// Measured sensitivity, V/(m/s2).
-    pub sensitivity_v_per_ms2: f32,
-    /// Measured phase, degrees.
-    pub phase_deg: f64,
-    /// Expanded uncertainty of the sensitivity, percent.
-    pub expanded_uncertainty_percent: f64,
-    /// Its coverage factor.
-    pub coverage_factor: f32,
+/// A point of the demo's run, and the truth of the simulated device.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct DemoPoint {
+    /// What was measured.
+    #[serde(flatten)]
+    pub measured: PointView,
     /// Sensitivity of the simulated device at the frequency played, V/(m/s2).
-    pub truth_v_per_ms2: f64,
+    pub truth_sensitivity_v_per_ms2: f64,
     /// Its phase, degrees.
     pub truth_phase_deg: f64,
 }
 
-/// One point of the demo's run.
-#[derive(Clone, Debug, Serialize)]
-pub struct DemoPoint {
-    /// Result and truth.
-    #[serde(flatten)]
-    pub result: DemoResult,
-    /// Acceleration reached, m/s2 r.m.s.
-    pub acceleration_ms2: f32,
-    /// Time until the level was settled, s.
-    pub settling_s: f32,
-    /// `pass`, or `refused: ` and the reason.
-    pub verdict: String,
-}
-
 /// The result: the reference point, all points, and the files.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct DemoReport {
     /// The point at 160 Hz.
-    #[serde(flatten)]
-    pub reference: DemoResult,
+    pub reference: DemoPoint,
     /// Every point in the order measured.
     pub points: Vec<DemoPoint>,
     /// Record and certificate.
@@ -91,7 +78,7 @@ pub fn run(
     step(&mut observe, "switching the emulated calibrator on");
     let board = EmulatedBoard::power_on(&rig)?;
     let mut client = Client::new(Box::new(board.link()));
-    client.info()?;
+    let sample_rate_hz = client.info()?.sample_rate_hz;
     step(
         &mut observe,
         "writing the reference's calibration into its settings",
@@ -102,7 +89,11 @@ pub fn run(
     let points = session::default_points(10.0);
     let labels = labels(seed, unix_time_s);
     let outcome = session::run(&mut client, &points, labels, |progress| {
-        observe(&Event::Progress(progress, &points))
+        observe(&Event::Progress {
+            progress,
+            list: &points,
+            sample_rate_hz,
+        })
     })?;
     step(&mut observe, "resetting the board");
     board.reset()?;
@@ -177,31 +168,22 @@ fn report(rig: &Rig, record: &Record, files: Vec<PathBuf>) -> Result<DemoReport>
     let points: Vec<DemoPoint> = record.points.iter().map(point).collect();
     let at_reference = points
         .iter()
-        .find(|point| point.result.frequency_hz == REFERENCE_POINT_HZ)
+        .find(|point| point.measured.set.frequency_hz == REFERENCE_POINT_HZ)
         .ok_or_else(|| Error::NotPassed("stopped before the point at 160 Hz".to_owned()))?;
     Ok(DemoReport {
-        reference: at_reference.result.clone(),
+        reference: at_reference.clone(),
         points,
         files,
     })
 }
 
 fn demo_point(rig: &Rig, sample_rate_hz: f32, point: &PointResult) -> DemoPoint {
-    let played_hz = f64::from(point.tone.cycles) * f64::from(sample_rate_hz)
-        / f64::from(point.tone.period_samples);
-    let truth = oracle::dut_sensitivity(rig, played_hz);
+    let measured = PointView::new(point, sample_rate_hz);
+    let nominal_hz = f64::from(measured.set.frequency_hz);
+    let truth = oracle::dut_sensitivity(rig, measured.actual_frequency_hz.unwrap_or(nominal_hz));
     DemoPoint {
-        result: DemoResult {
-            frequency_hz: point.spec.frequency_hz,
-            sensitivity_v_per_ms2: point.sensitivity_v_per_ms2,
-            phase_deg: f64::from(point.phase_rad).to_degrees(),
-            expanded_uncertainty_percent: 100.0 * f64::from(point.expanded_uncertainty_rel),
-            coverage_factor: point.coverage_factor,
-            truth_v_per_ms2: truth.norm(),
-            truth_phase_deg: truth.arg().to_degrees(),
-        },
-        acceleration_ms2: point.acceleration_rms_ms2,
-        settling_s: point.settling_s,
-        verdict: point.verdict.to_string(),
+        measured,
+        truth_sensitivity_v_per_ms2: truth.norm(),
+        truth_phase_deg: truth.arg().to_degrees(),
     }
 }

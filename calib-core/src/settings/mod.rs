@@ -19,6 +19,7 @@ pub const MAX_INFLUENCES: usize = 20;
 
 /// How the sensitivity is formed (ISO 16063-21, clause 6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Method {
     /// S = X / A, the reference being part of the calibrator.
     Calibrator,
@@ -28,6 +29,7 @@ pub enum Method {
 
 /// Requirement class of ISO 16063-21, clause 3.1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Example {
     /// Laboratory conditions.
     Example1,
@@ -37,6 +39,7 @@ pub enum Example {
 
 /// One frequency of the reference's own calibration.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReferencePoint {
     /// Frequency, Hz.
     pub frequency_hz: f32,
@@ -52,21 +55,26 @@ pub struct ReferencePoint {
 
 /// Calibration of the reference transducer with its conditioner.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReferenceCalibration {
     /// Serial number of the reference.
+    #[cfg_attr(feature = "schema", schemars(with = "str"))]
     pub serial: String<32>,
     /// Certificate the table was taken from.
+    #[cfg_attr(feature = "schema", schemars(with = "str"))]
     pub certificate: String<48>,
     /// Day of the calibration, days since 1970-01-01; 0 = not stated.
     pub calibrated_day: u32,
     /// Day the next calibration is due, days since 1970-01-01; 0 = not stated.
     pub due_day: u32,
     /// Table in rising frequency.
+    #[cfg_attr(feature = "schema", schemars(with = "[ReferencePoint]"))]
     pub points: Vec<ReferencePoint, MAX_REFERENCE_POINTS>,
 }
 
 /// One input: sample to volts at the conditioner's output.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct InputScale {
     /// Volts at the input connector from one sample to the next, 1/65 536 of the
     /// range whatever the width of the converter.
@@ -75,6 +83,7 @@ pub struct InputScale {
 
 /// Limits the exciter must never exceed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Limits {
     /// Drive voltage at the exciter output, V peak.
     pub drive_peak_v: f32,
@@ -88,6 +97,7 @@ pub struct Limits {
 
 /// Assumed probability distribution of an influence quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[serde(deny_unknown_fields)]
 pub enum Distribution {
@@ -111,6 +121,7 @@ pub enum Distribution {
 
 /// An influence quantity of the budget, valid for every point.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Influence {
     /// Row number of Table A.1 (1..=18).
     pub row: u8,
@@ -125,6 +136,7 @@ pub struct Influence {
 /// Turns samples of the reference's channel into acceleration: every result
 /// rests on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReferenceChannel {
     /// The reference's own calibration.
     pub calibration: ReferenceCalibration,
@@ -134,6 +146,7 @@ pub struct ReferenceChannel {
 
 /// Everything that is set before a measurement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Settings {
     /// How the sensitivity is formed.
     pub method: Method,
@@ -153,6 +166,7 @@ pub struct Settings {
     pub blocks: u16,
     /// Influence quantities beside the reference's own calibration (row 1) and
     /// the repeatability of the measurement (row 18), which are per point.
+    #[cfg_attr(feature = "schema", schemars(with = "[Influence]"))]
     pub influences: Vec<Influence, MAX_INFLUENCES>,
     /// Influence quantities that differ from point to point.
     #[serde(default)]

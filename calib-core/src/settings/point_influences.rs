@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 /// budget.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct PointInfluences {
     /// Relative motion of reference and device at 10 kHz, relative to the motion. The mounting between
     /// them is a spring: below its resonance the motion grows with the square of the frequency.

@@ -12,6 +12,7 @@ use calib_twin::model::{Channel, Conditions, Model};
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -26,7 +27,7 @@ const LEAST_ROWS: usize = 60;
 const MOST_DRAWS: usize = 40;
 
 /// Published facts of a set that was made.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Sealed {
     /// Folder of the set.
     pub folder: PathBuf,

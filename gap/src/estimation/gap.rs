@@ -1,16 +1,20 @@
 //! How large the gap is, before and after, as the answer states it.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// Gap of one observable on the held-out rows.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct ObservableGap {
     /// Root mean square relative error of the nominal simulation, in percent.
+    #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
     pub before_percent: f64,
     /// The same with the named effects added.
+    #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
     pub after_percent: f64,
     /// What measurement noise alone leaves.
+    #[serde(rename = "floor_rel", serialize_with = "crate::answer::as_rel")]
     pub floor_percent: f64,
     /// Share that was closed; none where there was no gap.
     pub closed: Option<f64>,
@@ -36,13 +40,16 @@ impl ObservableGap {
 }
 
 /// Gap over all observables on the held-out rows.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Gap {
     /// See [`ObservableGap`]; ratio, drive and current (or what there is) pooled.
+    #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
     pub before_percent: f64,
     /// See [`ObservableGap`].
+    #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
     pub after_percent: f64,
     /// See [`ObservableGap`].
+    #[serde(rename = "floor_rel", serialize_with = "crate::answer::as_rel")]
     pub floor_percent: f64,
     /// Mean of the observables' shares, weighted by the excess of their chi-square.
     pub closed: Option<f64>,
@@ -78,7 +85,7 @@ pub(crate) fn closed_share(before: f64, after: f64, floor: f64) -> f64 {
 ///
 /// Of points: fitted to the rows of all other levels (bands). Of a record: the
 /// stretches of this level in the held-out part, or the spectrum of its errors.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Slice {
     /// Lowest level or frequency.
     pub from: f64,
@@ -91,10 +98,13 @@ pub struct Slice {
     /// What the fit without it chose; empty where the cause does not pay there.
     pub chosen: Vec<&'static str>,
     /// See [`ObservableGap`]; of a band of a record relative to the whole output.
+    #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
     pub before_percent: f64,
     /// See [`ObservableGap`].
+    #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
     pub after_percent: f64,
     /// See [`ObservableGap`].
+    #[serde(rename = "floor_rel", serialize_with = "crate::answer::as_rel")]
     pub floor_percent: f64,
     /// See [`Gap`]; none where no observable stands out of its noise.
     pub closed: Option<f64>,

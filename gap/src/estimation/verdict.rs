@@ -1,10 +1,11 @@
 //! The verdict: from the probability of the leading set, and from what it leaves.
 
 use crate::thresholds;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// The four outcomes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// The simulation describes the data within the stated uncertainties.

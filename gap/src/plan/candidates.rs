@@ -7,6 +7,7 @@ use crate::calibrator::problem::Problem;
 use crate::dataset::{Harmonic, Point, Rig};
 use crate::observable::{Observable, Table};
 use crate::thresholds;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One point that could be measured.
@@ -171,11 +172,12 @@ fn set_voltages(nominal: &Problem, grid: &mut [Point], largest_v: f64) -> Vec<bo
 }
 
 /// A point that is worth measuring.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Measurement {
     /// Excitation frequency.
     pub frequency_hz: f64,
     /// Level, r.m.s.; null where levels were never stated.
+    #[serde(rename = "set_acceleration_rms_ms2")]
     pub acceleration_ms2: Option<f64>,
     /// Rotation of the device under test.
     pub rotation_deg: f64,

@@ -30,13 +30,14 @@ use candidates::Candidates;
 pub use candidates::Measurement;
 use duel::Duel;
 use rayon::prelude::*;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::Path;
 
 const ENOUGH: f64 = thresholds::ENOUGH_SIGMA * thresholds::ENOUGH_SIGMA;
 
 /// What to measure next.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Plan {
     /// What the diagnosis says so far; null where nothing was measured yet.
     pub verdict: Option<Verdict>,
@@ -47,7 +48,7 @@ pub struct Plan {
 }
 
 /// Two sets of effects that are still possible; no names: no effect.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Pair {
     /// One set.
     pub one: Vec<&'static str>,

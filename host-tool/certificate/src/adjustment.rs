@@ -89,10 +89,10 @@ mod tests {
         let json = render(&certificate, Format::Json, Language::En).expect("renders");
         let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
         let pairs = json["as_found"]["pairs"].as_array().expect("pairs");
-        assert!(pairs[0]["change_percent"].is_null(), "80 Hz was not found");
-        let change = pairs[1]["change_percent"].as_f64().expect("number");
-        // Two f32 roundings of 6e-8 each, in percent.
-        assert!((change - 4.0).abs() < 2.0e-5, "{change}");
+        assert!(pairs[0]["change_rel"].is_null(), "80 Hz was not found");
+        let change = pairs[1]["change_rel"].as_f64().expect("number");
+        // Two f32 roundings of 6e-8 each.
+        assert!((change - 0.04).abs() < 2.0e-7, "{change}");
         let html = render(&certificate, Format::Html, Language::En).expect("renders");
         let html = String::from_utf8(html).expect("UTF-8");
         assert!(html.contains("As found and as left") && html.contains("<td>4.00</td>"));

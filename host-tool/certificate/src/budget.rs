@@ -114,9 +114,10 @@ fn distribution(component: &Component<'_>) -> (&'static str, Option<f64>) {
         Distribution::Normal { .. } if component.degrees_of_freedom.is_finite() => {
             ("student", None)
         }
-        Distribution::Normal { coverage_factor } => {
-            ("normal", Some(super::stored::decimal(coverage_factor)))
-        }
+        Distribution::Normal { coverage_factor } => (
+            "normal",
+            Some(calib_output::number::decimal(coverage_factor)),
+        ),
         Distribution::Rectangular => ("rectangular", None),
         Distribution::Triangular => ("triangular", None),
         Distribution::UShaped => ("u_shaped", None),

@@ -10,6 +10,8 @@ use super::model::{Certificate, Point, PointValues};
 use super::words::Language;
 use crate::decision::Assessment;
 use calib_files::{Error, Result};
+use calib_output::code;
+use calib_output::number::{self, decimal};
 
 /// Headings of the columns before what is measured.
 const RESULT: [&str; 15] = [
@@ -33,7 +35,7 @@ const RESULT: [&str; 15] = [
 /// Headings of the columns behind it.
 const JUDGEMENT: [&str; 13] = [
     "blocks",
-    "verdict",
+    "state",
     "reason",
     "conformity",
     "lower_limit_mv_per_ms2",
@@ -73,8 +75,8 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
     for (point, found) in certificate.pairs() {
         let mut row = row(certificate, point, language);
         row.extend(as_found(point, found, language));
-        let coherence = point.coherence.map(|c| format!("{c:.4}"));
-        row.push(decimal_sign(coherence.unwrap_or_default(), language));
+        let coherence = point.view.coherence;
+        row.push(coherence.map_or_else(String::new, |c| fixed(decimal(c), 4, language)));
         row.push(
             certificate
                 .chain
@@ -95,7 +97,7 @@ fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<Stri
             .unwrap_or_default()
     };
     let number = |value: f64| match value.is_finite() {
-        true => decimal_sign(format!("{value}"), language),
+        true => language.shortest(value + 0.0),
         false => String::new(),
     };
     let mut row = vec![
@@ -113,24 +115,28 @@ fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<Stri
     }
     let measured = MEASURED.iter().map(|one| (one.of)(&point.measured));
     row.extend(measured.map(|value| value.map(number).unwrap_or_default()));
-    row.push(point.blocks.to_string());
-    let (verdict, reason) = super::json::verdict(point);
-    row.extend([verdict.to_owned(), reason.unwrap_or_default().to_owned()]);
+    let view = &point.view;
+    row.extend([
+        view.blocks.to_string(),
+        code(&view.state),
+        view.reason.clone().unwrap_or_default(),
+        code(&certificate.conformity_of(point)),
+    ]);
     let judged = point.values().and_then(|values| values.assessment);
-    row.extend(judged.map_or_else(Default::default, |judged| judgement(&judged, language)));
+    row.extend(judged.map_or_else(Default::default, |judged| limits(&judged, language)));
     row
 }
 
-/// Statement, limits and risks of a judged point.
-fn judgement(judged: &Assessment, language: Language) -> [String; 5] {
-    let number = |value: f64| decimal_sign(format!("{value}"), language);
+/// Limits and risks of a judged point.
+fn limits(judged: &Assessment, language: Language) -> [String; 4] {
+    // Limits are products of decimal numbers.
+    let number = |value: f64| language.shortest(number::shortened(value, 12));
     let percent = |probability: Option<f64>| {
         probability
-            .map(|p| decimal_sign(format!("{:.4}", 100.0 * p), language))
+            .map(|p| fixed(100.0 * p, 4, language))
             .unwrap_or_default()
     };
     [
-        judged.conformity.name().to_owned(),
         number(1000.0 * judged.tolerance.lower),
         number(1000.0 * judged.tolerance.upper),
         percent(judged.false_accept),
@@ -143,7 +149,7 @@ fn as_found(left: &Point, found: Option<&Point>, language: Language) -> [String;
     let Some(values) = found.and_then(Point::values) else {
         return Default::default();
     };
-    let fixed = |value: f64, decimals: usize| decimal_sign(format!("{value:.decimals$}"), language);
+    let fixed = |value: f64, decimals: usize| fixed(value, decimals, language);
     let (uncertainty, decimals) = values.printed_uncertainty_percent;
     let printed = values.printed_mv_per_ms2;
     let change = super::adjustment::change_percent(found, left);
@@ -156,7 +162,7 @@ fn as_found(left: &Point, found: Option<&Point>, language: Language) -> [String;
 
 /// Results as printed: what is on paper and what is in the file is one number.
 fn results(values: &PointValues, language: Language) -> [String; 8] {
-    let fixed = |value: f64, decimals: usize| decimal_sign(format!("{value:.decimals$}"), language);
+    let fixed = |value: f64, decimals: usize| fixed(value, decimals, language);
     let (uncertainty, decimals) = values.printed_uncertainty_percent;
     let per_ms2 = values.printed_mv_per_ms2;
     let per_g = values.printed_mv_per_g;
@@ -183,11 +189,8 @@ fn results(values: &PointValues, language: Language) -> [String; 8] {
     ]
 }
 
-fn decimal_sign(number: String, language: Language) -> String {
-    match language {
-        Language::En => number,
-        Language::De => number.replace('.', ","),
-    }
+fn fixed(value: f64, decimals: usize, language: Language) -> String {
+    language.with_sign(number::fixed(value, decimals))
 }
 
 /// Keeps a spreadsheet from running what an operator typed.

@@ -5,11 +5,13 @@ use super::model::{Point, PointValues};
 use super::particulars::Particulars;
 use super::rounding::{Rounded, round_uncertainty};
 use super::sections::sections;
-use super::stored::{day, decimal, run_day};
+use super::stored::{day, run_day};
 use super::units::STANDARD_GRAVITY_MS2;
 use super::{budget, conformity};
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
+use calib_output::PointView;
+use calib_output::number::decimal;
 use calib_protocol::record::Record;
 use jiff::civil::Date;
 
@@ -58,30 +60,21 @@ fn number(record: &Record, particulars: &Particulars) -> String {
 }
 
 fn point(result: &PointResult, record: &Record) -> Point {
+    let mut view = PointView::new(result, record.head.sample_rate_hz);
+    let outcome = outcome(result, record);
+    if outcome.is_err() && view.is_valid() {
+        view.refuse("not_reportable");
+    }
+    let nominal_frequency_hz = decimal(result.spec.frequency_hz);
     Point {
-        nominal_frequency_hz: decimal(result.spec.frequency_hz),
-        frequency_hz: played_hz(result, record.head.sample_rate_hz),
+        nominal_frequency_hz,
+        frequency_hz: view.actual_frequency_hz.unwrap_or(nominal_frequency_hz),
         nominal_acceleration_ms2: decimal(result.spec.acceleration_rms_ms2),
         acceleration_ms2: decimal(result.acceleration_rms_ms2),
-        outcome: outcome(result, record),
-        coherence: result.coherence.map(f64::from),
-        blocks: result.blocks,
+        outcome,
         measured: *result,
+        view,
     }
-}
-
-/// The frequency that was played; the nominal one when no tone was found.
-fn played_hz(result: &PointResult, sample_rate_hz: f32) -> f64 {
-    let (cycles, period) = (result.tone.cycles, result.tone.period_samples);
-    if cycles == 0 || period == 0 {
-        return decimal(result.spec.frequency_hz);
-    }
-    f64::from(cycles) * f64::from(sample_rate_hz) / f64::from(period)
-}
-
-/// A relative value in percent.
-pub(super) fn percent(relative: f32) -> f64 {
-    f64::from(relative) * 100.0
 }
 
 fn outcome(result: &PointResult, record: &Record) -> Result<PointValues, Refusal> {

@@ -1,179 +1,264 @@
-//! JSON: every number of the certificate, not rounded, names with units.
+//! JSON: every number of the certificate, not rounded, in the keys of every output.
 //!
 //! ```text
-//! { "certificate", "complete", "item": {..}, "calibration": {..}, ...,
-//!   "reference": {point}, "points": [{point}], "budget": {..}, "remarks": [..] }
+//! { "certificate", "language", "item": {..}, "calibration": {..}, ..., "inverted",
+//!   "reference": {point}, "points": [{point}], "conformity", "budget": {..},
+//!   "as_found": {..}, "record_chain", "remarks": [..] }
 //! ```
 
-use super::measured::MEASURED;
-use super::model::{Budget, Certificate, Point, Remark, Section};
+use super::model::{self, Certificate, Point, Section, Severity};
+use super::rounding::Rounded;
 use super::words::Language;
+use crate::decision::Stated;
 use calib_files::{Error, Result};
-use serde_json::{Map, Value, json};
+use calib_output::{PointView, SetPoint, json};
+use calib_record::hash_chain::Standing;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// The certificate as JSON, UTF-8, with a newline at the end.
 ///
 /// # Errors
 /// [`Error::Input`] if the writer fails, which memory does not.
 pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Vec<u8>> {
-    let mut bytes = serde_json::to_vec_pretty(&document(certificate, language))
-        .map_err(|error| Error::input("JSON", error.to_string(), "report this as a defect"))?;
-    bytes.push(b'\n');
-    Ok(bytes)
+    json::document(&Document::new(certificate, language))
+        .map(String::into_bytes)
+        .map_err(|error| Error::input("JSON", error.to_string(), "report this as a defect"))
 }
 
-/// The certificate as a JSON value; statements in words of `language`.
-pub fn document(certificate: &Certificate, language: Language) -> Value {
-    let mut document = Map::new();
-    document.insert("certificate".into(), json!(certificate.number));
-    document.insert("language".into(), json!(language.code()));
-    for section in &certificate.sections {
-        document.insert(section.key.into(), statements(section, language));
+/// Statements in words by their key; none where nothing is stated.
+type Statements = BTreeMap<&'static str, Option<String>>;
+
+/// A certificate for programs.
+#[derive(Serialize, JsonSchema)]
+pub struct Document {
+    /// Number of the certificate.
+    certificate: String,
+    /// Language of the statements, ISO 639-1.
+    language: &'static str,
+    /// Statements by section.
+    #[serde(flatten)]
+    sections: BTreeMap<&'static str, Statements>,
+    /// The object is inverted in the sense of Annex B.
+    inverted: bool,
+    /// The reference point (ISO 16063-21, 5.3); none when no point is valid.
+    reference: Option<JudgedPoint>,
+    /// Points in rising frequency, then level.
+    points: Vec<JudgedPoint>,
+    /// What is stated of the whole object.
+    conformity: Stated,
+    /// Budget at the reference point.
+    budget: Option<Budget>,
+    /// What was found before an adjustment.
+    as_found: Option<AsFound>,
+    /// Place of the record in the chain; none when nobody looked.
+    record_chain: Option<Standing>,
+    /// What a reader must know beside the numbers.
+    remarks: Vec<Remark>,
+}
+
+impl Document {
+    /// The certificate with its statements in words of `language`.
+    pub fn new(certificate: &Certificate, language: Language) -> Self {
+        let points: Vec<JudgedPoint> = judged(certificate).collect();
+        let sections = certificate.sections.iter();
+        Self {
+            certificate: certificate.number.clone(),
+            language: language.code(),
+            sections: sections
+                .map(|section| (section.key, statements(section, language)))
+                .collect(),
+            inverted: certificate.inverted,
+            reference: certificate
+                .reference
+                .and_then(|index| points.get(index).cloned()),
+            points,
+            conformity: certificate.stated_conformity(),
+            budget: certificate.budget.as_ref().map(Budget::from),
+            as_found: as_found(certificate),
+            record_chain: certificate.chain,
+            remarks: certificate
+                .remarks
+                .iter()
+                .map(|said| remark(said, language))
+                .collect(),
+        }
     }
-    let reference = certificate
-        .reference
-        .and_then(|index| certificate.points.get(index));
-    document.insert("inverted".into(), json!(certificate.inverted));
-    document.insert("reference".into(), reference.map_or(Value::Null, point));
-    document.insert(
-        "points".into(),
-        certificate.points.iter().map(point).collect(),
-    );
-    let conformity = certificate.conformity().map(|conformity| conformity.name());
-    document.insert("conformity".into(), json!(conformity));
-    document.insert(
-        "budget".into(),
-        certificate.budget.as_ref().map_or(Value::Null, budget),
-    );
-    document.insert("as_found".into(), as_found(certificate));
-    let chain = certificate.chain.map(super::standing::name);
-    document.insert("record_chain".into(), json!(chain));
-    let remarks = certificate.remarks.iter().map(|r| remark(r, language));
-    document.insert("remarks".into(), remarks.collect());
-    Value::Object(document)
+}
+
+/// A point with what the certificate makes of it.
+#[derive(Clone, Serialize, JsonSchema)]
+struct JudgedPoint {
+    #[serde(flatten)]
+    measured: PointView,
+    /// Relative deviation from the reference point.
+    deviation_rel: Option<f64>,
+    /// The same in dB.
+    deviation_db: Option<f64>,
+    /// What is stated of the point.
+    conformity: Stated,
+    /// Lower limit of the tolerance, V/(m/s2).
+    lower_limit_v_per_ms2: Option<f64>,
+    /// Upper limit of the tolerance, V/(m/s2).
+    upper_limit_v_per_ms2: Option<f64>,
+    /// Probability of a false acceptance; none when it is not accepted.
+    false_accept_probability: Option<f64>,
+    /// Probability of a false rejection; none when it is accepted.
+    false_reject_probability: Option<f64>,
+    /// Sensitivity and U as printed, mV/(m/s2).
+    printed_mv_per_ms2: Option<Rounded>,
+    /// Sensitivity and U as printed, mV per standard acceleration of free fall.
+    printed_mv_per_g: Option<Rounded>,
+    /// Phase and U as printed, degrees.
+    printed_phase_deg: Option<Rounded>,
+}
+
+fn judged(certificate: &Certificate) -> impl Iterator<Item = JudgedPoint> {
+    let point = |point: &Point| {
+        let values = point.values();
+        let judged = values.and_then(|v| v.assessment);
+        JudgedPoint {
+            measured: point.view.clone(),
+            deviation_rel: values.and_then(|v| v.deviation_percent).map(|d| d / 100.0),
+            deviation_db: values.and_then(|v| v.deviation_db),
+            conformity: certificate.conformity_of(point),
+            lower_limit_v_per_ms2: judged.map(|j| j.tolerance.lower),
+            upper_limit_v_per_ms2: judged.map(|j| j.tolerance.upper),
+            false_accept_probability: judged.and_then(|j| j.false_accept),
+            false_reject_probability: judged.and_then(|j| j.false_reject),
+            printed_mv_per_ms2: values.map(|v| v.printed_mv_per_ms2),
+            printed_mv_per_g: values.map(|v| v.printed_mv_per_g),
+            printed_phase_deg: values.and_then(|v| v.printed_phase_deg),
+        }
+    };
+    certificate.points.iter().map(point)
 }
 
 /// The certificate as found, and the change of each point since.
-fn as_found(certificate: &Certificate) -> Value {
-    let Some(found) = certificate.as_found.as_deref() else {
-        return Value::Null;
+#[derive(Serialize, JsonSchema)]
+struct AsFound {
+    /// Number of the certificate as found.
+    certificate: String,
+    /// Day of that calibration, ISO 8601.
+    date: Option<String>,
+    /// What was stated of the whole object.
+    conformity: Stated,
+    /// Points as found.
+    points: Vec<JudgedPoint>,
+    /// Change of each point as left.
+    pairs: Vec<Change>,
+}
+
+/// Change of a point by the adjustment.
+#[derive(Serialize, JsonSchema)]
+struct Change {
+    #[serde(flatten)]
+    set: SetPoint,
+    /// Relative change of the sensitivity; none without one as found.
+    change_rel: Option<f64>,
+}
+
+fn as_found(certificate: &Certificate) -> Option<AsFound> {
+    let found = certificate.as_found.as_deref()?;
+    let change = |(left, found): (&Point, Option<&Point>)| Change {
+        set: left.view.set,
+        change_rel: super::adjustment::change_percent(found, left).map(|c| c / 100.0),
     };
-    let pair = |(left, found): (&Point, Option<&Point>)| {
-        json!({
-            "frequency_hz": left.nominal_frequency_hz,
-            "acceleration_ms2": left.nominal_acceleration_ms2,
-            "change_percent": super::adjustment::change_percent(found, left),
-        })
-    };
-    json!({
-        "certificate": found.number,
-        "date": found.day.map(|day| day.to_string()),
-        "conformity": found.conformity().map(|conformity| conformity.name()),
-        "points": found.points.iter().map(point).collect::<Vec<_>>(),
-        "pairs": certificate.pairs().map(pair).collect::<Vec<_>>(),
+    Some(AsFound {
+        certificate: found.number.clone(),
+        date: found.day.map(|day| day.to_string()),
+        conformity: found.stated_conformity(),
+        points: judged(found).collect(),
+        pairs: certificate.pairs().map(change).collect(),
     })
 }
 
-fn statements(section: &Section, language: Language) -> Value {
-    let said = |entry: &super::model::Entry| {
-        let words = entry
-            .value
-            .as_ref()
-            .map(|v| super::present::value(v, language));
-        (entry.key.to_owned(), json!(words))
-    };
-    Value::Object(section.entries.iter().map(said).collect())
+fn statements(section: &Section, language: Language) -> Statements {
+    let said = |value: &model::Value| super::present::value(value, language);
+    let entries = section.entries.iter();
+    entries
+        .map(|entry| (entry.key, entry.value.as_ref().map(said)))
+        .collect()
 }
 
-/// "pass" or "refused", and the reason in snake case.
-pub(super) fn verdict(point: &Point) -> (&'static str, Option<String>) {
-    match &point.outcome {
-        Ok(_) => ("pass", None),
-        Err(refusal) => ("refused", Some(snake_case(&refusal.0))),
-    }
+/// Budget of the sensitivity at the reference point.
+#[derive(Serialize, JsonSchema)]
+struct Budget {
+    /// Contributions, by row of Table A.1.
+    components: Vec<BudgetRow>,
+    /// Combined relative standard uncertainty.
+    combined_standard_uncertainty_rel: f64,
+    /// Effective degrees of freedom; none when infinite.
+    effective_degrees_of_freedom: Option<f64>,
+    /// Coverage factor.
+    coverage_factor: f64,
+    /// Relative expanded uncertainty.
+    expanded_uncertainty_rel: f64,
 }
 
-fn snake_case(name: &str) -> String {
-    let mut snake = String::new();
-    for letter in name.chars() {
-        if letter.is_uppercase() && !snake.is_empty() {
-            snake.push('_');
+/// One line of the budget.
+#[derive(Serialize, JsonSchema)]
+struct BudgetRow {
+    /// Row of Table A.1, 1 to 18.
+    row: u8,
+    /// Relative expanded uncertainty or bound.
+    value_rel: f64,
+    /// Distribution, in snake case.
+    distribution: &'static str,
+    /// Its parameter, such as the coverage factor of a normal one.
+    distribution_parameter: Option<f64>,
+    /// Value over standard uncertainty.
+    divisor: f64,
+    /// Sensitivity coefficient.
+    sensitivity_coefficient: f64,
+    /// Relative contribution.
+    contribution_rel: f64,
+    /// Degrees of freedom; none when infinite.
+    degrees_of_freedom: Option<f64>,
+}
+
+impl From<&model::Budget> for Budget {
+    fn from(budget: &model::Budget) -> Self {
+        let finite = |value: f64| value.is_finite().then_some(value);
+        let row = |row: &model::BudgetRow| BudgetRow {
+            row: row.row,
+            value_rel: row.value_percent / 100.0,
+            distribution: row.distribution.0,
+            distribution_parameter: row.distribution.1,
+            divisor: row.divisor,
+            sensitivity_coefficient: row.sensitivity_coefficient,
+            contribution_rel: row.contribution_percent / 100.0,
+            degrees_of_freedom: finite(row.degrees_of_freedom),
+        };
+        Self {
+            components: budget.rows.iter().map(row).collect(),
+            combined_standard_uncertainty_rel: budget.combined_percent / 100.0,
+            effective_degrees_of_freedom: finite(budget.effective_degrees_of_freedom),
+            coverage_factor: budget.coverage_factor,
+            expanded_uncertainty_rel: budget.expanded_percent / 100.0,
         }
-        snake.extend(letter.to_lowercase());
     }
-    snake
 }
 
-fn point(point: &Point) -> Value {
-    let (verdict, reason) = verdict(point);
-    let values = point.outcome.as_ref().ok();
-    let assessment = values.and_then(|v| v.assessment);
-    let of = |f: fn(&super::model::PointValues) -> f64| values.map(f);
-    let mut document = json!({
-        "frequency_hz": point.nominal_frequency_hz,
-        "actual_frequency_hz": point.frequency_hz,
-        "acceleration_ms2": point.acceleration_ms2,
-        "nominal_acceleration_ms2": point.nominal_acceleration_ms2,
-        "verdict": verdict,
-        "reason": reason,
-        "sensitivity_v_per_ms2": of(|v| v.sensitivity_v_per_ms2),
-        "expanded_uncertainty_percent": of(|v| v.expanded_uncertainty_percent),
-        "coverage_factor": of(|v| v.coverage_factor),
-        "effective_degrees_of_freedom": of(|v| v.effective_degrees_of_freedom),
-        "phase_deg": of(|v| v.phase_deg),
-        "expanded_uncertainty_phase_deg": of(|v| v.expanded_uncertainty_phase_deg),
-        "deviation_percent": values.and_then(|v| v.deviation_percent),
-        "deviation_db": values.and_then(|v| v.deviation_db),
-        "conformity": assessment.map(|a| a.conformity.name()),
-        "lower_limit_v_per_ms2": assessment.map(|a| a.tolerance.lower),
-        "upper_limit_v_per_ms2": assessment.map(|a| a.tolerance.upper),
-        "coherence": point.coherence,
-        "false_accept_percent": assessment.and_then(|a| a.false_accept).map(|p| 100.0 * p),
-        "false_reject_percent": assessment.and_then(|a| a.false_reject).map(|p| 100.0 * p),
-        "printed_mv_per_ms2": values.map(|v| v.printed_mv_per_ms2),
-        "printed_mv_per_g": values.map(|v| v.printed_mv_per_g),
-        "printed_phase_deg": values.and_then(|v| v.printed_phase_deg),
-        "blocks": point.blocks,
-    });
-    if let Value::Object(keys) = &mut document {
-        let measured = MEASURED.iter();
-        keys.extend(measured.map(|one| (one.key.to_owned(), json!((one.of)(&point.measured)))));
-    }
-    document
+/// A remark of the certificate.
+#[derive(Serialize, JsonSchema)]
+struct Remark {
+    /// How serious it is.
+    severity: Severity,
+    /// What it is about, in snake case.
+    key: &'static str,
+    /// In words.
+    text: String,
 }
 
-fn budget(budget: &Budget) -> Value {
-    let rows = budget.rows.iter().map(|row| {
-        json!({
-            "row": row.row,
-            "value_percent": row.value_percent,
-            "distribution": row.distribution.0,
-            "distribution_parameter": row.distribution.1,
-            "divisor": row.divisor,
-            "sensitivity_coefficient": row.sensitivity_coefficient,
-            "contribution_percent": row.contribution_percent,
-            "degrees_of_freedom": row.degrees_of_freedom,
-        })
-    });
-    json!({
-        "components": rows.collect::<Vec<_>>(),
-        "combined_standard_uncertainty_percent": budget.combined_percent,
-        "effective_degrees_of_freedom": budget.effective_degrees_of_freedom,
-        "coverage_factor": budget.coverage_factor,
-        "expanded_uncertainty_percent": budget.expanded_percent,
-    })
-}
-
-fn remark(remark: &Remark, language: Language) -> Value {
-    let words: Vec<String> = remark
-        .values
-        .iter()
-        .map(|v| super::present::value(v, language))
-        .collect();
+fn remark(remark: &model::Remark, language: Language) -> Remark {
+    let said = |value: &model::Value| super::present::value(value, language);
+    let words: Vec<String> = remark.values.iter().map(said).collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    json!({
-        "severity": remark.severity,
-        "key": remark.key,
-        "text": language.phrase(&format!("remark.{}", remark.key), &words),
-    })
+    Remark {
+        severity: remark.severity,
+        key: remark.key,
+        text: language.phrase(&format!("remark.{}", remark.key), &words),
+    }
 }

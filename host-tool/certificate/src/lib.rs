@@ -54,7 +54,7 @@ mod units;
 mod words;
 
 pub use calib_files::file::Existing;
-pub use json::document;
+pub use json::Document;
 pub use model::Certificate;
 pub use particulars::Particulars;
 pub use present::Presented;

@@ -1,15 +1,14 @@
 //! What is measured at a point beside its result: the one list.
 //!
-//! Each entry is a key of JSON, a column of CSV and, where it has a heading, a column that the printed
-//! table can have.
+//! Each entry is a column of CSV and, where it has a heading, a column that the printed
+//! table can have. JSON states them by [`calib_output::PointView`].
 
-use crate::from_record::percent;
-use crate::stored::decimal;
 use calib_core::point::PointResult;
+use calib_output::number::{decimal, percent};
 
 /// A quantity measured at each point.
 pub(crate) struct Measured {
-    /// Key in JSON and heading in CSV, with the unit.
+    /// Heading in CSV, with the unit.
     pub(crate) key: &'static str,
     /// Value in that unit; none where it was not measured.
     pub(crate) of: fn(&PointResult) -> Option<f64>,

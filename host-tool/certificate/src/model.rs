@@ -10,10 +10,12 @@
 
 use super::particulars::Particulars;
 use super::rounding::Rounded;
-use crate::decision::{Assessment, Conformity, Decision};
+use crate::decision::{Assessment, Conformity, Decision, Stated};
 use calib_core::point::PointResult;
+use calib_output::PointView;
 use calib_record::hash_chain::Standing;
 use jiff::civil::Date;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Everything a certificate says.
@@ -66,6 +68,32 @@ impl Certificate {
         let worst = judged.map(|assessment| assessment.conformity).max()?;
         let whole = self.points.iter().all(|point| point.outcome.is_ok());
         (whole || worst == Conformity::Fail).then_some(worst)
+    }
+
+    /// [`Self::conformity`] as programs read it.
+    pub fn stated_conformity(&self) -> Stated {
+        match self.conformity() {
+            Some(conformity) => conformity.into(),
+            None => self.not_judged(),
+        }
+    }
+
+    /// What is stated of one point, as programs read it.
+    pub fn conformity_of(&self, point: &Point) -> Stated {
+        match point.values().map(|values| values.assessment) {
+            Some(Some(judged)) => judged.conformity.into(),
+            // The specification says nothing at this frequency.
+            Some(None) if self.decision.is_some() => Stated::NotSpecified,
+            _ => self.not_judged(),
+        }
+    }
+
+    /// Why there is no statement: nobody asked for one, or it cannot be made.
+    fn not_judged(&self) -> Stated {
+        match self.particulars.decision {
+            None => Stated::NotSpecified,
+            Some(_) => Stated::NotJudgeable,
+        }
     }
 
     /// Points beside those of the same frequency and level as found.
@@ -152,12 +180,10 @@ pub struct Point {
     pub acceleration_ms2: f64,
     /// Results, or the reason why there are none.
     pub outcome: Result<PointValues, Refusal>,
-    /// Coherence, if the excitation was broadband.
-    pub coherence: Option<f64>,
-    /// Blocks averaged.
-    pub blocks: u16,
-    /// What was measured beside, as the record has it.
+    /// The point as the record has it.
     pub measured: PointResult,
+    /// The point as every output states it.
+    pub view: PointView,
 }
 
 impl Point {
@@ -250,7 +276,7 @@ pub struct Remark {
 }
 
 /// How serious a remark is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Severity {
     /// The certificate must not be used.

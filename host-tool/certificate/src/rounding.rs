@@ -8,7 +8,7 @@
 use serde::Serialize;
 
 /// A value and its expanded uncertainty, rounded together.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, schemars::JsonSchema)]
 pub struct Rounded {
     /// Value, rounded to the last digit of the uncertainty.
     pub value: f64,

@@ -3,11 +3,6 @@
 use calib_protocol::record::Record;
 use jiff::{Timestamp, ToSpan, civil::Date, tz::TimeZone};
 
-/// The decimal number a person would write for an f32: 31.5, not 31.499999.
-pub(super) fn decimal(value: f32) -> f64 {
-    value.to_string().parse().unwrap_or(f64::NAN)
-}
-
 /// A day given as days since 1970-01-01; 0 is not stated.
 pub(super) fn day(days: u32) -> Option<Date> {
     let epoch = Date::constant(1970, 1, 1);

@@ -95,7 +95,7 @@ fn csv_gives_every_point_as_printed() {
         assert!((number("sensitivity_mv_per_ms2") - 1000.0 * magnitude).abs() <= 0.000_51);
         // U of the phase is 0.32 deg: two digits end at 0.01 deg.
         assert!((number("phase_deg") - phase.to_degrees()).abs() <= 0.005_1);
-        assert_eq!(row["verdict"], "pass");
+        assert_eq!(row["state"], "valid");
     }
 }
 
@@ -138,7 +138,7 @@ fn a_refused_point_has_a_reason_and_no_result() {
     record.points[1].verdict = Verdict::Refused(Reason::SignalToNoise);
     let rows = rows(&rendered(&record, Format::Csv, Language::En), b',');
     assert_eq!(
-        (rows[1]["verdict"].as_str(), rows[1]["reason"].as_str()),
+        (rows[1]["state"].as_str(), rows[1]["reason"].as_str()),
         ("refused", "signal_to_noise")
     );
     assert_eq!(rows[1]["sensitivity_mv_per_ms2"], "");

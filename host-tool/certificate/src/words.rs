@@ -1,6 +1,7 @@
 //! Words and numbers of a language, from the one message file.
 
 use calib_core::budget::Table;
+use calib_output::number::fixed;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -87,14 +88,7 @@ impl Language {
         if !value.is_finite() {
             return "\u{2013}".to_owned();
         }
-        let text = format!("{value:.decimals$}");
-        let text = match text.strip_prefix('-') {
-            // "-0.00" is zero.
-            Some(rest) if rest.chars().all(|c| c == '0' || c == '.') => rest.to_owned(),
-            Some(rest) => format!("\u{2212}{rest}"),
-            None => text,
-        };
-        self.with_sign(text)
+        self.with_sign(fixed(value, decimals).replace('-', "\u{2212}"))
     }
 
     /// A number as short as it can be written without loss.
@@ -110,7 +104,7 @@ impl Language {
         }
     }
 
-    fn with_sign(self, text: String) -> String {
+    pub(super) fn with_sign(self, text: String) -> String {
         text.replace('.', &self.decimal_sign().to_string())
     }
 }

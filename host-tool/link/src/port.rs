@@ -1,5 +1,6 @@
 //! Serial ports of this computer, and which of them may be a calibrator.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 use serialport::SerialPortType;
 
@@ -7,7 +8,7 @@ use serialport::SerialPortType;
 const VENDOR_ST: u16 = 0x0483;
 
 /// A serial port.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Port {
     /// Name to give to `--device`.
     pub name: String,

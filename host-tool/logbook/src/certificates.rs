@@ -4,11 +4,12 @@ use super::Logbook;
 use calib_files::{Error, Result};
 use calib_protocol::record::Sha256Sum;
 use rusqlite::{OptionalExtension, params};
+use schemars::JsonSchema;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 /// A certificate that was issued.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Issued {
     /// Running number in the logbook, from 1, without gaps.
     pub number: i64,
@@ -17,6 +18,7 @@ pub struct Issued {
     /// Its form: `pdf`, `csv`, ...
     pub format: String,
     /// Time of issue, s since 1970-01-01 UTC.
+    #[serde(rename = "issued_unix_time_s")]
     pub issued_s: i64,
     /// File it was written to.
     pub file: String,

@@ -1,13 +1,15 @@
 //! Drift of one sensor over its calibrations, beside the uncertainty.
 
 use super::Logbook;
+use schemars::JsonSchema;
 
 use serde::Serialize;
 
 /// What one calibration said.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Result {
     /// Number of the record in the logbook.
+    #[serde(rename = "logbook_record")]
     pub record: i64,
     /// Time of the calibration, s since 1970-01-01 UTC.
     pub unix_time_s: i64,
@@ -23,9 +25,10 @@ pub struct Result {
 }
 
 /// All calibrations of a sensor at one frequency, oldest first.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct History {
     /// Serial number of the sensor.
+    #[serde(rename = "dut_serial")]
     pub sensor: String,
     /// Frequency compared, Hz.
     pub frequency_hz: f64,

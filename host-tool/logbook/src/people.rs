@@ -6,23 +6,27 @@ use calib_files::Result;
 use calib_protocol::record::RecordHead;
 use jiff::{Timestamp, tz::TimeZone};
 use rusqlite::{Transaction, params};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Who calibrated.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Operator {
     /// As on the records.
     pub name: String,
     /// First record, s since 1970-01-01 UTC.
+    #[serde(rename = "first_unix_time_s")]
     pub first_s: i64,
     /// Last record.
+    #[serde(rename = "last_unix_time_s")]
     pub last_s: i64,
 }
 
 /// An instrument, with the reference its last record was measured with.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Instrument {
     /// Serial number.
+    #[serde(rename = "instrument_serial")]
     pub serial: String,
     /// Firmware of the last record.
     pub firmware: String,
@@ -31,10 +35,13 @@ pub struct Instrument {
     /// Certificate of the reference.
     pub reference_certificate: String,
     /// Day the reference's calibration is due, ISO 8601.
+    #[serde(rename = "reference_due_day")]
     pub due_day: Option<String>,
     /// The reference's calibration table.
+    #[schemars(with = "[calib_core::settings::ReferencePoint]")]
     pub reference_table: serde_json::Value,
     /// Last record, s since 1970-01-01 UTC.
+    #[serde(rename = "last_unix_time_s")]
     pub last_s: i64,
 }
 

@@ -9,6 +9,7 @@ use calib_files::{Error, Result};
 use calib_protocol::change::{self, ReferenceChange};
 use calib_protocol::record::{self, Record, RecordError, RecordHead, RecordKind, Sha256Sum};
 use rusqlite::{OptionalExtension, Transaction, params};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What became of a record that was handed in.
@@ -21,19 +22,24 @@ pub enum Kept {
 }
 
 /// One line of the list.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Listed {
     /// Number in the logbook.
+    #[serde(rename = "logbook_record")]
     pub id: i64,
     /// Serial number of the instrument.
+    #[serde(rename = "instrument_serial")]
     pub instrument: String,
     /// Running number of the instrument.
+    #[serde(rename = "record_id")]
     pub number: u32,
     /// Seconds since 1970-01-01 UTC; 0 = not known.
     pub unix_time_s: i64,
     /// Serial number of the sensor.
+    #[serde(rename = "dut_serial")]
     pub sensor_serial: String,
     /// Its maker and model.
+    #[serde(rename = "dut_model")]
     pub sensor_model: String,
     /// Who calibrated.
     pub operator: String,
@@ -42,6 +48,7 @@ pub struct Listed {
     /// Points refused.
     pub refused: u32,
     /// A calibration, or the log of a change of the reference, which has no points.
+    #[schemars(with = "&str")]
     pub kind: RecordKind,
     /// Frequency of the reference point (clause 5.3), Hz.
     pub reference_frequency_hz: Option<f64>,

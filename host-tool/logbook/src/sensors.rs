@@ -3,10 +3,11 @@
 use super::Logbook;
 use calib_files::{Error, Result};
 use rusqlite::{OptionalExtension, params};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A transducer that comes for calibration.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Sensor {
     /// Serial number; a logbook has each once.
     pub serial: String,

@@ -4,11 +4,12 @@
 //! ISO 16063-43:2015 (18) to (22), Note 1 of 7.3.1 on pre-warping.
 
 use super::oscillator::Oscillator;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// How the s-plane is mapped to the z-plane.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Mapping {
     /// `s -> (2/T) (1 - z^-1)/(1 + z^-1)`; frequencies are warped.
@@ -43,7 +44,7 @@ impl Mapping {
 /// Parameters of `x_k = -c1 x_(k-1) - c2 x_(k-2) + b (a_k + 2 a_(k-1) + a_(k-2))`.
 ///
 /// They hold for one sample rate and one mapping only.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Discrete {
     /// Input factor.
     pub b: f64,

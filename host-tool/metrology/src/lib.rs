@@ -27,6 +27,7 @@
 pub mod budget;
 pub mod check;
 pub mod discrete;
+pub mod evaluated;
 pub mod identify;
 pub mod input;
 pub mod line_fit;

@@ -7,11 +7,12 @@
 //! ISO 16063-43:2015 (1), (2), (14).
 
 use nalgebra::{Complex, Matrix3, Vector3};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// Continuous-time parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Oscillator {
     /// Sensitivity at low frequencies, output per m/s2.
     pub s0: f64,

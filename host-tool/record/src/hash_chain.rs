@@ -97,7 +97,7 @@ impl fmt::Display for Break {
 }
 
 /// Standing of a record in the chain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, schemars::JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Standing {
     /// It is the first of its instrument.

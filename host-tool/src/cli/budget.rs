@@ -5,9 +5,9 @@ use calib_core::budget::Table;
 use calib_files::file;
 use calib_host::{Error, Result};
 use calib_metrology::budget::{self, Budget, Evaluation};
+use calib_metrology::evaluated::EvaluationView;
 use calib_metrology::monte_carlo::{self, Comparison, Options, Plan};
 use clap::{Args, ValueEnum};
-use serde::Serialize;
 use std::path::PathBuf;
 
 /// The form of the file, for `--help`.
@@ -78,14 +78,6 @@ impl From<Template> for Table {
     }
 }
 
-#[derive(Serialize)]
-struct Output {
-    #[serde(flatten)]
-    evaluation: Evaluation,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    monte_carlo: Option<Comparison>,
-}
-
 impl BudgetVerb {
     /// Evaluates and prints.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
@@ -108,14 +100,11 @@ impl BudgetVerb {
         if let Some(path) = &self.chart {
             file::replace(path, budget::contribution_chart(&evaluation).as_bytes())?;
         }
-        let output = Output {
-            evaluation,
-            monte_carlo,
-        };
-        context.print(&output, || {
-            let mut text = budget::report(&output.evaluation);
-            if let Some(comparison) = &output.monte_carlo {
-                text.push_str(&monte_carlo::report(comparison, output.evaluation.unit));
+        let view = EvaluationView::new(&evaluation, monte_carlo.as_ref());
+        context.print(&view, || {
+            let mut text = budget::report(&evaluation);
+            if let Some(comparison) = &monte_carlo {
+                text.push_str(&monte_carlo::report(comparison, evaluation.unit));
             }
             text
         })

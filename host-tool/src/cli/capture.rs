@@ -8,9 +8,11 @@ use calib_core::verdict::Verdict;
 use calib_host::{Error, Result, terminal};
 use calib_link::Client;
 use calib_link::capture::{self, Capture, Inputs, Measured, Report};
+use calib_output::PointState;
 use calib_protocol::capture::MAX_CAPTURE_PAIRS;
 use calib_protocol::record::RunLabels;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -55,12 +57,14 @@ pub(crate) struct CaptureVerb {
     csv: Option<PathBuf>,
 }
 
-#[derive(Serialize)]
-struct Output<'a> {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Output<'a> {
     /// Number of the record of the point that was played for it.
     record_id: Option<u32>,
-    /// How the point ended.
-    verdict: Option<Verdict>,
+    /// How the point ended; none when none was played.
+    state: Option<PointState>,
+    /// Code of the reason for a refusal, in snake case.
+    reason: Option<String>,
     #[serde(flatten)]
     report: &'a Report,
 }
@@ -93,9 +97,11 @@ impl CaptureVerb {
         if let Some(path) = &self.csv {
             capture::write_csv(&capture, path)?;
         }
+        let (state, reason) = verdict.map(PointState::of).unzip();
         let output = Output {
             record_id: captured.record_id,
-            verdict,
+            state,
+            reason: reason.flatten(),
             report: &report,
         };
         context.print(&output, || {

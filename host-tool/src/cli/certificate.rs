@@ -9,6 +9,7 @@ use calib_logbook::Issue;
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -59,8 +60,8 @@ const USUAL: [Format; 5] = [
     Format::Json,
 ];
 
-#[derive(Serialize)]
-struct Written {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Written {
     files: Vec<PathBuf>,
 }
 

@@ -4,6 +4,7 @@ use super::Context;
 use calib_host::{Error, Result};
 use clap::{Args, Command};
 use clap_complete::Shell;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -18,8 +19,8 @@ pub(crate) struct Completions {
     shell: Shell,
 }
 
-#[derive(Serialize)]
-struct Script {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Script {
     shell: String,
     script: String,
 }
@@ -45,8 +46,8 @@ pub(crate) struct Man {
     out: PathBuf,
 }
 
-#[derive(Serialize)]
-struct Pages {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Pages {
     files: Vec<PathBuf>,
 }
 

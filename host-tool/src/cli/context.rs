@@ -3,7 +3,9 @@
 use calib_host::emulated::KeptBoard;
 use calib_host::{Device, Error, Result};
 use calib_link::{Client, port};
+use calib_output::json;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::{IsTerminal, Write};
 use std::path::PathBuf;
@@ -17,6 +19,9 @@ pub(crate) struct GlobalOptions {
     /// Machine-readable output: one JSON document on standard output.
     #[arg(long, global = true, help_heading = EVERYWHERE)]
     pub(crate) json: bool,
+    /// The same as a stream: one JSON object per line, rows and points as they come.
+    #[arg(long, global = true, help_heading = EVERYWHERE)]
+    pub(crate) json_lines: bool,
     /// The calibrator: a serial port, `tcp:HOST:PORT`, `emulated`, or
     /// `emulated-usb`.
     #[arg(
@@ -36,10 +41,21 @@ pub(crate) struct GlobalOptions {
     pub(crate) quiet: bool,
 }
 
+/// Form of what a verb prints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// Tables and sentences.
+    Text,
+    /// One JSON document.
+    Json,
+    /// One JSON object per line, as soon as it is known.
+    JsonLines,
+}
+
 /// Output switches and the address of the device.
 pub(crate) struct Context {
-    /// `--json`.
-    pub(crate) json: bool,
+    /// `--json`, `--json-lines`.
+    pub(crate) form: Form,
     /// `--quiet`.
     pub(crate) quiet: bool,
     /// `--device`, or `CALIB_DEVICE`.
@@ -55,7 +71,11 @@ impl Context {
     pub(crate) fn new(options: &GlobalOptions) -> Self {
         let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
         Self {
-            json: options.json,
+            form: match (options.json, options.json_lines) {
+                (_, true) => Form::JsonLines,
+                (true, false) => Form::Json,
+                (false, false) => Form::Text,
+            },
             quiet: options.quiet,
             device: options.device.clone(),
             logbook: options.logbook.clone(),
@@ -91,29 +111,34 @@ impl Context {
         Ok(Client::new(Box::new(kept)))
     }
 
-    /// Prints the result of a verb: `value` as JSON with `--json`, else `text`.
-    pub(crate) fn print<T: Serialize>(
+    /// Prints the result of a verb: `value` as JSON if asked to, else `text`.
+    pub(crate) fn print<T: Serialize + JsonSchema>(
         &self,
         value: &T,
         text: impl FnOnce() -> String,
     ) -> Result<()> {
-        let mut output = if self.json {
-            serde_json::to_string_pretty(value).map_err(|error| {
-                Error::input("result", error.to_string(), "report this as a defect")
-            })?
-        } else {
-            shown(&text())
+        let mut output = match self.form {
+            Form::Text => shown(&text()),
+            Form::Json => json::document(value).map_err(defect)?,
+            Form::JsonLines => json::lines(value).map_err(defect)?,
         };
-        if !output.ends_with('\n') {
+        if !output.ends_with('\n') && self.form == Form::Text {
             output.push('\n');
         }
-        match std::io::stdout().write_all(output.as_bytes()) {
-            // `calib ... | head` is not a failure.
-            Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-                Err(Error::file("write", "standard output".as_ref(), error))
-            }
-            _ => Ok(()),
+        write(&output)
+    }
+
+    /// With `--json-lines`, prints a line of a stream.
+    pub(crate) fn stream<T: Serialize + JsonSchema>(&self, value: &T) -> Result<()> {
+        match self.form {
+            Form::JsonLines => write(&json::line(value).map_err(defect)?),
+            Form::Text | Form::Json => Ok(()),
         }
+    }
+
+    /// True when a program reads the output: no progress is drawn.
+    pub(crate) fn for_program(&self) -> bool {
+        self.form != Form::Text
     }
 
     /// Prints a remark to standard error, unless `--quiet`.
@@ -127,13 +152,13 @@ impl Context {
     /// JSON document, for programs.
     pub(crate) fn report(&self, error: &Error) {
         let mut stderr = std::io::stderr();
-        if self.json {
-            let failure = serde_json::json!({
-                "error": error.to_string(),
-                "hint": error.hint(),
-                "exit_code": error.exit_code(),
-            });
-            let _ = writeln!(stderr, "{failure}");
+        if self.for_program() {
+            let failure = Failure {
+                error: error.to_string(),
+                hint: error.hint().map(str::to_owned),
+                exit_code: error.exit_code(),
+            };
+            let _ = write!(stderr, "{}", json::line(&failure).unwrap_or_default());
             return;
         }
         let (red, cyan, plain) = match self.color {
@@ -146,6 +171,31 @@ impl Context {
             let _ = writeln!(stderr, " {cyan}hint{plain}: {hint}");
         }
     }
+}
+
+/// A failure, as programs read it from standard error.
+#[derive(Serialize, JsonSchema)]
+pub(crate) struct Failure {
+    /// What failed.
+    pub(crate) error: String,
+    /// The way out, if there is one.
+    pub(crate) hint: Option<String>,
+    /// Exit code of the tool; `calib --help` lists them.
+    pub(crate) exit_code: u8,
+}
+
+/// Writes to standard output; `calib ... | head` is not a failure.
+fn write(output: &str) -> Result<()> {
+    match std::io::stdout().write_all(output.as_bytes()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Error::file("write", "standard output".as_ref(), error))
+        }
+        _ => Ok(()),
+    }
+}
+
+pub(crate) fn defect(error: serde_json::Error) -> Error {
+    Error::input("result", error.to_string(), "report this as a defect")
 }
 
 /// Text for a terminal: what a record, a file or a device holds must not steer it.

@@ -4,6 +4,7 @@ use super::Context;
 use calib_host::{Error, Result};
 use calib_metrology::sensitivity::{self, Converted, Quantity};
 use clap::{Args, ValueEnum};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Names of [`Quantity`] on the command line.
@@ -49,8 +50,8 @@ pub(crate) struct Convert {
     from: QuantityName,
 }
 
-#[derive(Serialize)]
-struct Output {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Output {
     frequency_hz: f64,
     sensitivities: [Converted; 3],
 }

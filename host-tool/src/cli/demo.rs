@@ -1,6 +1,6 @@
 //! `calib demo`: a whole calibration without hardware.
 
-use super::{Context, progress::RunProgress, run, time};
+use super::{Context, progress, progress::RunProgress, run, time};
 use calib_host::demo::{self, DemoReport, Event};
 use calib_host::{Error, Result};
 use clap::Args;
@@ -21,21 +21,25 @@ impl Demo {
     /// Calibrates a simulated accelerometer and compares with its truth.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let stop = run::stop_on_interrupt();
-        let mut progress = None;
+        let mut shown = None;
         let report = demo::run(self.seed, &self.out, time::unix_time_s(), |event| {
             match event {
                 Event::Step(what) => {
-                    progress = None;
+                    shown = None;
                     context.remark(&format!("{what} ..."));
                 }
-                Event::Progress(state, list) => progress
-                    .get_or_insert_with(|| RunProgress::new(context))
-                    .show(state, list),
+                Event::Progress {
+                    progress,
+                    list,
+                    sample_rate_hz,
+                } => shown
+                    .get_or_insert_with(|| RunProgress::new(context, *sample_rate_hz))
+                    .show(progress, list),
             }
             stop()
         })?;
-        context.print(&report, || text(&report))?;
-        let refused = report.points.iter().filter(|point| point.verdict != "pass");
+        progress::print_result(context, &report, || text(&report))?;
+        let refused = report.points.iter().filter(|p| !p.measured.is_valid());
         match refused.count() {
             0 => Ok(()),
             count => Err(Error::NotPassed(format!("{count} points were refused"))),
@@ -45,20 +49,22 @@ impl Demo {
 
 fn text(report: &DemoReport) -> String {
     let point = &report.reference;
-    let measured = f64::from(point.sensitivity_v_per_ms2);
-    let deviation_percent = 100.0 * (measured / point.truth_v_per_ms2 - 1.0);
+    let of = |value: Option<f32>| value.map_or(f64::NAN, f64::from);
+    let measured = of(point.measured.sensitivity_v_per_ms2);
+    let truth = point.truth_sensitivity_v_per_ms2;
     let mut lines = vec![
         format!(
             "S({} Hz) = {:.3} mV/(m/s2), U = {:.2} % (k = {:.2}), phase {:.2} deg",
-            point.frequency_hz,
+            point.measured.set.frequency_hz,
             1e3 * measured,
-            point.expanded_uncertainty_percent,
-            point.coverage_factor,
-            point.phase_deg,
+            100.0 * of(point.measured.expanded_uncertainty_rel),
+            of(point.measured.coverage_factor),
+            point.measured.phase_deg.unwrap_or(f64::NAN),
         ),
         format!(
-            "truth      {:.3} mV/(m/s2), {deviation_percent:+.2} % from it,         phase {:.2} deg",
-            1e3 * point.truth_v_per_ms2,
+            "truth      {:.3} mV/(m/s2), {:+.2} % from it,         phase {:.2} deg",
+            1e3 * truth,
+            100.0 * (measured / truth - 1.0),
             point.truth_phase_deg,
         ),
     ];

@@ -8,6 +8,7 @@ use calib_link::session::{self, Fetched};
 use calib_protocol::record::{self, RecordKind};
 use calib_record::hash_chain::{Break, Standing};
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -25,11 +26,12 @@ pub(crate) struct Download {
     out: PathBuf,
 }
 
-#[derive(Serialize)]
-struct Downloaded {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Downloaded {
     file: PathBuf,
     bytes: usize,
     resumed_at: usize,
+    #[schemars(with = "&str")]
     kind: RecordKind,
     points: u16,
     chain: Standing,

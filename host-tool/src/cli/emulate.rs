@@ -9,6 +9,7 @@ use calib_twin::rig::Rig;
 use calib_twin::runner::{Door, HostLine, Pace, TcpDoor, run_paced};
 use calib_twin::usb_host::capture;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -43,8 +44,8 @@ pub(crate) struct Emulate {
     flash: Option<PathBuf>,
 }
 
-#[derive(Serialize)]
-struct Listening {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Listening {
     address: String,
 }
 

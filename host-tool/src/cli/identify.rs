@@ -8,6 +8,7 @@ use calib_metrology::input::Source;
 use calib_metrology::record;
 use calib_metrology::shock::{self, Choice};
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -72,8 +73,8 @@ pub(crate) struct Identify {
     chart: Option<PathBuf>,
 }
 
-#[derive(Serialize)]
-struct Output {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Output {
     #[serde(flatten)]
     identification: Identification,
     monte_carlo: Option<Spread>,

@@ -2,6 +2,7 @@
 
 use super::Context;
 use calib_host::Result;
+use calib_output::InfoView;
 use calib_protocol::message::Info as DeviceInfo;
 use clap::Args;
 
@@ -13,7 +14,7 @@ impl Info {
     /// Prints identity and health of the calibrator.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let info = context.connect()?.info()?;
-        context.print(&info, || text(&info))
+        context.print(&InfoView::from(&info), || text(&info))
     }
 }
 

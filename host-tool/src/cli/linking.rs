@@ -6,6 +6,7 @@ use calib_host::Result;
 use calib_metrology::input::Source;
 use calib_metrology::linking::{self, Bar, Degree, Judgement, LinkedFrequency, equivalence_chart};
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -44,8 +45,8 @@ pub(crate) struct Linking {
     chart: Option<PathBuf>,
 }
 
-#[derive(Serialize)]
-struct Output {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Output {
     title: String,
     coverage_factor: f64,
     frequencies: Vec<LinkedFrequency>,
@@ -53,8 +54,8 @@ struct Output {
     judgement: Judgement,
 }
 
-#[derive(Serialize)]
-struct DoeOutput {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct DoeOutput {
     #[serde(flatten)]
     judgement: Judgement,
     remarks: Vec<String>,

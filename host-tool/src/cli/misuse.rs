@@ -1,7 +1,8 @@
 //! What the reader of the command line says: help, the version, or that something is wrong with it.
 
+use super::context::Failure;
+use calib_output::json;
 use clap::error::{ContextKind, ContextValue};
-use serde_json::json;
 use std::io::{ErrorKind, Write};
 use std::process::ExitCode;
 
@@ -9,7 +10,7 @@ use std::process::ExitCode;
 const NOT_WRITTEN: u8 = 1;
 const MISUSED: u8 = 2;
 
-/// Prints it, with `--json` a complaint as one document like all others.
+/// Prints it, for programs a complaint as one document like all others.
 pub(crate) fn tell(mut said: clap::Error) -> ExitCode {
     name_the_logbook(&mut said);
     if !said.use_stderr() {
@@ -24,8 +25,10 @@ pub(crate) fn tell(mut said: clap::Error) -> ExitCode {
             _ => ExitCode::SUCCESS,
         };
     }
-    if std::env::args_os().any(|argument| argument == "--json") {
-        let _ = writeln!(std::io::stderr(), "{}", document(&said.to_string()));
+    let for_program = |argument| argument == "--json" || argument == "--json-lines";
+    if std::env::args_os().any(for_program) {
+        let line = json::line(&failure(&said.to_string())).unwrap_or_default();
+        let _ = write!(std::io::stderr(), "{line}");
     } else {
         let _ = said.print();
     }
@@ -48,11 +51,11 @@ fn name_the_logbook(said: &mut clap::Error) {
 }
 
 /// The first paragraph is what is wrong, the rest the way out.
-fn document(text: &str) -> serde_json::Value {
+fn failure(text: &str) -> Failure {
     let (problem, rest) = text.trim().split_once("\n\n").unwrap_or((text.trim(), ""));
-    json!({
-        "error": problem.trim_start_matches("error: "),
-        "hint": rest,
-        "exit_code": MISUSED,
-    })
+    Failure {
+        error: problem.trim_start_matches("error: ").to_owned(),
+        hint: Some(rest.to_owned()),
+        exit_code: MISUSED,
+    }
 }

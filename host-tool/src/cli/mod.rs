@@ -2,7 +2,7 @@
 //!
 //! A verb is a struct that derives `clap::Args` with
 //! `run(self, context) -> Result<()>`. Data goes to standard output (tables,
-//! or JSON with `--json`), everything else to standard error.
+//! or JSON with `--json` and `--json-lines`), everything else to standard error.
 
 mod budget;
 mod capture;
@@ -32,6 +32,7 @@ mod records;
 mod release;
 mod risk;
 mod run;
+mod schema;
 mod sensitivity;
 mod serve;
 mod settings;
@@ -143,6 +144,9 @@ pub(crate) enum Command {
     Man(completions::Man),
     /// Versions of the tool, the protocol and the stored records.
     Version(version::Version),
+    /// Writes the JSON Schemas of all outputs.
+    #[command(hide = true)]
+    Schema(schema::SchemaVerb),
 }
 
 impl Command {
@@ -183,6 +187,7 @@ impl Command {
             Self::Completions(verb) => verb.run(context, Arguments::command()),
             Self::Man(verb) => verb.run(context, Arguments::command()),
             Self::Version(verb) => verb.run(context),
+            Self::Schema(verb) => verb.run(context),
         }
     }
 }

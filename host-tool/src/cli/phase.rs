@@ -4,6 +4,7 @@ use super::Context;
 use calib_host::Result;
 use calib_metrology::phase5347::{self, Limits, PhaseResult};
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -28,8 +29,8 @@ pub(crate) struct Phase {
     file: PathBuf,
 }
 
-#[derive(Serialize)]
-struct Output {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Output {
     limits: Limits,
     results: Vec<PhaseResult>,
     remarks: Vec<String>,

@@ -10,6 +10,7 @@ use calib_metrology::predict::{self, Estimate, Model, Request};
 use calib_metrology::record;
 use calib_metrology::text::significant;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -56,14 +57,15 @@ pub(crate) struct Predict {
     out: Option<PathBuf>,
 }
 
-#[derive(Serialize)]
-struct Output {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Output {
     quantity: &'static str,
     sample_rate_hz: f64,
     mapping: Mapping,
     samples: usize,
     peak: f64,
     peak_time_s: f64,
+    #[serde(rename = "standard_uncertainty_peak")]
     u_peak: f64,
     cutoff_hz: Option<f64>,
     regularisation_error_max: Option<f64>,

@@ -1,10 +1,14 @@
 //! Progress on standard error; nothing moves when it is no terminal.
 
 use super::Context;
+use super::context::Form;
 use calib_core::point::PointSpec;
 use calib_link::session::{self, Progress};
+use calib_output::{PointView, StatusView};
 use calib_protocol::message::RunState;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::time::{Duration, Instant};
 
 /// Resolution of the run's bar.
@@ -17,7 +21,7 @@ pub(crate) fn bytes(context: &Context) -> ProgressBar {
 
 fn bar(context: &Context, template: &str) -> ProgressBar {
     let bar = ProgressBar::new(STEPS).with_style(style(template));
-    if context.quiet || context.json {
+    if context.quiet || context.for_program() {
         bar.set_draw_target(ProgressDrawTarget::hidden());
     }
     bar
@@ -31,26 +35,62 @@ fn style(template: &str) -> ProgressStyle {
         .progress_chars("=> ")
 }
 
+/// A line of a run with `--json-lines`.
+#[derive(Serialize, JsonSchema)]
+#[serde(tag = "event", rename_all = "snake_case")]
+pub(crate) enum RunEvent<'a, R> {
+    /// Where the run stands.
+    Progress {
+        /// What the calibrator says.
+        #[serde(flatten)]
+        status: StatusView,
+        /// Work done, 0 to 1.
+        fraction: f64,
+        /// Time left by this computer's clock, s; none at the beginning.
+        left_s: Option<f64>,
+    },
+    /// A point was measured.
+    Point(PointView),
+    /// The document that `--json` prints.
+    Result(&'a R),
+}
+
+/// Prints how a run ended: in a stream as the last event.
+pub(crate) fn print_result<R: Serialize + JsonSchema>(
+    context: &Context,
+    result: &R,
+    text: impl FnOnce() -> String,
+) -> calib_host::Result<()> {
+    match context.form {
+        Form::JsonLines => context.stream(&RunEvent::Result(result)),
+        Form::Text | Form::Json => context.print(result, text),
+    }
+}
+
 /// A bar for a run: points, frequency, level, time left.
-pub(crate) struct RunProgress {
+pub(crate) struct RunProgress<'a> {
+    context: &'a Context,
+    sample_rate_hz: f32,
     bar: ProgressBar,
     begun: Instant,
     shown: usize,
     silent: bool,
 }
 
-impl RunProgress {
-    /// A bar at zero.
-    pub(crate) fn new(context: &Context) -> Self {
+impl<'a> RunProgress<'a> {
+    /// A bar at zero, of a calibrator with this many samples per second.
+    pub(crate) fn new(context: &'a Context, sample_rate_hz: f32) -> Self {
         Self {
+            context,
+            sample_rate_hz,
             bar: bar(context, "[{bar:24}] {msg}"),
             begun: Instant::now(),
             shown: 0,
-            silent: context.quiet || context.json,
+            silent: context.quiet || context.for_program(),
         }
     }
 
-    /// Shows where the run stands. Without a terminal: one line per point.
+    /// Shows where the run stands. Without a terminal: one line per point, or events.
     pub(crate) fn show(&mut self, progress: &Progress<'_>, list: &[PointSpec]) {
         self.bar
             .set_position((progress.fraction * STEPS as f64) as u64);
@@ -61,11 +101,25 @@ impl RunProgress {
                 eprintln!("{}", super::text::point_line(point));
             }
         }
+        self.stream(progress, left);
         self.shown = progress.points.len();
+    }
+
+    /// A run goes on, whoever stopped reading.
+    fn stream(&self, progress: &Progress<'_>, left: Option<Duration>) {
+        for point in progress.points.iter().skip(self.shown) {
+            let point = PointView::new(point, self.sample_rate_hz);
+            let _ = self.context.stream(&RunEvent::<()>::Point(point));
+        }
+        let _ = self.context.stream(&RunEvent::<()>::Progress {
+            status: StatusView::from(&progress.status),
+            fraction: progress.fraction,
+            left_s: left.map(|left| left.as_secs_f64()),
+        });
     }
 }
 
-impl Drop for RunProgress {
+impl Drop for RunProgress<'_> {
     /// Removes the bar, however the run ended.
     fn drop(&mut self) {
         self.bar.finish_and_clear();

@@ -3,6 +3,7 @@
 use super::Context;
 use calib_host::Result;
 use calib_metrology::text::Table;
+use calib_output::RecordView;
 use calib_protocol::record::RecordKind;
 use clap::Args;
 
@@ -17,7 +18,8 @@ impl Records {
         if records.is_empty() {
             context.remark("no record stored; `calib run` measures one");
         }
-        context.print(&records, || {
+        let views: Vec<RecordView> = records.iter().map(RecordView::from).collect();
+        context.print(&views, || {
             let mut table = Table::new(&["id", "measured", "sensor", "points", "refused", "bytes"]);
             for record in &records {
                 table.row([

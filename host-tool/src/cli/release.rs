@@ -3,6 +3,7 @@
 use super::Context;
 use calib_host::Result;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// `calib release ID`.
@@ -15,8 +16,8 @@ pub(crate) struct Release {
     id: u32,
 }
 
-#[derive(Serialize)]
-struct Released {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Released {
     released_through: u32,
 }
 

@@ -5,6 +5,7 @@ use calib_certificate::decision::risk::{self, guard_band};
 use calib_host::{Error, Result};
 use calib_metrology::text::Table;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// `calib risk`.
@@ -18,13 +19,14 @@ pub(crate) struct Risk {
     in_tolerance: f64,
 }
 
-#[derive(Serialize)]
-struct Row {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Row {
     rule: &'static str,
-    acceptance_limit_percent: f64,
-    false_accept_percent: f64,
-    false_reject_percent: f64,
-    bad_among_accepted_percent: f64,
+    /// Share of the tolerance up to which a result is accepted.
+    acceptance_limit_rel: f64,
+    false_accept_probability: f64,
+    false_reject_probability: f64,
+    bad_among_accepted_probability: f64,
 }
 
 impl Risk {
@@ -48,10 +50,10 @@ impl Risk {
             let risk = risk::global(items, 0.5 / self.ratio, acceptance);
             Row {
                 rule,
-                acceptance_limit_percent: 100.0 * acceptance,
-                false_accept_percent: 100.0 * risk.false_accept,
-                false_reject_percent: 100.0 * risk.false_reject,
-                bad_among_accepted_percent: 100.0 * risk.conditional_false_accept(),
+                acceptance_limit_rel: acceptance,
+                false_accept_probability: risk.false_accept,
+                false_reject_probability: risk.false_reject,
+                bad_among_accepted_probability: risk.conditional_false_accept(),
             }
         };
         let rules = [
@@ -75,10 +77,10 @@ fn table(rows: &[Row]) -> String {
     for row in rows {
         let cells = [
             row.rule.to_owned(),
-            format!("{:.1}", row.acceptance_limit_percent),
-            format!("{:.3}", row.false_accept_percent),
-            format!("{:.3}", row.false_reject_percent),
-            format!("{:.3}", row.bad_among_accepted_percent),
+            format!("{:.1}", 100.0 * row.acceptance_limit_rel),
+            format!("{:.3}", 100.0 * row.false_accept_probability),
+            format!("{:.3}", 100.0 * row.false_reject_probability),
+            format!("{:.3}", 100.0 * row.bad_among_accepted_probability),
         ];
         table.row(cells);
     }

@@ -1,15 +1,17 @@
 //! `calib run`: measures a point list.
 
-use super::{Context, logbook, number::positive, progress::RunProgress, text, time};
-use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use super::{Context, logbook, number::positive, progress, progress::RunProgress, text, time};
+use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::verdict::Verdict;
 use calib_host::{Error, Result};
 use calib_link::Client;
 use calib_link::session::{self, Outcome, label, temperature_centi_c};
 use calib_logbook::{Kept, Sensor};
+use calib_output::{PointView, code};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
 use clap::{Args, ValueEnum};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -72,12 +74,17 @@ impl From<Excitation> for ExcitationKind {
     }
 }
 
-#[derive(Serialize)]
-struct RunResult<'a> {
-    logbook_record: Option<i64>,
+/// How a run ended.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct RunResult {
+    /// Running number of the record in the calibrator.
     record_id: u32,
-    state: RunState,
-    points: &'a [PointResult],
+    /// Number of the record in the logbook, if it is kept there.
+    logbook_record: Option<i64>,
+    /// `finished`, `stopped`, or `failed` when the record could not be stored.
+    state: String,
+    /// Every point in the order measured.
+    points: Vec<PointView>,
 }
 
 impl Run {
@@ -91,15 +98,21 @@ impl Run {
         if excitation != ExcitationKind::SingleSine {
             points = session::on_lines(&points, info.sample_rate_hz)?;
         }
-        let outcome = measure(context, &mut client, &points, excitation, labels)?;
+        let mut progress = RunProgress::new(context, info.sample_rate_hz);
+        let outcome = measure(&mut client, &points, excitation, labels, &mut progress)?;
+        drop(progress);
         let kept = keep(context, &mut client, &outcome)?;
         let result = RunResult {
-            logbook_record: kept,
             record_id: outcome.record_id,
-            state: outcome.state,
-            points: &outcome.points,
+            logbook_record: kept,
+            state: code(&outcome.state),
+            points: outcome
+                .points
+                .iter()
+                .map(|point| PointView::new(point, info.sample_rate_hz))
+                .collect(),
         };
-        context.print(&result, || {
+        progress::print_result(context, &result, || {
             let lines: Vec<_> = outcome.points.iter().map(text::point_line).collect();
             let id = outcome.record_id;
             let next = match kept {
@@ -159,14 +172,13 @@ fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Opt
 
 /// Runs a list with progress. Ctrl-C stops it and silences the exciter.
 fn measure(
-    context: &Context,
     client: &mut Client,
     points: &[PointSpec],
     excitation: ExcitationKind,
     labels: RunLabels,
+    progress: &mut RunProgress<'_>,
 ) -> Result<Outcome> {
     let stop = stop_on_interrupt();
-    let mut progress = RunProgress::new(context);
     let outcome = session::run_excited(client, points, excitation, labels, |state| {
         progress.show(state, points);
         stop()

@@ -6,6 +6,7 @@ use calib_core::settings::Example;
 use calib_host::{Error, Result};
 use calib_metrology::sensitivity::{self, PointSensitivity, Quantity};
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -34,8 +35,8 @@ pub(crate) struct Sensitivity {
     quantity: QuantityName,
 }
 
-#[derive(Serialize)]
-struct Output {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Output {
     quantity: Quantity,
     unit: &'static str,
     points: Vec<PointSensitivity>,

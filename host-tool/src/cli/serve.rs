@@ -5,6 +5,7 @@ use calib_certificate::Particulars;
 use calib_host::Result;
 use calib_host::serve::{Options, Server};
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -22,8 +23,8 @@ pub(crate) struct Serve {
     laboratory: Option<PathBuf>,
 }
 
-#[derive(Serialize)]
-struct Listening {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Listening {
     url: String,
 }
 

@@ -4,6 +4,7 @@ use super::Context;
 use super::source::{self, Content};
 use calib_certificate::{self as certificate, Certificate, Language, Particulars};
 use calib_host::{Result, terminal};
+use calib_output::ChangeView;
 use calib_record::hash_chain::Standing;
 use clap::Args;
 use std::path::PathBuf;
@@ -30,14 +31,16 @@ impl Show {
         let record = match &found.content {
             Content::Calibration(record) => record,
             Content::ReferenceChange(change) => {
-                return context.print(change, || terminal::show_change(change));
+                return context.print(&ChangeView::from(&**change), || {
+                    terminal::show_change(change)
+                });
             }
         };
         if found.standing == Standing::Broken {
             context.remark("the chain of records is broken: this one, or the one before, was altered or removed");
         }
         let certificate = Certificate::from_record(record, &Particulars::default());
-        let document = certificate::document(&certificate, Language::default());
+        let document = certificate::Document::new(&certificate, Language::default());
         context.print(&document, || terminal::show(record, &certificate, COLUMNS))
     }
 }

@@ -3,14 +3,15 @@
 use super::Context;
 use calib_host::Result;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// `calib stop`.
 #[derive(Debug, Args)]
 pub(crate) struct Stop {}
 
-#[derive(Serialize)]
-struct Stopped {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Stopped {
     stopped: bool,
 }
 

@@ -59,6 +59,8 @@ pub struct Recorded {
     pub rows: Vec<Option<Point>>,
     /// Points the calibrator refused.
     pub refused: Vec<PointResult>,
+    /// Samples per second and channel, Hz.
+    pub sample_rate_hz: f32,
     /// Duration of the run by the sample clock, s.
     pub duration_s: f64,
     /// The operator stopped the run.
@@ -99,6 +101,7 @@ pub fn record(
     };
     let mut recorded = Recorded {
         rows: vec![None; points.len()],
+        sample_rate_hz: pass.rate_hz as f32,
         ..Recorded::default()
     };
     let mut left: Vec<usize> = (0..points.len()).collect();

@@ -5,6 +5,7 @@ use crate::{Error, Result};
 use calib_twin::dataset::{self, Columns, Options, RecordOptions, standard_design};
 use calib_twin::effects::oscillator::OscillatorAction;
 use calib_twin::effects::{ActiveEffect, CalibratorAction, EffectError, Library};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::Path;
 
@@ -22,7 +23,7 @@ pub struct Request {
 }
 
 /// What was made.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Simulated {
     /// Rows (points) or samples written.
     pub rows: usize,

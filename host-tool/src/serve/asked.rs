@@ -13,11 +13,11 @@ use std::path::Path;
 #[serde(default)]
 pub(super) struct Run {
     sensor: String,
-    model: String,
-    serial: String,
+    dut_model: String,
+    dut_serial: String,
     operator: String,
     mounting: String,
-    level_ms2: f32,
+    set_acceleration_rms_ms2: f32,
     temperature_c: Option<f64>,
     frequencies_hz: Vec<f32>,
 }
@@ -26,11 +26,11 @@ impl Default for Run {
     fn default() -> Self {
         Self {
             sensor: String::new(),
-            model: String::new(),
-            serial: String::new(),
+            dut_model: String::new(),
+            dut_serial: String::new(),
             operator: String::new(),
             mounting: String::new(),
-            level_ms2: 10.0,
+            set_acceleration_rms_ms2: 10.0,
             temperature_c: None,
             frequencies_hz: Vec::new(),
         }
@@ -42,15 +42,15 @@ impl Run {
     pub(super) fn points(&self) -> Result<Vec<PointSpec>> {
         let usable = |value: f32| value.is_finite() && value > 0.0;
         let all = self.frequencies_hz.iter().copied().all(usable);
-        if !usable(self.level_ms2) || !all {
+        if !usable(self.set_acceleration_rms_ms2) || !all {
             return Err(usage("frequencies and level are numbers above zero"));
         }
         if self.frequencies_hz.is_empty() {
-            return Ok(session::default_points(self.level_ms2));
+            return Ok(session::default_points(self.set_acceleration_rms_ms2));
         }
         let point = |frequency_hz: &f32| PointSpec {
             frequency_hz: *frequency_hz,
-            acceleration_rms_ms2: self.level_ms2,
+            acceleration_rms_ms2: self.set_acceleration_rms_ms2,
         };
         Ok(self.frequencies_hz.iter().map(point).collect())
     }
@@ -59,8 +59,8 @@ impl Run {
     pub(super) fn labels(&self, logbook: &Path) -> Result<RunLabels> {
         let known = match (self.sensor.as_str(), Logbook::open_if_there(logbook)?) {
             ("", _) | (_, None) => Sensor {
-                serial: self.serial.clone(),
-                model: self.model.clone(),
+                serial: self.dut_serial.clone(),
+                model: self.dut_model.clone(),
                 ..Sensor::default()
             },
             (serial, Some(logbook)) => logbook.known_sensor(serial)?,

@@ -5,13 +5,14 @@
 //! nothing can be in the way of one. A run knows how many there were when it was
 //! asked for; one more, and it ends or does not begin.
 
-use super::view::{Link, PointView, RunView, Shared};
+use super::view::{Link, RunView, Shared};
 use super::waveforms::Eye;
 use crate::{Device, Error, Result};
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_link::Client;
 use calib_link::session::{self, Outcome, Progress};
 use calib_logbook::{Kept, Logbook};
+use calib_output::{InfoView, PointView, SetPoint, StatusView};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
 use std::ops::ControlFlow;
@@ -186,7 +187,7 @@ impl Worker {
         let info = client.info()?;
         self.client = Some(client);
         self.shared.change(|snapshot| {
-            snapshot.info = Some(info);
+            snapshot.info = Some(InfoView::from(&info));
             snapshot.link = Link::Connected;
             snapshot.trouble = None;
         });
@@ -203,8 +204,9 @@ impl Worker {
         let Some(run) = snapshot.run.filter(|run| run.running) else {
             return;
         };
-        if let Some(record) = run.record {
-            self.follow(record, &run.list);
+        if let Some(record) = run.record_id {
+            let list: Vec<PointSpec> = run.list.iter().map(PointSpec::from).collect();
+            self.follow(record, &list);
         }
     }
 
@@ -227,8 +229,8 @@ impl Worker {
         let run = RunView {
             number: self.runs,
             running: true,
-            list: points.to_vec(),
-            sensor: labels.dut_serial.to_string(),
+            list: points.iter().map(SetPoint::from).collect(),
+            dut_serial: labels.dut_serial.to_string(),
             ..RunView::default()
         };
         self.shared.keep_record(None);
@@ -261,7 +263,7 @@ impl Worker {
     }
 
     fn follow(&mut self, record: u32, points: &[PointSpec]) {
-        self.shared.change_run(|run| run.record = Some(record));
+        self.shared.change_run(|run| run.record_id = Some(record));
         let Some(client) = &mut self.client else {
             return;
         };
@@ -299,9 +301,11 @@ impl Worker {
         {
             self.judge(&error);
         }
+        let sample_rate_hz = self.shared.sample_rate_hz();
+        let view = |point| PointView::new(point, sample_rate_hz);
         self.shared.change_run(|run| {
             run.running = false;
-            run.points = outcome.points.iter().map(PointView::from).collect();
+            run.points = outcome.points.iter().map(view).collect();
             run.fraction = 1.0;
             run.ended = match outcome.state {
                 RunState::Finished => "finished",
@@ -363,12 +367,14 @@ impl Worker {
 /// Shows where the run stands.
 fn show(shared: &Shared, progress: &Progress<'_>, begun: Instant) {
     let left = session::time_left(begun.elapsed(), progress.fraction);
+    let sample_rate_hz = shared.sample_rate_hz();
+    let view = |point| PointView::new(point, sample_rate_hz);
     shared.change_run(|run| {
         run.left_s = left.map(|left| left.as_secs_f64());
-        run.status = Some(progress.status);
+        run.status = Some(StatusView::from(&progress.status));
         run.fraction = progress.fraction;
         let known = run.points.len().min(progress.points.len());
-        let new = progress.points.iter().skip(known).map(PointView::from);
+        let new = progress.points.iter().skip(known).map(view);
         run.points.extend(new);
     });
 }

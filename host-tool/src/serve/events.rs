@@ -5,6 +5,7 @@
 
 use super::view::Shared;
 use axum::response::sse::{Event, KeepAlive, Sse};
+use calib_output::json;
 use futures_util::{Stream, stream};
 use std::convert::Infallible;
 use std::time::Duration;
@@ -20,8 +21,11 @@ pub(super) fn stream(shared: Shared) -> Sse<impl Stream<Item = Result<Event, Inf
         changes.changed().await.ok()?;
         tokio::time::sleep(PAUSE).await;
         changes.mark_unchanged();
-        let view = serde_json::to_string(&shared.snapshot()).ok()?;
-        Some((Ok(Event::default().data(view)), (shared, changes)))
+        let view = json::line(&shared.snapshot()).ok()?;
+        Some((
+            Ok(Event::default().data(view.trim_end())),
+            (shared, changes),
+        ))
     });
     Sse::new(events).keep_alive(KeepAlive::default())
 }

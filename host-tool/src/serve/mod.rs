@@ -29,7 +29,8 @@ mod waveforms;
 pub use access::Access;
 pub use calibrator_side::Order;
 pub use options::Options;
-pub use view::{Link, PointView, RunView, Snapshot};
+pub use view::{Link, RunView, Snapshot};
+pub use waveforms::Waveforms;
 
 use crate::{Error, Result};
 use calibrator_side::CalibratorSide;

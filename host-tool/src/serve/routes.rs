@@ -10,7 +10,7 @@
 //! | `GET /api/certificate/FORMAT` | certificate of the last run |
 //! | `GET /api/records/ID/certificate/FORMAT` | that of a record of the logbook |
 //! | `POST /api/connect` | `{"device"}` |
-//! | `POST /api/run` | `{"sensor" or "model", "serial"; "operator", "mounting", "level_ms2", "temperature_c", "frequencies_hz"}` |
+//! | `POST /api/run` | `{"sensor" or "dut_model", "dut_serial"; "operator", "mounting", "set_acceleration_rms_ms2", "temperature_c", "frequencies_hz"}` |
 //! | `POST /api/stop` | silences the exciter |
 //!
 //! What is posted is JSON and says so, which a page of a stranger cannot send.
@@ -19,7 +19,6 @@ use super::access::Access;
 use super::asked::Run;
 use super::calibrator_side::{Handle, Order};
 use super::options::Options;
-use super::view::Snapshot;
 use super::{assets, documents, events};
 use crate::Error;
 use axum::extract::{Path, Query, Request, State};
@@ -30,7 +29,8 @@ use axum::routing::{get, post};
 use axum::{Json, Router};
 use calib_files::Error as FilesError;
 use calib_logbook::{Filter, Logbook};
-use serde::Deserialize;
+use calib_output::json;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// Newest records that a page is given.
@@ -43,7 +43,7 @@ struct App {
 }
 
 pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router {
-    let devices = || async { Json(calib_link::port::list()) };
+    let devices = || async { said(&calib_link::port::list()) };
     assets::add(Router::new())
         .route("/api/state", get(state))
         .route("/api/events", get(changes))
@@ -100,12 +100,20 @@ async fn admit(
     response
 }
 
-async fn state(State(app): State<App>) -> Json<Snapshot> {
-    Json(app.handle.shared.snapshot())
+/// A document, written like those of the verbs.
+fn said(document: &impl Serialize) -> Response {
+    match json::line(document) {
+        Ok(text) => ([(header::CONTENT_TYPE, "application/json")], text).into_response(),
+        Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
+    }
+}
+
+async fn state(State(app): State<App>) -> Response {
+    said(&app.handle.shared.snapshot())
 }
 
 async fn waveforms(State(app): State<App>) -> Response {
-    Json(app.handle.shared.waveforms()).into_response()
+    said(&app.handle.shared.waveforms())
 }
 
 async fn changes(State(app): State<App>) -> Response {
@@ -116,7 +124,7 @@ async fn sensors(State(app): State<App>) -> Result<Response, Failure> {
     aside(move || {
         let logbook = Logbook::open_if_there(&app.options.logbook)?;
         let sensors = logbook.map(|logbook| logbook.sensors("")).transpose()?;
-        Ok(Json(sensors.unwrap_or_default()).into_response())
+        Ok(said(&sensors.unwrap_or_default()))
     })
     .await
 }
@@ -127,7 +135,7 @@ async fn records(State(app): State<App>) -> Result<Response, Failure> {
         let records = logbook.map(|logbook| logbook.records(&Filter::default()));
         let mut records = records.transpose()?.unwrap_or_default();
         records.truncate(RECORDS);
-        Ok(Json(records).into_response())
+        Ok(said(&records))
     })
     .await
 }
@@ -135,7 +143,7 @@ async fn records(State(app): State<App>) -> Result<Response, Failure> {
 async fn history(State(app): State<App>, Path(serial): Path<String>) -> Result<Response, Failure> {
     aside(
         move || match Logbook::open_if_there(&app.options.logbook)? {
-            Some(logbook) => Ok(Json(logbook.history(&serial, 160.0)?).into_response()),
+            Some(logbook) => Ok(said(&logbook.history(&serial, 160.0)?)),
             None => Ok(StatusCode::NOT_FOUND.into_response()),
         },
     )

@@ -1,14 +1,14 @@
 //! What every page sees.
 
 use super::waveforms::Waveforms;
-use calib_core::point::{PointResult, PointSpec};
-use calib_protocol::message::{Info, Status};
+use calib_output::{InfoView, PointView, SetPoint, StatusView};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::watch;
 
 /// The link to the calibrator.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Link {
     /// Nobody asked for one.
@@ -20,40 +20,8 @@ pub enum Link {
     Lost,
 }
 
-/// A point that was measured.
-#[derive(Clone, Debug, Serialize)]
-pub struct PointView {
-    frequency_hz: f32,
-    acceleration_ms2: f32,
-    sensitivity_v_per_ms2: f32,
-    expanded_uncertainty_rel: f32,
-    coverage_factor: f32,
-    phase_deg: f32,
-    expanded_uncertainty_phase_deg: f32,
-    settling_s: f32,
-    passed: bool,
-    verdict: String,
-}
-
-impl From<&PointResult> for PointView {
-    fn from(point: &PointResult) -> Self {
-        Self {
-            frequency_hz: point.spec.frequency_hz,
-            acceleration_ms2: point.acceleration_rms_ms2,
-            sensitivity_v_per_ms2: point.sensitivity_v_per_ms2,
-            expanded_uncertainty_rel: point.expanded_uncertainty_rel,
-            coverage_factor: point.coverage_factor,
-            phase_deg: point.phase_rad.to_degrees(),
-            expanded_uncertainty_phase_deg: point.expanded_uncertainty_phase_rad.to_degrees(),
-            settling_s: point.settling_s,
-            passed: point.verdict == calib_core::verdict::Verdict::Pass,
-            verdict: point.verdict.to_string(),
-        }
-    }
-}
-
 /// The running or last run.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct RunView {
     /// Running number among the runs of this server.
     pub number: u32,
@@ -62,32 +30,32 @@ pub struct RunView {
     /// How it ended, in words; empty before.
     pub ended: String,
     /// The list that is measured.
-    pub list: Vec<PointSpec>,
+    pub list: Vec<SetPoint>,
     /// Where it stands.
-    pub status: Option<Status>,
+    pub status: Option<StatusView>,
     /// Work done, 0 to 1.
     pub fraction: f64,
     /// Time left by this computer's clock, s; none at the beginning.
     pub left_s: Option<f64>,
     /// Results, in the order of the list.
     pub points: Vec<PointView>,
-    /// Serial number of the sensor.
-    pub sensor: String,
+    /// Serial number of the device under test.
+    pub dut_serial: String,
     /// Running number of the record in the calibrator.
-    pub record: Option<u32>,
+    pub record_id: Option<u32>,
     /// Number of the record in the logbook.
     pub logbook_record: Option<i64>,
 }
 
 /// Everything a page shows.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct Snapshot {
     /// The link.
     pub link: Link,
     /// The calibrator's address, as typed.
     pub device: String,
     /// Who it is.
-    pub info: Option<Info>,
+    pub info: Option<InfoView>,
     /// What went wrong last, with the way out.
     pub trouble: Option<String>,
     /// The running or last run.
@@ -134,6 +102,15 @@ impl Shared {
 
     pub(super) fn snapshot(&self) -> Snapshot {
         self.lock().clone()
+    }
+
+    /// Samples per second of the calibrator; 0 without one.
+    pub(super) fn sample_rate_hz(&self) -> f32 {
+        let snapshot = self.lock();
+        snapshot
+            .info
+            .as_ref()
+            .map_or(0.0, |info| info.sample_rate_hz)
     }
 
     pub(super) fn changes(&self) -> watch::Receiver<u64> {

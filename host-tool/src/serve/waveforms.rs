@@ -6,6 +6,7 @@ use calib_link::Client;
 use calib_link::capture::{Capture, Inputs, Taking, Window, spectrum};
 use calib_link::{Error, Result};
 use calib_protocol::message::{RunState, Status};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Least pairs of a capture: lines of the spectrum 24 Hz apart, read in under 2 s
@@ -25,18 +26,18 @@ const LINES_PER_DECADE: f64 = 100.0;
 const PATIENCE: u32 = 5;
 
 /// Both inputs, drawn.
-#[derive(Clone, Debug, Default, Serialize)]
-pub(super) struct Waveforms {
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+pub struct Waveforms {
     /// Running number among those of this server.
     pub(super) number: u32,
     /// Frequency that was played, Hz.
     frequency_hz: f64,
     /// Between two samples, ms.
-    step_ms: f64,
+    step_s: f64,
     /// Reference, m/s2, without its mean.
     reference_ms2: Vec<f32>,
     /// Device under test, mV, without its mean.
-    dut_mv: Vec<f32>,
+    dut_v: Vec<f32>,
     /// Frequency in Hz, reference in m/s2 r.m.s., device under test in mV r.m.s.
     spectrum: Vec<[f32; 3]>,
     /// A signal reaches the end of its converter's range.
@@ -137,9 +138,9 @@ fn draw(capture: &Capture, frequency_hz: f64, reference_v_per_ms2: f64) -> Wavef
     Waveforms {
         number: 0,
         frequency_hz,
-        step_ms: 1e3 * every as f64 / capture.sample_rate_hz,
+        step_s: every as f64 / capture.sample_rate_hz,
         reference_ms2: trace(&capture.reference_v, 1.0 / reference_v_per_ms2),
-        dut_mv: trace(&capture.dut_v, 1e3),
+        dut_v: trace(&capture.dut_v, 1.0),
         spectrum: lines(capture, frequency_hz, reference_v_per_ms2),
         clipped: capture.reference_clipped || capture.dut_clipped,
     }
@@ -164,7 +165,7 @@ fn lines(capture: &Capture, frequency_hz: f64, reference_v_per_ms2: f64) -> Vec<
     for (line, (a, b)) in reference.rms_v.iter().zip(&dut.rms_v).enumerate().skip(1) {
         let frequency_hz = reference.frequency_hz(line);
         let place = (LINES_PER_DECADE * frequency_hz.log10()) as i64;
-        let (a, b) = ((a / reference_v_per_ms2) as f32, (1e3 * b) as f32);
+        let (a, b) = ((a / reference_v_per_ms2) as f32, *b as f32);
         match lines.last_mut() {
             Some((last, [_, high_a, high_b])) if *last == place => {
                 (*high_a, *high_b) = (high_a.max(a), high_b.max(b));
@@ -203,12 +204,12 @@ mod tests {
         let drawn = draw(&capture(1000.0, 2048), 1000.0, 0.01);
         // Three cycles of 50 samples.
         assert_eq!(drawn.reference_ms2.len(), 150);
-        assert!((drawn.step_ms - 0.02).abs() < 1e-12);
+        assert!((drawn.step_s - 0.02e-3).abs() < 1e-15);
         let highest = |trace: &[f32]| trace.iter().fold(0.0_f32, |high, a| high.max(*a));
         // The mean is taken over a broken number of cycles, 40.96: 1 % of a cycle's
         // amplitude at most stays in it.
         assert!((highest(&drawn.reference_ms2) / 14.142 - 1.0).abs() < 0.02);
-        assert!((highest(&drawn.dut_mv) / 282.84 - 1.0).abs() < 0.02);
+        assert!((highest(&drawn.dut_v) / 0.282_84 - 1.0).abs() < 0.02);
         let at = |f: f32| {
             let near = drawn
                 .spectrum
@@ -224,7 +225,7 @@ mod tests {
             "{:?}",
             at(1000.0)
         );
-        assert!((at(1000.0)[1] / 200.0 - 1.0).abs() < 2e-3);
+        assert!((at(1000.0)[1] / 0.2 - 1.0).abs() < 2e-3);
         assert!((at(3000.0)[0] / 0.1 - 1.0).abs() < 2e-2, "{:?}", at(3000.0));
         assert!(drawn.spectrum.len() < 400);
     }
@@ -235,6 +236,6 @@ mod tests {
         assert_eq!(pairs(10_000.0, 50_000.0), 2048);
         let drawn = draw(&capture(20.0, 4096), 20.0, 0.01);
         assert_eq!(drawn.reference_ms2.len(), 4096_usize.div_ceil(9));
-        assert!((drawn.step_ms - 0.18).abs() < 1e-12);
+        assert!((drawn.step_s - 0.18e-3).abs() < 1e-15);
     }
 }

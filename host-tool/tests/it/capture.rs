@@ -125,7 +125,7 @@ fn the_verb_prints_writes_and_names_what_is_wrong() {
     assert_eq!(report["reference"]["tone"]["frequency_hz"], 1000.0);
     let harmonics = report["dut"]["tone"]["harmonics"].as_array();
     assert_eq!(harmonics.expect("a list").len(), 4);
-    assert_eq!(report["verdict"], serde_json::Value::Null);
+    assert_eq!(report["state"], serde_json::Value::Null);
 
     for (arguments, code, named) in [
         (&["--level", "10"][..], 2, "--frequency"),

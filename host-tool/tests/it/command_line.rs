@@ -2,10 +2,11 @@
 
 use crate::device::Device;
 use crate::memory_link::{SharedDevice, shared};
+use calib_output::conforms::check_output;
 use calib_protocol::message::Request;
 use std::io::{Read, Write};
 use std::net::TcpListener;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// Serves `device` at a free port of this computer and returns its address.
@@ -30,7 +31,7 @@ pub(crate) fn serve(device: Device) -> (SharedDevice, String) {
 }
 
 pub(crate) fn calib(directory: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_calib"))
+    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
         .args(arguments)
         .current_dir(directory)
         .env_remove("CALIB_DEVICE")
@@ -38,7 +39,22 @@ pub(crate) fn calib(directory: &Path, arguments: &[&str]) -> Output {
         .env("CALIB_LOGBOOK", directory.join("no-logbook.sqlite"))
         .env("NO_COLOR", "1")
         .output()
-        .expect("calib starts")
+        .expect("calib starts");
+    if !output.stdout.is_empty() {
+        check_output(&schemas(), arguments, &output.stdout).expect("as in its schema");
+    }
+    let for_program = arguments.iter().any(|a| a.starts_with("--json"));
+    if for_program && !output.status.success() {
+        let last = text(&output.stderr);
+        let last = last.lines().last().unwrap_or_default().as_bytes();
+        check_output(&schemas(), &["error", "--json"], last).expect("one failure");
+    }
+    output
+}
+
+/// The published schemas.
+pub(crate) fn schemas() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/schema")
 }
 
 pub(crate) fn text(bytes: &[u8]) -> String {
@@ -60,7 +76,7 @@ fn a_session_from_info_to_the_file() {
             &[arguments, &["--device", &address]].concat(),
         )
     };
-    assert_eq!(json(&go(&["info", "--json"]))["serial"], "MEM-1");
+    assert_eq!(json(&go(&["info", "--json"]))["instrument_serial"], "MEM-1");
     std::fs::write(
         directory.path().join("points.csv"),
         "frequency_hz\n80\n160\n",
@@ -85,6 +101,21 @@ fn a_session_from_info_to_the_file() {
         .join(download["file"].as_str().expect("path"));
     let record = calib_protocol::record::decode(&std::fs::read(file).expect("file"));
     assert_eq!(record.expect("record").points.len(), 2);
+    let streamed = go(&["run", "--points", "points.csv", "--json-lines"]);
+    let streamed = text(&streamed.stdout);
+    let lines: Vec<serde_json::Value> = streamed
+        .lines()
+        .map(|line| serde_json::from_str(line).expect("an object"))
+        .collect();
+    let points = lines.iter().filter(|line| line["event"] == "point");
+    assert_eq!(points.count(), 2, "{streamed}");
+    let last = lines.last().expect("an end");
+    assert_eq!(
+        (&last["event"], &last["record_id"]),
+        (&"result".into(), &2.into())
+    );
+    let records = text(&go(&["records", "--json-lines"]).stdout);
+    assert_eq!(records.lines().count(), 2, "{records}");
     let table = text(&go(&["records"]).stdout);
     assert!(table.starts_with("id  measured"), "{table}");
     assert!(
@@ -303,18 +334,18 @@ fn risks_of_rules_over_many_sensors_are_those_published() {
         "95.45",
         "--json",
     ]));
-    let percent = |row: usize, key: &str| rows[row][key].as_f64().expect("a number");
+    let percent = |row: usize, key: &str| 100.0 * rows[row][key].as_f64().expect("a number");
     assert!(
-        (percent(0, "false_accept_percent") - 0.8).abs() < 0.05,
+        (percent(0, "false_accept_probability") - 0.8).abs() < 0.05,
         "{rows}"
     );
     assert!(
-        (percent(0, "false_reject_percent") - 1.5).abs() < 0.05,
+        (percent(0, "false_reject_probability") - 1.5).abs() < 0.05,
         "{rows}"
     );
     // Root sum square: 0.968246 of the tolerance; less U: 0.75 of it.
-    assert!((percent(1, "acceptance_limit_percent") - 75.0).abs() < 1e-9);
-    assert!((percent(2, "acceptance_limit_percent") - 96.824_58).abs() < 1e-4);
+    assert!((percent(1, "acceptance_limit_rel") - 75.0).abs() < 1e-9);
+    assert!((percent(2, "acceptance_limit_rel") - 96.824_58).abs() < 1e-4);
     let table = text(&risk(&["--ratio", "4"]).stdout);
     assert!(
         table.lines().all(|line| line.chars().count() <= 80),

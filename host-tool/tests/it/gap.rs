@@ -91,7 +91,7 @@ fn every_field_is_there(answer: &Value) {
     has(&answer["where"][0], &["stage", "observable", "axis"]);
     has(&answer["where"][0], &["from", "to", "share", "p_value"]);
     has(&answer["causes"][0], &["probability", "delta_bic"]);
-    let sizes = ["before_percent", "after_percent", "floor_percent"];
+    let sizes = ["before_rel", "after_rel", "floor_rel"];
     let others = ["closed", "chi_before", "chi_after"];
     let gap = &answer["gap"];
     has(gap, &["held_out_rows", "by_observable", "by_level"]);
@@ -274,7 +274,7 @@ fn a_bad_dataset_among_many_has_its_line_and_fails_the_call_at_its_end() {
         .concat(),
     );
     assert_eq!(output.status.code(), Some(6), "{}", text(&output.stderr));
-    let answers = lines(&output.stdout);
+    let answers: Vec<Value> = serde_json::from_slice(&output.stdout).expect("one document");
     assert_eq!(answers.len(), 3);
     assert_eq!(answers[0]["dataset"]["path"], "a");
     let error = answers[1]["error"].as_str().expect("an error");
@@ -475,7 +475,14 @@ fn a_sealed_set_is_answered_in_one_call_and_opened_only_with_its_own_truth() {
 
     let answers = calib(
         path,
-        &["gap", "diagnose", "set", "--json", "--max-effects", "1"],
+        &[
+            "gap",
+            "diagnose",
+            "set",
+            "--json-lines",
+            "--max-effects",
+            "1",
+        ],
     );
     let list = lines(&answers.stdout);
     assert_eq!(list.len(), 6);

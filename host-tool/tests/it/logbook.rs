@@ -315,7 +315,7 @@ fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
     assert_eq!(json(&go(&run))["logbook_record"], 1);
     assert_eq!(json(&go(&run))["logbook_record"], 2);
     let records = json(&go(&["logbook", "records", "--sensor", "S'1", "--json"]));
-    assert_eq!(records[0]["sensor_model"], "Maker M 1");
+    assert_eq!(records[0]["dut_model"], "Maker M 1");
     let file = ["logbook", "get", "1", "--out", "one.calibrec"];
     assert!(go(&file).status.success());
     let kept = std::fs::read(folder.path().join("one.calibrec")).expect("file");

@@ -16,4 +16,5 @@ mod memory_link;
 mod odd_use;
 mod python;
 mod run;
+mod schema;
 mod serve;

@@ -1,7 +1,8 @@
 //! The page's server: a calibration, stops, a lost link, two pages, strangers.
 
-use crate::command_line::{serve as serve_device, text};
+use crate::command_line::{schemas, serve as serve_device, text};
 use crate::device::Device;
+use calib_output::conforms::conforms;
 use calib_protocol::message::Request;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
@@ -79,7 +80,9 @@ impl Server {
     fn state(&self) -> Value {
         let (status, body) = self.get("/api/state");
         assert_eq!(status, 200, "{body}");
-        serde_json::from_str(&body).expect("JSON")
+        let state = serde_json::from_str(&body).expect("JSON");
+        conforms_to("page-state", &state);
+        state
     }
 
     /// Waits until the view fulfils this.
@@ -111,6 +114,13 @@ impl Drop for Server {
         let _ = self.process.kill();
         let _ = self.process.wait();
     }
+}
+
+/// The page is given what is published.
+fn conforms_to(name: &str, document: &Value) {
+    let schema = std::fs::read(schemas().join(format!("{name}.json"))).expect("a schema");
+    let schema = serde_json::from_slice(&schema).expect("JSON");
+    conforms(document, &schema).expect("as in its schema");
 }
 
 const LOOPBACK: &str = "127.0.0.1:0";
@@ -157,7 +167,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     );
     server.connected();
     let (mut one, mut other) = (server.events(), server.events());
-    let run = json!({ "serial": "D'1", "operator": "N.", "frequencies_hz": [80, 160, 315] });
+    let run = json!({ "dut_serial": "D'1", "operator": "N.", "frequencies_hz": [80, 160, 315] });
     assert_eq!(server.post("/api/run", &run), 202);
     // Both pages see it run, and end with the same.
     next_view(&mut one, |view| view["run"]["running"] == true);
@@ -206,7 +216,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     assert_eq!(waveforms["number"], views[0]["waveforms"]);
     let (_, records) = server.get("/api/records");
     let records: Value = serde_json::from_str(&records).expect("JSON");
-    assert_eq!(records[0]["sensor_serial"], "D'1");
+    assert_eq!(records[0]["dut_serial"], "D'1");
     let history = server.get("/api/history/D'1").1;
     assert!(history.contains("\"frequency_hz\":160"), "{history}");
     // The logbook has the record before the next one.
@@ -222,7 +232,7 @@ fn a_stop_ends_a_run_and_one_while_idle_reaches_the_calibrator_too() {
     let (device, address) = serve_device(Device::new());
     let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
     server.connected();
-    let run = json!({ "level_ms2": 5 });
+    let run = json!({ "set_acceleration_rms_ms2": 5 });
     assert_eq!(server.post("/api/run", &run), 202);
     server.until("running", |view| view["run"]["status"].is_object());
     // A second page cannot begin another one meanwhile.
@@ -326,9 +336,12 @@ fn strangers_are_kept_out() {
     // What a form of another site can send.
     let form = format!("Host: {}\r\nContent-Type: text/plain\r\n", server.host);
     assert_eq!(server.ask("POST /api/run", &form, "{}").0, 415);
-    assert_eq!(server.post("/api/run", &json!({ "level_ms2": -1 })), 400);
     assert_eq!(
-        server.post("/api/run", &json!({ "serial": "x".repeat(99) })),
+        server.post("/api/run", &json!({ "set_acceleration_rms_ms2": -1 })),
+        400
+    );
+    assert_eq!(
+        server.post("/api/run", &json!({ "dut_serial": "x".repeat(99) })),
         400
     );
 

@@ -20,7 +20,7 @@ pub(super) fn of(answer: &Answer) -> Result<Value, Fault> {
                 "effects": cause["effects"],
                 "probability": cause["probability"],
                 "stability": cause["stability"],
-                "parameters": cause["parameters"],
+                "parameters": abbreviated(&cause["parameters"]),
             })
         })
         .collect();
@@ -31,9 +31,24 @@ pub(super) fn of(answer: &Answer) -> Result<Value, Fault> {
         "none_of_these_p_value": whole["none_of_these_p_value"],
         "confusable": whole["confusable"],
         "closed": whole["gap"]["closed"],
-        "nominal": whole["nominal_parameters"],
+        "nominal": abbreviated(&whole["nominal_parameters"]),
         "dataset": whole["dataset"]["sha256"],
     }))
+}
+
+/// The baseline says `u` for a standard uncertainty.
+fn abbreviated(value: &Value) -> Value {
+    let word = |key: &str| match key {
+        "standard_uncertainty" => "u".to_owned(),
+        key => key.to_owned(),
+    };
+    match value.as_object() {
+        Some(members) => members
+            .iter()
+            .map(|(key, value)| (word(key), abbreviated(value)))
+            .collect(),
+        None => value.clone(),
+    }
 }
 
 fn list(value: &Value) -> impl Iterator<Item = &Value> {

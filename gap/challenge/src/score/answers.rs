@@ -45,7 +45,7 @@ pub fn read_answers(path: &Path) -> Result<Vec<ScoredAnswer>> {
     let text = text::read(path)?;
     let broken = |line: usize, error: serde_json::Error| {
         let place = format!("{}:{line}", path.display());
-        let hint = "answers are what `calib gap diagnose --json` prints, one per line";
+        let hint = "answers are what `calib gap diagnose --json-lines` prints";
         Error::input(place, error.to_string(), hint)
     };
     if text.trim_start().starts_with('[') {

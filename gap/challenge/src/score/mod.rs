@@ -15,6 +15,7 @@ pub use self::substitute::left_by_substitutes;
 
 use super::truth::Truth;
 use calib_files::Result;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -26,7 +27,7 @@ const VISIBLE_SIGMA: f64 = 6.0;
 const LEFT_SIGMA: f64 = 3.0;
 
 /// Everything about a set of answers.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Score {
     /// All cases.
     #[serde(flatten)]

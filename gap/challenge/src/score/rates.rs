@@ -2,6 +2,7 @@
 
 use super::pair::Pair;
 use super::share::Share;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -9,7 +10,7 @@ use std::collections::BTreeMap;
 const PROBABILITY_BINS: usize = 10;
 
 /// Rates over a choice of cases.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Rates {
     /// By kind of case.
     pub strata: BTreeMap<String, StratumScore>,
@@ -41,7 +42,7 @@ impl Rates {
 }
 
 /// Statistics of one kind of case.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct StratumScore {
     /// Cases in the set.
     pub cases: usize,

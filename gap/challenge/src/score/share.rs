@@ -1,9 +1,10 @@
 //! A share of cases, and how well it is known.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A share of cases with its 95 % interval (Wilson).
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
 pub struct Share {
     /// Cases that count.
     pub count: usize,

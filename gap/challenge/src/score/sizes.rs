@@ -2,6 +2,7 @@
 
 use super::pair::Pair;
 use super::share::Share;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Edges of the sizes over which detection and naming are counted, in sigma.
@@ -10,7 +11,7 @@ const SIZE_EDGES: [f64; 7] = [1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1001.0];
 const DEVIATE_OF_ONE_PERCENT: f64 = 2.326_347_874;
 
 /// Detection and naming of effects of one range of sizes.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct SizeScore {
     /// Smallest size, standard uncertainties of the whole dataset.
     pub from_sigma: f64,

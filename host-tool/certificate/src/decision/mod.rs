@@ -18,7 +18,7 @@ pub mod specification;
 
 pub use limits::{Band, Base, Limits};
 pub use request::{Request, RuleName};
-pub use rule::{Assessment, Conformity, Rule, assess};
+pub use rule::{Assessment, Conformity, Rule, Stated, assess};
 pub use specification::Specification;
 
 /// Specification and rule, checked.

@@ -3,6 +3,8 @@
 use super::limits::Limits;
 use super::request::{Request, RuleName};
 use super::risk;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// How a result is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +59,35 @@ impl Conformity {
             Self::ConditionalPass => "conditionalPass",
             Self::ConditionalFail => "conditionalFail",
             Self::Fail => "fail",
+        }
+    }
+}
+
+/// [`Conformity`] as programs read it, and why there is none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Stated {
+    /// Accepted.
+    Pass,
+    /// Inside the tolerance, but not by the guard band.
+    ConditionalPass,
+    /// Outside the tolerance, but not by the guard band.
+    ConditionalFail,
+    /// Rejected.
+    Fail,
+    /// Something is specified, and there is no result that could be judged by it.
+    NotJudgeable,
+    /// Nothing is specified.
+    NotSpecified,
+}
+
+impl From<Conformity> for Stated {
+    fn from(conformity: Conformity) -> Self {
+        match conformity {
+            Conformity::Pass => Self::Pass,
+            Conformity::ConditionalPass => Self::ConditionalPass,
+            Conformity::ConditionalFail => Self::ConditionalFail,
+            Conformity::Fail => Self::Fail,
         }
     }
 }

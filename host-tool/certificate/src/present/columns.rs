@@ -4,6 +4,7 @@ use crate::measured::{Heading, MEASURED, Measured};
 use crate::model::{Point, PointValues};
 use crate::rounding::Rounded;
 use crate::words::Language;
+use calib_output::number::decimal;
 
 /// A column of the table over frequency.
 pub(crate) struct Column {
@@ -105,7 +106,7 @@ const RESULTS: [Column; 10] = [
 
 const VERDICTS: [Column; 2] = [
     column("coherence", "coherence", "", |p, l| {
-        p.coherence.map_or(DASH.to_owned(), |c| l.number(c, 4))
+        observed(p.view.coherence.map(decimal), 4, l)
     }),
     column("verdict", "verdict", "", verdict),
 ];
@@ -131,6 +132,11 @@ pub(super) const DASH: &str = "\u{2013}";
 pub(super) fn cell(point: &Point, of: impl Fn(&PointValues) -> Option<String>) -> String {
     let values = point.outcome.as_ref().ok();
     values.and_then(of).unwrap_or_else(|| DASH.to_owned())
+}
+
+/// What was observed at a point, or a dash where it was not.
+fn observed(value: Option<f64>, decimals: usize, language: Language) -> String {
+    value.map_or(DASH.to_owned(), |value| language.number(value, decimals))
 }
 
 /// A rounded value without its uncertainty.

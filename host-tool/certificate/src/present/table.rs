@@ -28,7 +28,10 @@ pub struct Row {
 /// The table over frequency, with the columns the laboratory wants.
 pub(super) fn table(certificate: &Certificate, language: Language) -> Table {
     let wanted = &certificate.particulars.layout.columns;
-    let broadband = certificate.points.iter().any(|p| p.coherence.is_some());
+    let broadband = certificate
+        .points
+        .iter()
+        .any(|p| p.view.coherence.is_some());
     let columns: Vec<Column> = match wanted.is_empty() {
         true => columns()
             .filter(|column| column.usual && (column.name != "coherence" || broadband))

@@ -1,6 +1,7 @@
 //! What a waveform of known frequency consists of.
 
 use nalgebra::{DMatrix, DVector, Dyn, linalg::Cholesky};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
@@ -8,13 +9,17 @@ use std::f64::consts::{PI, TAU};
 pub const HIGHEST_ORDER: u8 = 5;
 
 /// A harmonic beside its fundamental.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Harmonic {
     /// Its number; 2 is the octave of the fundamental.
     pub order: u8,
     /// Amplitude over that of the fundamental, 1.
     pub amplitude_rel: f64,
     /// Phase minus `order` times the phase of the fundamental, rad in (-pi, pi].
+    #[serde(
+        rename = "phase_deg",
+        serialize_with = "calib_output::number::rad_as_deg"
+    )]
     pub phase_rad: f64,
     /// Standard uncertainty of the real and of the imaginary part of the relative
     /// harmonic, 1, as far as the noise of this waveform goes.
@@ -22,7 +27,7 @@ pub struct Harmonic {
 }
 
 /// Mean, fundamental, harmonics and rest of a waveform.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ToneFit {
     /// Frequency of the fundamental, Hz, as given.
     pub frequency_hz: f64,
@@ -36,8 +41,16 @@ pub struct ToneFit {
     pub standard_uncertainty_rms_v: f64,
     /// Phase of the fundamental as `A cos(2 pi f t + phase)`, t from the first
     /// sample on, rad in (-pi, pi].
+    #[serde(
+        rename = "phase_deg",
+        serialize_with = "calib_output::number::rad_as_deg"
+    )]
     pub phase_rad: f64,
     /// Its standard uncertainty, rad.
+    #[serde(
+        rename = "standard_uncertainty_phase_deg",
+        serialize_with = "calib_output::number::rad_as_deg"
+    )]
     pub standard_uncertainty_phase_rad: f64,
     /// Harmonics 2 to 5 that lie below half the sample rate.
     pub harmonics: Vec<Harmonic>,

@@ -1,13 +1,14 @@
 //! A capture in numbers: what a table, a page or a program shows of it.
 
 use super::{Capture, FitError, ToneFit, Window, fit, spectrum};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Lines of the spectrum that are listed.
 const PEAKS: usize = 5;
 
 /// What a capture shows.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Report {
     /// Running number of the first sample.
     pub first_index: u64,
@@ -24,11 +25,15 @@ pub struct Report {
     /// Fundamental of the device over that of the reference, V/V.
     pub ratio: Option<f64>,
     /// Its phase, rad in (-pi, pi].
+    #[serde(
+        rename = "phase_deg",
+        serialize_with = "calib_output::number::maybe_rad_as_deg"
+    )]
     pub phase_rad: Option<f64>,
 }
 
 /// What one channel shows.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Channel {
     /// A sample lies at an end of the converter's range.
     pub clipped: bool,
@@ -43,7 +48,7 @@ pub struct Channel {
 }
 
 /// A line of the spectrum.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Peak {
     /// Hz, to the distance of two lines.
     pub frequency_hz: f64,

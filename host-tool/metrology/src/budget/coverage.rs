@@ -9,6 +9,7 @@
 
 use super::contribution::EvaluatedComponent;
 use crate::statistics;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What the author of the budget asked for.
@@ -23,7 +24,7 @@ pub enum CoverageRule {
 }
 
 /// What the coverage factor rests on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum CoverageBasis {
     /// Stated in the budget.

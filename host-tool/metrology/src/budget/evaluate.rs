@@ -1,13 +1,11 @@
 //! The law of propagation of uncertainty, and which component to improve.
 
-use super::contribution::{EvaluatedComponent, InDegrees};
+use super::contribution::EvaluatedComponent;
 use super::coverage::{self, CoverageBasis};
 use super::{Budget, Coefficient, Unit};
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
 
 /// What halving one component would bring.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Improvement {
     /// Name of the component.
     pub label: String,
@@ -228,43 +226,5 @@ fn warn_of_stated_factor(budget: &Budget, evaluation: &mut Evaluation) {
             fitting.value,
             100.0 * probability,
         ));
-    }
-}
-
-impl Serialize for Evaluation {
-    /// Field names end in `_percent`, or `_deg` in phase budgets. Infinite
-    /// degrees of freedom are `null`: JSON has no infinity.
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let unit = match self.unit {
-            Unit::Percent => "percent",
-            Unit::Degree => "deg",
-        };
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("measurand", &self.measurand)?;
-        match self.unit {
-            Unit::Percent => map.serialize_entry("components", &self.components)?,
-            Unit::Degree => {
-                let components: Vec<_> = self.components.iter().map(InDegrees).collect();
-                map.serialize_entry("components", &components)?;
-            }
-        }
-        map.serialize_entry(
-            &format!("combined_standard_uncertainty_{unit}"),
-            &self.combined_standard_uncertainty,
-        )?;
-        map.serialize_entry(
-            "effective_degrees_of_freedom",
-            &self.effective_degrees_of_freedom,
-        )?;
-        map.serialize_entry("coverage_factor", &self.coverage_factor)?;
-        map.serialize_entry("coverage_probability", &self.coverage_probability)?;
-        map.serialize_entry("coverage_basis", &self.coverage_basis)?;
-        map.serialize_entry(
-            &format!("expanded_uncertainty_{unit}"),
-            &self.expanded_uncertainty,
-        )?;
-        map.serialize_entry("improve_first", &self.improve_first)?;
-        map.serialize_entry("remarks", &self.remarks)?;
-        map.end()
     }
 }

@@ -1,11 +1,12 @@
 //! Empty budgets with the rows of Tables A.1 to A.4.
 
 use calib_core::budget::Table;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 
 /// Rows of a table of Annex A, to be filled in.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Template {
     /// Name of the table, `A.1` to `A.4`.
     pub table: &'static str,
@@ -16,7 +17,7 @@ pub struct Template {
 }
 
 /// A row without a value.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct TemplateRow {
     /// Number in the table, from 1.
     pub number: usize,

@@ -13,12 +13,13 @@ pub use requirements::{Basis, Outcome, Requirement, requirements};
 pub use rows::Held;
 
 use calib_core::settings::Example;
-use calib_core::verdict::Verdict;
+use calib_output::{PointState, SetPoint};
 use calib_protocol::record::Record;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A record judged.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Check {
     /// Which requirements were applied: 1 (laboratory) or 2 (field).
     pub example: u8,
@@ -33,14 +34,15 @@ pub struct Check {
 }
 
 /// A point judged.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PointCheck {
-    /// Nominal frequency, Hz.
-    pub frequency_hz: f64,
-    /// Set acceleration, m/s2 r.m.s.
-    pub acceleration_rms_ms2: f64,
-    /// The instrument's own verdict, in words.
-    pub verdict: String,
+    /// What was asked.
+    #[serde(flatten)]
+    pub set: SetPoint,
+    /// What the instrument says of the point.
+    pub state: PointState,
+    /// Code of the instrument's reason for a refusal, in snake case.
+    pub reason: Option<String>,
     /// Rows of Tables 1 and 2; none for a refused point, whose numbers are no
     /// results.
     pub held: Vec<Held>,
@@ -49,7 +51,7 @@ pub struct PointCheck {
 }
 
 /// A statement that is missing.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Missing {
     /// What is missing.
     pub item: String,
@@ -78,15 +80,16 @@ pub fn check(record: &Record, missing: Vec<Missing>, example: Option<Example>) -
 
 fn points(record: &Record, example: Example) -> Vec<PointCheck> {
     let judged = record.points.iter().map(|point| {
-        let held = match point.verdict {
-            Verdict::Pass => rows::held(record, example, point),
-            Verdict::Refused(_) => Vec::new(),
+        let (state, reason) = PointState::of(point.verdict);
+        let held = match state {
+            PointState::Valid => rows::held(record, example, point),
+            PointState::Refused => Vec::new(),
         };
         PointCheck {
-            frequency_hz: f64::from(point.spec.frequency_hz),
-            acceleration_rms_ms2: f64::from(point.spec.acceleration_rms_ms2),
-            verdict: point.verdict.to_string(),
-            pass: point.verdict == Verdict::Pass && held.iter().all(|row| row.pass),
+            set: SetPoint::from(&point.spec),
+            pass: reason.is_none() && held.iter().all(|row| row.pass),
+            state,
+            reason,
             held,
         }
     });

@@ -66,8 +66,8 @@ fn row(requirement: &Requirement) -> Vec<String> {
 /// A point with the value of each row; `!` marks one that is not fulfilled.
 fn point(point: &PointCheck) -> Vec<String> {
     let mut cells = vec![
-        significant(point.frequency_hz, 4),
-        significant(point.acceleration_rms_ms2, 3),
+        significant(f64::from(point.set.frequency_hz), 4),
+        significant(f64::from(point.set.set_acceleration_rms_ms2), 3),
     ];
     const COLUMNS: [&str; 6] = [
         "U of the magnitude",

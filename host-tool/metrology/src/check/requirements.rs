@@ -11,10 +11,11 @@ use calib_core::requirements::{
 use calib_core::settings::Example;
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Outcome of a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
     /// Every point fulfils it.
@@ -26,7 +27,7 @@ pub enum Outcome {
 }
 
 /// Where a value comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Basis {
     /// Measured at the points of the record.
@@ -36,7 +37,7 @@ pub enum Basis {
 }
 
 /// One row of a table, judged.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Requirement {
     /// Table or clause of ISO 16063-21.
     pub table: &'static str,

@@ -5,6 +5,7 @@ use calib_core::point::PointResult;
 use calib_core::requirements::{Attainable, VibrationGeneration};
 use calib_core::settings::Example;
 use calib_protocol::record::Record;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::SQRT_2;
 
@@ -45,7 +46,7 @@ pub(super) struct Row {
 }
 
 /// Value and limit of one row at one point.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Held {
     /// Table of ISO 16063-21.
     pub table: &'static str,

@@ -1,10 +1,11 @@
 //! What an identification found.
 
 use crate::oscillator::Oscillator;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// How the points are weighted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Weighting {
     /// Inverse of the full covariance of (7).
@@ -14,11 +15,19 @@ pub enum Weighting {
 }
 
 /// Distance of the points from the model (8.4.1, 9.2).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Deviation {
     /// Root mean square relative deviation of the magnitude, percent.
+    #[serde(
+        rename = "magnitude_rms_rel",
+        serialize_with = "calib_output::number::percent_as_rel"
+    )]
     pub magnitude_rms_percent: f64,
     /// Largest relative deviation of the magnitude, percent.
+    #[serde(
+        rename = "magnitude_max_rel",
+        serialize_with = "calib_output::number::percent_as_rel"
+    )]
     pub magnitude_max_percent: f64,
     /// Root mean square deviation of the phase, degrees.
     pub phase_rms_deg: f64,
@@ -27,7 +36,7 @@ pub struct Deviation {
 }
 
 /// Identified parameters with their uncertainties and tests.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Identification {
     /// S0, f0 and delta.
     #[serde(flatten)]
@@ -35,12 +44,16 @@ pub struct Identification {
     /// Electromechanical conversion factor `S0 w0^2`.
     pub rho: f64,
     /// Standard uncertainty of S0.
+    #[serde(rename = "standard_uncertainty_s0")]
     pub u_s0: f64,
     /// Standard uncertainty of f0, Hz.
+    #[serde(rename = "standard_uncertainty_f0_hz")]
     pub u_f0_hz: f64,
     /// Standard uncertainty of delta.
+    #[serde(rename = "standard_uncertainty_delta")]
     pub u_delta: f64,
     /// Standard uncertainty of rho.
+    #[serde(rename = "standard_uncertainty_rho")]
     pub u_rho: f64,
     /// Correlation matrix of (S0, f0, delta).
     pub correlation: [[f64; 3]; 3],

@@ -7,10 +7,11 @@ use crate::monte_carlo::{Interval, Lanes, coverage_intervals};
 use crate::oscillator::Oscillator;
 use crate::statistics::{mean, standard_deviation};
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Distribution of one parameter.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Parameter {
     /// Mean.
     pub mean: f64,
@@ -21,7 +22,7 @@ pub struct Parameter {
 }
 
 /// Distributions of the parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Spread {
     /// Trials drawn.
     pub trials: usize,

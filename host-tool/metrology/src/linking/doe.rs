@@ -2,10 +2,11 @@
 
 use crate::input::{Column, Source, Table};
 use calib_files::Result;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One published degree of equivalence.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Degree {
     /// Laboratory.
     pub laboratory: String,
@@ -14,6 +15,7 @@ pub struct Degree {
     /// Degree of equivalence.
     pub d: f64,
     /// Its expanded uncertainty.
+    #[serde(rename = "expanded_uncertainty")]
     pub u_expanded: f64,
 }
 
@@ -27,7 +29,7 @@ pub struct DoeTable {
 }
 
 /// Outcome for a table.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Judgement {
     /// Rows judged.
     pub rows: usize,

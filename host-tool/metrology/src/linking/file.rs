@@ -4,6 +4,7 @@ use super::link::{Linked, link};
 use super::reference::OnFailure;
 use crate::input::{self, Number, Source, Text};
 use calib_files::Result;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use toml::Spanned;
@@ -51,7 +52,7 @@ pub struct LinkFile {
 }
 
 /// A linked frequency.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LinkedFrequency {
     /// Frequency, Hz.
     pub frequency_hz: Option<f64>,

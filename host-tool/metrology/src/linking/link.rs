@@ -6,10 +6,11 @@
 //! `the_printed_formulae_follow` compares them.
 
 use super::reference::{OnFailure, ReferenceValue, reference_value};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One linked laboratory.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct LinkedLaboratory {
     /// Name.
     pub laboratory: String,
@@ -22,13 +23,14 @@ pub struct LinkedLaboratory {
     /// Degree of equivalence against the reference value.
     pub d: f64,
     /// Expanded uncertainty of `d`.
+    #[serde(rename = "expanded_uncertainty")]
     pub u_expanded: f64,
     /// `d / u_expanded`.
     pub e_n: f64,
 }
 
 /// Degree of equivalence between two laboratories.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Pair {
     /// First laboratory.
     pub a: String,
@@ -37,13 +39,14 @@ pub struct Pair {
     /// Difference of the linked results, a - b.
     pub d: f64,
     /// Expanded uncertainty of the difference.
+    #[serde(rename = "expanded_uncertainty")]
     pub u_expanded: f64,
     /// `d / u_expanded`.
     pub e_n: f64,
 }
 
 /// A linked comparison at one frequency.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Linked {
     /// Reference value of the key comparison.
     pub reference_value: ReferenceValue,
@@ -52,6 +55,7 @@ pub struct Linked {
     /// Linking coefficient `r = x / y`.
     pub linking_coefficient: f64,
     /// Its standard uncertainty.
+    #[serde(rename = "standard_uncertainty_linking_coefficient")]
     pub u_linking_coefficient: f64,
     /// Linked laboratories in the order of the regional comparison.
     pub laboratories: Vec<LinkedLaboratory>,

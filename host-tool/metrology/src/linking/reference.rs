@@ -1,10 +1,11 @@
 //! The reference value: weighted mean, its consistency, and what if it fails.
 
 use crate::statistics;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Reference value of a comparison.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ReferenceValue {
     /// Mean, weighted with 1/(u^2 + tau^2).
     pub value: f64,

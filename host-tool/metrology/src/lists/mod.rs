@@ -6,14 +6,16 @@
 
 use super::line_fit::Line;
 use calib_files::{Error, Result};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One point to be measured.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ListPoint {
     /// Frequency, Hz.
     pub frequency_hz: f64,
     /// Acceleration, m/s2 r.m.s.
+    #[serde(rename = "set_acceleration_rms_ms2")]
     pub acceleration_rms_ms2: f64,
 }
 
@@ -118,7 +120,7 @@ fn series(mantissas: &[f64], from: f64, to: f64) -> Vec<f64> {
 }
 
 /// Deviation of a result from that at the reference point (5.3).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// Percent of the reference.
     pub percent: f64,
@@ -136,7 +138,7 @@ pub fn deviation(sensitivity: f64, reference: f64) -> Deviation {
 }
 
 /// What a linearity run shows.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Linearity {
     /// Sensitivity over level; the slope is the non-linearity per m/s2.
     pub line: Line,

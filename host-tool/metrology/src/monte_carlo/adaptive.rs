@@ -5,7 +5,6 @@ use super::interval::{Interval, coverage_intervals};
 use super::random::Lanes;
 use super::tolerance::numerical_tolerance;
 use crate::statistics;
-use serde::Serialize;
 use std::thread;
 
 /// Trials of one block: `M = max(J, 10^4)`, J = 100 / (1 - p) (GUM-S1 7.9.4 b).
@@ -46,7 +45,7 @@ impl Default for Options {
 }
 
 /// Result of the propagation, in the unit of the budget.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
     /// Trials drawn.
     pub trials: usize,

@@ -1,9 +1,10 @@
 //! Coverage intervals of sampled values.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A coverage interval, in the unit of the values.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Interval {
     /// Lower end.
     pub low: f64,

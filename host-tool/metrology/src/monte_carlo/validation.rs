@@ -4,14 +4,12 @@ use super::adaptive::Outcome;
 use super::tolerance::numerical_tolerance;
 use crate::budget::{Evaluation, Unit};
 use crate::text::{significant, wrap};
-use serde::Serialize;
 use std::fmt::Write;
 
 /// First-order result beside the propagated distributions.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug)]
 pub struct Comparison {
     /// The propagated distributions.
-    #[serde(flatten)]
     pub outcome: Outcome,
     /// Tolerance delta of the standard uncertainty (GUM-S1 7.9.2).
     pub tolerance: f64,

@@ -12,6 +12,7 @@ mod chart;
 pub use chart::{RigLimits, nomogram_chart};
 
 use calib_files::{Error, Result};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::{SQRT_2, TAU};
 
@@ -38,7 +39,7 @@ impl Measure {
 }
 
 /// One quantity in its three measures.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Amplitude {
     /// Root mean square.
     pub rms: f64,
@@ -59,7 +60,7 @@ impl Amplitude {
 }
 
 /// A sinusoidal vibration.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Vibration {
     /// Frequency, Hz.
     pub frequency_hz: f64,

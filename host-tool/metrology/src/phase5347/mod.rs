@@ -17,6 +17,7 @@ pub use report::report;
 
 use super::budget::{self, Budget, Component, CoverageRule, Distribution, Model, Unit};
 use super::statistics::{mean, standard_deviation, student_factor};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Preferred frequencies of clause 3, Hz.
@@ -25,7 +26,7 @@ pub const PREFERRED_HZ: [f64; 9] = [
 ];
 
 /// Result at one frequency, degrees.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PhaseResult {
     /// Frequency, Hz.
     pub frequency_hz: f64,
@@ -42,6 +43,7 @@ pub struct PhaseResult {
     /// Combined standard uncertainty by the GUM.
     pub gum_standard_uncertainty_deg: f64,
     /// Effective degrees of freedom; infinite is `null` in JSON.
+    #[schemars(with = "Option<f64>")]
     pub gum_effective_degrees_of_freedom: f64,
     /// Coverage factor for 95 %.
     pub gum_coverage_factor: f64,

@@ -22,10 +22,13 @@ struct Raw {
     f0_hz: f64,
     delta: f64,
     #[serde(default)]
+    #[serde(alias = "standard_uncertainty_s0")]
     u_s0: f64,
     #[serde(default)]
+    #[serde(alias = "standard_uncertainty_f0_hz")]
     u_f0_hz: f64,
     #[serde(default)]
+    #[serde(alias = "standard_uncertainty_delta")]
     u_delta: f64,
     correlation: Option<[[f64; 3]; 3]>,
 }

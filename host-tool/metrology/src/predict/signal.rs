@@ -5,6 +5,7 @@ use crate::discrete::{Discrete, Mapping, run};
 use crate::oscillator::Oscillator;
 use calib_files::{Error, Result};
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::{PI, SQRT_2};
 
@@ -23,11 +24,12 @@ pub struct Request {
 }
 
 /// A signal with its standard uncertainty.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Estimate {
     /// Samples.
     pub values: Vec<f64>,
     /// Standard uncertainty of each sample: parameters and noise.
+    #[serde(rename = "standard_uncertainties")]
     pub u_values: Vec<f64>,
     /// Inverse only: what the low-pass filter takes from the signal, found by
     /// filtering the estimate once more; not part of `u_values`. At corners

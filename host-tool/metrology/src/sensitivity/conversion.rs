@@ -2,10 +2,11 @@
 
 use crate::text::{significant, table};
 use calib_core::quantity::{MotionQuantity, Sensitivity};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A motion quantity by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Quantity {
     /// Acceleration, m/s2.
@@ -46,7 +47,7 @@ impl Quantity {
 }
 
 /// A sensitivity to one quantity.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Converted {
     /// Quantity.
     pub quantity: Quantity,

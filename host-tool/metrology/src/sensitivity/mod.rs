@@ -26,10 +26,12 @@ use calib_core::points::{REFERENCE_HZ, deviation};
 use calib_core::polarity::Polarity;
 use calib_core::settings::Example;
 use calib_core::verdict::Reason;
+use calib_output::{PointState, code};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One evaluated point.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PointSensitivity {
     /// Frequency, Hz.
     pub frequency_hz: f32,
@@ -41,19 +43,24 @@ pub struct PointSensitivity {
     pub phase_deg: Option<f32>,
     /// The device is inverted; its phase is that of the inverted axis.
     pub inverted: bool,
-    /// Change of the reference between its readings, percent.
-    pub drift_percent: Option<f32>,
-    /// Half-width of what the drift may have left, percent: a rectangular
+    /// Relative change of the reference between its readings.
+    pub drift_rel: Option<f32>,
+    /// Relative half-width of what the drift may have left: a rectangular
     /// component of the budget (row 3 of Table A.1).
-    pub drift_half_width_percent: Option<f32>,
-    /// Deviation of the magnitude from the reference point, percent.
-    pub deviation_percent: Option<f32>,
+    pub drift_half_width_rel: Option<f32>,
+    /// Relative deviation of the magnitude from the reference point.
+    pub deviation_rel: Option<f32>,
     /// The same in dB.
     pub deviation_db: Option<f32>,
     /// Deviation of the phase from the reference point, degrees.
     pub deviation_deg: Option<f32>,
-    /// `pass`, or why not.
-    pub verdict: String,
+    /// Whether there is a result.
+    pub state: PointState,
+    /// Code of the reason for a refusal, in snake case.
+    pub reason: Option<String>,
+    /// The same in words.
+    #[serde(skip)]
+    pub refused: Option<String>,
 }
 
 /// Evaluates the points in the order of the file. The reference point, which
@@ -90,7 +97,6 @@ fn sensitivity(reading: &Reading, with_phase: bool, example: Example) -> PointSe
             ("consecutive", value, Some(readings))
         }
     };
-    let percent = |value: f32| 100.0 * value;
     PointSensitivity {
         frequency_hz: reading.frequency_hz,
         method,
@@ -100,19 +106,23 @@ fn sensitivity(reading: &Reading, with_phase: bool, example: Example) -> PointSe
             .filter(|_| with_phase)
             .map(|value| value.arg().to_degrees()),
         inverted: false,
-        drift_percent: drift.map(|readings| percent(readings.drift_rel())),
-        drift_half_width_percent: drift.map(|readings| percent(readings.drift_half_width_rel())),
-        deviation_percent: None,
+        drift_rel: drift.map(|readings| readings.drift_rel()),
+        drift_half_width_rel: drift.map(|readings| readings.drift_half_width_rel()),
+        deviation_rel: None,
         deviation_db: None,
         deviation_deg: None,
-        verdict: match value {
-            Ok(_) => "pass".into(),
-            // The sequence knows the amplitude by its reference alone.
-            Err(Reason::AmplitudeUnstable) => {
-                "refused: the reference moved by more than Table 3 allows".into()
-            }
-            Err(reason) => format!("refused: {reason}"),
+        state: match value {
+            Ok(_) => PointState::Valid,
+            Err(_) => PointState::Refused,
         },
+        reason: value.err().map(|reason| code(&reason)),
+        refused: value.err().map(|reason| match reason {
+            // The sequence knows the amplitude by its reference alone.
+            Reason::AmplitudeUnstable => {
+                "the reference moved by more than Table 3 allows".to_owned()
+            }
+            reason => reason.to_string(),
+        }),
     }
 }
 
@@ -142,7 +152,7 @@ fn state_deviations(points: &mut [PointSensitivity], reference: usize) {
         let phase_rad = point.phase_deg.unwrap_or(0.0).to_radians();
         let own = (point.sensitivity.unwrap_or(0.0), phase_rad);
         if let Some(found) = deviation(own, reference) {
-            point.deviation_percent = Some(100.0 * found.rel);
+            point.deviation_rel = Some(found.rel);
             point.deviation_db = Some(found.db);
             point.deviation_deg = point.phase_deg.map(|_| found.phase_rad.to_degrees());
         }

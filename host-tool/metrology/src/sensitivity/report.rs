@@ -23,11 +23,14 @@ pub fn report(points: &[PointSensitivity], unit: &str, remarks: &[String]) -> St
     if points.iter().any(|point| point.inverted) {
         text.push_str("\ninverted: the output falls with positive motion (Annex B)\n");
     }
-    for point in points.iter().filter(|point| point.sensitivity.is_none()) {
-        let line = format!("{} Hz {}", point.frequency_hz, point.verdict);
+    for (point, why) in points
+        .iter()
+        .filter_map(|p| Some((p, p.refused.as_deref()?)))
+    {
+        let line = format!("{} Hz refused: {why}", point.frequency_hz);
         text.push_str(&format!("\n{}", wrap(&line, 0)));
     }
-    if points.iter().any(|point| point.drift_percent.is_some()) {
+    if points.iter().any(|point| point.drift_rel.is_some()) {
         text.push_str(&format!(
             "\n{}",
             wrap(
@@ -47,15 +50,16 @@ fn row(point: &PointSensitivity) -> Vec<String> {
     let places = |value: Option<f32>, places: usize| {
         value.map_or("-".into(), |value| format!("{value:+.places$}"))
     };
+    let percent = |value: Option<f32>| value.map(|value| 100.0 * value);
     vec![
         significant(f64::from(point.frequency_hz), 5),
         point
             .sensitivity
             .map_or("-".into(), |s| significant(f64::from(s), 5)),
         places(point.phase_deg, 3),
-        places(point.deviation_percent, 3),
+        places(percent(point.deviation_rel), 3),
         places(point.deviation_db, 4),
-        places(point.drift_percent, 3),
+        places(percent(point.drift_rel), 3),
         match (point.sensitivity, point.inverted) {
             (None, _) => "refused".into(),
             (_, true) => "inverted".into(),

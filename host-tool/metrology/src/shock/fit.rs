@@ -10,10 +10,11 @@ use crate::statistics;
 use calib_files::{Error, Result};
 use nalgebra::{Matrix3, Vector3};
 use num_complex::Complex64;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Result of a shock identification.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ShockIdentification {
     /// Continuous-time parameters.
     #[serde(flatten)]
@@ -21,16 +22,20 @@ pub struct ShockIdentification {
     /// Electromechanical conversion factor.
     pub rho: f64,
     /// Standard uncertainty of S0.
+    #[serde(rename = "standard_uncertainty_s0")]
     pub u_s0: f64,
     /// Standard uncertainty of f0, Hz.
+    #[serde(rename = "standard_uncertainty_f0_hz")]
     pub u_f0_hz: f64,
     /// Standard uncertainty of delta.
+    #[serde(rename = "standard_uncertainty_delta")]
     pub u_delta: f64,
     /// Correlation matrix of (S0, f0, delta).
     pub correlation: [[f64; 3]; 3],
     /// Discrete-time parameters for this sample rate and mapping.
     pub discrete: Discrete,
     /// Standard uncertainties of b, c1, c2.
+    #[serde(rename = "standard_uncertainty_discrete")]
     pub u_discrete: Discrete,
     /// Samples per second, Hz.
     pub sample_rate_hz: f64,
@@ -55,8 +60,16 @@ pub struct ShockIdentification {
     /// Root mean square of measured minus simulated output, percent of the
     /// measured peak (8.4.2); `None` when delta is not positive and the
     /// simulation would grow without bound.
+    #[serde(
+        rename = "simulation_rms_rel",
+        serialize_with = "calib_output::number::maybe_percent_as_rel"
+    )]
     pub simulation_rms_percent: Option<f64>,
     /// Largest deviation, percent of the measured peak.
+    #[serde(
+        rename = "simulation_max_rel",
+        serialize_with = "calib_output::number::maybe_percent_as_rel"
+    )]
     pub simulation_max_percent: Option<f64>,
     /// Warnings.
     pub warnings: Vec<String>,

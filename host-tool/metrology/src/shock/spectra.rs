@@ -4,11 +4,12 @@ use super::choice::Choice;
 use calib_files::{Error, Result};
 use nalgebra::Complex;
 use rustfft::FftPlanner;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
 /// Frequencies used, Hz.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Range {
     /// Lowest bin.
     pub from_hz: f64,

@@ -2,6 +2,7 @@
 
 use calib_metrology::budget::type_a;
 use calib_metrology::budget::{self, Budget, Component, CoverageRule, Distribution, Model, Unit};
+use calib_metrology::evaluated::EvaluationView;
 use calib_metrology::input::Source;
 use calib_metrology::statistics::student_factor;
 use nalgebra::{DMatrix, DVector};
@@ -341,14 +342,17 @@ fn the_report_fits_eighty_columns() {
 #[test]
 fn the_json_has_the_documented_fields() {
     let evaluation = budget::evaluate(&parse(TABLE_D1).expect("budget"));
-    let json = serde_json::to_value(&evaluation).expect("JSON");
-    let contribution = &json["components"][0]["contribution_percent"];
-    assert_eq!(contribution.as_f64(), Some(0.25));
+    let view = EvaluationView::new(&evaluation, None);
+    let json = serde_json::to_value(view).expect("JSON");
+    // 0.25 %, stated relative.
+    let contribution = &json["components"][0]["contribution"];
+    assert_eq!(contribution.as_f64(), Some(0.0025));
+    assert_eq!(json["unit"], "1");
     assert!(json["effective_degrees_of_freedom"].is_null());
     for field in [
-        "combined_standard_uncertainty_percent",
+        "combined_standard_uncertainty",
         "coverage_factor",
-        "expanded_uncertainty_percent",
+        "expanded_uncertainty",
     ] {
         assert!(json[field].as_f64().is_some(), "{field}");
     }

@@ -52,7 +52,7 @@ impl Challenge {
             format!(
                 "{} datasets in {}\ntruth in {}: keep it away from whoever answers\n\
                  SHA-256 of the truth, to be published now: {}\n\
-                 answer with  calib gap diagnose {} --json > answers.jsonl\n\
+                 answer with  calib gap diagnose {} --json-lines > answers.jsonl\n\
                  open with    calib gap score answers.jsonl {}",
                 sealed.cases,
                 sealed.folder.display(),
@@ -77,7 +77,7 @@ fn strata_parser() -> impl TypedValueParser<Value = Stratum> {
 /// `calib gap score`.
 #[derive(Debug, Args)]
 pub(crate) struct ScoreVerb {
-    /// Answers: what `calib gap diagnose --json` printed.
+    /// Answers: what `calib gap diagnose --json-lines` printed.
     answers: PathBuf,
     /// The truth of the set.
     truth: PathBuf,

@@ -1,6 +1,7 @@
 //! `calib gap diagnose`: one answer per dataset.
 
 use super::super::Context;
+use super::super::context::{Form, defect};
 use super::misuse::{refused, unusable};
 use super::progress::Count;
 use super::text;
@@ -8,9 +9,11 @@ use calib_gap::{Answer, GapError, Options, check_name, diagnose};
 use calib_gap_challenge::truth::Manifest;
 use calib_host::gap::confirm::confirm;
 use calib_host::{Error, Result};
+use calib_output::json;
 use clap::Args;
 use rayon::prelude::*;
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
@@ -22,7 +25,7 @@ const MOST_REPORTED: usize = 100;
 /// `calib gap diagnose`.
 #[derive(Debug, Args)]
 pub(crate) struct Diagnose {
-    /// Dataset folders (rig.toml with points.csv or record.csv), or sealed sets; several with --json give one line each.
+    /// Dataset folders (rig.toml with points.csv or record.csv), or sealed sets; --json gives a list for several, --json-lines one line for each.
     #[arg(required = true, value_name = "DATASET")]
     datasets: Vec<PathBuf>,
     /// Effects that must not be named.
@@ -105,7 +108,10 @@ impl Diagnose {
     /// Diagnoses on all cores; each answer is printed as soon as those before it are.
     fn many(&self, context: &Context, jobs: &[Job]) -> Result<()> {
         let count = Count::new(context, "datasets");
-        let printer = Mutex::new(Printer::new(context.json, self.report.is_some()));
+        let printer = Mutex::new(Printer::new(
+            context,
+            self.report.as_ref().map_or(0, |_| MOST_REPORTED),
+        ));
         jobs.par_iter().enumerate().try_for_each(|(at, job)| {
             let answer = self.answer(job);
             let mut printer = printer.lock().unwrap_or_else(PoisonError::into_inner);
@@ -116,6 +122,9 @@ impl Diagnose {
         drop(count);
         let printer = printer.into_inner().unwrap_or_else(PoisonError::into_inner);
         self.report(&printer.kept)?;
+        if context.form == Form::Json {
+            context.print(&printer.list, String::new)?;
+        }
         match printer.unusable {
             0 => Ok(()),
             n => Err(Error::input(
@@ -136,57 +145,102 @@ impl Diagnose {
     }
 }
 
-/// Prints answers in the order of the jobs.
-struct Printer {
-    json: bool,
-    keep: bool,
+/// What is said of one dataset of several.
+#[derive(Serialize, JsonSchema)]
+#[serde(untagged)]
+pub(in crate::cli) enum Said {
+    /// It was diagnosed.
+    Answer(Box<Answer>),
+    /// It could not be used.
+    Unusable {
+        /// Which.
+        dataset: Unread,
+        /// Why.
+        error: String,
+    },
+}
+
+/// A dataset that could not be read.
+#[derive(Serialize, JsonSchema)]
+pub(in crate::cli) struct Unread {
+    /// Its folder.
+    path: PathBuf,
+}
+
+impl Said {
+    fn new(job: &Job, answer: Result<Answer, GapError>) -> Self {
+        match answer {
+            Ok(answer) => Self::Answer(Box::new(answer)),
+            Err(error) => Self::Unusable {
+                dataset: Unread {
+                    path: job.folder.clone(),
+                },
+                error: error.to_string(),
+            },
+        }
+    }
+
+    fn text(&self) -> String {
+        match self {
+            Self::Answer(answer) => format!("{}\n\n", text::answer(answer)),
+            Self::Unusable { dataset, error } => {
+                format!("{}\n  error: {error}\n\n", dataset.path.display())
+            }
+        }
+    }
+}
+
+/// Prints answers in the order of the jobs, or keeps them for one document.
+struct Printer<'a> {
+    context: &'a Context,
     next: usize,
     done: usize,
-    waiting: BTreeMap<usize, String>,
+    waiting: BTreeMap<usize, Said>,
     kept: Vec<Answer>,
+    keep: usize,
+    list: Vec<Said>,
     unusable: usize,
 }
 
-impl Printer {
-    fn new(json: bool, keep: bool) -> Self {
+impl<'a> Printer<'a> {
+    /// Keeps the first `keep` answers for a report.
+    fn new(context: &'a Context, keep: usize) -> Self {
         Self {
-            json,
-            keep,
+            context,
             next: 0,
             done: 0,
             waiting: BTreeMap::new(),
             kept: Vec::new(),
+            keep,
+            list: Vec::new(),
             unusable: 0,
         }
     }
 
     fn take(&mut self, at: usize, job: &Job, answer: Result<Answer, GapError>) -> Result<()> {
         self.done += 1;
-        self.waiting.insert(at, self.text(job, &answer));
-        match answer {
-            Ok(answer) if self.keep && self.kept.len() < MOST_REPORTED => self.kept.push(answer),
-            Ok(_) => {}
-            Err(_) => self.unusable += 1,
+        self.unusable += usize::from(answer.is_err());
+        if let Ok(answer) = &answer
+            && self.kept.len() < self.keep
+        {
+            self.kept.push(answer.clone());
         }
-        while let Some(text) = self.waiting.remove(&self.next) {
-            let mut out = std::io::stdout().lock();
+        self.waiting.insert(at, Said::new(job, answer));
+        while let Some(said) = self.waiting.remove(&self.next) {
+            self.next += 1;
+            let text = match self.context.form {
+                Form::Text => said.text(),
+                Form::JsonLines => json::line(&said).map_err(defect)?,
+                Form::Json => {
+                    self.list.push(said);
+                    continue;
+                }
+            };
             // `| head` is no failure, and the rest is not worth the work.
+            let mut out = std::io::stdout().lock();
             out.write_all(text.as_bytes())
                 .map_err(|e| Error::file("write", "standard output".as_ref(), e))?;
-            self.next += 1;
         }
         Ok(())
-    }
-
-    fn text(&self, job: &Job, answer: &Result<Answer, GapError>) -> String {
-        let line = match (answer, self.json) {
-            (Ok(answer), true) => serde_json::to_string(answer).unwrap_or_default(),
-            (Ok(answer), false) => format!("{}\n", text::answer(answer)),
-            (Err(error), true) => {
-                json!({ "dataset": { "path": job.folder }, "error": error.to_string() }).to_string()
-            }
-            (Err(error), false) => format!("{}\n  error: {error}\n", job.folder.display()),
-        };
-        line + "\n"
     }
 }

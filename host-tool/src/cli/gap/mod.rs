@@ -10,6 +10,9 @@ mod record;
 mod simulate;
 mod text;
 
+pub(super) use diagnose::Said;
+pub(super) use record::Written;
+
 use super::Context;
 use calib_host::Result;
 use clap::{Args, Subcommand};

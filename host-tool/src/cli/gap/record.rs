@@ -4,7 +4,7 @@ use super::super::Context;
 use super::super::number::positive;
 use super::super::progress::RunProgress;
 use super::super::run::stop_on_interrupt;
-use calib_core::point::{PointResult, PointSpec};
+use calib_core::point::PointSpec;
 use calib_host::emulated::{self, EmulatedBoard};
 use calib_host::gap::design::diagnostic_points;
 use calib_host::gap::known::Known;
@@ -12,10 +12,12 @@ use calib_host::gap::recorded::{Recorded, Setting, record, under};
 use calib_host::{Error, Result};
 use calib_link::Client;
 use calib_link::session;
+use calib_output::PointView;
 use calib_twin::dataset::{self, Point};
 use calib_twin::rig::Rig;
 use clap::Args;
-use serde_json::json;
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::io::{IsTerminal, stdin};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -96,6 +98,21 @@ enum Source {
     Emulated(Box<Rig>),
 }
 
+/// What was measured and written.
+#[derive(Serialize, JsonSchema)]
+pub(in crate::cli) struct Written {
+    /// Folder of the dataset.
+    dataset: PathBuf,
+    /// Rows of the dataset.
+    rows: usize,
+    /// Runs measured.
+    runs: u8,
+    /// Points the calibrator refused.
+    refused: Vec<PointView>,
+    /// What is known of the chain, and was taken out of the rows.
+    taken_out: Vec<String>,
+}
+
 impl RecordVerb {
     /// Measures and writes the dataset.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
@@ -122,7 +139,8 @@ impl RecordVerb {
             let done = self.measure(context, &mut source, &known, &setting, start_s, &stop)?;
             ended_s = start_s + done.duration_s;
             rows.extend(done.rows.into_iter().flatten());
-            refused.extend(done.refused);
+            let view = |point| PointView::new(point, done.sample_rate_hz);
+            refused.extend(done.refused.iter().map(view));
             if let Some(reason) = done.ended_by {
                 context.remark(&format!("the calibrator ended the run early: {reason}"));
             }
@@ -131,7 +149,7 @@ impl RecordVerb {
                 break;
             }
         }
-        self.write(context, &known, &rows, &refused)
+        self.write(context, &known, &rows, refused)
     }
 
     fn write(
@@ -139,7 +157,7 @@ impl RecordVerb {
         context: &Context,
         known: &Known,
         rows: &[Point],
-        refused: &[PointResult],
+        refused: Vec<PointView>,
     ) -> Result<()> {
         if rows.len() < 2 {
             return Err(Error::NotPassed(format!(
@@ -150,19 +168,19 @@ impl RecordVerb {
         }
         dataset::write(&self.out, &known.nominal, rows)
             .map_err(|error| Error::file("write", &self.out, error))?;
-        let result = json!({
-            "dataset": self.out,
-            "rows": rows.len(),
-            "runs": self.runs,
-            "refused": refused,
-            "taken_out": known.corrections(),
-        });
+        let result = Written {
+            dataset: self.out.clone(),
+            rows: rows.len(),
+            runs: self.runs,
+            refused,
+            taken_out: known.corrections(),
+        };
         context.print(&result, || {
             format!(
                 "{}: {} rows, {} points refused by the calibrator\ntaken out as known: {}",
                 self.out.display(),
                 rows.len(),
-                refused.len(),
+                result.refused.len(),
                 known.corrections().join("; ")
             )
         })
@@ -284,7 +302,8 @@ impl RecordVerb {
             }
         };
         let points = self.points(client, known, setting)?;
-        let mut progress = RunProgress::new(context);
+        let sample_rate_hz = client.info()?.sample_rate_hz;
+        let mut progress = RunProgress::new(context, sample_rate_hz);
         let waveforms = !self.no_waveforms;
         let recorded = record(
             client,

@@ -9,6 +9,7 @@ use calib_metrology::text::Table;
 use calib_protocol::record::RecordKind;
 use clap::{Args, Subcommand};
 use jiff::{civil::Date, tz::TimeZone};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -57,15 +58,24 @@ enum What {
     Check,
 }
 
-#[derive(Serialize)]
-struct Added {
+#[derive(Serialize, JsonSchema)]
+pub(in crate::cli) struct Added {
     file: PathBuf,
-    record: i64,
+    /// Number of the record in the logbook.
+    logbook_record: i64,
+    /// False when it was there already.
     new: bool,
 }
 
-#[derive(Serialize)]
-struct Written {
+/// Something that is not as it was entered.
+#[derive(Serialize, JsonSchema)]
+pub(in crate::cli) struct Problem<'a> {
+    /// What, in words.
+    problem: &'a str,
+}
+
+#[derive(Serialize, JsonSchema)]
+pub(in crate::cli) struct Written {
     file: PathBuf,
 }
 
@@ -124,20 +134,24 @@ fn add(context: &Context, mut logbook: Logbook, files: Vec<PathBuf>) -> Result<(
     for path in files {
         let bytes = std::fs::read(&path).map_err(|error| Error::file("read", &path, error))?;
         let kept = logbook.keep(&bytes).map_err(|error| error.of_file(&path))?;
-        let (record, new) = match kept {
+        let (logbook_record, new) = match kept {
             Kept::Added(id) => (id, true),
             Kept::Known(id) => (id, false),
         };
         added.push(Added {
             file: path,
-            record,
+            logbook_record,
             new,
         });
     }
     context.print(&added, || {
         let line = |added: &Added| {
             let known = if added.new { "" } else { ", was there already" };
-            format!("{}: record {}{known}\n", added.file.display(), added.record)
+            format!(
+                "{}: record {}{known}\n",
+                added.file.display(),
+                added.logbook_record
+            )
         };
         added.iter().map(line).collect()
     })
@@ -145,7 +159,8 @@ fn add(context: &Context, mut logbook: Logbook, files: Vec<PathBuf>) -> Result<(
 
 fn check(context: &Context, logbook: &Logbook) -> Result<()> {
     let wrong = logbook.inspect()?;
-    context.print(&wrong, || match wrong.is_empty() {
+    let problems: Vec<Problem<'_>> = wrong.iter().map(|problem| Problem { problem }).collect();
+    context.print(&problems, || match wrong.is_empty() {
         true => "every record and number is as it was entered".to_owned(),
         false => wrong.join("\n"),
     })?;

@@ -4,6 +4,7 @@ use crate::cli::Context;
 use calib_host::Result;
 use calib_logbook::export;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -18,8 +19,8 @@ pub(crate) struct Export {
     parquet: PathBuf,
 }
 
-#[derive(Serialize)]
-struct Exported {
+#[derive(Serialize, JsonSchema)]
+pub(in crate::cli) struct Exported {
     files: Vec<PathBuf>,
 }
 

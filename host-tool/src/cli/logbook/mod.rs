@@ -6,7 +6,9 @@ mod history;
 mod sensors;
 
 pub(crate) use entries::LogbookVerb;
+pub(super) use entries::{Added, Problem, Written};
 pub(crate) use export::Export;
+pub(super) use export::Exported;
 pub(crate) use history::History;
 pub(crate) use sensors::{Sensors, find as find_sensor};
 

@@ -16,7 +16,8 @@ export function row(cells, name) {
   return line;
 }
 
-const state_words = { Settling: "settling", Measuring: "measuring", Idle: "starting" };
+const state_words = { settling: "settling", measuring: "measuring", idle: "starting" };
+const valid = (point) => point.state === "valid";
 
 function heading(run, running) {
   if (!run) return "ready";
@@ -35,33 +36,33 @@ function left(run, running) {
 
 /** The big numbers: what the calibrator says now, and the last point that was measured. */
 function tiles(run, running) {
-  const status = running && run.status, last = run && run.points.filter((p) => p.passed).at(-1);
+  const status = running && run.status, last = run && run.points.filter(valid).at(-1);
   const put = (id, value, digits) => {
     $(id).textContent = value === undefined || value === false || value === null ? "–" : value.toFixed(digits);
   };
   const working = status && status.frequency_hz > 0 ? status : null;
   $("frequency").textContent = working ? String(+working.frequency_hz.toPrecision(5)) : "–";
-  put("target", working && working.target_rms_ms2, 1);
+  put("target", working && working.set_acceleration_rms_ms2, 1);
   put("acceleration", working && working.acceleration_rms_ms2, 3);
   put("drive", working && working.drive_peak_v, 3);
-  $("level-bar").value = working ? working.acceleration_rms_ms2 / working.target_rms_ms2 : 0;
+  $("level-bar").value = working ? working.acceleration_rms_ms2 / working.set_acceleration_rms_ms2 : 0;
   put("sensitivity", last && 1000 * last.sensitivity_v_per_ms2, 4);
   put("phase", last && last.phase_deg, 2);
   put("uncertainty", last && 100 * last.expanded_uncertainty_rel, 2);
 }
 
 function table(run) {
-  return (run ? run.points : []).map((p) => p.passed
-    ? row([p.frequency_hz, p.acceleration_ms2.toFixed(3), (1000 * p.sensitivity_v_per_ms2).toFixed(4),
-        (100 * p.expanded_uncertainty_rel).toFixed(2), p.phase_deg.toFixed(2), p.settling_s.toFixed(2), p.verdict])
-    : row([p.frequency_hz, "", "", "", "", "", p.verdict], "refused"));
+  return (run ? run.points : []).map((p) => valid(p)
+    ? row([p.frequency_hz, p.acceleration_rms_ms2.toFixed(3), (1000 * p.sensitivity_v_per_ms2).toFixed(4),
+        (100 * p.expanded_uncertainty_rel).toFixed(2), p.phase_deg.toFixed(2), p.settling_s.toFixed(2), "valid"])
+    : row([p.frequency_hz, "", "", "", "", "", "refused: " + p.reason.replaceAll("_", " ")], "refused"));
 }
 
 function certificates(run, running) {
-  const there = Boolean(run && !running && run.record !== null && run.points.length);
+  const there = Boolean(run && !running && run.record_id !== null && run.points.length);
   $("certificates").hidden = !there;
   if (!there) return;
-  const refused = run.points.filter((p) => !p.passed).length;
+  const refused = run.points.filter((p) => !valid(p)).length;
   $("judgement").textContent = run.points.length + " points, " + (refused ? refused + " refused" : "none refused");
   $("judgement").className = refused ? "exceeds" : "pass";
   $("kept").textContent = run.logbook_record === null ? "" : "kept in the logbook as record " + run.logbook_record;
@@ -72,7 +73,7 @@ function certificates(run, running) {
 
 /** Deviation from 160 Hz (else from the first point) and phase, over log f. */
 export function draw(run) {
-  const points = (run ? run.points : []).filter((p) => p.passed);
+  const points = (run ? run.points : []).filter(valid);
   const all = run && run.list.length ? run.list.map((p) => p.frequency_hz) : [20, 10000];
   const x = { ...frequency, min: Math.min(...all) / 1.15, max: Math.max(...all) * 1.15 };
   const tolerance = Math.max(0, Number($("tolerance").value) || 0);

@@ -53,11 +53,11 @@ $("run").addEventListener("submit", (event) => {
   const typed = (id) => $(id).value.trim();
   ask("api/run", {
     sensor: $("sensor").value,
-    model: typed("model"),
-    serial: typed("serial"),
+    dut_model: typed("model"),
+    dut_serial: typed("serial"),
     operator: typed("operator"),
     mounting: typed("mounting"),
-    level_ms2: Number($("level").value),
+    set_acceleration_rms_ms2: Number($("level").value),
     temperature_c: $("temperature").value === "" ? null : Number($("temperature").value),
     frequencies_hz: frequencies(),
   });
@@ -82,7 +82,7 @@ function show(view) {
   $("link").textContent = links[view.link];
   $("link").dataset.link = view.link;
   $("info").textContent = view.info
-    ? "calibrator " + view.info.serial + ", firmware " + view.info.firmware_version : "";
+    ? "calibrator " + view.info.instrument_serial + ", firmware " + view.info.firmware_version : "";
   if (!$("device").value) $("device").value = view.device;
   const running = Boolean(view.run && view.run.running);
   $("start").disabled = running || view.link !== "connected";

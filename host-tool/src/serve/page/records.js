@@ -11,7 +11,7 @@ function links(record) {
   for (const format of ["html", "pdf", "dcc"]) {
     const link = place.appendChild(document.createElement("a"));
     link.textContent = { html: "view", pdf: "PDF", dcc: "DCC" }[format];
-    link.href = url("api/records/" + record.id + "/certificate/" + format);
+    link.href = url("api/records/" + record.logbook_record + "/certificate/" + format);
     if (format === "html") link.target = "_blank";
     else link.download = "";
     place.append(" ");
@@ -21,8 +21,8 @@ function links(record) {
 
 function line(record) {
   const sensor = document.createElement("button");
-  sensor.textContent = record.sensor_serial || "not stated";
-  sensor.addEventListener("click", () => show_history(record.sensor_serial));
+  sensor.textContent = record.dut_serial || "not stated";
+  sensor.addEventListener("click", () => show_history(record.dut_serial));
   const day = record.unix_time_s ? new Date(1000 * record.unix_time_s).toISOString().slice(0, 16).replace("T", " ") + "Z" : "not stated";
   const cells = row([day, sensor, fixed(record.sensitivity_v_per_ms2 && 1000 * record.sensitivity_v_per_ms2, 4),
     fixed(record.expanded_uncertainty_rel && 100 * record.expanded_uncertainty_rel, 2), record.refused, links(record)]);
@@ -33,7 +33,7 @@ function line(record) {
 export async function show_records() {
   const wanted = $("search").value.trim().toLowerCase();
   const records = (await load("api/records")) || [];
-  const found = records.filter((r) => (r.sensor_serial + " " + r.sensor_model).toLowerCase().includes(wanted));
+  const found = records.filter((r) => (r.dut_serial + " " + r.dut_model).toLowerCase().includes(wanted));
   $("records").replaceChildren(...found.slice(0, 50).map(line));
 }
 

@@ -19,16 +19,17 @@ function decades(values) {
 
 export function draw() {
   if (!last || $("inputs").hidden) return;
-  const time = (n) => n * last.step_ms, points = (trace) => trace.map((y, n) => ({ x: time(n), y }));
+  const time = (n) => 1000 * n * last.step_s, points = (trace) => trace.map((y, n) => ({ x: time(n), y }));
+  const dut_mv = last.dut_v.map((volt) => 1000 * volt);
   chart($("waveform"), { min: 0, max: time(last.reference_ms2.length - 1), label: "time, ms" }, swing(last.reference_ms2, 1.1), [
     { kind: "trace", points: points(last.reference_ms2) },
-    { kind: "trace", class: "second", y: swing(last.dut_mv, 1.6), points: points(last.dut_mv) },
+    { kind: "trace", class: "second", y: swing(dut_mv, 1.6), points: points(dut_mv) },
   ]);
-  const line = (channel) => last.spectrum.map((l) => ({ x: l[0], y: l[channel] }));
+  const line = (channel) => last.spectrum.map((l) => ({ x: l[0], y: l[channel] * (channel === 2 ? 1000 : 1) }));
   const ends = [last.spectrum[0][0], last.spectrum.at(-1)[0]];
   chart($("spectrum"), { log: true, min: ends[0], max: ends[1], label: "frequency, Hz" }, decades(last.spectrum.map((l) => l[1])), [
     { kind: "trace", points: line(1) },
-    { kind: "trace", class: "second", y: decades(last.spectrum.map((l) => l[2])), points: line(2) },
+    { kind: "trace", class: "second", y: decades(last.spectrum.map((l) => 1000 * l[2])), points: line(2) },
   ]);
   $("clipped").hidden = !last.clipped;
 }

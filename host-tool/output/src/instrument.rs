@@ -1,0 +1,170 @@
+//! The calibrator, what it is doing, and what it keeps.
+
+use crate::{code, hex, unix_time_s};
+use calib_core::settings::{ReferenceChannel, Settings};
+use calib_protocol::change::ReferenceChange;
+use calib_protocol::message::{Info, Status};
+use calib_protocol::record::{RecordKind, RecordSummary};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Identity and health of a calibrator.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct InfoView {
+    /// Version of the protocol the firmware speaks.
+    pub protocol_version: u16,
+    /// Firmware version.
+    pub firmware_version: String,
+    /// Git hash of the firmware; `-dirty` when it was changed.
+    pub git_hash: String,
+    /// Serial number of the instrument.
+    pub instrument_serial: String,
+    /// Samples per second and channel, Hz.
+    pub sample_rate_hz: f32,
+    /// Why the board last started: `power_on`, `pin`, `software`, `watchdog`, `brown_out`, `other`.
+    pub reset_cause: String,
+    /// Message of the panic before the last start, if there was one.
+    pub last_panic: Option<String>,
+    /// Stored records.
+    pub records: u32,
+    /// Time since the start, s.
+    pub uptime_s: f64,
+    /// Bytes of the stack that were never used since the start.
+    pub stack_unused_bytes: u32,
+    /// Temperature of the instrument's processor, degrees Celsius; none when not read.
+    pub instrument_temperature_c: Option<f32>,
+}
+
+impl From<&Info> for InfoView {
+    fn from(info: &Info) -> Self {
+        Self {
+            protocol_version: info.protocol_version,
+            firmware_version: info.firmware_version.to_string(),
+            git_hash: info.git_hash.to_string(),
+            instrument_serial: info.serial.to_string(),
+            sample_rate_hz: info.sample_rate_hz,
+            reset_cause: code(&info.reset_cause),
+            last_panic: info.last_panic.as_ref().map(ToString::to_string),
+            records: info.records,
+            uptime_s: info.uptime_ms as f64 / 1000.0,
+            stack_unused_bytes: info.stack_unused_bytes,
+            instrument_temperature_c: info.instrument_temperature_c,
+        }
+    }
+}
+
+/// What a calibrator is doing.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct StatusView {
+    /// Phase of the run: `idle`, `settling`, `measuring`, `storing`, `finished`, `stopped`, `failed`.
+    pub state: String,
+    /// Point in work, from 0.
+    pub point: u16,
+    /// Points of the run.
+    pub points: u16,
+    /// Frequency in work, Hz; 0 when idle.
+    pub frequency_hz: f32,
+    /// Set acceleration, m/s2 r.m.s.
+    pub set_acceleration_rms_ms2: f32,
+    /// Acceleration of the last block, m/s2 r.m.s.
+    pub acceleration_rms_ms2: f32,
+    /// Drive voltage, V peak.
+    pub drive_peak_v: f32,
+    /// Block in work at this point.
+    pub block: u16,
+    /// Blocks wanted at this point.
+    pub blocks: u16,
+}
+
+impl From<&Status> for StatusView {
+    fn from(status: &Status) -> Self {
+        Self {
+            state: code(&status.state),
+            point: status.point,
+            points: status.points,
+            frequency_hz: status.frequency_hz,
+            set_acceleration_rms_ms2: status.target_rms_ms2,
+            acceleration_rms_ms2: status.acceleration_rms_ms2,
+            drive_peak_v: status.drive_peak_v,
+            block: status.block,
+            blocks: status.blocks,
+        }
+    }
+}
+
+/// One line of the record list of a calibrator.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct RecordView {
+    /// Running number of the instrument.
+    pub record_id: u32,
+    /// `calibration` or `reference_change`.
+    pub kind: String,
+    /// Stored bytes.
+    pub bytes: u32,
+    /// Seconds since 1970-01-01 UTC; none when the time was not known.
+    pub unix_time_s: Option<u64>,
+    /// Serial number of the device under test.
+    pub dut_serial: String,
+    /// Points in the record.
+    pub points: u16,
+    /// Points refused.
+    pub refused: u16,
+    /// SHA-256 of the record, 64 hexadecimal digits.
+    pub sha256: String,
+}
+
+impl From<&RecordSummary> for RecordView {
+    fn from(record: &RecordSummary) -> Self {
+        Self {
+            record_id: record.id,
+            kind: code(&record.kind),
+            bytes: record.bytes,
+            unix_time_s: unix_time_s(record.unix_time_s),
+            dut_serial: record.dut_serial.to_string(),
+            points: record.points,
+            refused: record.refused,
+            sha256: hex(&record.sha256),
+        }
+    }
+}
+
+/// A change of the calibration of the reference.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ChangeView {
+    /// Running number of the instrument.
+    pub record_id: u32,
+    /// `reference_change`.
+    pub kind: String,
+    /// Serial number of the instrument.
+    pub instrument_serial: String,
+    /// Firmware version and git hash.
+    pub firmware: String,
+    /// SHA-256 of the record before; none for the first of the instrument.
+    pub previous_sha256: Option<String>,
+    /// Seconds since 1970-01-01 UTC; none when the time was not known.
+    pub unix_time_s: Option<u64>,
+    /// Who changed it.
+    pub operator: String,
+    /// What was in force of the reference's channel before.
+    pub before: ReferenceChannel,
+    /// All settings in force since, as in the settings file.
+    pub settings: Settings,
+}
+
+impl From<&ReferenceChange> for ChangeView {
+    fn from(change: &ReferenceChange) -> Self {
+        let head = &change.head;
+        let is_first = head.previous_sha256 == [0; 32];
+        Self {
+            record_id: head.id,
+            kind: code(&RecordKind::ReferenceChange),
+            instrument_serial: head.instrument_serial.to_string(),
+            firmware: head.firmware.to_string(),
+            previous_sha256: (!is_first).then(|| hex(&head.previous_sha256)),
+            unix_time_s: unix_time_s(head.labels.unix_time_s),
+            operator: head.labels.operator.to_string(),
+            before: change.before.clone(),
+            settings: change.settings.clone(),
+        }
+    }
+}

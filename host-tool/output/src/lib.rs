@@ -1,0 +1,64 @@
+//! The vocabulary of every machine-readable output: one key for one thing.
+//!
+//! | file | idea |
+//! |---|---|
+//! | [`point`] | a measured point, and one that is to be measured |
+//! | [`instrument`] | the calibrator, its runs and its records |
+//! | [`json`] | how documents are written: numbers, lines |
+//! | [`number`] | decimal numbers of stored f32 |
+//! | [`conforms`] | whether a document has the form its schema promises |
+//!
+//! The verbs, the page and the certificate all state these. docs/json.md lists the
+//! keys; docs/schema holds what is generated from the types.
+
+pub mod conforms;
+pub mod instrument;
+pub mod json;
+pub mod number;
+pub mod point;
+
+pub use instrument::{ChangeView, InfoView, RecordView, StatusView};
+pub use point::{PointState, PointView, SetPoint};
+
+use std::fmt::{Debug, Write};
+
+/// A SHA-256 sum as 64 hexadecimal digits.
+pub fn hex(sum: &[u8; 32]) -> String {
+    sum.iter().fold(String::new(), |mut text, byte| {
+        // Writing into memory does not fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// The code of a variant without fields: its name in snake case.
+pub fn code(variant: &impl Debug) -> String {
+    let mut code = String::new();
+    for letter in format!("{variant:?}").chars() {
+        if letter.is_uppercase() && !code.is_empty() {
+            code.push('_');
+        }
+        code.extend(letter.to_lowercase());
+    }
+    code
+}
+
+/// A time as outputs state it: none where it is not known, which records say with 0.
+pub fn unix_time_s(stored: u64) -> Option<u64> {
+    (stored > 0).then_some(stored)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calib_core::verdict::Reason;
+
+    #[test]
+    fn sums_have_64_digits_and_codes_are_snake_case() {
+        let mut sum = [0; 32];
+        (sum[0], sum[31]) = (0xab, 1);
+        assert_eq!(hex(&sum), format!("ab{}01", "0".repeat(60)));
+        assert_eq!(code(&Reason::SignalToNoise), "signal_to_noise");
+        assert_eq!((unix_time_s(0), unix_time_s(7)), (None, Some(7)));
+    }
+}
