@@ -70,14 +70,14 @@ pub struct Distance {
     /// Root mean square error of the simulator without the effect, percent.
     #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
     pub before_percent: f64,
-    /// The same with the effect added.
+    /// Root mean square error of the simulator with the effect added, percent.
     #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
     pub after_percent: f64,
     /// Rows compared.
     pub rows: usize,
 }
 
-/// What the simulator of the whole instrument says about a cause that was added to it.
+/// Result of the whole instrument's simulator with a cause added to it.
 ///
 /// No part of the diagnosis: who runs the simulator fills it in.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
@@ -94,7 +94,7 @@ pub struct Confirmation {
     pub refused: usize,
 }
 
-/// What was read.
+/// Readings.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct DatasetSummary {
     /// Folder, as given.
@@ -120,17 +120,17 @@ pub struct Answer {
     pub none_of_these_p_value: f64,
     /// Sets that these data cannot tell apart.
     pub confusable: Vec<Vec<String>>,
-    /// What to measure next.
+    /// Next measurement.
     pub next_measurement: String,
     /// How far the gap shrinks on held-out rows.
     pub gap: Gap,
     /// Nominal parameters as fitted within their uncertainty.
     pub nominal_parameters: BTreeMap<&'static str, Estimate>,
-    /// What was read.
+    /// Readings.
     pub dataset: DatasetSummary,
-    /// What the simulator says once it has the cause; `None` where nobody asked it.
+    /// Result of the simulator with the cause added; `None` where nobody asked it.
     pub confirmation: Option<Confirmation>,
-    /// What a report draws; no part of the JSON.
+    /// Data for the pictures of a report; no part of the JSON.
     #[serde(skip)]
     pub pictures: Pictures,
 }
@@ -149,7 +149,7 @@ pub(crate) fn hardly_separated(causes: &[Cause], verdict: Verdict) -> Vec<Vec<St
     }
 }
 
-/// What is kept in percent is stated relative: percent is for people.
+/// Values kept in percent are stated relative: percent is for people.
 pub(crate) fn as_rel<S: Serializer>(percent: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_f64(percent / 100.0)
 }

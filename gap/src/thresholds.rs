@@ -62,7 +62,7 @@ pub(crate) const SEEDED: f64 = 60.0;
 /// Objective above the best set of a size from which a set is not refined further. x0.5, x2: 0 of
 /// 23 sets change.
 pub(crate) const OUT_OF_REACH: f64 = 60.0;
-/// The same as a share of what the best set gains, as long as that leaves more than noise.
+/// [`OUT_OF_REACH`] as a share of the best set's gain, as long as that leaves more than noise.
 pub(crate) const REACH_SHARE: f64 = 0.02;
 /// Gain of a round of direct search below which it ends: a tenth of what one standard deviation
 /// changes.
@@ -113,9 +113,9 @@ pub(crate) const EXCESS_SIGMA: f64 = 2.0;
 /// Square of the phase over that of the magnitude from which a low deviation of the ratio is
 /// electric.
 pub(crate) const LOW_PHASE: f64 = 0.05;
-/// The same from which a high one is a matter of time alone.
+/// That square from which a high deviation is a matter of time alone.
 pub(crate) const SKEWED_PHASE: f64 = 15.0;
-/// The same from which a high one is a filter's.
+/// That square from which a high deviation is a filter's.
 pub(crate) const FILTERED_PHASE: f64 = 0.3;
 /// Share of the excess of the harmonics that both channels must show for it to be of the motion.
 pub(crate) const SHARED_SHARE: f64 = 0.3;
@@ -126,7 +126,7 @@ pub(crate) const BOTH_PARITIES: f64 = 0.02;
 /// Share of the strongest test of the noise that frequency or level must have for it to grow with
 /// the signal.
 pub(crate) const NOISE_GROWS: f64 = 0.5;
-/// The same of level over frequency, as deviates: jitter grows with level, motion of the base
+/// That test of level over frequency, as deviates: jitter grows with level, motion of the base
 /// does not.
 pub(crate) const LEVEL_COUNTS: f64 = 0.8;
 /// Share of what a free course takes out that a course with a word must take out.

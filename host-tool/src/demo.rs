@@ -1,6 +1,6 @@
 //! The demo: a calibration from power-on to the certificate, without hardware.
 //!
-//! What happens is what would happen on a bench. The host sends nothing it would
+//! Everything happens as it would on a bench. The host sends nothing it would
 //! not send to hardware, and the board is reset between measuring and
 //! downloading, so the certificate comes from what flash kept.
 
@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 /// Reference point of the result (ISO 16063-21, 5.3), Hz.
 const REFERENCE_POINT_HZ: f32 = 160.0;
 
-/// What the demo tells while it goes on.
+/// News from the demo while it runs.
 #[derive(Debug)]
 pub enum Event<'a> {
     /// A step begins.
@@ -32,7 +32,7 @@ pub enum Event<'a> {
     Progress {
         /// Where.
         progress: &'a Progress<'a>,
-        /// What is measured.
+        /// Measurand.
         list: &'a [PointSpec],
         /// Samples per second and channel, Hz.
         sample_rate_hz: f32,
@@ -42,7 +42,7 @@ pub enum Event<'a> {
 /// A point of the demo's run, and the truth of the simulated device.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct DemoPoint {
-    /// What was measured.
+    /// Measured values.
     #[serde(flatten)]
     pub measured: PointView,
     /// Sensitivity of the simulated device at the frequency played, V/(m/s2).
@@ -129,7 +129,7 @@ fn step(observe: &mut impl FnMut(&Event<'_>) -> ControlFlow<()>, what: &'static 
     let _ = observe(&Event::Step(what));
 }
 
-/// What the demo states beside the record; the rest is printed as missing.
+/// Particulars the demo states beside the record; the rest is printed as missing.
 fn laboratory() -> Result<Particulars> {
     toml::from_str(LABORATORY).map_err(|error| {
         let hint = "report this as a defect";

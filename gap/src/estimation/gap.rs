@@ -10,17 +10,17 @@ pub struct ObservableGap {
     /// Root mean square relative error of the nominal simulation, in percent.
     #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
     pub before_percent: f64,
-    /// The same with the named effects added.
+    /// Root mean square relative error with the named effects added, in percent.
     #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
     pub after_percent: f64,
-    /// What measurement noise alone leaves.
+    /// Remainder by measurement noise alone.
     #[serde(rename = "floor_rel", serialize_with = "crate::answer::as_rel")]
     pub floor_percent: f64,
     /// Share that was closed; none where there was no gap.
     pub closed: Option<f64>,
     /// Root mean square of error over standard uncertainty, before.
     pub chi_before: f64,
-    /// The same, after.
+    /// As above, after.
     pub chi_after: f64,
 }
 
@@ -63,7 +63,7 @@ pub struct Gap {
     pub chosen: Vec<&'static str>,
     /// Simulation error of a record in the unit of its output, r.m.s., before.
     pub rms_before: Option<f64>,
-    /// The same, after.
+    /// As above, after.
     pub rms_after: Option<f64>,
     /// By observable.
     pub by_observable: BTreeMap<&'static str, ObservableGap>,
@@ -95,7 +95,7 @@ pub struct Slice {
     pub rows: usize,
     /// Whether it lies at or beyond the edge of what was fitted.
     pub beyond: bool,
-    /// What the fit without it chose; empty where the cause does not pay there.
+    /// Choice of the fit without it; empty where the cause does not pay there.
     pub chosen: Vec<&'static str>,
     /// See [`ObservableGap`]; of a band of a record relative to the whole output.
     #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]

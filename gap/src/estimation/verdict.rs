@@ -18,7 +18,7 @@ pub enum Verdict {
     Unexplained,
 }
 
-/// What a verdict is drawn from: probabilities of sets, and p-values of what is left.
+/// Grounds of a verdict: probabilities of sets, and p-values of the remainder.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Evidence {
     /// Probability of no cause at all.

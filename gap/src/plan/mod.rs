@@ -36,10 +36,10 @@ use std::path::Path;
 
 const ENOUGH: f64 = thresholds::ENOUGH_SIGMA * thresholds::ENOUGH_SIGMA;
 
-/// What to measure next.
+/// Next measurement.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Plan {
-    /// What the diagnosis says so far; null where nothing was measured yet.
+    /// Diagnosis so far; null where nothing was measured yet.
     pub verdict: Option<Verdict>,
     /// Pairs of what is still possible.
     pub pairs: Vec<Pair>,
@@ -56,7 +56,7 @@ pub struct Pair {
     pub other: Vec<&'static str>,
     /// How well the data there are tell them apart.
     pub sigma_now: f64,
-    /// The same with all measurements of the plan.
+    /// How well all measurements of the plan tell them apart.
     pub sigma_after: f64,
 }
 

@@ -210,7 +210,7 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
     remarks
 }
 
-/// What was used beside the reference, and when its calibration is due.
+/// Equipment used beside the reference, and when its calibration is due.
 fn other_due_days(particulars: &Particulars) -> Vec<(String, Date)> {
     let of = |used: &super::particulars::Equipment| Some((used.name.clone(), used.due?));
     let others = particulars.equipment.iter().filter_map(of);

@@ -46,15 +46,15 @@ pub struct Document {
     reference: Option<JudgedPoint>,
     /// Points in rising frequency, then level.
     points: Vec<JudgedPoint>,
-    /// What is stated of the whole object.
+    /// Statements about the whole object.
     conformity: Stated,
     /// Budget at the reference point.
     budget: Option<Budget>,
-    /// What was found before an adjustment.
+    /// Results before an adjustment.
     as_found: Option<AsFound>,
     /// Place of the record in the chain; none when nobody looked.
     record_chain: Option<Standing>,
-    /// What a reader must know beside the numbers.
+    /// Remarks a reader needs beside the numbers.
     remarks: Vec<Remark>,
 }
 
@@ -94,9 +94,9 @@ struct JudgedPoint {
     measured: PointView,
     /// Relative deviation from the reference point.
     deviation_rel: Option<f64>,
-    /// The same in dB.
+    /// Deviation in dB.
     deviation_db: Option<f64>,
-    /// What is stated of the point.
+    /// Statements about the point.
     conformity: Stated,
     /// Lower limit of the tolerance, V/(m/s2).
     lower_limit_v_per_ms2: Option<f64>,
@@ -142,7 +142,7 @@ struct AsFound {
     certificate: String,
     /// Day of that calibration, ISO 8601.
     date: Option<String>,
-    /// What was stated of the whole object.
+    /// Statement about the whole object.
     conformity: Stated,
     /// Points as found.
     points: Vec<JudgedPoint>,
@@ -246,7 +246,7 @@ impl From<&model::Budget> for Budget {
 struct Remark {
     /// How serious it is.
     severity: Severity,
-    /// What it is about, in snake case.
+    /// Subject, in snake case.
     key: &'static str,
     /// In words.
     text: String,

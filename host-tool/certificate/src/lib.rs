@@ -129,13 +129,13 @@ impl std::str::FromStr for Format {
 /// How a certificate is written.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// What is stated beside the record; its language is the certificate's.
+    /// Statements beside the record; their language is the certificate's.
     pub particulars: Particulars,
-    /// What happens to files of the same name with other content.
+    /// Treatment of files of the same name with other content.
     pub existing: Existing,
     /// Record from before an adjustment, when `record` is from after it.
     pub as_found: Option<Record>,
-    /// What is known of the record's place in the chain; by default nothing but
+    /// Knowledge of the record's place in the chain; by default nothing but
     /// what its number says.
     pub chain: Option<Standing>,
 }
@@ -234,7 +234,7 @@ impl Particulars {
     }
 }
 
-/// What ISO 16063-21 asks to be stated, and neither record nor laboratory states:
+/// Items ISO 16063-21 asks for that neither record nor laboratory states:
 /// item and clause, in English.
 pub fn missing(
     record: &Record,

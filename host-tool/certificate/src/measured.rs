@@ -1,4 +1,4 @@
-//! What is measured at a point beside its result: the one list.
+//! Measured quantities of a point beside its result: the one list.
 //!
 //! Each entry is a column of CSV and, where it has a heading, a column that the printed
 //! table can have. JSON states them by [`calib_output::PointView`].

@@ -25,7 +25,7 @@ pub struct Certificate {
     pub number: String,
     /// Day of calibration, UTC.
     pub day: Option<Date>,
-    /// What was stated beside the record.
+    /// Statements beside the record.
     pub particulars: Particulars,
     /// Statements in the order they are printed.
     pub sections: Vec<Section>,
@@ -39,9 +39,9 @@ pub struct Certificate {
     pub budget: Option<Budget>,
     /// Specification and rule the results are judged by.
     pub decision: Option<Decision>,
-    /// What a reader must know beside the numbers.
+    /// Remarks a reader needs beside the numbers.
     pub remarks: Vec<Remark>,
-    /// What was found before an adjustment, when this is from after it.
+    /// Certificate from before an adjustment, when this is from after it.
     pub as_found: Option<Box<Certificate>>,
     /// Place of the record in the chain, once somebody looked.
     pub chain: Option<Standing>,
@@ -78,7 +78,7 @@ impl Certificate {
         }
     }
 
-    /// What is stated of one point, as programs read it.
+    /// Statements about one point, as programs read them.
     pub fn conformity_of(&self, point: &Point) -> Stated {
         match point.values().map(|values| values.assessment) {
             Some(Some(judged)) => judged.conformity.into(),
@@ -146,11 +146,11 @@ pub struct Entry {
     pub key: &'static str,
     /// Clause that asks for it; empty when none does.
     pub clause: &'static str,
-    /// What is stated; `None` is printed as missing.
+    /// Stated value; `None` is printed as missing.
     pub value: Option<Value>,
 }
 
-/// What a statement says.
+/// Content of a statement.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// Words of the operator or the instrument.

@@ -7,7 +7,7 @@ use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::Record;
 use calib_record::sample::{SENSITIVITY_V_PER_MS2, THIRD_OCTAVES_HZ, point, record, text, truth};
 
-/// What a DCC cannot be without, and nothing else.
+/// The least a DCC needs.
 fn country() -> Particulars {
     toml::from_str("[laboratory]\ncountry = 'DE'").expect("TOML")
 }

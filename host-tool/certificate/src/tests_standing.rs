@@ -1,4 +1,4 @@
-//! What certificates say of a record's place in the chain, in every format.
+//! A record's place in the chain, as certificates of every format state it.
 
 use super::{Format, Options, Particulars, Prepared, digest, prepare};
 use calib_protocol::frame::CRC;

@@ -96,7 +96,7 @@ impl Language {
         self.with_sign(format!("{value}"))
     }
 
-    /// What stands between units and tenths.
+    /// Decimal mark.
     pub fn decimal_sign(self) -> char {
         match self {
             Self::En => '.',

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 
 use serde::Serialize;
 
-/// What one calibration said.
+/// Result of one calibration.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Result {
     /// Number of the record in the logbook.
@@ -32,7 +32,7 @@ pub struct History {
     pub sensor: String,
     /// Frequency compared, Hz.
     pub frequency_hz: f64,
-    /// What the calibrations said.
+    /// Results of the calibrations.
     pub results: Vec<Result>,
 }
 

@@ -12,7 +12,7 @@ use rusqlite::{OptionalExtension, Transaction, params};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What became of a record that was handed in.
+/// Fate of a record that was handed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kept {
     /// It is new, under this number of the logbook.
@@ -212,7 +212,7 @@ impl Content {
         }
     }
 
-    /// What is in force from it on.
+    /// Settings in force from it on.
     fn settings(&self) -> &Settings {
         match self {
             Self::Calibration(record) => &record.settings,

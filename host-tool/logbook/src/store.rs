@@ -5,7 +5,7 @@ use rusqlite::{Connection, ErrorCode, Transaction, TransactionBehavior};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// What makes each form of the tables of the one before, from an empty file on. A form that was ever
+/// Steps that make each form of the tables of the one before, from an empty file on. A form that was ever
 /// released stays here as it is: files of every form are opened.
 const STEPS: [&str; 2] = [include_str!("schema.sql"), include_str!("form2.sql")];
 /// Form of the tables, in SQLite's `user_version`.

@@ -40,7 +40,7 @@ pub(super) struct Part {
 
 use Kind::{Boolean, Integer, Real, Text, Time};
 
-/// What is exported. Years are UTC.
+/// Exported tables. Years are UTC.
 pub(super) const TABLES: &[Table] = &[
     Table {
         name: "points",

@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 pub enum Mapping {
     /// `s -> (2/T) (1 - z^-1)/(1 + z^-1)`; frequencies are warped.
     Bilinear,
-    /// The same with w0/tan(w0 T/2) for 2/T: exact at the resonance.
+    /// Bilinear transform with w0/tan(w0 T/2) for 2/T: exact at the resonance.
     BilinearPrewarped,
 }
 

@@ -10,7 +10,7 @@ use serde::Serialize;
 /// An evaluated budget.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct EvaluationView {
-    /// What is measured.
+    /// Measurand.
     measurand: String,
     /// Unit of all values and uncertainties: `1` or `deg`.
     unit: &'static str,
@@ -24,7 +24,7 @@ pub struct EvaluationView {
     coverage_factor: f64,
     /// Coverage probability the factor stands for.
     coverage_probability: f64,
-    /// What the factor rests on.
+    /// Basis of the factor.
     coverage_basis: CoverageBasis,
     /// Expanded uncertainty.
     expanded_uncertainty: f64,
@@ -60,7 +60,7 @@ struct ComponentView {
     variance_share: f64,
 }
 
-/// What halving one component would bring.
+/// Gain from halving one component.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 struct ImprovementView {
     /// Name of the component.

@@ -53,7 +53,7 @@ impl From<&Info> for InfoView {
     }
 }
 
-/// What a calibrator is doing.
+/// State of a calibrator.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct StatusView {
     /// Phase of the run: `idle`, `settling`, `measuring`, `storing`, `finished`, `stopped`, `failed`.
@@ -145,7 +145,7 @@ pub struct ChangeView {
     pub unix_time_s: Option<u64>,
     /// Who changed it.
     pub operator: String,
-    /// What was in force of the reference's channel before.
+    /// Settings of the reference's channel in force before.
     pub before: ReferenceChannel,
     /// All settings in force since, as in the settings file.
     pub settings: Settings,

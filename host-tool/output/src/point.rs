@@ -58,7 +58,7 @@ impl From<&SetPoint> for PointSpec {
 /// meanwhile is stated in any case.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PointView {
-    /// What was asked.
+    /// The request.
     #[serde(flatten)]
     pub set: SetPoint,
     /// Frequency that was played, Hz; none when there was no tone.

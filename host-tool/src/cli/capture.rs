@@ -69,7 +69,7 @@ pub(super) struct Output<'a> {
     report: &'a Report,
 }
 
-/// What was captured, and what for.
+/// Captured waveforms, and their purpose.
 struct Captured {
     capture: Capture,
     /// Exact frequency of the tone, if one is known.

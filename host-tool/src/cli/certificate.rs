@@ -51,7 +51,7 @@ pub(crate) struct CertificateVerb {
     write_template: Option<PathBuf>,
 }
 
-/// What is written when nobody says.
+/// Formats written unless stated otherwise.
 const USUAL: [Format; 5] = [
     Format::Pdf,
     Format::Dcc,
@@ -150,7 +150,7 @@ pub(super) fn laboratory_file(named: Option<PathBuf>) -> Option<PathBuf> {
     named.or_else(|| own().filter(|path| path.exists()))
 }
 
-/// What the logbook is to enter.
+/// Entry for the logbook.
 fn issues<'a>(prepared: &'a Prepared, record: &Record, paths: &'a [PathBuf]) -> Vec<Issue<'a>> {
     let record = certificate::digest(record);
     let issue = |(file, path): (&'a certificate::File, &'a PathBuf)| Issue {

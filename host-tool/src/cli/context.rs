@@ -1,4 +1,4 @@
-//! What every verb gets: output switches and the address of the device.
+//! Context of every verb: output switches and the address of the device.
 
 use calib_host::emulated::KeptBoard;
 use calib_host::{Device, Error, Result};
@@ -19,7 +19,7 @@ pub(crate) struct GlobalOptions {
     /// Machine-readable output: one JSON document on standard output.
     #[arg(long, global = true, help_heading = EVERYWHERE)]
     pub(crate) json: bool,
-    /// The same as a stream: one JSON object per line, rows and points as they come.
+    /// Machine-readable stream: one JSON object per line, rows and points as they come.
     #[arg(long, global = true, help_heading = EVERYWHERE)]
     pub(crate) json_lines: bool,
     /// The calibrator: a serial port, `tcp:HOST:PORT`, `emulated`, or
@@ -93,7 +93,7 @@ impl Context {
         Ok(Client::new(address.open()?))
     }
 
-    /// The same with a hand on the button, where this computer has one.
+    /// Connects with a hand on the button, where this computer has one.
     pub(crate) fn connect_under_a_hand(&self) -> Result<Client> {
         let address = self.device.as_deref().unwrap_or_default();
         let kept = match address.parse() {
@@ -176,7 +176,7 @@ impl Context {
 /// A failure, as programs read it from standard error.
 #[derive(Serialize, JsonSchema)]
 pub(crate) struct Failure {
-    /// What failed.
+    /// Error.
     pub(crate) error: String,
     /// The way out, if there is one.
     pub(crate) hint: Option<String>,

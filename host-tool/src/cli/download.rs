@@ -55,7 +55,7 @@ impl Downloaded {
 
 impl Download {
     /// Downloads the records; an interrupted download goes on where it ended.
-    /// Whatever the chain shows is said once the files are there.
+    /// Reports the chain once the files are there.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let mut client = context.connect()?;
         client.info()?;

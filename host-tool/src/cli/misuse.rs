@@ -1,4 +1,4 @@
-//! What the reader of the command line says: help, the version, or that something is wrong with it.
+//! Messages of the command-line reader: help, the version, or what is wrong.
 
 use super::context::Failure;
 use calib_output::json;

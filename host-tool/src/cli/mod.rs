@@ -68,7 +68,7 @@ pub(crate) struct Arguments {
     /// Options every verb knows.
     #[command(flatten)]
     pub(crate) global: GlobalOptions,
-    /// What to do.
+    /// Verb.
     #[command(subcommand)]
     pub(crate) command: Command,
 }

@@ -15,7 +15,7 @@ use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// What the files are, for `--help`.
+/// Forms of the files, for `--help`.
 const FORM: &str = "\
 RECORD.csv has the columns time_s and input (acceleration), or with --inverse
 time_s and output. --model takes the file of `calib identify --json`.

@@ -41,7 +41,7 @@ fn style(template: &str) -> ProgressStyle {
 pub(crate) enum RunEvent<'a, R> {
     /// Where the run stands.
     Progress {
-        /// What the calibrator says.
+        /// State of the calibrator.
         #[serde(flatten)]
         status: StatusView,
         /// Work done, 0 to 1.

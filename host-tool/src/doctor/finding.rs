@@ -18,13 +18,13 @@ pub enum State {
 /// One check.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Finding {
-    /// What was looked at.
+    /// Subject of the check.
     pub check: &'static str,
     /// How it ended.
     pub state: State,
-    /// What was found.
+    /// Finding.
     pub finding: String,
-    /// What to do about it; empty when there is nothing to do.
+    /// Remedy; empty when there is nothing to do.
     pub remedy: String,
 }
 

@@ -32,9 +32,9 @@ use std::ops::ControlFlow;
 /// does not show what the grid of the converters does to it. The emulated instrument
 /// is right within one standard uncertainty: test `a_rig_without_effects_has_no_gap`.
 const LEAST_U_RATIO: f64 = 1e-4;
-/// The same for its phase, degrees: 1e-4 rad.
+/// Least uncertainty of its phase, degrees: 1e-4 rad.
 const LEAST_U_PHASE_DEG: f64 = 0.0057;
-/// The same for reference over commanded voltage, relative.
+/// Least uncertainty of reference over commanded voltage, relative.
 const LEAST_U_DRIVE: f64 = 2e-4;
 
 /// Conditions of a run as the operator states them.
@@ -52,7 +52,7 @@ pub struct Setting {
     pub temperature_c: Option<f64>,
 }
 
-/// What one run gave.
+/// Result of one run.
 #[derive(Clone, Debug, Default)]
 pub struct Recorded {
     /// Rows of the dataset, in the order of the points; `None` where the calibrator refused.
@@ -133,7 +133,7 @@ pub fn record(
     Ok(recorded)
 }
 
-/// What became of a point.
+/// Fate of a point.
 enum Taken {
     Row(Point),
     /// Over before everything about it was read.
@@ -217,7 +217,7 @@ fn refusal(point: &PointResult) -> Option<Reason> {
     }
 }
 
-/// What the calibrator said of itself while it measured a point. The result has the drive as
+/// State of the calibrator while it measured a point. The result has the drive as
 /// well, with 8 bits, as it is stored; a look has all of them.
 #[derive(Clone, Copy, Debug, Default)]
 struct Look {

@@ -22,7 +22,7 @@ pub struct Request {
     pub off_by: Option<f64>,
 }
 
-/// What was made.
+/// Dataset that was made.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Simulated {
     /// Rows (points) or samples written.

@@ -1,4 +1,4 @@
-//! What a page asks to be measured.
+//! Measurement a page asks for.
 
 use crate::{Error, Result};
 use calib_core::point::PointSpec;

@@ -29,7 +29,7 @@ const LOOK: Duration = Duration::from_millis(200);
 /// Time a thread that has no link is given to end.
 const GRACE: Duration = Duration::from_millis(500);
 
-/// What a page asks for.
+/// Request of a page.
 #[derive(Debug)]
 pub enum Order {
     /// Use this calibrator.
@@ -41,7 +41,7 @@ pub enum Order {
     Run {
         /// The list.
         points: Vec<PointSpec>,
-        /// What the operator says.
+        /// Labels of the operator.
         labels: Box<RunLabels>,
         /// Stops there were when this was asked for.
         stops: u32,
@@ -50,7 +50,7 @@ pub enum Order {
     End,
 }
 
-/// What requests need: the view, and ways to order and to stop.
+/// State shared by requests: the view, and ways to order and to stop.
 #[derive(Clone)]
 pub(super) struct Handle {
     pub(super) shared: Shared,

@@ -66,7 +66,7 @@ impl Server {
         })
     }
 
-    /// What to type into a browser; it holds the token, if one is asked for.
+    /// Address for a browser; it holds the token, if one is asked for.
     pub fn url(&self) -> String {
         self.access.url()
     }

@@ -13,7 +13,7 @@
 //! | `POST /api/run` | `{"sensor" or "dut_model", "dut_serial"; "operator", "mounting", "set_acceleration_rms_ms2", "temperature_c", "frequencies_hz"}` |
 //! | `POST /api/stop` | silences the exciter |
 //!
-//! What is posted is JSON and says so, which a page of a stranger cannot send.
+//! Posts must be JSON and say so, which a stranger's page cannot send.
 
 use super::access::Access;
 use super::asked::Run;
@@ -69,7 +69,7 @@ struct Token {
     token: Option<String>,
 }
 
-/// What the page may load and who may frame it.
+/// Limits what the page may load and who may frame it.
 const OWN: &str = "default-src 'self'; frame-ancestors 'none'";
 
 /// Lets in who may come in. The page keeps to itself: no other site frames it.

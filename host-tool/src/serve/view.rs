@@ -1,4 +1,4 @@
-//! What every page sees.
+//! State that every page sees.
 
 use super::waveforms::Waveforms;
 use calib_output::{InfoView, PointView, SetPoint, StatusView};
@@ -56,7 +56,7 @@ pub struct Snapshot {
     pub device: String,
     /// Who it is.
     pub info: Option<InfoView>,
-    /// What went wrong last, with the way out.
+    /// Last error, with the way out.
     pub trouble: Option<String>,
     /// The running or last run.
     pub run: Option<RunView>,

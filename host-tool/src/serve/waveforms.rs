@@ -1,4 +1,4 @@
-//! What the two inputs look like while a run goes on: some cycles and a spectrum,
+//! Waveforms of both inputs while a run goes on: some cycles and a spectrum,
 //! small enough for a page.
 
 use calib_core::settings::ReferenceCalibration;

@@ -112,7 +112,7 @@ fn every_field_is_there(answer: &Value) {
     );
 }
 
-/// What is done to a sound dataset, in which file, and what the error then says.
+/// Damage to a sound dataset: the file, the change, and the error that must come.
 type Damage = (
     &'static str,
     &'static str,

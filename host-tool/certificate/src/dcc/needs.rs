@@ -1,4 +1,4 @@
-//! What a DCC cannot be without.
+//! Parts a DCC needs.
 
 use crate::model::Certificate;
 use calib_files::{Error, Result};

@@ -1,4 +1,4 @@
-//! What a quantity has to lie within.
+//! Limits of a quantity.
 
 use serde::Deserialize;
 

@@ -24,7 +24,7 @@ pub use specification::Specification;
 /// Specification and rule, checked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decision {
-    /// What is tolerated.
+    /// Tolerance.
     pub specification: Specification,
     /// How results are judged.
     pub rule: Rule,

@@ -38,7 +38,7 @@ impl Rule {
     }
 }
 
-/// What is stated about a result, the best first.
+/// Statement about a result, the best first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Conformity {
     /// Accepted.
@@ -97,7 +97,7 @@ impl From<Conformity> for Stated {
 pub struct Assessment {
     /// The tolerance, in the unit of the result.
     pub tolerance: Limits,
-    /// What is stated.
+    /// Statement.
     pub conformity: Conformity,
     /// Probability that the true value lies outside the tolerance although
     /// the result is accepted; `None` when it is not.

@@ -21,7 +21,7 @@ pub(crate) struct Column {
 enum What {
     /// A result: message key after `column.`, and the cell of a point.
     Result(&'static str, fn(&Point, Language) -> String),
-    /// What is measured beside.
+    /// Measured quantities beside the result.
     Measured(&'static Measured, &'static Heading),
 }
 
@@ -134,7 +134,7 @@ pub(super) fn cell(point: &Point, of: impl Fn(&PointValues) -> Option<String>) -
     values.and_then(of).unwrap_or_else(|| DASH.to_owned())
 }
 
-/// What was observed at a point, or a dash where it was not.
+/// Observed value of a point, or a dash where there is none.
 fn observed(value: Option<f64>, decimals: usize, language: Language) -> String {
     value.map_or(DASH.to_owned(), |value| language.number(value, decimals))
 }

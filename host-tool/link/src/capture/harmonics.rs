@@ -1,4 +1,4 @@
-//! What a waveform of known frequency consists of.
+//! Components of a waveform of known frequency.
 
 use nalgebra::{DMatrix, DVector, Dyn, linalg::Cholesky};
 use schemars::JsonSchema;
@@ -54,7 +54,7 @@ pub struct ToneFit {
     pub standard_uncertainty_phase_rad: f64,
     /// Harmonics 2 to 5 that lie below half the sample rate.
     pub harmonics: Vec<Harmonic>,
-    /// What is left, V r.m.s.
+    /// Residual, V r.m.s.
     pub noise_rms_v: f64,
 }
 
@@ -269,7 +269,7 @@ fn component(solution: &DVector<f64>, order: u8) -> (f64, f64) {
     (a.hypot(b), (-b).atan2(a))
 }
 
-/// The same angle in (-pi, pi].
+/// Angle reduced to (-pi, pi].
 fn wrapped(angle_rad: f64) -> f64 {
     let turned = angle_rad.rem_euclid(TAU);
     if turned > PI { turned - TAU } else { turned }

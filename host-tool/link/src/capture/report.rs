@@ -7,7 +7,7 @@ use serde::Serialize;
 /// Lines of the spectrum that are listed.
 const PEAKS: usize = 5;
 
-/// What a capture shows.
+/// Result of a capture.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Report {
     /// Running number of the first sample.
@@ -32,7 +32,7 @@ pub struct Report {
     pub phase_rad: Option<f64>,
 }
 
-/// What one channel shows.
+/// Result of one channel.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Channel {
     /// A sample lies at an end of the converter's range.
@@ -57,7 +57,7 @@ pub struct Peak {
 }
 
 impl Report {
-    /// What the capture shows, with fundamental and harmonics if the exact
+    /// Evaluates the capture, with fundamental and harmonics if the exact
     /// `frequency_hz` is known.
     ///
     /// # Errors

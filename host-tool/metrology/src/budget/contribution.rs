@@ -1,4 +1,4 @@
-//! What a component contributes to a budget.
+//! Contribution of a component to a budget.
 
 /// A component with what it contributes.
 #[derive(Clone, Debug)]

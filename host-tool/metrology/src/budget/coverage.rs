@@ -12,7 +12,7 @@ use crate::statistics;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What the author of the budget asked for.
+/// Coverage the author of the budget asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CoverageRule {
     /// This factor, whatever the shape.
@@ -23,7 +23,7 @@ pub enum CoverageRule {
     Default,
 }
 
-/// What the coverage factor rests on.
+/// Basis of the coverage factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum CoverageBasis {
@@ -50,7 +50,7 @@ pub struct CoverageFactor {
     pub value: f64,
     /// Probability it stands for; for a stated factor that of a normal law.
     pub probability: f64,
-    /// What it rests on.
+    /// Basis.
     pub basis: CoverageBasis,
 }
 

@@ -4,7 +4,7 @@ use super::contribution::EvaluatedComponent;
 use super::coverage::{self, CoverageBasis};
 use super::{Budget, Coefficient, Unit};
 
-/// What halving one component would bring.
+/// Gain from halving one component.
 #[derive(Clone, Debug)]
 pub struct Improvement {
     /// Name of the component.
@@ -19,7 +19,7 @@ pub struct Improvement {
 /// An evaluated budget.
 #[derive(Clone, Debug)]
 pub struct Evaluation {
-    /// What is measured.
+    /// Measurand.
     pub measurand: String,
     /// Unit of all uncertainties.
     pub unit: Unit,
@@ -33,7 +33,7 @@ pub struct Evaluation {
     pub coverage_factor: f64,
     /// Coverage probability the factor stands for.
     pub coverage_probability: f64,
-    /// What the factor rests on.
+    /// Basis of the factor.
     pub coverage_basis: CoverageBasis,
     /// Expanded uncertainty, not rounded.
     pub expanded_uncertainty: f64,

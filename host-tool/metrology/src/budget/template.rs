@@ -21,7 +21,7 @@ pub struct Template {
 pub struct TemplateRow {
     /// Number in the table, from 1.
     pub number: usize,
-    /// What it is about.
+    /// Kind of record.
     pub label: &'static str,
 }
 

@@ -27,7 +27,7 @@ pub struct Check {
     pub requirements: Vec<Requirement>,
     /// Every point against the rows that say something about it.
     pub points: Vec<PointCheck>,
-    /// What clause 7 asks to be reported and the record lacks.
+    /// Items clause 7 asks for that the record lacks.
     pub missing: Vec<Missing>,
     /// No requirement failed.
     pub pass: bool,
@@ -36,10 +36,10 @@ pub struct Check {
 /// A point judged.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct PointCheck {
-    /// What was asked.
+    /// The request.
     #[serde(flatten)]
     pub set: SetPoint,
-    /// What the instrument says of the point.
+    /// State of the point, as the instrument gave it.
     pub state: PointState,
     /// Code of the instrument's reason for a refusal, in snake case.
     pub reason: Option<String>,
@@ -53,7 +53,7 @@ pub struct PointCheck {
 /// A statement that is missing.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Missing {
-    /// What is missing.
+    /// Missing item.
     pub item: String,
     /// Clause that asks for it.
     pub clause: String,

@@ -41,7 +41,7 @@ pub enum Basis {
 pub struct Requirement {
     /// Table or clause of ISO 16063-21.
     pub table: &'static str,
-    /// What is required.
+    /// Required parameter.
     pub parameter: &'static str,
     /// Unit of limit and value.
     pub unit: &'static str,
@@ -72,7 +72,7 @@ impl Requirement {
         }
     }
 
-    /// The same row with a value, which must not exceed the limit.
+    /// Adds a value, which must not exceed the limit.
     fn holding(mut self, value: Option<f64>, at_hz: Option<f64>, basis: Basis) -> Self {
         let (Some(value), Some(limit)) = (value, self.limit) else {
             return self;

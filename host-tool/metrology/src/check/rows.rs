@@ -50,7 +50,7 @@ pub(super) struct Row {
 pub struct Held {
     /// Table of ISO 16063-21.
     pub table: &'static str,
-    /// What is required.
+    /// Required parameter.
     pub parameter: &'static str,
     /// Unit of value and limit.
     pub unit: &'static str,

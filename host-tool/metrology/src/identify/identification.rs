@@ -1,4 +1,4 @@
-//! What an identification found.
+//! Result of an identification.
 
 use crate::oscillator::Oscillator;
 use schemars::JsonSchema;

@@ -44,7 +44,7 @@ pub struct LinkFile {
     pub title: String,
     /// Coverage factor of the expanded uncertainties reported.
     pub coverage_factor: f64,
-    /// What to do with inconsistent results; `mandel_paule = false` keeps
+    /// Treatment of inconsistent results; `mandel_paule = false` keeps
     /// the weighted mean.
     pub on_failure: OnFailure,
     /// Results in the order of the file, key comparison first.

@@ -29,7 +29,7 @@ pub struct ReferenceValue {
 /// Chi-squared probability below which results are inconsistent.
 const SIGNIFICANCE: f64 = 0.05;
 
-/// What to do with results that fail the chi-squared test.
+/// Treatment of results that fail the chi-squared test.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OnFailure {
     /// Add a variance between laboratories (Mandel and Paule).

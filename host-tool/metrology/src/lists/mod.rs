@@ -137,7 +137,7 @@ pub fn deviation(sensitivity: f64, reference: f64) -> Deviation {
     }
 }
 
-/// What a linearity run shows.
+/// Result of a linearity run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Linearity {
     /// Sensitivity over level; the slope is the non-linearity per m/s2.

@@ -12,7 +12,7 @@ pub const BLOCK: usize = 20 * BATCH;
 /// Blocks between two looks at the stopping rule, whatever the cores.
 const WAVE: usize = 32;
 
-/// What to compute.
+/// Quantity to compute.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
     /// Coverage probability.

@@ -115,7 +115,7 @@ fn gum_budget(of_mean: f64, degrees_of_freedom: f64, limits: &Limits) -> Budget 
     }
 }
 
-/// What clauses 2 and 3 ask for and the data do not fulfil.
+/// Requirements of clauses 2 and 3 that the data do not fulfil.
 pub fn remarks(file: &PhaseFile) -> Vec<String> {
     let mut remarks = Vec::new();
     let limits = &file.limits;

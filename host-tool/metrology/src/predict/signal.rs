@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::{PI, SQRT_2};
 
-/// What to compute.
+/// Quantity to compute.
 #[derive(Clone, Copy, Debug)]
 pub struct Request {
     /// Samples per second, Hz.

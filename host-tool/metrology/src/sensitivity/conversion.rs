@@ -59,7 +59,7 @@ pub struct Converted {
     pub phase_deg: f64,
 }
 
-/// The same transducer's sensitivity to all three quantities (clause 6 a, b).
+/// Sensitivity of one transducer to all three quantities (clause 6 a, b).
 pub fn convert(
     from: Quantity,
     sensitivity: f64,

@@ -50,7 +50,7 @@ pub struct PointSensitivity {
     pub drift_half_width_rel: Option<f32>,
     /// Relative deviation of the magnitude from the reference point.
     pub deviation_rel: Option<f32>,
-    /// The same in dB.
+    /// Deviation in dB.
     pub deviation_db: Option<f32>,
     /// Deviation of the phase from the reference point, degrees.
     pub deviation_deg: Option<f32>,
@@ -58,7 +58,7 @@ pub struct PointSensitivity {
     pub state: PointState,
     /// Code of the reason for a refusal, in snake case.
     pub reason: Option<String>,
-    /// The same in words.
+    /// Conversion in words.
     #[serde(skip)]
     pub refused: Option<String>,
 }

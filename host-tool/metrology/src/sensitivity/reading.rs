@@ -1,4 +1,4 @@
-//! What was read at one point.
+//! Readings at one point.
 
 use calib_core::consecutive::Consecutive;
 use num_complex::Complex32;

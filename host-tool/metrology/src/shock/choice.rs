@@ -1,4 +1,4 @@
-//! What a user chooses about an identification from a shock.
+//! Choices of a user for an identification from a shock.
 
 /// Options of the fit.
 #[derive(Clone, Copy, Debug, Default)]

@@ -132,7 +132,7 @@ fn percent(share: Option<Share>) -> String {
     share.map_or("-".to_owned(), |s| format!("{:.1}", 100.0 * s.share))
 }
 
-/// What the columns say.
+/// Meaning of the columns.
 const LEGEND: &str = "\
 first: the truth leads; covered: it is listed with more than 5 %; alarms: a gap where there is none;
 detected: any gap where there is one; wrong: `explained`, by something else; stage: that of the truth is

@@ -145,7 +145,7 @@ impl Diagnose {
     }
 }
 
-/// What is said of one dataset of several.
+/// Answer for one dataset of several.
 #[derive(Serialize, JsonSchema)]
 #[serde(untagged)]
 pub(in crate::cli) enum Said {

@@ -39,7 +39,7 @@ enum Command {
     /// The dataset has rig.toml (what the simulation believes) and points.csv (what was measured);
     /// `calib gap diagnose DATASET` reads it.
     ///
-    /// What is believed comes from --believed. A rig file (as twin/rigs/default.toml) is best: the
+    /// The beliefs come from --believed. A rig file (as twin/rigs/default.toml) is best: the
     /// filters and resonances it states are known, and are taken out of the rows; rig.toml has no
     /// place for them, and they would show as a gap.
     ///

@@ -32,7 +32,7 @@ pub(crate) struct RecordVerb {
     /// Folder of the dataset.
     #[arg(long, value_name = "DATASET")]
     out: PathBuf,
-    /// What the simulation believes of the connected calibrator: a rig file, rig.toml, a dataset,
+    /// Beliefs of the simulation about the connected calibrator: a rig file, rig.toml, a dataset,
     /// or `standard`. With `--device emulated` it may be left out.
     #[arg(long, value_name = "RIG")]
     believed: Option<PathBuf>,
@@ -98,7 +98,7 @@ enum Source {
     Emulated(Box<Rig>),
 }
 
-/// What was measured and written.
+/// Measured and written files.
 #[derive(Serialize, JsonSchema)]
 pub(in crate::cli) struct Written {
     /// Folder of the dataset.
@@ -109,7 +109,7 @@ pub(in crate::cli) struct Written {
     runs: u8,
     /// Points the calibrator refused.
     refused: Vec<PointView>,
-    /// What is known of the chain, and was taken out of the rows.
+    /// Known responses of the chain that were taken out of the rows.
     taken_out: Vec<String>,
 }
 
@@ -223,7 +223,7 @@ impl RecordVerb {
         Ok(())
     }
 
-    /// What is believed, and the rig to emulate.
+    /// Beliefs, and the rig to emulate.
     fn believed(&self, context: &Context) -> Result<(Known, Option<Rig>)> {
         if let Some(file) = &self.emulated {
             let rig = rig_of(file)?;

@@ -70,7 +70,7 @@ pub(in crate::cli) struct Added {
 /// Something that is not as it was entered.
 #[derive(Serialize, JsonSchema)]
 pub(in crate::cli) struct Problem<'a> {
-    /// What, in words.
+    /// Kind, in words.
     problem: &'a str,
 }
 
