@@ -58,7 +58,7 @@ pub struct PointSensitivity {
     pub state: PointState,
     /// Code of the reason for a refusal, in snake case.
     pub reason: Option<String>,
-    /// Conversion in words.
+    /// Reason in words.
     #[serde(skip)]
     pub refused: Option<String>,
 }

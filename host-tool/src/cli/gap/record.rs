@@ -98,7 +98,7 @@ enum Source {
     Emulated(Box<Rig>),
 }
 
-/// Measured and written files.
+/// Dataset that was written, and its size.
 #[derive(Serialize, JsonSchema)]
 pub(in crate::cli) struct Written {
     /// Folder of the dataset.
