@@ -7,7 +7,7 @@ use crate::pictures::Pictures;
 use crate::thresholds;
 use calib_effects::Stage;
 use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// A place where simulation and measurement differ.
@@ -68,10 +68,16 @@ pub struct Cause {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Distance {
     /// Root mean square error of the simulator without the effect, percent.
-    #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(
+        rename = "before_rel",
+        serialize_with = "crate::estimation::gap::as_rel"
+    )]
     pub before_percent: f64,
     /// Root mean square error of the simulator with the effect added, percent.
-    #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(
+        rename = "after_rel",
+        serialize_with = "crate::estimation::gap::as_rel"
+    )]
     pub after_percent: f64,
     /// Rows compared.
     pub rows: usize,
@@ -147,9 +153,4 @@ pub(crate) fn hardly_separated(causes: &[Cause], verdict: Verdict) -> Vec<Vec<St
         }
         _ => Vec::new(),
     }
-}
-
-/// Values kept in percent are stated relative: percent is for people.
-pub(crate) fn as_rel<S: Serializer>(percent: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_f64(percent / 100.0)
 }

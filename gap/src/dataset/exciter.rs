@@ -1,6 +1,6 @@
 //! The parameters of a voltage-driven moving-coil exciter.
 
-use super::rig::Quantity;
+use super::quantity::Quantity;
 use serde::Deserialize;
 use std::ops::{Index, IndexMut};
 

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! ```text
-//! rig, rig_file     what a rig.toml says, and how it is read; exciter: its parameters
+//! rig, rig_file     content of rig.toml, and its reader; exciter: its parameters; quantity: value and u
+//! measured          points or a record
 //! points            reads points.csv: layout of its columns, cells of a row, point; range of a column
 //! record            reads record.csv
 //! contradiction     whether rig and table can belong together
@@ -18,35 +19,25 @@ mod cells;
 mod contradiction;
 mod exciter;
 mod layout;
+mod measured;
 mod point;
 mod points;
+mod quantity;
 mod range;
 mod record;
 mod rig;
 mod rig_file;
 
 pub(crate) use exciter::{ExciterParameter, ExciterParameters};
+pub(crate) use measured::Measured;
 pub(crate) use point::{Harmonic, Point};
+pub(crate) use quantity::Quantity;
 pub(crate) use record::Record;
-pub(crate) use rig::{Kind, Measurand, Quantity, Repeatability, Rig, Transducer};
+pub(crate) use rig::{Kind, Measurand, Repeatability, Rig, Transducer};
 
 use crate::error::GapError;
 use sha2::{Digest, Sha256};
 use std::path::Path;
-
-/// The measured part of a dataset.
-#[derive(Debug, Clone)]
-pub(crate) enum Measured {
-    /// Steady-state sine points of a calibrator, and the names of the columns that held values.
-    Points {
-        /// One entry per row of `points.csv`.
-        points: Vec<Point>,
-        /// Columns that were present.
-        columns: Vec<String>,
-    },
-    /// A uniformly sampled record of an oscillator.
-    Record(Record),
-}
 
 /// One dataset: rig and measurement, and nothing about the cause of a difference.
 #[derive(Debug, Clone)]

@@ -1,8 +1,8 @@
 //! `points.csv`: steady-state sine points.
 
-use super::Measured;
 use super::cells::Cells;
 use super::layout::{Layout, table};
+use super::measured::Measured;
 use crate::error::GapError;
 use std::collections::HashMap;
 use std::io::Read;

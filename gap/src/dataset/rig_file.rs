@@ -1,6 +1,7 @@
 //! Reads a `rig.toml`, and refuses values no rig can have.
 
-use super::rig::{Environment, Quantity, Repeatability, Rig};
+use super::quantity::Quantity;
+use super::rig::{Environment, Repeatability, Rig};
 use crate::error::GapError;
 use crate::thresholds::STATES_NOTHING;
 use std::path::Path;

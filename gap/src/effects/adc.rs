@@ -1,7 +1,8 @@
 //! Bent characteristics of one converter.
 
+use super::effect::{Effect, Explanations, Shows};
+use super::facts::Facts;
 use super::start::{Start, ratios};
-use super::{Effect, Explanations, Facts, Shows};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
 use crate::model::waveform::Characteristic;

@@ -1,7 +1,8 @@
 //! The power amplifier.
 
+use super::effect::{Effect, Explanations};
+use super::facts::Facts;
 use super::start::{Start, ratios};
-use super::{Effect, Explanations, Facts};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
 use calib_effects::{Entry, amplifier};

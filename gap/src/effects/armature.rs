@@ -1,7 +1,8 @@
 //! The moving element beyond a rigid body.
 
+use super::effect::{Effect, Explanations};
+use super::facts::Facts;
 use super::start::{Start, ratios};
-use super::{Effect, Explanations, Facts};
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
 use calib_effects::{Entry, exciter};

@@ -1,7 +1,8 @@
 //! Gains that depend on frequency, level, temperature or time.
 
+use super::effect::{Effect, Explanations};
+use super::facts::Facts;
 use super::start::Start;
-use super::{Effect, Explanations, Facts};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, amplifier, dut, reference};

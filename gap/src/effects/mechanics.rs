@@ -1,7 +1,8 @@
 //! Linear mechanics of the exciter that differ from the nominal ones.
 
+use super::effect::{Effect, Explanations};
+use super::facts::Facts;
 use super::start::Start;
-use super::{Effect, Explanations, Facts};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
 use calib_effects::{Entry, exciter};

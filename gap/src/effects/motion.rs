@@ -1,8 +1,9 @@
 //! Motion that the two transducers do not share.
 
+use super::effect::{Effect, Explanations};
+use super::facts::Facts;
 use super::resonance::second_order;
 use super::start::{Start, ratios};
-use super::{Effect, Explanations, Facts};
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
 use calib_effects::{Entry, mount};

@@ -1,7 +1,8 @@
 //! Effects of the mounting on the device under test.
 
+use super::effect::{Effect, Explanations};
+use super::facts::Facts;
 use super::start::{Start, ratios};
-use super::{Effect, Explanations, Facts};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use crate::model::scatter::Scatter;

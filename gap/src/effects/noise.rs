@@ -1,7 +1,8 @@
 //! Effects that show as noise and as scatter, not as a response.
 
+use super::effect::{Effect, Explanations, Stated};
+use super::facts::Facts;
 use super::start::{Start, ratios};
-use super::{Effect, Explanations, Facts, Stated};
 use crate::model::chain::Transfer;
 use crate::model::leakage::{Line, taken};
 use crate::model::row::Row;

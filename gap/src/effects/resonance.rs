@@ -1,7 +1,8 @@
 //! Resonances of the transducers and of the contact between device and table.
 
+use super::effect::{Effect, Explanations};
+use super::facts::Facts;
 use super::start::{Start, ratios};
-use super::{Effect, Explanations, Facts};
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
 use calib_effects::{Entry, dut, mount, reference};

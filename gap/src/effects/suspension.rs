@@ -1,8 +1,9 @@
 //! Nonlinear moving parts of the exciter.
 
+use super::effect::{Effect, Explanations};
+use super::facts::Facts;
 use super::mount::FREE_FALL_MS2;
 use super::start::{Start, ratios};
-use super::{Effect, Explanations, Facts};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
 use calib_effects::{Entry, exciter};

@@ -1,7 +1,8 @@
 //! Delays, clocks and coupling between the channels.
 
+use super::effect::{Effect, Explanations};
+use super::facts::Facts;
 use super::start::Start;
-use super::{Effect, Explanations, Facts};
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, conditioning, digitiser};

@@ -1,20 +1,20 @@
 //! How large the gap is, before and after, as the answer states it.
 
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use std::collections::BTreeMap;
 
 /// Gap of one observable on the held-out rows.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct ObservableGap {
     /// Root mean square relative error of the nominal simulation, in percent.
-    #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(rename = "before_rel", serialize_with = "as_rel")]
     pub before_percent: f64,
     /// Root mean square relative error with the named effects added, in percent.
-    #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(rename = "after_rel", serialize_with = "as_rel")]
     pub after_percent: f64,
     /// Remainder by measurement noise alone.
-    #[serde(rename = "floor_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(rename = "floor_rel", serialize_with = "as_rel")]
     pub floor_percent: f64,
     /// Share that was closed; none where there was no gap.
     pub closed: Option<f64>,
@@ -43,13 +43,13 @@ impl ObservableGap {
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Gap {
     /// See [`ObservableGap`]; ratio, drive and current (or what there is) pooled.
-    #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(rename = "before_rel", serialize_with = "as_rel")]
     pub before_percent: f64,
     /// See [`ObservableGap`].
-    #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(rename = "after_rel", serialize_with = "as_rel")]
     pub after_percent: f64,
     /// See [`ObservableGap`].
-    #[serde(rename = "floor_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(rename = "floor_rel", serialize_with = "as_rel")]
     pub floor_percent: f64,
     /// Mean of the observables' shares, weighted by the excess of their chi-square.
     pub closed: Option<f64>,
@@ -98,13 +98,13 @@ pub struct Slice {
     /// Choice of the fit without it; empty where the cause does not pay there.
     pub chosen: Vec<&'static str>,
     /// See [`ObservableGap`]; of a band of a record relative to the whole output.
-    #[serde(rename = "before_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(rename = "before_rel", serialize_with = "as_rel")]
     pub before_percent: f64,
     /// See [`ObservableGap`].
-    #[serde(rename = "after_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(rename = "after_rel", serialize_with = "as_rel")]
     pub after_percent: f64,
     /// See [`ObservableGap`].
-    #[serde(rename = "floor_rel", serialize_with = "crate::answer::as_rel")]
+    #[serde(rename = "floor_rel", serialize_with = "as_rel")]
     pub floor_percent: f64,
     /// See [`Gap`]; none where no observable stands out of its noise.
     pub closed: Option<f64>,
@@ -132,4 +132,9 @@ impl Slice {
             chi_after: gap.chi_after,
         }
     }
+}
+
+/// Values kept in percent are stated relative: percent is for people.
+pub(crate) fn as_rel<S: Serializer>(percent: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_f64(percent / 100.0)
 }

@@ -3,15 +3,17 @@
 //! The page is a template (`page.html`) over the answers as they serialise.
 //!
 //! ```text
-//! first    what the first screen says beyond the fields of an answer
+//! first    text of the first screen beyond the fields of an answer
 //! map      residuals over frequency, level and condition
 //! curve    the most probable cause's curve through the data; of a record, the error over time
+//! number   numbers as a person reads them
 //! plain    observables and conditions in words that need no training
 //! ```
 
 mod curve;
 mod first;
 mod map;
+mod number;
 mod plain;
 #[cfg(test)]
 mod tests;
@@ -23,6 +25,7 @@ use crate::pictures::Pictures;
 use calib_effects::Stage;
 use minijinja::value::{Serde, Value};
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
+use number::short;
 use serde::Serialize;
 
 const TEMPLATE: &str = include_str!("page.html");
@@ -120,22 +123,5 @@ fn probability(value: f64) -> String {
         "more than 99.9\u{a0}%".into()
     } else {
         format!("{:.1}\u{a0}%", 100.0 * value)
-    }
-}
-
-/// Three significant digits, without an exponent where it reads better.
-fn short(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return "0".into();
-    }
-    let decade = value.abs().log10().floor() as i32;
-    if !(-4..6).contains(&decade) {
-        return format!("{value:.2e}");
-    }
-    let text = format!("{value:.*}", (2 - decade).max(0) as usize);
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').into()
-    } else {
-        text
     }
 }

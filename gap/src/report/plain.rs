@@ -1,5 +1,6 @@
 //! Observables and conditions in words that need no training.
 
+use super::number::short;
 use crate::axis::Axis;
 
 /// Words for an observable.
@@ -29,6 +30,6 @@ pub(super) fn range(axis: Axis, from: f64, to: f64) -> String {
         Axis::CoilVoltage => ("at coil voltages", "V"),
         Axis::Amplitude => ("amplitude", ""),
     };
-    let (from, to) = (super::short(from), super::short(to));
+    let (from, to) = (short(from), short(to));
     format!("{words} from {from} to {to}\u{a0}{unit}")
 }

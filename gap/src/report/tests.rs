@@ -1,6 +1,7 @@
 //! The page holds what the answer says, and nothing an answer says can leave its place.
 
-use super::{report, short};
+use super::number::short;
+use super::report;
 use crate::answer::*;
 use crate::axis::Axis;
 use crate::estimation::gap::{Gap, ObservableGap, Slice};
