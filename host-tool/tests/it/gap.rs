@@ -36,7 +36,10 @@ fn a_simulated_effect_is_named_and_the_dataset_does_not_tell_it() {
     assert_eq!(answer["verdict"], "explained");
     assert_eq!(answer["causes"][0]["effects"][0], "dut_resonance");
     let resonance = &answer["causes"][0]["parameters"]["dut_resonance"]["resonance_hz"];
-    let (value, u) = (resonance["value"].as_f64(), resonance["u"].as_f64());
+    let (value, u) = (
+        resonance["value"].as_f64(),
+        resonance["standard_uncertainty"].as_f64(),
+    );
     // Five of its own standard uncertainties.
     assert!(
         (value.expect("number") - 31e3).abs() < 5.0 * u.expect("number"),

@@ -21,7 +21,7 @@ pub struct Template {
 pub struct TemplateRow {
     /// Number in the table, from 1.
     pub number: usize,
-    /// Kind of record.
+    /// Subject of the row.
     pub label: &'static str,
 }
 
