@@ -100,7 +100,7 @@ pub struct Confirmation {
     pub refused: usize,
 }
 
-/// Readings.
+/// Dataset that was read.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct DatasetSummary {
     /// Folder, as given.
@@ -132,7 +132,7 @@ pub struct Answer {
     pub gap: Gap,
     /// Nominal parameters as fitted within their uncertainty.
     pub nominal_parameters: BTreeMap<&'static str, Estimate>,
-    /// Readings.
+    /// Dataset that was read.
     pub dataset: DatasetSummary,
     /// Result of the simulator with the cause added; `None` where nobody asked it.
     pub confirmation: Option<Confirmation>,
