@@ -111,7 +111,7 @@ fn every_field_is_there(answer: &Value) {
     has(&answer["dataset"], &["rows", "columns_used", "sha256"]);
     has(
         &answer["nominal_parameters"]["stiffness_n_per_m"],
-        &["value", "u"],
+        &["value", "standard_uncertainty"],
     );
 }
 
