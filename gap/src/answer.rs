@@ -67,13 +67,13 @@ pub struct Cause {
 /// Gap between records of the simulator and the measurement.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Distance {
-    /// Root mean square error of the simulator without the effect, percent.
+    /// Root mean square error of the simulator without the effect; percent here, a fraction in JSON.
     #[serde(
         rename = "before_rel",
         serialize_with = "crate::estimation::gap::as_rel"
     )]
     pub before_percent: f64,
-    /// Root mean square error of the simulator with the effect added, percent.
+    /// Root mean square error of the simulator with the effect added; percent here, a fraction in JSON.
     #[serde(
         rename = "after_rel",
         serialize_with = "crate::estimation::gap::as_rel"

@@ -15,9 +15,7 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         images.iter().try_for_each(|image| no_panic::check(image))?;
     }
     let image = images.last().context("no board")?;
-    // The tests of the tool need it, so cargo builds and places it with them; a
-    // build of its own would compile half of the tree a second time, since the
-    // features of shared crates differ.
+    // The tests of the tool need it, so cargo builds and places it with them.
     let mut tests = cargo("test");
     // The programs of the benches are left to the lints: each would be linked here and never run.
     tests.args(["--release", "--workspace", "--no-fail-fast"]);

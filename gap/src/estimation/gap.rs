@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 /// Gap of one observable on the held-out rows.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct ObservableGap {
-    /// Root mean square relative error of the nominal simulation, in percent.
+    /// Root mean square relative error of the nominal simulation; percent here, a fraction in JSON.
     #[serde(rename = "before_rel", serialize_with = "as_rel")]
     pub before_percent: f64,
-    /// Root mean square relative error with the named effects added, in percent.
+    /// Root mean square relative error with the named effects added; percent here, a fraction in JSON.
     #[serde(rename = "after_rel", serialize_with = "as_rel")]
     pub after_percent: f64,
     /// Remainder by measurement noise alone.
