@@ -20,7 +20,7 @@ const UNDER_WAY: Duration = Duration::from_millis(450);
 const USUAL_MV: u32 = 3300;
 /// The clock's handler, and the place of the time driver in the vector table (line 28).
 const CLOCK_HANDLER: &str = "NonMaskableInt";
-const NEXT_VECTOR: u64 = 0x0800_0000 + 4 * (16 + 28);
+const NEXT_VECTOR: u64 = 0x0802_0000 + 4 * (16 + 28);
 
 /// A fault and what must come of it.
 #[derive(Deserialize)]
