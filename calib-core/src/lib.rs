@@ -12,6 +12,7 @@
     reason = "`!(x > limit)` refuses what is not a number, `x <= limit` would not"
 )]
 
+pub mod alignment;
 pub mod broadband;
 pub mod budget;
 pub mod consecutive;

@@ -68,6 +68,9 @@ pub enum Reason {
     /// The instrument is colder or hotter than it is made for
     /// ([`crate::thermometer`]).
     TemperatureOutOfRange,
+    /// Both halves of a sample pair are not shown to be of one instant
+    /// ([`crate::alignment`]): the phase would be wrong.
+    ChannelsNotAligned,
 }
 
 impl Reason {
@@ -81,6 +84,7 @@ impl Reason {
                 | Self::Overrun
                 | Self::Stopped
                 | Self::TemperatureOutOfRange
+                | Self::ChannelsNotAligned
         )
     }
 }
@@ -123,6 +127,7 @@ impl fmt::Display for Reason {
             }
             Self::DutDistortion => "the device under test distorts",
             Self::TemperatureOutOfRange => "the instrument is too cold or too hot",
+            Self::ChannelsNotAligned => "the channels are not of the same instants",
         })
     }
 }

@@ -70,6 +70,9 @@ impl Instrument for Calibrator {
         if state::temperature_c().is_some_and(|value| !may_work_at(value)) {
             return Err(Refusal::TemperatureOutOfRange);
         }
+        if !state::ALIGNED.load(Ordering::Relaxed) {
+            return Err(Refusal::ChannelsNotAligned);
+        }
         let points = spec.points.len() as u16;
         state::RUN.lock(|run| {
             let mut run = run.borrow_mut();

@@ -187,6 +187,9 @@ pub enum Refusal {
     /// The instrument is colder or hotter than it is made for
     /// ([`calib_core::thermometer`]).
     TemperatureOutOfRange,
+    /// Since the converters were started, their two channels are not shown to be
+    /// of the same instants ([`calib_core::alignment`]).
+    ChannelsNotAligned,
 }
 
 /// New settings, and what the log of a change says of it.

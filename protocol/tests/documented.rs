@@ -151,6 +151,7 @@ fn the_table_lists_every_reason_with_its_number() {
         Refusal::CaptureBroken,
         Refusal::ButtonNotHeld,
         Refusal::TemperatureOutOfRange,
+        Refusal::ChannelsNotAligned,
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     expect_no_more::<Refusal>(reasons.len());

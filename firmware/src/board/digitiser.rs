@@ -5,10 +5,17 @@
 //!
 //! One pair is one word of the common data register: low half reference
 //! (ADC1, master), high half device under test (ADC2), both left justified
-//! offset binary. A pair can be lost, but never torn: the phase between the channels
-//! does not depend on the DMA.
+//! offset binary.
+//!
+//! With one DMA stream for both and data kept in an overrun (`OVRMOD` = 0), the
+//! slave's half may be that of another trigger (ES0392, "ADC slave data may be
+//! shifted in Dual regular simultaneous mode"). So data are overwritten here: a
+//! pair that was not fetched is lost, and `OVR`, which rises all the same, says
+//! so. What the silicon does with that is not believed but looked at:
+//! [`Digitiser::common_signal`].
 
 use super::axi_sram::axi_static;
+use super::common_signal::CommonSignal;
 use super::converter::{NotReady, calibrate, enable};
 use super::selected::{CLOCKS, CONVERTERS, Irqs};
 use super::wiring::DigitiserParts;
@@ -63,6 +70,7 @@ impl From<NotReady> for DigitiserFault {
 /// The pair of converters with its DMA ring.
 pub(crate) struct Digitiser {
     ring: ReadableRingBuffer<'static, u32>,
+    common_signal: CommonSignal,
 }
 
 impl Digitiser {
@@ -80,8 +88,8 @@ impl Digitiser {
             w.set_damdf(Damdf::FORMAT32TO10);
         });
         let channels = [
-            (pac::ADC1, parts.reference.get_hw_channel()),
-            (pac::ADC2, parts.dut.get_hw_channel()),
+            (pac::ADC1, parts.reference.channel.get_hw_channel()),
+            (pac::ADC2, parts.dut.channel.get_hw_channel()),
         ];
         for (adc, channel) in channels {
             calibrate(adc, CLOCK_HZ).await?;
@@ -104,7 +112,11 @@ impl Digitiser {
         };
         ring.start();
         pac::ADC1.cr().modify(|w| w.set_adstart(true));
-        Ok(Self { ring })
+        let common_signal = CommonSignal::new([parts.reference.pin, parts.dut.pin]);
+        Ok(Self {
+            ring,
+            common_signal,
+        })
     }
 
     /// The next block of pairs, in the order they were sampled.
@@ -115,14 +127,26 @@ impl Digitiser {
         &mut self,
         block: &mut [u32; BLOCK_PAIRS],
     ) -> Result<(), DigitiserFault> {
+        read(&mut self.ring, block).await
+    }
+
+    /// The next block, taken while one signal with edges is on both inputs, for
+    /// [`calib_core::alignment::judge`].
+    ///
+    /// # Errors
+    /// As [`Self::next`].
+    pub(crate) async fn common_signal(
+        &mut self,
+        block: &mut [u32; BLOCK_PAIRS],
+    ) -> Result<(), DigitiserFault> {
         use embassy_futures::select::{Either, select};
-        let read = self.ring.read_exact(block);
-        match select(read, Timer::after(SILENCE)).await {
-            Either::Second(()) => Err(DigitiserFault::Silent),
-            Either::First(Err(_)) => Err(DigitiserFault::RingOverrun),
-            Either::First(Ok(_)) if converter_overrun() => Err(DigitiserFault::ConverterOverrun),
-            Either::First(Ok(_)) => Ok(()),
-        }
+        let read = read(&mut self.ring, block);
+        let taken = match select(read, self.common_signal.play()).await {
+            Either::First(taken) => taken,
+            Either::Second(never) => never,
+        };
+        self.common_signal.rest();
+        taken
     }
 
     /// Puts the stream right after a fault: converters stopped, stale data and
@@ -149,6 +173,19 @@ impl Digitiser {
     }
 }
 
+async fn read(
+    ring: &mut ReadableRingBuffer<'static, u32>,
+    block: &mut [u32; BLOCK_PAIRS],
+) -> Result<(), DigitiserFault> {
+    use embassy_futures::select::{Either, select};
+    match select(ring.read_exact(block), Timer::after(SILENCE)).await {
+        Either::Second(()) => Err(DigitiserFault::Silent),
+        Either::First(Err(_)) => Err(DigitiserFault::RingOverrun),
+        Either::First(Ok(_)) if converter_overrun() => Err(DigitiserFault::ConverterOverrun),
+        Either::First(Ok(_)) => Ok(()),
+    }
+}
+
 /// Without a block for this long the sample clock or the DMA has stopped.
 const SILENCE: Duration = Duration::from_millis(25);
 
@@ -159,7 +196,10 @@ fn converter_overrun() -> bool {
 
 /// One conversion of `channel` per trigger, left justified in 16 bits.
 fn select(adc: Adc, channel: u8) {
-    adc.cfgr().modify(|w| w.set_res(RESOLUTION));
+    adc.cfgr().modify(|w| {
+        w.set_res(RESOLUTION);
+        w.set_ovrmod(vals::Ovrmod::OVERWRITE);
+    });
     adc.cfgr2()
         .modify(|w| w.set_lshift(CONVERTERS.input.spare_bits()));
     adc.pcsel()

@@ -21,6 +21,7 @@
 mod axi_sram;
 mod cache;
 mod clocks;
+mod common_signal;
 mod converter;
 mod description;
 mod digitiser;

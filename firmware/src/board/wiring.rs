@@ -1,6 +1,6 @@
 //! From the table of pins in a board's file to the drivers.
 
-use embassy_stm32::adc::AnyAdcChannel;
+use embassy_stm32::adc::{AdcChannel, AnyAdcChannel, Instance};
 use embassy_stm32::dac::{Channel, DacPin};
 use embassy_stm32::gpio::{self, AnyPin};
 use embassy_stm32::mode::Async;
@@ -21,9 +21,31 @@ pub(crate) struct DigitiserParts {
         Peri<'static, peripherals::ADC1>,
         Peri<'static, peripherals::ADC2>,
     ),
-    pub(crate) reference: AnyAdcChannel<'static, peripherals::ADC1>,
-    pub(crate) dut: AnyAdcChannel<'static, peripherals::ADC2>,
+    pub(crate) reference: InputPin<peripherals::ADC1>,
+    pub(crate) dut: InputPin<peripherals::ADC2>,
     pub(crate) dma: Peri<'static, peripherals::DMA1_CH0>,
+}
+
+/// The pin of an input of the converter `T`.
+pub(crate) struct InputPin<T: 'static> {
+    pub(super) channel: AnyAdcChannel<'static, T>,
+    pub(super) pin: gpio::Flex<'static>,
+}
+
+impl<T: Instance> InputPin<T> {
+    /// The compiler refuses a pin that leads to no channel of the converter.
+    pub(crate) fn new<P>(pin: Peri<'static, P>) -> Self
+    where
+        P: gpio::Pin,
+        Peri<'static, P>: AdcChannel<T>,
+    {
+        // Note(unsafe): a channel is a number; the port is `pin`'s alone.
+        let channel = unsafe { pin.clone_unchecked() }.degrade_adc();
+        Self {
+            channel,
+            pin: gpio::Flex::new(pin),
+        }
+    }
 }
 
 /// Peripherals and pins of the exciter.
@@ -110,7 +132,6 @@ macro_rules! wiring {
         /// # Panics
         /// When the serial port takes no rate of [`crate::board::wiring::LINK_BAUD`].
         pub(crate) fn wire(p: embassy_stm32::Peripherals) -> crate::board::wiring::Wired {
-            use embassy_stm32::adc::AdcChannel;
             let mut config = embassy_stm32::usart::Config::default();
             config.baudrate = crate::board::wiring::LINK_BAUD;
             let port = embassy_stm32::usart::Uart::new(
@@ -121,8 +142,8 @@ macro_rules! wiring {
                 button: p.$button.into(),
                 digitiser: crate::board::wiring::DigitiserParts {
                     _converters: (p.ADC1, p.ADC2),
-                    reference: p.$reference.degrade_adc(),
-                    dut: p.$dut.degrade_adc(),
+                    reference: crate::board::wiring::InputPin::new(p.$reference),
+                    dut: crate::board::wiring::InputPin::new(p.$dut),
                     dma: p.DMA1_CH0,
                 },
                 exciter: crate::board::wiring::ExciterParts {

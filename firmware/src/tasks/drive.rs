@@ -35,6 +35,10 @@ pub(crate) static SILENCE: Signal<CriticalSectionRawMutex, ()> = Signal::new();
 /// this long to evaluate a block, less the 10 ms the block takes to come in.
 const PATIENCE: Duration = Duration::from_millis(18);
 
+/// Without commands silence is written this long after there is room for it: the
+/// first command that comes is then played with the next block, not the one after.
+const PACE: Duration = Duration::from_millis(5);
+
 /// Start of the dither: the same tone is the same codes, run after run.
 const SEED: u32 = 1;
 
@@ -64,8 +68,8 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
                 defmt::error!("no drive command in time: silent");
             }
             silence(&mut exciter, &mut output);
-            // From now on the ring alone sets the pace.
-            patience = Duration::from_ticks(0);
+            // From now on the ring sets the pace.
+            patience = PACE;
         }
         state::DRIVE_ALIVE.fetch_add(1, Ordering::Relaxed);
         output.fill(&mut codes);

@@ -196,6 +196,7 @@ fn reason(refusal: Refusal) -> &'static str {
             "they change the calibration of its reference, and its button is not held"
         }
         Refusal::TemperatureOutOfRange => "it is too cold or too hot to measure",
+        Refusal::ChannelsNotAligned => "its two channels are not of the same instants",
         _ => "for a reason this tool does not know",
     }
 }
@@ -220,6 +221,10 @@ impl Refused {
             }
             Refusal::TemperatureOutOfRange => {
                 "`calib info` shows its temperature: let it cool down or warm up, and repeat"
+            }
+            Refusal::ChannelsNotAligned => {
+                "press its reset button; if that does not help, an input is held too firmly for the \
+                 check, or the part is faulty: docs/hardware.md, Alignment"
             }
             Refusal::Busy => {
                 "wait for its end, or stop it: `calib stop`, or the button on the instrument"

@@ -33,6 +33,7 @@ mod dma1;
 mod dmamux;
 mod flash;
 mod front_panel;
+mod input_pin;
 mod iwdg;
 mod line_rate;
 mod memory_map;

@@ -23,7 +23,7 @@ use super::memory_map;
 use super::overdrive::WatchedSyscfg;
 use super::pins::{Pins, SUPPLY_MV};
 use super::request_lines::RequestLines;
-use super::schematic::Schematic;
+use super::schematic::{Pin, Schematic};
 use super::tim6::{self, Tim6};
 use super::usb::UsbWindow;
 
@@ -80,6 +80,9 @@ pub struct Part {
     own: Box<[Option<Own>]>,
     serial_slot: usize,
     slots: SampleSlots,
+    /// Ports of the inputs' pins, and whether one was used since the converters were told of it.
+    input_ports: [usize; 2],
+    ports_used: bool,
     /// ADC3 is the emulator's; it is told how warm the part is.
     adc3_slot: usize,
     /// The rail the board gives the part.
@@ -95,11 +98,11 @@ struct SampleSlots {
 }
 
 rigless::store!(Part {
-    values: [supply_mv],
+    values: [supply_mv, ports_used],
     parts: [
         base, tim6, dac, dmamux, dma1, converters, common, flash, iwdg, syscfg, usb, pins,
     ],
-    built: [usb_slot, own, serial_slot, adc3_slot, slots],
+    built: [usb_slot, own, serial_slot, adc3_slot, slots, input_ports],
 });
 
 impl Part {
@@ -124,7 +127,10 @@ impl Part {
             common: base.bus().slot(adc::NAME)?,
             dma1: base.bus().slot(super::dma1::NAME)?,
         };
+        let port = |pin: Pin| base.bus().slot_of(&pin.instance()).unwrap_or(usize::MAX);
         let mut part = Self {
+            input_ports: pins.schematic.inputs.map(port),
+            ports_used: true,
             serial_slot: base.bus().slot(pins.schematic.serial_name())?,
             adc3_slot: base.bus().slot("ADC3")?,
             supply_mv: SUPPLY_MV,
@@ -177,6 +183,7 @@ impl Part {
             let registers = fresh.base.bus_mut().slot_mut(slot).registers_mut();
             fresh.flash.inner.keep_options(options, registers);
         }
+        fresh.common.inherit_silicon(&self.common);
         for (fresh, old) in fresh.base.gpio.iter_mut().zip(&mut self.base.gpio) {
             *fresh = std::mem::take(old);
             Device::reset(fresh);
@@ -213,11 +220,6 @@ impl Part {
         &self.pins.schematic
     }
 
-    /// The pair converted last was not fetched.
-    pub(super) fn leave_a_pair_unread(&mut self) {
-        self.common.leave_a_pair_unread();
-    }
-
     /// Since when the regulator's overdrive has been on.
     pub(super) fn overdrive_since(&self) -> Option<VirtualNanos> {
         self.syscfg.overdrive_since()
@@ -230,8 +232,16 @@ impl Part {
             .map_or(0, |registers| registers.get(register))
     }
 
+    /// The pair of converters, for its faults.
+    pub(super) fn converters(&mut self) -> &mut Common {
+        &mut self.common
+    }
+
     /// TIM6's trigger output pulses at `at`: both converters hear it, then the DMA what they ask for.
     fn sample(&mut self, at: VirtualNanos) {
+        if std::mem::take(&mut self.ports_used) {
+            self.common.set_pulls(self.input_pulls());
+        }
         let bus = self.base.bus_mut();
         let (registers, mut context) = bus.drive(at, self.slots.dac);
         self.dac.on_tim6(registers, &mut context);
@@ -325,6 +335,7 @@ impl Mcu for Part {
     }
 
     fn split(&mut self, slot: usize) -> (&mut Bus, Option<&mut dyn ErasedDevice>) {
+        self.ports_used |= self.input_ports.contains(&slot);
         if slot == self.adc3_slot {
             let centi_c = self.pins.analog.processor_centi_c();
             self.base.adc[ADC3].set_temperature(centi_c);

@@ -35,16 +35,27 @@ pub enum PartFault {
     },
     /// The clock from outside ends.
     ClockLost,
+    /// The part has the erratum of ES0392 by which data of ADC2 stand beside those of another trigger
+    /// of ADC1, for good: with one DMA channel and data kept in an overrun.
+    SlaveShifted,
+    /// The same without the configuration having a part in it, in so many of the next starts of the
+    /// converters.
+    StartsShifted {
+        /// How many.
+        starts: u32,
+    },
 }
 
 impl Part {
     /// Lets `fault` happen at `at`.
     pub(crate) fn fail(&mut self, at: VirtualNanos, fault: PartFault) {
         match fault {
-            PartFault::AdcOverrun => self.leave_a_pair_unread(),
+            PartFault::AdcOverrun => self.converters().leave_a_pair_unread(),
             PartFault::DmaStops { stream } => self.change_stream(at, stream, None),
             PartFault::DmaError { stream } => self.change_stream(at, stream, Some(NOWHERE)),
             PartFault::ClockLost => self.lose_clock(at),
+            PartFault::SlaveShifted => self.converters().give_slave_erratum(),
+            PartFault::StartsShifted { starts } => self.converters().spoil_starts(starts),
         }
     }
 

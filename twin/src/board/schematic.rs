@@ -92,6 +92,8 @@ pub struct Schematic {
     pub(super) lit: Active,
     pub(super) button: Pin,
     pub(super) pressed: Active,
+    /// Reference and device under test.
+    pub(super) inputs: [Pin; 2],
     /// Channels of ADC1 and ADC2 that the reference and the device under test lead to.
     pub(super) input_channels: [u64; 2],
     /// Channel of DAC1 that drives the exciter: 0 or 1.
@@ -165,6 +167,7 @@ impl Schematic {
             lit: file.lit,
             button: gpio("button", &file.button)?,
             pressed: file.pressed,
+            inputs: [gpio("reference", &file.reference)?, gpio("dut", &file.dut)?],
             input_channels: [
                 input("reference", 0, &file.reference)?,
                 input("dut", 1, &file.dut)?,

@@ -5,7 +5,8 @@ use rigless::soc::stm32h743::generated::adc3::{cfgr, cr, isr};
 use rigless::soc::stm32h743::generated::adc3_common::{Register, ccr};
 use rigless::time::VirtualNanos;
 
-use super::{Pair, SharedPair};
+use super::{INPUT_CHANNELS, Pair, SharedPair};
+use crate::board::input_pin::Pull;
 use crate::board::request_lines::{ADC1, RequestLines};
 
 /// `DUAL` of the regular simultaneous mode alone (RM0433 Rev 9, section 25.7.2).
@@ -50,6 +51,27 @@ impl Common {
         self.pair.lock().unread = true;
     }
 
+    /// What the ports do to the pins of reference and device under test.
+    pub(crate) fn set_pulls(&mut self, pulls: [Pull; INPUT_CHANNELS]) {
+        self.pair.lock().pulls = pulls;
+    }
+
+    /// The part has the erratum by which the slave's data may be those of another trigger.
+    pub(crate) fn give_slave_erratum(&mut self) {
+        self.pair.lock().skew.give_erratum();
+    }
+
+    /// In the next `starts` starts the slave's data are those of the trigger before.
+    pub(crate) fn spoil_starts(&mut self, starts: u32) {
+        self.pair.lock().skew.spoil_starts(starts);
+    }
+
+    /// What is wrong with the silicon stays wrong with it, whatever resets the registers.
+    pub(crate) fn inherit_silicon(&mut self, before: &Self) {
+        let skew = before.pair.lock().skew;
+        self.pair.lock().skew = skew;
+    }
+
     /// Figure 136: kernel clock over `PRESC`, or bus clock over 1, 2 or 4; revision V halves both.
     fn clock(&self, control: u64) {
         let prescaler = PRESCALER.get(ccr::PRESC.get(control) as usize);
@@ -82,15 +104,18 @@ impl Common {
             return context.tell("CCR", "a trigger during a conversion is ignored");
         }
         pair.busy_until = VirtualNanos(now.0 + duration_ns);
-        let codes = pair.analog.sample(now);
+        let codes = pair.sample(now);
+        let one_stream = ccr::DAMDF.get(control) != 0;
         if pair.unread {
             pair.overrun();
+            if pair.overwrites() {
+                pair.take(codes, one_stream, context);
+            }
             self.lines.drive(ADC1, false);
         } else if !isr::OVR.is_set(pair.converters[0].status) {
-            pair.take(codes, context);
+            pair.take(codes, one_stream, context);
             let moves = cfgr::DMNGT.get(pair.converters[0].configuration) & 1 == 1;
-            self.lines
-                .drive(ADC1, moves && ccr::DAMDF.get(control) != 0);
+            self.lines.drive(ADC1, moves && one_stream);
         }
         if pair.interrupts_enabled() {
             pair.drive_interrupt(context);
@@ -109,17 +134,26 @@ impl Pair {
             && cfgr::EXTSEL.get(master.configuration) == TIM6_TRGO
     }
 
-    fn take(&mut self, codes: [u16; 2], context: &mut DeviceContext<'_>) {
+    /// Both converters put new data over what nobody has read (section 25.4.27, `OVRMOD`).
+    fn overwrites(&self) -> bool {
+        let mut both = self.converters.iter();
+        both.all(|converter| cfgr::OVRMOD.is_set(converter.configuration))
+    }
+
+    fn take(&mut self, codes: [u16; 2], one_stream: bool, context: &mut DeviceContext<'_>) {
         let wired = self.wired;
+        let weak = one_stream && !self.overwrites();
         for (nth, code) in codes.into_iter().enumerate() {
             let converter = &mut self.converters[nth];
             converter.data = converter.convert(wired[nth], code, context);
             converter.status |= isr::EOC.mask() | isr::EOS.mask();
         }
+        let slave = &mut self.converters[1];
+        slave.data = self.skew.slave(slave.data, weak);
         self.unread = true;
     }
 
-    /// Data arrived over unread data: flag it, and keep the old (section 25.4.27, `OVRMOD` clear).
+    /// Data arrived over unread data (section 25.4.27). Until the flag is cleared the DMA is not asked.
     fn overrun(&mut self) {
         for converter in &mut self.converters {
             converter.flag(isr::OVR, true);

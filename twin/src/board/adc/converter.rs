@@ -63,7 +63,10 @@ impl Converter {
         }
         control = self.stop_or_disable(control);
         registers.set(Register::Cr, control);
-        self.with_state(|state| state.control = control);
+        let before = self.with_state(|state| std::mem::replace(&mut state.control, control));
+        if self.nth == 0 && cr::ADSTART.is_set(control & !before) {
+            self.pair.lock().skew.started();
+        }
         self.start_calibration(control, context);
         self.start_enable(control, context);
         self.start_conversion(registers, context);
@@ -126,7 +129,7 @@ impl Converter {
             return;
         }
         let mut pair = self.pair.lock();
-        let code = pair.analog.sample(context.now())[self.nth];
+        let code = pair.sample(context.now())[self.nth];
         let wired = pair.wired[self.nth];
         let state = &mut pair.converters[self.nth];
         state.data = state.convert(wired, code, context);

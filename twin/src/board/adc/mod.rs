@@ -4,8 +4,9 @@
 //! calibration and enable with the datasheet's times; dual regular simultaneous mode (`DUAL` = 6) of
 //! one conversion per trigger on TIM6's trigger output, with the pair's 32-bit data register, its DMA
 //! request, end-of-conversion and overrun flags and the pair's interrupt; a single software-started
-//! conversion of one converter. Resolution, left shift, sampling time and clock are honoured: a trigger during a
-//! conversion is ignored, and the run is told.
+//! conversion of one converter. Resolution, left shift, sampling time, clock and `OVRMOD` are honoured: a
+//! trigger during a conversion is ignored, and the run is told. A part may have the slave's data beside
+//! those of another trigger (`skew`).
 //!
 //! A conversion samples at its trigger and its data is there at once: for a chain of which both
 //! channels share every delay, the 1 to 5 microseconds of a conversion change nothing but the age of
@@ -18,6 +19,7 @@
 
 mod common;
 mod converter;
+mod skew;
 
 use std::sync::{Arc, Mutex, MutexGuard};
 
@@ -30,7 +32,10 @@ use rigless::time::VirtualNanos;
 pub(super) use common::Common;
 pub(super) use converter::Converter;
 
+use self::skew::Skew;
 use super::analog::Analog;
+use super::input_pin::Pull;
+use crate::rig_port::INPUT_CHANNELS;
 
 /// The pair's instance name, as listeners see it.
 pub(super) const NAME: &str = "ADC12_Common";
@@ -54,6 +59,9 @@ struct Pair {
     /// Data not yet read from the pair's register.
     unread: bool,
     busy_until: VirtualNanos,
+    /// What the ports do to the pins of reference and device under test.
+    pulls: [Pull; INPUT_CHANNELS],
+    skew: Skew,
 }
 
 /// One converter's registers as the pair needs them: the register file belongs to its instance.
@@ -75,7 +83,7 @@ struct State {
 pub(super) struct SharedPair(Arc<Mutex<Pair>>);
 
 rigless::store!(Pair {
-    values: [clock_hz, converters, unread, busy_until],
+    values: [clock_hz, converters, unread, busy_until, pulls, skew],
     parts: [],
     built: [analog, wired],
 });
@@ -99,6 +107,8 @@ impl SharedPair {
             converters: [State::default(); 2],
             unread: false,
             busy_until: VirtualNanos(0),
+            pulls: [Pull::None; INPUT_CHANNELS],
+            skew: Skew::default(),
         })))
     }
 
@@ -156,6 +166,13 @@ impl State {
 }
 
 impl Pair {
+    /// Codes at the pins of reference and device under test at `now`.
+    fn sample(&self, now: VirtualNanos) -> [u16; INPUT_CHANNELS] {
+        let [reference, dut] = self.analog.sample(now);
+        let [reference_pull, dut_pull] = self.pulls;
+        [reference_pull.of(reference), dut_pull.of(dut)]
+    }
+
     /// How long one conversion keeps the pair busy, `None` while the clock stands still.
     fn conversion_ns(&self) -> Option<u64> {
         let slowest = self

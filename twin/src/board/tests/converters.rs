@@ -5,7 +5,10 @@ use rigless::soc::stm32h743::generated::adc3_common::Register as Pair;
 use rigless::soc::stm32h743::generated::{ADC1, ADC2, ADC12_COMMON, DMA1, DMAMUX1, dma1, dmamux1};
 use rigless::soc::{FieldSpec, Peripheral};
 
+use rigless::time::VirtualNanos;
+
 use super::{Bench, RAM};
+use crate::board::PartFault;
 
 const READY: u64 = 1;
 const END_OF_CONVERSION: u64 = 1 << 2;
@@ -195,4 +198,56 @@ fn fewer_bits_may_be_left_justified() {
     assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2004_1004);
     bench.run(20_000);
     assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2004_1004);
+}
+
+/// Keeping data in an overrun with one stream is what ES0392 warns of; overwriting them is not.
+#[test]
+fn the_slave_of_a_part_with_the_erratum_lags_unless_data_are_overwritten() {
+    for (overwrite, second) in [(0, 0x2001_1002), (1 << 12, 0x2002_1002)] {
+        let mut bench = Bench::new();
+        bench.part.fail(VirtualNanos(0), PartFault::SlaveShifted);
+        enable(&mut bench);
+        bench.write(&ADC1, Register::Cfgr, CONFIGURATION | overwrite);
+        bench.write(&ADC2, Register::Cfgr, overwrite);
+        start(&mut bench);
+        bench.run(20_000);
+        bench.read(&ADC12_COMMON, Pair::Cdr);
+        bench.run(20_000);
+        assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), second);
+    }
+}
+
+#[test]
+fn a_word_nobody_reads_is_overwritten_where_that_is_asked_for_and_told_all_the_same() {
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    bench.write(&ADC1, Register::Cfgr, CONFIGURATION | 1 << 12);
+    bench.write(&ADC2, Register::Cfgr, 1 << 12);
+    start(&mut bench);
+    bench.run(2 * 20_000);
+    for converter in [&ADC1, &ADC2] {
+        assert_ne!(bench.read(converter, Register::Isr) & OVERRUN, 0);
+    }
+    assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2002_1002);
+}
+
+/// PA3 is the reference's pin. The resistors work in input mode, and not in analogue mode.
+#[test]
+fn the_port_pulls_at_what_a_converter_sees() {
+    use rigless::soc::stm32h743::generated::{GPIOA, gpioa};
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    start(&mut bench);
+    let analogue = bench.read(&GPIOA, gpioa::Register::Moder) | 0b11 << 6;
+    let mut sample = |mode: u64, resistor: u64| {
+        bench.write(&GPIOA, gpioa::Register::Moder, mode);
+        bench.write(&GPIOA, gpioa::Register::Pupdr, resistor << 6);
+        bench.run(20_000);
+        bench.read(&ADC12_COMMON, Pair::Cdr)
+    };
+    assert_eq!(sample(analogue, 0b01), 0x2001_1001);
+    // (65 535 - 0x1002) / 41 and 0x1003 / 41 codes of the reference alone.
+    let input = analogue & !(0b11 << 6);
+    assert_eq!(sample(input, 0b01), 0x2002_0000 | 0x1002 + 1498);
+    assert_eq!(sample(input, 0b10), 0x2003_0000 | 0x1003 - 100);
 }

@@ -1,0 +1,81 @@
+//! The two input pins: which the part's own resistors pull.
+//!
+//! A converter sees its pin whatever the port does with it beside. In input mode the port may connect
+//! a resistor to the rail or to ground, which moves the pin against the source in front of it; in
+//! analogue mode both resistors are off (RM0433 Rev 9, section 11.3.12).
+
+use rigless::soc::stm32h743::generated::gpioa;
+use serde::{Deserialize, Serialize};
+
+use super::part::Part;
+use super::schematic::Pin;
+
+/// Source in front of an input pin, ohm: the series resistor of docs/hardware.md.
+const SOURCE_OHM: f64 = 1_000.0;
+/// The part's own resistor, ohm. Assumed: the middle of the 30 to 50 kOhm of its family.
+const PULL_OHM: f64 = 40_000.0;
+/// `MODER` of an input, and `PUPDR` of either resistor (RM0433 Rev 9, sections 11.4.1 and 11.4.4).
+const INPUT: u64 = 0b00;
+const UP: u64 = 0b01;
+const DOWN: u64 = 0b10;
+
+/// Highest code of an input, which the rail has.
+const RAIL_CODE: f64 = 65_535.0;
+
+/// What the port does to an input pin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub(super) enum Pull {
+    #[default]
+    None,
+    Up,
+    Down,
+}
+
+impl Pull {
+    /// Code at the pin where the source alone makes `code`.
+    pub(super) fn of(self, code: u16) -> u16 {
+        let to = match self {
+            Self::None => return code,
+            Self::Up => RAIL_CODE,
+            Self::Down => 0.0,
+        };
+        let source = f64::from(code);
+        (source + (to - source) * SOURCE_OHM / (SOURCE_OHM + PULL_OHM)).round() as u16
+    }
+}
+
+impl Part {
+    /// What the port does to the pins of reference and device under test.
+    pub(super) fn input_pulls(&self) -> [Pull; 2] {
+        self.schematic().inputs.map(|pin| self.pull(pin))
+    }
+
+    fn pull(&self, pin: Pin) -> Pull {
+        let instance = pin.instance();
+        let field = |register| {
+            self.register::<gpioa::Register>(register, &instance) >> (2 * pin.number) & 0b11
+        };
+        if field(gpioa::Register::Moder) != INPUT {
+            return Pull::None;
+        }
+        match field(gpioa::Register::Pupdr) {
+            UP => Pull::Up,
+            DOWN => Pull::Down,
+            _ => Pull::None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1.65 V behind 1 kOhm, 40 kOhm to either rail of 3.3 V: 40 mV, 799 codes of 50.4 uV.
+    #[test]
+    fn a_resistor_moves_mid_scale_by_forty_millivolts() {
+        assert_eq!(Pull::None.of(32_768), 32_768);
+        assert_eq!(Pull::Up.of(32_768), 32_768 + 799);
+        assert_eq!(Pull::Down.of(32_768), 32_768 - 799);
+        assert_eq!((Pull::Up.of(65_535), Pull::Down.of(0)), (65_535, 0));
+    }
+}
