@@ -1,7 +1,7 @@
 //! Sealed sets: many datasets whose causes are written down and locked away.
 
 use super::draw::{self, Drawn};
-use super::strata::{Plan, Stratum};
+use super::strata::{Effect, Plan, Stratum};
 use super::truth::{MANIFEST, Manifest, OpenCase, TrueCase, Truth, sha256};
 use super::visible::Yardstick;
 use calib_files::file::{self, Existing};
@@ -46,37 +46,55 @@ struct Measured {
     least_sigma: f64,
 }
 
-/// Makes `per_stratum` cases of each kind in `strata`, and locks their truth.
+/// Description of a sealed set: the same description makes the same set.
+#[derive(Clone)]
+pub struct Design<'d> {
+    /// Kinds of cases.
+    pub strata: &'d [Stratum],
+    /// Cases of each kind.
+    pub per_stratum: usize,
+    /// Effects that are drawn, in their turns: a new one anywhere in the list makes another set.
+    pub effects: Vec<Effect>,
+    /// Seed of all draws.
+    pub seed: u64,
+}
+
+/// Makes the set of `design` in the folder `out`, and locks its truth.
 /// Cases come in random order.
 ///
 /// # Errors
 /// [`Error::Input`] when the folder or the truth exists already; [`Error::File`].
 pub fn challenge(
     out: &Path,
-    strata: &[Stratum],
-    per_stratum: usize,
-    seed: u64,
+    design: &Design<'_>,
     progress: impl Fn(usize, usize) + Sync,
 ) -> Result<Sealed> {
     let truth_file = Truth::beside(out);
     refuse_existing(&[out, &truth_file])?;
     let nominal = Nominal::standard();
-    let design = standard_design(&nominal);
-    let order = shuffled(strata, per_stratum, seed);
+    let settings = standard_design(&nominal);
+    let order = shuffled(design);
     let done = std::sync::atomic::AtomicUsize::new(0);
     let cases: Vec<TrueCase> = order
         .par_iter()
         .enumerate()
         .map(|(place, &(stratum, index))| {
             let name = format!("case-{:05}", place + 1);
-            let case = case(&nominal, &design, stratum, index, seed);
+            let case = case(&nominal, &settings, stratum, index, design);
             let case = store(&nominal, case, out, name)?;
             let count = done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1;
             progress(count, order.len());
             Ok(case)
         })
         .collect::<Result<_>>()?;
-    seal(out, truth_file, Truth { seed, cases })
+    seal(
+        out,
+        truth_file,
+        Truth {
+            seed: design.seed,
+            cases,
+        },
+    )
 }
 
 fn refuse_existing(paths: &[&Path]) -> Result<()> {
@@ -91,12 +109,13 @@ fn refuse_existing(paths: &[&Path]) -> Result<()> {
 }
 
 /// All cases, in an order that tells nothing.
-fn shuffled(strata: &[Stratum], per_stratum: usize, seed: u64) -> Vec<(Stratum, usize)> {
-    let mut order: Vec<(Stratum, usize)> = strata
+fn shuffled(design: &Design<'_>) -> Vec<(Stratum, usize)> {
+    let mut order: Vec<(Stratum, usize)> = design
+        .strata
         .iter()
-        .flat_map(|&stratum| (0..per_stratum).map(move |index| (stratum, index)))
+        .flat_map(|&stratum| (0..design.per_stratum).map(move |index| (stratum, index)))
         .collect();
-    let mut random = ChaCha12Rng::seed_from_u64(seed);
+    let mut random = ChaCha12Rng::seed_from_u64(design.seed);
     for last in (1..order.len()).rev() {
         order.swap(last, draw::below(last + 1, &mut random));
     }
@@ -112,16 +131,16 @@ fn stream(seed: u64, stratum: Stratum, index: usize) -> ChaCha12Rng {
 
 fn case(
     nominal: &Nominal,
-    design: &[Setting],
+    settings: &[Setting],
     stratum: Stratum,
     index: usize,
-    seed: u64,
+    design: &Design<'_>,
 ) -> Measured {
-    let mut random = stream(seed, stratum, index);
+    let mut random = stream(design.seed, stratum, index);
     let options = stratum.options(random.next_u64());
-    let yardstick = Yardstick::new(nominal, design, &options);
+    let yardstick = Yardstick::new(nominal, settings, &options);
     let measure = |effects: &[Drawn]| {
-        let points = generate(nominal, design, effects, &options).points;
+        let points = generate(nominal, settings, effects, &options).points;
         let sigma = yardstick.sigma(&points);
         (points, sigma)
     };
@@ -131,7 +150,7 @@ fn case(
     });
     let mut last = None;
     for _ in 0..MOST_DRAWS {
-        let mut plan = stratum.plan(index, &mut random);
+        let mut plan = stratum.plan(index, &design.effects, &mut random);
         if !is_rig(nominal, &plan.effects) {
             continue;
         }
@@ -160,7 +179,7 @@ fn case(
     }
     // Note: some draw is a rig.
     last.unwrap_or_else(|| Measured {
-        plan: Stratum::Null.plan(index, &mut random),
+        plan: Stratum::Null.plan(index, &design.effects, &mut random),
         points: yardstick.into_points(),
         size_sigma: 0.0,
         least_sigma: 0.0,

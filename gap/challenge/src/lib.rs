@@ -15,4 +15,4 @@ pub mod strata;
 pub mod truth;
 mod visible;
 
-pub use challenge::{Sealed, challenge};
+pub use challenge::{Design, Sealed, challenge};

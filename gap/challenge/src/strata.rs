@@ -4,6 +4,9 @@ use super::draw::{self, Drawn};
 use calib_twin::dataset::{Columns, Options};
 use rand_chacha::ChaCha12Rng;
 
+/// An effect that can be drawn.
+pub type Effect = &'static calib_twin::effects::Effect;
+
 /// A kind of case; [`Stratum::about`] says what each is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[expect(missing_docs, reason = "`about` says what each is")]
@@ -79,9 +82,8 @@ impl Stratum {
         }
     }
 
-    /// Case `index` of this kind: effects take turns, their values are drawn.
-    pub fn plan(self, index: usize, random: &mut ChaCha12Rng) -> Plan {
-        let all = draw::nameable();
+    /// Case `index` of this kind: the effects of `all` take turns, their values are drawn.
+    pub fn plan(self, index: usize, all: &[Effect], random: &mut ChaCha12Rng) -> Plan {
         let ratio: Vec<_> = all
             .iter()
             .copied()
@@ -92,11 +94,11 @@ impl Stratum {
             Self::Null | Self::NominalOff => Vec::new(),
             Self::Single | Self::Withheld | Self::Decoy | Self::Size => vec![turn],
             Self::RatioOnly => vec![ratio[index % ratio.len()]],
-            Self::Pair => vec![turn, other(&all, turn.entry.id, random)],
+            Self::Pair => vec![turn, other(all, turn.entry.id, random)],
         };
         let without = match self {
             Self::Withheld => vec![turn.entry.id.to_owned()],
-            Self::Decoy => vec![other(&all, turn.entry.id, random).entry.id.to_owned()],
+            Self::Decoy => vec![other(all, turn.entry.id, random).entry.id.to_owned()],
             _ => Vec::new(),
         };
         Plan {
@@ -119,8 +121,6 @@ impl Stratum {
         }
     }
 }
-
-type Effect = &'static calib_twin::effects::Effect;
 
 fn other(all: &[Effect], than: &str, random: &mut ChaCha12Rng) -> Effect {
     let rest: Vec<Effect> = all.iter().copied().filter(|e| e.entry.id != than).collect();

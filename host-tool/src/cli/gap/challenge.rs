@@ -2,10 +2,11 @@
 
 use super::super::Context;
 use super::progress::Count;
-use calib_gap_challenge::challenge;
+use calib_gap_challenge::draw::nameable;
 use calib_gap_challenge::score::{Rates, Score, Share, left_by_substitutes, read_answers, score};
 use calib_gap_challenge::strata::Stratum;
 use calib_gap_challenge::truth::{MANIFEST, Manifest, Truth};
+use calib_gap_challenge::{Design, challenge};
 use calib_host::{Error, Result};
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -40,9 +41,12 @@ impl Challenge {
         let count = Count::new(context, "datasets");
         let sealed = challenge(
             &self.out,
-            strata,
-            self.cases as usize,
-            self.seed,
+            &Design {
+                strata,
+                per_stratum: self.cases as usize,
+                effects: nameable(),
+                seed: self.seed,
+            },
             |done, all| {
                 count.show(done, all);
             },
