@@ -171,11 +171,11 @@ impl Spectrum {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::estimation::significance::Gauss;
+    use crate::estimation::significance::{normal_deviates, stream};
 
     fn noise(count: usize, seed: u64) -> Spectrum {
-        let mut random = Gauss::new(seed);
-        let mut part = || (0..count).map(|_| random.next()).collect::<Vec<f64>>();
+        let mut random = stream(seed);
+        let mut part = || normal_deviates(&mut random, count);
         let parts = vec![part(), part()];
         let frequency_hz = (0..count).map(|n| 100.0 * 1.1_f64.powi(n as i32)).collect();
         Spectrum {

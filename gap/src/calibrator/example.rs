@@ -5,8 +5,10 @@ use super::evaluate::Memories;
 use super::problem::Problem;
 use crate::dataset::{Point, Rig};
 use crate::effects::{Active, library};
-use crate::estimation::significance::Gauss;
+use crate::estimation::significance::stream;
 use crate::observable::Observable;
+use rand::RngExt;
+use rand_distr::StandardNormal;
 
 const RIG: &str = r#"
 kind = "calibrator"
@@ -55,8 +57,8 @@ pub(super) fn measured(effects: &[(&str, Vec<f64>)]) -> (Rig, Vec<Point>) {
     let mut points: Vec<Point> = (0..120).map(blank).collect();
     let problem = Problem::new(&rig, &points);
     let mut memory = problem.memory();
-    let mut draw = Gauss::new(8);
-    let mut noise = || 5e-4 * draw.next();
+    let mut draw = stream(8);
+    let mut noise = || -> f64 { 5e-4 * draw.sample::<f64, _>(StandardNormal) };
     let theta = vec![0.0; problem.free.len()];
     let effects = effects.iter();
     let active: Vec<_> = effects

@@ -9,10 +9,12 @@ use super::settled::Settled;
 use super::shapes::{Test, shapes};
 use crate::axis::Axis;
 use crate::estimation::significance::{
-    Gauss, chi_square_tail, lack_of_fit, length_beside, two_sided,
+    chi_square_tail, lack_of_fit, length_beside, normal_deviates, two_sided,
 };
 use crate::observable::{Group, Observable};
 use crate::thresholds;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
 
 /// One test of the residual and its outcome.
 #[derive(Debug, Clone)]
@@ -166,11 +168,11 @@ impl<'a> Examination<'a> {
     }
 
     /// Pure noise, with nuisances that deviate as their priors say.
-    fn noise(&self, draw: &mut Gauss) -> Vec<f64> {
-        let mut noise: Vec<f64> = (0..self.problem.len()).map(|_| draw.next()).collect();
+    fn noise(&self, draw: &mut ChaCha8Rng) -> Vec<f64> {
+        let mut noise = normal_deviates(draw, self.problem.len());
         let columns = self.tangent.columns.iter().zip(&self.known);
         for (column, _) in columns.filter(|(_, known)| known.is_some()) {
-            column.add_to(self.problem, &mut noise, draw.next());
+            column.add_to(self.problem, &mut noise, StandardNormal.sample(draw));
         }
         noise
     }

@@ -1,7 +1,8 @@
 //! Model selection: what a cause costs, how probable each set is, and how often it leads.
 
-use super::significance::Gauss;
+use super::significance::stream;
 use crate::thresholds;
+use rand::RngExt;
 
 /// Bootstrap samples.
 const DRAWS: usize = 100;
@@ -31,11 +32,11 @@ pub(crate) fn probabilities(scores: &[f64]) -> Vec<f64> {
 /// and Hasegawa 1990); `scores` turns the sums of the sets into what is compared.
 pub(crate) fn bootstrap(by_group: &[Vec<f64>], scores: impl Fn(Vec<f64>) -> Vec<f64>) -> Vec<f64> {
     let count = by_group.iter().map(Vec::len).min().unwrap_or(0);
-    let mut random = Gauss::new(1);
+    let mut random = stream(1);
     let samples = (0..DRAWS).map(|_| {
         let mut sums = vec![0.0; by_group.len()];
         for _ in 0..count {
-            let group = ((random.uniform() * count as f64) as usize).min(count - 1);
+            let group = random.random_range(0..count);
             for (sum, groups) in sums.iter_mut().zip(by_group) {
                 *sum += groups[group];
             }

@@ -164,16 +164,16 @@ fn unpredicted(errors: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::estimation::significance::Gauss;
+    use crate::estimation::significance::{normal_deviates, stream};
 
     /// x = 0.9 x' + w has the variance of w over 0.19; 20 000 samples know it to 1 %.
     #[test]
     fn only_the_new_part_of_a_first_order_process_is_not_predicted() {
-        let mut draw = Gauss::new(5);
         let mut x = 0.0;
-        let process: Vec<f64> = (0..20_000)
-            .map(|_| {
-                x = 0.9 * x + draw.next();
+        let process: Vec<f64> = normal_deviates(&mut stream(5), 20_000)
+            .into_iter()
+            .map(|w| {
+                x = 0.9 * x + w;
                 x
             })
             .collect();

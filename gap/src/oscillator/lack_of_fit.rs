@@ -6,7 +6,7 @@ use super::parameters::Parameter;
 use super::run::Run;
 use crate::estimation::column::{Column, OneBlock, dot};
 use crate::estimation::significance::{
-    Gauss, chi_square_tail, lack_of_fit, length_beside, two_sided,
+    chi_square_tail, lack_of_fit, length_beside, normal_deviates, two_sided,
 };
 use crate::estimation::tangent::Tangent;
 use crate::thresholds;
@@ -72,7 +72,7 @@ pub(super) fn examine(record: &Run, fit: &Fitted) -> Option<Left> {
         smallest(&left, &traces),
         &tangent,
         &block,
-        |draw: &mut Gauss| (0..left.len()).map(|_| draw.next()).collect(),
+        |random| normal_deviates(random, left.len()),
         |left, _, _| smallest(left, &traces),
     );
     let deviates = deviates(&left, &traces);
@@ -136,16 +136,17 @@ fn memory(left: &[f64], lags: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::estimation::significance::stream;
 
     /// White noise has a p-value that is even over 0..1: of 40 the smallest is below
     /// 1e-4 once in 250 times. A first-order memory of 0.1 over 4000 samples is 6 sigma: p < 1e-6.
     #[test]
     fn noise_with_a_memory_is_not_white() {
-        let mut draw = Gauss::new(3);
+        let mut random = stream(3);
         let mut last = 0.0;
         let (mut least, mut with_memory) = (1.0_f64, Vec::new());
         for _ in 0..40 {
-            let white: Vec<f64> = (0..4000).map(|_| draw.next()).collect();
+            let white: Vec<f64> = normal_deviates(&mut random, 4000);
             least = least.min(memory(&white, 4));
             with_memory = white
                 .iter()
