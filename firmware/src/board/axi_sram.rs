@@ -6,6 +6,8 @@
 //! `.axisram` is zero, which also sets the memory's check bits (ECC). So only
 //! values that are all zero may be declared there: see [`AllZero`].
 
+use super::description::Silicon;
+use super::selected::CLOCKS;
 use calib_core::broadband::{PeriodMemory, SpectraMemory};
 use calib_core::correlation::FoldMemory;
 use calib_firmware::archive::Directory;
@@ -17,11 +19,21 @@ unsafe extern "C" {
     static mut __axisram_end: u32;
 }
 
+/// `AXI_TARG7_FN_MOD`: how the interconnect issues accesses to AXI SRAM (RM0433 Rev 8, 2.2.4).
+const TARGET_7_FN_MOD: *mut u32 = 0x5100_8108 as *mut u32;
+/// `READ_ISS_OVERRIDE`: one read at a time.
+const READ_ISS_OVERRIDE: u32 = 1;
+
 /// Fills the section with zeros.
 ///
 /// # Safety
 /// Nothing in the section may have been used yet.
 pub(crate) unsafe fn clear() {
+    if matches!(CLOCKS.silicon, Silicon::Y) {
+        // Note(unsafe): a register of the interconnect, which always answers. Without it a read
+        // that waits for another master may return wrong data (ES0392 Rev 13, 2.2.9).
+        unsafe { TARGET_7_FN_MOD.write_volatile(READ_ISS_OVERRIDE) };
+    }
     let mut word = &raw mut __axisram_start;
     let end = &raw mut __axisram_end;
     while word < end {

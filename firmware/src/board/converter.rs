@@ -40,14 +40,26 @@ pub(super) async fn calibrate(adc: Adc, clock_hz: u32) -> Result<(), NotReady> {
         w.set_advregen(true);
         w.set_boost(boost(clock_hz));
     });
-    // Start-up of the regulator, t_ADCVREG_STUP (DS12110 Rev 10, table 87).
-    Timer::after_micros(10).await;
+    regulator_ready(adc).await?;
     adc.cr().modify(|w| {
         w.set_adcaldif(vals::Adcaldif::SINGLE_ENDED);
         w.set_adcallin(true);
         w.set_adcal(true);
     });
     within(CALIBRATION_LIMIT, || !adc.cr().read().adcal()).await
+}
+
+/// Waits for the regulator: a calibration before it is up goes wrong without a word
+/// (zephyr PR 75048). Revision Y has no flag for it, only the longest start-up,
+/// t_ADCVREG_STUP (DS12110 Rev 10, table 87).
+async fn regulator_ready(adc: Adc) -> Result<(), NotReady> {
+    match CLOCKS.silicon {
+        Silicon::Y => {
+            Timer::after_micros(10).await;
+            Ok(())
+        }
+        Silicon::V => within(ENABLE_LIMIT, || adc.isr().read().ldordy()).await,
+    }
 }
 
 pub(super) async fn enable(adc: Adc) -> Result<(), NotReady> {
