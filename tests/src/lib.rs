@@ -9,6 +9,7 @@ pub mod boardless;
 pub mod browser;
 pub mod capture;
 pub mod coverage;
+pub mod front_end;
 pub mod hostile;
 pub mod judge;
 pub mod live;

@@ -1,7 +1,7 @@
 //! Benchmarks: programs that print a table and write `target/bench/NAME.json`.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{demo, elf, fuzz, python};
+use crate::{demo, elf, fuzz, ngspice, python};
 use anyhow::{Result, bail};
 use std::path::PathBuf;
 use std::process::Command;
@@ -34,6 +34,11 @@ const BENCHES: &[Bench] = &[
         name: "frozen",
         example: "bench_frozen",
         what: "diagnoses and certificates are what they were: [--accept REASON]",
+    },
+    Bench {
+        name: "front-end",
+        example: "bench_front_end",
+        what: "the analogue front end by ngspice: response, images, noise, spread: [--accept]",
     },
     Bench {
         name: "gap",
@@ -179,6 +184,9 @@ impl Prepared {
             .env("CALIB_IMAGE_BYTES", &self.sizes)
             .env("CALIB_TOOL", demo::tool())
             .env("CALIB_BENCH_JSON", json);
+        if bench.name == "front-end" {
+            command.env("CALIB_NGSPICE", ngspice::installed()?);
+        }
         if let Some(interpreter) = &self.interpreter {
             if bench.name == "gap-speed" && python::with(interpreter, PEER_OF_GAP).is_err() {
                 eprintln!("scipy could not be installed: no comparison");

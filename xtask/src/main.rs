@@ -8,6 +8,7 @@ mod browser;
 mod demo;
 mod elf;
 mod fuzz;
+mod ngspice;
 mod no_panic;
 mod packages;
 mod python;

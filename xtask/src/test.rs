@@ -1,7 +1,7 @@
 //! Every test there is, in the order that fails soonest.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{browser, demo, elf, no_panic, python, tshark};
+use crate::{browser, demo, elf, ngspice, no_panic, python, tshark};
 use anyhow::{Context, Result, bail};
 
 /// Format, lints, images, tool, tests. With a filter: only tests of that name.
@@ -28,6 +28,9 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     }
     if let Some(tshark) = tshark::program()? {
         tests.env("CALIB_TSHARK", tshark);
+    }
+    if let Some(ngspice) = ngspice::program()? {
+        tests.env("CALIB_NGSPICE", ngspice);
     }
     if let Some(driver) = browser::driver()? {
         tests.env("CALIB_CHROMEDRIVER", driver);
