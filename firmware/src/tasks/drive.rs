@@ -35,9 +35,11 @@ pub(crate) static SILENCE: Signal<CriticalSectionRawMutex, ()> = Signal::new();
 /// this long to evaluate a block, less the 10 ms the block takes to come in.
 const PATIENCE: Duration = Duration::from_millis(18);
 
-/// Without commands silence is written this long after there is room for it: the
-/// first command that comes is then played with the next block, not the one after.
-const PACE: Duration = Duration::from_millis(5);
+/// Without commands a block of silence is written so often: a little faster than it
+/// is played, and after a silence of [`PATIENCE`] some 8 ms behind the place that
+/// became free. So for some blocks there is room when a command comes, and it is
+/// played with the next block, not the one after.
+const PACE: Duration = Duration::from_millis(9);
 
 /// Start of the dither: the same tone is the same codes, run after run.
 const SEED: u32 = 1;
