@@ -1,4 +1,5 @@
-//! The one exit: exciter to rest, reason kept over the reset, reset.
+//! The one exit: exciter to rest, reason kept over the reset, the flash left to
+//! finish its word, reset.
 //!
 //! Panics, hard faults, clock failures, a supply that falls and unexpected interrupts all end
 //! here. The reason is
@@ -90,7 +91,8 @@ impl Write for Truncating {
     }
 }
 
-/// Rest, remember, reset.
+/// Rest, remember, let the flash finish its word, reset. With interrupts off no new operation on
+/// the flash begins.
 fn leave(reason: core::fmt::Arguments<'_>) -> ! {
     static LEAVING: AtomicBool = AtomicBool::new(false);
     cortex_m::interrupt::disable();
@@ -103,8 +105,7 @@ fn leave(reason: core::fmt::Arguments<'_>) -> ! {
         defmt::error!("{=str}", text.0.as_str());
     }
     compiler_fence(Ordering::SeqCst);
-    cortex_m::asm::dsb();
-    cortex_m::peripheral::SCB::sys_reset()
+    board::restart()
 }
 
 #[panic_handler]

@@ -123,6 +123,9 @@ pub(crate) static MEASURE_ALIVE: AtomicU32 = AtomicU32::new(0);
 /// Since the converters were started, both channels were shown to be of the same instants.
 pub(crate) static ALIGNED: AtomicBool = AtomicBool::new(false);
 
+/// The board is silent and about to restart: what stands still is meant to.
+pub(crate) static RESTARTING: AtomicBool = AtomicBool::new(false);
+
 /// A hand is on the button.
 pub(crate) static BUTTON_HELD: AtomicBool = AtomicBool::new(false);
 /// The press has been good for something; taken by whoever looks at the button.

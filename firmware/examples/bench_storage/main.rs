@@ -3,7 +3,8 @@
 //! records, and what random power cuts leave.
 //!
 //! Flash, desk and session are those of the archive's own tests: words are
-//! programmed once, a cut leaves torn words and torn sectors.
+//! programmed once, a cut leaves torn words and torn sectors that cannot be read.
+//! Every second cut is followed by one in the start that mends it.
 
 #[path = "../../src/archive/tests/desk.rs"]
 mod desk;
@@ -42,15 +43,21 @@ fn main() -> Result<(), Fault> {
         "erases per sector after {RECORDS} records: {least} to {most}, {spread_percent:.1} % apart, \
          {ENDURANCE} allowed"
     );
-    let cuts = cuts.unwrap_or(2000);
-    let checked = random_cuts(cuts)?;
-    println!("random power cuts: {cuts}, records checked {checked}, lost 0, half there 0");
+    let cuts = cuts.unwrap_or(20_000);
+    let met = random_cuts(cuts)?;
+    println!(
+        "random power cuts: {cuts}, and {} in the mending start after; torn words {}, torn sectors {}, \
+         reads of poisoned words {}; records checked {}, lost 0, half there 0, starts that failed 0",
+        met.in_starts, met.torn_words, met.torn_sectors, met.poisoned_reads, met.checked
+    );
     if let Some(path) = std::env::var_os("CALIB_BENCH_JSON") {
         let mut file = std::fs::File::create(path)?;
         write!(
             file,
             "{{\"records_that_fit\": {fit}, \"erases_least\": {least}, \"erases_most\": {most}, \
-             \"spread_percent\": {spread_percent:.2}, \"cuts\": {cuts}, \"lost\": 0}}"
+             \"spread_percent\": {spread_percent:.2}, \"cuts\": {cuts}, \"cuts_in_starts\": {}, \
+             \"torn_words\": {}, \"torn_sectors\": {}, \"poisoned_reads\": {}, \"lost\": 0}}",
+            met.in_starts, met.torn_words, met.torn_sectors, met.poisoned_reads
         )?;
     }
     if fit < 500 || spread_percent > 20.0 || most > ENDURANCE {
@@ -91,15 +98,27 @@ fn wear() -> Result<(u32, u32), Fault> {
     Ok((least, erases.iter().max().copied().unwrap_or(0)))
 }
 
+/// What the cuts met.
+#[derive(Default)]
+struct Met {
+    /// Records compared with what was told.
+    checked: u64,
+    /// Cuts in a start that mended.
+    in_starts: u64,
+    torn_words: u64,
+    torn_sectors: u64,
+    poisoned_reads: u64,
+}
+
 /// A session of stores, settings, releases and restarts, cut again and again
 /// at a random operation; after each cut everything that was reported is
-/// compared. Returns how many records were compared.
-fn random_cuts(cuts: u64) -> Result<u64, Fault> {
+/// compared.
+fn random_cuts(cuts: u64) -> Result<Met, Fault> {
     let flash = MockFlash::<SMALL>::erased(calib_firmware::archive::SECTORS);
     let mut told = told::Told::default();
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut number = 0;
-    let mut checked = 0;
+    let mut met = Met::default();
     for cut in 0..cuts {
         // From at once to the length of a dozen records.
         let ahead = random.next_u64() % 400 + 1;
@@ -113,8 +132,23 @@ fn random_cuts(cuts: u64) -> Result<u64, Fault> {
         }
         flash.0.borrow_mut().cut_at = None;
         number += 1;
+        if cut % 2 == 1 {
+            met.in_starts += u64::from(cut_start(&mut desk, &flash));
+        }
         let context = |fault: String| format!("cut {cut}, operation {at}: {fault}");
-        checked += told.check(&mut desk.open(&flash)?).map_err(context)?;
+        met.checked += told.check(&mut desk.open(&flash)?).map_err(context)?;
     }
-    Ok(checked)
+    let cells = flash.0.borrow();
+    (met.torn_words, met.torn_sectors) = (cells.torn_words, cells.torn_sectors);
+    met.poisoned_reads = cells.poisoned_reads;
+    Ok(met)
+}
+
+/// Starts, with a cut in the first operation on the flash; whether there was one.
+fn cut_start(desk: &mut Desk, flash: &MockFlash<SMALL>) -> bool {
+    let at = flash.0.borrow().operations + 1;
+    flash.0.borrow_mut().cut_at = Some(at);
+    let was_cut = desk.open(flash).is_err();
+    flash.0.borrow_mut().cut_at = None;
+    was_cut
 }

@@ -14,6 +14,10 @@
 //! settings: they are in force from it on, whether or not the state item behind
 //! it was written.
 //!
+//! A power cut leaves words whose check bits do not fit, and a read of one fails
+//! ([`CheckedFlash`]). Such a word counts as torn: [`sector`] shows it to the queue
+//! as what no mark, head or check sum is, and nothing is ever programmed there.
+//!
 //! The area is a ring. A sector is only erased when the host has said that it
 //! keeps every record in it ([`Archive::release`]); otherwise the area is full
 //! and the next run is refused before it begins.
@@ -38,7 +42,7 @@ use calib_protocol::message::Refusal;
 use calib_protocol::record::{Record, RecordKind, RecordSummary};
 use calib_protocol::stored::{self, settings_mark};
 use core::ops::Range;
-use embedded_storage_async::nor_flash::{NorFlash, ReadNorFlash};
+use embedded_storage_async::nor_flash::NorFlash;
 use heapless::Vec;
 use known::{Known, KnownSettings};
 use layout::{RECORD_ITEM, STATE_ITEM, STATE_ITEM_1};
@@ -118,10 +122,18 @@ impl<E> From<sequential_storage::Error<E>> for ArchiveError {
     }
 }
 
+/// Flash whose words carry check bits, read in a way that survives where they do not fit.
+pub trait CheckedFlash: NorFlash {
+    /// Whether a read failed because the check bits of a word do not fit, and for no other reason:
+    /// its programming or the erase of its sector was cut. Nothing but an erase changes that, and a
+    /// word like this must not be programmed.
+    fn is_poisoned(error: &Self::Error) -> bool;
+}
+
 type PageCache = Cache<ArrayPageStates<SECTORS>, ArrayPagePointers<SECTORS>, Uncached>;
 
 /// Records and settings in flash.
-pub struct Archive<'m, F: NorFlash> {
+pub struct Archive<'m, F: CheckedFlash> {
     queue: QueueStorage<Located<'m, Marked<F>>, PageCache>,
     memory: Memory<'m>,
     state: State,
@@ -132,7 +144,7 @@ pub struct Archive<'m, F: NorFlash> {
     unpacked: Option<(u32, u32)>,
 }
 
-impl<'m, F: NorFlash> Archive<'m, F> {
+impl<'m, F: CheckedFlash> Archive<'m, F> {
     /// Reads the whole area once.
     ///
     /// `area` is in offsets of the flash and must be [`SECTORS`] whole sectors.
@@ -246,7 +258,10 @@ impl<'m, F: NorFlash> Archive<'m, F> {
 }
 
 /// Reads bytes from any address: the flash is mapped into memory.
-async fn read<F: ReadNorFlash>(
+///
+/// # Errors
+/// [`ArchiveError::Flash`], also when one of the words is poisoned.
+async fn read<F: NorFlash>(
     flash: &mut F,
     address: u32,
     bytes: &mut [u8],

@@ -1,16 +1,15 @@
 //! Reading: the list, and records to the byte.
 
 use super::layout::LONGEST_LISTED;
-use super::{Archive, ArchiveError, Directory, Entry, mark_of, read, sector_of};
+use super::{Archive, ArchiveError, CheckedFlash, Directory, Entry, mark_of, read, sector_of};
 use crate::command::{RecordPage, RecordPart};
 use calib_protocol::message::{RECORD_CHUNK, Refusal};
 use calib_protocol::record::digest;
 use calib_protocol::stored;
 use core::ops::Range;
-use embedded_storage_async::nor_flash::NorFlash;
 use heapless::Vec;
 
-impl<F: NorFlash> Archive<'_, F> {
+impl<F: CheckedFlash> Archive<'_, F> {
     /// Summaries from running number `from` on.
     ///
     /// # Errors

@@ -17,10 +17,14 @@
 //! | marked | erased | any | in use; a second one just behind it: cut off |
 //! | marked | marked | any | closed |
 //!
+//! A word that cannot be read counts as programmed, and as torn where that is asked: a mark in it is
+//! there, a sector with one is not free, and what of it belongs to an item is [`POISON`].
+//!
 //! Since a first word that is partly programmed is erased at once, none has anything behind it that
 //! counts. What an erase has just begun to damage keeps its marks and is told by its checks; what
 //! looks like the head of an item longer than any is none ([`Marked::read`]).
 
+use super::CheckedFlash;
 use super::layout::MAX_ITEM;
 use core::ops::Range;
 use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
@@ -28,10 +32,16 @@ use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
 /// Longest word that is handled.
 const MAX_WORD: usize = 32;
 
+/// Every byte of a poisoned word, for the queue. As a head it says that the item is longer than any
+/// (54 741 bytes), so it is refused; as data it fails the item's CRC-32, unless the word was to hold
+/// just this, and then nothing is lost.
+const POISON: u8 = 0xD5;
+const _: () = assert!(u16::from_le_bytes([POISON; 2]) as usize > MAX_ITEM);
+
 /// `F` with marks that are never torn.
 pub(super) struct Marked<F>(pub(super) F);
 
-impl<F: NorFlash> Marked<F> {
+impl<F: CheckedFlash> Marked<F> {
     /// Whether these bytes lie in the first or last word of a sector.
     fn is_mark(offset: u32, length: usize) -> bool {
         let within = offset as usize % F::ERASE_SIZE;
@@ -42,24 +52,57 @@ impl<F: NorFlash> Marked<F> {
 
     /// Whether any bit of the word around `offset` is programmed.
     async fn is_programmed(&mut self, offset: u32) -> Result<bool, F::Error> {
-        let (word, length) = self.word(offset).await?;
-        Ok(word.iter().take(length).any(|byte| *byte != 0xFF))
+        let found = self.word(offset).await?;
+        Ok(found.is_none_or(|(word, length)| word.iter().take(length).any(|byte| *byte != 0xFF)))
     }
 
     /// Whether some bits of that word are programmed and others are not: marks are all zeros.
     async fn is_torn(&mut self, offset: u32) -> Result<bool, F::Error> {
-        let (word, length) = self.word(offset).await?;
-        let ones: u32 = word.iter().take(length).map(|byte| byte.count_ones()).sum();
-        Ok(ones != 0 && ones != 8 * length as u32)
+        let found = self.word(offset).await?;
+        Ok(found.is_none_or(|(word, length)| {
+            let ones: u32 = word.iter().take(length).map(|byte| byte.count_ones()).sum();
+            ones != 0 && ones != 8 * length as u32
+        }))
     }
 
-    async fn word(&mut self, offset: u32) -> Result<([u8; MAX_WORD], usize), F::Error> {
+    /// The word around `offset` and its length; none when it is poisoned.
+    async fn word(&mut self, offset: u32) -> Result<Option<([u8; MAX_WORD], usize)>, F::Error> {
         const { assert!(F::WRITE_SIZE <= MAX_WORD) };
         let mut word = [0; MAX_WORD];
         let start = offset - offset % F::WRITE_SIZE as u32;
         let bytes = word.split_at_mut(F::WRITE_SIZE).0;
-        self.0.read(start, bytes).await?;
-        Ok((word, F::WRITE_SIZE))
+        let read = self.0.read(start, bytes).await;
+        Ok(is_readable::<F>(read)?.then_some((word, F::WRITE_SIZE)))
+    }
+
+    /// Reads what is not a mark; poisoned words read as [`POISON`].
+    async fn read_content(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), F::Error> {
+        let read = self.0.read(offset, bytes).await;
+        if is_readable::<F>(read)? {
+            return Ok(());
+        }
+        let mut at = offset;
+        let mut rest = bytes;
+        while !rest.is_empty() {
+            let to_end_of_word = F::WRITE_SIZE - at as usize % F::WRITE_SIZE;
+            let (part, behind) = rest.split_at_mut(to_end_of_word.min(rest.len()));
+            let read = self.0.read(at, part).await;
+            if !is_readable::<F>(read)? {
+                part.fill(POISON);
+            }
+            at += part.len() as u32;
+            rest = behind;
+        }
+        Ok(())
+    }
+}
+
+/// Whether a read gave bytes; false when it met a poisoned word.
+fn is_readable<F: CheckedFlash>(read: Result<(), F::Error>) -> Result<bool, F::Error> {
+    match read {
+        Ok(()) => Ok(true),
+        Err(error) if F::is_poisoned(&error) => Ok(false),
+        Err(error) => Err(error),
     }
 }
 
@@ -67,12 +110,12 @@ impl<F: ErrorType> ErrorType for Marked<F> {
     type Error = F::Error;
 }
 
-impl<F: NorFlash> ReadNorFlash for Marked<F> {
+impl<F: CheckedFlash> ReadNorFlash for Marked<F> {
     const READ_SIZE: usize = F::READ_SIZE;
 
     async fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), F::Error> {
         if !Self::is_mark(offset, bytes.len()) {
-            self.0.read(offset, bytes).await?;
+            self.read_content(offset, bytes).await?;
             if bytes.len() == F::WRITE_SIZE {
                 refuse_too_long(bytes);
             }
@@ -88,7 +131,7 @@ impl<F: NorFlash> ReadNorFlash for Marked<F> {
     }
 }
 
-impl<F: NorFlash> NorFlash for Marked<F> {
+impl<F: CheckedFlash> NorFlash for Marked<F> {
     const WRITE_SIZE: usize = F::WRITE_SIZE;
     const ERASE_SIZE: usize = F::ERASE_SIZE;
 
@@ -129,7 +172,7 @@ enum Sector {
 }
 
 /// Erases again what a power cut left half erased.
-pub(super) async fn mend<F: NorFlash>(
+pub(super) async fn mend<F: CheckedFlash>(
     flash: &mut Marked<F>,
     area: Range<u32>,
 ) -> Result<(), F::Error> {
@@ -149,7 +192,7 @@ pub(super) async fn mend<F: NorFlash>(
     Ok(())
 }
 
-async fn classify<F: NorFlash>(flash: &mut Marked<F>, start: u32) -> Result<Sector, F::Error> {
+async fn classify<F: CheckedFlash>(flash: &mut Marked<F>, start: u32) -> Result<Sector, F::Error> {
     let size = F::ERASE_SIZE as u32;
     let last = start + size - F::WRITE_SIZE as u32;
     if flash.is_torn(start).await? {
@@ -165,11 +208,14 @@ async fn classify<F: NorFlash>(flash: &mut Marked<F>, start: u32) -> Result<Sect
     })
 }
 
-async fn is_blank<F: NorFlash>(flash: &mut Marked<F>, range: Range<u32>) -> Result<bool, F::Error> {
+async fn is_blank<F: CheckedFlash>(
+    flash: &mut Marked<F>,
+    range: Range<u32>,
+) -> Result<bool, F::Error> {
     let mut bytes = [0; 256];
     for start in range.step_by(bytes.len()) {
-        flash.0.read(start, &mut bytes).await?;
-        if bytes.iter().any(|byte| *byte != 0xFF) {
+        let read = flash.0.read(start, &mut bytes).await;
+        if !is_readable::<F>(read)? || bytes.iter().any(|byte| *byte != 0xFF) {
             return Ok(false);
         }
     }

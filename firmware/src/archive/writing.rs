@@ -2,16 +2,15 @@
 
 use super::known::Known;
 use super::layout::{BODY_AT, LONGEST_HEAD, LONGEST_SETTINGS, RECORD_ITEM, STATE_ITEM};
-use super::{Archive, ArchiveError, Entry, end_of, insert, read, sector_of};
+use super::{Archive, ArchiveError, CheckedFlash, Entry, end_of, insert, read, sector_of};
 use calib_core::settings::Settings;
 use calib_protocol::change;
 use calib_protocol::record::{self, Record, RecordError};
 use calib_protocol::stored::{self, StoredHead, settings_mark};
 use calib_protocol::stored_point::LONGEST_POINT;
 use core::ops::Range;
-use embedded_storage_async::nor_flash::NorFlash;
 
-impl<F: NorFlash> Archive<'_, F> {
+impl<F: CheckedFlash> Archive<'_, F> {
     /// Whether a record of so many points will find room.
     ///
     /// # Errors

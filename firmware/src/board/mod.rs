@@ -27,6 +27,7 @@ mod description;
 mod digitiser;
 mod exciter;
 mod panel;
+mod record_flash;
 mod sample_clock;
 mod selected;
 mod stack;
@@ -41,6 +42,7 @@ pub(crate) use description::{Clocks, Panel, Silicon};
 pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser};
 pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
 pub(crate) use panel::{Lamp, Lamps, PushButton};
+pub(crate) use record_flash::{RECORD_AREA, RecordFlash, finish_word};
 pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
 pub(crate) use selected::{CONVERTERS, NAME};
 pub(crate) use stack::unused_bytes as unused_stack_bytes;
@@ -48,19 +50,13 @@ pub(crate) use thermometer::{SensorConverter, factory_codes};
 pub(crate) use usb::{PACKET_BYTES, UsbDriver, UsbPort, run as run_usb, usb_port};
 pub(crate) use wiring::{Port, UsbParts, wiring};
 
-use embassy_stm32::flash::Flash;
 use embassy_stm32::peripherals;
 use embassy_stm32::wdg::IndependentWatchdog;
-
-/// The record area: all of bank 2, as offsets in flash (see `memory.x`).
-pub(crate) const RECORD_AREA: core::ops::Range<u32> = 0x10_0000..0x20_0000;
 
 /// Longest time without a sign of life, microseconds. Until it has passed, a
 /// hang that keeps the drive task from running lets the ring repeat its 20 ms.
 const WATCHDOG_US: u32 = 250_000;
 
-/// The flash behind the archive.
-pub(crate) type RecordFlash = Flash<'static>;
 /// The watchdog.
 pub(crate) type Watchdog = IndependentWatchdog<'static, peripherals::IWDG1>;
 
@@ -91,6 +87,15 @@ pub(crate) struct Board {
     pub(crate) sample_clock: SampleClock,
     pub(crate) flash: RecordFlash,
     pub(crate) watchdog: Watchdog,
+}
+
+/// Restarts the board: the exciter to rest, the flash left to finish its word, reset.
+pub(crate) fn restart() -> ! {
+    cortex_m::interrupt::disable();
+    silence_now();
+    finish_word();
+    cortex_m::asm::dsb();
+    cortex_m::peripheral::SCB::sys_reset()
 }
 
 impl Board {
@@ -124,7 +129,7 @@ impl Board {
             exciter,
             sensor_converter: SensorConverter::new(wired.adc3),
             sample_clock: SampleClock::new(wired.tim6),
-            flash: Flash::new(wired.flash, selected::Irqs),
+            flash: RecordFlash::new(wired.flash),
             watchdog: IndependentWatchdog::new(wired.iwdg, WATCHDOG_US),
         }
     }

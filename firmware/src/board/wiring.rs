@@ -117,7 +117,6 @@ macro_rules! wiring {
         embassy_stm32::bind_interrupts!(
             /// Interrupts the drivers of the HAL need.
             pub struct Irqs {
-                FLASH => embassy_stm32::flash::InterruptHandler;
                 $serial => embassy_stm32::usart::InterruptHandler<embassy_stm32::peripherals::$serial>;
                 OTG_FS => embassy_stm32::usb::InterruptHandler<embassy_stm32::peripherals::USB_OTG_FS>;
                 DMA1_STREAM0 => embassy_stm32::dma::InterruptHandler<embassy_stm32::peripherals::DMA1_CH0>;

@@ -1,11 +1,15 @@
 //! The links to hosts: bytes in, answers out.
 
 use crate::board::{
-    PACKET_BYTES, Port, PortBuffers, RECEIVE_BYTES, UsbDriver, UsbPort, axi_static, run_usb,
+    PACKET_BYTES, Port, PortBuffers, RECEIVE_BYTES, UsbDriver, UsbPort, axi_static, restart,
+    run_usb, silence_now,
 };
 use crate::instrument::Calibrator;
+use crate::state;
+use crate::tasks::store::SharedArchive;
 use calib_firmware::link::{Aftermath, Link};
 use calib_firmware::scpi::Console;
+use core::sync::atomic::Ordering;
 use core::task::Poll;
 use embassy_futures::join::join;
 use embassy_futures::poll_once;
@@ -30,6 +34,12 @@ const AFTER_DAMAGE: Duration = Duration::from_millis(2);
 
 /// Time between two looks at a run whose end a host waits for.
 const LOOK: Duration = Duration::from_millis(20);
+
+/// How long an answer takes to leave the board.
+const ANSWER_OUT: Duration = Duration::from_millis(20);
+
+/// Longest time to store what is being stored: three sectors erased, 2.2 s each at most.
+const STORED: Duration = Duration::from_secs(9);
 
 /// Wait for a byte when nothing else is to be done.
 const IDLE: Duration = Duration::from_secs(3600);
@@ -92,7 +102,7 @@ impl Conversation {
             };
             output.send(answer).await;
             if aftermath == Aftermath::Reset {
-                reset().await;
+                reset(self.instrument.archive).await;
             }
         }
     }
@@ -253,9 +263,13 @@ impl UsbOutput {
     }
 }
 
-/// Resets the board once the answer has left it.
-async fn reset() -> ! {
-    crate::board::silence_now();
-    Timer::after_millis(20).await;
-    cortex_m::peripheral::SCB::sys_reset()
+/// Resets the board once the answer has left it and the archive is at rest: a record that is being
+/// stored is stored first, and no word or sector is torn.
+async fn reset(archive: &SharedArchive) -> ! {
+    state::RESTARTING.store(true, Ordering::Relaxed);
+    silence_now();
+    Timer::after(ANSWER_OUT).await;
+    // Kept to the end, so that nothing more is begun.
+    let _at_rest = with_timeout(STORED, archive.rest()).await;
+    restart()
 }

@@ -79,6 +79,11 @@ impl SharedArchive {
         Ok(archive.log_change().await?)
     }
 
+    /// Waits until nothing is being stored, and keeps it so.
+    pub(crate) async fn rest(&self) -> impl Sized + '_ {
+        self.0.lock().await
+    }
+
     fn lock(&self) -> Result<ArchiveGuard<'_>, Refusal> {
         self.0.try_lock().map_err(|_| Refusal::Busy)
     }

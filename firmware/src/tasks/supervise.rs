@@ -33,7 +33,9 @@ pub(crate) async fn supervise(
     let mut ticker = Ticker::every(PERIOD);
     loop {
         ticker.next().await;
-        if let Some(task) = alive.hanging() {
+        if let Some(task) = alive.hanging()
+            && !state::RESTARTING.load(Ordering::Relaxed)
+        {
             // Everything but that task still works: say which it is. If not
             // even this does, the watchdog restarts the board.
             panic!("the task {task} stands still");

@@ -1,6 +1,11 @@
 //! A strict NOR flash: what the real one forbids is an error here, and the
 //! power can fail in the middle of any word or erase.
+//!
+//! A word whose programming was cut is *poisoned*: its check bits do not fit, and
+//! no read of it gives bytes. So are all words of a sector whose erase was cut, or
+//! any of them: both are tried. Only an erase that came to its end heals.
 
+use calib_firmware::archive::CheckedFlash;
 use embedded_storage_async::nor_flash::{
     ErrorType, NorFlash, NorFlashError, NorFlashErrorKind, ReadNorFlash,
 };
@@ -19,6 +24,8 @@ pub(super) enum FlashError {
     PowerCut,
     /// A word was programmed twice without an erase between.
     Rewritten(u32),
+    /// The check bits of a word that was read do not fit.
+    Poisoned(u32),
     /// Address or length is no multiple of a word or sector.
     Alignment,
     /// Outside of the flash.
@@ -35,6 +42,12 @@ pub(super) struct Cells {
     pub(super) bytes: Vec<u8>,
     /// Whether each word was programmed since it was erased.
     programmed: Vec<bool>,
+    /// Whether the check bits of each word do not fit.
+    poisoned: Vec<bool>,
+    /// Words and sectors torn, and reads of poisoned words, so far.
+    pub(super) torn_words: u64,
+    pub(super) torn_sectors: u64,
+    pub(super) poisoned_reads: u64,
     /// Erases of each sector.
     pub(super) erases: Vec<u32>,
     /// Words and erases so far.
@@ -53,6 +66,10 @@ impl<const SECTOR: usize> MockFlash<SECTOR> {
         Self(Rc::new(RefCell::new(Cells {
             bytes: vec![0xFF; sectors * SECTOR],
             programmed: vec![false; sectors * SECTOR / WORD],
+            poisoned: vec![false; sectors * SECTOR / WORD],
+            torn_words: 0,
+            torn_sectors: 0,
+            poisoned_reads: 0,
             erases: vec![0; sectors],
             operations: 0,
             cut_at: None,
@@ -66,6 +83,10 @@ impl<const SECTOR: usize> MockFlash<SECTOR> {
         Self(Rc::new(RefCell::new(Cells {
             bytes: cells.bytes.clone(),
             programmed: cells.programmed.clone(),
+            poisoned: cells.poisoned.clone(),
+            torn_words: cells.torn_words,
+            torn_sectors: cells.torn_sectors,
+            poisoned_reads: cells.poisoned_reads,
             erases: cells.erases.clone(),
             operations: cells.operations,
             cut_at: None,
@@ -82,6 +103,13 @@ impl Cells {
             for (bit, drawn) in drawn.iter().enumerate() {
                 self.bytes[at] |= u8::from(*drawn < share) << bit;
             }
+        }
+    }
+
+    /// Poisons each word of a range with a probability of `share` in 256.
+    pub(super) fn poison(&mut self, range: std::ops::Range<usize>, share: u64) {
+        for word in range.start / WORD..range.end.div_ceil(WORD) {
+            self.poisoned[word] |= self.random.next_u64() % 256 < share;
         }
     }
 
@@ -105,7 +133,7 @@ impl Cells {
 
     fn program(&mut self, word: usize, bytes: &[u8]) -> Result<(), FlashError> {
         let fails = self.fails()?;
-        if self.programmed[word] {
+        if self.programmed[word] || self.poisoned[word] {
             return Err(FlashError::Rewritten((word * WORD) as u32));
         }
         self.programmed[word] = true;
@@ -119,6 +147,8 @@ impl Cells {
             self.bytes[word * WORD + at] &= byte | missing;
         }
         if fails {
+            self.torn_words += 1;
+            self.poisoned[word] = true;
             Err(FlashError::PowerCut)
         } else {
             Ok(())
@@ -135,7 +165,7 @@ impl Cells {
         } else {
             None
         };
-        for word in words {
+        for word in words.clone() {
             // Torn: nothing yet, all, the beginning, the end, or any bit.
             let erased = match torn {
                 None | Some(1) => true,
@@ -154,6 +184,15 @@ impl Cells {
             self.programmed[word] &= !erased;
         }
         if fails {
+            self.torn_sectors += 1;
+            // All of its words, half of them, or few: an erase that has hardly begun or is nearly
+            // done leaves most check bits fitting.
+            let share = [256, 256, 128, 2][self.random.next_u64() as usize % 4];
+            self.poison(words.start * WORD..words.end * WORD, share);
+        } else {
+            self.poisoned[words].fill(false);
+        }
+        if fails {
             Err(FlashError::PowerCut)
         } else {
             Ok(())
@@ -169,14 +208,26 @@ impl<const SECTOR: usize> ReadNorFlash for MockFlash<SECTOR> {
     const READ_SIZE: usize = 1;
 
     async fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), FlashError> {
-        let cells = self.0.borrow();
+        let mut cells = self.0.borrow_mut();
         let range = offset as usize..offset as usize + bytes.len();
-        bytes.copy_from_slice(cells.bytes.get(range).ok_or(FlashError::Range)?);
+        let found = cells.bytes.get(range.clone()).ok_or(FlashError::Range)?;
+        bytes.copy_from_slice(found);
+        let mut words = range.start / WORD..range.end.div_ceil(WORD);
+        if let Some(word) = words.find(|word| cells.poisoned[*word]) {
+            cells.poisoned_reads += 1;
+            return Err(FlashError::Poisoned((word * WORD) as u32));
+        }
         Ok(())
     }
 
     fn capacity(&self) -> usize {
         self.0.borrow().bytes.len()
+    }
+}
+
+impl<const SECTOR: usize> CheckedFlash for MockFlash<SECTOR> {
+    fn is_poisoned(error: &FlashError) -> bool {
+        matches!(error, FlashError::Poisoned(_))
     }
 }
 

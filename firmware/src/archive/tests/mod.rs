@@ -302,6 +302,11 @@ fn a_half_erased_sector_keeps_nothing_else_from_being_found() {
         // Five shares, from just begun to nearly done.
         let share = [1, 3, 16, 128, 250][seed as usize % 5];
         flash.0.borrow_mut().tear(0..REAL, share);
+        // Their check bits fit, fit for half of them, or for none.
+        flash
+            .0
+            .borrow_mut()
+            .poison(0..REAL, u64::from(seed % 3) * 128);
         let mut archive = desk.open(&flash).expect("opens");
         for (id, bytes) in stored.iter().skip(REAL / stored[0].1.len() * 2).step_by(29) {
             assert_eq!(download(&mut archive, *id).as_ref(), Ok(bytes), "{seed}");
@@ -325,12 +330,51 @@ fn with_torn_words<const SECTOR: usize>(sector: usize, first: u8, last: u8) -> M
 /// sector, whatever stands in its last.
 #[test]
 fn a_sector_whose_first_word_is_torn_is_erased_at_the_next_start() {
-    for (first, last) in [(0x5A, 0x00), (0x7F, 0xA5), (0x01, 0xFF), (0xFE, 0x7F)] {
+    let torn = [(0x5A, 0x00), (0x7F, 0xA5), (0x01, 0xFF), (0xFE, 0x7F)];
+    // These pass for whole by their bytes.
+    let poisoned = [(0x00, 0x00), (0x00, 0xFF), (0xFF, 0xFF)];
+    for (number, (first, last)) in torn.into_iter().chain(poisoned).enumerate() {
         let flash = with_torn_words::<SMALL>(3, first, last);
+        if number >= torn.len() {
+            let start = 3 * SMALL;
+            flash.0.borrow_mut().poison(start..start + flash::WORD, 256);
+        }
         Desk::new().open(&flash).expect("opens");
         let cells = flash.0.borrow();
         assert_eq!(cells.erases, [0, 0, 0, 1, 0, 0, 0, 0], "{first:x} {last:x}");
         assert!(cells.bytes.iter().all(|byte| *byte == 0xFF));
+    }
+}
+
+/// One word of a record can no longer be read: that record is refused, and every other one is there,
+/// now and after a restart.
+#[test]
+fn a_poisoned_word_loses_no_record_but_its_own() {
+    let flash = MockFlash::<SMALL>::erased(SECTORS);
+    let settings = Settings::field_calibrator();
+    let mut desk = Desk::new();
+    let mut archive = desk.open(&flash).expect("opens");
+    let mut stored = std::vec::Vec::new();
+    let mut places = std::vec::Vec::new();
+    for seed in 0..9 {
+        stored.push(store(&mut archive, 31, seed, &settings).expect("stores"));
+        let entry = archive.memory.directory.last().copied().expect("stored");
+        places.push(entry.address as usize + usize::from(entry.length) / 2);
+    }
+    flash.0.borrow_mut().poison(places[4]..places[4] + 1, 256);
+    let lost = download(&mut archive, stored[4].0);
+    assert_eq!(lost, Err(Refusal::StorageFailed));
+    for restarted in [false, true] {
+        let mut archive = desk.open(&flash).expect("opens");
+        for (id, bytes) in stored.iter().filter(|(id, _)| *id != stored[4].0) {
+            assert_eq!(
+                download(&mut archive, *id).as_ref(),
+                Ok(bytes),
+                "{restarted}"
+            );
+        }
+        let (id, bytes) = store(&mut archive, 31, 99, &settings).expect("and goes on");
+        assert_eq!(download(&mut archive, id), Ok(bytes));
     }
 }
 

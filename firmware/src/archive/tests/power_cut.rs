@@ -25,6 +25,27 @@ fn check(flash: &MockFlash<SMALL>, told: &Told, cut: u64) {
     }
 }
 
+/// The power fails once more, in every operation of the start that follows; how many there were.
+fn cut_the_start(torn: &MockFlash<SMALL>, told: &Told, cut: u64) -> u64 {
+    let mut desk = Desk::new();
+    let whole = torn.duplicate(cut);
+    let before = whole.0.borrow().operations;
+    desk.open(&whole)
+        .unwrap_or_else(|error| panic!("cut at {cut}: {error}"));
+    let operations = whole.0.borrow().operations - before;
+    for again in 1..=operations {
+        let twice = torn.duplicate(cut + again);
+        twice.0.borrow_mut().cut_at = Some(before + again);
+        assert!(
+            desk.open(&twice).is_err(),
+            "cut at {cut}: mended without power"
+        );
+        twice.0.borrow_mut().cut_at = None;
+        check(&twice, told, cut);
+    }
+    operations
+}
+
 #[test]
 fn nothing_promised_is_lost_whenever_the_power_fails() {
     // The first steps on a new flash, and then, when the ring has gone round,
@@ -33,7 +54,7 @@ fn nothing_promised_is_lost_whenever_the_power_fails() {
     let mut desk = Desk::new();
     let flash = MockFlash::<SMALL>::erased(SECTORS);
     let mut promised = Told::default();
-    let mut checked = 0;
+    let (mut checked, mut in_starts, mut poisoned_reads) = (0, 0, 0);
     for number in 0..185 {
         // The step without a cut, to know how many operations it takes.
         let whole = flash.duplicate(0);
@@ -51,7 +72,9 @@ fn nothing_promised_is_lost_whenever_the_power_fails() {
                 assert!(outcome.is_err() || torn.0.borrow().operations >= cut);
             }
             torn.0.borrow_mut().cut_at = None;
+            in_starts += cut_the_start(&torn, &told, cut);
             check(&torn, &told, cut);
+            poisoned_reads += torn.0.borrow().poisoned_reads;
             checked += 1;
         }
         step(
@@ -62,6 +85,12 @@ fn nothing_promised_is_lost_whenever_the_power_fails() {
         .expect("steps");
     }
     let erases: u32 = flash.0.borrow().erases.iter().sum();
-    println!("{checked} cuts, {erases} erases");
+    println!(
+        "{checked} cuts, {in_starts} more in starts, {erases} erases, {poisoned_reads} reads of poisoned words"
+    );
+    assert!(
+        in_starts > 0 && poisoned_reads > checked,
+        "hardly a torn word was met"
+    );
     assert!(erases >= 5, "the ring went round: {erases}");
 }
