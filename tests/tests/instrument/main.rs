@@ -19,5 +19,6 @@ mod hostile_hosts;
 mod power_cut;
 mod reference_change;
 mod site_faults;
+mod torn_flash;
 mod usb;
 mod verdicts;

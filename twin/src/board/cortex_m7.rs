@@ -1,13 +1,15 @@
 //! The part's core: a Cortex-M7 r1p1 with double-precision FPU, as the emulator is to make it.
 
 use std::num::{NonZeroU32, NonZeroU64};
+use std::sync::Arc;
 
 use rigless::cpu;
-use rigless::emulator::CoreSpec;
+use rigless::emulator::{CoreSpec, Processor};
 use rigless::image::Image;
 use rigless::machine::armv7m;
 use rigless::mcu::{Mcu, Operate};
 
+use super::flash_bus::FlashBus;
 use super::part::Part;
 use super::pins::SUPPLY_MV;
 
@@ -91,6 +93,12 @@ pub(super) fn spec(part: &Part) -> CoreSpec {
         .collect();
     config.vector_table = Some(VECTOR_TABLE);
     let mut spec = config.spec();
+    let core = Arc::clone(&spec.processor);
+    let flash = part.flash_watch();
+    spec.processor = Arc::new(move |endian| {
+        let core = FlashBus::new(core(endian)?, flash.clone());
+        Ok(Box::new(core) as Box<dyn Processor>)
+    });
     spec.factory_images = factory_images();
     spec
 }

@@ -1,36 +1,62 @@
-//! The flash interface, watched: which operation on the record flash (bank 2) is under way.
+//! The flash interface, watched: which operation is under way, and which words are poisoned.
 //!
 //! The emulator's model does the work; an operation of it takes effect as a whole at its end. A supply
-//! that fails in between leaves something else: a word of which some bits are programmed, a sector of
-//! which some cells are erased. [`FlashWatch`] knows what was under way and how far it was, so that a
-//! power cut can leave that behind ([`torn_word`], [`torn_sector`]).
+//! that fails in between, or a reset, leaves something else: a word of which some bits are programmed,
+//! a sector of which some cells are erased. [`FlashWatch`] knows what was under way and how far it was,
+//! so that a cut can leave that behind ([`torn_word`], [`torn_sector`]).
 //!
-//! A torn word of this part also carries wrong check bits, and a read of it a bus error (RM0433
-//! Rev 9, section 4.7.8); the emulated core reads it without.
+//! A torn word also has check bits that do not fit: it is *poisoned*, as is one programmed twice. A
+//! core's load of it is a bus fault and sets `DBECCERR` and the failing address (RM0433 Rev 9, 4.7.8
+//! and 4.9.37); [`super::flash_bus`] asks here. Only an erase of its sector that comes to its end
+//! heals it. A bank that programs or erases stalls whoever loads from it (4.3.11).
 
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use rigless::device::{Device, DeviceContext, RegisterFile};
 use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::soc::Width;
-use rigless::soc::stm32h743::generated::flash::{Register, cr2, sr2};
+use rigless::soc::stm32h743::generated::flash::{Register, cr1, cr2, ecc_fa2r, sr1, sr2};
 use rigless::soc::stm32h743::peripherals::flash::Flash;
 use rigless::time::{EventId, VirtualNanos};
 
+/// Flash bank 1: boot loader and image (`memory.x`).
+const CODE_FLASH: u64 = 0x0800_0000;
 /// Flash bank 2: records and settings (`memory.x`).
 pub const RECORD_FLASH: u64 = 0x0810_0000;
+/// First address behind the flash.
+const FLASH_END: u64 = 0x0820_0000;
 /// Bytes of a sector: what an erase clears.
 pub const SECTOR_BYTES: u64 = 128 << 10;
 /// Sectors of bank 2.
 pub const SECTORS: usize = 8;
 /// Bytes of a flash word: what one programming operation writes.
 pub const WORD_BYTES: usize = 32;
+/// Banks of the part.
+const BANKS: usize = 2;
 
 /// Typical times by `PSIZE` (DS12110 Rev 11, table 140).
 const PROGRAM_NS: [u64; 4] = [290_000, 180_000, 130_000, 100_000];
 const ERASE_NS: [u64; 4] = [2_000_000_000, 1_800_000_000, 1_100_000_000, 1_000_000_000];
 
-/// An operation on the record flash.
+/// Bank of an address of the flash, from 0.
+pub(super) fn bank_of(address: u64) -> Option<usize> {
+    let inside = (CODE_FLASH..FLASH_END).contains(&address);
+    inside.then_some(usize::from(address >= RECORD_FLASH))
+}
+
+/// Addresses of a bank.
+pub(super) fn bank_range(bank: usize) -> std::ops::Range<u64> {
+    [CODE_FLASH..RECORD_FLASH, RECORD_FLASH..FLASH_END][bank].clone()
+}
+
+/// The flash word around an address.
+fn word_of(address: u64) -> u64 {
+    address & !(WORD_BYTES as u64 - 1)
+}
+
+/// An operation on the flash.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub enum Operation {
     /// One flash word is being programmed.
@@ -47,12 +73,42 @@ pub enum Operation {
     },
 }
 
+impl Operation {
+    /// Where it works.
+    #[must_use]
+    pub fn address(self) -> u64 {
+        match self {
+            Self::Program { address, .. } | Self::Erase { address } => address,
+        }
+    }
+}
+
+/// An operation that was cut.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct CutOff {
+    /// What was under way.
+    pub operation: Operation,
+    /// How far it was, from 0 to 1.
+    pub progress: f64,
+    /// When it was cut.
+    pub at: VirtualNanos,
+}
+
 /// An operation under way.
 #[derive(Debug, Clone, Copy, serde::Serialize, serde::Deserialize)]
 struct Running {
     operation: Operation,
     started: VirtualNanos,
     lasts_ns: u64,
+    /// It programs a word that was not erased.
+    overwrites: bool,
+}
+
+impl Running {
+    fn progress(&self, now: VirtualNanos) -> f64 {
+        let since = now.0.saturating_sub(self.started.0);
+        since as f64 / self.lasts_ns as f64
+    }
 }
 
 /// Which operation to stop in.
@@ -73,24 +129,61 @@ impl Trap {
 
 #[derive(Debug, Default)]
 struct State {
-    running: Option<Running>,
+    running: [Option<Running>; BANKS],
     started: u64,
     erases: [u64; SECTORS],
+    /// First addresses of the words whose check bits do not fit.
+    poisoned: BTreeSet<u64>,
+    poisoned_loads: u64,
+    /// Words and sectors that were torn.
+    torn: [u64; 2],
+    /// The bank whose operation the core waits for.
+    awaited: Option<usize>,
     /// The operation to stop in, and how far into it, from 0 to 1.
     trap: Option<(Trap, f64)>,
-    sprung: Option<VirtualNanos>,
+    news: News,
 }
 
-// A trap is the driver's of a run, who sets it again.
+// A trap is the driver's of a run, who sets it again; news is taken at the stop it is of.
 rigless::store!(State {
-    values: [running, started, erases],
+    values: [
+        running,
+        started,
+        erases,
+        poisoned,
+        poisoned_loads,
+        torn,
+        awaited
+    ],
     parts: [],
-    built: [trap, sprung],
+    built: [trap, news],
 });
 
-/// A shared view of the record flash's operations.
+/// Things the driver of a run must see to, since the models have no hand on the memory.
 #[derive(Debug, Clone, Default)]
-pub struct FlashWatch(Arc<Mutex<State>>);
+pub(crate) struct News {
+    /// The instant the trap asks for a stop at.
+    pub(crate) sprung: Option<VirtualNanos>,
+    /// A word whose programming has begun: was it erased?
+    pub(crate) begun: Option<u64>,
+    /// Operations that were cut: what have they left?
+    pub(crate) cut: Vec<CutOff>,
+}
+
+/// A shared view of the flash's operations.
+#[derive(Debug, Clone, Default)]
+pub struct FlashWatch {
+    state: Arc<Mutex<State>>,
+    /// There is news for the driver.
+    has_news: Arc<AtomicBool>,
+    /// Other words are poisoned, or other banks busy, than the core's bus was told.
+    has_changed: Arc<AtomicBool>,
+    /// A bit for each bank at work, and [`AWAITED`]: what the core asks at every stretch.
+    at_work: Arc<AtomicU8>,
+}
+
+/// Bit of [`FlashWatch`]: the core waits for a bank.
+const AWAITED: u8 = 1 << BANKS;
 
 impl Store for FlashWatch {
     fn store(&self, to: &mut Writer) -> Result<(), snapshot::Error> {
@@ -98,7 +191,10 @@ impl Store for FlashWatch {
     }
 
     fn load(&mut self, from: &mut Reader) -> Result<(), snapshot::Error> {
-        self.lock().load(from)
+        let mut state = self.lock();
+        state.load(from)?;
+        self.publish(&state);
+        Ok(())
     }
 }
 
@@ -115,12 +211,29 @@ impl FlashWatch {
         self.lock().erases
     }
 
-    /// The operation under way at `now` and how far it is, from 0 to 1.
+    /// Flash words that are poisoned.
+    #[must_use]
+    pub fn poisoned_words(&self) -> usize {
+        self.lock().poisoned.len()
+    }
+
+    /// Loads of the core that met a poisoned word since the first power-on.
+    #[must_use]
+    pub fn poisoned_loads(&self) -> u64 {
+        self.lock().poisoned_loads
+    }
+
+    /// Words and sectors torn since the first power-on, by cuts of the supply and by resets.
+    #[must_use]
+    pub fn torn(&self) -> [u64; 2] {
+        self.lock().torn
+    }
+
+    /// The operation under way on the record flash at `now` and how far it is, from 0 to 1.
     #[must_use]
     pub fn under_way(&self, now: VirtualNanos) -> Option<(Operation, f64)> {
-        let running = self.lock().running?;
-        let since = now.0.saturating_sub(running.started.0);
-        Some((running.operation, since as f64 / running.lasts_ns as f64))
+        let running = self.lock().running[1]?;
+        Some((running.operation, running.progress(now)))
     }
 
     /// Asks for a stop at `fraction` (0 to 1) of operation number `ordinal`, counted from 1.
@@ -133,45 +246,210 @@ impl FlashWatch {
         self.lock().trap = Some((Trap::Erase, fraction));
     }
 
-    /// The instant the trap asks for a stop at, once its operation has started.
-    pub(crate) fn take_sprung(&self) -> Option<VirtualNanos> {
-        self.lock().sprung.take()
+    /// Check bits of the words in a range no longer fit.
+    pub(crate) fn poison(&self, words: impl IntoIterator<Item = u64>) {
+        self.lock().poisoned.extend(words);
+        self.has_changed.store(true, Ordering::Relaxed);
     }
 
-    /// Forgets what was under way: the supply has failed.
-    pub(crate) fn abandon(&self) {
+    /// The word whose programming has begun was not erased.
+    pub(crate) fn note_overwritten(&self, address: u64) {
         let mut state = self.lock();
-        state.running = None;
+        let running = state.running.iter_mut().flatten();
+        running
+            .filter(|running| running.operation.address() == address)
+            .for_each(|running| running.overwrites = true);
+    }
+
+    /// What the driver of the run must see to; asked at every stop and access.
+    pub(crate) fn take_news(&self) -> Option<News> {
+        let has = self.has_news.load(Ordering::Relaxed) && {
+            self.has_news.swap(false, Ordering::Relaxed)
+        };
+        has.then(|| std::mem::take(&mut self.lock().news))
+    }
+
+    /// Cuts whatever is under way: the supply has failed, or the part was reset (RM0433 Rev 9, 4.3.14).
+    pub(super) fn cut(&self, at: VirtualNanos) {
+        let mut state = self.lock();
+        let running = std::mem::take(&mut state.running).into_iter().flatten();
+        let cut: Vec<CutOff> = running
+            .map(|running| CutOff {
+                operation: running.operation,
+                progress: running.progress(at),
+                at,
+            })
+            .collect();
+        for cut in &cut {
+            state.torn[usize::from(matches!(cut.operation, Operation::Erase { .. }))] += 1;
+        }
+        state.news.cut.extend(cut);
         state.trap = None;
+        state.awaited = None;
+        self.has_news.store(true, Ordering::Relaxed);
+        self.publish(&state);
+    }
+
+    /// The poisoned words, when they or the banks at work are others than at the last call.
+    pub(super) fn take_change(&self) -> Option<Vec<u64>> {
+        let changed = self.has_changed.load(Ordering::Relaxed) && {
+            self.has_changed.swap(false, Ordering::Relaxed)
+        };
+        changed.then(|| self.lock().poisoned.iter().copied().collect())
+    }
+
+    /// Whether a bank programs or erases.
+    pub(super) fn is_busy(&self, bank: usize) -> bool {
+        self.at_work.load(Ordering::Relaxed) & 1 << bank != 0
+    }
+
+    /// The core has loaded from a bank at work, and waits for it from now on.
+    pub(super) fn await_bank(&self, bank: usize) {
+        let mut state = self.lock();
+        state.awaited = Some(bank);
+        self.publish(&state);
+    }
+
+    /// Whether the core waits for a bank.
+    pub(super) fn is_awaited(&self) -> bool {
+        self.at_work.load(Ordering::Relaxed) & AWAITED != 0
+    }
+
+    /// Notes a load of the core; whether it meets a poisoned word, and the word.
+    pub(super) fn load_of_poisoned(&self, address: u64) -> Option<u64> {
+        let mut state = self.lock();
+        let word = word_of(address);
+        if !state.poisoned.contains(&word) {
+            return None;
+        }
+        state.poisoned_loads += 1;
+        Some(word)
     }
 
     fn begin(&self, operation: Operation, started: VirtualNanos, lasts_ns: u64) {
+        let address = operation.address();
+        let Some(bank) = bank_of(address) else {
+            return;
+        };
         let mut state = self.lock();
-        state.started += 1;
-        if let Operation::Erase { address } = operation {
-            state.erases[((address - RECORD_FLASH) / SECTOR_BYTES) as usize] += 1;
-        }
-        state.running = Some(Running {
+        state.running[bank] = Some(Running {
             operation,
             started,
             lasts_ns,
+            overwrites: false,
         });
-        if let Some((_, fraction)) = state
-            .trap
-            .filter(|(trap, _)| trap.is(operation, state.started))
-        {
-            state.trap = None;
-            let into_ns = (fraction.clamp(0.0, 1.0) * lasts_ns as f64) as u64;
-            state.sprung = Some(VirtualNanos(started.0 + into_ns));
+        match operation {
+            Operation::Program { .. } => state.news.begun = Some(address),
+            Operation::Erase { .. } if address >= RECORD_FLASH => {
+                state.erases[((address - RECORD_FLASH) / SECTOR_BYTES) as usize] += 1;
+            }
+            Operation::Erase { .. } => {}
         }
+        if address >= RECORD_FLASH {
+            state.started += 1;
+            state.spring(operation, started, lasts_ns);
+        }
+        self.has_news.store(true, Ordering::Relaxed);
+        self.publish(&state);
+    }
+
+    /// The operation of a bank has come to its end.
+    fn finish(&self, bank: usize) {
+        let mut state = self.lock();
+        let Some(running) = state.running[bank].take() else {
+            return;
+        };
+        if state.awaited == Some(bank) {
+            state.awaited = None;
+        }
+        match running.operation {
+            Operation::Erase { address } => {
+                let sector = address..address + SECTOR_BYTES;
+                state.poisoned.retain(|word| !sector.contains(word));
+            }
+            Operation::Program { address, .. } if running.overwrites => {
+                state.poisoned.insert(address);
+            }
+            Operation::Program { .. } => {}
+        }
+        self.publish(&state);
+    }
+
+    /// Lets the core's bus know what is at work and that words may have changed.
+    fn publish(&self, state: &State) {
+        let banks = state.running.iter().enumerate();
+        let busy = banks.map(|(bank, running)| u8::from(running.is_some()) << bank);
+        let awaited = if state.awaited.is_some() { AWAITED } else { 0 };
+        self.at_work
+            .store(busy.sum::<u8>() | awaited, Ordering::Relaxed);
+        self.has_changed.store(true, Ordering::Relaxed);
     }
 
     fn lock(&self) -> MutexGuard<'_, State> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-/// The emulator's flash interface, with a watch on bank 2.
+impl State {
+    /// Springs the trap if it is set for this operation.
+    fn spring(&mut self, operation: Operation, started: VirtualNanos, lasts_ns: u64) {
+        let is = |(trap, _): &(Trap, f64)| trap.is(operation, self.started);
+        if let Some((_, fraction)) = self.trap.filter(is) {
+            self.trap = None;
+            let into_ns = (fraction.clamp(0.0, 1.0) * lasts_ns as f64) as u64;
+            self.news.sprung = Some(VirtualNanos(started.0 + into_ns));
+        }
+    }
+}
+
+/// Registers of a bank.
+#[derive(Clone, Copy)]
+struct Bank {
+    status: Register,
+    control: Register,
+}
+
+const BANK: [Bank; BANKS] = [
+    Bank {
+        status: Register::Sr1,
+        control: Register::Cr1,
+    },
+    Bank {
+        status: Register::Sr2,
+        control: Register::Cr2,
+    },
+];
+
+impl Bank {
+    fn is_busy(self, registers: &RegisterFile) -> bool {
+        let status = registers.get(self.status);
+        match self.status {
+            Register::Sr1 => sr1::QW1.is_set(status),
+            _ => sr2::QW2.is_set(status),
+        }
+    }
+
+    /// Place in the tables of times.
+    fn parallelism(self, registers: &RegisterFile) -> usize {
+        let control = registers.get(self.control);
+        match self.control {
+            Register::Cr1 => cr1::PSIZE1.get(control) as usize,
+            _ => cr2::PSIZE2.get(control) as usize,
+        }
+    }
+}
+
+/// The sector whose erase a write of `value` to `register` starts.
+fn sector_started(register: Register, value: u64) -> Option<u64> {
+    let sector = match register {
+        Register::Cr1 if cr1::START1.is_set(value) => cr1::SNB1.get(value),
+        Register::Cr2 if cr2::START2.is_set(value) => SECTORS as u64 + cr2::SNB2.get(value),
+        _ => return None,
+    };
+    Some(CODE_FLASH + sector * SECTOR_BYTES)
+}
+
+/// The emulator's flash interface, with a watch on both banks.
 #[derive(Debug)]
 pub(super) struct WatchedFlash {
     pub(super) inner: Flash,
@@ -203,29 +481,53 @@ impl WatchedFlash {
         registers: &RegisterFile,
         context: &DeviceContext<'_>,
     ) {
-        let busy = sr2::QW2.is_set(registers.get(Register::Sr2));
-        let known = self.watch.lock().running.is_some();
-        if known && !busy {
-            self.watch.lock().running = None;
-        } else if let Some(operation) = begun.filter(|_| busy && !known) {
-            let size = cr2::PSIZE2.get(registers.get(Register::Cr2)) as usize;
-            let lasts_ns = match operation {
-                Operation::Program { .. } => PROGRAM_NS[size],
-                Operation::Erase { .. } => ERASE_NS[size],
-            };
-            self.watch.begin(operation, context.now(), lasts_ns);
-            self.data = [0xFF; WORD_BYTES];
+        for (nth, bank) in BANK.into_iter().enumerate() {
+            let busy = bank.is_busy(registers);
+            let known = self.watch.is_busy(nth);
+            if known && !busy {
+                self.watch.finish(nth);
+            } else if let Some(operation) = begun
+                && bank_of(operation.address()) == Some(nth)
+                && busy
+                && !known
+            {
+                let size = bank.parallelism(registers);
+                let lasts_ns = match operation {
+                    Operation::Program { .. } => PROGRAM_NS[size],
+                    Operation::Erase { .. } => ERASE_NS[size],
+                };
+                self.watch.begin(operation, context.now(), lasts_ns);
+                self.data = [0xFF; WORD_BYTES];
+            }
         }
     }
 
     fn gather(&mut self, address: u64, width: Width, value: u64) {
-        self.word = address & !(WORD_BYTES as u64 - 1);
+        self.word = word_of(address);
         let first = (address - self.word) as usize;
         let bytes = value.to_le_bytes();
         let places = self.data[first..].iter_mut();
         for (place, byte) in places.zip(&bytes[..width.bytes() as usize]) {
             *place = *byte;
         }
+    }
+
+    /// The interface has met a word whose check bits do not fit: the flag stands until it is cleared,
+    /// and the address is that of the first such word since (RM0433 Rev 9, 4.9.37).
+    pub(super) fn note_double_error(word: u64, registers: &mut RegisterFile) {
+        let Some(bank) = bank_of(word) else {
+            return;
+        };
+        let nth_word = (word - bank_range(bank).start) / WORD_BYTES as u64;
+        let (status, flag, failing) = match bank {
+            0 => (Register::Sr1, sr1::DBECCERR1, Register::EccFa1r),
+            _ => (Register::Sr2, sr2::DBECCERR2, Register::EccFa2r),
+        };
+        let before = registers.get(status);
+        if !flag.is_set(before) {
+            registers.set(failing, ecc_fa2r::FAIL_ECC_ADDR2.set(0, nth_word));
+        }
+        registers.set(status, before | flag.mask());
     }
 }
 
@@ -240,12 +542,10 @@ impl Device for WatchedFlash {
         context: &mut DeviceContext<'_>,
     ) {
         self.inner.write(register, value, registers, context);
-        let begun = (register == Register::Cr2 && cr2::START2.is_set(value)).then(|| {
-            let sector = cr2::SNB2.get(value);
-            Operation::Erase {
-                address: RECORD_FLASH + sector * SECTOR_BYTES,
-            }
-        });
+        if register == Register::Ccr2 && !sr2::DBECCERR2.is_set(registers.get(Register::Sr2)) {
+            registers.set(Register::EccFa2r, 0);
+        }
+        let begun = sector_started(register, value).map(|address| Operation::Erase { address });
         self.look(begun, registers, context);
     }
 
@@ -260,14 +560,12 @@ impl Device for WatchedFlash {
         let taken = self
             .inner
             .write_region(address, width, value, registers, context);
-        if address >= RECORD_FLASH {
-            self.gather(address, width, value);
-            let begun = Operation::Program {
-                address: self.word,
-                data: self.data,
-            };
-            self.look(Some(begun), registers, context);
-        }
+        self.gather(address, width, value);
+        let begun = Operation::Program {
+            address: self.word,
+            data: self.data,
+        };
+        self.look(Some(begun), registers, context);
         taken
     }
 
@@ -304,7 +602,6 @@ impl Device for WatchedFlash {
 
     fn reset(&mut self) {
         self.inner.reset();
-        self.watch.abandon();
     }
 }
 

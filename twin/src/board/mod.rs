@@ -13,7 +13,8 @@
 //! | `dac` | DAC1, drive |
 //! | `adc` | ADC1 and ADC2, reference and device under test |
 //! | `dma1`, `dmamux`, `request_lines` | DMA controller, the request multiplexer before it, its lines |
-//! | `flash` | flash interface, watched: what a power cut leaves behind |
+//! | `flash` | flash interface, watched: what a power cut leaves behind, which words are poisoned |
+//! | `flash_bus` | the core's loads from flash: faults of poisoned words, stalls by a bank at work |
 //! | `iwdg` | watchdog |
 //! | `overdrive`, `voltage_scale` | SYSCFG's switch to voltage scale 0; what that scale allows |
 //! | `serial_line`, `line_rate` | the serial port's far end; what it hears of another rate |
@@ -32,6 +33,7 @@ mod dac;
 mod dma1;
 mod dmamux;
 mod flash;
+mod flash_bus;
 mod front_panel;
 mod input_pin;
 mod iwdg;
@@ -56,7 +58,8 @@ use rigless::mcu::Mcu;
 pub use analog::Analog;
 pub use cortex_m7::INSTRUCTIONS_PER_S;
 pub use flash::{
-    FlashWatch, Operation, RECORD_FLASH, SECTOR_BYTES, SECTORS, WORD_BYTES, torn_sector, torn_word,
+    CutOff, FlashWatch, Operation, RECORD_FLASH, SECTOR_BYTES, SECTORS, WORD_BYTES, torn_sector,
+    torn_word,
 };
 pub use front_panel::Leds;
 pub use part::Part;

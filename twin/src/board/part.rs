@@ -5,6 +5,7 @@
 //! DMA1, DMAMUX1, the flash interface, SYSCFG and IWDG answered by the models next door.
 
 use rigless::device::{Device, ErasedDevice, ResetCause};
+use rigless::emulator::{Checked, Memory};
 use rigless::mcu::{Mcu, Operate};
 use rigless::soc::stm32h743::Stm32h743;
 use rigless::soc::stm32h743::generated::pwr::csr1;
@@ -17,7 +18,7 @@ use super::adc::{self, Common, Converter, SharedPair};
 use super::dac::Dac;
 use super::dma1::Dma1;
 use super::dmamux::Dmamux;
-use super::flash::WatchedFlash;
+use super::flash::{CutOff, FlashWatch, WatchedFlash};
 use super::iwdg::Iwdg;
 use super::memory_map;
 use super::overdrive::WatchedSyscfg;
@@ -282,6 +283,21 @@ impl Part {
         context.request_power(on);
     }
 
+    /// The operation on the record flash that a cut at `at` would cut.
+    pub(crate) fn flash_under_way(&self, at: VirtualNanos) -> Option<CutOff> {
+        let (operation, progress) = self.pins.flash.under_way(at)?;
+        Some(CutOff {
+            operation,
+            progress,
+            at,
+        })
+    }
+
+    /// Operations on the flash, and its poisoned words.
+    pub(super) fn flash_watch(&self) -> FlashWatch {
+        self.pins.flash.clone()
+    }
+
     fn set_register<L: rigless::soc::Layout>(&mut self, register: L, instance: &str, value: u64) {
         if let Some(slot) = self.base.bus().slot_of(instance) {
             let bus = self.base.bus_mut();
@@ -310,7 +326,7 @@ impl Mcu for Part {
         }
         fresh.supply_mv = self.supply_mv;
         fresh.base.set_supply(self.supply_mv);
-        self.pins.flash.abandon();
+        self.pins.flash.cut(at);
         self.pins.usb.part_reset();
         // The drive's pin floats from here on, until a firmware enables the converter again.
         let analog = self.pins.analog.clone();
@@ -332,6 +348,24 @@ impl Mcu for Part {
         if self.pins.usb.has_news() {
             self.poll_slot(self.usb_slot, now);
         }
+    }
+
+    fn read_checked(
+        &mut self,
+        _at: VirtualNanos,
+        address: u64,
+        _report: bool,
+        _memory: &mut dyn Memory,
+    ) -> Option<Checked> {
+        let word = self.pins.flash.load_of_poisoned(address)?;
+        let slot = self.base.bus().slot_of("Flash")?;
+        let registers = self.base.bus_mut().slot_mut(slot).registers_mut();
+        WatchedFlash::note_double_error(word, registers);
+        Some(Checked::Uncorrectable)
+    }
+
+    fn mismatched_words(&mut self) -> Option<Vec<u64>> {
+        self.pins.flash.take_change()
     }
 
     fn split(&mut self, slot: usize) -> (&mut Bus, Option<&mut dyn ErasedDevice>) {

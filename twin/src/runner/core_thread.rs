@@ -13,8 +13,8 @@ use rigless::session::Session;
 use rigless::time::VirtualNanos;
 
 use super::log::{self, Log};
-use super::{Error, Firmware};
-use crate::board::{CalibratorBoard, FlashWatch, Pins, SerialLine};
+use super::{Error, Firmware, memory, torn};
+use crate::board::{CalibratorBoard, FlashWatch, Pins, SerialLine, WORD_BYTES};
 
 /// Symbol of the firmware's RTT control block.
 const LOG_CONTROL: &str = "_SEGGER_RTT";
@@ -57,10 +57,10 @@ impl Driver<CalibratorBoard> for Callbacks {
     fn on_settled(
         &mut self,
         session: &mut Session<CalibratorBoard>,
-        _host: &mut dyn Host,
+        host: &mut dyn Host,
         settled: Settled,
     ) {
-        if let Some(sprung) = self.flash.take_sprung() {
+        if let Some(sprung) = self.see_to_flash(host) {
             self.goal = sprung;
             session.run_until(sprung);
         }
@@ -88,7 +88,10 @@ impl Driver<CalibratorBoard> for Callbacks {
         self.reached.send(stop).ok()?;
         loop {
             match self.commands.recv().ok()? {
-                Command::Act(act) => act(session, host, stop),
+                Command::Act(act) => {
+                    act(session, host, stop);
+                    self.see_to_flash(host);
+                }
                 Command::PowerOff => return None,
                 Command::Run { until, wake } => {
                     (self.goal, self.wake) = (until, wake);
@@ -100,6 +103,23 @@ impl Driver<CalibratorBoard> for Callbacks {
 }
 
 impl Callbacks {
+    /// Leaves in the memory what operations on the flash do to it beyond the emulator's model; the
+    /// instant the trap asks for a stop at.
+    fn see_to_flash(&mut self, host: &mut dyn Host) -> Option<VirtualNanos> {
+        let news = self.flash.take_news()?;
+        // A memory that refuses is none of the part's: there is nothing to be left in it.
+        if let Some(word) = news.begun
+            && memory::read(host, word, WORD_BYTES)
+                .is_ok_and(|old| old.iter().any(|byte| *byte != 0xFF))
+        {
+            self.flash.note_overwritten(word);
+        }
+        for cut in news.cut {
+            torn::leave(host, &self.flash, cut).ok();
+        }
+        news.sprung
+    }
+
     /// The next instant to stop at on the way to the goal: whole steps, so that the same run stops
     /// at the same instants however it is cut into pieces.
     fn next(&self, now: VirtualNanos) -> VirtualNanos {

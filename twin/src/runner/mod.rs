@@ -24,6 +24,7 @@ mod power;
 mod pty_door;
 mod serial;
 mod tcp_door;
+mod torn;
 
 pub use emulator::{Emulator, Gap};
 pub use error::Error;
@@ -31,8 +32,8 @@ pub use firmware::Firmware;
 pub use log::Log;
 pub use paced::{Door, HostLine, Pace, run_paced};
 pub use passages::{Mark, Passages};
-pub use power::Torn;
 #[cfg(unix)]
 pub use pty_door::PtyDoor;
 pub use serial::{SharedEmulator, VirtualSerial};
 pub use tcp_door::TcpDoor;
+pub use torn::Torn;

@@ -2,36 +2,10 @@
 
 use std::time::Duration;
 
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
-use rigless::emulator::{Error as EmulatorError, Host};
-
-use super::{Emulator, Error, memory};
-use crate::board::{Operation, SECTOR_BYTES, WORD_BYTES, torn_sector, torn_word};
+use super::{Emulator, Error, Torn, memory};
 
 /// How long the supply stays away in a power cycle: nothing in the part remembers longer.
 const OFF: Duration = Duration::from_millis(10);
-
-/// State of the record flash after a power cut.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Torn {
-    /// No operation was under way.
-    Nothing,
-    /// A word was half programmed.
-    Word {
-        /// Its address.
-        address: u64,
-        /// How far its programming was, from 0 to 1.
-        progress: f64,
-    },
-    /// A sector was half erased.
-    Sector {
-        /// Its address.
-        address: u64,
-        /// How far its erase was, from 0 to 1.
-        progress: f64,
-    },
-}
 
 impl Emulator {
     /// Cuts the supply at this instant. A flash operation under way leaves a torn word or sector.
@@ -41,21 +15,15 @@ impl Emulator {
     ///
     /// [`Error::Ended`] when the emulator fails.
     pub fn cut_power(&mut self) -> Result<Torn, Error> {
-        let flash = self.pins.flash.clone();
-        let seed = self.power_ons ^ self.elapsed().as_nanos() as u64;
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let torn = self.core.act(move |session, host, stop| {
-            let under_way = flash.under_way(stop.at);
-            let torn = match under_way {
-                Some((operation, progress)) => tear(host, operation, progress, &mut random)?,
-                None => Torn::Nothing,
-            };
-            session.board_mut().part.power(stop.at, false);
-            Ok::<_, EmulatorError>(torn)
+        let cut = self.core.act(|session, _, stop| {
+            let part = &mut session.board_mut().part;
+            let under_way = part.flash_under_way(stop.at);
+            part.power(stop.at, false);
+            under_way
         })?;
         self.pins.serial.clear();
         self.run_for(Duration::from_nanos(1))?;
-        torn.map_err(|error| Error::Ended(error.to_string()))
+        Ok(cut.into())
     }
 
     /// Gives the supply back: RAM comes up with other content, flash as it was left.
@@ -116,29 +84,5 @@ impl Emulator {
         let goal = self.elapsed() + limit;
         self.run_for(limit)?;
         Ok(self.elapsed() < goal)
-    }
-}
-
-/// Leaves in flash what `operation` has done so far.
-fn tear(
-    host: &mut dyn Host,
-    operation: Operation,
-    progress: f64,
-    random: &mut ChaCha8Rng,
-) -> Result<Torn, EmulatorError> {
-    let draw = || random.next_u64();
-    match operation {
-        Operation::Program { address, data } => {
-            let mut old = [0; WORD_BYTES];
-            old.copy_from_slice(&memory::read(host, address, WORD_BYTES)?);
-            memory::program(host, address, &torn_word(old, data, progress, draw))?;
-            Ok(Torn::Word { address, progress })
-        }
-        Operation::Erase { address } => {
-            let mut sector = memory::read(host, address, SECTOR_BYTES as usize)?;
-            torn_sector(&mut sector, progress, draw);
-            memory::program(host, address, &sector)?;
-            Ok(Torn::Sector { address, progress })
-        }
     }
 }
