@@ -4,7 +4,7 @@
 //! start of the last read, or of the longest write of a push. The archive
 //! compares before it believes.
 
-use core::sync::atomic::{AtomicU32, Ordering};
+use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
 
 /// Where flash was read last, and where the longest write began.
@@ -13,6 +13,8 @@ pub struct LastAccess {
     read: AtomicU32,
     write: AtomicU32,
     write_length: AtomicU32,
+    /// The last read met a word that cannot be read.
+    met_poison: AtomicBool,
 }
 
 impl LastAccess {
@@ -22,6 +24,7 @@ impl LastAccess {
             read: AtomicU32::new(0),
             write: AtomicU32::new(0),
             write_length: AtomicU32::new(0),
+            met_poison: AtomicBool::new(false),
         }
     }
 
@@ -37,6 +40,15 @@ impl LastAccess {
 
     pub(super) fn forget_writes(&self) {
         self.write_length.store(0, Ordering::Relaxed);
+    }
+
+    /// Whether the last read met a word that cannot be read.
+    pub(super) fn met_poison(&self) -> bool {
+        self.met_poison.load(Ordering::Relaxed)
+    }
+
+    pub(super) fn note_poison(&self, met: bool) {
+        self.met_poison.store(met, Ordering::Relaxed);
     }
 
     fn note_read(&self, offset: u32) {

@@ -24,8 +24,8 @@
 //! counts. What an erase has just begun to damage keeps its marks and is told by its checks; what
 //! looks like the head of an item longer than any is none ([`Marked::read`]).
 
-use super::CheckedFlash;
 use super::layout::MAX_ITEM;
+use super::{CheckedFlash, LastAccess};
 use core::ops::Range;
 use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
 
@@ -33,15 +33,15 @@ use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
 const MAX_WORD: usize = 32;
 
 /// Every byte of a poisoned word, for the queue. As a head it says that the item is longer than any
-/// (54 741 bytes), so it is refused; as data it fails the item's CRC-32, unless the word was to hold
-/// just this, and then nothing is lost.
+/// (54 741 bytes), so it is refused; as data it fails the item's CRC-32, unless that is what the item
+/// was to hold there, which one byte in the last word easily is: [`LastAccess`] tells.
 const POISON: u8 = 0xD5;
 const _: () = assert!(u16::from_le_bytes([POISON; 2]) as usize > MAX_ITEM);
 
 /// `F` with marks that are never torn.
-pub(super) struct Marked<F>(pub(super) F);
+pub(super) struct Marked<'l, F>(pub(super) F, pub(super) &'l LastAccess);
 
-impl<F: CheckedFlash> Marked<F> {
+impl<F: CheckedFlash> Marked<'_, F> {
     /// Whether these bytes lie in the first or last word of a sector.
     fn is_mark(offset: u32, length: usize) -> bool {
         let within = offset as usize % F::ERASE_SIZE;
@@ -78,7 +78,9 @@ impl<F: CheckedFlash> Marked<F> {
     /// Reads what is not a mark; poisoned words read as [`POISON`].
     async fn read_content(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), F::Error> {
         let read = self.0.read(offset, bytes).await;
-        if is_readable::<F>(read)? {
+        let readable = is_readable::<F>(read)?;
+        self.1.note_poison(!readable);
+        if readable {
             return Ok(());
         }
         let mut at = offset;
@@ -106,11 +108,11 @@ fn is_readable<F: CheckedFlash>(read: Result<(), F::Error>) -> Result<bool, F::E
     }
 }
 
-impl<F: ErrorType> ErrorType for Marked<F> {
+impl<F: ErrorType> ErrorType for Marked<'_, F> {
     type Error = F::Error;
 }
 
-impl<F: CheckedFlash> ReadNorFlash for Marked<F> {
+impl<F: CheckedFlash> ReadNorFlash for Marked<'_, F> {
     const READ_SIZE: usize = F::READ_SIZE;
 
     async fn read(&mut self, offset: u32, bytes: &mut [u8]) -> Result<(), F::Error> {
@@ -131,7 +133,7 @@ impl<F: CheckedFlash> ReadNorFlash for Marked<F> {
     }
 }
 
-impl<F: CheckedFlash> NorFlash for Marked<F> {
+impl<F: CheckedFlash> NorFlash for Marked<'_, F> {
     const WRITE_SIZE: usize = F::WRITE_SIZE;
     const ERASE_SIZE: usize = F::ERASE_SIZE;
 
@@ -173,7 +175,7 @@ enum Sector {
 
 /// Erases again what a power cut left half erased.
 pub(super) async fn mend<F: CheckedFlash>(
-    flash: &mut Marked<F>,
+    flash: &mut Marked<'_, F>,
     area: Range<u32>,
 ) -> Result<(), F::Error> {
     let size = F::ERASE_SIZE as u32;
@@ -192,7 +194,10 @@ pub(super) async fn mend<F: CheckedFlash>(
     Ok(())
 }
 
-async fn classify<F: CheckedFlash>(flash: &mut Marked<F>, start: u32) -> Result<Sector, F::Error> {
+async fn classify<F: CheckedFlash>(
+    flash: &mut Marked<'_, F>,
+    start: u32,
+) -> Result<Sector, F::Error> {
     let size = F::ERASE_SIZE as u32;
     let last = start + size - F::WRITE_SIZE as u32;
     if flash.is_torn(start).await? {
@@ -209,7 +214,7 @@ async fn classify<F: CheckedFlash>(flash: &mut Marked<F>, start: u32) -> Result<
 }
 
 async fn is_blank<F: CheckedFlash>(
-    flash: &mut Marked<F>,
+    flash: &mut Marked<'_, F>,
     range: Range<u32>,
 ) -> Result<bool, F::Error> {
     let mut bytes = [0; 256];
