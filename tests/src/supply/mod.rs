@@ -104,6 +104,12 @@ impl Desk {
         self.told.stored
     }
 
+    /// Loads of the core that met a word whose check bits do not fit.
+    pub fn poisoned_loads(&self) -> u64 {
+        let board = self.board.lock().unwrap_or_else(PoisonError::into_inner);
+        board.flash_watch().poisoned_loads()
+    }
+
     /// Sector erases begun so far.
     pub fn erases(&self) -> u64 {
         let board = self.board.lock().unwrap_or_else(PoisonError::into_inner);
