@@ -2379,6 +2379,21 @@ impl Bus {
         self.effects.events.next_at()
     }
 
+    /// Takes `event` off the queue, when it's due at `at` and nothing else is due by `now`, and answers
+    /// whether it did. It's for [`Mcu::pass`](crate::mcu::Mcu::pass), where a part makes what the
+    /// event would have it do itself.
+    pub fn take_event(&mut self, event: EventId, at: VirtualNanos, now: VirtualNanos) -> bool {
+        self.effects.events.take_only(event, at, now)
+    }
+
+    /// Whether nothing a model did waits for [`Operate::settle`](crate::mcu::Operate::settle) or for
+    /// the run: no access or answer, no request, clock or interrupt changed, nothing told and no reset
+    /// or change of the supply asked for.
+    #[must_use]
+    pub fn is_settled(&self) -> bool {
+        self.effects.is_settled()
+    }
+
     /// Takes the interrupt levels the models set since the last drain, in the order they set them.
     pub(crate) fn drain_interrupts(&mut self) -> impl Iterator<Item = InterruptChange> + '_ {
         self.effects

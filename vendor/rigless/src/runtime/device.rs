@@ -335,6 +335,35 @@ pub(crate) struct Effects {
     pub(crate) unbacked: Option<(usize, usize)>,
 }
 
+impl Effects {
+    /// Whether nothing but events waits.
+    pub(crate) fn is_settled(&self) -> bool {
+        let Self {
+            events: _,
+            interrupts,
+            lines,
+            requests,
+            clocks,
+            accesses,
+            answers,
+            reset,
+            power,
+            told,
+            undefined: _,
+            unbacked: _,
+        } = self;
+        interrupts.is_empty()
+            && lines.is_empty()
+            && requests.is_empty()
+            && clocks.is_empty()
+            && accesses.is_empty()
+            && answers.is_empty()
+            && reset.is_none()
+            && power.is_none()
+            && told.is_empty()
+    }
+}
+
 /// Why the part is restarting, in the runtime's own vocabulary: never a part's name for the cause.
 ///
 /// The core's own request is not [`ResetCause::Model`]: it reaches [`crate::mcu::Mcu::reset`] through

@@ -601,6 +601,14 @@ pub trait Driver<D: Board + ?Sized>: Send {
         let _ = (session, host, settled);
     }
 
+    /// Whether [`Driver::on_settled`] has to have every stop. A driver that only needs the stops at
+    /// which something may reach the core or the host answers false, and a part that can make what's
+    /// due by itself, [`Mcu::pass`](crate::mcu::Mcu::pass), does. What the firmware sees is the same
+    /// either way.
+    fn hears_every_stop(&self) -> bool {
+        true
+    }
+
     /// The run reached the instant it was asked to: the next instant to reach, or `None` to end the run.
     /// The run resumes on its own once this answers, with [`Session::resume`], so whatever the driver
     /// handed the board here reaches the models at this same stop. A driver never calls it itself.

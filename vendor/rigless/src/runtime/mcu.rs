@@ -83,6 +83,26 @@ pub trait Mcu {
     /// asks every one.
     fn poll(&mut self, now: VirtualNanos);
 
+    /// The core runs nothing from `now` to `limit` unless a model raises something: it waits that
+    /// long, or `limit` is the next instant. A part may make what its models are due for by `now`, and
+    /// from there up to before `limit`, itself, where it can do so in less work than an event, a poll
+    /// and a settle each take. It answers the instant it's come to: `limit`, or an earlier one the run
+    /// is to stop at. Everything up to there has to be as if the run had stopped at each instant.
+    /// Whatever isn't settled by then, the stop at that instant settles, so a part that had a model
+    /// raise an interrupt answers the instant it was raised at. It's asked only when the driver
+    /// doesn't hear every stop,
+    /// [`Driver::hears_every_stop`](crate::emulator::Driver::hears_every_stop). `now` by default,
+    /// which leaves everything to the stop.
+    fn pass(
+        &mut self,
+        now: VirtualNanos,
+        limit: VirtualNanos,
+        memory: &mut dyn Memory,
+    ) -> VirtualNanos {
+        let _ = (limit, memory);
+        now
+    }
+
     /// The bus, and the model that answers for `slot` if this MCU has one, borrowed apart.
     ///
     /// The implementation is one `match` from the slot to a field. A board can add slots after the
@@ -551,6 +571,29 @@ pub trait Operate: Mcu {
         panic!("the models took {SETTLE_LIMIT} steps without settling");
     }
 
+    /// Makes one access at `at` as [`Operate::settle`] makes one a model asked for, at once: a write of
+    /// `written`, or a read. Answers what a read found, zero for a write, and `None` where the bus
+    /// refuses it or `memory` fails, with nothing changed. It's for [`Mcu::pass`].
+    fn reach(
+        &mut self,
+        at: VirtualNanos,
+        address: u64,
+        width: Width,
+        written: Option<u64>,
+        memory: &mut dyn Memory,
+    ) -> Option<u64> {
+        let access = PendingAccess {
+            at,
+            owner: 0,
+            address,
+            width,
+            kind: written.map_or(Requested::Read, |_| Requested::Write),
+            value: written.unwrap_or(0),
+            token: 0,
+        };
+        perform(self, access, memory).ok()?.ok()
+    }
+
     /// The core takes the interrupt on `line` at `at` through a vectored interrupt port: the address
     /// the model of the part's interrupt controller supplies, or `None` where it supplies none or
     /// the description names no controller. See
@@ -849,6 +892,16 @@ impl<M: Mcu, C: parallel::Peer> Mcu for Wired<M, C> {
         self.part.poll(now);
         let (_, mut context) = self.part.bus_mut().call(now, self.slot);
         self.chip.0.poll(&mut context);
+    }
+
+    /// A chip has a look outside at every stop, so none is left out.
+    fn pass(
+        &mut self,
+        now: VirtualNanos,
+        _limit: VirtualNanos,
+        _memory: &mut dyn Memory,
+    ) -> VirtualNanos {
+        now
     }
 
     fn read_checked(

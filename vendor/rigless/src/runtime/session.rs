@@ -776,6 +776,22 @@ impl<D: Board + ?Sized> Session<D> {
         deadline_before(mcu.next_event(), until)
     }
 
+    /// The core runs nothing from `now` to `limit` unless a model raises something: lets the part make
+    /// what's due by itself, [`Mcu::pass`], no further than where the run is asked to reach, and
+    /// answers the instant it's come to, at which the run stops as ever.
+    pub fn pass(
+        &mut self,
+        now: VirtualNanos,
+        limit: VirtualNanos,
+        host: &mut dyn Host,
+    ) -> VirtualNanos {
+        let limit = limit.min(horizon(self.until, self.pause));
+        if now >= limit {
+            return now;
+        }
+        self.mcu().pass(now, limit, host)
+    }
+
     /// Asks the run to reach `until` from the stop just taken at `at`, and answers the next deadline.
     ///
     /// Every model looks outside again at `at` first, and what that moved is settled and what it raised

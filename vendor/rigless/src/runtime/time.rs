@@ -114,6 +114,23 @@ impl EventQueue {
         self.due.keys().next().map(|(at, _sequence)| *at)
     }
 
+    /// Removes `event` when it's due at `at` and no other is due by `now`, and answers whether it did.
+    pub(crate) fn take_only(
+        &mut self,
+        event: EventId,
+        at: VirtualNanos,
+        now: VirtualNanos,
+    ) -> bool {
+        let mut due = self.due.keys();
+        let only = at <= now
+            && due.next() == Some(&(at, event.0))
+            && due.next().is_none_or(|&(next, _)| next > now);
+        if only {
+            self.due.pop_first();
+        }
+        only
+    }
+
     /// Removes and returns the earliest event due by `now`.
     pub(crate) fn pop_due(&mut self, now: VirtualNanos) -> Option<(EventId, usize, VirtualNanos)> {
         let (&(at, _sequence), _owner) = self.due.first_key_value()?;
@@ -229,6 +246,29 @@ mod tests {
             queue.schedule(LATE, FIRST_OWNER),
             first,
             "once fired, the instant can be asked for again"
+        );
+    }
+
+    #[test]
+    fn an_event_is_taken_alone_only_where_nothing_else_is_due() {
+        let mut queue = EventQueue::default();
+        let early = queue.schedule(EARLY, FIRST_OWNER);
+        assert!(
+            !queue.take_only(early, EARLY, VirtualNanos(EARLY.0 - 1)),
+            "not due yet"
+        );
+        assert!(queue.take_only(early, EARLY, EARLY), "alone");
+        assert_eq!(queue.next_at(), None, "and gone");
+        let early = queue.schedule(EARLY, FIRST_OWNER);
+        let late = queue.schedule(LATE, SECOND_OWNER);
+        assert!(!queue.take_only(late, LATE, LATE), "an earlier one is due");
+        assert!(
+            !queue.take_only(early, EARLY, LATE),
+            "a later one is due too"
+        );
+        assert!(
+            queue.take_only(early, EARLY, VirtualNanos(LATE.0 - 1)),
+            "a later one isn't due yet"
         );
     }
 

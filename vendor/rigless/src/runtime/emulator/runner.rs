@@ -89,6 +89,8 @@ struct Core {
     machine: Machine,
     /// Whether the run serves host calls.
     semihosting: bool,
+    /// Whether a debugger may look at the run between two stops.
+    debugged: bool,
     /// Where the processor's own trace goes.
     trace: Option<Stream>,
     /// Where the firmware's RTT terminal goes.
@@ -181,6 +183,8 @@ struct Machine {
     check_bits: Option<CheckBits>,
     /// Where the core boots from.
     boot: u64,
+    /// The core waits, and nothing it could wake by has reached it since it last ran.
+    asleep: bool,
     /// A model asked for a reset from inside a call, and has done its own half.
     restart: bool,
     /// A model cut the part's supply, so the core executes nothing until it's given back.
@@ -363,6 +367,7 @@ impl Machine {
             segments,
             check_bits,
             boot,
+            asleep: false,
             restart: false,
             held: false,
             unkept_written: false,
@@ -451,6 +456,8 @@ impl Machine {
     /// Asks the processor for `queued`: now when it's between stretches, and before its next
     /// instruction when it's running one.
     fn ask(&mut self, queued: Queued) {
+        // Bytes written to memory wake nothing.
+        self.asleep &= matches!(queued, Queued::Invalidate(..));
         match self.cpu.as_mut() {
             Some(cpu) => cpu.ask(queued),
             None => self.queued.push(queued),
@@ -1059,10 +1066,14 @@ impl Core {
             if let Some(event) = self.machine.cpu().next_event()
                 && event <= now
             {
+                self.machine.asleep = false;
                 self.machine.cpu().on_event(now);
                 continue;
             }
             if now >= self.machine.deadline {
+                if self.pass(now) {
+                    continue;
+                }
                 let reason = if self.machine.cpu().waiting() {
                     StopReason::Idle
                 } else {
@@ -1093,6 +1104,38 @@ impl Core {
         }
     }
 
+    /// Lets the models make what's due at `now` by themselves, and while the core waits, what's due up
+    /// to where the processor has an event of its own or the run drains its terminal. Answers whether
+    /// that took the place of the stop.
+    fn pass(&mut self, now: VirtualNanos) -> bool {
+        if self.debugged {
+            return false;
+        }
+        let limit = if self.machine.asleep {
+            let event = self.machine.cpu().next_event();
+            [event, self.machine.drain]
+                .into_iter()
+                .flatten()
+                .fold(NO_DEADLINE, VirtualNanos::min)
+        } else {
+            VirtualNanos(now.0.saturating_add(1))
+        };
+        let come_to = self.driven.pass(now, limit, &mut self.machine);
+        if come_to <= now {
+            return false;
+        }
+        if self.machine.asleep {
+            self.machine.warped += come_to.0 - now.0;
+        }
+        // Short of the limit, something of the models' is due there or isn't settled yet.
+        self.machine.deadline = if come_to < limit {
+            come_to
+        } else {
+            self.driven.first_deadline()
+        };
+        true
+    }
+
     /// The next instant anything happens: the models' deadline, the processor's own event, or
     /// where a debugger has the core stop.
     fn target(&mut self) -> VirtualNanos {
@@ -1102,6 +1145,7 @@ impl Core {
 
     /// Runs the processor for at most `instructions`, with the run's memory and models as its bus.
     fn execute(&mut self, instructions: u32, carry_until: Option<u64>) -> (Exit, u64) {
+        self.machine.asleep = false;
         self.machine.written();
         // A debugger's write, a reset or a snapshot may have changed what the part wants.
         self.machine.check_reads(&mut *self.driven);
@@ -1422,6 +1466,7 @@ impl Core {
             if target > now && target != NO_DEADLINE {
                 self.machine.warped += target.0 - now.0;
             }
+            self.machine.asleep = self.machine.cpu().waiting();
         }
     }
 }
@@ -1540,6 +1585,7 @@ where
                         driven,
                         machine,
                         semihosting: start.semihosting,
+                        debugged: debugger.is_some(),
                         trace,
                         terminal,
                     },
@@ -1838,6 +1884,7 @@ mod tests {
             segments: Vec::new(),
             check_bits: None,
             boot: 0,
+            asleep: false,
             restart: false,
             held: false,
             unkept_written: false,
@@ -1985,6 +2032,7 @@ mod tests {
             driven: Box::new(Supplying { stops: Vec::new() }),
             machine,
             semihosting: false,
+            debugged: false,
             trace: None,
             terminal: None,
         };

@@ -60,6 +60,16 @@ pub(super) trait Driven: Send {
     fn unwatched(&mut self, watch: Watch);
     fn stop(&mut self, stop: Stop, host: &mut dyn Host) -> Option<VirtualNanos>;
     fn hit(&mut self, hit: Hit, host: &mut dyn Host) -> VirtualNanos;
+    /// The core runs nothing from `now` to `limit` unless a model raises something: the instant the
+    /// models have come to by themselves, at which the run stops.
+    fn pass(
+        &mut self,
+        now: VirtualNanos,
+        _limit: VirtualNanos,
+        _host: &mut dyn Host,
+    ) -> VirtualNanos {
+        now
+    }
     fn into_any(self: Box<Self>) -> Box<dyn Any + Send>;
     /// What a debugger's read of `width` at `address` answers at `at`, with nothing in the run
     /// changed, or `None` where nothing answers it.
@@ -256,6 +266,18 @@ impl<D: Board + ?Sized + 'static, R: Driver<D> + 'static> Driven for Run<D, R> {
         }
         self.session.settle_watches(host);
         self.next_deadline()
+    }
+
+    fn pass(
+        &mut self,
+        now: VirtualNanos,
+        limit: VirtualNanos,
+        host: &mut dyn Host,
+    ) -> VirtualNanos {
+        if self.resuming.is_some() || self.driver.hears_every_stop() {
+            return now;
+        }
+        self.session.pass(now, limit, host)
     }
 
     fn stop(&mut self, stop: Stop, host: &mut dyn Host) -> Option<VirtualNanos> {

@@ -54,6 +54,7 @@ impl Fuzzed {
                 driven: Box::new(Unmodeled),
                 machine,
                 semihosting: true,
+                debugged: true,
                 trace: None,
                 terminal: None,
             },
