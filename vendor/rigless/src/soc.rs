@@ -156,6 +156,7 @@ pub mod stm32h743;
 #[cfg(feature = "tms570lc4357")]
 pub mod tms570lc4357;
 
+use std::cell::Cell;
 use std::fmt;
 use std::num::{NonZeroU32, NonZeroU64};
 
@@ -1771,6 +1772,7 @@ impl Builder {
             aborting: self.aborting,
             reset_lines,
             drives_resets,
+            found: Box::new(std::array::from_fn(|_| Cell::new(None))),
         })
     }
 }
@@ -1890,6 +1892,20 @@ pub struct Bus {
     /// Whether a bit of the slot at each index holds another in reset, so a write to any other
     /// looks at no reset line.
     drives_resets: Box<[bool]>,
+    /// Where the last accesses landed, by a few bits of their address.
+    found: Box<[Cell<Option<Found>>; FOUND]>,
+}
+
+/// How many accesses a bus remembers the place of, a power of two.
+const FOUND: usize = 64;
+
+/// Where an access to a register landed. Its gates are asked each time.
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    address: u64,
+    width: Width,
+    kind: AccessKind,
+    located: Located,
 }
 
 /// How many events one instant may carry before the runtime calls it a model that can't move time
@@ -1921,7 +1937,8 @@ store!(Bus {
         undefined_reads_zero,
         aborting,
         reset_lines,
-        drives_resets
+        drives_resets,
+        found
     ],
 });
 
@@ -2213,7 +2230,25 @@ impl Bus {
         width: Width,
         kind: AccessKind,
     ) -> Result<Located, Fault> {
-        self.land::<true>(address, width, kind)
+        // An instance's registers and the map stay as they were built, but for what a board adds.
+        let place = &self.found[usize::try_from(address >> 2).unwrap_or(0) % FOUND];
+        if let Some(found) = place.get()
+            && (found.address, found.width, found.kind) == (address, width, kind)
+        {
+            let Located { slot, row, .. } = found.located;
+            self.check_gates(slot, row, kind)?;
+            return Ok(found.located);
+        }
+        let located = self.land::<true>(address, width, kind)?;
+        if located.window.is_none() {
+            place.set(Some(Found {
+                address,
+                width,
+                kind,
+                located,
+            }));
+        }
+        Ok(located)
     }
 
     /// Where an access lands whatever its gate says, or the fault it takes: what a debugger's peek
@@ -2294,16 +2329,8 @@ impl Bus {
         // The gate is tested last, after the address has been resolved to a register of this
         // instance. That way an address the instance doesn't carry is still reported as the gap in
         // the map it is, rather than as the instance declining to answer.
-        if GATED
-            && let Some(shut) = slot.gates.iter().find(|gate| {
-                gate.covers(row, kind == AccessKind::Write) && !self.gate_is_open(gate)
-            })
-        {
-            return Err(Fault::Gated {
-                instance: slot.peripheral.name,
-                register: register.name,
-                by: shut.gate,
-            });
+        if GATED {
+            self.check_gates(index, row, kind)?;
         }
         // ceiling: a range the architecture keeps little-endian whatever the part's order takes the
         // part's lane here; upgrade when a big-endian part models a register there that takes
@@ -2321,6 +2348,21 @@ impl Bus {
             },
             window: None,
         })
+    }
+
+    /// That no gate refuses an access of `kind` to the register at `row` of the slot at `index`.
+    fn check_gates(&self, index: usize, row: usize, kind: AccessKind) -> Result<(), Fault> {
+        let slot = &self.slots[index];
+        match slot.gates.iter().find(|gate| {
+            gate.covers(row, kind == AccessKind::Write) && !self.gate_is_open(gate)
+        }) {
+            None => Ok(()),
+            Some(shut) => Err(Fault::Gated {
+                instance: slot.peripheral.name,
+                register: slot.peripheral.registers[row].name,
+                by: shut.gate,
+            }),
+        }
     }
 
     /// Whether the bit a gate names stands.
@@ -2576,6 +2618,7 @@ pub(crate) const fn lane_shift(endian: Endian, register: u32, byte: u32, width: 
 }
 
 /// Where one bus access lands: the slot, the register row, and the lane inside the register.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Located {
     pub(crate) slot: usize,
     pub(crate) row: usize,
@@ -2584,6 +2627,7 @@ pub(crate) struct Located {
     pub(crate) window: Option<u64>,
 }
 
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Lane {
     pub(crate) shift: u32,
 }
