@@ -31,6 +31,7 @@
 
 pub(crate) mod armv7;
 pub mod armv7m;
+pub mod singles;
 #[cfg(not(emulator_absent))]
 #[cfg_attr(
     not(any(test, feature = "tms570lc4357")),

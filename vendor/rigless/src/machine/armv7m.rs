@@ -305,6 +305,10 @@ pub struct Config {
     /// has there. `None` is zero, where [`Core::boot`] also answers. An address that isn't a
     /// multiple of the table's alignment, B1.5.3, is refused when the run starts.
     pub vector_table: Option<u32>,
+    /// Whether the core takes the shortcuts that change nothing but how long a run takes: the host's
+    /// own arithmetic where its results and flags are the same, and translations that check their
+    /// budget once and keep registers in hand. Without them every run is slower and the same.
+    pub shortcuts: bool,
 }
 
 impl Config {
@@ -322,6 +326,7 @@ impl Config {
             branch_prediction: BranchPrediction::Unsupported,
             implementation_registers: Vec::new(),
             vector_table: None,
+            shortcuts: true,
         }
     }
 

@@ -9,6 +9,8 @@
 //! done here: flush-to-zero, the default NaN, which NaN an operation hands on, and underflow
 //! judged before rounding, A2.5.4.
 
+pub(crate) mod host;
+
 use std::cmp::Ordering;
 use std::num::TryFromIntError;
 

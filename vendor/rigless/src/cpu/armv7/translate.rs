@@ -232,6 +232,8 @@ pub(crate) struct Features {
     /// The order of a value's bytes in a data access, A3.3.1. Instruction fetches are always
     /// little-endian.
     pub(crate) endian: Endian,
+    /// Whether the core takes the shortcuts that change nothing but how long a run takes.
+    pub(crate) shortcuts: bool,
 }
 
 impl Features {

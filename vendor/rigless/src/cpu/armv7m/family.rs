@@ -365,6 +365,7 @@ impl Features {
                 dsp: variant.dsp(),
                 fpu: fpu.into(),
                 endian: Endian::Little,
+                shortcuts: true,
             },
         }
     }
@@ -584,6 +585,7 @@ impl Family {
         let pages = Pages::new(DATA_MODEL)?;
         let mut features = Features::of(variant, fpu);
         features.isa.endian = endian;
+        features.isa.shortcuts = config.shortcuts;
         let mut family = Box::new(Self {
             state: State::default(),
             table: pages.table(),

@@ -2117,6 +2117,7 @@ mod tests {
                 dsp: true,
                 fpu: Fpu::None,
                 endian: Endian::Big,
+                shortcuts: true,
             };
             let signature = builder.import_signature(signature.clone());
             let mut cells = |_: u32, _: u32| (0, 0);

@@ -131,6 +131,7 @@ pub(crate) fn translate(
         dsp: true,
         fpu: start.fpu,
         endian: start.endian,
+        shortcuts: true,
     };
     let mut range = (start.pc, start.pc);
     let block = jit.compile(tier, |builder, core, signature| {
@@ -535,6 +536,7 @@ mod tests {
                 dsp: true,
                 fpu: Fpu::None,
                 endian: Endian::Little,
+                shortcuts: true,
             };
             let mut e = Emitter::new(builder, pointer, features, set);
             e.begin(0, 0x100, 4, 0);

@@ -18,7 +18,11 @@
 //! UNPREDICTABLE, A7.7.221 to A7.7.257, or a should-be bit, `(0)` or `(1)`, isn't what it should
 //! be, A5.1.1, this takes it as UNDEFINED, since that's the simplest outcome every case allows.
 
-use cranelift_codegen::ir::{self, InstBuilder, MemFlagsData, Value, condcodes::IntCC, types};
+use cranelift_codegen::ir::{
+    self, InstBuilder, MemFlagsData, Value,
+    condcodes::{FloatCC, IntCC},
+    types,
+};
 use rustc_apfloat::{FloatConvert, Round};
 
 use super::{
@@ -359,35 +363,43 @@ impl Arithmetic {
     ];
 
     /// The operation's pseudocode on `d`, `n` and `m`, answering the new `d`.
+    #[cfg(test)]
     fn evaluate<B: Bits>(self, sd: B, sn: B, sm: B, fpscr: &mut u32) -> B {
-        use fp::{add, divide, multiply, multiply_add, negate, square_root, subtract};
+        self.evaluate_on::<Software, B>(sd, sn, sm, fpscr)
+    }
+
+    /// [`Arithmetic::evaluate`] by the unit `U`.
+    fn evaluate_on<U: Unit<B>, B: Bits>(self, sd: B, sn: B, sm: B, fpscr: &mut u32) -> B {
+        use fp::negate;
         match self {
             Self::MultiplyAccumulate => {
-                let product = multiply(sn, sm, fpscr);
-                add(sd, product, fpscr)
+                let product = U::multiply(sn, sm, fpscr);
+                U::add(sd, product, fpscr)
             }
             Self::MultiplySubtract => {
-                let product = multiply(sn, sm, fpscr);
-                add(sd, negate(product), fpscr)
+                let product = U::multiply(sn, sm, fpscr);
+                U::add(sd, negate(product), fpscr)
             }
             Self::NegateMultiplyAccumulate => {
-                let product = multiply(sn, sm, fpscr);
-                add(negate(sd), negate(product), fpscr)
+                let product = U::multiply(sn, sm, fpscr);
+                U::add(negate(sd), negate(product), fpscr)
             }
             Self::NegateMultiplySubtract => {
-                let product = multiply(sn, sm, fpscr);
-                add(negate(sd), product, fpscr)
+                let product = U::multiply(sn, sm, fpscr);
+                U::add(negate(sd), product, fpscr)
             }
-            Self::Multiply => multiply(sn, sm, fpscr),
-            Self::NegateMultiply => negate(multiply(sn, sm, fpscr)),
-            Self::Add => add(sn, sm, fpscr),
-            Self::Subtract => subtract(sn, sm, fpscr),
-            Self::Divide => divide(sn, sm, fpscr),
-            Self::FusedMultiplyAccumulate => multiply_add(sd, sn, sm, fpscr),
-            Self::FusedMultiplySubtract => multiply_add(sd, negate(sn), sm, fpscr),
-            Self::FusedNegateMultiplyAccumulate => multiply_add(negate(sd), negate(sn), sm, fpscr),
-            Self::FusedNegateMultiplySubtract => multiply_add(negate(sd), sn, sm, fpscr),
-            Self::SquareRoot => square_root(sm, fpscr),
+            Self::Multiply => U::multiply(sn, sm, fpscr),
+            Self::NegateMultiply => negate(U::multiply(sn, sm, fpscr)),
+            Self::Add => U::add(sn, sm, fpscr),
+            Self::Subtract => U::subtract(sn, sm, fpscr),
+            Self::Divide => U::divide(sn, sm, fpscr),
+            Self::FusedMultiplyAccumulate => U::multiply_add(sd, sn, sm, fpscr),
+            Self::FusedMultiplySubtract => U::multiply_add(sd, negate(sn), sm, fpscr),
+            Self::FusedNegateMultiplyAccumulate => {
+                U::multiply_add(negate(sd), negate(sn), sm, fpscr)
+            }
+            Self::FusedNegateMultiplySubtract => U::multiply_add(negate(sd), sn, sm, fpscr),
+            Self::SquareRoot => U::square_root(sm, fpscr),
         }
     }
 
@@ -401,6 +413,70 @@ impl Arithmetic {
                 | Self::FusedNegateMultiplySubtract
         )
     }
+}
+
+/// What rounds: `FPAdd()` and the like, A2.5.4.
+trait Unit<B> {
+    fn add(op1: B, op2: B, fpscr: &mut u32) -> B;
+    fn subtract(op1: B, op2: B, fpscr: &mut u32) -> B;
+    fn multiply(op1: B, op2: B, fpscr: &mut u32) -> B;
+    fn divide(op1: B, op2: B, fpscr: &mut u32) -> B;
+    fn multiply_add(addend: B, op1: B, op2: B, fpscr: &mut u32) -> B;
+    fn square_root(operand: B, fpscr: &mut u32) -> B;
+}
+
+/// Answers every function of [`Unit`] for a format by those of a module.
+macro_rules! unit {
+    ($($module:ident)::+, $format:ty) => {
+        fn add(op1: $format, op2: $format, fpscr: &mut u32) -> $format {
+            use $($module)::+ as unit;
+            unit::add(op1, op2, fpscr)
+        }
+
+        fn subtract(op1: $format, op2: $format, fpscr: &mut u32) -> $format {
+            use $($module)::+ as unit;
+            unit::subtract(op1, op2, fpscr)
+        }
+
+        fn multiply(op1: $format, op2: $format, fpscr: &mut u32) -> $format {
+            use $($module)::+ as unit;
+            unit::multiply(op1, op2, fpscr)
+        }
+
+        fn divide(op1: $format, op2: $format, fpscr: &mut u32) -> $format {
+            use $($module)::+ as unit;
+            unit::divide(op1, op2, fpscr)
+        }
+
+        fn multiply_add(
+            addend: $format,
+            op1: $format,
+            op2: $format,
+            fpscr: &mut u32,
+        ) -> $format {
+            use $($module)::+ as unit;
+            unit::multiply_add(addend, op1, op2, fpscr)
+        }
+
+        fn square_root(operand: $format, fpscr: &mut u32) -> $format {
+            use $($module)::+ as unit;
+            unit::square_root(operand, fpscr)
+        }
+    };
+}
+
+/// [`fp`], in software.
+struct Software;
+
+impl<B: Bits> Unit<B> for Software {
+    unit!(fp, B);
+}
+
+/// [`fp::host`], by the host where it gives the same.
+struct Host;
+
+impl Unit<u32> for Host {
+    unit!(fp::host, u32);
 }
 
 /// Sorts a coprocessor encoding by Table A5-30, then decodes the floating-point extension's for
@@ -960,15 +1036,44 @@ fn emit<F: Profile>(e: &mut Emitter<'_, '_, F>, operation: Operation) -> Transla
             e.b.ins().jump(done, &[]);
             e.b.seal_block(slow);
             e.b.switch_to_block(slow);
-            let function = arithmetic::<F, u32> as *const () as usize;
+            let function = if e.features.shortcuts {
+                arithmetic::<F, Host, u32> as *const () as usize
+            } else {
+                arithmetic::<F, Software, u32> as *const () as usize
+            };
             call(e, function, &[operation as u32, d, n, m]);
             e.b.ins().jump(done, &[]);
             e.b.seal_block(done);
             e.b.switch_to_block(done);
         }
+        Operation::FromFixed {
+            d,
+            m,
+            format,
+            rounding: Rounding::Fpscr | Rounding::Fixed(Round::NearestTiesToEven),
+            result: Precision::Single,
+        } if e.features.shortcuts && format.size == 32 => {
+            or_helper(e, operation, |e, slow| {
+                let result = host_from_fixed(e, m, format, slow);
+                store_single(e, d, result);
+            });
+        }
+        Operation::Compare {
+            d,
+            m,
+            precision: Precision::Single,
+            ..
+        } if e.features.shortcuts => {
+            or_helper(e, operation, |e, slow| {
+                let status = host_compare(e, d, m, slow);
+                e.store_field(F::FPSCR, status);
+            });
+        }
         _ => {
-            let (function, arguments) =
-                helper::<F>(operation).expect("an operation the IR doesn't run has a helper");
+            let (function, arguments) = on_host::<F>(operation)
+                .filter(|_| e.features.shortcuts)
+                .or_else(|| helper::<F>(operation))
+                .expect("an operation the IR doesn't run has a helper");
             call(e, function, &arguments);
         }
     }
@@ -1029,6 +1134,35 @@ fn by_precision(precision: Precision, single: usize, double: usize) -> usize {
     }
 }
 
+/// The helper that tries the host first, for each operation on singles [`fp::host`] has.
+fn on_host<F: Profile>(operation: Operation) -> Option<(usize, Vec<u32>)> {
+    let function = match operation {
+        Operation::Arithmetic {
+            precision: Precision::Single,
+            ..
+        } => arithmetic::<F, Host, u32> as *const () as usize,
+        Operation::Extremum {
+            precision: Precision::Single,
+            ..
+        } => extremum_on_host::<F> as *const () as usize,
+        Operation::Compare {
+            precision: Precision::Single,
+            ..
+        } => compare_on_host::<F> as *const () as usize,
+        Operation::ToFixed {
+            source: Precision::Single,
+            ..
+        } => to_fixed_on_host::<F> as *const () as usize,
+        Operation::FromFixed {
+            result: Precision::Single,
+            ..
+        } => from_fixed_on_host::<F> as *const () as usize,
+        _ => return None,
+    };
+    // It takes what the one in software takes.
+    helper::<F>(operation).map(|(_, arguments)| (function, arguments))
+}
+
 /// [`helper`] for the arithmetic, the comparisons and the rounding to integral.
 fn arithmetic_helper<F: Profile>(operation: Operation) -> Option<(usize, Vec<u32>)> {
     Some(match operation {
@@ -1041,8 +1175,8 @@ fn arithmetic_helper<F: Profile>(operation: Operation) -> Option<(usize, Vec<u32
         } => (
             by_precision(
                 precision,
-                arithmetic::<F, u32> as *const () as usize,
-                arithmetic::<F, u64> as *const () as usize,
+                arithmetic::<F, Software, u32> as *const () as usize,
+                arithmetic::<F, Software, u64> as *const () as usize,
             ),
             vec![operation as u32, d, n, m],
         ),
@@ -1285,7 +1419,14 @@ fn host_arithmetic<F: Profile>(
         | Arithmetic::Divide => vec![sn, sm],
         _ => vec![sd, sn, sm],
     };
-    for operand in operands {
+    // Rust requires of every thread that the host's denormals-are-zero mode is off as well, the
+    // documentation of `std::arch::x86_64::_mm_setcsr`, so the result alone decides.
+    let checked = if e.features.shortcuts {
+        vec![]
+    } else {
+        operands
+    };
+    for operand in checked {
         let magnitude = e.b.ins().band_imm_s(operand, i64::from(!fp::SIGN));
         let zero = e.b.ins().icmp_imm_s(IntCC::Equal, magnitude, 0);
         let normal = e.b.ins().icmp_imm_s(
@@ -1356,15 +1497,12 @@ fn host_arithmetic<F: Profile>(
     let mut normal = None;
     for value in rounded {
         let bits = e.b.ins().bitcast(types::I32, MemFlagsData::new(), value);
-        let exponent = e.b.ins().ushr_imm_u(bits, 23);
-        let exponent = e.b.ins().band_imm_s(exponent, 0xFF);
-        let low =
+        // Without its sign and less the least exponent wanted, 2, it's below the one of an infinity.
+        let unsigned = e.b.ins().ishl_imm_s(bits, 1);
+        let above = e.b.ins().iadd_imm_s(unsigned, -(2_i64 << 24));
+        let this =
             e.b.ins()
-                .icmp_imm_s(IntCC::UnsignedGreaterThanOrEqual, exponent, 2);
-        let high =
-            e.b.ins()
-                .icmp_imm_s(IntCC::UnsignedLessThan, exponent, 0xFF);
-        let this = e.b.ins().band(low, high);
+                .icmp_imm_u(IntCC::UnsignedLessThan, above, 0xFD_i64 << 24);
         normal = Some(normal.map_or(this, |normal| e.b.ins().band(normal, this)));
     }
     let normal = normal.expect("a result");
@@ -1373,6 +1511,103 @@ fn host_arithmetic<F: Profile>(
     e.b.seal_block(keep);
     e.b.switch_to_block(keep);
     e.b.ins().bitcast(types::I32, MemFlagsData::new(), result)
+}
+
+/// Lowers `operation` by `host`, which branches to the block it's handed where the host doesn't
+/// answer as the pseudocode does, and there by its helper.
+fn or_helper<F: Profile>(
+    e: &mut Emitter<'_, '_, F>,
+    operation: Operation,
+    host: impl FnOnce(&mut Emitter<'_, '_, F>, ir::Block),
+) {
+    let slow = e.b.create_block();
+    e.b.set_cold_block(slow);
+    let done = e.b.create_block();
+    host(e, slow);
+    e.b.ins().jump(done, &[]);
+    e.b.seal_block(slow);
+    e.b.switch_to_block(slow);
+    let (function, arguments) = on_host::<F>(operation).expect("it has a helper");
+    call(e, function, &arguments);
+    e.b.ins().jump(done, &[]);
+    e.b.seal_block(done);
+    e.b.switch_to_block(done);
+}
+
+/// The 32-bit fixed point `format` in `m` as the host converts it, where a rounded result changes
+/// no flag: in the default mode, with `FPSCR.IXC` set. Scaling a nonzero integer by at most 2^-32 is
+/// exact.
+fn host_from_fixed<F: Profile>(
+    e: &mut Emitter<'_, '_, F>,
+    m: u32,
+    format: Fixed,
+    slow: ir::Block,
+) -> Value {
+    let fpscr = e.load_field(F::FPSCR);
+    let mode =
+        e.b.ins()
+            .band_imm_s(fpscr, i64::from(FPSCR_MODE_AND_INEXACT));
+    let on_host =
+        e.b.ins()
+            .icmp_imm_s(IntCC::Equal, mode, i64::from(mask(fpscr::IXC)));
+    let fast = e.b.create_block();
+    e.b.ins().brif(on_host, fast, &[], slow, &[]);
+    e.b.seal_block(fast);
+    e.b.switch_to_block(fast);
+    let word = load_single(e, m);
+    let integer = if format.signed {
+        e.b.ins().sextend(types::I64, word)
+    } else {
+        e.b.ins().uextend(types::I64, word)
+    };
+    let mut value = e.b.ins().fcvt_from_sint(types::F32, integer);
+    if format.fraction_bits > 0 {
+        let scale = f32::from_bits((127 - format.fraction_bits) << 23);
+        let scale = e.b.ins().f32const(scale);
+        value = e.b.ins().fmul(value, scale);
+    }
+    e.b.ins().bitcast(types::I32, MemFlagsData::new(), value)
+}
+
+/// `FPSCR` after the comparison of `d` with `m`, or with zero, as the host compares two numbers with
+/// nothing flushed, which raises nothing.
+fn host_compare<F: Profile>(
+    e: &mut Emitter<'_, '_, F>,
+    d: u32,
+    m: Option<u32>,
+    slow: ir::Block,
+) -> Value {
+    let fpscr = e.load_field(F::FPSCR);
+    let mode = e.b.ins().band_imm_s(fpscr, i64::from(fp::FPSCR_DEFAULTS));
+    let other_mode = e.b.ins().icmp_imm_s(IntCC::NotEqual, mode, 0);
+    let float = |e: &mut Emitter<'_, '_, F>, bits: Value| {
+        e.b.ins().bitcast(types::F32, MemFlagsData::new(), bits)
+    };
+    let op1 = load_single(e, d);
+    let op1 = float(e, op1);
+    let op2 = match m {
+        Some(m) => load_single(e, m),
+        None => e.constant(0),
+    };
+    let op2 = float(e, op2);
+    let unordered = e.b.ins().fcmp(FloatCC::Unordered, op1, op2);
+    let refused = e.b.ins().bor(other_mode, unordered);
+    let fast = e.b.create_block();
+    e.b.ins().brif(refused, slow, &[], fast, &[]);
+    e.b.seal_block(fast);
+    e.b.switch_to_block(fast);
+    let equal = e.b.ins().fcmp(FloatCC::Equal, op1, op2);
+    let less = e.b.ins().fcmp(FloatCC::LessThan, op1, op2);
+    let (zc, n, c) = (
+        e.constant(mask(fpscr::Z) | mask(fpscr::C)),
+        e.constant(mask(fpscr::N)),
+        e.constant(mask(fpscr::C)),
+    );
+    let unequal = e.b.ins().select(less, n, c);
+    let flags = e.b.ins().select(equal, zc, unequal);
+    let kept = e.constant(!fp::FPSCR_NZCV);
+    let kept = e.b.ins().band(fpscr, kept);
+    e.b.ins().bor(kept, flags)
 }
 
 /// Calls a helper of this module, which reads and writes only the floating-point registers.
@@ -1442,7 +1677,7 @@ impl Register for u64 {
 }
 
 /// The arithmetic `operation` names, one of [`Arithmetic::ALL`], of `n` and `m` into `d`.
-extern "C" fn arithmetic<F: Profile, B: Register>(
+extern "C" fn arithmetic<F: Profile, U: Unit<B>, B: Register>(
     core: &mut F,
     operation: u32,
     d: u32,
@@ -1456,7 +1691,9 @@ extern "C" fn arithmetic<F: Profile, B: Register>(
         B::read(registers, m),
     );
     let operation = Arithmetic::ALL[operation as usize];
-    operation.evaluate(sd, sn, sm, fpscr).write(registers, d);
+    operation
+        .evaluate_on::<U, B>(sd, sn, sm, fpscr)
+        .write(registers, d);
     0
 }
 
@@ -1495,6 +1732,69 @@ extern "C" fn compare<F: Profile, B: Register>(
     };
     let flags = fp::compare(B::read(registers, d), op2, quiet_nan_exc != 0, fpscr);
     *fpscr = *fpscr & !fp::FPSCR_NZCV | flags;
+    0
+}
+
+/// [`extremum`] of singles, the host's where it can.
+extern "C" fn extremum_on_host<F: Profile>(
+    core: &mut F,
+    d: u32,
+    n: u32,
+    m: u32,
+    maximum: u32,
+) -> u32 {
+    let (registers, fpscr) = F::fp_registers(core);
+    let (sn, sm) = (registers[n as usize], registers[m as usize]);
+    registers[d as usize] = fp::host::extremum_number(sn, sm, maximum != 0, fpscr);
+    0
+}
+
+/// [`compare`] of singles, the host's where it can.
+extern "C" fn compare_on_host<F: Profile>(
+    core: &mut F,
+    d: u32,
+    m: u32,
+    with_zero: u32,
+    quiet_nan_exc: u32,
+) -> u32 {
+    let (registers, fpscr) = F::fp_registers(core);
+    let op2 = if with_zero != 0 {
+        0
+    } else {
+        registers[m as usize]
+    };
+    let flags = fp::host::compare(registers[d as usize], op2, quiet_nan_exc != 0, fpscr);
+    *fpscr = *fpscr & !fp::FPSCR_NZCV | flags;
+    0
+}
+
+/// [`to_fixed`] of a single, the host's where it can.
+extern "C" fn to_fixed_on_host<F: Profile>(
+    core: &mut F,
+    d: u32,
+    m: u32,
+    format: u32,
+    rounding: u32,
+) -> u32 {
+    let (registers, fpscr) = F::fp_registers(core);
+    let mode = Rounding::mode(rounding, *fpscr);
+    let operand = registers[m as usize];
+    registers[d as usize] = fp::host::to_fixed(operand, unpack(format), mode, fpscr);
+    0
+}
+
+/// [`from_fixed`] to a single, the host's where it can.
+extern "C" fn from_fixed_on_host<F: Profile>(
+    core: &mut F,
+    d: u32,
+    m: u32,
+    format: u32,
+    rounding: u32,
+) -> u32 {
+    let (registers, fpscr) = F::fp_registers(core);
+    let mode = Rounding::mode(rounding, *fpscr);
+    let operand = registers[m as usize];
+    registers[d as usize] = fp::host::from_fixed(operand, unpack(format), mode, fpscr);
     0
 }
 

@@ -435,6 +435,7 @@ mod tests {
                 dsp: true,
                 fpu: Fpu::None,
                 endian: Endian::Little,
+                shortcuts: true,
             };
             let mut e = Emitter::new(builder, pointer, features, InstructionSet::Arm);
             e.begin(0, 0x100, 4, 0);
