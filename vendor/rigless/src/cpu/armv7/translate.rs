@@ -326,6 +326,20 @@ pub(crate) trait Profile: Sized {
     /// Whether a divide by zero traps, as an `i32` that's 0 or 1.
     fn divide_by_zero_traps(e: &mut Emitter<'_, '_, Self>) -> Value;
 
+    /// Leaves for `pc` with `ITSTATE` `it` and `left` of the budget, by tail-calling the block the link
+    /// cell at `cell` holds, without the leave block. Answers whether it did; a family that has no
+    /// such exit doesn't.
+    fn hand_over(
+        e: &mut Emitter<'_, '_, Self>,
+        pc: u32,
+        it: u32,
+        left: Value,
+        cell: usize,
+    ) -> bool {
+        let _ = (e, pc, it, left, cell);
+        false
+    }
+
     /// The floating-point extension's single registers and `FPSCR` in `core`.
     fn fp_registers(core: &mut Self) -> (&mut [u32; 32], &mut u32);
 }
@@ -353,6 +367,14 @@ pub(crate) struct Emitter<'a, 'b, F: Profile> {
     flags: [Variable; 4],
     /// The registers and flags the instruction has written, which reach the state once it's done.
     pub(crate) written: Written,
+    /// Whether what an instruction wrote stays in hand until the block is left, or a helper that
+    /// may read it is called, rather than reaching the state once the instruction is done.
+    pub(crate) in_hand: bool,
+    /// What the instructions before this one wrote and the state may not have yet.
+    pending: Written,
+    /// How many instructions the budget holds on entry when the block checks it there, so that no
+    /// instruction has to.
+    pub(crate) checked_on_entry: bool,
     /// The address of the instruction being translated.
     pc: u32,
     /// Its length in bytes, 2 or 4.
@@ -444,6 +466,9 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
             regs,
             flags,
             written: 0,
+            in_hand: false,
+            pending: 0,
+            checked_on_entry: false,
             pc: 0,
             length: 2,
             state,
@@ -682,6 +707,7 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
         self.commit();
         let answer = self.call_helper(function, args, types::I32);
         self.reload();
+        // What's pending stays so: an instruction that's skipped hasn't made this call.
         self.written = 0;
         answer
     }
@@ -808,6 +834,9 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
     /// spends the budget. The block runs as far as its budget and no further, with nothing
     /// translated for a shorter one.
     pub(crate) fn stop_if_spent(&mut self, retired: u32) {
+        if self.checked_on_entry {
+            return;
+        }
         let budget = self.b.use_var(self.budget);
         let spent = self
             .b
@@ -859,7 +888,12 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
             .b
             .ins()
             .load(types::I32, MemFlagsData::trusted(), core, F::RETURNING);
-        let spent = self.b.ins().icmp_imm_s(IntCC::Equal, left, 0);
+        // The branch back is the block's last instruction, so a pass is as long as the block.
+        let pass = if self.checked_on_entry { retired } else { 1 };
+        let spent = self
+            .b
+            .ins()
+            .icmp_imm_s(IntCC::UnsignedLessThan, left, i64::from(pass));
         let asked = self.b.ins().icmp_imm_s(IntCC::NotEqual, returning, 0);
         let leave = self.b.ins().bor(spent, asked);
         let first = self.head.as_mut().expect("looping to the head");
@@ -956,6 +990,12 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
     fn leaving(&mut self, pc: Value, exit: Exit, cell: Option<(u32, usize)>) -> Vec<ir::BlockArg> {
         if exit.retired > self.index {
             self.commit();
+        } else {
+            assert!(
+                self.pending & self.written == 0,
+                "an instruction leaves as if it hadn't run before it writes what's in hand"
+            );
+            self.store(self.pending);
         }
         let address = cell.map_or(0, |(_, address)| address);
         let packed = self.constant(exit.it | exit.retired << 8 | exit.status << 16);
@@ -982,8 +1022,20 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
             self.loop_to(head.block);
             return;
         }
-        let pc = self.constant(target);
         let cell = self.chain.as_mut().map(|chain| (chain.cells)(target, it));
+        if self.in_hand
+            && let Some((_, address)) = cell
+        {
+            self.commit();
+            let budget = self.b.use_var(self.budget);
+            let retired = i64::from(self.index + 1);
+            let left = self.b.ins().iadd_imm_s(budget, -retired);
+            if F::hand_over(self, target, it, left, address) {
+                self.ended = true;
+                return;
+            }
+        }
+        let pc = self.constant(target);
         let arguments = self.leaving(
             pc,
             Exit {
@@ -1020,11 +1072,15 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
         self.ended = true;
     }
 
-    /// Writes the registers and flags the instruction has written to the state, on the way the
-    /// builder is on.
+    /// Writes the registers and flags that the instruction has written, and what's in hand from those
+    /// before it, to the state, on the way the builder is on.
     fn commit(&mut self) {
+        self.store(self.pending | self.written);
+    }
+
+    fn store(&mut self, written: Written) {
         for bit in 0..32 {
-            if self.written & (1 << bit) != 0 {
+            if written & (1 << bit) != 0 {
                 let (variable, offset) = self.slot(bit);
                 let value = self.b.use_var(variable);
                 self.store_field(offset, value);
@@ -1032,10 +1088,15 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
         }
     }
 
-    /// Finishes the instruction where it didn't end the block: what it wrote reaches the state.
+    /// Finishes the instruction where it didn't end the block: what it wrote reaches the state, or
+    /// is in hand from here on.
     pub(crate) fn done(&mut self) {
         if !self.ended {
-            self.commit();
+            if self.in_hand {
+                self.pending |= self.written;
+            } else {
+                self.commit();
+            }
             self.written = 0;
         }
     }

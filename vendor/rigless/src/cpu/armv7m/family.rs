@@ -665,6 +665,8 @@ impl Family {
         // An instruction raised an exception, which a debugger's step takes as the instruction's
         // own, while it holds off interrupts.
         let mut raised = false;
+        // The budget holds only part of the block that's next.
+        let mut short = false;
         loop {
             if self.host_calling {
                 return Exit::HostCall;
@@ -714,7 +716,10 @@ impl Family {
             if self.breakpoints.contains_key(&u64::from(pc)) && passing != Some(u64::from(pc)) {
                 return Exit::Breakpoint;
             }
-            let start = self.start_at(pc);
+            let start = Start {
+                checked: std::mem::take(&mut short),
+                ..self.start_at(pc)
+            };
             let block = match self.block(start) {
                 Ok(block) => block,
                 Err(error) => panic!("{error}"),
@@ -733,6 +738,7 @@ impl Family {
                 self.unlinked = self.blocks.cell_number(self.link);
             }
             match answer {
+                status::SHORT => short = self.budget != 0,
                 // The budget carried on with counted the instruction as retired, which a fault
                 // may not have, so the runner works it out again.
                 status::EXCEPTION => {
@@ -750,6 +756,7 @@ impl Family {
                         pc: self.state.r[15],
                         it: self.state.it,
                         longest: LONGEST_BLOCK,
+                        checked: false,
                     };
                     // A block run to pass its breakpoint that's hot ran nothing, so it's passed
                     // again once it's better code.
@@ -853,6 +860,7 @@ impl Family {
             pc,
             it: self.state.it,
             longest: LONGEST_BLOCK,
+            checked: false,
         };
         if self.blocks.get(self.key_of(full).0).is_some() || !self.blocks.covers(u64::from(pc)) {
             return full;
@@ -1013,7 +1021,7 @@ impl Family {
     /// quick translation counts its runs.
     fn compile(&mut self, start: Start, context: Context, tier: Tier) -> Result<Translated, Error> {
         let chains = !self.mpu.enabled();
-        let counter = (tier == Tier::Quick).then(|| self.blocks.new_counter());
+        let counter = (tier == Tier::Quick && !start.checked).then(|| self.blocks.new_counter());
         let recent = self.blocks.recent();
         let features = self.features;
         let Self {
@@ -1041,6 +1049,7 @@ impl Family {
                 pc,
                 it,
                 longest: LONGEST_BLOCK,
+                checked: false,
             }))
         };
         // With the MPU on, the next block's key holds the context it runs in, which an exit
@@ -2892,7 +2901,14 @@ pub(crate) mod tests {
     #[test]
     fn a_stop_inside_a_block_goes_on_one_instruction_at_a_time_until_hot() {
         let mut bench = Bench::new(&[0xBF00, 0xBF00, 0xBF00, 0xE7FB]); // NOPs, B to the first
-        let at = |pc, longest| block_key(Start { pc, it: 0, longest });
+        let at = |pc, longest| {
+            block_key(Start {
+                pc,
+                it: 0,
+                longest,
+                checked: false,
+            })
+        };
         assert_eq!(bench.run(2), (Exit::Budget, 2));
         assert_eq!(bench.core.state.r[15], CODE + 4);
         for _ in 1..translate::HOT_RUNS {

@@ -80,13 +80,22 @@ pub(crate) struct Start {
     pub(crate) pc: u32,
     pub(crate) it: u32,
     pub(crate) longest: u32,
+    /// Every instruction is to check the budget, for a budget that doesn't hold the whole block.
+    pub(crate) checked: bool,
 }
 
 /// The key of the block at `start`, with the MPU off. [`Family::finish`] works it out the same
 /// way in code.
 pub(crate) fn block_key(start: Start) -> u64 {
-    u64::from(start.pc) | u64::from(start.it) << 32 | u64::from(start.longest) << 40
+    u64::from(start.pc)
+        | u64::from(start.it) << 32
+        | u64::from(start.longest) << 40
+        | u64::from(start.checked) << CHECKED
 }
+
+/// The bit of a block's key that says its instructions check the budget where another block from
+/// the same instruction checks it on entry.
+const CHECKED: u32 = 51;
 
 /// Translates one block from `start` for a core with `features`, fetching halfwords with `fetch`,
 /// and ending before any address `stop_before` names but the first. Answers the block, the first
@@ -121,6 +130,9 @@ pub(crate) fn translate(
         let signature = builder.import_signature(signature.clone());
         let mut e = Emitter::new(builder, pointer, features.isa, InstructionSet::Thumb);
         e.fma = fma;
+        // A block that's translated again runs often, and mostly with budget to spare.
+        let whole = features.isa.shortcuts && tier == Tier::Best && !start.checked;
+        (e.in_hand, e.checked_on_entry) = (whole, whole);
         e.chain = cells.map(|(cells, recent)| Chain {
             cells,
             signature,
@@ -141,7 +153,7 @@ pub(crate) fn translate(
         });
         let mut pc = start.pc;
         let mut it = start.it;
-        let mut count = 0;
+        let mut count: u32 = 0;
         loop {
             if count > 0 && (count == start.longest || stop_before(pc)) {
                 // The block ends where the next instruction starts, which it hasn't run: the
@@ -195,7 +207,12 @@ pub(crate) fn translate(
         let budget =
             e.b.ins()
                 .load(types::I32, MemFlagsData::trusted(), core, offsets::BUDGET);
-        let short = e.b.ins().icmp_imm_s(IntCC::Equal, budget, 0);
+        // A block that ends at a fetch it can't make retires what's before it, and still needs a
+        // budget to raise the fault with.
+        let needed = if e.checked_on_entry { count.max(1) } else { 1 };
+        let short =
+            e.b.ins()
+                .icmp_imm_s(IntCC::UnsignedLessThan, budget, i64::from(needed));
         let refuse = e.b.create_block();
         if let Some(address) = counter {
             // A quick translation counts its runs, and hands back untouched once they make it

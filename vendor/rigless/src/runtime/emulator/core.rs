@@ -526,27 +526,23 @@ pub(crate) fn emit_lookup(
     let entry = builder
         .ins()
         .load(types::I64, MemFlagsData::trusted(), slot, 0);
-    let allowed = builder
-        .ins()
-        .band_imm_s(entry, i64::try_from(need).expect("a flag"));
-    // `WRITE` isn't bit 0, so it's made 0 or 1 to meet `aligned` below.
-    let allowed = builder
-        .ins()
-        .icmp_imm_s(ir::condcodes::IntCC::NotEqual, allowed, 0);
-    let allowed = builder.ins().uextend(types::I64, allowed);
     let offset = builder
         .ins()
         .band_imm_s(wide, i64::try_from(PAGE_SIZE - 1).expect("a page"));
+    let refused = builder.ins().bnot(entry);
+    let refused = builder
+        .ins()
+        .band_imm_s(refused, i64::try_from(need).expect("a flag"));
     // An aligned access never crosses a page, and an unaligned one takes the slow path, which
     // checks whether it may be unaligned at all.
-    let misaligned = builder.ins().band_imm_s(wide, i64::from(bytes) - 1);
-    let aligned = builder
-        .ins()
-        .icmp_imm_s(ir::condcodes::IntCC::Equal, misaligned, 0);
-    let aligned = builder.ins().uextend(types::I64, aligned);
-    let fast = builder.ins().band(allowed, aligned);
+    let refused = if bytes > 1 {
+        let misaligned = builder.ins().band_imm_s(wide, i64::from(bytes) - 1);
+        builder.ins().bor(refused, misaligned)
+    } else {
+        refused
+    };
     let inline = builder.create_block();
-    builder.ins().brif(fast, inline, &[], slow, &[]);
+    builder.ins().brif(refused, slow, &[], inline, &[]);
     builder.seal_block(inline);
     builder.switch_to_block(inline);
     let base = builder
@@ -931,6 +927,7 @@ impl Jit {
             builder.seal_all_blocks();
             builder.finalize(config);
         }
+        drop_unused(&mut self.context.func);
         self.made += 1;
         let id = module
             .declare_function(&format!("b{}", self.made), Linkage::Local, &self.signature)
@@ -987,6 +984,48 @@ impl Jit {
         unsafe { old.free_memory() };
         self.made = 0;
         Ok(())
+    }
+}
+
+/// Drops every load whose value nothing uses, and whatever was worked out for it alone. A block
+/// loads all the registers it may need as it starts, and no load it makes traps or has an effect,
+/// while the code generator keeps each, since one could.
+fn drop_unused(func: &mut ir::Function) {
+    let mut uses = vec![0_u32; func.dfg.num_values()];
+    let insts: Vec<ir::Inst> = func
+        .layout
+        .blocks()
+        .flat_map(|block| func.layout.block_insts(block))
+        .collect();
+    for &inst in &insts {
+        for value in func.dfg.inst_values(inst) {
+            uses[func.dfg.resolve_aliases(value).as_u32() as usize] += 1;
+        }
+    }
+    let unused = |func: &ir::Function, uses: &[u32], inst: ir::Inst| {
+        let opcode = func.dfg.insts[inst].opcode();
+        let removable = opcode == ir::Opcode::Load
+            || !(opcode.can_load()
+                || opcode.can_store()
+                || opcode.can_trap()
+                || opcode.is_call()
+                || opcode.is_terminator()
+                || opcode.other_side_effects());
+        removable
+            && func
+                .dfg
+                .inst_results(inst)
+                .iter()
+                .all(|result| uses[result.as_u32() as usize] == 0)
+    };
+    // A use is mostly after what it uses, so one pass back finds what only unused values used.
+    for &inst in insts.iter().rev() {
+        if unused(func, &uses, inst) {
+            for value in func.dfg.inst_values(inst) {
+                uses[func.dfg.resolve_aliases(value).as_u32() as usize] -= 1;
+            }
+            func.layout.remove_inst(inst);
+        }
     }
 }
 

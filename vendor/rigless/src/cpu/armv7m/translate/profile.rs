@@ -236,6 +236,47 @@ impl Profile for Family {
         e.call_plain(zero_divide_traps as *const () as usize, &[])
     }
 
+    fn hand_over(
+        e: &mut Emitter<'_, '_, Self>,
+        pc: u32,
+        it: u32,
+        left: Value,
+        cell: usize,
+    ) -> bool {
+        let Some(signature) = e.chain.as_ref().map(|chain| chain.signature) else {
+            return false;
+        };
+        let pc = e.constant(pc);
+        e.store_field(offset_of!(State, r) + 15 * 4, pc);
+        let it = e.constant(it);
+        e.store_field(offset_of!(State, it), it);
+        let core = e.core();
+        let trusted = MemFlagsData::trusted();
+        e.b.ins().store(trusted, left, core, offsets::BUDGET);
+        let cell =
+            e.b.ins()
+                .iconst(e.pointer, i64::try_from(cell).expect("an address"));
+        let next = e.b.ins().load(e.pointer, trusted, cell, 0);
+        let returning =
+            e.b.ins()
+                .load(types::I32, trusted, core, offsets::RETURNING);
+        let [free, linked, unlinked] = std::array::from_fn(|_| e.b.create_block());
+        e.b.set_cold_block(unlinked);
+        e.b.ins().brif(returning, unlinked, &[], free, &[]);
+        e.b.seal_block(free);
+        e.b.switch_to_block(free);
+        e.b.ins().brif(next, linked, &[], unlinked, &[]);
+        e.b.seal_block(linked);
+        e.b.seal_block(unlinked);
+        e.b.switch_to_block(linked);
+        e.b.ins().return_call_indirect(signature, next, &[core]);
+        e.b.switch_to_block(unlinked);
+        e.b.ins().store(trusted, cell, core, offsets::LINK);
+        let answer = e.constant(status::NEXT);
+        e.b.ins().return_(&[answer]);
+        true
+    }
+
     fn fp_registers(core: &mut Self) -> (&mut [u32; 32], &mut u32) {
         (&mut core.state.s, &mut core.state.fpscr)
     }
