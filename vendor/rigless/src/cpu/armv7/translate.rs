@@ -1110,6 +1110,15 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
         }
     }
 
+    /// Reads everything from the state that instructions before this one may have left in variables,
+    /// so this one may be the first to run. Each of them has reached the state.
+    pub(crate) fn start_afresh(&mut self) {
+        self.reload();
+        let left = self.load_core(F::BUDGET);
+        self.b.def_var(self.budget, left);
+        self.fp_checked = false;
+    }
+
     /// The variable and the state's offset of written-bit `bit`.
     fn slot(&self, bit: u32) -> (Variable, usize) {
         if bit < FLAG_BIT {

@@ -64,6 +64,7 @@ pub(crate) mod offsets {
     pub(crate) const BUDGET: i32 = offset(std::mem::offset_of!(Family, budget));
     pub(crate) const RETURNING: i32 = offset(std::mem::offset_of!(Family, returning));
     pub(crate) const LINK: i32 = offset(std::mem::offset_of!(Family, link));
+    pub(crate) const STEP: i32 = offset(std::mem::offset_of!(Family, step));
     pub(crate) const CPACR: i32 =
         offset(std::mem::offset_of!(Family, system) + std::mem::offset_of!(super::System, cpacr));
     pub(crate) const FPCCR: i32 =
@@ -393,6 +394,8 @@ pub(crate) struct Family {
     /// Nonzero once an access went to the bus or the run asked the core to return: [`RETURN`] to
     /// go back to the runner, [`CARRY_ON`] to go on with the budget in `carried`.
     returning: u32,
+    /// The instruction a checked block starts at, counted from its first.
+    step: u32,
     /// The address of the link cell of the exit a block left by unlinked, or 0.
     link: usize,
     /// The budget when the run loop last entered a block, which `budget` falls from as chained
@@ -412,6 +415,11 @@ pub(crate) struct Family {
     /// Every address a breakpoint is on, with how many asked for it: the run's watches and a
     /// debugger each ask for their own.
     breakpoints: BTreeMap<u64, u32>,
+    /// Where the checked block translated last may start, in its order.
+    stepped: Vec<(u32, u32)>,
+    /// Where a checked block may start: by address and `ITSTATE`, the key of its block, which of its
+    /// instructions it is, and how often it was.
+    steps: BTreeMap<(u32, u32), (u64, u32, i64)>,
     /// The key of every block kept that loops back to its first instruction inside itself, which
     /// runs through a breakpoint set there later without the run loop seeing it.
     looping: BTreeSet<u64>,
@@ -591,6 +599,9 @@ impl Family {
             table: pages.table(),
             budget: 0,
             returning: 0,
+            step: 0,
+            steps: BTreeMap::new(),
+            stepped: Vec::new(),
             link: 0,
             entered: 0,
             features,
@@ -716,14 +727,15 @@ impl Family {
             if self.breakpoints.contains_key(&u64::from(pc)) && passing != Some(u64::from(pc)) {
                 return Exit::Breakpoint;
             }
-            let start = Start {
-                checked: std::mem::take(&mut short),
-                ..self.start_at(pc)
-            };
-            let block = match self.block(start) {
-                Ok(block) => block,
+            let (block, step) = match self.next_block(pc, std::mem::take(&mut short)) {
+                Ok(next) => next,
                 Err(error) => panic!("{error}"),
             };
+            // A block that starts in its middle counts from its first instruction, as if it had run
+            // the ones before.
+            self.step = step;
+            self.budget += step;
+            self.retired = self.retired.wrapping_sub(u64::from(step));
             let budget = self.budget;
             self.entered = budget;
             self.link = 0;
@@ -732,7 +744,7 @@ impl Family {
             // translated for, which nothing else touches until it returns.
             let answer = unsafe { entry.run(std::ptr::from_mut(self).cast(), block) };
             let ran = budget - self.budget;
-            self.retired += u64::from(ran);
+            self.retired = self.retired.wrapping_add(u64::from(ran));
             self.entered = self.budget;
             if answer == status::NEXT && self.link != 0 {
                 self.unlinked = self.blocks.cell_number(self.link);
@@ -851,6 +863,82 @@ impl Family {
         true
     }
 
+    /// The block to run at `pc`, and which of its instructions is there: where the budget ran out
+    /// inside a block or is too `short` for one, a checked block, and otherwise the one that starts
+    /// there.
+    fn next_block(
+        &mut self,
+        pc: u32,
+        short: bool,
+    ) -> Result<(crate::emulator::core::Block, u32), Error> {
+        let start = self.start_at(pc);
+        let inside = short || start.longest == 1;
+        // Breakpoints and the MPU's contexts are left to the blocks that know them.
+        let usual =
+            !self.features.isa.shortcuts || !self.breakpoints.is_empty() || self.mpu.enabled();
+        if inside
+            && !usual
+            && let Some(found) = self.step_at(start, short)?
+        {
+            // No exit is linked to the middle of a block.
+            self.unlinked = None;
+            return Ok(found);
+        }
+        let start = Start {
+            checked: short,
+            ..start
+        };
+        self.block(start).map(|block| (block, 0))
+    }
+
+    /// The checked block that may start where `start` says, and its instruction there. One that's
+    /// asked for often without being `short` is where something branches to, which deserves a block of
+    /// its own.
+    fn step_at(
+        &mut self,
+        start: Start,
+        short: bool,
+    ) -> Result<Option<(crate::emulator::core::Block, u32)>, Error> {
+        let place = (start.pc, start.it);
+        if !self.steps.contains_key(&place) {
+            let from = self.blocks.holding(u64::from(start.pc)).unwrap_or(start.pc);
+            self.make_steps(from, 0)?;
+            if !self.steps.contains_key(&place) {
+                self.make_steps(start.pc, start.it)?;
+            }
+        }
+        let Some((key, step, runs)) = self.steps.get_mut(&place) else {
+            return Ok(None);
+        };
+        *runs += i64::from(!short);
+        let (key, step, often) = (*key, *step, *runs > translate::HOT_RUNS);
+        if often && !short {
+            let full = Start {
+                longest: LONGEST_BLOCK,
+                ..start
+            };
+            return self.block(full).map(|block| Some((block, 0)));
+        }
+        Ok(self.blocks.get(key).map(|block| (block, step)))
+    }
+
+    /// Translates the checked block from `pc` with `ITSTATE` `it`, and notes where it may start.
+    fn make_steps(&mut self, pc: u32, it: u32) -> Result<(), Error> {
+        let start = Start {
+            pc,
+            it,
+            longest: LONGEST_BLOCK,
+            checked: true,
+        };
+        let (key, _) = self.key_of(start);
+        self.block(start)?;
+        let made = std::mem::take(&mut self.stepped);
+        for (step, place) in (0..).zip(made) {
+            self.steps.entry(place).or_insert((key, step, 0));
+        }
+        Ok(())
+    }
+
     /// Where the block to run at `pc` starts. Where there's none yet but `pc` is inside another
     /// block's bytes, as it is after a stretch that ran out partway through one, it's the one
     /// instruction there, until that's run often enough to be worth a block. Every instruction a
@@ -964,6 +1052,7 @@ impl Family {
             .map(|(key, _)| key)
             .collect();
         let blocks = self.blocks.len();
+        self.steps.clear();
         let mut dropped = self
             .blocks
             .rekey_at(address, &moving, |key| key ^ AT_BREAKPOINT);
@@ -1030,8 +1119,10 @@ impl Family {
             breakpoints,
             mpu,
             blocks,
+            stepped,
             ..
         } = self;
+        stepped.clear();
         let mut fetch = |address: u32| {
             let (host, _) = pages.host(u64::from(address))?;
             if address & 1 != 0
@@ -1064,6 +1155,7 @@ impl Family {
             cells,
             tier,
             counter,
+            stepped,
         )
     }
 
@@ -1072,6 +1164,7 @@ impl Family {
     /// always sees the breakpoint first.
     fn link_to(&mut self, key: u64, start: Start, block: crate::emulator::core::Block) {
         if let Some(cell) = self.unlinked.take()
+            && !start.checked
             && !self.breakpoints.contains_key(&u64::from(start.pc))
         {
             self.blocks.link(cell, key, block);
@@ -1087,6 +1180,7 @@ impl Family {
 
     /// Drops every block translated.
     fn drop_translations(&mut self) {
+        self.steps.clear();
         self.blocks.clear();
         self.looping.clear();
         self.pages.release_all_code();
@@ -1110,6 +1204,7 @@ impl Family {
             }
         }
         if self.blocks.len() != blocks {
+            self.steps.clear();
             // A block that's running, or looping, or chained to, may be one of those dropped, and
             // the core stops running it once this instruction is done.
             self.returning = RETURN;
@@ -1381,9 +1476,11 @@ impl Family {
     fn instructions(&self, position: Position) -> u64 {
         // Chained blocks spend the budget as they go, and the run loop counts them only once the
         // chain returns.
-        let before = self.retired + u64::from(self.entered - self.budget);
+        let before = self
+            .retired
+            .wrapping_add(u64::from(self.entered - self.budget));
         match position {
-            Position::Instruction { index, .. } => before + u64::from(index) + 1,
+            Position::Instruction { index, .. } => before.wrapping_add(u64::from(index) + 1),
             Position::Processor | Position::Vector => before,
         }
     }
@@ -2901,6 +2998,7 @@ pub(crate) mod tests {
     #[test]
     fn a_stop_inside_a_block_goes_on_one_instruction_at_a_time_until_hot() {
         let mut bench = Bench::new(&[0xBF00, 0xBF00, 0xBF00, 0xE7FB]); // NOPs, B to the first
+        bench.core.features.isa.shortcuts = false;
         let at = |pc, longest| {
             block_key(Start {
                 pc,

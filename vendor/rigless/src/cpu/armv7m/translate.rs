@@ -16,7 +16,7 @@ mod profile;
 #[cfg(any(test, fuzzing))]
 pub(crate) mod testing;
 
-use cranelift_codegen::ir::{InstBuilder, MemFlagsData, condcodes::IntCC, types};
+use cranelift_codegen::ir::{InstBuilder, JumpTableData, MemFlagsData, condcodes::IntCC, types};
 
 use super::family::{Family, Features, offsets};
 use crate::cpu::armv7::translate::{
@@ -80,7 +80,8 @@ pub(crate) struct Start {
     pub(crate) pc: u32,
     pub(crate) it: u32,
     pub(crate) longest: u32,
-    /// Every instruction is to check the budget, for a budget that doesn't hold the whole block.
+    /// Every instruction is to check the budget and may be the first to run, for a budget that doesn't
+    /// hold the whole block and for what follows where it ran out.
     pub(crate) checked: bool,
 }
 
@@ -98,7 +99,8 @@ pub(crate) fn block_key(start: Start) -> u64 {
 const CHECKED: u32 = 51;
 
 /// Translates one block from `start` for a core with `features`, fetching halfwords with `fetch`,
-/// and ending before any address `stop_before` names but the first. Answers the block, the first
+/// and ending before any address `stop_before` names but the first. A checked block starts at the
+/// instruction [`Family`]'s step says, and `steps` gets the address and `ITSTATE` of each. Answers the block, the first
 /// and last byte it came from, and whether it loops back to its first instruction inside itself,
 /// which only one that doesn't start at a breakpoint does.
 #[expect(
@@ -114,6 +116,7 @@ pub(crate) fn translate(
     cells: Option<(Cells<'_>, usize)>,
     tier: Tier,
     counter: Option<usize>,
+    steps: &mut Vec<(u32, u32)>,
 ) -> Result<(Block, (u32, u32), bool), Error> {
     let pointer = jit.pointer();
     let fma = jit.fma();
@@ -145,7 +148,7 @@ pub(crate) fn translate(
         e.b.switch_to_block(head);
         // A block that starts at a breakpoint, run once to pass it, leaves at its back edge, so
         // the next lap stops there.
-        e.head = (!stop_before(start.pc)).then_some(Head {
+        e.head = (!stop_before(start.pc) && !start.checked).then_some(Head {
             pc: start.pc,
             it: start.it,
             block: head,
@@ -154,6 +157,7 @@ pub(crate) fn translate(
         let mut pc = start.pc;
         let mut it = start.it;
         let mut count: u32 = 0;
+        let mut entries = Vec::new();
         loop {
             if count > 0 && (count == start.longest || stop_before(pc)) {
                 // The block ends where the next instruction starts, which it hasn't run: the
@@ -192,6 +196,14 @@ pub(crate) fn translate(
             }
             e.begin(count, pc, instruction.length(), it);
             range.1 = pc + instruction.length() - 1;
+            if start.checked {
+                let entry = e.b.create_block();
+                e.b.ins().jump(entry, &[]);
+                e.b.switch_to_block(entry);
+                e.start_afresh();
+                entries.push(entry);
+                steps.push((pc, it));
+            }
             emit_one(&mut e, instruction);
             count += 1;
             if e.ended() {
@@ -234,6 +246,22 @@ pub(crate) fn translate(
             e.b.switch_to_block(promote);
             let answer = e.constant(status::HOT);
             e.b.ins().return_(&[answer]);
+        } else if start.checked {
+            let chosen = e.b.create_block();
+            e.b.ins().brif(short, refuse, &[], chosen, &[]);
+            e.b.seal_block(chosen);
+            e.b.switch_to_block(chosen);
+            let step =
+                e.b.ins()
+                    .load(types::I32, MemFlagsData::trusted(), core, offsets::STEP);
+            let mut call = |block| e.b.func.dfg.block_call(block, &[]);
+            let otherwise = call(body);
+            let calls: Vec<_> = entries.iter().map(|&entry| call(entry)).collect();
+            let table = e.b.create_jump_table(JumpTableData::new(otherwise, &calls));
+            e.b.ins().br_table(step, table);
+            for entry in entries {
+                e.b.seal_block(entry);
+            }
         } else {
             e.b.ins().brif(short, refuse, &[], body, &[]);
         }

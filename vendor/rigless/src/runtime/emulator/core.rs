@@ -1160,6 +1160,17 @@ impl Blocks {
             })
     }
 
+    /// The first byte of the first block translated from the byte at `address`.
+    pub(crate) fn holding(&self, address: u64) -> Option<u32> {
+        self.by_page
+            .get(&(address >> PAGE_BITS))?
+            .iter()
+            .filter(|&&(_, first, last)| (first..=last).contains(&address))
+            .map(|&(_, first, _)| first)
+            .min()
+            .and_then(|first| u32::try_from(first).ok())
+    }
+
     /// The key of every block translated from bytes starting at `address`, with the last byte it
     /// came from.
     pub(crate) fn starting_at(&self, address: u64) -> Vec<(u64, u64)> {
