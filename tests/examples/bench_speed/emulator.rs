@@ -87,7 +87,7 @@ fn speed(execution: Execution) -> Result<(Speed, Vec<PointResult>), Fault> {
         .collect::<Result<Vec<Lap>, Fault>>()?;
     laps.sort_by(|a, b| a.of_processor.total_cmp(&b.of_processor));
     let median = laps.swap_remove(WARM_RUNS / 2);
-    let board = bench.board();
+    let (elapsed, instructions) = stand(&bench);
     let speed = Speed {
         cold: cold.of_wall,
         warm: median.of_wall,
@@ -95,8 +95,8 @@ fn speed(execution: Execution) -> Result<(Speed, Vec<PointResult>), Fault> {
         instructions_per_s: median.instructions_per_s,
         done: Done {
             records,
-            elapsed: board.elapsed(),
-            instructions: board.instructions(),
+            elapsed,
+            instructions,
         },
     };
     Ok((speed, median.points))
@@ -104,13 +104,13 @@ fn speed(execution: Execution) -> Result<(Speed, Vec<PointResult>), Fault> {
 
 /// Runs the default list, and adds its record to the sum.
 fn lap(bench: &mut Bench, records: &mut Sha256Sum) -> Result<Lap, Fault> {
-    let (from, before) = (bench.board().elapsed(), bench.board().instructions());
+    let (from, before) = stand(bench);
     let (start, processor_s) = (Instant::now(), processor_s()?);
     let outcome = bench.run(&session::default_points(10.0))?;
-    let virtual_s = (bench.board().elapsed() - from).as_secs_f64();
     let wall_s = start.elapsed().as_secs_f64();
     let processor_s = self::processor_s()? - processor_s;
-    let instructions = bench.board().instructions() - before;
+    let (to, after) = stand(bench);
+    let (virtual_s, instructions) = ((to - from).as_secs_f64(), after - before);
     let folder = tempfile::tempdir()?;
     let id = outcome.record_id;
     let file = session::download(&mut bench.client, id, folder.path(), |_| ())?;
@@ -122,6 +122,12 @@ fn lap(bench: &mut Bench, records: &mut Sha256Sum) -> Result<Lap, Fault> {
         of_processor: virtual_s / processor_s,
         instructions_per_s: instructions as f64 / wall_s,
     })
+}
+
+/// Virtual time and instructions since power came.
+fn stand(bench: &Bench) -> (Duration, u64) {
+    let board = bench.board();
+    (board.elapsed(), board.instructions())
 }
 
 /// Time the processor has worked for this program, s, to 10 ms.
