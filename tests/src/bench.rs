@@ -10,7 +10,7 @@ use calib_twin::oracle::{self, CalibrationPoint};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::RigPort;
-use calib_twin::runner::{Emulator, Firmware, SharedEmulator};
+use calib_twin::runner::{Emulator, Execution, Firmware, SharedEmulator};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -65,7 +65,21 @@ impl Bench {
     /// # Errors
     /// As [`Bench::with_rig`].
     pub fn with_image(firmware: &Firmware, port: Box<dyn RigPort>) -> Result<Self, Fault> {
-        let emulator = Arc::new(Mutex::new(Emulator::power_on(firmware, port)?));
+        Self::speak_to(Emulator::power_on(firmware, port)?)
+    }
+
+    /// As [`Bench::with_rig`], executed as `execution` says.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn executed(execution: Execution, rig: &Rig) -> Result<Self, Fault> {
+        let port = Box::new(Plant::new(rig));
+        let board = Emulator::power_on_as(execution, &Firmware::shipping()?, port)?;
+        Self::speak_to(board)
+    }
+
+    fn speak_to(board: Emulator) -> Result<Self, Fault> {
+        let emulator = Arc::new(Mutex::new(board));
         let mut client = conversation(&emulator, FIRST);
         client.wait(BOOT)?;
         client.info()?;

@@ -1,15 +1,14 @@
 //! Speed on this computer, size of the image, and how fast levels settle:
 //! `./run bench speed`.
 
+mod emulator;
 mod twin;
 
 use calib_core::converter::Width;
 use calib_core::correlation::{Block, Correlator, FoldMemory};
 use calib_core::point::PointResult;
 use calib_core::tone::Tone;
-use calib_link::session;
-use calib_tests::bench::{Bench, Fault};
-use calib_twin::rig::Rig;
+use calib_tests::bench::Fault;
 use serde_json::{Value, json};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -27,13 +26,7 @@ fn main() -> Result<(), Fault> {
         "image: text {}, data {}, bss {} bytes",
         size["text"], size["data"], size["bss"]
     );
-    let mut bench = Bench::with_rig(&Rig::standard())?;
-    let (_, cold) = timed_run(&mut bench)?;
-    let (points, warm) = timed_run(&mut bench)?;
-    println!(
-        "emulator, first run        {cold:>8.2} x real time, with the translation of the image"
-    );
-    println!("emulator, second run       {warm:>8.2} x real time, aim 3");
+    let (emulator, points) = emulator::measure()?;
     let rig = twin::measure()?;
     println!(
         "\n{:>9} {:>10} {:>10} {:>11}",
@@ -46,23 +39,13 @@ fn main() -> Result<(), Fault> {
         let json = json!({
             "correlation_msamples_per_s": throughput,
             "image_bytes": size,
-            "emulator_first_run_x_real_time": cold,
-            "emulator_x_real_time": warm,
+            "emulator": emulator,
             "twin": rig,
             "settling": points.iter().map(settling).collect::<Vec<_>>(),
         });
         std::fs::write(path, serde_json::to_string_pretty(&json)?)?;
     }
     Ok(())
-}
-
-/// Runs the default list; its results, and virtual time over the wall's.
-fn timed_run(bench: &mut Bench) -> Result<(Vec<PointResult>, f64), Fault> {
-    let (start, from) = (Instant::now(), bench.board().elapsed());
-    let outcome = bench.run(&session::default_points(10.0))?;
-    let virtual_time = bench.board().elapsed() - from;
-    let speed = virtual_time.as_secs_f64() / start.elapsed().as_secs_f64();
-    Ok((outcome.points, speed))
 }
 
 /// Samples of both channels that one core of this computer correlates, with the

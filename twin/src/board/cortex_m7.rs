@@ -64,7 +64,7 @@ const ACCESS_CONTROL: [(u64, u32, u32); 6] = [
 ];
 
 /// The core of `part` as the emulator makes it.
-pub(super) fn spec(part: &Part) -> CoreSpec {
+pub(super) fn spec(part: &Part, shortcuts: bool) -> CoreSpec {
     let lines = u32::from(Operate::cpu(part).interrupt_lines);
     let core = armv7m::Core {
         variant: armv7m::Variant::M7,
@@ -92,6 +92,7 @@ pub(super) fn spec(part: &Part) -> CoreSpec {
         )
         .collect();
     config.vector_table = Some(VECTOR_TABLE);
+    config.shortcuts = shortcuts;
     let mut spec = config.spec();
     let core = Arc::clone(&spec.processor);
     let flash = part.flash_watch();

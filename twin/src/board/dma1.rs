@@ -119,6 +119,15 @@ impl Transfer {
     }
 }
 
+/// An access a stream has to make now: a store of `written`, or a fetch.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Due {
+    access: Access,
+    pub(super) address: u64,
+    pub(super) width: Width,
+    pub(super) written: Option<u64>,
+}
+
 /// One stream beside its registers.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 struct Stream {
@@ -155,14 +164,54 @@ impl Dma1 {
     /// Serves every stream whose line stands.
     pub(super) fn serve(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
         for nth in 0..STREAMS {
-            if self.streams[nth].transfer.is_some() && self.lines.stands(nth) {
+            if self.stands(nth) {
                 self.advance(nth, registers, context);
             }
         }
     }
 
+    /// Whether a stream has a transfer under way, and its line stands.
+    pub(super) fn stands(&self, nth: usize) -> bool {
+        self.streams[nth].transfer.is_some() && self.lines.stands(nth)
+    }
+
+    /// The access a stream has to make now, for a caller that makes it at once.
+    pub(super) fn due(&self, nth: usize) -> Option<Due> {
+        let transfer = self.streams[nth].transfer.as_ref()?;
+        let access = transfer.next(self.lines.stands(nth))?;
+        transfer.reaches(access).then(|| Due {
+            access,
+            address: transfer.address(access),
+            width: transfer.width,
+            written: (access == Access::Store).then(|| transfer.item.unwrap_or(0)),
+        })
+    }
+
+    /// Whether a stream has no access to make before its line stands again.
+    pub(super) fn waits(&self, nth: usize) -> bool {
+        let transfer = self.streams[nth].transfer.as_ref();
+        transfer.is_none_or(|transfer| transfer.next(self.lines.stands(nth)).is_none())
+    }
+
+    /// The access [`due`](Self::due) named was made; `value` is what it read.
+    pub(super) fn moved(
+        &mut self,
+        nth: usize,
+        due: &Due,
+        value: u64,
+        registers: &mut RegisterFile,
+        context: &mut DeviceContext<'_>,
+    ) {
+        if due.access == Access::Store
+            && let Some(transfer) = &mut self.streams[nth].transfer
+        {
+            transfer.item = None;
+        }
+        self.count_access(nth, due.access, value, registers, context);
+    }
+
     /// Asks for the next access of a stream, if it has one to make.
-    fn advance(
+    pub(super) fn advance(
         &mut self,
         nth: usize,
         registers: &mut RegisterFile,
@@ -204,6 +253,22 @@ impl Dma1 {
             return;
         }
         transfer.under_way = None;
+        self.count_access(nth, access, value, registers, context);
+        self.advance(nth, registers, context);
+    }
+
+    /// Counts an access that was made, and says so in the flags where it is half or the last.
+    fn count_access(
+        &mut self,
+        nth: usize,
+        access: Access,
+        value: u64,
+        registers: &mut RegisterFile,
+        context: &mut DeviceContext<'_>,
+    ) {
+        let Some(transfer) = self.streams[nth].transfer.as_mut() else {
+            return;
+        };
         transfer.step(access);
         if access == Access::Fetch {
             transfer.item = Some(value);
@@ -217,7 +282,6 @@ impl Dma1 {
             }
             self.end_round(nth, registers, context);
         }
-        self.advance(nth, registers, context);
     }
 
     /// Ends the transfer with its last item, or begins the next round.

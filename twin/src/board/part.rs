@@ -4,6 +4,8 @@
 //! emulator's, on our own bus ([`memory_map`]), with TIM6, DAC, ADC1, ADC2, their common block,
 //! DMA1, DMAMUX1, the flash interface, SYSCFG and IWDG answered by the models next door.
 
+mod at_once;
+
 use rigless::device::{Device, ErasedDevice, ResetCause};
 use rigless::emulator::{Checked, Memory};
 use rigless::mcu::{Mcu, Operate};
@@ -93,6 +95,7 @@ pub struct Part {
 /// Where on the bus the instances are that a sample passes.
 #[derive(Debug, Clone, Copy)]
 struct SampleSlots {
+    tim6: usize,
     dac: usize,
     common: usize,
     dma1: usize,
@@ -124,6 +127,7 @@ impl Part {
         let pair = SharedPair::new(pins.analog.clone(), pins.schematic.input_channels);
         let lines = RequestLines::new();
         let slots = SampleSlots {
+            tim6: base.bus().slot(tim6::NAME)?,
             dac: base.bus().slot(super::dac::NAME)?,
             common: base.bus().slot(adc::NAME)?,
             dma1: base.bus().slot(super::dma1::NAME)?,
@@ -240,6 +244,12 @@ impl Part {
 
     /// TIM6's trigger output pulses at `at`: both converters hear it, then the DMA what they ask for.
     fn sample(&mut self, at: VirtualNanos) {
+        self.trigger_converters(at);
+        let (registers, mut context) = self.base.bus_mut().drive(at, self.slots.dma1);
+        self.dma1.serve(registers, &mut context);
+    }
+
+    fn trigger_converters(&mut self, at: VirtualNanos) {
         if std::mem::take(&mut self.ports_used) {
             self.common.set_pulls(self.input_pulls());
         }
@@ -248,8 +258,6 @@ impl Part {
         self.dac.on_tim6(registers, &mut context);
         let (registers, mut context) = bus.drive(at, self.slots.common);
         self.common.on_tim6(registers, &mut context);
-        let (registers, mut context) = bus.drive(at, self.slots.dma1);
-        self.dma1.serve(registers, &mut context);
     }
 
     fn poll_slot(&mut self, slot: usize, now: VirtualNanos) {
@@ -348,6 +356,15 @@ impl Mcu for Part {
         if self.pins.usb.has_news() {
             self.poll_slot(self.usb_slot, now);
         }
+    }
+
+    fn pass(
+        &mut self,
+        now: VirtualNanos,
+        limit: VirtualNanos,
+        memory: &mut dyn Memory,
+    ) -> VirtualNanos {
+        self.sample_at_once(now, limit, memory)
     }
 
     fn read_checked(

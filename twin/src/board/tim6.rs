@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 /// The instance's name, as listeners see it.
 pub(super) const NAME: &str = "TIM6";
 const UPDATE_LINE: usize = 0;
-const NS_PER_S: u128 = 1_000_000_000;
+const NS_PER_S: u64 = 1_000_000_000;
 
 /// Source of the trigger output, by `MMS`.
 const MMS_RESET: u64 = 0;
@@ -70,14 +70,16 @@ impl Tim6 {
 
     /// Instant `ticks` of the timer's clock after the base, rounded up to the whole nanosecond.
     fn instant(&self, ticks: u64) -> VirtualNanos {
-        let ns = (u128::from(ticks) * NS_PER_S).div_ceil(u128::from(self.clock_hz));
-        VirtualNanos(self.base.0 + ns as u64)
+        // Whole seconds apart: 64 bits hold the rest.
+        let (seconds, rest) = (ticks / self.clock_hz, ticks % self.clock_hz);
+        let ns = seconds * NS_PER_S + (rest * NS_PER_S).div_ceil(self.clock_hz);
+        VirtualNanos(self.base.0 + ns)
     }
 
     /// Ticks of the timer's clock between the base and `now`.
     fn ticks(&self, now: VirtualNanos) -> u64 {
         let ns = u128::from(now.0.saturating_sub(self.base.0));
-        (ns * u128::from(self.clock_hz) / NS_PER_S) as u64
+        (ns * u128::from(self.clock_hz) / u128::from(NS_PER_S)) as u64
     }
 
     fn count(&self, now: VirtualNanos, registers: &RegisterFile) -> u64 {
@@ -94,13 +96,36 @@ impl Tim6 {
         self.updates = 0;
     }
 
-    fn schedule(&mut self, registers: &RegisterFile, context: &mut DeviceContext<'_>) {
+    /// The event of the next update, where that update does nothing but pulse the trigger output: no
+    /// interrupt, nothing taken over from a shadow register, nothing that is told.
+    pub(super) fn plain_update(&self, registers: &RegisterFile) -> Option<EventId> {
+        let shadows = (registers.get(Register::Psc), registers.get(Register::Arr));
+        let pulses = cr2::MMS.get(registers.get(Register::Cr2)) == MMS_UPDATE;
+        let plain = pulses
+            && self.written.is_none()
+            && self.pulse.is_none()
+            && shadows == (self.prescaler, self.reload)
+            && !cr1::UDIS.is_set(registers.get(Register::Cr1))
+            && !dier::UIE.is_set(registers.get(Register::Dier));
+        self.next.filter(|_| plain)
+    }
+
+    /// The update of [`plain_update`](Self::plain_update), whose pulse the caller makes.
+    pub(super) fn pass_update(&mut self, registers: &mut RegisterFile) {
+        self.updates += 1;
+        registers.set(Register::Sr, sr::UIF.mask());
+    }
+
+    /// Instant of the next update.
+    pub(super) fn next_update(&self) -> VirtualNanos {
+        let already = self.base_count * (self.prescaler + 1);
+        self.instant((self.updates + 1) * self.period_ticks() - already)
+    }
+
+    pub(super) fn schedule(&mut self, registers: &RegisterFile, context: &mut DeviceContext<'_>) {
         let running = cr1::CEN.is_set(registers.get(Register::Cr1));
-        self.next = (running && self.clock_hz > 0 && self.reload > 0).then(|| {
-            let already = self.base_count * (self.prescaler + 1);
-            let ticks = (self.updates + 1) * self.period_ticks() - already;
-            context.schedule(self.instant(ticks))
-        });
+        self.next = (running && self.clock_hz > 0 && self.reload > 0)
+            .then(|| context.schedule(self.next_update()));
     }
 
     /// The counter overflowed, or software generated an update; answers whether that is a trigger.

@@ -56,7 +56,25 @@ impl Propagator {
 
     /// Writes the state at the end of the step to `next`, which is padded to whole tiles;
     /// `source` is (state, inputs).
+    ///
+    /// A sum is the same to the bit however wide the computer's registers are.
     pub(super) fn apply(&self, source: &[f64], next: &mut [f64]) {
+        #[cfg(target_arch = "x86_64")]
+        if std::arch::is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has what the function is compiled for.
+            return unsafe { self.apply_avx2(source, next) };
+        }
+        self.apply_tiles(source, next);
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn apply_avx2(&self, source: &[f64], next: &mut [f64]) {
+        self.apply_tiles(source, next);
+    }
+
+    #[inline(always)]
+    fn apply_tiles(&self, source: &[f64], next: &mut [f64]) {
         let (rows, _) = next.as_chunks_mut::<TILE_ROWS>();
         for (rows, tile) in rows.iter_mut().zip(&self.tiles) {
             let mut sums = [0.0; TILE_ROWS];

@@ -13,7 +13,7 @@ use rigless::session::Session;
 use rigless::time::VirtualNanos;
 
 use super::log::{self, Log};
-use super::{Error, Firmware, memory, torn};
+use super::{Error, Execution, Firmware, memory, torn};
 use crate::board::{CalibratorBoard, FlashWatch, Pins, SerialLine, WORD_BYTES};
 
 /// Symbol of the firmware's RTT control block.
@@ -32,6 +32,7 @@ enum Command {
 
 /// State of the callbacks.
 struct Callbacks {
+    execution: Execution,
     commands: Receiver<Command>,
     reached: Sender<Stop>,
     goal: VirtualNanos,
@@ -68,6 +69,10 @@ impl Driver<CalibratorBoard> for Callbacks {
             // Nobody listening means nobody asked: a watch left over from before.
             self.hits.send(hit).ok();
         }
+    }
+
+    fn hears_every_stop(&self) -> bool {
+        self.execution == Execution::Plain
     }
 
     fn on_stop(
@@ -131,9 +136,15 @@ impl Callbacks {
 impl CoreThread {
     /// Starts the core of a new board with `records` in its record flash, and waits until it stands
     /// before its first instruction.
-    pub(super) fn start(firmware: &Firmware, records: Image, pins: &Pins) -> Result<Self, Error> {
+    pub(super) fn start(
+        execution: Execution,
+        firmware: &Firmware,
+        records: Image,
+        pins: &Pins,
+    ) -> Result<Self, Error> {
         let images = vec![firmware.image().clone(), records];
-        Self::run_images(firmware, images, pins, session(pins)?, None)
+        let session = session(execution, pins)?;
+        Self::run_images(execution, firmware, images, pins, session, None)
     }
 
     /// Starts the core where `restore` puts a new session.
@@ -142,13 +153,15 @@ impl CoreThread {
         pins: &Pins,
         restore: impl FnOnce(&mut Session<CalibratorBoard>) -> Result<Resume<'static>, Error>,
     ) -> Result<Self, Error> {
-        let mut session = session(pins)?;
+        let execution = Execution::asked();
+        let mut session = session(execution, pins)?;
         let resume = restore(&mut session)?;
         let images = vec![firmware.image().clone()];
-        Self::run_images(firmware, images, pins, session, Some(resume))
+        Self::run_images(execution, firmware, images, pins, session, Some(resume))
     }
 
     fn run_images(
+        execution: Execution,
         firmware: &Firmware,
         images: Vec<Image>,
         pins: &Pins,
@@ -160,6 +173,7 @@ impl CoreThread {
         let (log, logged) = channel();
         let (hits, hit) = channel();
         let callbacks = Callbacks {
+            execution,
             commands: for_callbacks,
             reached,
             goal: VirtualNanos(0),
@@ -262,9 +276,10 @@ impl CoreThread {
 }
 
 /// A session of a new board.
-fn session(pins: &Pins) -> Result<Session<CalibratorBoard>, Error> {
+fn session(execution: Execution, pins: &Pins) -> Result<Session<CalibratorBoard>, Error> {
     let ended = |error: &dyn std::fmt::Display| Error::Ended(error.to_string());
-    let board = CalibratorBoard::new(pins.clone()).map_err(|error| ended(&error))?;
+    let mut board = CalibratorBoard::new(pins.clone()).map_err(|error| ended(&error))?;
+    board.shortcuts = execution == Execution::Fast;
     Session::new(Box::new(board), 0, VirtualNanos(0)).map_err(|error| ended(&error))
 }
 

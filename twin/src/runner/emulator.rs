@@ -8,7 +8,7 @@ use rigless::time::VirtualNanos;
 use super::core_thread::CoreThread;
 use super::memory::RECORD_FLASH_BYTES;
 use super::passages::{Mark, Passages};
-use super::{Error, Firmware, Log, memory};
+use super::{Error, Execution, Firmware, Log, memory};
 use crate::board::usb::UsbPort;
 use crate::board::{FlashWatch, Leds, PartFault, Pins, RECORD_FLASH, SerialLine};
 use crate::rig_port::{DRIVE_MID_CODE, RigPort};
@@ -63,8 +63,30 @@ impl Emulator {
         rig: Box<dyn RigPort>,
         flash: &[u8],
     ) -> Result<Self, Error> {
+        Self::assemble(Execution::asked(), firmware, rig, flash)
+    }
+
+    /// As [`Emulator::power_on`], executed as `execution` says.
+    ///
+    /// # Errors
+    ///
+    /// As there.
+    pub fn power_on_as(
+        execution: Execution,
+        firmware: &Firmware,
+        rig: Box<dyn RigPort>,
+    ) -> Result<Self, Error> {
+        Self::assemble(execution, firmware, rig, &[0xFF; RECORD_FLASH_BYTES])
+    }
+
+    fn assemble(
+        execution: Execution,
+        firmware: &Firmware,
+        rig: Box<dyn RigPort>,
+        flash: &[u8],
+    ) -> Result<Self, Error> {
         let pins = Pins::new(firmware.schematic(), rig);
-        let core = start(firmware, &pins, flash)?;
+        let core = start(execution, firmware, &pins, flash)?;
         Ok(Self {
             core,
             firmware: firmware.clone(),
@@ -364,7 +386,12 @@ impl Emulator {
 }
 
 /// Builds the board and starts its core.
-fn start(firmware: &Firmware, pins: &Pins, flash: &[u8]) -> Result<CoreThread, Error> {
+fn start(
+    execution: Execution,
+    firmware: &Firmware,
+    pins: &Pins,
+    flash: &[u8],
+) -> Result<CoreThread, Error> {
     if flash.len() != RECORD_FLASH_BYTES {
         return Err(Error::FlashSize {
             expected: RECORD_FLASH_BYTES,
@@ -375,7 +402,7 @@ fn start(firmware: &Firmware, pins: &Pins, flash: &[u8]) -> Result<CoreThread, E
     let name = std::path::Path::new("record flash");
     let records = Image::new(name, flash.to_vec(), Some(RECORD_FLASH));
     let records = records.map_err(|error| ended(&error))?;
-    let mut core = CoreThread::start(firmware, records, pins)?;
+    let mut core = CoreThread::start(execution, firmware, records, pins)?;
     core.act(move |_, host, _| memory::scramble(host, 0))?
         .map_err(|error| ended(&error))?;
     Ok(core)

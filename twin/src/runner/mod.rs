@@ -7,12 +7,14 @@
 //!   host software runs against the board in one process.
 //! - [`run_paced`]: the same board at the pace of the wall, with [`Door`]s for programs in other
 //!   processes: a TCP port ([`TcpDoor`]) and, where there are any, a pseudo terminal (`PtyDoor`).
+//! - [`Execution`]: fast, or plainly: the same run either way.
 //! - [`Mark`], [`Passages`]: how many instructions a program takes from here to there.
 //! - [`Log`]: what the firmware logs over RTT.
 
 mod core_thread;
 mod emulator;
 mod error;
+mod execution;
 mod firmware;
 mod keep;
 mod log;
@@ -28,6 +30,7 @@ mod torn;
 
 pub use emulator::{Emulator, Gap};
 pub use error::Error;
+pub use execution::Execution;
 pub use firmware::Firmware;
 pub use log::Log;
 pub use paced::{Door, HostLine, Pace, run_paced};

@@ -1,5 +1,6 @@
 //! The models, driven register by register as a driver does, without a core.
 
+mod arithmetic;
 mod converters;
 mod dma;
 mod drive;

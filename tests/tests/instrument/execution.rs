@@ -1,0 +1,43 @@
+//! The emulator's shortcuts change nothing but how long a run takes.
+
+use calib_link::session;
+use calib_protocol::record::{self, Sha256Sum};
+use calib_tests::bench::{Bench, Fault, point};
+use calib_twin::rig::Rig;
+use calib_twin::runner::Execution;
+
+/// All that two runs can differ in: the record, the instant, the instructions, the sample pairs.
+#[derive(Debug, PartialEq)]
+struct Trace {
+    record: Sha256Sum,
+    elapsed_ns: u128,
+    instructions: u64,
+    pairs: u64,
+    drive_code: u16,
+}
+
+/// Calibrates two points, stores and downloads the record, and releases it.
+fn trace(execution: Execution) -> Result<Trace, Fault> {
+    let mut bench = Bench::executed(execution, &Rig::standard())?;
+    let outcome = bench.run(&[point(160.0, 10.0), point(5000.0, 20.0)])?;
+    let folder = tempfile::tempdir()?;
+    let id = outcome.record_id;
+    let file = session::download(&mut bench.client, id, folder.path(), |_| ())?;
+    bench.client.release(id)?;
+    let board = bench.board();
+    Ok(Trace {
+        record: record::digest(&std::fs::read(file.path)?),
+        elapsed_ns: board.elapsed().as_nanos(),
+        instructions: board.instructions(),
+        pairs: board.sample_pairs(),
+        drive_code: board.drive_code(),
+    })
+}
+
+#[test]
+fn a_fast_run_is_the_plain_one() {
+    let fast = trace(Execution::Fast).expect("runs");
+    let plain = trace(Execution::Plain).expect("runs");
+    assert_eq!(fast, plain);
+    assert!(fast.pairs > 50_000, "{} pairs are no run", fast.pairs);
+}
