@@ -13,6 +13,7 @@
 )]
 
 pub mod alignment;
+pub mod aperture;
 pub mod broadband;
 pub mod budget;
 pub mod consecutive;

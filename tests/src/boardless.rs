@@ -2,6 +2,7 @@
 //! samples, commands and delays as on the instrument, thousands of points in
 //! the time an emulated board takes for a few.
 
+use calib_core::aperture::Aperture;
 use calib_core::broadband::PeriodMemory;
 use calib_core::converter::Converters;
 use calib_core::correlation::FoldMemory;
@@ -11,21 +12,61 @@ use calib_core::sequence::{Sampling, Sequencer};
 use calib_core::settings::Settings;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
-use calib_twin::rig_port::{DRIVE_MID_CODE, RigPort};
+use calib_twin::rig_port::{Conversions, DRIVE_MID_CODE, RigPort};
 
 const RATE_HZ: f32 = 50_000.0;
 const PERIOD_NS: u64 = 20_000;
 /// Pairs of a block, and codes of a half of the output's ring, as in the firmware.
 const BLOCK: usize = 500;
+/// How the part's converters are set.
+#[derive(Clone, Copy, Debug)]
+pub struct Acquisition {
+    /// At each trigger.
+    pub conversions: Conversions,
+    /// The drive converter has its buffer before the pin.
+    pub drive_buffer: bool,
+}
+
+impl Acquisition {
+    /// As the firmware sets them on the board with 240 MHz buses: 8 conversions of 25 cycles of 30 MHz
+    /// each, 16.5 of them connected to the pin.
+    pub const SHIPPING: Self = Self {
+        conversions: Conversions {
+            count: 8,
+            apart_ns: 834,
+            sampling_ns: 550,
+        },
+        drive_buffer: false,
+    };
+
+    fn aperture(self) -> Aperture {
+        Aperture {
+            conversions: self.conversions.count as u16,
+            apart_s: self.conversions.apart_ns as f32 * 1.0e-9,
+        }
+    }
+}
+
 /// A point that takes longer never ends.
 const LONGEST_S: f32 = 60.0;
 
 /// Measures the points of one run on a rig at rest, also behind one that would
 /// end a run; the last is missing when it does not end within a minute.
 pub fn measure(rig: &Rig, settings: &Settings, specs: &[PointSpec]) -> Vec<PointResult> {
+    measure_by(Acquisition::SHIPPING, rig, settings, specs)
+}
+
+/// As [`measure`], with converters set otherwise than the firmware sets them.
+pub fn measure_by(
+    acquisition: Acquisition,
+    rig: &Rig,
+    settings: &Settings,
+    specs: &[PointSpec],
+) -> Vec<PointResult> {
     let sampling = Sampling {
         input: Converters::FIELD.input,
         sample_rate_hz: RATE_HZ,
+        aperture: acquisition.aperture(),
         latency_samples: 2 * BLOCK as u32 + 2,
     };
     let (mut fold, mut period) = (FoldMemory::new(), PeriodMemory::new());
@@ -40,6 +81,8 @@ pub fn measure(rig: &Rig, settings: &Settings, specs: &[PointSpec]) -> Vec<Point
         plant: Plant::new(rig),
         ring: [[DRIVE_MID_CODE; BLOCK]; 2],
     };
+    calibrator.plant.set_conversions(acquisition.conversions);
+    calibrator.plant.set_drive_buffer(acquisition.drive_buffer);
     calibrator.sequencer.start_run(settings.clone());
     specs
         .iter()

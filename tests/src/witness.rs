@@ -2,7 +2,7 @@
 
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
-use calib_twin::rig_port::{DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
+use calib_twin::rig_port::{Conversions, DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Sample pairs of a block: the converters' DMA interrupts with each (10 ms).
@@ -97,6 +97,14 @@ impl RigPort for Witness {
         if drive_code != DRIVE_MID_CODE {
             self.sight.seen().note_drive();
         }
+    }
+
+    fn set_conversions(&mut self, conversions: Conversions) {
+        self.plant.set_conversions(conversions);
+    }
+
+    fn set_drive_buffer(&mut self, on: bool) {
+        self.plant.set_drive_buffer(on);
     }
 
     fn sample(&mut self) -> [u16; INPUT_CHANNELS] {

@@ -18,6 +18,7 @@
 //! Nothing here depends on `calib-core`: what judges shares no code with what it judges.
 
 pub mod board;
+pub mod converters;
 pub mod dataset;
 pub mod effects;
 pub mod faults;

@@ -11,6 +11,7 @@
 //! ```
 
 use rigless::snapshot::{Error, Reader, Writer};
+use serde::{Deserialize, Serialize};
 
 /// Code of the drive output (DAC1, 12 bit right aligned) at which the exciter gets 0 V.
 ///
@@ -28,6 +29,28 @@ pub const AIR_C: f64 = 23.0;
 /// 480 MHz) over some 42 K/W from junction to air.
 pub const SELF_HEATING_K: f64 = 25.0;
 
+/// What a trigger makes each input converter do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Conversions {
+    /// Conversions whose mean is the sample, at least 1; the first is at the trigger.
+    pub count: u32,
+    /// From one to the next, ns.
+    pub apart_ns: u64,
+    /// For how long each is connected to its pin, ns.
+    pub sampling_ns: u64,
+}
+
+impl Default for Conversions {
+    /// One, of a sampling time that is no matter.
+    fn default() -> Self {
+        Self {
+            count: 1,
+            apart_ns: 0,
+            sampling_ns: 2_000,
+        }
+    }
+}
+
 /// Devices at the board's analogue pins, and the air around it.
 ///
 /// The board calls [`hold`](Self::hold) for every stretch of time in which the drive output was
@@ -39,6 +62,16 @@ pub trait RigPort: Send {
     /// Advances the physics by `duration_ns` with the drive output constant at `drive_code`
     /// (0 ..= 4095, [`DRIVE_MID_CODE`] is 0 V).
     fn hold(&mut self, drive_code: u16, duration_ns: u64);
+
+    /// From now on each sample is made so.
+    fn set_conversions(&mut self, conversions: Conversions) {
+        let _ = conversions;
+    }
+
+    /// From now on the drive output has the converter's buffer before it, or not.
+    fn set_drive_buffer(&mut self, on: bool) {
+        let _ = on;
+    }
 
     /// The codes both digitisers give for the present instant: reference, then device under test,
     /// 16 bit offset binary (32 768 is 0 V).
@@ -87,6 +120,14 @@ impl RigPort for ShortedInputs {
 impl<R: RigPort + ?Sized> RigPort for Box<R> {
     fn hold(&mut self, drive_code: u16, duration_ns: u64) {
         (**self).hold(drive_code, duration_ns);
+    }
+
+    fn set_conversions(&mut self, conversions: Conversions) {
+        (**self).set_conversions(conversions);
+    }
+
+    fn set_drive_buffer(&mut self, on: bool) {
+        (**self).set_drive_buffer(on);
     }
 
     fn sample(&mut self) -> [u16; INPUT_CHANNELS] {

@@ -26,6 +26,11 @@ impl Bench {
 
 const BENCHES: &[Bench] = &[
     Bench {
+        name: "converters",
+        example: "bench_converters",
+        what: "what the converters' errors do to S, by how they are set; assumed errors halved, doubled",
+    },
+    Bench {
         name: "coverage",
         example: "bench_coverage",
         what: "share of simulated calibrations whose U (k = 2) contains the truth",

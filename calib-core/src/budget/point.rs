@@ -73,7 +73,7 @@ pub fn point_budget(
             values,
         )?;
     }
-    for at_point in settings.point_influences.at(point) {
+    for at_point in settings.point_influences.at(point, reference) {
         let half_widths = [at_point.half_width_rel, at_point.half_width_phase_rad];
         budget.add_above_zero(at_point.row, at_point.label, half_widths)?;
     }

@@ -442,8 +442,9 @@ impl<'m> Survey<'m> {
                 continue;
             };
             let samples = self.spectra.reference_mean_square(line);
-            let ms2_per_code =
-                self.settings.reference_input.volt_per_code / reference.sensitivity_v_per_ms2;
+            let ms2_per_code = self.settings.reference_input.volt_per_code
+                / reference.sensitivity_v_per_ms2
+                / self.sampling.aperture.gain(frequency_hz);
             let acceleration = samples * ms2_per_code * ms2_per_code;
             let velocity = acceleration / (omega * omega);
             let seen = [acceleration, velocity, velocity / (omega * omega), samples];

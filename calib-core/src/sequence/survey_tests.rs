@@ -2,6 +2,7 @@
 
 use super::tests::Plant;
 use super::*;
+use crate::aperture::Aperture;
 use crate::broadband::{PeriodMemory, SpectraMemory, line_frequency_hz, nearest_line};
 use crate::converter::Converters;
 use crate::output::Output;
@@ -44,6 +45,7 @@ fn survey(
     let sampling = Sampling {
         input: Converters::FIELD.input,
         sample_rate_hz: RATE_HZ,
+        aperture: Aperture::POINT,
         latency_samples: 2 * BLOCK as u32,
     };
     let mut survey = Survey::new(&mut spectra, sampling, settings.clone());

@@ -1,6 +1,7 @@
 //! The whole course of points against a simple plant in f64.
 
 use super::*;
+use crate::aperture::Aperture;
 use crate::converter::Converters;
 use crate::correlation::FoldMemory;
 use crate::generator::Generator;
@@ -157,6 +158,7 @@ impl<'m> Rig<'m> {
         let sampling = Sampling {
             input: Converters::FIELD.input,
             sample_rate_hz: RATE_HZ as f32,
+            aperture: Aperture::POINT,
             latency_samples: ((delay + 1) * HALF) as u32,
         };
         Self {

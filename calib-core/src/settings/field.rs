@@ -11,6 +11,10 @@ use heapless::{String, Vec};
 /// Sensitivity of the built-in reference with its conditioner, V/(m/s2).
 const REFERENCE_V_PER_MS2: f32 = 0.0102;
 
+/// Step at mid-scale the sheet allows the input converters: differential nonlinearity of +3 codes of 16
+/// bits (DS12110 Rev 10, table 186, typical).
+const CONVERTER_STEP_CODES: f32 = 3.0;
+
 const RECTANGULAR: Distribution = Distribution::Rectangular;
 
 /// Three quantities of unknown direction (Table D.1, note 3): sqrt(18).
@@ -82,7 +86,10 @@ impl Settings {
             },
             blocks: 10,
             influences: INFLUENCES.iter().map(influence).collect(),
-            point_influences: PointInfluences::NONE,
+            point_influences: PointInfluences {
+                converter_step_v: CONVERTER_STEP_CODES * converters.volt_per_sample(),
+                ..PointInfluences::NONE
+            },
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A signal both inputs share: their pins, pulled up and down by the part's own resistors at once.
 //!
-//! Some 40 kOhm against the series resistor of the front end move either pin by 40 mV, 800 samples of
-//! a 16-bit converter, on whatever is there; the table does not move, and nothing is added to the
+//! Some 40 kOhm against the 1 kOhm of the front end move either pin by 40 mV, 800 samples of a 16-bit
+//! converter, on whatever is there; the table does not move, and nothing is added to the
 //! board. The converters sample their pins whatever the port does beside, so the stream that is
 //! looked at is the one that measures. The resistors need the port in input mode (RM0433 Rev 8,
 //! 11.3.12); that a converter sees its pin in that mode is assumed from other parts of the family.

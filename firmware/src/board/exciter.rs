@@ -58,14 +58,17 @@ impl Exciter {
         rcc::enable_and_reset::<peripherals::DAC1>();
         gpio::Flex::new(parts.pin.0).set_as_analog();
         let registers = pac::DAC1;
+        // Without this the first trigger would move the reset value, full
+        // negative scale, to the output: a kick of the whole armature. And before
+        // the mode, which without data would make the output invalid (ES0392,
+        // 2.11.1).
+        preload_mid_scale();
         // Without the buffer, which is linear only to within 0.2 V of the rails
-        // (DS12110 Rev 10, table 93); the output stage has a high impedance.
+        // (DS12110 Rev 10, table 93) and disturbs VREF+ more (docs/errata.md); the
+        // output stage has a high impedance.
         registers
             .mcr()
             .modify(|w| w.set_mode(CHANNEL, Mode::NORMAL_EXT_BUFDIS));
-        // Without this the first trigger would move the reset value, full
-        // negative scale, to the output: a kick of the whole armature.
-        preload_mid_scale();
         registers.cr().modify(|w| w.set_en(CHANNEL, true));
 
         let request =

@@ -39,7 +39,7 @@ mod wiring;
 pub(crate) use axi_sram::{AllZero, axi_static};
 pub(crate) use converter::NotReady;
 pub(crate) use description::{Clocks, Panel, Silicon};
-pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser};
+pub(crate) use digitiser::{APERTURE, BLOCK_PAIRS, Digitiser};
 pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
 pub(crate) use panel::{Lamp, Lamps, PushButton};
 pub(crate) use record_flash::{RECORD_AREA, RecordFlash, finish_word};

@@ -1,6 +1,6 @@
 //! Blocks in, drive commands and results out: the core decides everything.
 
-use crate::board::{BLOCK_PAIRS, CONVERTERS, SAMPLE_RATE_HZ, axi_static};
+use crate::board::{APERTURE, BLOCK_PAIRS, CONVERTERS, SAMPLE_RATE_HZ, axi_static};
 use crate::state::{self, Order};
 use crate::tasks::acquire::Block;
 use crate::tasks::drive::{COMMAND, DriveOrder, SILENCE};
@@ -22,6 +22,7 @@ use embassy_sync::zerocopy_channel::Receiver;
 const SAMPLING: Sampling = Sampling {
     input: CONVERTERS.input,
     sample_rate_hz: SAMPLE_RATE_HZ as f32,
+    aperture: APERTURE,
     latency_samples: 2 * BLOCK_PAIRS as u32 + 2,
 };
 

@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::time::VirtualNanos;
 
-use crate::rig_port::{DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
+use crate::rig_port::{Conversions, DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
 
 /// The pins of drive, reference and device under test, with the rig on them.
 struct Pins {
@@ -18,6 +18,8 @@ struct Pins {
     /// Instant at which the drive last left or reached silence.
     silent_since: Option<VirtualNanos>,
     samples: u64,
+    conversions: Conversions,
+    drive_buffer: bool,
 }
 
 /// A shared handle of the pins: DAC1 holds one, the converter pair holds one.
@@ -39,6 +41,8 @@ impl Store for Analog {
             pins.reached,
             pins.silent_since,
             pins.samples,
+            pins.conversions,
+            pins.drive_buffer,
         ))?;
         pins.rig.store(to)
     }
@@ -50,7 +54,10 @@ impl Store for Analog {
             pins.reached,
             pins.silent_since,
             pins.samples,
+            pins.conversions,
+            pins.drive_buffer,
         ) = from.take()?;
+        pins.set_rig();
         pins.rig.load(from)
     }
 }
@@ -65,6 +72,8 @@ impl Analog {
             reached: VirtualNanos(0),
             silent_since: Some(VirtualNanos(0)),
             samples: 0,
+            conversions: Conversions::default(),
+            drive_buffer: true,
         })))
     }
 
@@ -77,6 +86,25 @@ impl Analog {
         pins.advance(now);
         pins.drive_code = code;
         pins.silent_since = (code == DRIVE_MID_CODE).then_some(now);
+    }
+
+    /// The drive converter has its buffer before the pin, or not.
+    pub(super) fn buffer_drive(&self, on: bool, now: VirtualNanos) {
+        let mut pins = self.lock();
+        if on != pins.drive_buffer {
+            pins.advance(now);
+            pins.drive_buffer = on;
+            pins.set_rig();
+        }
+    }
+
+    /// Each sample is made so from now on.
+    pub(super) fn convert_so(&self, conversions: Conversions) {
+        let mut pins = self.lock();
+        if conversions != pins.conversions {
+            pins.conversions = conversions;
+            pins.set_rig();
+        }
     }
 
     /// The codes of both input channels at `now`.
@@ -117,7 +145,10 @@ impl Analog {
 
     /// Replaces the rig at the present instant and hands the old one back.
     pub fn replace_rig(&self, rig: Box<dyn RigPort>) -> Box<dyn RigPort> {
-        std::mem::replace(&mut self.lock().rig, rig)
+        let mut pins = self.lock();
+        let before = std::mem::replace(&mut pins.rig, rig);
+        pins.set_rig();
+        before
     }
 
     fn lock(&self) -> MutexGuard<'_, Pins> {
@@ -128,6 +159,12 @@ impl Analog {
 }
 
 impl Pins {
+    /// Tells the rig how the converters are set.
+    fn set_rig(&mut self) {
+        self.rig.set_conversions(self.conversions);
+        self.rig.set_drive_buffer(self.drive_buffer);
+    }
+
     fn advance(&mut self, now: VirtualNanos) {
         let duration_ns = now.0.saturating_sub(self.reached.0);
         if duration_ns > 0 {

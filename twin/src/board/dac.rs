@@ -35,6 +35,8 @@ const OUTPUT: [Register; 2] = [Register::Dor1, Register::Dor2];
 
 /// `TSEL` of a software trigger and of TIM6's (RM0433 Rev 9, table 225).
 const SOFTWARE: u64 = 0;
+/// What stands for an invalid output: no drive code is worse.
+const INVALID_CODE: u16 = 4095;
 const TIM6_TRGO: u64 = 5;
 
 /// The model's state beside the registers.
@@ -48,10 +50,14 @@ pub(super) struct Dac {
     holding: u16,
     /// A DMA request stands.
     pending: bool,
+    /// Something was loaded since the reset.
+    loaded: bool,
+    /// What is converted is invalid until the next reset.
+    spoiled: bool,
 }
 
 rigless::store!(Dac {
-    values: [holding, pending],
+    values: [holding, pending, loaded, spoiled],
     parts: [],
     built: [channel, analog, lines],
 });
@@ -64,6 +70,8 @@ impl Dac {
             lines,
             holding: 0,
             pending: false,
+            loaded: false,
+            spoiled: false,
         }
     }
 
@@ -95,14 +103,27 @@ impl Dac {
 
     fn drive_pin(&self, registers: &RegisterFile, context: &DeviceContext<'_>) {
         let enabled = cr::EN1.is_set(self.own(registers, Register::Cr));
-        // Modes 0 to 2 reach the pin, 3 stays on chip; bit 2 selects sample and hold.
-        let on_pin = mcr::MODE1.get(self.own(registers, Register::Mcr)) & 0b11 != 0b11;
-        let code = if enabled && on_pin {
+        // Modes 0 to 2 reach the pin, 3 stays on chip; 2 is the one without the buffer; bit 2 selects
+        // sample and hold.
+        let mode = mcr::MODE1.get(self.own(registers, Register::Mcr)) & 0b11;
+        let on_pin = mode != 0b11;
+        self.analog.buffer_drive(mode != 0b10, context.now());
+        let code = if enabled && on_pin && self.spoiled {
+            INVALID_CODE
+        } else if enabled && on_pin {
             registers.get(OUTPUT[self.channel]) as u16
         } else {
             DRIVE_MID_CODE
         };
         self.analog.drive(code, context.now());
+    }
+
+    /// ES0392, 2.11.1, revision V: a mode other than 0 for a channel that is off and was never loaded
+    /// makes its output invalid.
+    fn spoil(&mut self, registers: &RegisterFile) {
+        let off = !cr::EN1.is_set(self.own(registers, Register::Cr));
+        let mode = mcr::MODE1.get(self.own(registers, Register::Mcr));
+        self.spoiled |= off && mode != 0 && !self.loaded;
     }
 
     fn trigger(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
@@ -136,6 +157,7 @@ impl Dac {
     }
 
     fn hold(&mut self, code: u64, registers: &mut RegisterFile, context: &DeviceContext<'_>) {
+        self.loaded = true;
         self.holding = (code & 0xFFF) as u16;
         self.withdraw();
         if !cr::TEN1.is_set(self.own(registers, Register::Cr)) {
@@ -175,7 +197,10 @@ impl Device for Dac {
     ) {
         match register {
             Register::Cr => self.control_written(registers, context),
-            Register::Mcr => self.drive_pin(registers, context),
+            Register::Mcr => {
+                self.spoil(registers);
+                self.drive_pin(registers, context);
+            }
             Register::Swtrgr if swtrgr::SWTRIG1.is_set(value >> self.channel) => {
                 if cr::TSEL1.get(self.own(registers, Register::Cr)) == SOFTWARE {
                     self.trigger(registers, context);
@@ -209,12 +234,14 @@ impl Device for Dac {
 
     fn reset(&mut self) {
         self.holding = 0;
+        (self.loaded, self.spoiled) = (false, false);
         self.withdraw();
     }
 
     fn reset_line(&mut self, registers: &mut RegisterFile, context: &mut DeviceContext<'_>) {
         self.withdraw();
         self.holding = 0;
+        (self.loaded, self.spoiled) = (false, false);
         self.drive_pin(registers, context);
     }
 }

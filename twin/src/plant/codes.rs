@@ -1,21 +1,11 @@
 //! Codes and volts: range and resolution of the converters.
 
-use crate::rig::{Amplifier, Converter};
-use crate::rig_port::DRIVE_MID_CODE;
+use crate::rig::Converter;
 
 /// Codes of half the range of the 16-bit input converter; also the code of 0 V.
 const INPUT_MID_CODE: f64 = 32_768.0;
 /// Highest code of the input converter.
 const INPUT_LAST_CODE: f64 = 65_535.0;
-/// Highest code of the drive converter.
-const DRIVE_LAST_CODE: u16 = 4095;
-
-/// Volts at the exciter for `code`; codes above the last act as the last.
-pub(super) fn drive_v(amplifier: Amplifier, code: u16) -> f64 {
-    let offset = f64::from(code.min(DRIVE_LAST_CODE)) - f64::from(DRIVE_MID_CODE);
-    offset * amplifier.full_scale_peak_v / f64::from(DRIVE_MID_CODE)
-}
-
 /// Code of an ideal 16-bit converter for `volt`: the nearest, saturating at both ends.
 pub(super) fn input_code(converter: &Converter, volt: f64) -> u16 {
     let code = INPUT_MID_CODE + volt * (INPUT_MID_CODE / converter.input_full_scale_peak_v);
@@ -38,16 +28,6 @@ pub(super) fn input_v(converter: &Converter, code: u16) -> f64 {
 mod tests {
     use super::*;
     use crate::rig::Rig;
-
-    #[test]
-    fn drive_codes_span_ten_volts() {
-        let amplifier = Rig::standard().amplifier;
-        // 10 V for +2048 codes: one code is 10/2048 V.
-        assert_eq!(drive_v(amplifier, 2048), 0.0);
-        assert_eq!(drive_v(amplifier, 0), -10.0);
-        assert_eq!(drive_v(amplifier, 4095), 10.0 - 10.0 / 2048.0);
-        assert_eq!(drive_v(amplifier, u16::MAX), drive_v(amplifier, 4095));
-    }
 
     #[test]
     fn input_codes_round_to_nearest_and_saturate() {

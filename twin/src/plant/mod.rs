@@ -24,13 +24,14 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rigless::snapshot::{Error, Reader, Writer};
 
-use self::codes::{drive_v, input_code, input_v};
+use self::codes::{input_code, input_v};
 use self::sampler::{Sampled, Sampler};
 use self::simulation::Simulation;
+use crate::converters::{DriveConverter, InputConverter, Sheet};
 use crate::faults::{BodyFault, Faults};
 use crate::model::Model;
 use crate::rig::Rig;
-use crate::rig_port::{AIR_C, INPUT_CHANNELS, RigPort, SELF_HEATING_K};
+use crate::rig_port::{AIR_C, Conversions, INPUT_CHANNELS, RigPort, SELF_HEATING_K};
 
 /// A simulated rig at work.
 ///
@@ -42,6 +43,8 @@ pub struct Plant {
     rig: Rig,
     simulation: Simulation,
     samplers: [Sampler; INPUT_CHANNELS],
+    drive: DriveConverter,
+    conversions: Conversions,
     noise: ChaCha8Rng,
     /// Faults, and the body as it is by now.
     faults: Faults,
@@ -58,14 +61,21 @@ impl Plant {
         for fault in &rig.faults {
             fault.add_to(&mut faults);
         }
-        let sampler =
-            |channel, sensing| Sampler::new(&model, channel, sensing, rig.converter, start_s);
+        let parts = &rig.converter;
+        let sheet = Sheet::new(parts.errors);
+        let sampler = |nth, channel, sensing| {
+            let full_scale_peak_v = parts.input_full_scale_peak_v;
+            let converter = InputConverter::new(sheet, full_scale_peak_v, parts.unit, nth);
+            Sampler::new(&model, channel, sensing, converter, start_s)
+        };
         Self {
             simulation: Simulation::new(&model, &rig.converter, start_s, rig.noise_seed),
             samplers: [
-                sampler(&model.reference, &rig.reference),
-                sampler(&model.dut, &rig.dut),
+                sampler(0, &model.reference, &rig.reference),
+                sampler(1, &model.dut, &rig.dut),
             ],
+            drive: DriveConverter::new(sheet, rig.amplifier.full_scale_peak_v, parts.unit),
+            conversions: Conversions::default(),
             noise: ChaCha8Rng::seed_from_u64(rig.noise_seed),
             rig: rig.clone(),
             faults,
@@ -132,6 +142,7 @@ impl Plant {
         let start_s = rig.surroundings.time_s;
         let mut changed = Simulation::new(&self.model, &rig.converter, start_s, rig.noise_seed);
         changed.succeed(&self.simulation);
+        changed.average_over(self.conversions);
         self.simulation = changed;
     }
 
@@ -157,7 +168,20 @@ impl Plant {
 
 impl RigPort for Plant {
     fn hold(&mut self, drive_code: u16, duration_ns: u64) {
-        self.hold_volt(drive_v(self.rig.amplifier, drive_code), duration_ns);
+        let drive_v = self.drive.volt(drive_code);
+        self.hold_volt(drive_v, duration_ns);
+    }
+
+    fn set_conversions(&mut self, conversions: Conversions) {
+        self.conversions = conversions;
+        self.simulation.average_over(conversions);
+        for sampler in &mut self.samplers {
+            sampler.set_conversions(conversions);
+        }
+    }
+
+    fn set_drive_buffer(&mut self, on: bool) {
+        self.drive.buffer(on);
     }
 
     fn sample(&mut self) -> [u16; INPUT_CHANNELS] {
@@ -165,7 +189,7 @@ impl RigPort for Plant {
         let elapsed_s = simulation.elapsed_s();
         let mut codes = [0; INPUT_CHANNELS];
         for (channel, code) in codes.iter_mut().enumerate() {
-            let sampler = &self.samplers[channel];
+            let sampler = &mut self.samplers[channel];
             let sampled = Sampled {
                 volt: simulation.converter_v(channel),
                 volt_per_s: if sampler.needs_slope() {
@@ -174,6 +198,7 @@ impl RigPort for Plant {
                     0.0
                 },
                 face_m2s4: simulation.face_m2s4(channel),
+                other_v: simulation.converter_v(1 - channel),
             };
             *code = sampler.code(sampled, elapsed_s, &mut self.noise);
             *code = self.faulty_code(channel, *code, elapsed_s);

@@ -5,9 +5,10 @@ use std::f64::consts::TAU;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::codes::input_code;
+use crate::converters::{Input, InputConverter};
 use crate::model::{Channel, Model};
-use crate::rig::{Converter, Sensing};
+use crate::rig::Sensing;
+use crate::rig_port::Conversions;
 
 /// A signal and its derivative at the sampling instant.
 #[derive(Clone, Copy, Debug)]
@@ -16,13 +17,15 @@ pub(super) struct Sampled {
     pub(super) volt_per_s: f64,
     /// Mean square of the motion of the mounting face, (m/s2)2.
     pub(super) face_m2s4: f64,
+    /// Volts at the other channel's converter.
+    pub(super) other_v: f64,
 }
 
 /// One channel's converter.
 #[derive(Clone, Debug)]
 pub(super) struct Sampler {
     channel: Channel,
-    converter: Converter,
+    converter: InputConverter,
     noise_rms_v: f64,
     offset_v: f64,
     jitter_s: f64,
@@ -34,7 +37,7 @@ impl Sampler {
         model: &Model,
         channel: &Channel,
         sensing: &Sensing,
-        converter: Converter,
+        converter: InputConverter,
         start_s: f64,
     ) -> Self {
         Self {
@@ -47,13 +50,18 @@ impl Sampler {
         }
     }
 
+    /// The converter is set so from now on.
+    pub(super) fn set_conversions(&mut self, conversions: Conversions) {
+        self.converter.set(conversions);
+    }
+
     /// Whether the derivative of the signal matters.
     pub(super) fn needs_slope(&self) -> bool {
         self.jitter_s != 0.0 || self.channel.clock_delta != 0.0
     }
 
     /// The code at `elapsed_s` after the start.
-    pub(super) fn code(&self, sampled: Sampled, elapsed_s: f64, noise: &mut ChaCha8Rng) -> u16 {
+    pub(super) fn code(&mut self, sampled: Sampled, elapsed_s: f64, noise: &mut ChaCha8Rng) -> u16 {
         let mut normal = || -> f64 { StandardNormal.sample(noise) };
         let time_s = self.start_s + elapsed_s;
         let channel = &self.channel;
@@ -67,10 +75,16 @@ impl Sampler {
             early_s += self.jitter_s * normal();
         }
         let volt = (sampled.volt + sampled.volt_per_s * early_s) * gain;
-        let noise_rms_v = self.noise_rms_v.hypot(self.impact_rms_v(level_rms_ms2));
+        let signal_rms_v = self.noise_rms_v.hypot(self.impact_rms_v(level_rms_ms2));
+        let noise_rms_v = self.converter.noise_rms_v(signal_rms_v);
         let picked_up_v = self.pickup_v(time_s);
         let total = volt + picked_up_v + self.offset_v + noise_rms_v * normal();
-        input_code(&self.converter, channel.converter.output_v(total))
+        let volt = channel.converter.output_v(total);
+        self.converter.code(Input {
+            volt,
+            other_v: sampled.other_v,
+            time_s,
+        })
     }
 
     fn impact_rms_v(&self, level_rms_ms2: f64) -> f64 {

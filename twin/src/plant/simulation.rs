@@ -1,5 +1,6 @@
 //! The network of a plant in time, with its nonlinear terms and the motion of the base.
 
+use nalgebra::{DMatrix, RowDVector};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -11,7 +12,7 @@ use super::stepper::Stepper;
 use super::wiring::{BASE_INPUT, DRIVE_INPUT, FRICTION_INPUT, RATE_INPUT, TERMS, Wiring};
 use crate::model::{AmbientMotion, Model, friction};
 use crate::rig::Converter;
-use crate::rig_port::INPUT_CHANNELS;
+use crate::rig_port::{Conversions, INPUT_CHANNELS};
 
 /// Non-zero coefficients of a signal over (states, inputs).
 type Tap = Vec<(usize, f64)>;
@@ -53,6 +54,8 @@ struct Nonlinear {
 pub(super) struct Simulation {
     stepper: Stepper,
     taps: Taps,
+    /// Volts of both converters, then their derivatives, as means over a trigger's conversions.
+    means: [Tap; 2 * INPUT_CHANNELS],
     nonlinear: Option<Box<Nonlinear>>,
     levels: Levels,
     /// Whether anything needs the levels.
@@ -119,8 +122,10 @@ impl Simulation {
             Box::new(Nonlinear::new(bends, terms, &wiring, &stepper, step_ns))
         });
         let channels = [&model.reference, &model.dut];
+        let taps = Taps::new(&wiring);
         Self {
-            taps: Taps::new(&wiring),
+            means: taps.sampled().map(Tap::clone),
+            taps,
             stepper,
             levelled: nonlinear.is_some()
                 || channels
@@ -265,6 +270,16 @@ impl Simulation {
         }
     }
 
+    /// From now on a sample is the mean over `conversions`: the signals at their instants follow from the
+    /// present state, the inputs being held, so the mean is a signal of its own.
+    pub(super) fn average_over(&mut self, conversions: Conversions) {
+        let apart = self.stepper.transition(conversions.apart_ns);
+        let count = conversions.count.max(1);
+        for (mean, instant) in self.means.iter_mut().zip(self.taps.sampled()) {
+            *mean = mean_tap(instant, &apart, count);
+        }
+    }
+
     /// Since the start, s.
     pub(super) fn elapsed_s(&self) -> f64 {
         self.elapsed_ns as f64 * 1e-9
@@ -287,12 +302,12 @@ impl Simulation {
 
     /// Volts at an input converter.
     pub(super) fn converter_v(&self, channel: usize) -> f64 {
-        self.read(&self.taps.converter[channel])
+        self.read(&self.means[channel])
     }
 
     /// Their derivative, V/s.
     pub(super) fn converter_v_per_s(&self, channel: usize) -> f64 {
-        self.read(&self.taps.converter_rate[channel])
+        self.read(&self.means[INPUT_CHANNELS + channel])
     }
 
     /// Mean square of the motion of a mounting face, (m/s2)2.
@@ -343,6 +358,12 @@ impl Nonlinear {
 }
 
 impl Taps {
+    /// Volts of both converters, then their derivatives.
+    fn sampled(&self) -> [&Tap; 2 * INPUT_CHANNELS] {
+        let ([one, two], [one_rate, two_rate]) = (&self.converter, &self.converter_rate);
+        [one, two, one_rate, two_rate]
+    }
+
     fn new(wiring: &Wiring) -> Self {
         let network = &wiring.network;
         let tap = |signal: &Signal| network.columns(signal);
@@ -358,6 +379,24 @@ impl Taps {
             converter_rate: [rate(&wiring.converter[0]), rate(&wiring.converter[1])],
         }
     }
+}
+
+/// Mean of a signal over `count` instants, the first now and each a `step` of the network further.
+fn mean_tap(signal: &Tap, step: &DMatrix<f64>, count: u32) -> Tap {
+    if count == 1 {
+        return signal.clone();
+    }
+    let mut row = RowDVector::zeros(step.ncols());
+    for &(column, factor) in signal {
+        row[column] = factor;
+    }
+    let mut sum = row.clone();
+    for _ in 1..count {
+        row *= step;
+        sum += &row;
+    }
+    let mean = sum.iter().map(|factor| factor / f64::from(count));
+    mean.enumerate().filter(|entry| entry.1 != 0.0).collect()
 }
 
 /// Coefficients of a signal's derivative; the signal depends on states only.

@@ -29,11 +29,7 @@ impl Propagator {
     /// `matrix` holds A and B side by side; `duration_s` is the step.
     pub(super) fn new(matrix: &DMatrix<f64>, duration_s: f64) -> Self {
         let (states, width) = matrix.shape();
-        let mut augmented = DMatrix::zeros(width, width);
-        augmented
-            .rows_mut(0, states)
-            .copy_from(&(matrix * duration_s));
-        let exponential = augmented.exp();
+        let exponential = transition(matrix, duration_s);
         let tile = |first_row: usize| {
             let column = |column| TileColumn {
                 column,
@@ -90,6 +86,18 @@ impl Propagator {
     }
 }
 
+/// What (state, inputs) become after `duration_s`, the inputs being held; `matrix` as in
+/// [`Propagator::new`].
+fn transition(matrix: &DMatrix<f64>, duration_s: f64) -> DMatrix<f64> {
+    let (states, width) = matrix.shape();
+    let mut augmented = DMatrix::zeros(width, width);
+    augmented
+        .rows_mut(0, states)
+        .copy_from(&(matrix * duration_s));
+    // Rows of inputs are zero: their exponential is one.
+    augmented.exp()
+}
+
 /// A linear network in time, its inputs held constant over each step.
 #[derive(Clone, Debug)]
 pub(super) struct Stepper {
@@ -126,6 +134,11 @@ impl Stepper {
             next: vec![0.0; states.next_multiple_of(TILE_ROWS)],
             states,
         }
+    }
+
+    /// What (state, inputs) become after `duration_ns`, the inputs being held.
+    pub(super) fn transition(&self, duration_ns: u64) -> DMatrix<f64> {
+        transition(&self.matrix, duration_ns as f64 * 1e-9)
     }
 
     /// Sets input number `index` from now on.

@@ -30,6 +30,21 @@ pub struct Converter {
     pub anti_alias_order: u32,
     /// Its -3 dB corner, Hz.
     pub anti_alias_hz: f64,
+    /// Number of the unit, from which what its converters do wrong is drawn; may be left out.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub unit: u64,
+    /// What the part's converters do wrong ([`crate::converters::SHEET`]): 1 as the table has it, other
+    /// factors are on what is assumed; 0, which may be left out, makes them ideal.
+    #[serde(default, skip_serializing_if = "is_ideal")]
+    pub errors: f64,
+}
+
+fn is_zero(unit: &u64) -> bool {
+    *unit == 0
+}
+
+fn is_ideal(factor: &f64) -> bool {
+    *factor == 0.0
 }
 
 impl Converter {
@@ -54,6 +69,7 @@ impl Converter {
             range("reconstruction_hz", self.reconstruction_hz, 100.0, 1e6),
             range("anti_alias_order", self.anti_alias_order.into(), 2.0, 8.0),
             range("anti_alias_hz", self.anti_alias_hz, 100.0, 1e6),
+            range("errors", self.errors, 0.0, 10.0),
         ]
     }
 }

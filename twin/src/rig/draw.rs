@@ -34,6 +34,7 @@ impl Rig {
         let mut spread = Spread(ChaCha12Rng::seed_from_u64(seed));
         rig.name = format!("{} {seed}", rig.name);
         rig.noise_seed = seed >> 1;
+        rig.converter.unit = seed >> 1;
         spread.dut(&mut rig);
         spread.exciter(&mut rig);
         rig

@@ -4,6 +4,7 @@ mod gathered;
 mod result;
 
 use super::checks::judge;
+use crate::aperture::Aperture;
 use crate::control::level_loop::OVERLOAD_REL;
 use crate::control::{Level, LevelLoop, LevelState, Next};
 use crate::converter::Width;
@@ -41,6 +42,8 @@ pub struct Sampling {
     pub input: Width,
     /// Pairs per second.
     pub sample_rate_hz: f32,
+    /// Conversions a sample is the mean of.
+    pub aperture: Aperture,
     /// Upper bound of the pairs between a change of [`Sequencer::command`] and
     /// the first pair taken while the generator plays it: the buffers on both
     /// ways. Ramps are not counted here.
@@ -83,6 +86,8 @@ struct Plan {
     spec: PointSpec,
     tone: Tone,
     reference: ReferenceSensitivity,
+    /// Amplitude of the reference, in codes, of 1 m/s2.
+    code_per_ms2: f32,
     level_loop: LevelLoop,
     /// Amplitude, in codes, that no wanted level reaches.
     overload_peak: f32,
@@ -257,14 +262,16 @@ impl<'m> Sequencer<'m> {
         let set_peak_ms2 = spec.acceleration_rms_ms2 * SQRT_2;
         let level_loop =
             LevelLoop::new(&self.settings.limits, frequency_hz, set_peak_ms2).map_err(refuse)?;
-        let code_per_ms2 =
-            reference.sensitivity_v_per_ms2 / self.settings.reference_input.volt_per_code;
+        let code_per_ms2 = reference.sensitivity_v_per_ms2
+            / self.settings.reference_input.volt_per_code
+            * self.sampling.aperture.gain(frequency_hz);
         let angle_rad = TAU * frequency_hz / rate_hz;
         let half_step_rad = 0.5 * SQUARE_STRIDE as f32 * angle_rad;
         Ok(Plan {
             spec,
             tone,
             reference,
+            code_per_ms2,
             level_loop,
             overload_peak: OVERLOAD_REL * set_peak_ms2 * code_per_ms2,
             angle_rad,
@@ -407,8 +414,7 @@ impl<'m> Sequencer<'m> {
     /// Acceleration by the reference in this block.
     fn level_of(&mut self, plan: &Plan, estimate: &PairEstimate) -> Level {
         self.reference_mean = Some(estimate.reference.mean);
-        let ms2_per_code =
-            self.settings.reference_input.volt_per_code / plan.reference.sensitivity_v_per_ms2;
+        let ms2_per_code = 1.0 / plan.code_per_ms2;
         let reference = &estimate.reference;
         let noise_codes = reference.amplitude_noise(estimate.block.samples());
         self.last_level_peak_ms2 = reference.amplitude_peak() * ms2_per_code;

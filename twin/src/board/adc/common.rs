@@ -96,14 +96,16 @@ impl Common {
         if !pair.armed() {
             return;
         }
-        let Some(duration_ns) = pair.conversion_ns() else {
+        let Some(conversions) = pair.conversions() else {
             return context.tell("CCR", "a trigger finds the converters without a clock");
         };
         let now = context.now();
         if now < pair.busy_until {
             return context.tell("CCR", "a trigger during a conversion is ignored");
         }
+        let duration_ns = u64::from(conversions.count) * conversions.apart_ns;
         pair.busy_until = VirtualNanos(now.0 + duration_ns);
+        pair.analog.convert_so(conversions);
         let codes = pair.sample(now);
         let one_stream = ccr::DAMDF.get(control) != 0;
         if pair.unread {

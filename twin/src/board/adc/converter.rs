@@ -122,8 +122,12 @@ impl Converter {
         if !cr::ADSTART.is_set(control) {
             return;
         }
-        if cfgr::AWD1EN.is_set(configuration) || registers.get(Register::Cfgr2) & 1 != 0 {
-            context.tell("CFGR", "watchdogs and oversampling are not modelled");
+        if cfgr::AWD1EN.is_set(configuration) || cfgr2::TROVS.is_set(registers.get(Register::Cfgr2))
+        {
+            context.tell(
+                "CFGR",
+                "watchdogs and a trigger for each conversion are not modelled",
+            );
         }
         if cfgr::EXTEN.get(configuration) != 0 {
             return;
@@ -200,9 +204,6 @@ impl Device for Converter {
             Register::Ier => {
                 self.mirror(registers);
                 self.pair.lock().drive_interrupt(context);
-            }
-            Register::Cfgr2 if cfgr2::ROVSE.is_set(value) => {
-                context.tell("CFGR2", "oversampling is not modelled");
             }
             _ => self.mirror(registers),
         }

@@ -4,13 +4,13 @@
 //! calibration and enable with the datasheet's times; dual regular simultaneous mode (`DUAL` = 6) of
 //! one conversion per trigger on TIM6's trigger output, with the pair's 32-bit data register, its DMA
 //! request, end-of-conversion and overrun flags and the pair's interrupt; a single software-started
-//! conversion of one converter. Resolution, left shift, sampling time, clock and `OVRMOD` are honoured: a
+//! conversion of one converter. Resolution, left shift, oversampling of all conversions by one trigger, sampling time, clock and `OVRMOD` are honoured: a
 //! trigger during a conversion is ignored, and the run is told. A part may have the slave's data beside
 //! those of another trigger (`skew`).
 //!
 //! A conversion samples at its trigger and its data is there at once: for a chain of which both
 //! channels share every delay, the 1 to 5 microseconds of a conversion change nothing but the age of
-//! a sample. Left out, and told: injected groups, watchdogs, oversampling, offsets, sequences of more
+//! a sample. Left out, and told: injected groups, watchdogs, offsets, sequences of more
 //! than one conversion, the other dual modes.
 //!
 //! - [`Converter`]: the registers of ADC1 or ADC2.
@@ -35,7 +35,7 @@ pub(super) use converter::Converter;
 use self::skew::Skew;
 use super::analog::Analog;
 use super::input_pin::Pull;
-use crate::rig_port::INPUT_CHANNELS;
+use crate::rig_port::{Conversions, INPUT_CHANNELS};
 
 /// The pair's instance name, as listeners see it.
 pub(super) const NAME: &str = "ADC12_Common";
@@ -134,12 +134,25 @@ impl State {
         (length == 0).then_some((self.sequence >> 6) & 0x1F)
     }
 
+    /// Conversions of a trigger whose sum is the data (section 25.4.30): `OVSR`, and 1, where `ROVSE` is set.
+    fn conversions(&self) -> u32 {
+        match cfgr2::ROVSE.is_set(self.processing) {
+            true => cfgr2::OSR.get(self.processing) as u32 + 1,
+            false => 1,
+        }
+    }
+
+    /// Half cycles of the analogue clock `channel` is sampled for.
+    fn sampling_half_cycles(&self, channel: u64) -> u64 {
+        let (register, place) = (channel / 10, channel % 10);
+        let code = (self.sampling[register as usize & 1] >> (3 * place)) & 0b111;
+        SAMPLING_HALF_CYCLES[code as usize]
+    }
+
     /// Half cycles of the analogue clock one conversion of `channel` takes: sampling, then
     /// 0.5 + N/2 cycles for N bits (RM0433 Rev 9, section 25.4.17).
     fn conversion_half_cycles(&self, channel: u64) -> u64 {
-        let (register, place) = (channel / 10, channel % 10);
-        let code = (self.sampling[register as usize & 1] >> (3 * place)) & 0b111;
-        SAMPLING_HALF_CYCLES[code as usize] + 1 + u64::from(self.bits())
+        self.sampling_half_cycles(channel) + 1 + u64::from(self.bits())
     }
 
     /// Resolution in bits (section 25.6.4, revision V).
@@ -153,7 +166,7 @@ impl State {
         }
     }
 
-    /// Code of a converter for the code at its connector, shifted to the left as `LSHIFT` says: 0
+    /// Data of a converter for the mean code at its connector, shifted to the left as `LSHIFT` says: 0
     /// where the channel selected is not the wired one, because that pin carries nothing.
     fn convert(&mut self, wired: u64, code: u16, context: &mut DeviceContext<'_>) -> u16 {
         let selected = self.channel() == Some(wired) && self.preselection & (1 << wired) != 0;
@@ -161,7 +174,13 @@ impl State {
             context.tell("SQR1", "a pin without a signal is converted: 0 V");
             return 0;
         }
-        code >> (16 - self.bits()) << cfgr2::LSHIFT.get(self.processing)
+        let sum = u64::from(code) * u64::from(self.conversions()) >> (16 - self.bits());
+        let shifted = match cfgr2::ROVSE.is_set(self.processing) {
+            true => sum >> cfgr2::OVSS.get(self.processing),
+            false => sum,
+        };
+        // The pair's register has 16 bits for each.
+        (shifted << cfgr2::LSHIFT.get(self.processing)) as u16
     }
 }
 
@@ -173,15 +192,25 @@ impl Pair {
         [reference_pull.of(reference), dut_pull.of(dut)]
     }
 
-    /// How long one conversion keeps the pair busy, `None` while the clock stands still.
-    fn conversion_ns(&self) -> Option<u64> {
-        let slowest = self
-            .converters
-            .iter()
-            .filter_map(|converter| Some(converter.conversion_half_cycles(converter.channel()?)))
-            .max()?;
+    /// What a trigger makes of the pair, of which both are set alike; `None` while the clock stands still.
+    fn conversions(&self) -> Option<Conversions> {
+        let master = &self.converters[0];
+        let slowest = |half_cycles: fn(&State, u64) -> u64| {
+            let all = self.converters.iter();
+            let each = all.filter_map(|one| Some(half_cycles(one, one.channel()?)));
+            self.half_cycles_ns(each.max()?)
+        };
+        Some(Conversions {
+            count: master.conversions(),
+            apart_ns: slowest(State::conversion_half_cycles)?,
+            sampling_ns: slowest(State::sampling_half_cycles)?,
+        })
+    }
+
+    /// Nanoseconds so many half cycles of the analogue clock last, `None` while it stands still.
+    fn half_cycles_ns(&self, half_cycles: u64) -> Option<u64> {
         let doubled_hz = 2 * u128::from(self.clock_hz);
-        (doubled_hz > 0).then(|| (u128::from(slowest) * NS_PER_S).div_ceil(doubled_hz) as u64)
+        (doubled_hz > 0).then(|| (u128::from(half_cycles) * NS_PER_S).div_ceil(doubled_hz) as u64)
     }
 
     /// Nanoseconds `cycles` of the analogue clock last, `None` while it stands still.

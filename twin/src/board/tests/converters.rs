@@ -251,3 +251,33 @@ fn the_port_pulls_at_what_a_converter_sees() {
     assert_eq!(sample(input, 0b01), 0x2002_0000 | 0x1002 + 1498);
     assert_eq!(sample(input, 0b10), 0x2003_0000 | 0x1003 - 100);
 }
+
+/// RM0433 Rev 9, section 25.4.30: 16 conversions per trigger, their sum shifted by four places.
+#[test]
+fn sixteen_conversions_of_a_trigger_are_one_datum_and_take_their_time() {
+    use rigless::soc::stm32h743::generated::adc3::cfgr2;
+    let mut bench = Bench::new();
+    enable(&mut bench);
+    let sixteen = cfgr2::OVSS.set(cfgr2::OSR.set(1, 15), 4);
+    for (converter, _) in CHANNELS {
+        bench.write(converter, Register::Cfgr2, sixteen);
+    }
+    start(&mut bench);
+    for _ in 0..4 {
+        bench.run(20_000);
+        bench.read(&ADC12_COMMON, Pair::Cdr);
+    }
+    // 16 times 1.5 + 8.5 cycles of 32 MHz are 5 us: every trigger is heard.
+    assert_eq!(bench.told().samples, 4);
+    bench.run(20_000);
+    assert_eq!(bench.read(&ADC12_COMMON, Pair::Cdr), 0x2005_1005);
+    // 16 times 64.5 + 8.5 cycles are 36 us: every second comes too early.
+    for (converter, channel) in CHANNELS {
+        bench.write(converter, Register::Smpr2, 0b101 << (3 * (channel - 10)));
+    }
+    for _ in 0..10 {
+        bench.run(20_000);
+        bench.read(&ADC12_COMMON, Pair::Cdr);
+    }
+    assert_eq!(bench.told().samples, 10);
+}

@@ -1,0 +1,265 @@
+//! An input converter: from volts at its connector to the mean code of a trigger's conversions.
+
+use std::f64::consts::TAU;
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha12Rng;
+
+use super::{Quantity, Sheet};
+use crate::rig_port::Conversions;
+
+/// Codes of the whole range, of half of it (0 V), and the highest.
+const CODES: f64 = 65_536.0;
+const MID_CODE: f64 = CODES / 2.0;
+const LAST_CODE: f64 = CODES - 1.0;
+/// The largest bits, whose capacitors differ enough to show; the rest is within the bow.
+const UNEQUAL_BITS: u32 = 8;
+/// Codes of the smallest of them.
+const CELL: usize = 65_536 >> UNEQUAL_BITS;
+/// Frequency of the reference's ripple, Hz: 1 kHz of a host whose clock is 30 ppm off.
+const RIPPLE_HZ: f64 = 1_000.03;
+
+/// One unit's converter of one channel.
+#[derive(Debug, Clone)]
+pub(crate) struct InputConverter {
+    code_per_v: f64,
+    /// Noise of one conversion, codes r.m.s.
+    noise_codes: f64,
+    offset_codes: f64,
+    gain: f64,
+    ripple_codes: f64,
+    crosstalk: f64,
+    settling_ns: f64,
+    /// Code beside the line, by code, as the mean over the noise of a conversion; empty if ideal.
+    curve: Vec<f32>,
+    conversions: Conversions,
+    /// Of the trigger before, V.
+    before_v: f64,
+}
+
+impl InputConverter {
+    /// Converter of `channel` in the unit of this number.
+    pub(crate) fn new(sheet: Sheet, full_scale_peak_v: f64, unit: u64, channel: u64) -> Self {
+        let mut random = ChaCha12Rng::seed_from_u64(unit);
+        random.set_stream(channel);
+        let mut within = |quantity| sheet.value(quantity) * random.random_range(-1.0..=1.0);
+        let (offset_codes, gain_error) =
+            (within(Quantity::InputOffset), within(Quantity::InputGain));
+        let noise_codes = sheet.value(Quantity::InputNoise);
+        let curve = match sheet.is_ideal() {
+            true => Vec::new(),
+            false => smoothed(&curve(sheet, &mut random), noise_codes),
+        };
+        Self {
+            code_per_v: MID_CODE / full_scale_peak_v,
+            noise_codes,
+            offset_codes,
+            gain: 1.0 + gain_error,
+            ripple_codes: sheet.value(Quantity::InputRipple),
+            crosstalk: sheet.value(Quantity::InputCrosstalk),
+            settling_ns: sheet.value(Quantity::InputSettling),
+            curve,
+            conversions: Conversions::default(),
+            before_v: 0.0,
+        }
+    }
+
+    /// The converter is set so from now on.
+    pub(crate) fn set(&mut self, conversions: Conversions) {
+        self.conversions = conversions;
+    }
+
+    /// Noise of a sample, V r.m.s. That of the signal, `signal_rms_v`, has passed the anti-alias filter and is
+    /// the same for all conversions of a trigger; each of them adds its own.
+    pub(crate) fn noise_rms_v(&self, signal_rms_v: f64) -> f64 {
+        let conversions = f64::from(self.conversions.count);
+        signal_rms_v.hypot(self.noise_codes / self.code_per_v / conversions.sqrt())
+    }
+
+    /// The mean code of a trigger's conversions.
+    pub(crate) fn code(&mut self, input: Input) -> u16 {
+        let volt = input.volt + self.crosstalk * input.other_v + self.unsettled_v(input.volt);
+        let ripple = match self.ripple_codes {
+            0.0 => 0.0,
+            peak => peak * (TAU * RIPPLE_HZ * input.time_s).sin(),
+        };
+        let line = volt * self.code_per_v * self.gain + self.offset_codes + ripple;
+        self.nearest(MID_CODE + line)
+    }
+
+    fn nearest(&self, code: f64) -> u16 {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "clamped"
+        )]
+        let place = |code: f64| (code + 0.5).clamp(0.0, LAST_CODE) as u16;
+        match self.curve.get(usize::from(place(code))) {
+            Some(&beside) => place(code + f64::from(beside)),
+            None => place(code),
+        }
+    }
+
+    /// What the first conversion keeps of the sample before: its capacitor was charged to that.
+    fn unsettled_v(&mut self, volt: f64) -> f64 {
+        let before_v = std::mem::replace(&mut self.before_v, volt);
+        if self.settling_ns == 0.0 {
+            return 0.0;
+        }
+        let kept = (-(self.conversions.sampling_ns as f64) / self.settling_ns).exp();
+        (before_v - volt) * kept / f64::from(self.conversions.count)
+    }
+}
+
+/// What an input converter has before it at a trigger.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Input {
+    /// Mean over the conversions of the trigger with its noise, V.
+    pub(crate) volt: f64,
+    /// The same of the other channel, V.
+    pub(crate) other_v: f64,
+    /// Since the start, s.
+    pub(crate) time_s: f64,
+}
+
+/// Codes beside the line through both ends, by cell of the unequal bits: `(at its first code, at its
+/// last)`. A bow of second and third order, and bits whose weights are off, the largest so far that
+/// mid-scale has the table's step.
+fn curve(sheet: Sheet, random: &mut ChaCha12Rng) -> Vec<[f64; 2]> {
+    let carry = sheet.value(Quantity::InputCarry);
+    let bow = sheet.value(Quantity::InputBow);
+    let mut sign = || if random.random_bool(0.5) { 1.0 } else { -1.0 };
+    let signs = [sign(), sign(), sign()];
+    let mut weights: Vec<f64> = (1..UNEQUAL_BITS)
+        .map(|bit| {
+            let size = carry * 0.5_f64.powf(f64::from(bit) / 2.0);
+            size * random.random_range(-1.0..=1.0)
+        })
+        .collect();
+    weights.insert(0, signs[0] * carry + weights.iter().sum::<f64>());
+    let cells = 1_usize << UNEQUAL_BITS;
+    let bits = |cell: usize| -> f64 {
+        let set = |bit: &usize| cell >> (UNEQUAL_BITS as usize - 1 - bit) & 1 == 1;
+        (0..weights.len()).filter(set).map(|bit| weights[bit]).sum()
+    };
+    let slope = bits(cells - 1) / (CODES - 1.0);
+    // Peaks of 1 - x2 and of x - x3 between -1 and 1 are 1 and 2 / sqrt(27).
+    let bowed = |code: f64| {
+        let x = code / MID_CODE - 1.0;
+        let even = signs[1] * (1.0 - x * x);
+        let odd = signs[2] * (x - x * x * x) * 27.0_f64.sqrt() / 2.0;
+        bow * 0.5 * (even + odd)
+    };
+    (0..cells)
+        .map(|cell| {
+            let first = (cell * CELL) as f64;
+            let beside = |code: f64| bits(cell) - slope * code + bowed(code);
+            [beside(first), beside(first + CELL as f64)]
+        })
+        .collect()
+}
+
+/// The curve at every code, its steps as wide as the noise that goes over them.
+fn smoothed(cells: &[[f64; 2]], noise_codes: f64) -> Vec<f32> {
+    let mut curve: Vec<f64> = cells
+        .iter()
+        .flat_map(|&[first, last]| {
+            (0..CELL).map(move |code| first + (last - first) * code as f64 / CELL as f64)
+        })
+        .collect();
+    let width = (5.0 * noise_codes).ceil().min(CELL as f64 / 2.0) as isize;
+    for (edge, pair) in cells.windows(2).enumerate() {
+        let step = pair[1][0] - pair[0][1];
+        let at = ((edge + 1) * CELL) as isize;
+        for offset in -width..width {
+            // Share of the conversions on the other side, within 0.01 of the normal law.
+            let distance = (offset as f64 + 0.5).abs() / noise_codes.max(1e-9);
+            let share = 1.0 / (1.0 + (1.702 * distance).exp());
+            let other = if offset < 0 { step } else { -step };
+            curve[(at + offset) as usize] += other * share;
+        }
+    }
+    curve.into_iter().map(|code| code as f32).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn converter(factor: f64, unit: u64) -> InputConverter {
+        InputConverter::new(Sheet::new(factor), 5.0, unit, 0)
+    }
+
+    fn quiet(volt: f64) -> Input {
+        Input {
+            volt,
+            other_v: 0.0,
+            time_s: 0.0,
+        }
+    }
+
+    #[test]
+    fn an_ideal_converter_rounds_to_the_nearest_code_and_saturates() {
+        let mut ideal = converter(0.0, 1);
+        let step = 10.0 / 65_536.0;
+        for (volt, code) in [
+            (0.0, 32_768),
+            (0.49 * step, 32_768),
+            (0.51 * step, 32_769),
+            (-0.51 * step, 32_767),
+            (5.0, 65_535),
+            (-7.0, 0),
+        ] {
+            assert_eq!(ideal.code(quiet(volt)), code, "{volt}");
+        }
+    }
+
+    /// A unit is what it is; another is another; both stay within what the table says in sum.
+    #[test]
+    fn a_unit_keeps_its_curve_and_the_table_bounds_it() {
+        let (one, again, other) = (converter(1.0, 1), converter(1.0, 1), converter(1.0, 2));
+        assert_eq!(one.curve, again.curve);
+        assert_ne!(one.curve, other.curve);
+        for unit in 0..50 {
+            let peak = |worst: f32, code: &f32| worst.max(code.abs());
+            let worst = converter(1.0, unit).curve.iter().fold(0.0, peak);
+            // Bow 4; bits: seven geometric steps of 3 sum up to less than 7, twice, and 3.
+            assert!(worst > 1.0 && worst < 21.0, "unit {unit}: {worst}");
+        }
+    }
+
+    /// Far from the edge, the step at mid-scale is the table's.
+    #[test]
+    fn mid_scale_has_its_step() {
+        for unit in 0..10 {
+            let curve = converter(1.0, unit).curve;
+            let step = curve[32_768 + 60] - curve[32_768 - 60];
+            // The bow's slope of at most 4 * 2.6 / 32 768 a code over 120 codes, and the line's.
+            assert!((step.abs() - 3.0).abs() < 0.1, "unit {unit}: {step}");
+        }
+    }
+
+    #[test]
+    fn many_conversions_have_less_noise_and_a_short_one_remembers() {
+        let mut one = converter(1.0, 1);
+        // 6.53 codes of 152.6 uV, and as much of the signal.
+        let own_v = 996.4e-6;
+        assert!((one.noise_rms_v(0.0) / own_v - 1.0).abs() < 1e-3);
+        one.set(Conversions {
+            count: 16,
+            ..Conversions::default()
+        });
+        assert!((one.noise_rms_v(0.0) / own_v - 0.25).abs() < 1e-3);
+        assert!((one.noise_rms_v(own_v) / own_v - 1.0308).abs() < 1e-3);
+        // 50 ns are 3.42 time constants of 14.6 ns: 3.3 % of the step stay.
+        one.set(Conversions {
+            count: 1,
+            apart_ns: 0,
+            sampling_ns: 50,
+        });
+        one.code(quiet(0.0));
+        let short = f64::from(one.code(quiet(1.0)));
+        let long = f64::from(one.code(quiet(1.0)));
+        assert!(((long - short) / 6553.6 - 0.0326).abs() < 0.001);
+    }
+}

@@ -1,0 +1,14 @@
+//! The converters of the part, as they are: what each does wrong, from one table.
+//!
+//! A unit keeps its faults: curve, offset and gain are drawn once, from the number of the unit, and
+//! only noise differs from sample to sample. Every line of the table says what it
+//! rests on, the sheet or an assumption, and what is assumed can be halved and doubled.
+
+mod drive;
+mod input;
+mod sheet;
+
+pub(crate) use drive::DriveConverter;
+pub(crate) use input::{Input, InputConverter};
+pub use sheet::{Basis, Entry, SHEET};
+pub(crate) use sheet::{Quantity, Sheet};
