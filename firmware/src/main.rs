@@ -14,6 +14,8 @@ mod instrument;
 #[cfg(target_os = "none")]
 mod panic;
 #[cfg(target_os = "none")]
+mod retained;
+#[cfg(target_os = "none")]
 mod start;
 #[cfg(target_os = "none")]
 mod state;

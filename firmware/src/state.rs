@@ -6,6 +6,7 @@ use calib_core::settings::Settings;
 use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
 use calib_firmware::session::Session;
+use calib_protocol::health::{Defect, Defects};
 use calib_protocol::message::{RunSpec, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
 use core::cell::{Cell, RefCell};
@@ -30,6 +31,28 @@ pub(crate) fn update_status(change: impl FnOnce(&mut Status)) {
         let mut status = cell.get();
         change(&mut status);
         cell.set(status);
+    });
+}
+
+static DEFECTS: CriticalSectionMutex<Cell<Defects>> =
+    CriticalSectionMutex::new(Cell::new(Defects::NONE));
+
+/// What does not work.
+pub(crate) fn defects() -> Defects {
+    DEFECTS.lock(Cell::get)
+}
+
+/// Something does not work from now on, or works again.
+pub(crate) fn note_defect(defect: Defect, is_there: bool) {
+    if is_there {
+        defmt::error!("degraded: {=str}", defect.text());
+    }
+    DEFECTS.lock(|defects| {
+        let others = defects.get().without(defect);
+        defects.set(match is_there {
+            true => others.with(defect),
+            false => others,
+        });
     });
 }
 
@@ -122,6 +145,8 @@ pub(crate) static MEASURE_ALIVE: AtomicU32 = AtomicU32::new(0);
 
 /// Since the converters were started, both channels were shown to be of the same instants.
 pub(crate) static ALIGNED: AtomicBool = AtomicBool::new(false);
+/// Samples come in and are worked on: acquire, drive and measure run.
+pub(crate) static MEASURES: AtomicBool = AtomicBool::new(false);
 
 /// A hand is on the button.
 pub(crate) static BUTTON_HELD: AtomicBool = AtomicBool::new(false);

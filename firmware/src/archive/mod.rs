@@ -37,7 +37,9 @@ use calib_core::settings::Settings;
 use calib_protocol::message::Refusal;
 use calib_protocol::record::{Record, RecordKind, RecordSummary};
 use calib_protocol::stored::{self, settings_mark};
+use core::future::poll_fn;
 use core::ops::Range;
+use core::task::Poll;
 use embedded_storage_async::nor_flash::{NorFlash, ReadNorFlash};
 use heapless::Vec;
 use known::{Known, KnownSettings};
@@ -126,6 +128,8 @@ pub struct Archive<'m, F: NorFlash> {
     memory: Memory<'m>,
     state: State,
     known_settings: KnownSettings,
+    /// The settings stored last could not be read.
+    settings_unreadable: bool,
     /// First byte behind the item written or found last; none yet: no sector.
     end: Option<u32>,
     /// Record whose full encoding is in the scratch memory, and its length.
@@ -155,6 +159,7 @@ impl<'m, F: NorFlash> Archive<'m, F> {
             memory,
             state: State::default(),
             known_settings: KnownSettings::default(),
+            settings_unreadable: false,
             end: None,
             unpacked: None,
         };
@@ -166,6 +171,7 @@ impl<'m, F: NorFlash> Archive<'m, F> {
         self.memory.directory.clear();
         let mut items = self.queue.iter().await?;
         while let Some(item) = items.next(self.memory.scratch).await? {
+            yield_now().await;
             let address = self.memory.last_access.read();
             let length = item.len() as u16;
             self.end = Some(end_of::<F>(address, length));
@@ -188,6 +194,7 @@ impl<'m, F: NorFlash> Archive<'m, F> {
                         && let Some(settings) = head.settings_in(body)
                     {
                         self.state.set_settings(&settings);
+                        self.settings_unreadable = false;
                     }
                     insert(
                         self.memory.directory,
@@ -204,8 +211,10 @@ impl<'m, F: NorFlash> Archive<'m, F> {
                         _ => Form::Sections,
                     };
                     let Ok((state, range)) = State::read(form, body) else {
+                        self.settings_unreadable = true;
                         continue;
                     };
+                    self.settings_unreadable = false;
                     let Some(settings) = body.get(range.clone()) else {
                         continue;
                     };
@@ -227,6 +236,12 @@ impl<'m, F: NorFlash> Archive<'m, F> {
     /// The newest settings, if any were ever stored.
     pub fn settings(&self) -> Option<&Settings> {
         self.state.settings()
+    }
+
+    /// Whether the settings stored last could not be read: [`Self::settings`] are
+    /// older ones, or none.
+    pub fn settings_are_unreadable(&self) -> bool {
+        self.settings_unreadable
     }
 
     /// Running number the next record will have.
@@ -254,6 +269,19 @@ async fn read<F: ReadNorFlash>(
     const { assert!(F::READ_SIZE == 1, "the archive reads single bytes") };
     let read = flash.read(address, bytes).await;
     read.map_err(|_| ArchiveError::Flash)
+}
+
+/// Lets others work: to read the whole area takes longer than they can wait.
+async fn yield_now() {
+    let mut yielded = false;
+    poll_fn(|context| {
+        if core::mem::replace(&mut yielded, true) {
+            return Poll::Ready(());
+        }
+        context.waker().wake_by_ref();
+        Poll::Pending
+    })
+    .await;
 }
 
 fn mark_of(item: &[u8]) -> Option<(u16, &[u8])> {

@@ -4,7 +4,9 @@ use crate::board::{
     PACKET_BYTES, Port, PortBuffers, RECEIVE_BYTES, UsbDriver, UsbPort, axi_static, run_usb,
 };
 use crate::instrument::Calibrator;
+use crate::retained;
 use calib_firmware::link::{Aftermath, Link};
+use calib_firmware::restarts::{Reason, Way};
 use calib_firmware::scpi::Console;
 use core::task::Poll;
 use embassy_futures::join::join;
@@ -257,5 +259,6 @@ impl UsbOutput {
 async fn reset() -> ! {
     crate::board::silence_now();
     Timer::after_millis(20).await;
+    retained::leave(Way::Asked, Reason::new());
     cortex_m::peripheral::SCB::sys_reset()
 }

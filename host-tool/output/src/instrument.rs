@@ -3,6 +3,7 @@
 use crate::{code, hex, unix_time_s};
 use calib_core::settings::{ReferenceChannel, Settings};
 use calib_protocol::change::ReferenceChange;
+use calib_protocol::health::{Defect, Health};
 use calib_protocol::message::{Info, Status};
 use calib_protocol::record::{RecordKind, RecordSummary};
 use schemars::JsonSchema;
@@ -33,10 +34,21 @@ pub struct InfoView {
     pub stack_unused_bytes: u32,
     /// Temperature of the instrument's processor, degrees Celsius; none when not read.
     pub instrument_temperature_c: Option<f32>,
+    /// What does not work; while there is something, no run is started: `archive`, `settings`,
+    /// `converters`, `clock`, `restarts`. None from a release that does not say.
+    pub defects: Option<Vec<String>>,
+    /// The same in words, each with what to do.
+    pub defect_texts: Vec<String>,
+    /// Why it restarted, each time within a minute of the one before, oldest first.
+    pub restarts: Vec<String>,
 }
 
-impl From<&Info> for InfoView {
-    fn from(info: &Info) -> Self {
+impl InfoView {
+    /// What a calibrator answered; a release that does not know its health has none.
+    pub fn new(info: &Info, health: Option<&Health>) -> Self {
+        let defects = || health.into_iter().flat_map(|health| health.defects.iter());
+        let text = |defect: Defect| format!("{}: {}", defect.text(), defect.remedy());
+        let restarts = health.into_iter().flat_map(|health| &health.restarts);
         Self {
             protocol_version: info.protocol_version,
             firmware_version: info.firmware_version.to_string(),
@@ -49,6 +61,9 @@ impl From<&Info> for InfoView {
             uptime_s: info.uptime_ms as f64 / 1000.0,
             stack_unused_bytes: info.stack_unused_bytes,
             instrument_temperature_c: info.instrument_temperature_c,
+            defects: health.map(|_| defects().map(|defect| code(&defect)).collect()),
+            defect_texts: defects().map(text).collect(),
+            restarts: restarts.map(ToString::to_string).collect(),
         }
     }
 }

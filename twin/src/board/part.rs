@@ -21,6 +21,7 @@ use super::flash::WatchedFlash;
 use super::iwdg::Iwdg;
 use super::memory_map;
 use super::overdrive::WatchedSyscfg;
+use super::part_faults::Lasting;
 use super::pins::{Pins, SUPPLY_MV};
 use super::request_lines::RequestLines;
 use super::schematic::{Pin, Schematic};
@@ -144,8 +145,8 @@ impl Part {
             dmamux: Dmamux::new(lines.clone()),
             dma1: Dma1::new(lines.clone()),
             converters: [
-                Converter::new(0, pair.clone()),
-                Converter::new(1, pair.clone()),
+                Converter::new(0, pair.clone(), pins.faults.clone()),
+                Converter::new(1, pair.clone(), pins.faults.clone()),
             ],
             common: Common::new(pair, lines),
             flash: WatchedFlash::new(pins.flash.clone()),
@@ -158,15 +159,13 @@ impl Part {
             slots,
         };
         part.fit();
+        part.suffer();
         part.check()?;
         Ok(part)
     }
 
     /// Levels the board puts on the pins.
     fn fit(&mut self) {
-        self.base
-            .rcc
-            .attach_crystals(self.pins.schematic.clock_hz, 0);
         self.base.set_supply(SUPPLY_MV);
         self.base.set_analog_supply(SUPPLY_MV);
         self.base.usart[self.pins.schematic.serial].attach(self.pins.serial.clone());
@@ -218,6 +217,11 @@ impl Part {
     /// The board around the part.
     pub(super) fn schematic(&self) -> &Schematic {
         &self.pins.schematic
+    }
+
+    /// What is broken.
+    pub(super) fn faults(&self) -> &Lasting {
+        &self.pins.faults
     }
 
     /// Since when the regulator's overdrive has been on.
@@ -282,7 +286,12 @@ impl Part {
         context.request_power(on);
     }
 
-    fn set_register<L: rigless::soc::Layout>(&mut self, register: L, instance: &str, value: u64) {
+    pub(super) fn set_register<L: rigless::soc::Layout>(
+        &mut self,
+        register: L,
+        instance: &str,
+        value: u64,
+    ) {
         if let Some(slot) = self.base.bus().slot_of(instance) {
             let bus = self.base.bus_mut();
             bus.slot_mut(slot).registers_mut().set(register, value);
@@ -310,6 +319,7 @@ impl Mcu for Part {
         }
         fresh.supply_mv = self.supply_mv;
         fresh.base.set_supply(self.supply_mv);
+        fresh.suffer();
         self.pins.flash.abandon();
         self.pins.usb.part_reset();
         // The drive's pin floats from here on, until a firmware enables the converter again.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::analog::Analog;
 use super::flash::FlashWatch;
+use super::part_faults::Lasting;
 use super::schematic::Schematic;
 use super::serial_line::SerialLine;
 use super::usb::UsbPort;
@@ -25,6 +26,8 @@ pub struct Pins {
     pub flash: FlashWatch,
     /// The USB connector.
     pub usb: UsbPort,
+    /// What is broken in the part until it is mended.
+    pub faults: Lasting,
 }
 
 impl Pins {
@@ -37,13 +40,15 @@ impl Pins {
             serial: SerialLine::default(),
             flash: FlashWatch::default(),
             usb: UsbPort::default(),
+            faults: Lasting::default(),
         }
     }
 }
 
-// The far end of the serial port, the flash and USB are kept by the models that hold them.
+// The far end of the serial port, the flash and USB are kept by the models that hold them; a part
+// that is broken is not kept.
 rigless::store!(Pins {
     values: [],
     parts: [analog],
-    built: [schematic, serial, flash, usb],
+    built: [schematic, serial, flash, usb, faults],
 });

@@ -212,6 +212,17 @@ impl Emulator {
             .act(move |session, _, stop| session.board_mut().part.fail(stop.at, fault))
     }
 
+    /// Makes whole what [`Emulator::fail`] broke for good; a converter and a clock answer from the next
+    /// start on.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn mend(&mut self) -> Result<(), Error> {
+        self.core
+            .act(|session, _, _| session.board_mut().part.mend())
+    }
+
     /// Changes halfwords of code or of the vector table where they lie in flash, as a fault of the
     /// memory would, and hands back what was there.
     ///
