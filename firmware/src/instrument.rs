@@ -8,6 +8,7 @@ use calib_core::settings::Settings;
 use calib_core::thermometer::may_work_at;
 use calib_core::verdict::Reason;
 use calib_firmware::command::{Instrument, RecordPage, RecordPart};
+use calib_firmware::restarts::MINUTE_MS;
 use calib_firmware::session::LinkName;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
@@ -15,6 +16,7 @@ use calib_protocol::health::{Defect, Health};
 use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, SettingsChange, Status};
 use core::sync::atomic::Ordering;
 use embassy_time::Instant;
+use heapless::Vec;
 
 /// One host's view; all share everything behind it.
 #[derive(Clone, Copy)]
@@ -55,9 +57,14 @@ impl Instrument for Calibrator {
     }
 
     fn health(&mut self) -> Health {
+        // What was a minute ago has nothing to do with what is.
+        let has_lived = Instant::now().as_millis() >= MINUTE_MS;
         Health {
             defects: state::defects(),
-            restarts: self.identity.restarts.clone(),
+            restarts: match has_lived && state::defects().is_none() {
+                true => Vec::new(),
+                false => self.identity.restarts.clone(),
+            },
         }
     }
 

@@ -114,7 +114,7 @@ impl Part {
     /// A mistake in [`memory_map`]: nothing a caller can cause.
     pub(super) fn new(pins: Pins) -> Result<Self, Error> {
         let mut base = Stm32h743::new()?;
-        *base.bus_mut() = memory_map::bus()?;
+        *base.bus_mut() = memory_map::bus(pins.faults.is_clocked())?;
         let (usb_slot, usb) = UsbWindow::add_to(base.bus_mut(), pins.usb.clone())?;
         let mut own = vec![None; base.bus().slots().len()].into_boxed_slice();
         own[usb_slot] = Some(Own::Usb);
@@ -166,6 +166,9 @@ impl Part {
 
     /// Levels the board puts on the pins.
     fn fit(&mut self) {
+        self.base
+            .rcc
+            .attach_crystals(self.pins.schematic.clock_hz, 0);
         self.base.set_supply(SUPPLY_MV);
         self.base.set_analog_supply(SUPPLY_MV);
         self.base.usart[self.pins.schematic.serial].attach(self.pins.serial.clone());

@@ -81,6 +81,11 @@ impl Lasting {
         self.lock().converters.get(nth) != Some(&true)
     }
 
+    /// Whether there is a clock at OSC_IN.
+    pub(super) fn is_clocked(&self) -> bool {
+        !self.lock().clock
+    }
+
     /// What is broken of the part becomes whole.
     pub(crate) fn mend(&self) {
         *self.lock() = Broken::default();
@@ -114,16 +119,10 @@ impl Part {
         self.suffer();
     }
 
-    /// Has what is broken show in a part that was just made, or broke just now. The converters look
-    /// for themselves.
+    /// Has what is broken show in a part that was just made, or broke just now. Converters look for
+    /// themselves, and whether there is a clock decides how a part is made.
     pub(super) fn suffer(&mut self) {
         let broken = *self.faults().lock();
-        let hse_hz = if broken.clock {
-            0
-        } else {
-            self.schematic().clock_hz
-        };
-        self.base.rcc.attach_crystals(hse_hz, 0);
         let protected = match broken.flash {
             true => 0,
             false => OptionBytes::FACTORY.word(flash::Register::WpsnCur2r),
