@@ -12,7 +12,7 @@ use calib_firmware::restarts::MINUTE_MS;
 use calib_firmware::session::LinkName;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
-use calib_protocol::health::{Defect, Health};
+use calib_protocol::health::{Deadline, Defect, Health, Work};
 use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, SettingsChange, Status};
 use core::sync::atomic::Ordering;
 use embassy_time::Instant;
@@ -59,7 +59,14 @@ impl Instrument for Calibrator {
     fn health(&mut self) -> Health {
         // What was a minute ago has nothing to do with what is.
         let has_lived = Instant::now().as_millis() >= MINUTE_MS;
+        let deadlines = Work::ALL.into_iter().map(|work| Deadline {
+            work: work as u8,
+            longest_us: state::longest_us(work),
+            allowed_us: allowed_us(work),
+        });
         Health {
+            deadlines: deadlines.collect(),
+            timebase_ppm: state::timebase_ppm(),
             defects: state::defects(),
             restarts: match has_lived && state::defects().is_none() {
                 true => Vec::new(),
@@ -176,4 +183,14 @@ impl Instrument for Calibrator {
 fn take_settings(settings: &Settings) {
     state::take_settings(settings.clone());
     state::note_defect(Defect::Settings, false);
+}
+
+/// Time a piece of work may take, microseconds: a block lasts 10 ms. To take the samples or to make
+/// the drive, both above the evaluation, a tenth of it; to evaluate, the block and most of the one
+/// that is made up for meanwhile ([`crate::tasks::drive`]).
+fn allowed_us(work: Work) -> f32 {
+    match work {
+        Work::Acquire | Work::Drive => 1_000.0,
+        Work::Evaluate => 17_000.0,
+    }
 }

@@ -8,6 +8,8 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
+mod fault;
+#[cfg(target_os = "none")]
 mod identity;
 #[cfg(target_os = "none")]
 mod instrument;

@@ -8,7 +8,7 @@ use calib_firmware::restarts::{Reason, Way};
 use core::fmt::Write;
 use core::panic::PanicInfo;
 use core::sync::atomic::{AtomicBool, Ordering, compiler_fence};
-use cortex_m_rt::{ExceptionFrame, exception};
+use cortex_m_rt::exception;
 use embassy_stm32::interrupt;
 
 /// Keeps as much as fits: a long message must not lose its beginning.
@@ -26,7 +26,7 @@ impl Write for Truncating {
 }
 
 /// Rest, remember, reset.
-fn leave(way: Way, reason: core::fmt::Arguments<'_>) -> ! {
+pub(crate) fn leave(way: Way, reason: core::fmt::Arguments<'_>) -> ! {
     static LEAVING: AtomicBool = AtomicBool::new(false);
     cortex_m::interrupt::disable();
     board::silence_now();
@@ -65,21 +65,6 @@ fn driver_panic() -> ! {
         format_args!(
             "a driver gave up in {active:?}, DMA1 flags {:#010x} {:#010x}",
             flags[0], flags[1]
-        ),
-    )
-}
-
-#[exception]
-unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
-    // Note(unsafe): a read of a status register that always exists.
-    let cause = unsafe { (*cortex_m::peripheral::SCB::PTR).cfsr.read() };
-    leave(
-        Way::Fault,
-        format_args!(
-            "hard fault at {:#010x}, caller {:#010x}, cause {:#010x}",
-            frame.pc(),
-            frame.lr(),
-            cause
         ),
     )
 }

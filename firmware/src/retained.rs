@@ -68,9 +68,11 @@ fn store(history: &History) {
     let words = history.to_words();
     // Note(unsafe): see `KeptCell`.
     unsafe {
-        let place = &raw mut (*KEPT.0.get()).history;
-        place.write_volatile(words);
-        (&raw mut (*KEPT.0.get()).beside[0]).write_volatile(0);
+        let place = (&raw mut (*KEPT.0.get()).history).cast::<u64>();
+        for (index, word) in words.into_iter().enumerate() {
+            place.add(index).write_volatile(word);
+        }
+        (&raw mut (*KEPT.0.get()).beside[1]).write_volatile(0);
     }
     cortex_m::asm::dsb();
 }

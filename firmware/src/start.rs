@@ -42,6 +42,7 @@ type BlockChannel = Channel<'static, CriticalSectionRawMutex, Block>;
 /// What does not answer is noted and left out: links, lamps and button come up
 /// in any case.
 pub(crate) async fn start(spawner: Spawner) {
+    crate::fault::enable();
     static IDENTITY: StaticCell<Identity> = StaticCell::new();
     let identity: &'static Identity = IDENTITY.init(Identity::read());
     let left_out = identity.left_out;

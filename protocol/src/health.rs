@@ -4,12 +4,14 @@
 //! |---|---|---|
 //! | 1 | defects | one bit for each, u32 |
 //! | 2 | restarts | count u8, then a text for each |
+//! | 3 | deadlines | count u8, then for each: work u8, longest f32, allowed f32, microseconds |
+//! | 4 | timebase | how much faster the clock is than the USB host's frames (option of f32, ppm) |
 //!
 //! A host asks for it beside [`Info`](crate::message::Info), whose fields are fixed: what is learnt of
 //! the instrument later is a section more ([`crate::sections`]).
 
 use crate::error::RecordError;
-use crate::sections::{Fields, Read, needed, section};
+use crate::sections::{Fields, Read, find, needed, section};
 use heapless::{String, Vec};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -21,6 +23,15 @@ pub const MAX_RESTARTS: usize = 3;
 const HEALTH: u8 = 1;
 const DEFECTS: u8 = 1;
 const RESTARTS: u8 = 2;
+const DEADLINES: u8 = 3;
+const TIMEBASE: u8 = 4;
+
+/// Most deadlines that are told.
+pub const MAX_DEADLINES: usize = 8;
+
+/// Difference between clock and USB frames from which one of them is wrong, ppm: a host may be off by
+/// 500 (USB 2.0, 7.1.11), a crystal by 50.
+pub const TIMEBASE_LIMIT_PPM: f32 = 550.0;
 
 /// Something of the instrument that does not work. While there is one, no run is started.
 ///
@@ -121,6 +132,34 @@ impl Defects {
     }
 }
 
+/// Work that must be done in time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Work {
+    /// A block of samples is taken from the DMA.
+    Acquire = 0,
+    /// A block of the drive is made.
+    Drive = 1,
+    /// A block is evaluated, with all that interrupts it.
+    Evaluate = 2,
+}
+
+impl Work {
+    /// All of it, in the order of the numbers.
+    pub const ALL: [Self; 3] = [Self::Acquire, Self::Drive, Self::Evaluate];
+}
+
+/// How long a piece of work took at most since the start, and how long it may take.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Deadline {
+    /// Number of a [`Work`]; what a newer release watches is none.
+    pub work: u8,
+    /// Longest so far, microseconds; 0 before it was done once.
+    pub longest_us: f32,
+    /// Time allowed, microseconds.
+    pub allowed_us: f32,
+}
+
 /// How the instrument is.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Health {
@@ -128,6 +167,11 @@ pub struct Health {
     pub defects: Defects,
     /// Why it restarted, each time within a minute of the one before, oldest first.
     pub restarts: Vec<String<160>, MAX_RESTARTS>,
+    /// Work that must be done in time.
+    pub deadlines: Vec<Deadline, MAX_DEADLINES>,
+    /// How much faster the instrument's clock is than the frames of the USB host, ppm; none without
+    /// a host, and in the first seconds.
+    pub timebase_ppm: Option<f32>,
 }
 
 /// The sections.
@@ -139,6 +183,8 @@ impl Serialize for InSections<'_> {
         (
             section(DEFECTS, health.defects),
             section(RESTARTS, &health.restarts),
+            section(DEADLINES, &health.deadlines),
+            section(TIMEBASE, health.timebase_ppm),
         )
             .serialize(serializer)
     }
@@ -149,13 +195,27 @@ fn read(sections: &[u8]) -> Result<Health, RecordError> {
         defects: needed(sections, DEFECTS)?.take()?,
         ..Health::default()
     };
-    let mut restarts: Fields<'_> = needed(sections, RESTARTS)?;
-    let count: usize = restarts.take()?;
-    for _ in 0..count {
-        let pushed = health.restarts.push(restarts.take()?);
-        pushed.map_err(|_| RecordError::Content)?;
+    read_list(needed(sections, RESTARTS)?, &mut health.restarts)?;
+    if let Some((_, list)) = find(sections, DEADLINES, 1)? {
+        read_list(Fields(list), &mut health.deadlines)?;
+    }
+    if let Some((_, timebase)) = find(sections, TIMEBASE, 1)? {
+        health.timebase_ppm = Fields(timebase).take()?;
     }
     Ok(health)
+}
+
+/// A list, as far as there is room.
+fn read_list<'a, T: Deserialize<'a>, const N: usize>(
+    mut fields: Fields<'a>,
+    list: &mut Vec<T, N>,
+) -> Result<(), RecordError> {
+    let count: usize = fields.take()?;
+    for _ in 0..count.min(N) {
+        // As many as there is room for.
+        let _ = list.push(fields.take()?);
+    }
+    Ok(())
 }
 
 impl Serialize for Health {
@@ -189,6 +249,15 @@ mod tests {
             restarts: [restart("hard fault"), restart("watchdog")]
                 .into_iter()
                 .collect(),
+            deadlines: [(0, 12.5), (2, 4_000.0)]
+                .map(|(work, longest_us)| Deadline {
+                    work,
+                    longest_us,
+                    allowed_us: 10_000.0,
+                })
+                .into_iter()
+                .collect(),
+            timebase_ppm: Some(-3.5),
         }
     }
 

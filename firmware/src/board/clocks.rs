@@ -14,6 +14,9 @@ use embassy_stm32::time::Hertz;
 /// (RM0433 Rev 8, 8.5.1).
 pub(crate) const TIMER_HZ: u32 = CLOCKS.bus_hz();
 
+/// Cycles of the core in a microsecond.
+pub(crate) const CORE_MHZ: f32 = CLOCKS.core_hz() as f32 / 1e6;
+
 /// Highest core clock of the silicon, Hz (DS12110 Rev 10, table 23: VOS0 of
 /// revision V; VOS1).
 const HIGHEST_CORE_HZ: u32 = match CLOCKS.silicon {

@@ -36,7 +36,8 @@ mod usb;
 mod watchdog;
 mod wiring;
 
-pub(crate) use axi_sram::{AllZero, axi_static};
+pub(crate) use axi_sram::{AllZero, Promise, axi_static, promise};
+pub(crate) use clocks::CORE_MHZ;
 pub(crate) use converter::NotReady;
 pub(crate) use description::{Clocks, Panel, Silicon};
 pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser};
@@ -117,6 +118,7 @@ impl Board {
         }
         supply::watch().await;
         cache::enable_instruction_cache();
+        cache::count_cycles();
         let wired = selected::wire(part);
         let exciter = Exciter::new(wired.exciter);
         retained::enter(Stage::Converters);

@@ -160,7 +160,7 @@ impl ProtocolError {
                 "install the release of this tool that came with the firmware"
             }
             Self::Version { .. } => {
-                "update the firmware: `cargo flash` in the source tree of this tool"
+                "update the firmware: `./run program` in the source tree of this tool"
             }
             Self::UnexpectedAnswer { .. } => {
                 "is another program using the same port? close it; if not, compare `calib info` with `calib version`"

@@ -57,6 +57,18 @@ fn text(info: &DeviceInfo, view: &InfoView) -> String {
     if let Some(panic) = &info.last_panic {
         lines.push(format!("last panic     {panic}"));
     }
+    lines.extend(view.deadlines.iter().map(|deadline| {
+        format!(
+            "{:<14} {:.2} ms at most, {:.1} allowed",
+            deadline.work,
+            1e3 * deadline.longest_s,
+            1e3 * deadline.allowed_s
+        )
+    }));
+    if let Some(deviation_rel) = view.timebase_deviation_rel {
+        let ppm = 1e6 * deviation_rel;
+        lines.push(format!("timebase       {ppm:+.0} ppm against the USB host"));
+    }
     lines.extend(
         view.defect_texts
             .iter()

@@ -4,7 +4,7 @@ use super::finding::{Finding, State};
 use crate::{Device, Error, Result};
 use calib_link::Client;
 use calib_protocol::frame::PROTOCOL_VERSION;
-use calib_protocol::health::{Defect, Health};
+use calib_protocol::health::{Defect, Health, TIMEBASE_LIMIT_PPM};
 use calib_protocol::message::Info;
 use std::time::Duration;
 
@@ -22,6 +22,7 @@ pub(super) fn check(address: &Device) -> Vec<Finding> {
             [link(address, repetitions), versions(&info), health(&info)]
                 .into_iter()
                 .chain(defects.map(defect))
+                .chain(parts.as_ref().and_then(timebase))
                 .collect()
         }
         Err(error) => vec![unreachable(&error)],
@@ -102,6 +103,19 @@ fn health(info: &Info) -> Finding {
         Some(panic) => Finding::new("health", State::Warning, format!("last panic: {panic}"))
             .with_remedy("report it, with the firmware version; the next record carries it too"),
     }
+}
+
+/// The clock beside that of a USB host, if there is one.
+fn timebase(health: &Health) -> Option<Finding> {
+    let ppm = health.timebase_ppm?;
+    let text =
+        format!("its clock is {ppm:+.0} ppm beside the USB host's, {TIMEBASE_LIMIT_PPM} allowed");
+    Some(match ppm.abs() <= TIMEBASE_LIMIT_PPM {
+        true => Finding::new("timebase", State::Good, text),
+        false => Finding::new("timebase", State::Warning, text).with_remedy(
+            "ask it from another computer: if that says the same, fit a crystal (docs/hardware.md)",
+        ),
+    })
 }
 
 /// Something does not work: nothing is measured until it does.

@@ -217,6 +217,11 @@ impl Part {
         }
     }
 
+    /// How fast its core is.
+    pub(super) fn instructions_per_s(&self) -> u64 {
+        self.pins.instructions_per_s
+    }
+
     /// The board around the part.
     pub(super) fn schematic(&self) -> &Schematic {
         &self.pins.schematic
@@ -324,6 +329,7 @@ impl Mcu for Part {
         fresh.base.set_supply(self.supply_mv);
         fresh.suffer();
         self.pins.flash.abandon();
+        self.pins.write_buffer.on_reset(at);
         self.pins.usb.part_reset();
         // The drive's pin floats from here on, until a firmware enables the converter again.
         let analog = self.pins.analog.clone();

@@ -8,6 +8,7 @@ use super::part_faults::Lasting;
 use super::schematic::Schematic;
 use super::serial_line::SerialLine;
 use super::usb::UsbPort;
+use super::write_buffer::WriteBuffer;
 use crate::rig_port::RigPort;
 
 /// Rail of the part, and of its converters.
@@ -26,6 +27,10 @@ pub struct Pins {
     pub flash: FlashWatch,
     /// The USB connector.
     pub usb: UsbPort,
+    /// What waits to be written to the memory kept over a reset.
+    pub write_buffer: WriteBuffer,
+    /// Instructions its core runs in a second.
+    pub instructions_per_s: u64,
     /// What is broken in the part until it is mended.
     pub faults: Lasting,
 }
@@ -40,6 +45,8 @@ impl Pins {
             serial: SerialLine::default(),
             flash: FlashWatch::default(),
             usb: UsbPort::default(),
+            write_buffer: WriteBuffer::default(),
+            instructions_per_s: super::INSTRUCTIONS_PER_S,
             faults: Lasting::default(),
         }
     }
@@ -50,5 +57,13 @@ impl Pins {
 rigless::store!(Pins {
     values: [],
     parts: [analog],
-    built: [schematic, serial, flash, usb, faults],
+    built: [
+        schematic,
+        serial,
+        flash,
+        usb,
+        write_buffer,
+        instructions_per_s,
+        faults
+    ],
 });

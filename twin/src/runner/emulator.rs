@@ -63,7 +63,7 @@ impl Emulator {
         rig: Box<dyn RigPort>,
         flash: &[u8],
     ) -> Result<Self, Error> {
-        let pins = Pins::new(firmware.schematic(), rig);
+        let pins = firmware.pins(rig);
         let core = start(firmware, &pins, flash)?;
         Ok(Self {
             core,
@@ -387,7 +387,12 @@ fn start(firmware: &Firmware, pins: &Pins, flash: &[u8]) -> Result<CoreThread, E
     let records = Image::new(name, flash.to_vec(), Some(RECORD_FLASH));
     let records = records.map_err(|error| ended(&error))?;
     let mut core = CoreThread::start(firmware, records, pins)?;
-    core.act(move |_, host, _| memory::scramble(host, 0))?
-        .map_err(|error| ended(&error))?;
+    let buffer = pins.write_buffer.clone();
+    core.act(move |_, host, _| {
+        let scrambled = memory::scramble(host, 0);
+        memory::note_kept(host, &buffer);
+        scrambled
+    })?
+    .map_err(|error| ended(&error))?;
     Ok(core)
 }
