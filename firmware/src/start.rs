@@ -6,7 +6,7 @@ use crate::instrument::Calibrator;
 use crate::state;
 use crate::tasks::acquire::Block;
 use crate::tasks::store::SharedArchive;
-use crate::tasks::{acquire, drive, link, measure, store, supervise, thermometer};
+use crate::tasks::{acquire, drive, link, measure, store, supervise, thermometer, timebase};
 use calib_firmware::restarts::LeftOut;
 use calib_firmware::session::LinkName;
 use calib_protocol::health::Defect;
@@ -73,6 +73,7 @@ pub(crate) async fn start(spawner: Spawner) {
         let (device, port) = usb_port(board.usb, identity.serial.as_str());
         let usb = instrument(LinkName::Usb);
         spawner.spawn(link::usb_link(device, port, usb).unwrap());
+        spawner.spawn(timebase::timebase().unwrap());
     }
     spawner.spawn(supervise::supervise(board.lamps, board.button, board.watchdog, serial).unwrap());
     spawner.spawn(store::store(archive, board.flash, identity).unwrap());

@@ -47,7 +47,10 @@ pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
 pub(crate) use selected::{CONVERTERS, NAME};
 pub(crate) use stack::unused_bytes as unused_stack_bytes;
 pub(crate) use thermometer::{SensorConverter, factory_codes};
-pub(crate) use usb::{PACKET_BYTES, UsbDriver, UsbPort, run as run_usb, usb_port};
+pub(crate) use usb::{
+    FRAME_NUMBERS, PACKET_BYTES, UsbDriver, UsbPort, frame_number, is_addressed, run as run_usb,
+    usb_port,
+};
 pub(crate) use wiring::{Port, UsbParts, wiring};
 
 use crate::{retained, state};

@@ -37,7 +37,7 @@ struct State {
     seen: BTreeMap<u64, u64>,
     /// Double words not yet in the memory, with what is there instead.
     waiting: BTreeMap<u64, u64>,
-    written: VirtualNanos,
+    written_ns: u64,
     lost: Vec<(u64, u64)>,
 }
 
@@ -75,7 +75,7 @@ impl WriteBuffer {
     pub(crate) fn on_write(&self, address: u64, value: u64, at: VirtualNanos) {
         let double = address - address % DOUBLE;
         let mut state = self.lock();
-        state.written = at;
+        state.written_ns = at.0;
         let before = state.seen.insert(double, value).unwrap_or(value);
         let is_part = address != double;
         let is_whole = !is_part && (before ^ value) >> 32 != 0;
@@ -93,7 +93,7 @@ impl WriteBuffer {
     pub(super) fn on_reset(&self, at: VirtualNanos) {
         let mut state = self.lock();
         let waiting = std::mem::take(&mut state.waiting);
-        if at.0 < state.written.0 + FLUSHED_NS {
+        if at.0 < state.written_ns + FLUSHED_NS {
             state.lost.extend(waiting);
             self.0.has_lost.store(true, Ordering::Relaxed);
         }
