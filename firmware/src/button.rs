@@ -71,6 +71,11 @@ impl Button {
     pub fn is_held(&self) -> bool {
         (FIRM_PERIODS..=HELD_PERIODS).contains(&self.down_periods)
     }
+
+    /// Whether a hand has held it down for so many periods.
+    pub fn is_held_for(&self, periods: u32) -> bool {
+        self.is_held() && self.down_periods >= periods
+    }
 }
 
 #[cfg(test)]
@@ -111,6 +116,7 @@ mod tests {
         assert!(!button.is_held());
         button.look(true);
         assert!(button.is_held());
+        assert!(button.is_held_for(2) && !button.is_held_for(3));
         hold(&mut button, 60_000 / PERIOD_MS as u32 - 2);
         assert!(button.is_held());
         button.look(true);

@@ -6,6 +6,7 @@
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
 use calib_protocol::capture::CapturePart;
+use calib_protocol::health::{Defect, Health};
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, SettingsChange, Status,
 };
@@ -38,6 +39,8 @@ pub trait Instrument {
     fn admit(&mut self, request: &Request) -> Result<(), Refusal>;
     /// Identity and health.
     fn info(&mut self) -> Info;
+    /// What does not work, and what the instrument went through.
+    fn health(&mut self) -> Health;
     /// Asks for the state.
     fn status(&mut self) -> Status;
     /// Result of a point of the running or last run.
@@ -122,20 +125,24 @@ async fn carry_out(
             Response::Done
         }
         Request::ReadCapture { offset } => Response::CaptureData(instrument.read_capture(offset)?),
+        Request::Health => Response::Health(instrument.health()),
     })
 }
 
 /// Every result rests on the reference: its calibration changes only under a
 /// hand on the instrument, and leaves a record. Whoever sends the same again is
-/// told that it is done.
+/// told that it is done. Where the stored one cannot be read, any other may be a
+/// change.
 async fn write_settings(
     change: &SettingsChange,
     instrument: &mut impl Instrument,
 ) -> Result<(), Refusal> {
     change.settings.validate().map_err(|_| Refusal::Settings)?;
-    if change
-        .settings
-        .has_reference_channel_of(&instrument.settings())
+    let known = !instrument.health().defects.has(Defect::Settings);
+    if known
+        && change
+            .settings
+            .has_reference_channel_of(&instrument.settings())
     {
         return instrument.write_settings(&change.settings).await;
     }

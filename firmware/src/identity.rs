@@ -1,9 +1,11 @@
 //! Who this instrument is, and why it started.
 
+use calib_firmware::restarts::{LeftOut, Reason};
+use calib_protocol::health::MAX_RESTARTS;
 use calib_protocol::message::ResetCause;
 use core::fmt::Write;
 use embassy_stm32::pac::{self, rcc::regs::Rsr};
-use heapless::String;
+use heapless::{String, Vec};
 
 /// Git hash of the image; `-dirty` when it was built from changed files.
 const GIT_HASH: &str = env!("CALIB_GIT_HASH");
@@ -16,18 +18,22 @@ pub(crate) struct Identity {
     pub(crate) version: String<16>,
     pub(crate) git_hash: String<24>,
     pub(crate) reset_cause: ResetCause,
-    pub(crate) last_panic: Option<String<160>>,
+    pub(crate) last_panic: Option<Reason>,
+    /// Why it restarted, each time within a minute of the one before.
+    pub(crate) restarts: Vec<Reason, MAX_RESTARTS>,
+    /// What this start does without.
+    pub(crate) left_out: LeftOut,
     /// Cause of an unintended restart.
-    pub(crate) incident: Option<String<160>>,
+    pub(crate) incident: Option<Reason>,
 }
 
 impl Identity {
-    /// Reads unique id and reset flags, and clears the flags.
+    /// Reads unique id, reset flags and what was kept, and clears the flags. To be called once.
     pub(crate) fn read() -> Self {
         let flags = pac::RCC.rsr().read();
         pac::RCC.rsr().modify(|w| w.set_rmvf(true));
         let reset_cause = cause(flags);
-        let last_panic = crate::panic::take_reason();
+        let (history, last_panic) = crate::retained::begin(reset_cause);
         Self {
             incident: last_panic.clone().or_else(|| incident(reset_cause)),
             serial: fitting(embassy_stm32::uid::uid_hex()),
@@ -35,6 +41,8 @@ impl Identity {
             git_hash: fitting(GIT_HASH),
             reset_cause,
             last_panic,
+            restarts: history.reasons().clone(),
+            left_out: history.left_out(),
         }
     }
 
@@ -59,7 +67,7 @@ fn fitting<const N: usize>(text: &str) -> String<N> {
 }
 
 /// A restart nobody asked for and that left no message.
-fn incident(cause: ResetCause) -> Option<String<160>> {
+fn incident(cause: ResetCause) -> Option<Reason> {
     match cause {
         ResetCause::Watchdog => Some(fitting("restarted by the watchdog: everything stood still")),
         ResetCause::BrownOut => Some(fitting("restarted by a drop of the supply")),

@@ -8,12 +8,15 @@ use calib_core::settings::Settings;
 use calib_core::thermometer::may_work_at;
 use calib_core::verdict::Reason;
 use calib_firmware::command::{Instrument, RecordPage, RecordPart};
+use calib_firmware::restarts::MINUTE_MS;
 use calib_firmware::session::LinkName;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
+use calib_protocol::health::{Deadline, Defect, Health, Work};
 use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, SettingsChange, Status};
 use core::sync::atomic::Ordering;
 use embassy_time::Instant;
+use heapless::Vec;
 
 /// One host's view; all share everything behind it.
 #[derive(Clone, Copy)]
@@ -53,6 +56,25 @@ impl Instrument for Calibrator {
         }
     }
 
+    fn health(&mut self) -> Health {
+        // What was a minute ago has nothing to do with what is.
+        let has_lived = Instant::now().as_millis() >= MINUTE_MS;
+        let deadlines = Work::ALL.into_iter().map(|work| Deadline {
+            work: work as u8,
+            longest_us: state::longest_us(work),
+            allowed_us: allowed_us(work),
+        });
+        Health {
+            deadlines: deadlines.collect(),
+            timebase_ppm: state::timebase_ppm(),
+            defects: state::defects(),
+            restarts: match has_lived && state::defects().is_none() {
+                true => Vec::new(),
+                false => self.identity.restarts.clone(),
+            },
+        }
+    }
+
     fn status(&mut self) -> Status {
         state::status()
     }
@@ -62,6 +84,10 @@ impl Instrument for Calibrator {
     }
 
     async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal> {
+        let defects = state::defects();
+        if !defects.is_none() {
+            return Err(Refusal::Degraded(defects));
+        }
         let record_id = self.archive.prepare(spec.points.len()).await?;
         // No await from here on: the other link cannot come in between.
         if state::status().state.is_running() {
@@ -92,7 +118,10 @@ impl Instrument for Calibrator {
     }
 
     async fn stop(&mut self) {
-        state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
+        // Nobody would take the order; the exciter is at rest.
+        if state::MEASURES.load(Ordering::Relaxed) {
+            state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
+        }
     }
 
     async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal> {
@@ -119,7 +148,7 @@ impl Instrument for Calibrator {
             return Err(Refusal::Busy);
         }
         self.archive.store_settings(settings).await?;
-        state::take_settings(settings.clone());
+        take_settings(settings);
         Ok(())
     }
 
@@ -133,15 +162,35 @@ impl Instrument for Calibrator {
         }
         state::BUTTON_USED.store(true, Ordering::Relaxed);
         self.archive.log_change(self.identity, change).await?;
-        state::take_settings(change.settings.clone());
+        take_settings(&change.settings);
         Ok(())
     }
 
     fn capture(&mut self, pairs: u16) -> Result<(), Refusal> {
+        if !state::MEASURES.load(Ordering::Relaxed) {
+            return Err(Refusal::Degraded(state::defects()));
+        }
         state::with_capture(|capture| capture.arm(pairs))
     }
 
     fn read_capture(&mut self, offset: u16) -> Result<CapturePart, Refusal> {
         state::with_capture(|capture| capture.part(offset))
+    }
+}
+
+/// Settings that are stored are in force, and those that could not be read are of
+/// no interest any more.
+fn take_settings(settings: &Settings) {
+    state::take_settings(settings.clone());
+    state::note_defect(Defect::Settings, false);
+}
+
+/// Time a piece of work may take, microseconds: a block lasts 10 ms. To take the samples or to make
+/// the drive, both above the evaluation, a tenth of it; to evaluate, the block and most of the one
+/// that is made up for meanwhile ([`crate::tasks::drive`]).
+fn allowed_us(work: Work) -> f32 {
+    match work {
+        Work::Acquire | Work::Drive => 1_000.0,
+        Work::Evaluate => 17_000.0,
     }
 }

@@ -208,6 +208,7 @@ mod tests {
     use calib_core::point::{ExcitationKind, PointResult, PointSpec};
     use calib_core::settings::Settings;
     use calib_protocol::capture::CapturePart;
+    use calib_protocol::health::Health;
     use calib_protocol::message::{Info, RunSpec, SettingsChange, Status};
     use calib_protocol::record::RunLabels;
     use core::future::Future;
@@ -228,6 +229,9 @@ mod tests {
             }
         }
         fn info(&mut self) -> Info {
+            unreachable!("not asked here")
+        }
+        fn health(&mut self) -> Health {
             unreachable!("not asked here")
         }
         fn status(&mut self) -> Status {

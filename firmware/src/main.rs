@@ -8,11 +8,15 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
+mod fault;
+#[cfg(target_os = "none")]
 mod identity;
 #[cfg(target_os = "none")]
 mod instrument;
 #[cfg(target_os = "none")]
 mod panic;
+#[cfg(target_os = "none")]
+mod retained;
 #[cfg(target_os = "none")]
 mod start;
 #[cfg(target_os = "none")]

@@ -2,83 +2,18 @@
 //! finish its word, reset.
 //!
 //! Panics, hard faults, clock failures, a supply that falls and unexpected interrupts all end
-//! here. The reason is
-//! written to a part of RAM that no start-up code touches, with a checksum,
-//! and reported by the next start.
+//! here. The reason is kept over the reset ([`crate::retained`]) and reported by the next start.
 
-use crate::board;
-use calib_protocol::frame::CRC;
-use core::cell::UnsafeCell;
+use crate::{board, retained};
+use calib_firmware::restarts::{Reason, Way};
 use core::fmt::Write;
 use core::panic::PanicInfo;
 use core::sync::atomic::{AtomicBool, Ordering, compiler_fence};
-use cortex_m_rt::{ExceptionFrame, exception};
+use cortex_m_rt::exception;
 use embassy_stm32::interrupt;
-use heapless::String;
-
-/// Longest reason kept, bytes.
-pub(crate) const REASON_BYTES: usize = 160;
-
-#[repr(C)]
-struct Retained {
-    checksum: u32,
-    length: u32,
-    text: [u8; REASON_BYTES],
-}
-
-struct RetainedCell(UnsafeCell<Retained>);
-// Note(unsafe): written only with interrupts off on the way into a reset, and
-// read once before any task runs.
-unsafe impl Sync for RetainedCell {}
-
-#[unsafe(link_section = ".retained")]
-static RETAINED: RetainedCell = RetainedCell(UnsafeCell::new(Retained {
-    checksum: 0,
-    length: 0,
-    text: [0; REASON_BYTES],
-}));
-
-fn checksum(length: u32, text: &[u8]) -> u32 {
-    let mut digest = CRC.digest();
-    digest.update(b"panic");
-    digest.update(&length.to_le_bytes());
-    digest.update(text);
-    digest.finalize()
-}
-
-/// The reason of the last panic, once; the memory is cleared.
-pub(crate) fn take_reason() -> Option<String<REASON_BYTES>> {
-    // Note(unsafe): called before interrupts and tasks; volatile, because the
-    // compiler believes that nobody wrote here.
-    let retained = unsafe {
-        let kept = RETAINED.0.get().read_volatile();
-        (&raw mut (*RETAINED.0.get()).checksum).write_volatile(0);
-        kept
-    };
-    let text = retained.text.get(..retained.length as usize)?;
-    if retained.checksum != checksum(retained.length, text) {
-        return None;
-    }
-    core::str::from_utf8(text).ok()?.try_into().ok()
-}
-
-fn keep(reason: &str) {
-    let mut kept = Retained {
-        checksum: 0,
-        length: reason.len().min(REASON_BYTES) as u32,
-        text: [0; REASON_BYTES],
-    };
-    for (to, from) in kept.text.iter_mut().zip(reason.bytes()) {
-        *to = from;
-    }
-    let text = kept.text.get(..kept.length as usize).unwrap_or_default();
-    kept.checksum = checksum(kept.length, text);
-    // Note(unsafe): interrupts are off and the board is about to reset.
-    unsafe { RETAINED.0.get().write_volatile(kept) };
-}
 
 /// Keeps as much as fits: a long message must not lose its beginning.
-struct Truncating(String<REASON_BYTES>);
+struct Truncating(Reason);
 
 impl Write for Truncating {
     fn write_str(&mut self, text: &str) -> core::fmt::Result {
@@ -93,16 +28,16 @@ impl Write for Truncating {
 
 /// Rest, remember, let the flash finish its word, reset. With interrupts off no new operation on
 /// the flash begins.
-fn leave(reason: core::fmt::Arguments<'_>) -> ! {
+pub(crate) fn leave(way: Way, reason: core::fmt::Arguments<'_>) -> ! {
     static LEAVING: AtomicBool = AtomicBool::new(false);
     cortex_m::interrupt::disable();
     board::silence_now();
     // A fault while formatting must not keep the board from resetting.
     if !LEAVING.swap(true, Ordering::AcqRel) {
-        let mut text = Truncating(String::new());
+        let mut text = Truncating(Reason::new());
         let _ = text.write_fmt(reason);
-        keep(&text.0);
         defmt::error!("{=str}", text.0.as_str());
+        retained::leave(way, text.0);
     }
     compiler_fence(Ordering::SeqCst);
     board::restart()
@@ -112,13 +47,11 @@ fn leave(reason: core::fmt::Arguments<'_>) -> ! {
 fn panic(info: &PanicInfo<'_>) -> ! {
     match info.location() {
         // The place first: it is what must not be cut off.
-        Some(place) => leave(format_args!(
-            "{}:{}: {}",
-            place.file(),
-            place.line(),
-            info.message()
-        )),
-        None => leave(format_args!("{}", info.message())),
+        Some(place) => leave(
+            Way::Fault,
+            format_args!("{}:{}: {}", place.file(), place.line(), info.message()),
+        ),
+        None => leave(Way::Fault, format_args!("{}", info.message())),
     }
 }
 
@@ -128,37 +61,34 @@ fn panic(info: &PanicInfo<'_>) -> ! {
 fn driver_panic() -> ! {
     let active = cortex_m::peripheral::SCB::vect_active();
     let flags = [0, 1].map(|half| embassy_stm32::pac::DMA1.isr(half).read().0);
-    leave(format_args!(
-        "a driver gave up in {active:?}, DMA1 flags {:#010x} {:#010x}",
-        flags[0], flags[1]
-    ))
-}
-
-#[exception]
-unsafe fn HardFault(frame: &ExceptionFrame) -> ! {
-    // Note(unsafe): a read of a status register that always exists.
-    let cause = unsafe { (*cortex_m::peripheral::SCB::PTR).cfsr.read() };
-    leave(format_args!(
-        "hard fault at {:#010x}, caller {:#010x}, cause {:#010x}",
-        frame.pc(),
-        frame.lr(),
-        cause
-    ))
+    leave(
+        Way::Fault,
+        format_args!(
+            "a driver gave up in {active:?}, DMA1 flags {:#010x} {:#010x}",
+            flags[0], flags[1]
+        ),
+    )
 }
 
 /// The clock security system found the clock at OSC_IN gone; nothing else raises it here.
 #[exception]
 unsafe fn NonMaskableInt() -> ! {
-    leave(format_args!("clock failure: the clock at OSC_IN is gone"))
+    leave(
+        Way::Outside,
+        format_args!("clock failure: the clock at OSC_IN is gone"),
+    )
 }
 
 /// The supply falls: silent while there is still enough of it to be silent with.
 #[interrupt]
 fn PVD_AVD() {
-    leave(format_args!("the supply fell below 2.8 V"))
+    leave(Way::Outside, format_args!("the supply fell below 2.8 V"))
 }
 
 #[exception]
 unsafe fn DefaultHandler(number: i16) -> ! {
-    leave(format_args!("interrupt {number} has no handler"))
+    leave(
+        Way::Fault,
+        format_args!("interrupt {number} has no handler"),
+    )
 }

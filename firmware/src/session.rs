@@ -2,7 +2,7 @@
 //!
 //! | request | from the holder | from the other link |
 //! |---|---|---|
-//! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`, `ReadCapture`) | answered | answered |
+//! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`, `ReadCapture`, `Health`) | answered | answered |
 //! | `Stop` | carried out | carried out: anyone may silence the exciter |
 //! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`, `Capture`) | carried out | refused |
 //!
@@ -77,7 +77,8 @@ fn changes(request: &Request) -> bool {
         | Request::Records { .. }
         | Request::ReadRecord { .. }
         | Request::SettingsRead
-        | Request::ReadCapture { .. } => false,
+        | Request::ReadCapture { .. }
+        | Request::Health => false,
     }
 }
 
@@ -111,6 +112,7 @@ mod tests {
             Request::ReadRecord { id, offset: 0 },
             Request::SettingsRead,
             Request::ReadCapture { offset: 0 },
+            Request::Health,
             Request::Stop,
         ] {
             assert_eq!(session.admit(Usb, &request, 1), Ok(()), "{request:?}");

@@ -1,15 +1,17 @@
 //! State the tasks share: short copies under a critical section.
 
-use crate::board::CONVERTERS;
+use crate::board::{CONVERTERS, CORE_MHZ, promise};
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
 use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
 use calib_firmware::session::Session;
+use calib_protocol::health::{Defect, Defects, Work};
 use calib_protocol::message::{RunSpec, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
 use core::cell::{Cell, RefCell};
-use core::sync::atomic::{AtomicBool, AtomicU32};
+use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use cortex_m::peripheral::DWT;
 use embassy_sync::blocking_mutex::CriticalSectionMutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::channel::Channel;
@@ -30,6 +32,28 @@ pub(crate) fn update_status(change: impl FnOnce(&mut Status)) {
         let mut status = cell.get();
         change(&mut status);
         cell.set(status);
+    });
+}
+
+static DEFECTS: CriticalSectionMutex<Cell<Defects>> =
+    CriticalSectionMutex::new(Cell::new(Defects::NONE));
+
+/// What does not work.
+pub(crate) fn defects() -> Defects {
+    DEFECTS.lock(Cell::get)
+}
+
+/// Something does not work from now on, or works again.
+pub(crate) fn note_defect(defect: Defect, is_there: bool) {
+    if is_there {
+        defmt::error!("degraded: {=str}", defect.text());
+    }
+    DEFECTS.lock(|defects| {
+        let others = defects.get().without(defect);
+        defects.set(match is_there {
+            true => others.with(defect),
+            false => others,
+        });
     });
 }
 
@@ -56,13 +80,9 @@ pub(crate) struct Run {
     pub(crate) complete: bool,
 }
 
-/// The running or last run.
-// Note(unsafe): in AXI SRAM, for the stack needs the room. The section is
-// cleared before the first task runs, and this value is all zero: empty
-// vectors and strings, false, no temperature.
-#[unsafe(link_section = ".axisram")]
-pub(crate) static RUN: CriticalSectionMutex<RefCell<Run>> =
-    CriticalSectionMutex::new(RefCell::new(Run {
+impl Run {
+    /// Before the first.
+    const NONE: Self = Self {
         spec: RunSpec {
             points: Vec::new(),
             excitation: ExcitationKind::SingleSine,
@@ -70,13 +90,30 @@ pub(crate) static RUN: CriticalSectionMutex<RefCell<Run>> =
         },
         results: Vec::new(),
         complete: false,
-    }));
+    };
+}
+
+/// The running or last run.
+// Note(unsafe): in AXI SRAM, for the stack needs the room. The section is
+// cleared before the first task runs, and this value is all zero: empty
+// vectors and strings, false, no temperature.
+#[unsafe(link_section = ".axisram")]
+pub(crate) static RUN: CriticalSectionMutex<RefCell<Run>> =
+    CriticalSectionMutex::new(RefCell::new(Run::NONE));
+promise!(
+    CriticalSectionMutex<RefCell<Run>>,
+    CriticalSectionMutex::new(RefCell::new(Run::NONE))
+);
 
 /// The sample pairs a host asked for.
 // Note(unsafe): in AXI SRAM and all zero, as the run.
 #[unsafe(link_section = ".axisram")]
 static CAPTURE: CriticalSectionMutex<RefCell<Capture>> =
     CriticalSectionMutex::new(RefCell::new(Capture::new()));
+promise!(
+    CriticalSectionMutex<RefCell<Capture>>,
+    CriticalSectionMutex::new(RefCell::new(Capture::new()))
+);
 
 /// Looks at the capture, and changes it. The longest work under the lock is to
 /// copy a block of 500 words, some microseconds, where blocks take 10 ms.
@@ -122,6 +159,45 @@ pub(crate) static MEASURE_ALIVE: AtomicU32 = AtomicU32::new(0);
 
 /// Since the converters were started, both channels were shown to be of the same instants.
 pub(crate) static ALIGNED: AtomicBool = AtomicBool::new(false);
+/// Samples come in and are worked on: acquire, drive and measure run.
+pub(crate) static MEASURES: AtomicBool = AtomicBool::new(false);
+
+/// A block is being evaluated.
+pub(crate) static EVALUATING: AtomicBool = AtomicBool::new(false);
+
+/// Longest time of each [`Work`] so far, cycles of the core.
+static LONGEST: [AtomicU32; Work::ALL.len()] = [const { AtomicU32::new(0) }; Work::ALL.len()];
+
+/// Does `act`, and notes how long it took.
+pub(crate) fn timed<T>(work: Work, act: impl FnOnce() -> T) -> T {
+    let begun = DWT::cycle_count();
+    let done = act();
+    let cycles = DWT::cycle_count().wrapping_sub(begun);
+    if let Some(longest) = LONGEST.get(work as usize) {
+        longest.fetch_max(cycles, Ordering::Relaxed);
+    }
+    done
+}
+
+/// Longest time of a piece of work since the start, microseconds.
+pub(crate) fn longest_us(work: Work) -> f32 {
+    let longest = LONGEST.get(work as usize);
+    let cycles = longest.map_or(0, |longest| longest.load(Ordering::Relaxed));
+    cycles as f32 / CORE_MHZ
+}
+
+static TIMEBASE_PPM: CriticalSectionMutex<Cell<Option<f32>>> =
+    CriticalSectionMutex::new(Cell::new(None));
+
+/// How much faster the clock is than the frames of the USB host, ppm.
+pub(crate) fn timebase_ppm() -> Option<f32> {
+    TIMEBASE_PPM.lock(Cell::get)
+}
+
+/// Takes a comparison, or that there is none.
+pub(crate) fn set_timebase_ppm(ppm: Option<f32>) {
+    TIMEBASE_PPM.lock(|cell| cell.set(ppm));
+}
 
 /// The board is silent and about to restart: what stands still is meant to.
 pub(crate) static RESTARTING: AtomicBool = AtomicBool::new(false);

@@ -18,6 +18,7 @@ pub mod error;
 pub mod form1;
 pub mod frame;
 pub mod head;
+pub mod health;
 pub mod kind;
 pub mod message;
 pub mod record;

@@ -15,8 +15,10 @@
 //! | `Release` | `Done` or `Refused` | record/release |
 //! | `Capture` | `Done` or `Refused` | capture/take |
 //! | `ReadCapture` | `CaptureData` or `Refused` | capture/read |
+//! | `Health` | `Health` | health/get |
 
 use crate::capture::CapturePart;
+use crate::health::{Defects, Health};
 use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
@@ -86,6 +88,8 @@ pub enum Request {
         /// First pair wanted, from 0.
         offset: u16,
     },
+    /// What does not work, and what the instrument went through.
+    Health,
 }
 
 /// Answer of the calibrator.
@@ -136,6 +140,8 @@ pub enum Response {
     Refused(Refusal),
     /// Answer to `ReadCapture`.
     CaptureData(CapturePart),
+    /// Answer to `Health`.
+    Health(Health),
 }
 
 /// Protocol version in an `Info` answer of any version, from its message bytes.
@@ -190,6 +196,9 @@ pub enum Refusal {
     /// Since the converters were started, their two channels are not shown to be
     /// of the same instants ([`calib_core::alignment`]).
     ChannelsNotAligned,
+    /// Something of the instrument does not work: it measures nothing, and does
+    /// what is asked as far as it can.
+    Degraded(Defects),
 }
 
 /// New settings, and what the log of a change says of it.

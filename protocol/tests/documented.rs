@@ -4,6 +4,7 @@ use calib_core::point::ExcitationKind;
 use calib_core::settings::{MAX_INFLUENCES, MAX_REFERENCE_POINTS, Settings};
 use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, MAX_FRAME, MAX_MESSAGE, PROTOCOL_VERSION, encode};
+use calib_protocol::health::{Defects, Health};
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, Status,
 };
@@ -94,6 +95,7 @@ fn the_table_lists_every_request_with_its_number() {
         Request::Release { through: 0 },
         Request::Capture { pairs: 0 },
         Request::ReadCapture { offset: 0 },
+        Request::Health,
     ];
     assert_eq!(rows("request"), requests.each_ref().map(variant));
     expect_no_more::<Request>(requests.len());
@@ -129,6 +131,7 @@ fn the_table_lists_every_answer_with_its_number() {
             offset: 0,
             data: heapless::Vec::new(),
         }),
+        Response::Health(Health::default()),
     ];
     assert_eq!(rows("answer"), answers.each_ref().map(variant));
     expect_no_more::<Response>(answers.len());
@@ -152,6 +155,7 @@ fn the_table_lists_every_reason_with_its_number() {
         Refusal::ButtonNotHeld,
         Refusal::TemperatureOutOfRange,
         Refusal::ChannelsNotAligned,
+        Refusal::Degraded(Defects::NONE),
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     expect_no_more::<Refusal>(reasons.len());

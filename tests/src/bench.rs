@@ -86,6 +86,13 @@ impl Bench {
         Ok(Self { emulator, client })
     }
 
+    /// A board that was switched on, whatever becomes of it: nothing is asked yet.
+    pub fn of(board: Emulator) -> Self {
+        let emulator = Arc::new(Mutex::new(board));
+        let client = conversation(&emulator, FIRST);
+        Self { emulator, client }
+    }
+
     /// Keeps the run in a file, for [`Bench::go_on`]. A new conversation begins, here as there, so that
     /// both go on alike.
     ///

@@ -11,6 +11,7 @@ mod fuzz;
 mod ngspice;
 mod no_panic;
 mod packages;
+mod program;
 mod python;
 mod shell;
 mod test;
@@ -27,6 +28,7 @@ usage: ./run <command>
   bench [NAME]      benchmark tables, also written to target/bench/NAME.json
   elf [BOARD]       build the firmware image, for one of firmware/boards
   no-panic [BOARD]  look for panics in what calib-core became in the image
+  program [BOARD]   build the image and put it on the board at the ST-LINK (needs probe-rs)
   screenshots       pictures of the page for docs/images (needs Chromium)
   size [BOARD]      flash and RAM used by the image
   setup             build everything and run nothing
@@ -44,6 +46,7 @@ fn main() -> Result<()> {
         "test" | "ci" => test::run(rest),
         "bench" => bench::run(rest),
         "elf" => elf::build_for(board).map(|path| println!("{}", path.display())),
+        "program" => program::run(board),
         "no-panic" => elf::build_for(board).and_then(|image| no_panic::check(&image)),
         "screenshots" => browser::screenshots(),
         "size" => elf::print_size(board),

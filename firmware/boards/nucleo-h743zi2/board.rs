@@ -33,8 +33,8 @@ pub(crate) const PANEL: Panel = Panel {
 /// 480 MHz core, 240 MHz buses.
 pub(crate) const CLOCKS: Clocks = Clocks {
     silicon: Silicon::V,
-    // MCO of the ST-LINK (6.4.3): crystal accuracy, so the frequency of every
-    // tone is within 50 ppm.
+    // MCO of the ST-LINK (6.4.3): worth what its crystal is, assumed 50 ppm
+    // (docs/hardware.md, Clock).
     hse_hz: 8_000_000,
     hse: HseMode::Bypass,
     pll_divider: 1,

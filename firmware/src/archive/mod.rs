@@ -41,7 +41,9 @@ use calib_core::settings::Settings;
 use calib_protocol::message::Refusal;
 use calib_protocol::record::{Record, RecordKind, RecordSummary};
 use calib_protocol::stored::{self, settings_mark};
+use core::future::poll_fn;
 use core::ops::Range;
+use core::task::Poll;
 use embedded_storage_async::nor_flash::NorFlash;
 use heapless::Vec;
 use known::{Known, KnownSettings};
@@ -138,6 +140,8 @@ pub struct Archive<'m, F: CheckedFlash> {
     memory: Memory<'m>,
     state: State,
     known_settings: KnownSettings,
+    /// The settings stored last could not be read.
+    settings_unreadable: bool,
     /// First byte behind the item written or found last; none yet: no sector.
     end: Option<u32>,
     /// Record whose full encoding is in the scratch memory, and its length.
@@ -167,6 +171,7 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
             memory,
             state: State::default(),
             known_settings: KnownSettings::default(),
+            settings_unreadable: false,
             end: None,
             unpacked: None,
         };
@@ -178,6 +183,7 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
         self.memory.directory.clear();
         let mut items = self.queue.iter().await?;
         while let Some(item) = items.next(self.memory.scratch).await? {
+            yield_now().await;
             let address = self.memory.last_access.read();
             let length = item.len() as u16;
             self.end = Some(end_of::<F>(address, length));
@@ -204,6 +210,7 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
                         && let Some(settings) = head.settings_in(body)
                     {
                         self.state.set_settings(&settings);
+                        self.settings_unreadable = false;
                     }
                     insert(
                         self.memory.directory,
@@ -220,8 +227,10 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
                         _ => Form::Sections,
                     };
                     let Ok((state, range)) = State::read(form, body) else {
+                        self.settings_unreadable = true;
                         continue;
                     };
+                    self.settings_unreadable = false;
                     let Some(settings) = body.get(range.clone()) else {
                         continue;
                     };
@@ -243,6 +252,12 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
     /// The newest settings, if any were ever stored.
     pub fn settings(&self) -> Option<&Settings> {
         self.state.settings()
+    }
+
+    /// Whether the settings stored last could not be read: [`Self::settings`] are
+    /// older ones, or none.
+    pub fn settings_are_unreadable(&self) -> bool {
+        self.settings_unreadable
     }
 
     /// Running number the next record will have.
@@ -273,6 +288,19 @@ async fn read<F: NorFlash>(
     const { assert!(F::READ_SIZE == 1, "the archive reads single bytes") };
     let read = flash.read(address, bytes).await;
     read.map_err(|_| ArchiveError::Flash)
+}
+
+/// Lets others work: to read the whole area takes longer than they can wait.
+async fn yield_now() {
+    let mut yielded = false;
+    poll_fn(|context| {
+        if core::mem::replace(&mut yielded, true) {
+            return Poll::Ready(());
+        }
+        context.waker().wake_by_ref();
+        Poll::Pending
+    })
+    .await;
 }
 
 fn mark_of(item: &[u8]) -> Option<(u16, &[u8])> {

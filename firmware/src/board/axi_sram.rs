@@ -84,9 +84,29 @@ unsafe impl AllZero for Record {
     const ZERO: Self = Record::BLANK;
 }
 
+/// A value that lies in AXI SRAM once more, in the ELF file alone: a test looks whether it is all
+/// zero there, since of the section itself no content is kept.
+#[repr(transparent)]
+pub(crate) struct Promise<T>(pub(crate) T);
+// Note(unsafe): nobody ever looks at it.
+unsafe impl<T> Sync for Promise<T> {}
+
+/// Puts a value that lies in AXI SRAM where a test sees it.
+macro_rules! promise {
+    ($type:ty, $zero:expr) => {
+        const _: () = {
+            #[used]
+            #[unsafe(link_section = ".axisram_promise")]
+            static PROMISE: $crate::board::Promise<$type> = $crate::board::Promise($zero);
+        };
+    };
+}
+pub(crate) use promise;
+
 /// Declares a static in AXI SRAM, to be taken once.
 macro_rules! axi_static {
     ($name:ident: $type:ty) => {
+        $crate::board::promise!($type, <$type as $crate::board::AllZero>::ZERO);
         #[unsafe(link_section = ".axisram")]
         static $name: static_cell::ConstStaticCell<$type> =
             static_cell::ConstStaticCell::new(<$type as $crate::board::AllZero>::ZERO);

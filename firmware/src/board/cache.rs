@@ -1,4 +1,4 @@
-//! Caches of the Cortex-M7.
+//! Caches and cycle counter of the Cortex-M7.
 
 /// Turns the instruction cache on and leaves the data cache off.
 ///
@@ -9,4 +9,14 @@ pub(super) fn enable_instruction_cache() {
     // Note(unwrap): init; taken once, here.
     let mut core = unsafe { cortex_m::Peripherals::steal() };
     core.SCB.enable_icache();
+}
+
+/// Starts the cycle counter, by which work is timed.
+pub(super) fn count_cycles() {
+    // Note(unsafe): init; nobody else has either.
+    let mut core = unsafe { cortex_m::Peripherals::steal() };
+    core.DCB.enable_trace();
+    // The M7's counter is locked against software (PM0253 Rev 6, 4.9).
+    cortex_m::peripheral::DWT::unlock();
+    core.DWT.enable_cycle_counter();
 }

@@ -34,9 +34,11 @@ mod stack;
 mod supply;
 mod thermometer;
 mod usb;
+mod watchdog;
 mod wiring;
 
-pub(crate) use axi_sram::{AllZero, axi_static};
+pub(crate) use axi_sram::{AllZero, Promise, axi_static, promise};
+pub(crate) use clocks::CORE_MHZ;
 pub(crate) use converter::NotReady;
 pub(crate) use description::{Clocks, Panel, Silicon};
 pub(crate) use digitiser::{APERTURE, BLOCK_PAIRS, Digitiser};
@@ -47,15 +49,25 @@ pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
 pub(crate) use selected::{CONVERTERS, NAME};
 pub(crate) use stack::unused_bytes as unused_stack_bytes;
 pub(crate) use thermometer::{SensorConverter, factory_codes};
-pub(crate) use usb::{PACKET_BYTES, UsbDriver, UsbPort, run as run_usb, usb_port};
+pub(crate) use usb::{
+    FRAME_NUMBERS, PACKET_BYTES, UsbDriver, UsbPort, frame_number, is_addressed, run as run_usb,
+    usb_port,
+};
 pub(crate) use wiring::{Port, UsbParts, wiring};
 
+use crate::{retained, state};
+use calib_firmware::restarts::{LeftOut, Stage};
+use calib_protocol::health::Defect;
 use embassy_stm32::peripherals;
 use embassy_stm32::wdg::IndependentWatchdog;
 
 /// Longest time without a sign of life, microseconds. Until it has passed, a
 /// hang that keeps the drive task from running lets the ring repeat its 20 ms.
 const WATCHDOG_US: u32 = 250_000;
+
+
+/// The same until the tasks run: converters take 50 ms, a crystal less than 100.
+const BOOT_WATCHDOG_US: u32 = 1_000_000;
 
 /// The watchdog.
 pub(crate) type Watchdog = IndependentWatchdog<'static, peripherals::IWDG1>;
@@ -81,7 +93,8 @@ pub(crate) struct Board {
     pub(crate) port: Port,
     pub(crate) port_buffers: PortBuffers,
     pub(crate) usb: UsbParts,
-    pub(crate) digitiser: Digitiser,
+    /// None when a converter does not answer, or when they are left out.
+    pub(crate) digitiser: Option<Digitiser>,
     pub(crate) exciter: Exciter,
     pub(crate) sensor_converter: SensorConverter,
     pub(crate) sample_clock: SampleClock,
@@ -101,19 +114,28 @@ pub(crate) fn restart() -> ! {
 impl Board {
     /// Starts clocks and caches and wires everything; the sample clock stands.
     ///
-    /// # Panics
-    /// When a converter does not answer: the board is broken, and the panic
-    /// is reported after the reset.
-    pub(crate) async fn start() -> Self {
+    /// A start that hangs is ended by the watchdog after [`BOOT_WATCHDOG_US`].
+    pub(crate) async fn start(left_out: LeftOut) -> Self {
         // Note(unsafe): the first thing that happens; every user comes later.
         unsafe { axi_sram::clear() };
-        let part = embassy_stm32::init(clocks::config());
-        clocks::watch();
+        watchdog::unleash(BOOT_WATCHDOG_US);
+        let clocked = clocks::is_clocked();
+        state::note_defect(Defect::Clock, !clocked);
+        let part = embassy_stm32::init(clocks::config(clocked));
+        if clocked {
+            clocks::watch();
+        }
         supply::watch().await;
         cache::enable_instruction_cache();
+        cache::count_cycles();
         let wired = selected::wire(part);
         let exciter = Exciter::new(wired.exciter);
-        let digitiser = Digitiser::new(wired.digitiser).await;
+        retained::enter(Stage::Converters);
+        let digitiser = match left_out.has(LeftOut::CONVERTERS) {
+            true => None,
+            false => Digitiser::new(wired.digitiser).await.ok(),
+        };
+        retained::enter(Stage::Running);
         let [green, yellow, red] = wired.lamps.map(Lamp::new);
         Self {
             lamps: Lamps { green, yellow, red },
@@ -124,8 +146,7 @@ impl Board {
                 transmit: TRANSMIT.take(),
             },
             usb: wired.usb,
-            // Note(unwrap): init; without converters there is no instrument.
-            digitiser: digitiser.expect("converters"),
+            digitiser,
             exciter,
             sensor_converter: SensorConverter::new(wired.adc3),
             sample_clock: SampleClock::new(wired.tim6),

@@ -26,6 +26,7 @@ pub(super) async fn watch() {
     });
     // Silent and dark meanwhile: nothing is written to flash, nothing starts.
     while pac::PWR.csr1().read().pvdo() {
+        super::watchdog::pet();
         Timer::after(LOOK).await;
     }
     // The detector's output rises when the supply falls.

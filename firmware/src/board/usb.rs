@@ -91,6 +91,20 @@ async fn event_waits() {
     }
 }
 
+/// Numbers of frames at full speed: 11 bits (USB 2.0, 8.4.3).
+pub(crate) const FRAME_NUMBERS: u32 = 2048;
+
+/// Number of the frame on the bus (RM0433 Rev 8, 57.14, `FNSOF` of OTG_DSTS).
+pub(crate) fn frame_number() -> u32 {
+    u32::from(pac::USB_OTG_FS.dsts().read().fnsof()) % FRAME_NUMBERS
+}
+
+/// Whether a host has given the device an address, and keeps the bus awake.
+pub(crate) fn is_addressed() -> bool {
+    let awake = !pac::USB_OTG_FS.dsts().read().suspsts();
+    awake && pac::USB_OTG_FS.dcfg().read().dad() != 0
+}
+
 /// Who the device says it is.
 fn identity(serial: &'static str) -> Config<'static> {
     let mut config = Config::new(VENDOR, PRODUCT);

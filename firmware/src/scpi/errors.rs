@@ -24,6 +24,8 @@ pub enum ScpiError {
     DataOutOfRange = -222,
     /// The answer has no room.
     TooMuchData = -223,
+    /// Something of the instrument does not work.
+    Hardware = -240,
     /// No result: nothing was measured since the last change, or not yet.
     DataStale = -230,
     /// The point was refused; `FETCh:VERDict?` has the reason.
@@ -56,6 +58,7 @@ impl ScpiError {
             Self::InitIgnored => "Init ignored;a run is going on",
             Self::DataOutOfRange => "Data out of range",
             Self::TooMuchData => "Too much data",
+            Self::Hardware => "Hardware error;see DIAG:DEF?",
             Self::DataStale => "Data corrupt or stale;INIT, then wait with *OPC?",
             Self::PointRefused => "Device-specific error;point refused, see FETC:VERD?",
             Self::StorageFault => "Storage fault",

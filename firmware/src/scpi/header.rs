@@ -23,6 +23,7 @@ pub(super) enum Command {
     Uncertainty,
     Verdict,
     Catalog,
+    Defects,
 }
 
 use Command::*;
@@ -51,6 +52,7 @@ const HEADERS: &[(&str, Command)] = &[
     ("FETCh:UNCertainty?", Uncertainty),
     ("FETCh:VERDict?", Verdict),
     ("MMEMory:CATalog?", Catalog),
+    ("DIAGnostic:DEFects?", Defects),
 ];
 
 /// The command of a header, in its short or long form, in any case.

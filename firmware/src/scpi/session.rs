@@ -154,6 +154,7 @@ impl Session {
             Command::Abort => instrument.stop().await,
             Command::Verdict => self.verdict(instrument, out)?,
             Command::Catalog => catalog(instrument, out).await?,
+            Command::Defects => defects(instrument, out),
             Command::Sensitivity | Command::Phase | Command::Uncertainty => {
                 let fetched = self.fetch(command, instrument);
                 put(out, fetched.unwrap_or(NOT_A_NUMBER));
@@ -183,6 +184,7 @@ impl Session {
             Refusal::OtherHost => ScpiError::OtherHost,
             Refusal::StorageFull => ScpiError::OutOfMemory,
             Refusal::PointList => ScpiError::DataOutOfRange,
+            Refusal::Degraded(_) => ScpiError::Hardware,
             _ => ScpiError::StorageFault,
         })
     }
@@ -246,10 +248,24 @@ async fn self_test(instrument: &mut impl Instrument) -> u8 {
     if instrument.info().last_panic.is_some() {
         return 1;
     }
+    if !instrument.health().defects.is_none() {
+        return 3;
+    }
     match instrument.records(0).await {
         Ok(_) => 0,
         Err(_) => 2,
     }
+}
+
+/// Names of what does not work, as strings; an empty one when all is well.
+fn defects(instrument: &mut impl Instrument, out: &mut impl Write) {
+    let defects = instrument.health().defects;
+    let _ = out.write_str("\"");
+    for (index, defect) in defects.iter().enumerate() {
+        let separator = if index == 0 { "" } else { "," };
+        let _ = write!(out, "{separator}{defect:?}");
+    }
+    let _ = out.write_str("\"");
 }
 
 /// A positive number with one of these units, or with none.

@@ -8,6 +8,7 @@ use calib_core::settings::Settings;
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{self, Frame, MAX_FRAME};
+use calib_protocol::health::{Defect, Defects, Health};
 use calib_protocol::message::{
     Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, SettingsChange, Status,
 };
@@ -41,6 +42,7 @@ struct Bench {
     refused: Option<Reason>,
     records: u32,
     other_host: bool,
+    defects: Defects,
 }
 
 impl Instrument for Bench {
@@ -65,6 +67,12 @@ impl Instrument for Bench {
             instrument_temperature_c: None,
         }
     }
+    fn health(&mut self) -> Health {
+        Health {
+            defects: self.defects,
+            ..Health::default()
+        }
+    }
     fn status(&mut self) -> Status {
         Status {
             state: match self.running {
@@ -86,6 +94,9 @@ impl Instrument for Bench {
         Some(result)
     }
     async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal> {
+        if !self.defects.is_none() {
+            return Err(Refusal::Degraded(self.defects));
+        }
         self.running = true;
         self.spec = Some(spec);
         Ok(1)
@@ -339,4 +350,20 @@ fn a_link_that_was_left_is_found_idle() {
     link.forget();
     assert!(!link.link.is_receiving());
     assert_eq!(line(&mut link, &mut bench, "SYST:VERS?"), "1999.0\n");
+}
+
+#[test]
+fn a_degraded_instrument_says_what_does_not_work_and_measures_nothing() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    assert_eq!(line(&mut link, &mut bench, "DIAG:DEF?"), "\"\"\n");
+    bench.defects = Defects::NONE.with(Defect::Clock).with(Defect::Archive);
+    assert_eq!(
+        line(&mut link, &mut bench, "DIAG:DEF?"),
+        "\"Archive,Clock\"\n"
+    );
+    assert_eq!(line(&mut link, &mut bench, "*TST?"), "3\n");
+    assert_eq!(
+        line(&mut link, &mut bench, "INIT;SYST:ERR?"),
+        "-240,\"Hardware error;see DIAG:DEF?\"\n"
+    );
 }

@@ -8,6 +8,7 @@ use crate::tasks::drive::SILENCE;
 use calib_core::alignment::{Alignment, judge};
 use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
+use calib_protocol::health::Work;
 use core::sync::atomic::Ordering;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::zerocopy_channel::Sender;
@@ -46,7 +47,9 @@ pub(crate) async fn acquire(
             Ok(()) => {
                 block.gap = core::mem::take(&mut gap);
                 let first = state::status().samples;
-                state::with_capture(|capture| capture.take(first, &block.pairs));
+                state::timed(Work::Acquire, || {
+                    state::with_capture(|capture| capture.take(first, &block.pairs));
+                });
                 blocks.send_done();
                 state::update_status(|status| status.samples += BLOCK_PAIRS as u64);
                 state::ACQUIRE_ALIVE.fetch_add(1, Ordering::Relaxed);

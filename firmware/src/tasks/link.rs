@@ -5,9 +5,10 @@ use crate::board::{
     run_usb, silence_now,
 };
 use crate::instrument::Calibrator;
-use crate::state;
 use crate::tasks::store::SharedArchive;
+use crate::{retained, state};
 use calib_firmware::link::{Aftermath, Link};
+use calib_firmware::restarts::{Reason, Way};
 use calib_firmware::scpi::Console;
 use core::sync::atomic::Ordering;
 use core::task::Poll;
@@ -271,5 +272,6 @@ async fn reset(archive: &SharedArchive) -> ! {
     Timer::after(ANSWER_OUT).await;
     // Kept to the end, so that nothing more is begun.
     let _at_rest = with_timeout(STORED, archive.rest()).await;
+    retained::leave(Way::Asked, Reason::new());
     restart()
 }

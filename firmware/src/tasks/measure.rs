@@ -10,6 +10,7 @@ use calib_core::output::Command;
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::sequence::{Activity, Sampling, Sequencer, Survey, SurveyRequest};
 use calib_core::verdict::{Reason, Verdict};
+use calib_protocol::health::Work;
 use calib_protocol::message::RunState;
 use calib_protocol::stored_point::as_stored;
 use core::sync::atomic::Ordering;
@@ -18,12 +19,13 @@ use embassy_sync::zerocopy_channel::Receiver;
 
 /// From a change of command to the first pair taken under it, at most: the
 /// rest of the block in which the change was decided, the block that is
-/// queued, and the two samples by which the converters follow each other.
+/// queued, one more that was played as before because the decision came late, and
+/// the two samples by which the converters follow each other.
 const SAMPLING: Sampling = Sampling {
     input: CONVERTERS.input,
     sample_rate_hz: SAMPLE_RATE_HZ as f32,
     aperture: APERTURE,
-    latency_samples: 2 * BLOCK_PAIRS as u32 + 2,
+    latency_samples: 3 * BLOCK_PAIRS as u32 + 2,
 };
 
 /// Works on every block.
@@ -50,7 +52,9 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
         if block.gap {
             runner.interrupt(Reason::Overrun);
         }
-        let result = runner.feed(&block.pairs);
+        state::EVALUATING.store(true, Ordering::Relaxed);
+        let result = state::timed(Work::Evaluate, || runner.feed(&block.pairs));
+        state::EVALUATING.store(false, Ordering::Relaxed);
         blocks.receive_done();
         if let Some(result) = result {
             runner.finish_point(result);
@@ -103,6 +107,7 @@ impl Runner {
     fn start_run(&mut self) {
         let settings = state::settings();
         defmt::info!("run begins");
+        crate::fault::let_through();
         self.full_scale_peak_v = settings.drive_full_scale_peak_v;
         self.stopping = false;
         match survey_request() {

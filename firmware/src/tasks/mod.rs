@@ -8,6 +8,7 @@
 //! | store | thread | ended runs | archive |
 //! | serial_link, usb_link | thread | bytes of a host | answers |
 //! | thermometer | thread | sensor in the processor | status, orders |
+//! | timebase | thread | frames of a USB host | deviation of the clock |
 //! | supervise | thread | button, heartbeats | lamps, orders, watchdog |
 //!
 //! The converter executor interrupts the metrology executor, which interrupts
@@ -21,3 +22,4 @@ pub(crate) mod measure;
 pub(crate) mod store;
 pub(crate) mod supervise;
 pub(crate) mod thermometer;
+pub(crate) mod timebase;

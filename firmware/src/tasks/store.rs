@@ -1,64 +1,73 @@
 //! Records out: from an ended run to the archive.
 
-use crate::board::{RECORD_AREA, RecordFlash};
+use crate::board::{RECORD_AREA, RecordFlash, axi_static};
 use crate::identity::Identity;
-use crate::state;
+use crate::{retained, state};
 use calib_core::settings::Settings;
-use calib_firmware::archive::{Archive, ArchiveError, Memory};
+use calib_firmware::archive::{Archive, Directory, LastAccess, MAX_ITEM, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
+use calib_firmware::restarts::{LeftOut, Stage};
+use calib_protocol::health::Defect;
 use calib_protocol::message::{Refusal, RunState, SettingsChange};
 use calib_protocol::record::{Record, RunLabels};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::mutex::{Mutex, MutexGuard};
+use embassy_time::{Duration, with_timeout};
+
+/// Longest time to read and repair the record area: of its eight sectors a power
+/// cut leaves two at most to be erased, each in 4 s (DS12110 Rev 11, table 140).
+const OPENING_LIMIT: Duration = Duration::from_secs(20);
+
+type Lock = Mutex<CriticalSectionRawMutex, Option<Archive<'static, RecordFlash>>>;
+type Guard<'a> = MutexGuard<'a, CriticalSectionRawMutex, Option<Archive<'static, RecordFlash>>>;
 
 /// The archive behind a lock. Nobody waits for it on behalf of a host: while
-/// it is being written, a host hears that the calibrator is busy.
-pub(crate) struct SharedArchive(Mutex<CriticalSectionRawMutex, Archive<'static, RecordFlash>>);
+/// it is being read at the start, or written, a host hears that the calibrator
+/// is busy. One that cannot be read never comes.
+pub(crate) struct SharedArchive(Lock);
 
-type ArchiveGuard<'a> = MutexGuard<'a, CriticalSectionRawMutex, Archive<'static, RecordFlash>>;
+/// The archive, for as long as it is held.
+struct ArchiveGuard<'a>(Guard<'a>);
 
 impl SharedArchive {
-    /// Reads the record area; returns the archive and the stored settings.
-    pub(crate) async fn open(
-        flash: RecordFlash,
-        memory: Memory<'static>,
-    ) -> Result<(Self, Option<Settings>), ArchiveError> {
-        let archive = Archive::open(flash, RECORD_AREA, memory).await?;
-        let settings = archive.settings().cloned();
-        Ok((Self(Mutex::new(archive)), settings))
+    /// Before the record area was read.
+    pub(crate) const fn new() -> Self {
+        Self(Mutex::new(None))
     }
 
     /// Stored records; while one is being written, none are counted.
     pub(crate) fn records(&self) -> u32 {
-        self.0.try_lock().map_or(0, |archive| archive.len())
+        let archive = self.0.try_lock().ok();
+        archive.map_or(0, |archive| archive.as_ref().map_or(0, Archive::len))
     }
 
     /// Running number of the next record, when there is room for so many
     /// points.
     pub(crate) async fn prepare(&self, points: usize) -> Result<u32, Refusal> {
         let mut archive = self.lock()?;
+        let archive = archive.get()?;
         archive.check_room(points).await?;
         Ok(archive.next_id())
     }
 
     /// See [`Archive::page`].
     pub(crate) async fn page(&self, from: u32) -> Result<RecordPage, Refusal> {
-        Ok(self.lock()?.page(from).await?)
+        Ok(self.lock()?.get()?.page(from).await?)
     }
 
     /// See [`Archive::read`].
     pub(crate) async fn read(&self, id: u32, offset: u32) -> Result<RecordPart, Refusal> {
-        self.lock()?.read(id, offset).await
+        self.lock()?.get()?.read(id, offset).await
     }
 
     /// See [`Archive::release`].
     pub(crate) async fn release(&self, through: u32) -> Result<(), Refusal> {
-        Ok(self.lock()?.release(through).await?)
+        Ok(self.lock()?.get()?.release(through).await?)
     }
 
     /// See [`Archive::store_settings`].
     pub(crate) async fn store_settings(&self, settings: &Settings) -> Result<(), Refusal> {
-        Ok(self.lock()?.store_settings(settings).await?)
+        Ok(self.lock()?.get()?.store_settings(settings).await?)
     }
 
     /// See [`Archive::log_change`].
@@ -68,6 +77,7 @@ impl SharedArchive {
         change: &SettingsChange,
     ) -> Result<(), Refusal> {
         let mut archive = self.lock()?;
+        let archive = archive.get()?;
         let record = archive.draft();
         sign(record, identity);
         record.head.labels = RunLabels {
@@ -85,18 +95,73 @@ impl SharedArchive {
     }
 
     fn lock(&self) -> Result<ArchiveGuard<'_>, Refusal> {
-        self.0.try_lock().map_err(|_| Refusal::Busy)
+        let archive = self.0.try_lock().map_err(|_| Refusal::Busy)?;
+        Ok(ArchiveGuard(archive))
     }
 }
 
-/// Stores every run that ends.
+impl ArchiveGuard<'_> {
+    /// The archive, once it was read.
+    fn get(&mut self) -> Result<&mut Archive<'static, RecordFlash>, Refusal> {
+        let defects = state::defects();
+        self.0.as_mut().ok_or(match defects.has(Defect::Archive) {
+            true => Refusal::Degraded(defects),
+            false => Refusal::Busy,
+        })
+    }
+}
+
+/// Reads the record area and takes its settings into force; whatever becomes of
+/// it, the links are up.
+async fn open(shared: &'static SharedArchive, flash: RecordFlash) {
+    axi_static!(DIRECTORY: Directory);
+    axi_static!(SCRATCH: [u8; MAX_ITEM]);
+    axi_static!(RECORD: Record);
+    static LAST_ACCESS: LastAccess = LastAccess::new();
+    let memory = Memory {
+        directory: DIRECTORY.take(),
+        scratch: SCRATCH.take(),
+        record: RECORD.take(),
+        last_access: &LAST_ACCESS,
+    };
+    let mut place = shared.0.lock().await;
+    let opening = Archive::open(flash, RECORD_AREA, memory);
+    let opened = with_timeout(OPENING_LIMIT, opening).await;
+    let Ok(Ok(archive)) = opened else {
+        return state::note_defect(Defect::Archive, true);
+    };
+    defmt::info!("{} records", archive.len());
+    if let Some(settings) = archive.settings() {
+        state::take_settings(settings.clone());
+    }
+    state::note_defect(Defect::Settings, archive.settings_are_unreadable());
+    *place = Some(archive);
+}
+
+/// Reads the record area, and stores every run that ends.
 #[embassy_executor::task]
-pub(crate) async fn store(archive: &'static SharedArchive, identity: &'static Identity) -> ! {
+pub(crate) async fn store(
+    archive: &'static SharedArchive,
+    flash: RecordFlash,
+    identity: &'static Identity,
+) -> ! {
+    match identity.left_out.has(LeftOut::ARCHIVE) {
+        true => state::note_defect(Defect::Archive, true),
+        false => {
+            retained::enter(Stage::Archive);
+            open(archive, flash).await;
+        }
+    }
+    retained::enter(Stage::Running);
     // What made the board restart belongs to the first record after it.
     let mut incident = identity.incident.clone();
     loop {
         state::RUN_ENDED.wait().await;
         let mut archive = archive.0.lock().await;
+        // No run is started without one.
+        let Some(archive) = archive.as_mut() else {
+            continue;
+        };
         let record = archive.draft();
         sign(record, identity);
         record.settings = state::settings();
@@ -111,7 +176,6 @@ pub(crate) async fn store(archive: &'static SharedArchive, identity: &'static Id
         });
         let complete = record.complete;
         let stored = archive.store().await;
-        drop(archive);
         let ended = match stored {
             Ok(()) => {
                 incident = None;

@@ -1,13 +1,17 @@
 //! Lamps, button, watchdog, and the depth of the stack.
 
-use crate::board::{Lamps, PushButton, Watchdog, unused_stack_bytes};
+use crate::board::{Lamps, PushButton, Watchdog, silence_now, unused_stack_bytes};
 use crate::instrument::Calibrator;
+use crate::retained;
 use crate::state::{self, Order};
 use calib_core::point::ExcitationKind;
 use calib_core::points::default_points;
 use calib_core::verdict::{Reason, Verdict};
 use calib_firmware::button::{Button, PERIOD_MS, Press};
 use calib_firmware::command::Instrument;
+use calib_firmware::lamps::is_red_lit;
+use calib_firmware::restarts::{MINUTE_MS, Reason as Why, Way};
+use calib_protocol::health::Defect;
 use calib_protocol::message::{RunSpec, RunState};
 use calib_protocol::record::RunLabels;
 use core::sync::atomic::Ordering;
@@ -17,6 +21,10 @@ use embassy_time::{Duration, Ticker};
 const PERIOD: Duration = Duration::from_millis(PERIOD_MS);
 /// Periods in which acquiring, driving and measuring must each have moved: 100 ms.
 const ALIVE_PERIODS: u8 = 5;
+/// Periods after which a restart has nothing to do with those before.
+const MINUTE_PERIODS: u32 = (MINUTE_MS / PERIOD_MS) as u32;
+/// A hand that stays on the button for so long wants what was left out to be tried again: 3 s.
+const AGAIN_PERIODS: u32 = 150;
 
 /// Watches over everything else.
 #[embassy_executor::task]
@@ -27,12 +35,18 @@ pub(crate) async fn supervise(
     mut instrument: Calibrator,
 ) -> ! {
     watchdog.unleash();
+    watchdog.pet();
+    let mut periods = 0_u32;
     let mut alive = Alive::default();
     let mut button = Button::new(push_button.is_down());
     let mut state_before = RunState::Idle;
     let mut ticker = Ticker::every(PERIOD);
     loop {
         ticker.next().await;
+        periods = periods.saturating_add(1);
+        if periods == MINUTE_PERIODS {
+            retained::live_on();
+        }
         if let Some(task) = alive.hanging()
             && !state::RESTARTING.load(Ordering::Relaxed)
         {
@@ -42,12 +56,15 @@ pub(crate) async fn supervise(
         }
         watchdog.pet();
         look(&mut button, push_button.is_down(), &mut instrument).await;
+        if state::defects().has(Defect::Restarts) && button.is_held_for(AGAIN_PERIODS) {
+            try_again();
+        }
         let state = state::status().state;
         if state != state_before && !state.is_running() {
             defmt::info!("{=u32} bytes of stack never used", unused_stack_bytes());
         }
         state_before = state;
-        show(&mut lamps, state);
+        show(&mut lamps, state, periods);
     }
 }
 
@@ -62,6 +79,9 @@ struct Alive {
 impl Alive {
     /// A task that has stood still for [`ALIVE_PERIODS`], if there is one.
     fn hanging(&mut self) -> Option<&'static str> {
+        if !state::MEASURES.load(Ordering::Relaxed) {
+            return None;
+        }
         // In this order: without blocks measuring stands still as well, and
         // without orders the drive goes on by itself.
         let counts = [
@@ -113,7 +133,20 @@ async fn start_default_list(instrument: &mut Calibrator) {
     }
 }
 
-fn show(lamps: &mut Lamps, state: RunState) {
+/// Restarts, and leaves nothing out.
+fn try_again() -> ! {
+    silence_now();
+    retained::leave(Way::Asked, Why::new());
+    cortex_m::peripheral::SCB::sys_reset()
+}
+
+fn show(lamps: &mut Lamps, state: RunState, periods: u32) {
+    let defects = state::defects();
+    if !defects.is_none() {
+        lamps.green.set(false);
+        lamps.red.set(is_red_lit(defects, periods));
+        return lamps.yellow.set(state.is_running());
+    }
     let busy = state.is_running();
     let refused = state::RUN.lock(|run| {
         let run = run.borrow();

@@ -7,7 +7,8 @@ use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
-use calib_protocol::message::{Info, Request, Response, RunSpec, SettingsChange, Status};
+use calib_protocol::health::Health;
+use calib_protocol::message::{Info, Refusal, Request, Response, RunSpec, SettingsChange, Status};
 use calib_protocol::record::RecordSummary;
 use std::time::Duration;
 
@@ -101,6 +102,17 @@ impl Client {
                 device: info.protocol_version,
             })),
             _ => Err(unexpected("its identity")),
+        }
+    }
+
+    /// What does not work, and what the instrument went through; none from a release that does not
+    /// know the question.
+    pub fn health(&mut self) -> Result<Option<Health>> {
+        match self.ask("its health", &Request::Health) {
+            Ok(Response::Health(health)) => Ok(Some(health)),
+            Err(Error::Refused(refused)) if refused.refusal == Refusal::Unknown => Ok(None),
+            Ok(_) => Err(unexpected("its health")),
+            Err(error) => Err(error),
         }
     }
 

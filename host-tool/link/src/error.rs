@@ -2,6 +2,7 @@
 //! that ask for three different actions.
 
 use calib_protocol::frame::PROTOCOL_VERSION;
+use calib_protocol::health::{Defect, Defects};
 use calib_protocol::message::Refusal;
 use std::path::Path;
 
@@ -159,7 +160,7 @@ impl ProtocolError {
                 "install the release of this tool that came with the firmware"
             }
             Self::Version { .. } => {
-                "update the firmware: `cargo flash` in the source tree of this tool"
+                "update the firmware: `./run program` in the source tree of this tool"
             }
             Self::UnexpectedAnswer { .. } => {
                 "is another program using the same port? close it; if not, compare `calib info` with `calib version`"
@@ -178,8 +179,9 @@ pub struct Refused {
     pub refusal: Refusal,
 }
 
-fn reason(refusal: Refusal) -> &'static str {
-    match refusal {
+fn reason(refusal: Refusal) -> String {
+    let known = match refusal {
+        Refusal::Degraded(defects) => return degraded(defects),
         Refusal::Busy => "a run is going on",
         Refusal::RecordNotFound => "it has no record of this number",
         Refusal::OffsetOutOfRange => "the record or capture is shorter than that",
@@ -198,6 +200,16 @@ fn reason(refusal: Refusal) -> &'static str {
         Refusal::TemperatureOutOfRange => "it is too cold or too hot to measure",
         Refusal::ChannelsNotAligned => "its two channels are not of the same instants",
         _ => "for a reason this tool does not know",
+    };
+    known.to_owned()
+}
+
+/// What does not work, in words.
+fn degraded(defects: Defects) -> String {
+    let texts: Vec<&str> = defects.iter().map(Defect::text).collect();
+    match texts.is_empty() {
+        true => "something does not work that this tool does not know".to_owned(),
+        false => texts.join("; "),
     }
 }
 
@@ -225,6 +237,10 @@ impl Refused {
             Refusal::ChannelsNotAligned => {
                 "press its reset button; if that does not help, an input is held too firmly for the \
                  check, or the part is faulty: docs/hardware.md, Alignment"
+            }
+            Refusal::Degraded(defects) => {
+                let first = defects.iter().next();
+                first.map_or("`calib info` says more", Defect::remedy)
             }
             Refusal::Busy => {
                 "wait for its end, or stop it: `calib stop`, or the button on the instrument"

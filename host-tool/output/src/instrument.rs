@@ -3,6 +3,7 @@
 use crate::{code, hex, unix_time_s};
 use calib_core::settings::{ReferenceChannel, Settings};
 use calib_protocol::change::ReferenceChange;
+use calib_protocol::health::{Deadline, Defect, Health, Work};
 use calib_protocol::message::{Info, Status};
 use calib_protocol::record::{RecordKind, RecordSummary};
 use schemars::JsonSchema;
@@ -33,10 +34,50 @@ pub struct InfoView {
     pub stack_unused_bytes: u32,
     /// Temperature of the instrument's processor, degrees Celsius; none when not read.
     pub instrument_temperature_c: Option<f32>,
+    /// What does not work; while there is something, no run is started: `archive`, `settings`,
+    /// `converters`, `clock`, `restarts`. None from a release that does not say.
+    pub defects: Option<Vec<String>>,
+    /// The same in words, each with what to do.
+    pub defect_texts: Vec<String>,
+    /// Why it restarted, each time within a minute of the one before, oldest first.
+    pub restarts: Vec<String>,
+    /// Work that must be done in time.
+    pub deadlines: Vec<DeadlineView>,
+    /// How much faster its clock is than the frames of the USB host, as a fraction; none without a
+    /// host at its USB port.
+    pub timebase_deviation_rel: Option<f64>,
 }
 
-impl From<&Info> for InfoView {
-    fn from(info: &Info) -> Self {
+/// How long a piece of work took at most since the start, and how long it may take.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DeadlineView {
+    /// `acquire`, `drive` or `evaluate`; `unknown` from a newer release.
+    pub work: String,
+    /// Longest so far, s; 0 before it was done once.
+    pub longest_s: f64,
+    /// Time allowed, s.
+    pub allowed_s: f64,
+}
+
+impl From<&Deadline> for DeadlineView {
+    fn from(deadline: &Deadline) -> Self {
+        let work = Work::ALL.get(usize::from(deadline.work));
+        Self {
+            work: work.map_or_else(|| "unknown".to_owned(), code),
+            longest_s: f64::from(deadline.longest_us) * 1e-6,
+            allowed_s: f64::from(deadline.allowed_us) * 1e-6,
+        }
+    }
+}
+
+impl InfoView {
+    /// What a calibrator answered; a release that does not know its health has none.
+    pub fn new(info: &Info, health: Option<&Health>) -> Self {
+        let defects = || health.into_iter().flat_map(|health| health.defects.iter());
+        let text = |defect: Defect| format!("{}: {}", defect.text(), defect.remedy());
+        let deadlines = health.into_iter().flat_map(|health| &health.deadlines);
+        let timebase = health.and_then(|health| health.timebase_ppm);
+        let restarts = health.into_iter().flat_map(|health| &health.restarts);
         Self {
             protocol_version: info.protocol_version,
             firmware_version: info.firmware_version.to_string(),
@@ -49,6 +90,11 @@ impl From<&Info> for InfoView {
             uptime_s: info.uptime_ms as f64 / 1000.0,
             stack_unused_bytes: info.stack_unused_bytes,
             instrument_temperature_c: info.instrument_temperature_c,
+            defects: health.map(|_| defects().map(|defect| code(&defect)).collect()),
+            defect_texts: defects().map(text).collect(),
+            restarts: restarts.map(ToString::to_string).collect(),
+            deadlines: deadlines.map(DeadlineView::from).collect(),
+            timebase_deviation_rel: timebase.map(|ppm| f64::from(ppm) * 1e-6),
         }
     }
 }

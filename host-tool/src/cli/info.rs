@@ -13,8 +13,10 @@ pub(crate) struct Info {}
 impl Info {
     /// Prints identity and health of the calibrator.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let info = context.connect()?.info()?;
-        context.print(&InfoView::from(&info), || text(&info))
+        let mut client = context.connect()?;
+        let (info, health) = (client.info()?, client.health()?);
+        let view = InfoView::new(&info, health.as_ref());
+        context.print(&view, || text(&info, &view))
     }
 }
 
@@ -28,7 +30,7 @@ fn temperature(processor_c: Option<f32>) -> String {
     }
 }
 
-fn text(info: &DeviceInfo) -> String {
+fn text(info: &DeviceInfo, view: &InfoView) -> String {
     let mut lines = vec![
         format!("serial number  {}", info.serial),
         format!(
@@ -55,5 +57,27 @@ fn text(info: &DeviceInfo) -> String {
     if let Some(panic) = &info.last_panic {
         lines.push(format!("last panic     {panic}"));
     }
+    lines.extend(view.deadlines.iter().map(|deadline| {
+        format!(
+            "{:<14} {:.2} ms at most, {:.1} allowed",
+            deadline.work,
+            1e3 * deadline.longest_s,
+            1e3 * deadline.allowed_s
+        )
+    }));
+    if let Some(deviation_rel) = view.timebase_deviation_rel {
+        let ppm = 1e6 * deviation_rel;
+        lines.push(format!("timebase       {ppm:+.0} ppm against the USB host"));
+    }
+    lines.extend(
+        view.defect_texts
+            .iter()
+            .map(|text| format!("degraded       {text}")),
+    );
+    lines.extend(
+        view.restarts
+            .iter()
+            .map(|text| format!("restart        {text}")),
+    );
     lines.join("\n")
 }

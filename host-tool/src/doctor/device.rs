@@ -4,6 +4,7 @@ use super::finding::{Finding, State};
 use crate::{Device, Error, Result};
 use calib_link::Client;
 use calib_protocol::frame::PROTOCOL_VERSION;
+use calib_protocol::health::{Defect, Health, TIMEBASE_LIMIT_PPM};
 use calib_protocol::message::Info;
 use std::time::Duration;
 
@@ -12,19 +13,41 @@ const REQUESTS: u32 = 20;
 
 pub(super) fn check(address: &Device) -> Vec<Finding> {
     match ask(address) {
-        Ok((info, repetitions)) => vec![link(address, repetitions), versions(&info), health(&info)],
+        Ok(Answers {
+            info,
+            health: parts,
+            repetitions,
+        }) => {
+            let defects = parts.iter().flat_map(|health| health.defects.iter());
+            [link(address, repetitions), versions(&info), health(&info)]
+                .into_iter()
+                .chain(defects.map(defect))
+                .chain(parts.as_ref().and_then(timebase))
+                .collect()
+        }
         Err(error) => vec![unreachable(&error)],
     }
 }
 
-fn ask(address: &Device) -> Result<(Info, u64)> {
+struct Answers {
+    info: Info,
+    /// None from a release that does not say.
+    health: Option<Health>,
+    repetitions: u64,
+}
+
+fn ask(address: &Device) -> Result<Answers> {
     let mut client = Client::new(address.open()?);
-    let info = client.info()?;
+    let (info, health) = (client.info()?, client.health()?);
     for _ in 0..REQUESTS {
         client.status()?;
         client.wait(Duration::from_millis(5))?;
     }
-    Ok((info, client.repetitions()))
+    Ok(Answers {
+        info,
+        health,
+        repetitions: client.repetitions(),
+    })
 }
 
 fn unreachable(error: &Error) -> Finding {
@@ -80,4 +103,22 @@ fn health(info: &Info) -> Finding {
         Some(panic) => Finding::new("health", State::Warning, format!("last panic: {panic}"))
             .with_remedy("report it, with the firmware version; the next record carries it too"),
     }
+}
+
+/// The clock beside that of a USB host, if there is one.
+fn timebase(health: &Health) -> Option<Finding> {
+    let ppm = health.timebase_ppm?;
+    let text =
+        format!("its clock is {ppm:+.0} ppm beside the USB host's, {TIMEBASE_LIMIT_PPM} allowed");
+    Some(match ppm.abs() <= TIMEBASE_LIMIT_PPM {
+        true => Finding::new("timebase", State::Good, text),
+        false => Finding::new("timebase", State::Warning, text).with_remedy(
+            "ask it from another computer: if that says the same, fit a crystal (docs/hardware.md)",
+        ),
+    })
+}
+
+/// Something does not work: nothing is measured until it does.
+fn defect(defect: Defect) -> Finding {
+    Finding::new("degraded", State::Failed, defect.text()).with_remedy(defect.remedy())
 }

@@ -184,10 +184,10 @@ impl Worker {
     fn open(&mut self) -> Result<()> {
         let Ok(address) = self.shared.snapshot().device.parse::<Device>();
         let mut client = Client::new(address.open()?);
-        let info = client.info()?;
+        let (info, health) = (client.info()?, client.health()?);
         self.client = Some(client);
         self.shared.change(|snapshot| {
-            snapshot.info = Some(InfoView::from(&info));
+            snapshot.info = Some(InfoView::new(&info, health.as_ref()));
             snapshot.link = Link::Connected;
             snapshot.trouble = None;
         });

@@ -9,6 +9,7 @@ use calib_core::tone::Tone;
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, FrameError, MAX_FRAME, PROTOCOL_VERSION, Receiver, encode};
+use calib_protocol::health::Health;
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
 };
@@ -120,6 +121,7 @@ impl Device {
         }
         match request {
             Request::Info => Response::Info(self.info()),
+            Request::Health => Response::Health(Health::default()),
             Request::Status => Response::Status(self.status()),
             Request::Point { index } => Response::Point {
                 index,

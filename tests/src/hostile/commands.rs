@@ -11,6 +11,7 @@ use calib_firmware::scpi::Console;
 use calib_firmware::session::{LinkName, Session};
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{Frame, PROTOCOL_VERSION};
+use calib_protocol::health::Health;
 use calib_protocol::message::{
     Info, Refusal, Request, ResetCause, Response, RunSpec, SettingsChange, Status,
 };
@@ -239,6 +240,10 @@ impl Instrument for Notes {
             stack_unused_bytes: 0,
             instrument_temperature_c: None,
         }
+    }
+
+    fn health(&mut self) -> Health {
+        Health::default()
     }
 
     fn status(&mut self) -> Status {

@@ -37,6 +37,22 @@ fn the_firmware_asks_for_nothing_the_board_does_not_model() -> Result<(), Fault>
     Ok(())
 }
 
+/// AXI SRAM is filled with zeros at the start: whatever lies there must begin as zeros. Its values are in
+/// the file once more, padding at their ends aside.
+#[test]
+fn what_lies_in_axi_sram_begins_as_zeros() -> Result<(), Fault> {
+    let firmware = Firmware::shipping()?;
+    let (bytes, _) = firmware.section(".axisram")?;
+    let (promised, values) = firmware.section(".axisram_promise")?;
+    assert!(
+        bytes > 300_000 && bytes.abs_diff(promised) < 256,
+        "{promised} of {bytes} bytes"
+    );
+    let begun_otherwise = values.iter().position(|byte| *byte != 0);
+    assert_eq!(begun_otherwise, None, "{promised} bytes promised");
+    Ok(())
+}
+
 /// 50 kHz from a 480 MHz core is exact, so one second more is 50 000 pairs more.
 #[test]
 fn the_sample_clock_is_exact() -> Result<(), Fault> {

@@ -11,6 +11,7 @@ mod boards;
 mod broadband;
 mod capture;
 mod coverage;
+mod degraded;
 mod execution;
 mod first_light;
 mod fuzz_smoke;

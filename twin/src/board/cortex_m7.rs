@@ -20,8 +20,15 @@ const CLOCK_HZ: NonZeroU64 = NonZeroU64::new(480_000_000).expect("not zero");
 ///
 /// The emulator gives every instruction the same time and knows neither caches, wait states nor dual
 /// issue. 250 million is about half an instruction per clock of the real core, so a deadline met here
-/// is met on the hardware unless a path is bound by memory.
+/// is met on the hardware unless a path is bound by memory. [`instructions_per_s`] has others.
 pub const INSTRUCTIONS_PER_S: u64 = 250_000_000;
+
+/// Instructions per second of a core that takes so many cycles for each: 3 is one that runs from flash
+/// with wait states and without a cache.
+#[must_use]
+pub fn instructions_per_s(cycles_per_instruction: NonZeroU64) -> u64 {
+    CLOCK_HZ.get() / cycles_per_instruction
+}
 
 /// Reference clock of SysTick is the core clock over this (RM0433 Rev 9, section 19.1.1).
 const REFCLK_DIVIDER: NonZeroU32 = NonZeroU32::new(8).expect("not zero");
@@ -72,7 +79,8 @@ pub(super) fn spec(part: &Part, shortcuts: bool) -> CoreSpec {
         interrupt_lines: NonZeroU32::new(lines).unwrap_or(NonZeroU32::MIN),
         priority_bits: PRIORITY_BITS,
         refclk_divider: REFCLK_DIVIDER,
-        instructions_per_second: NonZeroU64::new(INSTRUCTIONS_PER_S).unwrap_or(NonZeroU64::MIN),
+        instructions_per_second: NonZeroU64::new(part.instructions_per_s())
+            .unwrap_or(NonZeroU64::MIN),
         boot: "flash",
     };
     let mut config = armv7m::Config::new(core, &cpu::armv7m::windows(Mcu::bus(part)));

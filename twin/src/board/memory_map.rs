@@ -11,9 +11,10 @@
 //!   endpoints at wrong offsets and its FIFOs covered up.
 
 use rigless::cpu::armv7m;
+use rigless::soc::stm32h743::generated::rcc::cr;
 use rigless::soc::stm32h743::peripherals::{adc, exti, flash, otg, pwr, rcc, rng, syscfg, tim};
 use rigless::soc::stm32h743::{CPU, MEMORY, generated};
-use rigless::soc::{Builder, Bus, Clock, Gate, Layout, Peripheral, WriteModify};
+use rigless::soc::{Access, Builder, Bus, Clock, Gate, Layout, Peripheral, WriteModify};
 
 /// Interrupt lines the vendor's file gets wrong, from RM0433 Rev 9, section 19.1.2, table 147.
 const INTERRUPTS: [(&str, &[u16]); 13] = [
@@ -85,13 +86,25 @@ const ASIDE: u64 = 0x0400_0000;
 /// Size of a USB core's device block: to the end of OUT endpoint 8 (RM0433 Rev 9, section 57.14).
 const USB_DEVICE_BLOCK: u64 = 0x420;
 
-/// The bus of the part: every instance, the corrections and the wiring.
+/// The bus of the part: every instance, the corrections and the wiring; with nothing at OSC_IN, of a
+/// part whose external oscillator never comes up.
 ///
 /// # Errors
 ///
 /// A correction that names what the tables do not have: an error in this file.
-pub(super) fn bus() -> Result<Bus, rigless::soc::Error> {
-    builder().build()
+pub(super) fn bus(clocked: bool) -> Result<Bus, rigless::soc::Error> {
+    let builder = builder();
+    match clocked {
+        true => builder,
+        // The oscillator's model comes up whatever is connected: so it cannot be switched on.
+        false => builder.field(
+            "RCC",
+            "CR",
+            "HSEON",
+            cr::HSEON.with_access(Access::ReadOnly),
+        ),
+    }
+    .build()
 }
 
 /// Map before it is checked.

@@ -20,6 +20,7 @@
 //! | `serial_line`, `line_rate` | the serial port's far end; what it hears of another rate |
 //! | `usb` | OTG FS in device mode, and the host's end of its cable |
 //! | `front_panel` | lamps and button |
+//! | `write_buffer` | what a reset undoes of memory that is kept |
 //! | `part_faults` | what can fail in the part |
 //! | `memory_map`, `part`, `cortex_m7` | address map, the part as a whole, its core |
 //!
@@ -51,12 +52,13 @@ mod tests;
 mod tim6;
 pub mod usb;
 mod voltage_scale;
+mod write_buffer;
 
 use rigless::machine::{Board, Target};
 use rigless::mcu::Mcu;
 
 pub use analog::Analog;
-pub use cortex_m7::INSTRUCTIONS_PER_S;
+pub use cortex_m7::{INSTRUCTIONS_PER_S, instructions_per_s};
 pub use flash::{
     CutOff, FlashWatch, Operation, RECORD_FLASH, SECTOR_BYTES, SECTORS, WORD_BYTES, torn_sector,
     torn_word,
@@ -67,6 +69,7 @@ pub use part_faults::PartFault;
 pub use pins::Pins;
 pub use schematic::{Schematic, SchematicError};
 pub use serial_line::SerialLine;
+pub use write_buffer::WriteBuffer;
 
 /// Name of the board and of its one core.
 const NAME: &str = "calibrator";

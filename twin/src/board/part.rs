@@ -24,6 +24,7 @@ use super::flash::{CutOff, FlashWatch, WatchedFlash};
 use super::iwdg::Iwdg;
 use super::memory_map;
 use super::overdrive::WatchedSyscfg;
+use super::part_faults::Lasting;
 use super::pins::{Pins, SUPPLY_MV};
 use super::request_lines::RequestLines;
 use super::schematic::{Pin, Schematic};
@@ -117,7 +118,7 @@ impl Part {
     /// A mistake in [`memory_map`]: nothing a caller can cause.
     pub(super) fn new(pins: Pins) -> Result<Self, Error> {
         let mut base = Stm32h743::new()?;
-        *base.bus_mut() = memory_map::bus()?;
+        *base.bus_mut() = memory_map::bus(pins.faults.is_clocked())?;
         let (usb_slot, usb) = UsbWindow::add_to(base.bus_mut(), pins.usb.clone())?;
         let mut own = vec![None; base.bus().slots().len()].into_boxed_slice();
         own[usb_slot] = Some(Own::Usb);
@@ -149,8 +150,8 @@ impl Part {
             dmamux: Dmamux::new(lines.clone()),
             dma1: Dma1::new(lines.clone()),
             converters: [
-                Converter::new(0, pair.clone()),
-                Converter::new(1, pair.clone()),
+                Converter::new(0, pair.clone(), pins.faults.clone()),
+                Converter::new(1, pair.clone(), pins.faults.clone()),
             ],
             common: Common::new(pair, lines),
             flash: WatchedFlash::new(pins.flash.clone()),
@@ -163,6 +164,7 @@ impl Part {
             slots,
         };
         part.fit();
+        part.suffer();
         part.check()?;
         Ok(part)
     }
@@ -220,9 +222,19 @@ impl Part {
         }
     }
 
+    /// How fast its core is.
+    pub(super) fn instructions_per_s(&self) -> u64 {
+        self.pins.instructions_per_s
+    }
+
     /// The board around the part.
     pub(super) fn schematic(&self) -> &Schematic {
         &self.pins.schematic
+    }
+
+    /// What is broken.
+    pub(super) fn faults(&self) -> &Lasting {
+        &self.pins.faults
     }
 
     /// Since when the regulator's overdrive has been on.
@@ -306,7 +318,12 @@ impl Part {
         self.pins.flash.clone()
     }
 
-    fn set_register<L: rigless::soc::Layout>(&mut self, register: L, instance: &str, value: u64) {
+    pub(super) fn set_register<L: rigless::soc::Layout>(
+        &mut self,
+        register: L,
+        instance: &str,
+        value: u64,
+    ) {
         if let Some(slot) = self.base.bus().slot_of(instance) {
             let bus = self.base.bus_mut();
             bus.slot_mut(slot).registers_mut().set(register, value);
@@ -335,6 +352,8 @@ impl Mcu for Part {
         fresh.supply_mv = self.supply_mv;
         fresh.base.set_supply(self.supply_mv);
         self.pins.flash.cut(at);
+        fresh.suffer();
+        self.pins.write_buffer.on_reset(at);
         self.pins.usb.part_reset();
         // The drive's pin floats from here on, until a firmware enables the converter again.
         let analog = self.pins.analog.clone();

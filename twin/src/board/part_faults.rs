@@ -2,10 +2,13 @@
 //!
 //! Nothing here is known to the firmware: each is what the silicon would show.
 
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
 use rigless::mcu::{Mcu, Operate};
 use rigless::soc::Width;
 use rigless::soc::stm32h743::Stm32h743;
-use rigless::soc::stm32h743::generated::DMA1;
+use rigless::soc::stm32h743::generated::{DMA1, flash};
+use rigless::soc::stm32h743::peripherals::flash::OptionBytes;
 use rigless::time::VirtualNanos;
 
 use super::part::Part;
@@ -44,6 +47,49 @@ pub enum PartFault {
         /// How many.
         starts: u32,
     },
+    /// ADC1 (0) or ADC2 (1) never becomes ready, from its next start on.
+    ConverterDead {
+        /// Number of the converter.
+        nth: u8,
+    },
+    /// There is no clock at OSC_IN, from the next start on.
+    NoClock,
+    /// Every sector of bank 2 is write-protected by the option bytes: what is erased or programmed
+    /// there is refused with `WRPERR` (RM0433 Rev 9, section 4.5.2).
+    FlashProtected,
+}
+
+/// Faults that outlive a reset and a power cycle, until they are mended. A shared handle.
+#[derive(Debug, Clone, Default)]
+pub struct Lasting(Arc<Mutex<Broken>>);
+
+/// What is broken.
+#[derive(Debug, Clone, Copy, Default)]
+struct Broken {
+    converters: [bool; 2],
+    clock: bool,
+    flash: bool,
+}
+
+impl Lasting {
+    fn lock(&self) -> MutexGuard<'_, Broken> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Whether ADC1 (0) or ADC2 (1) answers.
+    pub(super) fn converter_answers(&self, nth: usize) -> bool {
+        self.lock().converters.get(nth) != Some(&true)
+    }
+
+    /// Whether there is a clock at OSC_IN.
+    pub(super) fn is_clocked(&self) -> bool {
+        !self.lock().clock
+    }
+
+    /// What is broken of the part becomes whole.
+    pub(crate) fn mend(&self) {
+        *self.lock() = Broken::default();
+    }
 }
 
 impl Part {
@@ -56,7 +102,32 @@ impl Part {
             PartFault::ClockLost => self.lose_clock(at),
             PartFault::SlaveShifted => self.converters().give_slave_erratum(),
             PartFault::StartsShifted { starts } => self.converters().spoil_starts(starts),
+            PartFault::ConverterDead { nth } => {
+                if let Some(dead) = self.faults().lock().converters.get_mut(usize::from(nth)) {
+                    *dead = true;
+                }
+            }
+            PartFault::NoClock => self.faults().lock().clock = true,
+            PartFault::FlashProtected => self.faults().lock().flash = true,
         }
+        self.suffer();
+    }
+
+    /// Makes whole what is broken for good.
+    pub(crate) fn mend(&mut self) {
+        self.faults().mend();
+        self.suffer();
+    }
+
+    /// Has what is broken show in a part that was just made, or broke just now. Converters look for
+    /// themselves, and whether there is a clock decides how a part is made.
+    pub(super) fn suffer(&mut self) {
+        let broken = *self.faults().lock();
+        let protected = match broken.flash {
+            true => 0,
+            false => OptionBytes::FACTORY.word(flash::Register::WpsnCur2r),
+        };
+        self.set_register(flash::Register::WpsnCur2r, "Flash", protected);
     }
 
     /// Stops a stream; with another memory address it goes on from there.

@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use super::analog::Analog;
 use super::flash::FlashWatch;
+use super::part_faults::Lasting;
 use super::schematic::Schematic;
 use super::serial_line::SerialLine;
 use super::usb::UsbPort;
+use super::write_buffer::WriteBuffer;
 use crate::rig_port::RigPort;
 
 /// Rail of the part, and of its converters.
@@ -25,6 +27,12 @@ pub struct Pins {
     pub flash: FlashWatch,
     /// The USB connector.
     pub usb: UsbPort,
+    /// What waits to be written to the memory kept over a reset.
+    pub write_buffer: WriteBuffer,
+    /// Instructions its core runs in a second.
+    pub instructions_per_s: u64,
+    /// What is broken in the part until it is mended.
+    pub faults: Lasting,
 }
 
 impl Pins {
@@ -37,13 +45,25 @@ impl Pins {
             serial: SerialLine::default(),
             flash: FlashWatch::default(),
             usb: UsbPort::default(),
+            write_buffer: WriteBuffer::default(),
+            instructions_per_s: super::INSTRUCTIONS_PER_S,
+            faults: Lasting::default(),
         }
     }
 }
 
-// The far end of the serial port, the flash and USB are kept by the models that hold them.
+// The far end of the serial port, the flash and USB are kept by the models that hold them; a part
+// that is broken is not kept.
 rigless::store!(Pins {
     values: [],
     parts: [analog],
-    built: [schematic, serial, flash, usb],
+    built: [
+        schematic,
+        serial,
+        flash,
+        usb,
+        write_buffer,
+        instructions_per_s,
+        faults
+    ],
 });

@@ -7,14 +7,17 @@
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::JoinHandle;
 
-use rigless::emulator::{self, Driver, Hit, Host, Resume, Settled, Start, Stop};
+use rigless::emulator::{self, Driver, Hit, HitKind, Host, Resume, Settled, Start, Stop};
 use rigless::image::Image;
 use rigless::session::Session;
+use rigless::soc::Width;
 use rigless::time::VirtualNanos;
 
 use super::log::{self, Log};
 use super::{Error, Execution, Firmware, memory, torn};
-use crate::board::{CalibratorBoard, FlashWatch, Pins, SerialLine, WORD_BYTES};
+use crate::board::{
+    CalibratorBoard, FlashWatch, Pins, SerialLine, WORD_BYTES, WriteBuffer,
+};
 
 /// Symbol of the firmware's RTT control block.
 const LOG_CONTROL: &str = "_SEGGER_RTT";
@@ -39,6 +42,7 @@ struct Callbacks {
     wake: bool,
     serial: SerialLine,
     flash: FlashWatch,
+    write_buffer: WriteBuffer,
     log_control: Option<u64>,
     log: Sender<Log>,
     hits: Sender<Hit>,
@@ -61,11 +65,21 @@ impl Driver<CalibratorBoard> for Callbacks {
         host: &mut dyn Host,
         settled: Settled,
     ) {
+        for (address, value) in self.write_buffer.take_lost() {
+            // Refused only where there is no memory.
+            host.write(address, Width::W64, value).ok();
+        }
         if let Some(sprung) = self.see_to_flash(host) {
             self.goal = sprung;
             session.run_until(sprung);
         }
-        if let Settled::Hit(hit) = settled {
+        if let Settled::Hit(hit) = settled
+            && hit.kind == HitKind::Write
+            && WriteBuffer::covers(hit.address)
+        {
+            let double = host.read(hit.address & !7, Width::W64).unwrap_or_default();
+            self.write_buffer.on_write(hit.address, double, hit.at);
+        } else if let Settled::Hit(hit) = settled {
             // Nobody listening means nobody asked: a watch left over from before.
             self.hits.send(hit).ok();
         }
@@ -180,6 +194,7 @@ impl CoreThread {
             wake: false,
             serial: pins.serial.clone(),
             flash: pins.flash.clone(),
+            write_buffer: pins.write_buffer.clone(),
             log_control: firmware.symbol(LOG_CONTROL).ok(),
             log,
             hits,
@@ -207,6 +222,12 @@ impl CoreThread {
             },
         };
         core.wait()?;
+        let buffer = pins.write_buffer.clone();
+        core.act(move |session, host, _| {
+            session.watch(WriteBuffer::watch());
+            session.settle_watches(host);
+            memory::note_kept(host, &buffer);
+        })?;
         Ok(core)
     }
 

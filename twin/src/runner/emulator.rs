@@ -85,7 +85,7 @@ impl Emulator {
         rig: Box<dyn RigPort>,
         flash: &[u8],
     ) -> Result<Self, Error> {
-        let pins = Pins::new(firmware.schematic(), rig);
+        let pins = firmware.pins(rig);
         let core = start(execution, firmware, &pins, flash)?;
         Ok(Self {
             core,
@@ -232,6 +232,17 @@ impl Emulator {
     pub fn fail(&mut self, fault: PartFault) -> Result<(), Error> {
         self.core
             .act(move |session, _, stop| session.board_mut().part.fail(stop.at, fault))
+    }
+
+    /// Makes whole what [`Emulator::fail`] broke for good; a converter and a clock answer from the next
+    /// start on.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn mend(&mut self) -> Result<(), Error> {
+        self.core
+            .act(|session, _, _| session.board_mut().part.mend())
     }
 
     /// Changes halfwords of code or of the vector table where they lie in flash, as a fault of the
@@ -403,7 +414,12 @@ fn start(
     let records = Image::new(name, flash.to_vec(), Some(RECORD_FLASH));
     let records = records.map_err(|error| ended(&error))?;
     let mut core = CoreThread::start(execution, firmware, records, pins)?;
-    core.act(move |_, host, _| memory::scramble(host, 0))?
-        .map_err(|error| ended(&error))?;
+    let buffer = pins.write_buffer.clone();
+    core.act(move |_, host, _| {
+        let scrambled = memory::scramble(host, 0);
+        memory::note_kept(host, &buffer);
+        scrambled
+    })?
+    .map_err(|error| ended(&error))?;
     Ok(core)
 }

@@ -1,18 +1,24 @@
 //! The firmware image: an ELF file, and the board it is for.
 
+use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use object::{Object, ObjectSymbol};
+use object::{Object, ObjectSection, ObjectSymbol};
 use rigless::cpu::armv7m::code_address;
 use rigless::image::Image;
 use rigless::symbols::Symbols;
 
 use super::Error;
-use crate::board::Schematic;
+use crate::board::{INSTRUCTIONS_PER_S, Pins, Schematic, instructions_per_s};
+use crate::rig_port::RigPort;
 
 /// Environment variable that names the image to run.
 const ELF_VARIABLE: &str = "CALIB_FIRMWARE_ELF";
+
+/// Environment variable with the cycles the core takes for each instruction, for benches and tests as
+/// they are: `3` for a core that waits for its flash. Without it, [`INSTRUCTIONS_PER_S`].
+const CYCLES_VARIABLE: &str = "CALIB_CYCLES_PER_INSTRUCTION";
 
 /// Where the image lies below the target directory once `cargo xtask elf` has built it.
 const BUILT: &str = "thumbv7em-none-eabihf/firmware/calib-firmware";
@@ -23,6 +29,7 @@ pub struct Firmware {
     path: PathBuf,
     image: Image,
     schematic: Arc<Schematic>,
+    instructions_per_s: u64,
 }
 
 impl Firmware {
@@ -49,6 +56,7 @@ impl Firmware {
             path: path.to_owned(),
             image,
             schematic: Arc::new(Schematic::nucleo_h743zi2()),
+            instructions_per_s: pace(),
         })
     }
 
@@ -59,6 +67,22 @@ impl Firmware {
             schematic: Arc::new(schematic),
             ..self
         }
+    }
+
+    /// The image on a core that takes so many cycles for each instruction.
+    #[must_use]
+    pub fn at(self, cycles_per_instruction: NonZeroU64) -> Self {
+        Self {
+            instructions_per_s: instructions_per_s(cycles_per_instruction),
+            ..self
+        }
+    }
+
+    /// What its board has on its pins, with `rig` on the connectors.
+    pub(super) fn pins(&self, rig: Box<dyn RigPort>) -> Pins {
+        let mut pins = Pins::new(self.schematic(), rig);
+        pins.instructions_per_s = self.instructions_per_s;
+        pins
     }
 
     /// The board it is run on.
@@ -118,6 +142,19 @@ impl Firmware {
             .ok_or_else(missing)
     }
 
+    /// Size of a section of the file in bytes, and its content as far as the file has it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NoSymbol`] when there is no such section.
+    pub fn section(&self, name: &str) -> Result<(u64, Vec<u8>), Error> {
+        let missing = || Error::NoSymbol(name.to_owned());
+        let file = object::File::parse(self.image.bytes()).map_err(|_| missing())?;
+        let section = file.section_by_name(name).ok_or_else(missing)?;
+        let content = section.data().map_err(|_| missing())?;
+        Ok((section.size(), content.to_vec()))
+    }
+
     /// SHA-256 of the image and where it goes.
     pub(super) fn digest(&self) -> [u8; 32] {
         rigless::image::digest(std::slice::from_ref(&self.image), None)
@@ -126,6 +163,13 @@ impl Firmware {
     pub(super) fn image(&self) -> &Image {
         &self.image
     }
+}
+
+/// Instructions of the core in a second.
+fn pace() -> u64 {
+    let cycles = std::env::var(CYCLES_VARIABLE).ok();
+    let cycles = cycles.and_then(|cycles| cycles.parse().ok());
+    cycles.map_or(INSTRUCTIONS_PER_S, instructions_per_s)
 }
 
 fn shipping_path() -> PathBuf {

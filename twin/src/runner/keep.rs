@@ -13,7 +13,7 @@ use rigless::snapshot::{self, Snapshot};
 
 use super::core_thread::CoreThread;
 use super::{Emulator, Error, Firmware, Log};
-use crate::board::{CalibratorBoard, Pins};
+use crate::board::CalibratorBoard;
 use crate::rig_port::RigPort;
 
 /// State the owner of a board keeps beside the board.
@@ -63,7 +63,7 @@ impl Emulator {
             reason: error.to_string(),
         };
         let kept = Snapshot::read(path).map_err(failed)?;
-        let pins = Pins::new(firmware.schematic(), rig);
+        let pins = firmware.pins(rig);
         let mut owner = Owner::default();
         let restore = |session: &mut Session<CalibratorBoard>| -> Result<Resume<'static>, Error> {
             kept.restore(session, &firmware.digest(), &mut owner)

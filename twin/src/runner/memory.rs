@@ -5,7 +5,7 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 use rigless::emulator::{Error as EmulatorError, Host};
 use rigless::soc::Width;
 
-use crate::board::{SECTOR_BYTES, SECTORS};
+use crate::board::{SECTOR_BYTES, SECTORS, WriteBuffer};
 
 /// Size of the record flash.
 pub(super) const RECORD_FLASH_BYTES: usize = SECTORS * SECTOR_BYTES as usize;
@@ -46,6 +46,13 @@ pub(super) fn scramble(host: &mut dyn Host, seed: u64) -> Result<(), EmulatorErr
         }
     }
     Ok(())
+}
+
+/// Takes note of what the memory that is kept over a reset holds.
+pub(super) fn note_kept(host: &mut dyn Host, buffer: &WriteBuffer) {
+    let content = WriteBuffer::addresses()
+        .filter_map(|address| Some((address, host.read(address, Width::W64).ok()?)));
+    buffer.set(content.collect());
 }
 
 /// Fills `length` bytes from `address`, a multiple of 8 both, with `byte`.

@@ -33,9 +33,12 @@ impl Emulator {
     /// [`Error::Ended`] when the emulator fails.
     pub fn restore_power(&mut self) -> Result<(), Error> {
         let seed = self.power_ons;
+        let buffer = self.pins.write_buffer.clone();
         let scrambled = self.core.act(move |session, host, stop| {
             session.board_mut().part.power(stop.at, true);
-            memory::scramble(host, seed)
+            let scrambled = memory::scramble(host, seed);
+            memory::note_kept(host, &buffer);
+            scrambled
         })?;
         scrambled.map_err(|error| Error::Ended(error.to_string()))?;
         self.pins.serial.clear();

@@ -83,9 +83,12 @@ function show(view) {
   $("link").dataset.link = view.link;
   $("info").textContent = view.info
     ? "calibrator " + view.info.instrument_serial + ", firmware " + view.info.firmware_version : "";
+  const defects = view.info ? view.info.defect_texts : [];
+  $("degraded").textContent = defects.length ? "Degraded, measures nothing: " + defects.join("; ") : "";
+  $("degraded").hidden = !defects.length;
   if (!$("device").value) $("device").value = view.device;
   const running = Boolean(view.run && view.run.running);
-  $("start").disabled = running || view.link !== "connected";
+  $("start").disabled = running || view.link !== "connected" || defects.length > 0;
   for (const control of $("connect").elements) control.disabled = running;
   measurement.show(view.run);
   waveforms.show(view.waveforms);

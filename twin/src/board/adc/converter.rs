@@ -6,6 +6,7 @@ use rigless::soc::stm32h743::peripherals::adc::LDORDY;
 use rigless::time::{EventId, VirtualNanos};
 
 use super::{SharedPair, State};
+use crate::board::part_faults::Lasting;
 
 /// Start-up of the regulator (DS12110 Rev 10, table 95, typical).
 const REGULATOR_NS: u64 = 5_000;
@@ -18,6 +19,7 @@ const LINEARITY_CYCLES: u64 = 165_010;
 pub(crate) struct Converter {
     nth: usize,
     pair: SharedPair,
+    faults: Lasting,
     regulator: Option<EventId>,
     calibration: Option<EventId>,
     enable: Option<EventId>,
@@ -26,15 +28,16 @@ pub(crate) struct Converter {
 rigless::store!(Converter {
     values: [regulator, calibration, enable],
     parts: [],
-    built: [nth, pair],
+    built: [nth, pair, faults],
 });
 
 impl Converter {
     /// ADC1 is number 0, ADC2 number 1.
-    pub(crate) fn new(nth: usize, pair: SharedPair) -> Self {
+    pub(crate) fn new(nth: usize, pair: SharedPair, faults: Lasting) -> Self {
         Self {
             nth,
             pair,
+            faults,
             regulator: None,
             calibration: None,
             enable: None,
@@ -98,7 +101,8 @@ impl Converter {
 
     fn start_enable(&mut self, control: u64, context: &mut DeviceContext<'_>) {
         let ready = self.with_state(|state| isr::ADRDY.is_set(state.status));
-        if cr::ADEN.is_set(control) && !ready && self.enable.is_none() {
+        let answers = self.faults.converter_answers(self.nth);
+        if cr::ADEN.is_set(control) && !ready && self.enable.is_none() && answers {
             if !self.with_state(|state| LDORDY.is_set(state.status)) {
                 context.tell("CR", "enabled before the regulator is ready");
             }

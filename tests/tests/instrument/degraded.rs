@@ -1,0 +1,362 @@
+//! Never silent for good: whatever of the part or of the program fails, links, lamps, button and
+//! stop are there within a second, with the reason; nothing is measured, what works works.
+
+use calib_core::verdict::Verdict;
+use calib_host::emulated::EmulatedUsbTransport;
+use calib_link::{Client, Error};
+use calib_protocol::health::{Defect, Defects, Health};
+use calib_protocol::message::{Refusal, ResetCause, RunState};
+use calib_tests::bench::{Bench, Fault, point};
+use calib_twin::board::{Leds, PartFault, SECTOR_BYTES, SECTORS, Schematic};
+use calib_twin::plant::Plant;
+use calib_twin::rig::Rig;
+use calib_twin::runner::{Emulator, Firmware};
+use std::num::NonZeroU64;
+use std::time::Duration;
+
+/// From power on, or from the last restart, until the links must answer.
+const SECOND: Duration = Duration::from_secs(1);
+/// `udf #0`: whoever comes here faults.
+const FAULT: u16 = 0xDE00;
+const FLASH_BYTES: usize = SECTORS * SECTOR_BYTES as usize;
+
+fn power_on(flash: &[u8], fault: Option<PartFault>) -> Result<Bench, Fault> {
+    let firmware = Firmware::shipping()?;
+    let plant = Box::new(Plant::new(&Rig::standard()));
+    let mut board = Emulator::power_on_with_flash(&firmware, plant, flash)?;
+    if let Some(fault) = fault {
+        // Some show from the next start on.
+        board.fail(fault)?;
+        board.power_cycle()?;
+    }
+    board.run_for(SECOND)?;
+    Ok(Bench::of(board))
+}
+
+fn new_board(fault: PartFault) -> Result<Bench, Fault> {
+    power_on(&vec![0xFF; FLASH_BYTES], Some(fault))
+}
+
+/// It answers over both links, says what does not work, by its lamp too, refuses runs for that
+/// reason, stops, and has never moved the exciter.
+fn expect_degraded(bench: &mut Bench, defects: Defects) -> Result<Health, Fault> {
+    let health = bench.client.health()?.ok_or("it knows its health")?;
+    assert_eq!(health.defects, defects);
+    expect_refusal(&mut bench.client, defects)?;
+    for _ in 0..6 {
+        bench.client.stop()?;
+    }
+    assert_eq!(bench.client.status()?.state, RunState::Idle);
+    tap(bench)?;
+    assert_eq!(
+        bench.client.status()?.state,
+        RunState::Idle,
+        "a tap starts nothing"
+    );
+    assert_eq!(seen_blinks(bench, defects)?, blinks(defects));
+    let mut usb = Client::new(Box::new(EmulatedUsbTransport::plug_in(bench.shared())?));
+    assert_eq!(usb.health()?.map(|health| health.defects), Some(defects));
+    let board = bench.board();
+    assert!(
+        board.silent_for() >= Some(board.uptime()),
+        "it moved the exciter"
+    );
+    Ok(health)
+}
+
+fn expect_refusal(client: &mut Client, defects: Defects) -> Result<(), Fault> {
+    let points = [point(160.0, 10.0)];
+    let labels = Default::default();
+    let begun = calib_link::session::begin(client, &points, Default::default(), labels);
+    match begun {
+        Err(Error::Refused(refused)) => {
+            assert_eq!(refused.refusal, Refusal::Degraded(defects));
+            for defect in defects.iter() {
+                assert!(refused.to_string().contains(defect.text()), "{refused}");
+            }
+            Ok(())
+        }
+        other => Err(format!("{other:?}").into()),
+    }
+}
+
+fn tap(bench: &mut Bench) -> Result<(), Fault> {
+    for pressed in [true, false] {
+        bench.board().press_button(pressed)?;
+        bench.client.wait(Duration::from_millis(100))?;
+    }
+    Ok(())
+}
+
+/// Times the red lamp goes on in one round, each defect by its number and one.
+fn blinks(defects: Defects) -> u32 {
+    defects.iter().map(|defect| defect as u32 + 1).sum()
+}
+
+/// The same as seen, in the time a round takes: half a second for a blink, 1.5 s between defects.
+fn seen_blinks(bench: &mut Bench, defects: Defects) -> Result<u32, Fault> {
+    let round_ms = 500 * blinks(defects) + 1_500 * defects.iter().count() as u32;
+    let (mut rises, mut before) = (0, bench.board().leds()?.red);
+    for _ in 0..round_ms / 20 {
+        bench.client.wait(Duration::from_millis(20))?;
+        let Leds { green, yellow, red } = bench.board().leds()?;
+        assert!(!green && !yellow);
+        rises += u32::from(red && !before);
+        before = red;
+    }
+    Ok(rises)
+}
+
+fn expect_all_well(bench: &mut Bench) -> Result<(), Fault> {
+    let health = bench.client.health()?.ok_or("it knows its health")?;
+    assert!(
+        health.defects.is_none() && health.restarts.is_empty(),
+        "{health:?}"
+    );
+    Ok(())
+}
+
+/// It measures again, and says that all is well.
+fn expect_well(bench: &mut Bench) -> Result<(), Fault> {
+    expect_all_well(bench)?;
+    let outcome = bench.run(&[point(160.0, 10.0)])?;
+    assert_eq!(outcome.state, RunState::Finished);
+    assert_eq!(outcome.points[0].verdict, Verdict::Pass);
+    Ok(())
+}
+
+/// A host's reset tries everything again.
+fn mend_and_reset(bench: &mut Bench) -> Result<(), Fault> {
+    bench.board().mend()?;
+    bench.client.reset()?;
+    bench.client.wait(SECOND)?;
+    assert_eq!(bench.client.info()?.reset_cause, ResetCause::Software);
+    Ok(())
+}
+
+#[test]
+fn a_dead_converter_leaves_records_and_settings() -> Result<(), Fault> {
+    for nth in [0, 1] {
+        let mut bench = new_board(PartFault::ConverterDead { nth })?;
+        let defects = Defects::NONE.with(Defect::Converters);
+        expect_degraded(&mut bench, defects)?;
+        assert_eq!(bench.client.records()?.len(), 0);
+        bench.adjust(|settings| settings.blocks = 3)?;
+        assert!(bench.client.capture(100).is_err(), "there are no samples");
+        assert_eq!(bench.board().resets()?, ["PowerOn"]);
+        mend_and_reset(&mut bench)?;
+        assert_eq!(bench.client.settings()?.blocks, 3);
+        expect_well(&mut bench)?;
+    }
+    Ok(())
+}
+
+/// The first sector looks half erased, and no erase is possible.
+#[test]
+fn a_record_area_that_cannot_be_repaired_leaves_the_links() -> Result<(), Fault> {
+    let mut flash = vec![0xFF; FLASH_BYTES];
+    flash[4096..8192].fill(0x5A);
+    let mut bench = power_on(&flash, Some(PartFault::FlashProtected))?;
+    let defects = Defects::NONE.with(Defect::Archive);
+    expect_degraded(&mut bench, defects)?;
+    let refused = bench.client.records().expect_err("there is no archive");
+    assert!(
+        refused.to_string().contains(Defect::Archive.text()),
+        "{refused}"
+    );
+    // Nothing is stored, but what is asked of the inputs can be had.
+    bench.client.capture(100)?;
+    mend_and_reset(&mut bench)?;
+    // The erase that was due takes a second.
+    bench.client.wait(2 * SECOND)?;
+    expect_well(&mut bench)
+}
+
+#[test]
+fn settings_that_cannot_be_read_are_not_replaced_silently() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.adjust(|settings| settings.blocks = 7)?;
+    let mut flash = bench.board().record_flash()?;
+    assert_eq!(garble_settings(&mut flash), 2, "they are stored twice");
+    let mut bench = power_on(&flash, None)?;
+    let defects = Defects::NONE.with(Defect::Settings);
+    expect_degraded(&mut bench, defects)?;
+    // Whatever is written now may be another reference: under a hand alone.
+    let settings = bench.client.settings()?;
+    assert!(bench.client.write_settings(settings.clone()).is_err());
+    bench.under_a_hand(|client| Ok(client.write_settings(settings)?))?;
+    expect_well(&mut bench)
+}
+
+/// Gives every stored state's settings a version nobody knows, with the right check sum; how many.
+fn garble_settings(flash: &mut [u8]) -> usize {
+    const WORD: usize = 32;
+    let mut garbled = 0;
+    for at in (0..flash.len() - WORD).step_by(WORD) {
+        let length = usize::from(u16::from_le_bytes([flash[at + 4], flash[at + 5]]));
+        let Some(item) = flash.get(at + WORD..at + WORD + length) else {
+            continue;
+        };
+        // A state item of version 2: its mark, then two sections, counters and settings.
+        let is_item = flash[at..at + 4] == check_sum(item).to_le_bytes();
+        if !is_item || item.get(..4) != Some(&[STATE_ITEM[0], STATE_ITEM[1], 1, 1]) {
+            continue;
+        }
+        let version_at = at + WORD + 5 + usize::from(item[4]) + 1;
+        assert_eq!(flash[version_at - 1..=version_at], [2, 1]);
+        flash[version_at] = 99;
+        let sum = check_sum(&flash[at + WORD..at + WORD + length]);
+        flash[at..at + 4].copy_from_slice(&sum.to_le_bytes());
+        garbled += 1;
+    }
+    garbled
+}
+
+/// Mark of a state item of version 2.
+const STATE_ITEM: [u8; 2] = [0x02, 0x80];
+
+/// CRC-32C of an item as `sequential-storage` 8 has it: another start, and never 0 or FF in its
+/// first byte.
+fn check_sum(data: &[u8]) -> u32 {
+    let mut crc = 0xEEEE_EEEE_u32;
+    for byte in data {
+        crc ^= u32::from(*byte);
+        for _ in 0..8 {
+            crc = (crc >> 1) ^ (0x82F6_3B78 & (crc & 1).wrapping_neg());
+        }
+    }
+    match !crc {
+        0 => 1,
+        value if matches!(value & 0xFF, 0 | 0xFF) => value ^ 1,
+        value => value,
+    }
+}
+
+#[test]
+fn without_a_clock_the_links_are_up() -> Result<(), Fault> {
+    let mut bench = new_board(PartFault::NoClock)?;
+    let defects = Defects::NONE.with(Defect::Clock);
+    expect_degraded(&mut bench, defects)?;
+    assert_eq!(bench.client.records()?.len(), 0);
+    mend_and_reset(&mut bench)?;
+    expect_well(&mut bench)
+}
+
+/// A fault each time the stored state is read: the fourth start leaves the record area out.
+#[test]
+fn three_faults_while_the_record_area_is_read_leave_it_out() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.adjust(|settings| settings.blocks = 3)?;
+    let read = Firmware::shipping()?.symbol_at_path(&["State", "read"])? & !1;
+    let before = bench.board().patch(read, &[FAULT])?;
+    bench.board().power_cycle()?;
+    bench.client.wait(SECOND)?;
+    assert_eq!(bench.board().resets()?.len(), 1 + 3, "and no fourth try");
+    let defects = Defects::NONE.with(Defect::Archive).with(Defect::Restarts);
+    let health = bench.client.health()?.ok_or("it knows its health")?;
+    assert_eq!(health.defects, defects);
+    assert_eq!(health.restarts.len(), 3);
+    for restart in &health.restarts {
+        assert!(restart.starts_with("hard fault at 0x08"), "{restart}");
+    }
+    expect_refusal(&mut bench.client, defects)?;
+    // It stays so, a minute later too, and until somebody tries again.
+    bench.client.wait(61 * SECOND)?;
+    assert_eq!(bench.board().resets()?.len(), 1 + 3);
+    bench.board().patch(read, &before)?;
+    bench.board().press_button(true)?;
+    bench.client.wait(Duration::from_millis(3_500))?;
+    bench.board().press_button(false)?;
+    bench.client.wait(SECOND)?;
+    assert_eq!(bench.client.settings()?.blocks, 3);
+    expect_well(&mut bench)
+}
+
+/// Faults of what runs: after three of them nothing is measured or stored, and the links are up.
+#[test]
+fn three_faults_of_what_runs_leave_links_and_lamps() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let measure = bench.board().symbol("UART5")? & !1;
+    let before = bench.board().patch(measure, &[FAULT])?;
+    bench.client.wait(SECOND)?;
+    assert_eq!(bench.board().resets()?.len(), 3);
+    let defects = Defects::NONE
+        .with(Defect::Archive)
+        .with(Defect::Converters)
+        .with(Defect::Restarts);
+    expect_degraded(&mut bench, defects)?;
+    bench.board().patch(measure, &before)?;
+    mend_and_reset(&mut bench)?;
+    expect_well(&mut bench)
+}
+
+/// A clock that is 200 ppm fast, beside the frames of a host that are right.
+#[test]
+fn the_clock_is_compared_with_the_frames_of_a_usb_host() -> Result<(), Fault> {
+    const SCHEMATIC: &str = include_str!("../../../firmware/boards/nucleo-h743zi2/schematic.toml");
+    let folder = tempfile::tempdir()?;
+    let file = folder.path().join("schematic.toml");
+    let fast = SCHEMATIC.replace("clock_hz = 8_000_000", "clock_hz = 8_001_600");
+    assert_ne!(fast, SCHEMATIC);
+    std::fs::write(&file, fast)?;
+    let firmware = Firmware::shipping()?.on(Schematic::read(&file)?);
+    let mut bench = Bench::with_image(&firmware, Box::new(Plant::new(&Rig::standard())))?;
+    let none = bench.client.health()?.ok_or("it knows its health")?;
+    assert_eq!(none.timebase_ppm, None, "nobody is there");
+    let _usb = EmulatedUsbTransport::plug_in(bench.shared())?;
+    bench.client.wait(25 * SECOND)?;
+    let health = bench.client.health()?.ok_or("it knows its health")?;
+    let ppm = health.timebase_ppm.ok_or("a host is there")?;
+    // The edge of a frame is seen within 20 us of ten seconds.
+    assert!((ppm - 200.0).abs() <= 4.0, "{ppm} ppm");
+    Ok(())
+}
+
+/// At three cycles for each instruction, as from flash with wait states and without a cache: the
+/// points whose periods are the longest are measured without a sample lost and without a mute.
+#[test]
+fn a_core_that_waits_for_its_flash_meets_every_deadline() -> Result<(), Fault> {
+    let slow = NonZeroU64::new(3).ok_or("three")?;
+    let firmware = Firmware::shipping()?.at(slow);
+    let mut bench = Bench::with_image(&firmware, Box::new(Plant::new(&Rig::standard())))?;
+    bench.adjust(|settings| settings.blocks = 3)?;
+    // 31.5 Hz and 315 Hz have the folds of 4762 places.
+    let points = [20.0, 31.5, 63.0, 315.0, 10_000.0].map(|frequency_hz| point(frequency_hz, 10.0));
+    let outcome = bench.run(&points)?;
+    let log = bench.board().log().lines(&firmware);
+    let late = log
+        .iter()
+        .filter(|line| line.contains("in time") || line.contains("late"));
+    assert_eq!(late.count(), 0, "{log:?}");
+    for result in &outcome.points {
+        assert_eq!(
+            result.verdict,
+            Verdict::Pass,
+            "{} Hz",
+            result.spec.frequency_hz
+        );
+    }
+    assert_eq!(bench.client.status()?.overruns, 0);
+    let health = bench.client.health()?.ok_or("it knows its health")?;
+    for deadline in &health.deadlines {
+        println!("{deadline:?}");
+        assert!(deadline.longest_us > 0.0 && deadline.longest_us < deadline.allowed_us);
+    }
+    Ok(())
+}
+
+/// Faults that are minutes apart never add up.
+#[test]
+fn a_minute_of_life_between_faults_is_a_new_start() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let measure = bench.board().symbol("UART5")? & !1;
+    for faults in 1..=4 {
+        let before = bench.board().patch(measure, &[FAULT])?;
+        bench.client.wait(Duration::from_millis(15))?;
+        bench.board().patch(measure, &before)?;
+        bench.client.wait(61 * SECOND)?;
+        assert_eq!(bench.board().resets()?.len(), faults);
+        expect_all_well(&mut bench)?;
+    }
+    expect_well(&mut bench)
+}
