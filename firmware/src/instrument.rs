@@ -186,11 +186,10 @@ fn take_settings(settings: &Settings) {
 }
 
 /// Time a piece of work may take, microseconds: a block lasts 10 ms. To take the samples or to make
-/// the drive, both above the evaluation, a tenth of it; to evaluate, the block and most of the one
-/// that is made up for meanwhile ([`crate::tasks::drive`]).
+/// the drive, both above the evaluation, a tenth of it; to evaluate, what the drive's patience leaves.
 fn allowed_us(work: Work) -> f32 {
     match work {
         Work::Acquire | Work::Drive => 1_000.0,
-        Work::Evaluate => 17_000.0,
+        Work::Evaluate => 8_000.0,
     }
 }

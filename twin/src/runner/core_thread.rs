@@ -15,9 +15,7 @@ use rigless::time::VirtualNanos;
 
 use super::log::{self, Log};
 use super::{Error, Execution, Firmware, memory, torn};
-use crate::board::{
-    CalibratorBoard, FlashWatch, Pins, SerialLine, WORD_BYTES, WriteBuffer,
-};
+use crate::board::{CalibratorBoard, FlashWatch, Pins, SerialLine, WORD_BYTES, WriteBuffer};
 
 /// Symbol of the firmware's RTT control block.
 const LOG_CONTROL: &str = "_SEGGER_RTT";
