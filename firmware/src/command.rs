@@ -55,6 +55,13 @@ pub trait Instrument {
     async fn read_record(&mut self, id: u32, offset: u32) -> Result<RecordPart, Refusal>;
     /// Lets records up to this number make room.
     async fn release(&mut self, through: u32) -> Result<(), Refusal>;
+    /// Waits until what is stored has been read, so that no default is told for it.
+    ///
+    /// # Errors
+    /// [`Refusal::Busy`] after some seconds.
+    async fn ready(&mut self) -> Result<(), Refusal> {
+        Ok(())
+    }
     /// The settings in force.
     fn settings(&mut self) -> Settings;
     /// Captures sample pairs from the next block on.
@@ -110,7 +117,10 @@ async fn carry_out(
                 data,
             }
         }
-        Request::SettingsRead => Response::Settings(instrument.settings()),
+        Request::SettingsRead => {
+            instrument.ready().await?;
+            Response::Settings(instrument.settings())
+        }
         Request::SettingsWrite(change) => {
             write_settings(&change, instrument).await?;
             Response::Done

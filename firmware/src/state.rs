@@ -161,6 +161,11 @@ pub(crate) static MEASURE_ALIVE: AtomicU32 = AtomicU32::new(0);
 pub(crate) static ALIGNED: AtomicBool = AtomicBool::new(false);
 /// Samples come in and are worked on: acquire, drive and measure run.
 pub(crate) static MEASURES: AtomicBool = AtomicBool::new(false);
+/// What is stored has been read, or cannot be.
+pub(crate) static STORED_READ: AtomicBool = AtomicBool::new(false);
+
+/// A block is being evaluated.
+pub(crate) static EVALUATING: AtomicBool = AtomicBool::new(false);
 
 /// Longest time of each [`Work`] so far, cycles of the core.
 static LONGEST: [AtomicU32; Work::ALL.len()] = [const { AtomicU32::new(0) }; Work::ALL.len()];

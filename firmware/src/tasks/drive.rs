@@ -2,7 +2,9 @@
 //!
 //! Measuring commands the drive anew with every block. Without a command in
 //! time the exciter goes silent by itself: a hung measurement does not leave
-//! a tone on the table. And a mute does not wait for the blocks in the ring:
+//! a tone on the table. One block is played as before while a block is being
+//! evaluated, which takes longest at some low frequencies; the command that
+//! comes late then finds its block made. And a mute does not wait for the blocks in the ring:
 //! it overwrites them.
 
 use crate::board::{BLOCK_PAIRS, CONVERTERS, Exciter, MID_SCALE, axi_static};
@@ -32,8 +34,7 @@ pub(crate) static COMMAND: Signal<CriticalSectionRawMutex, DriveOrder> = Signal:
 pub(crate) static SILENCE: Signal<CriticalSectionRawMutex, ()> = Signal::new();
 
 /// The ring runs dry two blocks, 20 ms, after a block was written: until then
-/// the next one must be there, be it a tone or silence. A measurement may take
-/// this long to evaluate a block, less the 10 ms the block takes to come in.
+/// the next one must be there, be it a tone or silence.
 const PATIENCE: Duration = Duration::from_millis(18);
 
 /// Without commands a block of silence is written so often: a little faster than it
@@ -53,6 +54,8 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
     let mut output = Output::new(PERIOD.take(), CONVERTERS.drive, f32::INFINITY, SEED);
     let mut codes = [MID_SCALE; BLOCK_PAIRS];
     let mut patience = PATIENCE;
+    // A block was played as before, in place of a command that is late.
+    let mut spared = false;
     loop {
         if let Ok(order) = with_timeout(patience, COMMAND.wait()).await {
             patience = PATIENCE;
@@ -66,7 +69,13 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
             } else {
                 output.apply(order.command);
             }
+            if core::mem::take(&mut spared) {
+                continue;
+            }
+        } else if !spared && state::EVALUATING.load(Ordering::Relaxed) {
+            spared = true;
         } else {
+            spared = false;
             if !output.is_silent() {
                 defmt::error!("no drive command in time: silent");
             }

@@ -19,12 +19,13 @@ use embassy_sync::zerocopy_channel::Receiver;
 
 /// From a change of command to the first pair taken under it, at most: the
 /// rest of the block in which the change was decided, the block that is
-/// queued, and the two samples by which the converters follow each other.
+/// queued, one more that was played as before because the decision came late, and
+/// the two samples by which the converters follow each other.
 const SAMPLING: Sampling = Sampling {
     input: CONVERTERS.input,
     sample_rate_hz: SAMPLE_RATE_HZ as f32,
     aperture: APERTURE,
-    latency_samples: 2 * BLOCK_PAIRS as u32 + 2,
+    latency_samples: 3 * BLOCK_PAIRS as u32 + 2,
 };
 
 /// Works on every block.
@@ -51,7 +52,9 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
         if block.gap {
             runner.interrupt(Reason::Overrun);
         }
+        state::EVALUATING.store(true, Ordering::Relaxed);
         let result = state::timed(Work::Evaluate, || runner.feed(&block.pairs));
+        state::EVALUATING.store(false, Ordering::Relaxed);
         blocks.receive_done();
         if let Some(result) = result {
             runner.finish_point(result);

@@ -10,6 +10,7 @@ use calib_firmware::restarts::{LeftOut, Stage};
 use calib_protocol::health::Defect;
 use calib_protocol::message::{Refusal, RunState, SettingsChange};
 use calib_protocol::record::{Record, RunLabels};
+use core::sync::atomic::Ordering;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::mutex::{Mutex, MutexGuard};
 use embassy_time::{Duration, with_timeout};
@@ -152,6 +153,7 @@ pub(crate) async fn store(
             open(archive, flash).await;
         }
     }
+    state::STORED_READ.store(true, Ordering::Relaxed);
     retained::enter(Stage::Running);
     // What made the board restart belongs to the first record after it.
     let mut incident = identity.incident.clone();

@@ -15,7 +15,7 @@ use calib_protocol::health::Defect;
 use calib_protocol::message::{RunSpec, RunState};
 use calib_protocol::record::RunLabels;
 use core::sync::atomic::Ordering;
-use embassy_time::{Duration, Ticker};
+use embassy_time::{Duration, Timer};
 
 /// Button and lamps are looked at this often.
 const PERIOD: Duration = Duration::from_millis(PERIOD_MS);
@@ -40,9 +40,10 @@ pub(crate) async fn supervise(
     let mut alive = Alive::default();
     let mut button = Button::new(push_button.is_down());
     let mut state_before = RunState::Idle;
-    let mut ticker = Ticker::every(PERIOD);
     loop {
-        ticker.next().await;
+        // No ticker: one that was held up makes up for it at once, and tasks would seem to stand
+        // still in periods that never were.
+        Timer::after(PERIOD).await;
         periods = periods.saturating_add(1);
         if periods == MINUTE_PERIODS {
             retained::live_on();
