@@ -174,7 +174,7 @@ impl State {
             context.tell("SQR1", "a pin without a signal is converted: 0 V");
             return 0;
         }
-        let sum = u64::from(code) * u64::from(self.conversions()) >> (16 - self.bits());
+        let sum = (u64::from(code) * u64::from(self.conversions())) >> (16 - self.bits());
         let shifted = match cfgr2::ROVSE.is_set(self.processing) {
             true => sum >> cfgr2::OVSS.get(self.processing),
             false => sum,
