@@ -9,12 +9,13 @@
 //! output stage's bias network holds mid-scale.
 //!
 //! Left out: the other channel (its registers store), wave generation, calibration, sample and hold, each
-//! told to the run. `MODE` 3 and other on-chip-only modes leave the pin floating.
+//! told to the run. `MODE` 3 leaves the pin floating; it and 1 reach ADC2 on the chip (`flaws`).
 
 use rigless::device::{Device, DeviceContext, Level, RegisterFile};
 use rigless::soc::stm32h743::generated::dac::{Register, cr, mcr, sr, swtrgr};
 
 use super::analog::Analog;
+use super::flaws::Flaws;
 use super::request_lines::{DAC_CHANNELS, RequestLines};
 use crate::rig_port::DRIVE_MID_CODE;
 
@@ -45,6 +46,7 @@ pub(super) struct Dac {
     /// Channel that is wired: 0 or 1.
     channel: usize,
     analog: Analog,
+    flaws: Flaws,
     lines: RequestLines,
     /// Its data holding register, whatever the alignment it was written in.
     holding: u16,
@@ -59,14 +61,15 @@ pub(super) struct Dac {
 rigless::store!(Dac {
     values: [holding, pending, loaded, spoiled],
     parts: [],
-    built: [channel, analog, lines],
+    built: [channel, analog, flaws, lines],
 });
 
 impl Dac {
-    pub(super) fn new(channel: usize, analog: Analog, lines: RequestLines) -> Self {
+    pub(super) fn new(channel: usize, analog: Analog, flaws: Flaws, lines: RequestLines) -> Self {
         Self {
             channel,
             analog,
+            flaws,
             lines,
             holding: 0,
             pending: false,
@@ -103,15 +106,19 @@ impl Dac {
 
     fn drive_pin(&self, registers: &RegisterFile, context: &DeviceContext<'_>) {
         let enabled = cr::EN1.is_set(self.own(registers, Register::Cr));
-        // Modes 0 to 2 reach the pin, 3 stays on chip; 2 is the one without the buffer; bit 2 selects
-        // sample and hold.
+        // Modes 0 to 2 reach the pin, 1 and 3 the converters on the chip; 2 and 3 are those without the
+        // buffer; bit 2 selects sample and hold.
         let mode = mcr::MODE1.get(self.own(registers, Register::Mcr)) & 0b11;
         let on_pin = mode != 0b11;
         self.analog.buffer_drive(mode != 0b10, context.now());
-        let code = if enabled && on_pin && self.spoiled {
-            INVALID_CODE
-        } else if enabled && on_pin {
-            registers.get(OUTPUT[self.channel]) as u16
+        let output = self.flaws.dac(match self.spoiled {
+            true => INVALID_CODE,
+            false => registers.get(OUTPUT[self.channel]) as u16,
+        });
+        self.flaws
+            .connect((enabled && mode & 1 == 1).then_some(output));
+        let code = if enabled && on_pin {
+            output
         } else {
             DRIVE_MID_CODE
         };
@@ -198,6 +205,9 @@ impl Device for Dac {
         match register {
             Register::Cr => self.control_written(registers, context),
             Register::Mcr => {
+                if cr::EN1.is_set(self.own(registers, Register::Cr)) {
+                    context.tell("MCR", "a mode is written while the channel is on");
+                }
                 self.spoil(registers);
                 self.drive_pin(registers, context);
             }

@@ -35,6 +35,7 @@ mod dma1;
 mod dmamux;
 mod flash;
 mod flash_bus;
+mod flaws;
 mod front_panel;
 mod input_pin;
 mod iwdg;
@@ -63,6 +64,7 @@ pub use flash::{
     CutOff, FlashWatch, Operation, RECORD_FLASH, SECTOR_BYTES, SECTORS, WORD_BYTES, torn_sector,
     torn_word,
 };
+pub use flaws::{Flaw, Flawed};
 pub use front_panel::Leds;
 pub use part::Part;
 pub use part_faults::PartFault;

@@ -21,6 +21,7 @@ use super::dac::Dac;
 use super::dma1::Dma1;
 use super::dmamux::Dmamux;
 use super::flash::{CutOff, FlashWatch, WatchedFlash};
+use super::flaws::Flaws;
 use super::iwdg::Iwdg;
 use super::memory_map;
 use super::overdrive::WatchedSyscfg;
@@ -125,7 +126,12 @@ impl Part {
         for (instance, model) in OWN {
             own[base.bus().slot(instance)?] = Some(model);
         }
-        let pair = SharedPair::new(pins.analog.clone(), pins.schematic.input_channels);
+        let pair = SharedPair::new(
+            pins.analog.clone(),
+            pins.flaws.clone(),
+            pins.schematic.drive_channel,
+            pins.schematic.input_channels,
+        );
         let lines = RequestLines::new();
         let slots = SampleSlots {
             tim6: base.bus().slot(tim6::NAME)?,
@@ -145,6 +151,7 @@ impl Part {
             dac: Dac::new(
                 pins.schematic.drive_channel,
                 pins.analog.clone(),
+                pins.flaws.clone(),
                 lines.clone(),
             ),
             dmamux: Dmamux::new(lines.clone()),
@@ -247,6 +254,16 @@ impl Part {
             .bus()
             .registers(instance)
             .map_or(0, |registers| registers.get(register))
+    }
+
+    /// What is wrong with the converters.
+    pub(super) fn flaws(&self) -> &Flaws {
+        &self.pins.flaws
+    }
+
+    /// The supply of the converters alone becomes `millivolts`, until the next reset.
+    pub(super) fn set_converter_supply(&mut self, millivolts: u32) {
+        self.base.adc[ADC3].set_reference(millivolts);
     }
 
     /// The pair of converters, for its faults.
@@ -407,7 +424,8 @@ impl Mcu for Part {
     fn split(&mut self, slot: usize) -> (&mut Bus, Option<&mut dyn ErasedDevice>) {
         self.ports_used |= self.input_ports.contains(&slot);
         if slot == self.adc3_slot {
-            let centi_c = self.pins.analog.processor_centi_c();
+            let rig_c = self.pins.analog.processor_centi_c();
+            let centi_c = self.flaws().processor_centi_c().unwrap_or(rig_c);
             self.base.adc[ADC3].set_temperature(centi_c);
         }
         let Some(own) = self.own.get(slot).copied().flatten() else {

@@ -11,6 +11,7 @@ use rigless::soc::stm32h743::generated::{DMA1, flash};
 use rigless::soc::stm32h743::peripherals::flash::OptionBytes;
 use rigless::time::VirtualNanos;
 
+use super::flaws::{Flaw, Flawed};
 use super::part::Part;
 
 /// `CR`, `NDTR`, `PAR` and `M0AR` of a stream lie at this offset and distance (RM0433 Rev 9, table 116).
@@ -22,7 +23,7 @@ const ENABLE: u64 = 1;
 const NOWHERE: u64 = 0x6F00_0000;
 
 /// A fault of the part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PartFault {
     /// The DMA was late for one pair of conversions: the next one overruns.
     AdcOverrun,
@@ -57,6 +58,23 @@ pub enum PartFault {
     /// Every sector of bank 2 is write-protected by the option bytes: what is erased or programmed
     /// there is refused with `WRPERR` (RM0433 Rev 9, section 4.5.2).
     FlashProtected,
+    /// A converter has a flaw, or with one that is all zero none any more.
+    Flaw {
+        /// Which converter.
+        of: Flawed,
+        /// What is wrong with it.
+        flaw: Flaw,
+    },
+    /// The supply of the converters, with the internal reference as the yardstick, until the next reset.
+    ConverterSupply {
+        /// Its voltage, mV.
+        millivolts: u32,
+    },
+    /// The processor's temperature is this one, not what the rig says; or again that.
+    Processor {
+        /// Hundredths of a degree Celsius.
+        centi_c: Option<i32>,
+    },
 }
 
 /// Faults that outlive a reset and a power cycle, until they are mended. A shared handle.
@@ -109,6 +127,9 @@ impl Part {
             }
             PartFault::NoClock => self.faults().lock().clock = true,
             PartFault::FlashProtected => self.faults().lock().flash = true,
+            PartFault::Flaw { of, flaw } => self.flaws().set(of, flaw),
+            PartFault::ConverterSupply { millivolts } => self.set_converter_supply(millivolts),
+            PartFault::Processor { centi_c } => self.flaws().set_processor_centi_c(centi_c),
         }
         self.suffer();
     }

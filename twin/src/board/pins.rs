@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::analog::Analog;
 use super::flash::FlashWatch;
+use super::flaws::Flaws;
 use super::part_faults::Lasting;
 use super::schematic::Schematic;
 use super::serial_line::SerialLine;
@@ -21,6 +22,8 @@ pub struct Pins {
     pub schematic: Arc<Schematic>,
     /// The rig on the analogue pins.
     pub analog: Analog,
+    /// What is wrong with the part's converters.
+    pub(super) flaws: Flaws,
     /// The far end of the serial port.
     pub serial: SerialLine,
     /// A view of the record flash's operations.
@@ -42,6 +45,7 @@ impl Pins {
         Self {
             schematic,
             analog: Analog::new(rig),
+            flaws: Flaws::default(),
             serial: SerialLine::default(),
             flash: FlashWatch::default(),
             usb: UsbPort::default(),
@@ -59,6 +63,7 @@ rigless::store!(Pins {
     parts: [analog],
     built: [
         schematic,
+        flaws,
         serial,
         flash,
         usb,

@@ -143,11 +143,11 @@ impl Pair {
     }
 
     fn take(&mut self, codes: [u16; 2], one_stream: bool, context: &mut DeviceContext<'_>) {
-        let wired = self.wired;
+        let live = [self.live_channel(0), self.live_channel(1)];
         let weak = one_stream && !self.overwrites();
         for (nth, code) in codes.into_iter().enumerate() {
             let converter = &mut self.converters[nth];
-            converter.data = converter.convert(wired[nth], code, context);
+            converter.data = converter.convert(live[nth], code, context);
             converter.status |= isr::EOC.mask() | isr::EOS.mask();
         }
         let slave = &mut self.converters[1];

@@ -138,7 +138,7 @@ impl Converter {
         }
         let mut pair = self.pair.lock();
         let code = pair.sample(context.now())[self.nth];
-        let wired = pair.wired[self.nth];
+        let wired = pair.live_channel(self.nth);
         let state = &mut pair.converters[self.nth];
         state.data = state.convert(wired, code, context);
         state.flag(isr::EOC, true);

@@ -34,6 +34,7 @@ pub(super) use converter::Converter;
 
 use self::skew::Skew;
 use super::analog::Analog;
+use super::flaws::Flaws;
 use super::input_pin::Pull;
 use crate::rig_port::{Conversions, INPUT_CHANNELS};
 
@@ -41,6 +42,9 @@ use crate::rig_port::{Conversions, INPUT_CHANNELS};
 pub(super) const NAME: &str = "ADC12_Common";
 /// Position of the pair's interrupt in each of its instances.
 const PAIR_LINE: usize = 0;
+
+/// Channel of ADC2 with the DAC's first channel; the second is beside it (RM0433 Rev 8, 25.4.11).
+const ADC2_HEARS_DAC: u64 = 16;
 
 const NS_PER_S: u128 = 1_000_000_000;
 
@@ -51,6 +55,9 @@ const SAMPLING_HALF_CYCLES: [u64; 8] = [3, 5, 17, 33, 65, 129, 775, 1621];
 #[derive(Debug)]
 struct Pair {
     analog: Analog,
+    flaws: Flaws,
+    /// Channel of ADC2 on which it hears the drive on the chip.
+    internal: u64,
     /// Channel of each converter that is wired to a connector.
     wired: [u64; 2],
     /// The analogue clock both converters run on, 0 while it stands still.
@@ -85,7 +92,7 @@ pub(super) struct SharedPair(Arc<Mutex<Pair>>);
 rigless::store!(Pair {
     values: [clock_hz, converters, unread, busy_until, pulls, skew],
     parts: [],
-    built: [analog, wired],
+    built: [analog, flaws, internal, wired],
 });
 
 impl Store for SharedPair {
@@ -99,9 +106,11 @@ impl Store for SharedPair {
 }
 
 impl SharedPair {
-    pub(super) fn new(analog: Analog, wired: [u64; 2]) -> Self {
+    pub(super) fn new(analog: Analog, flaws: Flaws, drive: usize, wired: [u64; 2]) -> Self {
         Self(Arc::new(Mutex::new(Pair {
             analog,
+            flaws,
+            internal: ADC2_HEARS_DAC + drive as u64,
             wired,
             clock_hz: 0,
             converters: [State::default(); 2],
@@ -189,7 +198,25 @@ impl Pair {
     fn sample(&self, now: VirtualNanos) -> [u16; INPUT_CHANNELS] {
         let [reference, dut] = self.analog.sample(now);
         let [reference_pull, dut_pull] = self.pulls;
-        [reference_pull.of(reference), dut_pull.of(dut)]
+        let dut = match self.hears_drive() {
+            true => self.flaws.internal(now.0),
+            false => dut_pull.of(dut),
+        };
+        self.flaws.adc([reference_pull.of(reference), dut], now.0)
+    }
+
+    /// ADC2 converts the drive on the chip in place of its pin.
+    fn hears_drive(&self) -> bool {
+        let slave = &self.converters[1];
+        slave.channel() == Some(self.internal) && slave.preselection & (1 << self.internal) != 0
+    }
+
+    /// Channel of a converter that carries a signal.
+    fn live_channel(&self, nth: usize) -> u64 {
+        match nth == 1 && self.hears_drive() {
+            true => self.internal,
+            false => self.wired[nth],
+        }
     }
 
     /// What a trigger makes of the pair, of which both are set alike; `None` while the clock stands still.
