@@ -29,6 +29,7 @@ pub mod polarity;
 pub mod quantity;
 pub mod reference;
 pub mod requirements;
+pub mod self_test;
 pub mod sequence;
 pub mod settings;
 pub mod thermometer;

@@ -26,6 +26,8 @@ pub fn may_work_at(temperature_c: f32) -> bool {
     (LOWEST_C..=HIGHEST_C).contains(&temperature_c)
 }
 
+/// Reference of the converter while the factory read its codes, V.
+const FACTORY_REFERENCE_V: f32 = 3.3;
 /// Temperatures of the factory's calibration, degrees Celsius.
 const FACTORY_LOW_C: f32 = 30.0;
 const FACTORY_HIGH_C: f32 = 110.0;
@@ -89,6 +91,16 @@ impl Thermometer {
         let per_code = (FACTORY_HIGH_C - FACTORY_LOW_C) / f32::from(at_110_c - at_30_c);
         Some(FACTORY_LOW_C + (seen - f32::from(at_30_c)) * per_code)
     }
+
+    /// Reference of the converters, which is their supply, V, from a code of the internal reference:
+    /// `3.3 V r_cal / r`.
+    ///
+    /// # Source
+    /// RM0433 Rev 9, section 25.4.35.
+    pub fn supply_v(&self, reference: u16) -> Option<f32> {
+        let calibrated = f32::from(self.codes.reference);
+        (reference > 0).then(|| FACTORY_REFERENCE_V * calibrated / f32::from(reference))
+    }
 }
 
 #[cfg(test)]
@@ -124,6 +136,15 @@ mod tests {
         assert!((read(14_924, 26_565) - 50.0).abs() < 0.01);
         // Without the reference it would be 77 degrees.
         assert!((read(14_924, 24_150) - 77.06).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_higher_code_of_the_reference_is_a_lower_supply() {
+        let thermometer = Thermometer::new(CODES).expect("a calibration");
+        assert_eq!(thermometer.supply_v(24_150), Some(3.3));
+        let low_v = thermometer.supply_v(26_565).expect("a code");
+        assert!((low_v - 3.0).abs() < 1e-4, "{low_v}");
+        assert_eq!(thermometer.supply_v(0), None);
     }
 
     #[test]

@@ -4,6 +4,7 @@
 //! behind [`Instrument`], which the tasks implement on the board.
 
 use calib_core::point::{ExcitationKind, PointResult};
+use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::health::{Defect, Health};
@@ -68,6 +69,8 @@ pub trait Instrument {
     fn capture(&mut self, pairs: u16) -> Result<(), Refusal>;
     /// Pairs of the capture, or how far it is.
     fn read_capture(&mut self, offset: u16) -> Result<CapturePart, Refusal>;
+    /// Tests the board, with the table at rest.
+    async fn self_test(&mut self) -> Result<Vec<Line, MAX_LINES>, Refusal>;
     /// Whether a hand is on the button.
     fn button_held(&mut self) -> bool;
     /// Stores and takes new settings that say the same of the reference.
@@ -136,6 +139,9 @@ async fn carry_out(
         }
         Request::ReadCapture { offset } => Response::CaptureData(instrument.read_capture(offset)?),
         Request::Health => Response::Health(instrument.health()),
+        Request::SelfTest => Response::SelfTest {
+            lines: instrument.self_test().await?,
+        },
     })
 }
 

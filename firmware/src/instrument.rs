@@ -1,9 +1,11 @@
 //! The calibrator as its hosts see it.
 
 use crate::identity::Identity;
+use crate::self_test::{self, SelfTest};
 use crate::state::{self, Order};
 use crate::tasks::store::SharedArchive;
 use calib_core::point::PointResult;
+use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
 use calib_core::thermometer::may_work_at;
 use calib_core::verdict::Reason;
@@ -94,7 +96,7 @@ impl Instrument for Calibrator {
         }
         let record_id = self.archive.prepare(spec.points.len()).await?;
         // No await from here on: the other link cannot come in between.
-        if state::status().state.is_running() {
+        if state::status().state.is_running() || self_test::is_under_way() {
             return Err(Refusal::Busy);
         }
         if state::temperature_c().is_some_and(|value| !may_work_at(value)) {
@@ -165,6 +167,21 @@ impl Instrument for Calibrator {
         self.archive.store_settings(settings).await?;
         take_settings(settings);
         Ok(())
+    }
+
+    async fn self_test(&mut self) -> Result<Vec<Line, MAX_LINES>, Refusal> {
+        let records_readable = self.archive.page(0).await.is_ok();
+        // No await from here to the beginning: no run can come in between.
+        if state::status().state.is_running() {
+            return Err(Refusal::Busy);
+        }
+        let health = self.health();
+        let test = SelfTest::begin().ok_or(Refusal::Busy)?;
+        let identity = self.identity;
+        let panicked = identity.last_panic.is_some();
+        Ok(test
+            .carry_out(records_readable, &health, identity.reset_cause, panicked)
+            .await)
     }
 
     fn button_held(&mut self) -> bool {

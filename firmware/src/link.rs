@@ -206,6 +206,7 @@ mod tests {
     use super::*;
     use crate::command::{RecordPage, RecordPart};
     use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+    use calib_core::self_test::{Line, MAX_LINES};
     use calib_core::settings::Settings;
     use calib_protocol::capture::CapturePart;
     use calib_protocol::health::Health;
@@ -268,6 +269,9 @@ mod tests {
         }
         fn read_capture(&mut self, _: u16) -> Result<CapturePart, Refusal> {
             Err(Refusal::NotCaptured)
+        }
+        async fn self_test(&mut self) -> Result<heapless::Vec<Line, MAX_LINES>, Refusal> {
+            Ok(heapless::Vec::new())
         }
         fn button_held(&mut self) -> bool {
             false

@@ -18,6 +18,8 @@ mod panic;
 #[cfg(target_os = "none")]
 mod retained;
 #[cfg(target_os = "none")]
+mod self_test;
+#[cfg(target_os = "none")]
 mod start;
 #[cfg(target_os = "none")]
 mod state;

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`, `ReadCapture`, `Health`) | answered | answered |
 //! | `Stop` | carried out | carried out: anyone may silence the exciter |
-//! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`, `Capture`) | carried out | refused |
+//! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`, `Capture`, `SelfTest`) | carried out | refused |
 //!
 //! The first link that asks for a change takes the session. It keeps it while
 //! it goes on asking for anything, and loses it after [`PATIENCE_MS`] of quiet
@@ -69,7 +69,8 @@ fn changes(request: &Request) -> bool {
         | Request::SettingsWrite(_)
         | Request::Reset
         | Request::Release { .. }
-        | Request::Capture { .. } => true,
+        | Request::Capture { .. }
+        | Request::SelfTest => true,
         Request::Info
         | Request::Status
         | Request::Point { .. }

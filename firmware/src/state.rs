@@ -150,6 +150,19 @@ pub(crate) fn set_temperature_c(temperature_c: Option<f32>) {
     TEMPERATURE_C.lock(|cell| cell.set(temperature_c));
 }
 
+static SUPPLY_V: CriticalSectionMutex<Cell<Option<f32>>> =
+    CriticalSectionMutex::new(Cell::new(None));
+
+/// Supply of the converters, V, when it was last read; none while it cannot be read.
+pub(crate) fn supply_v() -> Option<f32> {
+    SUPPLY_V.lock(Cell::get)
+}
+
+/// Takes a reading, or that there is none.
+pub(crate) fn set_supply_v(supply_v: Option<f32>) {
+    SUPPLY_V.lock(|cell| cell.set(supply_v));
+}
+
 /// Rises while samples come in.
 pub(crate) static ACQUIRE_ALIVE: AtomicU32 = AtomicU32::new(0);
 /// Rises while the exciter is fed.

@@ -16,11 +16,13 @@
 //! | `Capture` | `Done` or `Refused` | capture/take |
 //! | `ReadCapture` | `CaptureData` or `Refused` | capture/read |
 //! | `Health` | `Health` | health/get |
+//! | `SelfTest` | `SelfTest` or `Refused` | device/self-test |
 
 use crate::capture::CapturePart;
 use crate::health::{Defects, Health};
 use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
 use heapless::{String, Vec};
 use serde::{Deserialize, Serialize};
@@ -90,6 +92,8 @@ pub enum Request {
     },
     /// What does not work, and what the instrument went through.
     Health,
+    /// Test the board. The exciter is cut off on the chip first: the table does not move.
+    SelfTest,
 }
 
 /// Answer of the calibrator.
@@ -142,6 +146,11 @@ pub enum Response {
     CaptureData(CapturePart),
     /// Answer to `Health`.
     Health(Health),
+    /// Answer to `SelfTest`.
+    SelfTest {
+        /// What was looked at, in the order of [`calib_core::self_test::Check`].
+        lines: Vec<Line, MAX_LINES>,
+    },
 }
 
 /// Protocol version in an `Info` answer of any version, from its message bytes.

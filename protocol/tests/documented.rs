@@ -96,6 +96,7 @@ fn the_table_lists_every_request_with_its_number() {
         Request::Capture { pairs: 0 },
         Request::ReadCapture { offset: 0 },
         Request::Health,
+        Request::SelfTest,
     ];
     assert_eq!(rows("request"), requests.each_ref().map(variant));
     expect_no_more::<Request>(requests.len());
@@ -132,6 +133,9 @@ fn the_table_lists_every_answer_with_its_number() {
             data: heapless::Vec::new(),
         }),
         Response::Health(Health::default()),
+        Response::SelfTest {
+            lines: heapless::Vec::new(),
+        },
     ];
     assert_eq!(rows("answer"), answers.each_ref().map(variant));
     expect_no_more::<Response>(answers.len());

@@ -18,6 +18,7 @@ use super::axi_sram::axi_static;
 use super::common_signal::CommonSignal;
 use super::converter::{NotReady, calibrate, enable};
 use super::description::Silicon;
+use super::exciter;
 use super::sample_clock::SAMPLE_RATE_HZ;
 use super::selected::{CLOCKS, CONVERTERS, Irqs};
 use super::wiring::DigitiserParts;
@@ -98,6 +99,8 @@ impl From<NotReady> for DigitiserFault {
 pub(crate) struct Digitiser {
     ring: ReadableRingBuffer<'static, u32>,
     common_signal: CommonSignal,
+    /// Channel of the device under test.
+    dut_channel: u8,
 }
 
 impl Digitiser {
@@ -143,6 +146,7 @@ impl Digitiser {
         Ok(Self {
             ring,
             common_signal,
+            dut_channel: channels[1].1,
         })
     }
 
@@ -179,6 +183,24 @@ impl Digitiser {
     /// Puts the stream right after a fault: converters stopped, stale data and
     /// flags dropped, empty ring, both armed (RM0433 Rev 8, 25.4.27).
     pub(crate) fn restart(&mut self) {
+        self.stop();
+        self.start();
+    }
+
+    /// The device under test's half of the pairs becomes what the drive's converter puts out on the
+    /// chip, or its pin again.
+    pub(crate) fn hear_drive(&mut self, on: bool) {
+        self.stop();
+        let channel = if on {
+            exciter::ADC2_CHANNEL
+        } else {
+            self.dut_channel
+        };
+        select(pac::ADC2, channel);
+        self.start();
+    }
+
+    fn stop(&mut self) {
         pac::ADC1.cr().modify(|w| w.set_adstp(vals::Adstp::STOP));
         // Those of a trigger take 8.4 us at most; the loop is bounded all the same.
         for _ in 0..10_000 {
@@ -186,6 +208,9 @@ impl Digitiser {
                 break;
             }
         }
+    }
+
+    fn start(&mut self) {
         let _ = pac::ADC12_COMMON.cdr().read();
         for adc in [pac::ADC1, pac::ADC2] {
             adc.isr().write(|w| {
@@ -234,8 +259,9 @@ fn select(adc: Adc, channel: u8) {
         w.set_ovss(SUM_PLACES.saturating_sub(spare));
         w.set_lshift(spare.saturating_sub(SUM_PLACES));
     });
+    // This one alone: a channel that is preselected loads its source.
     adc.pcsel()
-        .modify(|w| w.set_pcsel(usize::from(channel), vals::Pcsel::PRESELECTED));
+        .write(|w| w.set_pcsel(usize::from(channel), vals::Pcsel::PRESELECTED));
     // 0.55 us: 172 ns settle 16 bits from 47 ohm (DS12110 Rev 10, table 185);
     // docs/hardware.md says what stands at the pin.
     adc.smpr(usize::from(channel / 10)).modify(|w| {

@@ -23,6 +23,11 @@ const TRIGGER_TIM6: u8 = 5;
 
 const _: () = assert!(CONVERTERS.drive.bits() == 12, "DAC1 has 12 bits");
 
+/// The output on its pin, without the buffer.
+const ON_PIN: Mode = Mode::NORMAL_EXT_BUFDIS;
+/// Channel of ADC2 on which it hears the output on the chip (RM0433 Rev 8, 25.4.11).
+pub(super) const ADC2_CHANNEL: u8 = 16 + CHANNEL as u8;
+
 /// Place of a channel in the register arrays.
 trait Place {
     const INDEX: usize;
@@ -66,9 +71,7 @@ impl Exciter {
         // Without the buffer, which is linear only to within 0.2 V of the rails
         // (DS12110 Rev 10, table 93) and disturbs VREF+ more (docs/errata.md); the
         // output stage has a high impedance.
-        registers
-            .mcr()
-            .modify(|w| w.set_mode(CHANNEL, Mode::NORMAL_EXT_BUFDIS));
+        registers.mcr().modify(|w| w.set_mode(CHANNEL, ON_PIN));
         registers.cr().modify(|w| w.set_en(CHANNEL, true));
 
         let request =
@@ -105,6 +108,17 @@ impl Exciter {
             .map_err(|_| Late)
     }
 
+    /// Lets go of the pin at rest: until [`Self::connect`] only ADC2 hears what is played. Nothing else
+    /// than mid-scale may have been played for two samples.
+    pub(crate) fn disconnect(&mut self) {
+        set_mode(Mode::NORMAL_INT_BUFDIS);
+    }
+
+    /// Takes the pin again, under the same condition.
+    pub(crate) fn connect(&mut self) {
+        set_mode(ON_PIN);
+    }
+
     /// Brings the output to rest within two samples: whatever is queued
     /// becomes silence.
     ///
@@ -119,6 +133,15 @@ impl Exciter {
             unsafe { self.memory.add(place).write_volatile(MID_SCALE) };
         }
     }
+}
+
+/// Connects the channel to the pin or on the chip: the mode is only taken while the channel is off,
+/// and the output register keeps its code meanwhile (RM0433 Rev 8, 26.4.3 and 26.7.16).
+fn set_mode(mode: Mode) {
+    let registers = pac::DAC1;
+    registers.cr().modify(|w| w.set_en(CHANNEL, false));
+    registers.mcr().modify(|w| w.set_mode(CHANNEL, mode));
+    registers.cr().modify(|w| w.set_en(CHANNEL, true));
 }
 
 /// Puts mid-scale where the next conversion comes from.

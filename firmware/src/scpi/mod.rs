@@ -10,7 +10,7 @@
 //! | `*RST` | stops a run; 160 Hz, 10 m/s2 |
 //! | `*CLS`, `*ESR?`, `SYSTem:ERRor?` | status and errors of IEEE 488.2 and SCPI-99 |
 //! | `*OPC`, `*OPC?` | when no run is going on |
-//! | `*TST?` | 0, or 1 after a panic, or 2 when the record area cannot be read |
+//! | `*TST?` | 0, or the number of the first line of the self-test that failed, or -1 if it was not carried out |
 //! | `SYSTem:VERSion?` | 1999.0 |
 //! | `CONFigure:FREQuency`, `CONFigure:ACCeleration`, and both with `?` | Hz; m/s2 r.m.s. |
 //! | `INITiate` | begins the run |

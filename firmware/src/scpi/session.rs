@@ -134,7 +134,7 @@ impl Session {
             }
             Command::Complete => self.reports_end = true,
             Command::IsComplete => drop(out.write_str("1")),
-            Command::SelfTest => drop(write!(out, "{}", self_test(instrument).await)),
+            Command::SelfTest => self_test(instrument, out).await?,
             Command::NextError => {
                 let error = self.status.pop();
                 let _ = write!(out, "{},\"{}\"", error.code(), error.text());
@@ -244,17 +244,22 @@ fn identify(instrument: &mut impl Instrument, out: &mut impl Write) {
     );
 }
 
-async fn self_test(instrument: &mut impl Instrument) -> u8 {
-    if instrument.info().last_panic.is_some() {
-        return 1;
-    }
-    if !instrument.health().defects.is_none() {
-        return 3;
-    }
-    match instrument.records(0).await {
-        Ok(_) => 0,
-        Err(_) => 2,
-    }
+/// 0, or the number of the first line that failed, from 1; -1 where the test was not carried out.
+async fn self_test(instrument: &mut impl Instrument, out: &mut impl Write) -> Done {
+    // The same road a frame takes, with the same rule who may test.
+    let response = command::answer(Request::SelfTest, instrument).await;
+    let refused = match response {
+        Response::SelfTest { lines } => {
+            let failed = lines.iter().find(|line| !line.passed());
+            let number = failed.map_or(0, |line| line.check as u8 + 1);
+            let _ = write!(out, "{number}");
+            return Ok(());
+        }
+        Response::Refused(Refusal::OtherHost) => ScpiError::OtherHost,
+        _ => ScpiError::InitIgnored,
+    };
+    let _ = out.write_str("-1");
+    Err(refused)
 }
 
 /// Names of what does not work, as strings; an empty one when all is well.

@@ -2,10 +2,12 @@
 //! copy for the host that asked for one. None is handed over before both
 //! channels are shown to be of the same instants.
 
-use crate::board::{BLOCK_PAIRS, Digitiser};
+use crate::board::{BLOCK_PAIRS, Digitiser, axi_static};
+use crate::self_test::{self, Heard, LISTEN, TONE};
 use crate::state::{self, Order};
 use crate::tasks::drive::SILENCE;
 use calib_core::alignment::{Alignment, judge};
+use calib_core::self_test::{Loopback, at_rest, loopback};
 use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
 use calib_protocol::health::Work;
@@ -37,11 +39,18 @@ pub(crate) async fn acquire(
     mut digitiser: Digitiser,
     mut blocks: Sender<'static, CriticalSectionRawMutex, Block>,
 ) -> ! {
+    axi_static!(TONE_BLOCK: [u32; BLOCK_PAIRS]);
+    let tone_block = TONE_BLOCK.take();
     let mut gap = false;
     // From here on blocks begin where the common signal does.
     let _ = digitiser.next(&mut blocks.send().await.pairs).await;
     align(&mut digitiser, &mut blocks.send().await.pairs).await;
     loop {
+        if LISTEN.try_take().is_some() {
+            state::with_capture(Capture::lose);
+            self_test::tell(listen(&mut digitiser, &mut blocks, tone_block).await);
+            gap = true;
+        }
         let block = blocks.send().await;
         match digitiser.next(&mut block.pairs).await {
             Ok(()) => {
@@ -73,9 +82,10 @@ const STARTS: usize = 3;
 
 /// Shows that the channels are of the same instants, starting the converters again where they are
 /// not; what comes of it is in [`state::ALIGNED`]. 10 ms, and as much for each further start.
-async fn align(digitiser: &mut Digitiser, pairs: &mut [u32; BLOCK_PAIRS]) {
+async fn align(digitiser: &mut Digitiser, pairs: &mut [u32; BLOCK_PAIRS]) -> Alignment {
+    let mut shown = Alignment::Unclear;
     for start in 1..=STARTS {
-        let shown = match digitiser.common_signal(pairs).await {
+        shown = match digitiser.common_signal(pairs).await {
             Ok(()) => judge(pairs),
             Err(_) => Alignment::Unclear,
         };
@@ -83,7 +93,7 @@ async fn align(digitiser: &mut Digitiser, pairs: &mut [u32; BLOCK_PAIRS]) {
         let aligned = shown == Alignment::Aligned;
         state::ALIGNED.store(aligned, Ordering::Relaxed);
         if aligned {
-            return;
+            return shown;
         }
         defmt::warn!("channels: {}, start {=usize}", shown, start);
         if start < STARTS {
@@ -95,4 +105,64 @@ async fn align(digitiser: &mut Digitiser, pairs: &mut [u32; BLOCK_PAIRS]) {
         // Behind a full queue there is a stop, or the gap that follows ends the run.
         let _ = state::ORDERS.try_send(Order::Stop(Reason::ChannelsNotAligned));
     }
+    shown
+}
+
+/// Blocks until the tone is what comes: the drive hears of it within two, and writes a ring of two.
+const TONE_COMES: usize = 8;
+
+type Blocks = Sender<'static, CriticalSectionRawMutex, Block>;
+
+/// The converters' part of the self-test: see [`self_test`].
+async fn listen(
+    digitiser: &mut Digitiser,
+    blocks: &mut Blocks,
+    first: &mut [u32; BLOCK_PAIRS],
+) -> Heard {
+    let at_rest = take(digitiser, blocks, |pairs| at_rest(pairs)).await;
+    TONE.signal(true);
+    digitiser.hear_drive(true);
+    let loopback = hear_tone(digitiser, blocks, first).await;
+    TONE.signal(false);
+    digitiser.hear_drive(false);
+    // The alignment begins where a block does, and finds the drive at rest.
+    for _ in 0..TONE_COMES {
+        take(digitiser, blocks, |_| ()).await;
+    }
+    Heard {
+        at_rest,
+        loopback,
+        alignment: align(digitiser, &mut blocks.send().await.pairs).await,
+    }
+}
+
+async fn hear_tone(
+    digitiser: &mut Digitiser,
+    blocks: &mut Blocks,
+    first: &mut [u32; BLOCK_PAIRS],
+) -> Option<Loopback> {
+    for _ in 0..TONE_COMES {
+        take(digitiser, blocks, |_| ()).await;
+    }
+    take(digitiser, blocks, |pairs| first.copy_from_slice(pairs)).await?;
+    take(digitiser, blocks, |pairs| loopback(first, pairs)).await
+}
+
+/// Looks at the next block and hands it over as one that follows a gap: measuring goes on, and nothing
+/// is measured by it. None if pairs were lost.
+async fn take<T>(
+    digitiser: &mut Digitiser,
+    blocks: &mut Blocks,
+    look: impl FnOnce(&[u32; BLOCK_PAIRS]) -> T,
+) -> Option<T> {
+    let block = blocks.send().await;
+    let taken = digitiser.next(&mut block.pairs).await;
+    let seen = taken.ok().map(|()| look(&block.pairs));
+    block.gap = true;
+    blocks.send_done();
+    state::ACQUIRE_ALIVE.fetch_add(1, Ordering::Relaxed);
+    if seen.is_none() {
+        digitiser.restart();
+    }
+    seen
 }

@@ -8,15 +8,17 @@
 //! it overwrites them.
 
 use crate::board::{BLOCK_PAIRS, CONVERTERS, Exciter, MID_SCALE, axi_static};
+use crate::self_test::TONE;
 use crate::state;
 use calib_core::broadband::PeriodMemory;
 use calib_core::output::{Command, Output};
+use calib_core::self_test::fill_tone;
 use calib_protocol::health::Work;
 use core::sync::atomic::Ordering;
 use embassy_futures::select::{Either, select};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
-use embassy_time::{Duration, with_timeout};
+use embassy_time::{Duration, Timer, with_timeout};
 
 /// Task of the exciter during the next block.
 #[derive(Clone, Copy, Debug, PartialEq, defmt::Format)]
@@ -43,6 +45,9 @@ const PATIENCE: Duration = Duration::from_millis(18);
 /// played with the next block, not the one after.
 const PACE: Duration = Duration::from_millis(9);
 
+/// After it what is hushed has come out: 50 samples.
+const HUSHED: Duration = Duration::from_millis(1);
+
 /// Start of the dither: the same tone is the same codes, run after run.
 const SEED: u32 = 1;
 
@@ -57,6 +62,9 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
     // A block was played as before, in place of a command that is late.
     let mut spared = false;
     loop {
+        if TONE.try_take() == Some(true) {
+            play_unheard(&mut exciter, &mut output, &mut codes).await;
+        }
         if let Ok(order) = with_timeout(patience, COMMAND.wait()).await {
             patience = PATIENCE;
             // The scale only changes between runs, in silence.
@@ -94,6 +102,32 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
             }
         }
     }
+}
+
+/// Plays the tone of the self-test, with the pin let go, until it is told to end. The ring keeps its
+/// pace, and orders of the measurement wait: it measures nothing meanwhile.
+async fn play_unheard(
+    exciter: &mut Exciter,
+    output: &mut Output<'_>,
+    codes: &mut [u16; BLOCK_PAIRS],
+) {
+    if !output.is_silent() {
+        silence(exciter, output);
+        Timer::after(HUSHED).await;
+    }
+    exciter.disconnect();
+    fill_tone(codes, CONVERTERS.drive);
+    while TONE.try_take() != Some(false) {
+        if exciter.play(codes).await.is_err() {
+            defmt::warn!("tone of the self-test written late");
+        }
+        state::DRIVE_ALIVE.fetch_add(1, Ordering::Relaxed);
+    }
+    exciter.hush();
+    // Two blocks of silence are ahead. The next is written as it is in a silence: behind the place
+    // that became free, so that a command is played with the next block and not the one after.
+    Timer::after(PATIENCE).await;
+    exciter.connect();
 }
 
 /// Rest now: nothing more is generated, and nothing queued is played.

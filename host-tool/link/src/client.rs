@@ -4,6 +4,7 @@ use super::exchange::{Exchange, Failure};
 use super::{ProtocolError, Refused, Transport};
 use crate::{Error, Result};
 use calib_core::point::PointResult;
+use calib_core::self_test::Line;
 use calib_core::settings::Settings;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
@@ -229,6 +230,16 @@ impl Client {
         match self.ask("a capture", &Request::ReadCapture { offset })? {
             Response::CaptureData(part) if part.offset == offset => Ok(part),
             _ => Err(unexpected("a capture")),
+        }
+    }
+
+    /// Tests the board, with the table at rest: what was looked at, with its limits.
+    pub fn self_test(&mut self) -> Result<Vec<Line>> {
+        // It looks at the record area, which may be busy.
+        let timeout = self.policy.flash_timeout;
+        match self.ask_within("a self-test", &Request::SelfTest, timeout)? {
+            Response::SelfTest { lines } => Ok(lines.to_vec()),
+            _ => Err(unexpected("a self-test")),
         }
     }
 

@@ -1,6 +1,7 @@
 //! A calibrator in memory: the rules of the protocol, without any physics.
 
 use calib_core::point::PointResult;
+use calib_core::self_test::{Check, Line, MAX_LINES};
 use calib_core::settings::{
     Example, InputScale, Limits, Method, PointInfluences, ReferenceCalibration, ReferencePoint,
     Settings,
@@ -23,6 +24,8 @@ const LOOKS_PER_POINT: u16 = 3;
 pub(crate) struct Device {
     pub(crate) records: BTreeMap<u32, Vec<u8>>,
     pub(crate) settings: Settings,
+    /// The supply its self-test finds, V.
+    pub(crate) supply_v: f32,
     pub(crate) protocol_version: u16,
     /// Answers everything with this, if set.
     pub(crate) refusal: Option<Refusal>,
@@ -65,6 +68,7 @@ impl Device {
         Self {
             records: BTreeMap::new(),
             settings: settings(),
+            supply_v: 3.3,
             protocol_version: PROTOCOL_VERSION,
             refusal: None,
             reset_at_look: None,
@@ -147,7 +151,20 @@ impl Device {
             Request::Release { .. } => Response::Done,
             Request::Capture { pairs } => self.capture(pairs),
             Request::ReadCapture { offset } => self.read_capture(offset),
+            Request::SelfTest => Response::SelfTest {
+                lines: self.self_test(),
+            },
         }
+    }
+
+    fn self_test(&self) -> heapless::Vec<Line, MAX_LINES> {
+        let supply = Line {
+            check: Check::Supply,
+            value: Some(self.supply_v),
+            lower: Some(3.1),
+            upper: Some(3.5),
+        };
+        [supply].into_iter().collect()
     }
 
     fn info(&self) -> Info {

@@ -88,6 +88,7 @@ fn requests() -> Vec<Request> {
         Request::Release { through: 1 },
         Request::Capture { pairs: 300 },
         Request::ReadCapture { offset: 256 },
+        Request::SelfTest,
     ]
 }
 

@@ -189,6 +189,7 @@ fn the_deepest_answer_and_the_deepest_evaluation_fit_on_the_stack_together() -> 
         Request::Release { through: 1 },
         Request::Capture { pairs: 64 },
         Request::ReadCapture { offset: 0 },
+        Request::SelfTest,
     ]
     .iter()
     .map(|request| frame(1, request))

@@ -1,0 +1,15 @@
+//! Whether a board is what it should be: what its converters show of themselves, and the limits.
+//!
+//! | file | idea |
+//! |---|---|
+//! | [`figures`] | offset and noise at rest; gain, offset, distortion and noise of the drive's converter |
+//! | [`judge`] | lines with limits |
+//!
+//! What is measured here is the board and nothing on it: the drive's converter is heard on the chip,
+//! with its pin let go, and the table stays where it is.
+
+pub mod figures;
+pub mod judge;
+
+pub use figures::{AtRest, Loopback, at_rest, fill_tone, loopback};
+pub use judge::{Check, Evidence, Line, MAX_LINES, judge};
