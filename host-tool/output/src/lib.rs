@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`point`] | a measured point, and one that is to be measured |
 //! | [`instrument`] | the calibrator, its runs and its records |
+//! | [`self_test`] | what a board says of itself |
 //! | [`json`] | how documents are written: numbers, lines |
 //! | [`number`] | decimal numbers of stored f32 |
 //! | [`conforms`] | whether a document has the form its schema promises |
@@ -16,9 +17,11 @@ pub mod instrument;
 pub mod json;
 pub mod number;
 pub mod point;
+pub mod self_test;
 
 pub use instrument::{ChangeView, InfoView, RecordView, StatusView};
 pub use point::{PointState, PointView, SetPoint};
+pub use self_test::{LineView, SelfTestView};
 
 use std::fmt::{Debug, Write};
 

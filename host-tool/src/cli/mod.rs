@@ -33,6 +33,7 @@ mod release;
 mod risk;
 mod run;
 mod schema;
+mod selftest;
 mod sensitivity;
 mod serve;
 mod settings;
@@ -82,6 +83,8 @@ pub(crate) enum Command {
     Devices(devices::Devices),
     /// Identity and health of the calibrator.
     Info(info::Info),
+    /// Tests the board, with the table at rest: each line with its limits.
+    Selftest(selftest::SelfTest),
     /// Measures a point list.
     Run(run::Run),
     /// Prints or replaces the calibrator's settings.
@@ -156,6 +159,7 @@ impl Command {
             Self::Demo(verb) => verb.run(context),
             Self::Devices(verb) => verb.run(context),
             Self::Info(verb) => verb.run(context),
+            Self::Selftest(verb) => verb.run(context),
             Self::Run(verb) => verb.run(context),
             Self::Settings(verb) => verb.run(context),
             Self::Capture(verb) => verb.run(context),

@@ -25,7 +25,7 @@ use calib_metrology::evaluated::EvaluationView;
 use calib_metrology::lists::ListPoint;
 use calib_metrology::nomogram::Vibration;
 use calib_metrology::shock::ShockIdentification;
-use calib_output::{ChangeView, InfoView, RecordView};
+use calib_output::{ChangeView, InfoView, RecordView, SelfTestView};
 use clap::Args;
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
@@ -125,6 +125,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<run::RunResult>("run"),
         of::<RunEvent<'_, run::RunResult>>("run-lines"),
         of::<Written>("schema"),
+        of::<SelfTestView>("selftest"),
         of::<sensitivity::Output>("sensitivity"),
         of::<Either<Vec<Sensor>, Sensor>>("sensors"),
         of::<serve::Listening>("serve"),

@@ -230,6 +230,27 @@ fn stop_and_release_reach_the_device_and_say_so_in_json() {
 }
 
 #[test]
+fn a_self_test_that_fails_exits_with_7_and_says_what_to_do() {
+    let (device, address) = serve(Device::new());
+    let go = |json: &[&str]| {
+        calib(
+            Path::new("."),
+            &[&["selftest", "-d", &address], json].concat(),
+        )
+    };
+    let sound = go(&["--json"]);
+    assert_eq!(sound.status.code(), Some(0), "{}", text(&sound.stderr));
+    assert_eq!(json(&sound)["lines"][0]["check"], "supply");
+    device.lock().expect("device").supply_v = 2.8;
+    let low = go(&[]);
+    assert_eq!(low.status.code(), Some(7));
+    let said = text(&low.stdout);
+    for words in [" 1 FAIL", "2.800 V", "3.100 to 3.500", "VDDA"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+}
+
+#[test]
 fn the_old_name_of_the_logbook_leads_to_the_new_one() {
     let folder = tempfile::tempdir().expect("directory");
     for (old, new) in [

@@ -20,6 +20,7 @@ mod healthy_rigs;
 mod hostile_hosts;
 mod power_cut;
 mod reference_change;
+mod selftest;
 mod site_faults;
 mod torn_flash;
 mod usb;
