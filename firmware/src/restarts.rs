@@ -224,7 +224,7 @@ impl History {
         let mut words = [0; WORDS];
         let (counters, texts) = words.split_at_mut(2);
         let mut lengths = [0; MAX_RESTARTS];
-        let places = texts.chunks_exact_mut(REASON_BYTES / 8);
+        let places = texts.as_chunks_mut::<{ REASON_BYTES / 8 }>().0;
         for ((reason, length), place) in self.reasons.iter().zip(&mut lengths).zip(places) {
             *length = reason.len() as u8;
             for (word, bytes) in place.iter_mut().zip(reason.as_bytes().chunks(8)) {
@@ -267,7 +267,11 @@ impl History {
             way: Way::of(way)?,
             reasons: Vec::new(),
         };
-        let places = texts.chunks_exact(REASON_BYTES / 8).zip(lengths);
+        let places = texts
+            .as_chunks::<{ REASON_BYTES / 8 }>()
+            .0
+            .iter()
+            .zip(lengths);
         for (place, length) in places.take(usize::from(reasons)) {
             let bytes = place.iter().flat_map(|word| word.to_le_bytes());
             let bytes: Vec<u8, REASON_BYTES> = bytes.take(usize::from(length)).collect();

@@ -91,7 +91,9 @@ fn row(line: &str) -> Result<Row, Fault> {
         .map_err(|error| format!("`{line}`: {error}"))?;
     let (frequency_hz, parts) = numbers.split_first().ok_or("an empty row")?;
     let values = parts
-        .chunks_exact(2)
+        .as_chunks::<2>()
+        .0
+        .iter()
         .map(|pair| Complex::new(pair[0], pair[1]));
     Ok(Row {
         frequency_hz: *frequency_hz,

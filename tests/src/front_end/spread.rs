@@ -39,7 +39,9 @@ pub fn of(run: &Run, percent: &str) -> Result<[Vec<Spread>; 2], Fault> {
 fn spread(rows: &[Row], first: usize) -> Vec<Spread> {
     let ratio = |row: &Row| row.values[first + 1] / row.values[first];
     let pairs: Vec<Vec<Complex<f64>>> = rows
-        .chunks_exact(FREQUENCIES)
+        .as_chunks::<FREQUENCIES>()
+        .0
+        .iter()
         .map(|pair| pair.iter().map(ratio).collect())
         .collect();
     let rms = |of: &dyn Fn(&Vec<Complex<f64>>) -> f64| {

@@ -303,10 +303,7 @@ fn a_half_erased_sector_keeps_nothing_else_from_being_found() {
         let share = [1, 3, 16, 128, 250][seed as usize % 5];
         flash.0.borrow_mut().tear(0..REAL, share);
         // Their check bits fit, fit for half of them, or for none.
-        flash
-            .0
-            .borrow_mut()
-            .poison(0..REAL, u64::from(seed % 3) * 128);
+        flash.0.borrow_mut().poison(0..REAL, (seed % 3) * 128);
         let mut archive = desk.open(&flash).expect("opens");
         for (id, bytes) in stored.iter().skip(REAL / stored[0].1.len() * 2).step_by(29) {
             assert_eq!(download(&mut archive, *id).as_ref(), Ok(bytes), "{seed}");
