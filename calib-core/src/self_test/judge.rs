@@ -286,7 +286,8 @@ mod tests {
 
     #[test]
     fn each_fault_fails_its_line() {
-        let faults: [(Check, fn(&mut Evidence)); 9] = [
+        type Fault = (Check, fn(&mut Evidence));
+        let faults: [Fault; 9] = [
             (Check::Supply, |board| board.supply_v = Some(3.0)),
             (Check::Alignment, |board| {
                 board.alignment = Alignment::Shifted(-1)

@@ -248,8 +248,8 @@ fn the_port_pulls_at_what_a_converter_sees() {
     assert_eq!(sample(analogue, 0b01), 0x2001_1001);
     // (65 535 - 0x1002) / 41 and 0x1003 / 41 codes of the reference alone.
     let input = analogue & !(0b11 << 6);
-    assert_eq!(sample(input, 0b01), 0x2002_0000 | 0x1002 + 1498);
-    assert_eq!(sample(input, 0b10), 0x2003_0000 | 0x1003 - 100);
+    assert_eq!(sample(input, 0b01), 0x2002_0000 | (0x1002 + 1498));
+    assert_eq!(sample(input, 0b10), 0x2003_0000 | (0x1003 - 100));
 }
 
 /// RM0433 Rev 9, section 25.4.30: 16 conversions per trigger, their sum shifted by four places.
