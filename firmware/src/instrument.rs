@@ -58,7 +58,7 @@ impl Instrument for Calibrator {
             records: self.archive.records(),
             uptime_ms: Instant::now().as_millis(),
             stack_unused_bytes: crate::board::unused_stack_bytes(),
-            instrument_temperature_c: state::temperature_c(),
+            instrument_temperature_c: state::TEMPERATURE_C.get(),
         }
     }
 
@@ -72,7 +72,7 @@ impl Instrument for Calibrator {
         });
         Health {
             deadlines: deadlines.collect(),
-            timebase_ppm: state::timebase_ppm(),
+            timebase_ppm: state::TIMEBASE_PPM.get(),
             defects: state::defects(),
             restarts: match has_lived && state::defects().is_none() {
                 true => Vec::new(),
@@ -99,7 +99,10 @@ impl Instrument for Calibrator {
         if state::status().state.is_running() || self_test::is_under_way() {
             return Err(Refusal::Busy);
         }
-        if state::temperature_c().is_some_and(|value| !may_work_at(value)) {
+        if state::TEMPERATURE_C
+            .get()
+            .is_some_and(|value| !may_work_at(value))
+        {
             return Err(Refusal::TemperatureOutOfRange);
         }
         if !state::ALIGNED.load(Ordering::Relaxed) {

@@ -74,8 +74,8 @@ impl SelfTest {
         let heard = with_timeout(PATIENCE, HEARD.wait()).await.ok();
         let unwanted = matches!(reset_cause, ResetCause::Watchdog | ResetCause::BrownOut);
         judge(&Evidence {
-            supply_v: state::supply_v(),
-            temperature_c: state::temperature_c(),
+            supply_v: state::SUPPLY_V.get(),
+            temperature_c: state::TEMPERATURE_C.get(),
             at_rest: heard.and_then(|heard| heard.at_rest),
             loopback: heard.and_then(|heard| heard.loopback),
             alignment: heard.map_or(Alignment::Unclear, |heard| heard.alignment),

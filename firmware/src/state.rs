@@ -136,32 +136,30 @@ pub(crate) static ORDERS: Channel<CriticalSectionRawMutex, Order, 4> = Channel::
 /// The measuring task has ended a run: it can be stored.
 pub(crate) static RUN_ENDED: Signal<CriticalSectionRawMutex, ()> = Signal::new();
 
-static TEMPERATURE_C: CriticalSectionMutex<Cell<Option<f32>>> =
-    CriticalSectionMutex::new(Cell::new(None));
+/// A value as it was last read; none while it cannot be read.
+pub(crate) struct Reading(CriticalSectionMutex<Cell<Option<f32>>>);
 
-/// Temperature of the processor, degrees Celsius, when it was last read; none
-/// while it cannot be read.
-pub(crate) fn temperature_c() -> Option<f32> {
-    TEMPERATURE_C.lock(Cell::get)
+impl Reading {
+    const fn new() -> Self {
+        Self(CriticalSectionMutex::new(Cell::new(None)))
+    }
+
+    pub(crate) fn get(&self) -> Option<f32> {
+        self.0.lock(Cell::get)
+    }
+
+    /// Takes a reading, or that there is none.
+    pub(crate) fn set(&self, value: Option<f32>) {
+        self.0.lock(|cell| cell.set(value));
+    }
 }
 
-/// Takes a reading, or that there is none.
-pub(crate) fn set_temperature_c(temperature_c: Option<f32>) {
-    TEMPERATURE_C.lock(|cell| cell.set(temperature_c));
-}
-
-static SUPPLY_V: CriticalSectionMutex<Cell<Option<f32>>> =
-    CriticalSectionMutex::new(Cell::new(None));
-
-/// Supply of the converters, V, when it was last read; none while it cannot be read.
-pub(crate) fn supply_v() -> Option<f32> {
-    SUPPLY_V.lock(Cell::get)
-}
-
-/// Takes a reading, or that there is none.
-pub(crate) fn set_supply_v(supply_v: Option<f32>) {
-    SUPPLY_V.lock(|cell| cell.set(supply_v));
-}
+/// Temperature of the processor, degrees Celsius.
+pub(crate) static TEMPERATURE_C: Reading = Reading::new();
+/// Supply of the converters, V.
+pub(crate) static SUPPLY_V: Reading = Reading::new();
+/// How much faster the clock is than the frames of the USB host, ppm.
+pub(crate) static TIMEBASE_PPM: Reading = Reading::new();
 
 /// Rises while samples come in.
 pub(crate) static ACQUIRE_ALIVE: AtomicU32 = AtomicU32::new(0);
@@ -199,19 +197,6 @@ pub(crate) fn longest_us(work: Work) -> f32 {
     let longest = LONGEST.get(work as usize);
     let cycles = longest.map_or(0, |longest| longest.load(Ordering::Relaxed));
     cycles as f32 / CORE_MHZ
-}
-
-static TIMEBASE_PPM: CriticalSectionMutex<Cell<Option<f32>>> =
-    CriticalSectionMutex::new(Cell::new(None));
-
-/// How much faster the clock is than the frames of the USB host, ppm.
-pub(crate) fn timebase_ppm() -> Option<f32> {
-    TIMEBASE_PPM.lock(Cell::get)
-}
-
-/// Takes a comparison, or that there is none.
-pub(crate) fn set_timebase_ppm(ppm: Option<f32>) {
-    TIMEBASE_PPM.lock(|cell| cell.set(ppm));
 }
 
 /// The board is silent and about to restart: what stands still is meant to.

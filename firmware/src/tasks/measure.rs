@@ -167,7 +167,7 @@ impl Runner {
     }
 
     fn finish_point(&mut self, mut result: PointResult) {
-        result.instrument_temperature_c = state::temperature_c();
+        result.instrument_temperature_c = state::TEMPERATURE_C.get();
         defmt::info!(
             "{} Hz: {}, {} V/(m/s2) at {} m/s2",
             result.spec.frequency_hz,

@@ -27,10 +27,10 @@ pub(crate) async fn thermometer(mut converter: SensorConverter) -> ! {
         let read = converter.read().await;
         let codes = read.inspect_err(|NotReady| defmt::warn!("temperature not read"));
         let codes = codes.ok();
-        state::set_supply_v(codes.and_then(|codes| thermometer.supply_v(codes.reference)));
+        state::SUPPLY_V.set(codes.and_then(|codes| thermometer.supply_v(codes.reference)));
         let temperature_c =
             codes.and_then(|codes| thermometer.temperature_c(codes.sensor, codes.reference));
-        state::set_temperature_c(temperature_c);
+        state::TEMPERATURE_C.set(temperature_c);
         if temperature_c.is_some_and(|value| !may_work_at(value))
             && state::status().state.is_exciting()
         {

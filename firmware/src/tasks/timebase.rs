@@ -32,7 +32,7 @@ pub(crate) async fn timebase() -> ! {
             .map(|(before, now)| deviation_ppm(before, now));
         // A look that something came between says nothing.
         if ppm.is_some() || !is_addressed() {
-            state::set_timebase_ppm(ppm);
+            state::TIMEBASE_PPM.set(ppm);
         }
         before = now;
     }
