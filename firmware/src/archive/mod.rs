@@ -41,9 +41,8 @@ use calib_core::settings::Settings;
 use calib_protocol::message::Refusal;
 use calib_protocol::record::{Record, RecordKind, RecordSummary};
 use calib_protocol::stored::{self, settings_mark};
-use core::future::poll_fn;
 use core::ops::Range;
-use core::task::Poll;
+use embassy_futures::yield_now;
 use embedded_storage_async::nor_flash::NorFlash;
 use heapless::Vec;
 use known::{Known, KnownSettings};
@@ -183,6 +182,7 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
         self.memory.directory.clear();
         let mut items = self.queue.iter().await?;
         while let Some(item) = items.next(self.memory.scratch).await? {
+            // To read the whole area takes longer than others can wait.
             yield_now().await;
             let address = self.memory.last_access.read();
             let length = item.len() as u16;
@@ -288,19 +288,6 @@ async fn read<F: NorFlash>(
     const { assert!(F::READ_SIZE == 1, "the archive reads single bytes") };
     let read = flash.read(address, bytes).await;
     read.map_err(|_| ArchiveError::Flash)
-}
-
-/// Lets others work: to read the whole area takes longer than they can wait.
-async fn yield_now() {
-    let mut yielded = false;
-    poll_fn(|context| {
-        if core::mem::replace(&mut yielded, true) {
-            return Poll::Ready(());
-        }
-        context.waker().wake_by_ref();
-        Poll::Pending
-    })
-    .await;
 }
 
 fn mark_of(item: &[u8]) -> Option<(u16, &[u8])> {
