@@ -10,7 +10,7 @@ use crate::rig_port::Conversions;
 
 /// Codes of the whole range, of half of it (0 V), and the highest.
 const CODES: f64 = 65_536.0;
-const MID_CODE: f64 = CODES / 2.0;
+pub(crate) const MID_CODE: f64 = CODES / 2.0;
 const LAST_CODE: f64 = CODES - 1.0;
 /// The largest bits, whose capacitors differ enough to show; the rest is within the bow.
 const UNEQUAL_BITS: u32 = 8;
@@ -18,6 +18,18 @@ const UNEQUAL_BITS: u32 = 8;
 const CELL: usize = 65_536 >> UNEQUAL_BITS;
 /// Frequency of the reference's ripple, Hz: 1 kHz of a host whose clock is 30 ppm off.
 const RIPPLE_HZ: f64 = 1_000.03;
+
+/// The code nearest to `code`, saturating at both ends.
+pub(crate) fn nearest_code(code: f64) -> u16 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped"
+    )]
+    {
+        (code + 0.5).clamp(0.0, LAST_CODE) as u16
+    }
+}
 
 /// One unit's converter of one channel.
 #[derive(Debug, Clone)]
@@ -88,15 +100,9 @@ impl InputConverter {
     }
 
     fn nearest(&self, code: f64) -> u16 {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "clamped"
-        )]
-        let place = |code: f64| (code + 0.5).clamp(0.0, LAST_CODE) as u16;
-        match self.curve.get(usize::from(place(code))) {
-            Some(&beside) => place(code + f64::from(beside)),
-            None => place(code),
+        match self.curve.get(usize::from(nearest_code(code))) {
+            Some(&beside) => nearest_code(code + f64::from(beside)),
+            None => nearest_code(code),
         }
     }
 

@@ -9,6 +9,6 @@ mod input;
 mod sheet;
 
 pub(crate) use drive::DriveConverter;
-pub(crate) use input::{Input, InputConverter};
+pub(crate) use input::{Input, InputConverter, MID_CODE, nearest_code};
 pub use sheet::{Basis, Entry, SHEET};
 pub(crate) use sheet::{Quantity, Sheet};

@@ -1,27 +1,16 @@
-//! Codes and volts: range and resolution of the converters.
+//! Codes and volts of an ideal input converter.
 
+use crate::converters::{MID_CODE, nearest_code};
 use crate::rig::Converter;
 
-/// Codes of half the range of the 16-bit input converter; also the code of 0 V.
-const INPUT_MID_CODE: f64 = 32_768.0;
-/// Highest code of the input converter.
-const INPUT_LAST_CODE: f64 = 65_535.0;
 /// Code of an ideal 16-bit converter for `volt`: the nearest, saturating at both ends.
 pub(super) fn input_code(converter: &Converter, volt: f64) -> u16 {
-    let code = INPUT_MID_CODE + volt * (INPUT_MID_CODE / converter.input_full_scale_peak_v);
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "clamped"
-    )]
-    {
-        (code + 0.5).clamp(0.0, INPUT_LAST_CODE) as u16
-    }
+    nearest_code(MID_CODE + volt * (MID_CODE / converter.input_full_scale_peak_v))
 }
 
 /// Volts of `code`.
 pub(super) fn input_v(converter: &Converter, code: u16) -> f64 {
-    (f64::from(code) - INPUT_MID_CODE) * (converter.input_full_scale_peak_v / INPUT_MID_CODE)
+    (f64::from(code) - MID_CODE) * (converter.input_full_scale_peak_v / MID_CODE)
 }
 
 #[cfg(test)]
