@@ -1,10 +1,7 @@
 //! The reference's sensitivity at a frequency, by its own calibration table.
 
+use crate::response_table::{self, Response, Row};
 use crate::settings::{ReferenceCalibration, ReferencePoint};
-
-/// A frequency this close to a row of the table is that row (a tone is at most
-/// 0.01 % off).
-const SAME_FREQUENCY_REL: f32 = 5.0e-4;
 
 /// Sensitivity of the reference at one frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,89 +22,40 @@ pub struct ReferenceSensitivity {
 }
 
 impl ReferenceCalibration {
-    /// Sensitivity at `frequency_hz`.
-    ///
-    /// Between rows, magnitude and phase are linear in the logarithm of the
-    /// frequency. The error of that is at most `t (1 - t) / 2` times the
-    /// second difference at the place `t` between two rows; it is taken from
-    /// the neighbouring rows (the larger of both sides) and stated as the
-    /// half-width of a rectangular distribution. A table of two rows says
-    /// nothing of its curvature: there the second difference is taken as
-    /// large as the first.
+    /// Sensitivity at `frequency_hz` by [`crate::response_table`]: between rows it is interpolated,
+    /// and the error of that stated.
     ///
     /// Returns `None` outside the table: a reference is never extrapolated.
     ///
     /// # Accuracy
     /// Test `interpolation_error_stays_within_its_own_statement`.
     pub fn at(&self, frequency_hz: f32) -> Option<ReferenceSensitivity> {
-        let same = |row: &&ReferencePoint| {
-            (row.frequency_hz / frequency_hz - 1.0).abs() <= SAME_FREQUENCY_REL
-        };
-        if let Some(row) = self.points.iter().find(same) {
-            return Some(at_row(row));
-        }
-        let above = self
-            .points
-            .iter()
-            .position(|row| row.frequency_hz > frequency_hz)?;
-        let below = above.checked_sub(1)?;
-        self.between(below, frequency_hz)
-    }
-
-    fn between(&self, below: usize, frequency_hz: f32) -> Option<ReferenceSensitivity> {
-        let (low, high) = (self.points.get(below)?, self.points.get(below + 1)?);
-        let place = libm::logf(frequency_hz / low.frequency_hz)
-            / libm::logf(high.frequency_hz / low.frequency_hz);
-        let mix = |a: f32, b: f32| a + (b - a) * place;
-        let sensitivity = mix(low.sensitivity_v_per_ms2, high.sensitivity_v_per_ms2);
-        let bow = 0.5 * place * (1.0 - place);
-        let curvature = self.curvature(below, |row| row.sensitivity_v_per_ms2);
-        let curvature_phase = self.curvature(below, |row| row.phase_rad);
+        let response = response_table::at(&self.points, frequency_hz)?;
         Some(ReferenceSensitivity {
-            sensitivity_v_per_ms2: sensitivity,
-            phase_rad: mix(low.phase_rad, high.phase_rad),
-            expanded_uncertainty_rel: low
-                .expanded_uncertainty_rel
-                .max(high.expanded_uncertainty_rel),
-            expanded_uncertainty_phase_rad: low
-                .expanded_uncertainty_phase_rad
-                .max(high.expanded_uncertainty_phase_rad),
-            interpolation_rel: bow * curvature / sensitivity.abs(),
-            interpolation_phase_rad: bow * curvature_phase,
+            sensitivity_v_per_ms2: response.magnitude,
+            phase_rad: response.phase_rad,
+            expanded_uncertainty_rel: response.expanded_uncertainty_rel,
+            expanded_uncertainty_phase_rad: response.expanded_uncertainty_phase_rad,
+            interpolation_rel: response.interpolation_rel,
+            interpolation_phase_rad: response.interpolation_phase_rad,
         })
-    }
-
-    /// Largest second difference beside the interval that begins at `below`,
-    /// per interval squared.
-    fn curvature(&self, below: usize, value: fn(&ReferencePoint) -> f32) -> f32 {
-        let triple = |first: usize| {
-            let [a, b, c] = self.points.get(first..first + 3)? else {
-                return None;
-            };
-            let log = |row: &ReferencePoint| libm::logf(row.frequency_hz);
-            let (left, right) = (log(b) - log(a), log(c) - log(b));
-            let slopes = (value(c) - value(b)) / right - (value(b) - value(a)) / left;
-            let interval = if first == below { left } else { right };
-            Some((2.0 * slopes / (left + right) * interval * interval).abs())
-        };
-        let beside = [below.checked_sub(1).and_then(triple), triple(below)];
-        let largest = beside.into_iter().flatten().reduce(f32::max);
-        let difference = || match self.points.get(below..below + 2) {
-            Some([a, b]) => (value(b) - value(a)).abs(),
-            _ => 0.0,
-        };
-        largest.unwrap_or_else(difference)
     }
 }
 
-fn at_row(row: &ReferencePoint) -> ReferenceSensitivity {
-    ReferenceSensitivity {
-        sensitivity_v_per_ms2: row.sensitivity_v_per_ms2,
-        phase_rad: row.phase_rad,
-        expanded_uncertainty_rel: row.expanded_uncertainty_rel,
-        expanded_uncertainty_phase_rad: row.expanded_uncertainty_phase_rad,
-        interpolation_rel: 0.0,
-        interpolation_phase_rad: 0.0,
+impl Row for ReferencePoint {
+    fn frequency_hz(&self) -> f32 {
+        self.frequency_hz
+    }
+
+    fn response(&self) -> Response {
+        Response {
+            magnitude: self.sensitivity_v_per_ms2,
+            phase_rad: self.phase_rad,
+            expanded_uncertainty_rel: self.expanded_uncertainty_rel,
+            expanded_uncertainty_phase_rad: self.expanded_uncertainty_phase_rad,
+            interpolation_rel: 0.0,
+            interpolation_phase_rad: 0.0,
+        }
     }
 }
 

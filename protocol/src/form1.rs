@@ -17,6 +17,7 @@ use crate::kind::RecordKind;
 use crate::sections::Fields;
 use crate::settings_form::{input, limits, read_identity, read_influences, read_table};
 use crate::stored_point::{LEVEL_PARTS, Round, Temperature, from_upper};
+use calib_core::channel_ratio::ChannelRatio;
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::settings::{Distribution, PointInfluences, ReferenceChannel, Settings};
 use calib_core::tone::Tone;
@@ -63,6 +64,7 @@ fn settings(fields: &mut Fields<'_>, settings: &mut Settings) -> Result<(), Reco
     settings.limits = limits(fields)?;
     settings.blocks = fields.take()?;
     settings.point_influences = PointInfluences::NONE;
+    settings.channel_ratio = ChannelRatio::UNKNOWN;
     read_influences(fields, &mut settings.influences)?;
     for influence in &mut settings.influences {
         // The number of a special distribution was the factor, its reciprocal.
@@ -78,6 +80,7 @@ fn channel(fields: &mut Fields<'_>, channel: &mut ReferenceChannel) -> Result<()
     read_identity(fields, &mut channel.calibration)?;
     read_table(fields, &mut channel.calibration)?;
     channel.input = input(fields)?;
+    channel.ratio = ChannelRatio::UNKNOWN;
     Ok(())
 }
 

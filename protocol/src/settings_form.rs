@@ -9,11 +9,13 @@
 //! | 5 | exciter | full scale V peak f32, limits f32: V, m/s2, m/s, m peak |
 //! | 6 | influences | rows: row u8, relative value f32, value in rad f32, distribution |
 //! | 7 | influences that differ from point to point | list of their coefficients, f32 |
+//! | 8 | ratio of the channels | day it was measured u32, rows of 5 f32: Hz, 1, rad, relative U, U in rad |
 //!
 //! Missing sections are as in [`Settings::BLANK`], which no instrument accepts where it matters.
 
 use crate::error::RecordError;
 use crate::sections::{Fields, Read, find, needed, section};
+use calib_core::channel_ratio::{ChannelRatio, ChannelRatioPoint};
 use calib_core::settings::{
     Distribution, Influence, InputScale, Limits, PointInfluences, ReferenceCalibration,
     ReferenceChannel, ReferencePoint, Settings,
@@ -30,6 +32,7 @@ const INPUTS: u8 = 4;
 const EXCITER: u8 = 5;
 const INFLUENCES: u8 = 6;
 const POINT_INFLUENCES: u8 = 7;
+const CHANNEL_RATIO: u8 = 8;
 
 /// Id of settings where they are a section themselves.
 const SETTINGS: u8 = 1;
@@ -62,8 +65,26 @@ impl Serialize for InSections<'_> {
             ),
             section(INFLUENCES, List(&settings.influences, influence_row)),
             section(POINT_INFLUENCES, List(&coefficients, |value| *value)),
+            Ratio(&settings.channel_ratio),
         )
             .serialize(serializer)
+    }
+}
+
+/// The section of the ratio of the channels; none where it was not measured.
+struct Ratio<'a>(&'a ChannelRatio);
+
+impl Serialize for Ratio<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let ChannelRatio {
+            measured_day,
+            points,
+        } = self.0;
+        match *self.0 == ChannelRatio::UNKNOWN {
+            true => ().serialize(serializer),
+            false => section(CHANNEL_RATIO, (measured_day, List(points, ratio_row)))
+                .serialize(serializer),
+        }
     }
 }
 
@@ -110,6 +131,16 @@ fn table_row(row: &ReferencePoint) -> [f32; 5] {
     ]
 }
 
+fn ratio_row(row: &ChannelRatioPoint) -> [f32; 5] {
+    [
+        row.frequency_hz,
+        row.magnitude,
+        row.phase_rad,
+        row.expanded_uncertainty_rel,
+        row.expanded_uncertainty_phase_rad,
+    ]
+}
+
 fn influence_row(influence: &Influence) -> (u8, f32, f32, Distribution) {
     (
         influence.row,
@@ -138,10 +169,36 @@ pub fn read(sections: &[u8], settings: &mut Settings) -> Result<(), RecordError>
     let mut influences = needed(sections, INFLUENCES)?;
     read_influences(&mut influences, &mut settings.influences)?;
     settings.point_influences = PointInfluences::NONE;
-    match find(sections, POINT_INFLUENCES, 1)? {
-        Some((_, list)) => read_coefficients(Fields(list), &mut settings.point_influences),
-        None => Ok(()),
+    if let Some((_, list)) = find(sections, POINT_INFLUENCES, 1)? {
+        read_coefficients(Fields(list), &mut settings.point_influences)?;
     }
+    read_ratio(sections, &mut settings.channel_ratio)
+}
+
+/// Ratio of the channels; unknown where there is none.
+fn read_ratio(sections: &[u8], ratio: &mut ChannelRatio) -> Result<(), RecordError> {
+    *ratio = ChannelRatio::UNKNOWN;
+    let Some((_, content)) = find(sections, CHANNEL_RATIO, 1)? else {
+        return Ok(());
+    };
+    let mut fields = Fields(content);
+    ratio.measured_day = fields.take()?;
+    read_rows(&mut fields, &mut ratio.points, |fields| {
+        let [
+            frequency_hz,
+            magnitude,
+            phase_rad,
+            expanded_uncertainty_rel,
+            expanded_uncertainty_phase_rad,
+        ] = fields.take()?;
+        Ok(ChannelRatioPoint {
+            frequency_hz,
+            magnitude,
+            phase_rad,
+            expanded_uncertainty_rel,
+            expanded_uncertainty_phase_rad,
+        })
+    })
 }
 
 /// Coefficients, as many as there are on both sides.
@@ -245,15 +302,20 @@ fn read_rows<T, const N: usize>(
     Ok(())
 }
 
-/// The reference's channel before a change of it: sections 2, 3 and 4, of which 4 has one input.
+/// The reference's channel before a change of it: sections 2, 3, 4 and 8, of which 4 has one input.
 pub(crate) struct Channel<'a>(pub(crate) &'a ReferenceChannel);
 
 impl Serialize for Channel<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let ReferenceChannel { calibration, input } = self.0;
+        let ReferenceChannel {
+            calibration,
+            input,
+            ratio,
+        } = self.0;
         (
             Calibration(calibration),
             section(INPUTS, input.volt_per_code),
+            Ratio(ratio),
         )
             .serialize(serializer)
     }
@@ -266,7 +328,7 @@ pub(crate) fn read_channel(
 ) -> Result<(), RecordError> {
     read_calibration(sections, &mut channel.calibration)?;
     channel.input = input(&mut needed(sections, INPUTS)?)?;
-    Ok(())
+    read_ratio(sections, &mut channel.ratio)
 }
 
 /// For `#[serde(with)]`: settings in a message, as one section.
@@ -308,6 +370,15 @@ mod tests {
         let mut settings = Settings::field_calibrator();
         settings.reference.serial = "R 1".try_into().expect("short");
         settings.reference.due_day = 20_565;
+        settings.channel_ratio.measured_day = 20_779;
+        let row = ChannelRatioPoint {
+            frequency_hz: 160.0,
+            magnitude: 1.002,
+            phase_rad: -0.003,
+            expanded_uncertainty_rel: 2e-4,
+            expanded_uncertainty_phase_rad: 3e-4,
+        };
+        settings.channel_ratio.points.extend([row]);
         let mut back = Settings::BLANK;
         assert_eq!(read(&written(&settings), &mut back), Ok(()));
         assert_eq!(back, settings);

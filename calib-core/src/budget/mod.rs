@@ -24,5 +24,5 @@ mod tests;
 pub use catalogue::{Row, Table};
 pub use combine::{Budget, BudgetError, Combined, MAX_COMPONENTS};
 pub use component::Component;
-pub use coverage::{Coverage, CoverageRule, Expanded, Shape};
+pub use coverage::{Coverage, CoverageRule, Expanded, PROBABILITY_K2, Shape};
 pub use point::{PointBudget, point_budget};

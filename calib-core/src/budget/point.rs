@@ -6,12 +6,16 @@ use super::component::Component;
 use super::coverage::{CoverageRule, Expanded, PROBABILITY_K2};
 use crate::point::PointResult;
 use crate::reference::ReferenceSensitivity;
-use crate::settings::{Distribution, Settings};
+use crate::response_table::Response;
+use crate::settings::{Distribution, Influence, Settings};
 
-/// Expanded uncertainties of the reference table are stated with this factor.
-const REFERENCE: Distribution = Distribution::Normal {
+/// Expanded uncertainties of the tables are stated with this factor.
+const EXPANDED_K2: Distribution = Distribution::Normal {
     coverage_factor: 2.0,
 };
+
+/// Row of Table A.1 for the ratio of the two voltages.
+const RATIO: u8 = 3;
 
 /// Standard uncertainties are entered with this one.
 const STANDARD: Distribution = Distribution::Normal {
@@ -30,8 +34,8 @@ pub struct PointBudget<'a> {
 /// Lists the components of a point.
 ///
 /// Row 1 is the reference's calibration, with a second component when its
-/// table had to be interpolated (5.1); the influences of the settings follow,
-/// those that differ from point to point last; the last row is the
+/// table had to be interpolated (5.1); the influences of the settings follow, of
+/// which a measured ratio of the channels replaces that of row 3; those that differ from point to point last; the last row is the
 /// measurement's own scatter with blocks - 1 degrees of freedom.
 ///
 /// # Errors
@@ -50,7 +54,7 @@ pub fn point_budget(
     };
     budget.add(
         1,
-        |row, value| Component::new(row, value, REFERENCE),
+        |row, value| Component::new(row, value, EXPANDED_K2),
         [
             reference.expanded_uncertainty_rel,
             reference.expanded_uncertainty_phase_rad,
@@ -64,7 +68,13 @@ pub fn point_budget(
             reference.interpolation_phase_rad,
         ],
     )?;
-    for influence in &settings.influences {
+    let channels = settings.channel_ratio.at(point.spec.frequency_hz);
+    if let Some(known) = channels {
+        budget.add_ratio(&known)?;
+    }
+    // Measured, it is known better than by the tolerances of the parts.
+    let known = |influence: &&Influence| channels.is_some() && influence.row == RATIO;
+    for influence in settings.influences.iter().filter(|i| !known(i)) {
         let distribution = influence.distribution;
         let values = [influence.value_rel, influence.value_phase_rad];
         budget.add(
@@ -98,6 +108,23 @@ impl PointBudget<'static> {
         self.magnitude.add(component(Row::a1(row), magnitude))?;
         self.phase.add(component(Row::a2_from_a1(row), phase))?;
         Ok(())
+    }
+
+    /// Adds the uncertainty of the ratio of the channels, where it was measured.
+    fn add_ratio(&mut self, known: &Response) -> Result<(), BudgetError> {
+        let component = |row, value| {
+            Component::new(row, value, EXPANDED_K2).labelled("ratio of the channels, as measured")
+        };
+        let values = [
+            known.expanded_uncertainty_rel,
+            known.expanded_uncertainty_phase_rad,
+        ];
+        self.add(RATIO, component, values)?;
+        self.add_above_zero(
+            RATIO,
+            "interpolation of the ratio of the channels",
+            [known.interpolation_rel, known.interpolation_phase_rad],
+        )
     }
 
     /// Adds rectangular components where their half-widths are above zero.

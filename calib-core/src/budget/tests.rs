@@ -2,6 +2,7 @@
 
 use super::coverage::PROBABILITY_K2;
 use super::*;
+use crate::channel_ratio::ChannelRatioPoint;
 use crate::point::{PointResult, PointSpec};
 use crate::settings::{Distribution, Settings};
 use crate::verdict::Reason;
@@ -563,6 +564,44 @@ fn a_point_budget_has_a_row_for_every_source() {
     );
     assert_eq!(magnitude.coverage.factor, 2.0);
     assert!(phase.expanded_uncertainty > reference.expanded_uncertainty_phase_rad);
+}
+
+/// Row 3 has the step of the converters and, of 0.02 % and 0.0005 rad with k = 2, the ratio; the 0.1 % of the
+/// parts is gone.
+#[test]
+fn a_measured_ratio_replaces_the_tolerance_of_the_parts() {
+    let mut settings = Settings::field_calibrator();
+    let point = |frequency_hz| ChannelRatioPoint {
+        frequency_hz,
+        magnitude: 1.004,
+        phase_rad: -0.01,
+        expanded_uncertainty_rel: 2.0e-4,
+        expanded_uncertainty_phase_rad: 5.0e-4,
+    };
+    settings
+        .channel_ratio
+        .points
+        .extend([point(100.0), point(160.0)]);
+    let of = |frequency_hz| {
+        let spec = PointSpec {
+            frequency_hz,
+            acceleration_rms_ms2: 10.0,
+        };
+        let reference = settings.reference.at(frequency_hz).expect("in the table");
+        let point = PointResult::refused(spec, None, Reason::Stopped);
+        let budget = point_budget(&settings, &reference, &point).expect("valid");
+        let ratios = |budget: &Budget<'_>, row: u8| -> std::vec::Vec<f32> {
+            let rows = budget.components().iter().filter(|c| c.row.number == row);
+            rows.map(Component::standard_uncertainty).collect()
+        };
+        (ratios(&budget.magnitude, 3), ratios(&budget.phase, 3))
+    };
+    let (magnitude, phase) = of(160.0);
+    assert_eq!((magnitude, phase), (vec![1.0e-4], vec![2.5e-4]));
+    // Outside its table: the tolerance of the parts.
+    let (magnitude, phase) = of(200.0);
+    close(magnitude[0], 0.001 / 3.0_f64.sqrt(), 1.0e-6);
+    close(phase[0], 0.05_f64.to_radians() / 3.0_f64.sqrt(), 1.0e-6);
 }
 
 mod properties {

@@ -269,13 +269,11 @@ impl<'m> Survey<'m> {
         let Some(reference) = self.settings.reference.at(frequency_hz) else {
             return Verdict::Refused(Reason::FrequencyUnavailable);
         };
-        let scale =
-            self.settings.dut_input.volt_per_code / self.settings.reference_input.volt_per_code;
-        result.sensitivity_v_per_ms2 =
-            response.ratio.norm() * scale * reference.sensitivity_v_per_ms2;
-        (result.phase_rad, result.inverted) = self
-            .polarity
-            .split(response.ratio.arg() + reference.phase_rad);
+        let sensitivity = self
+            .settings
+            .sensitivity(response.ratio, &reference, frequency_hz);
+        result.sensitivity_v_per_ms2 = sensitivity.norm();
+        (result.phase_rad, result.inverted) = self.polarity.split(sensitivity.arg());
         result.repeatability_rel = response.standard_uncertainty_rel;
         result.repeatability_phase_rad = response.standard_uncertainty_rel;
         result.blocks = self.spectra.averages() as u16;

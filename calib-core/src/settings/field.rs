@@ -4,6 +4,7 @@ use super::{
     Distribution, Example, Influence, InputScale, Limits, Method, PointInfluences,
     ReferenceCalibration, ReferencePoint, Settings,
 };
+use crate::channel_ratio::ChannelRatio;
 use crate::converter::Converters;
 use crate::points::PREFERRED_HZ;
 use heapless::{String, Vec};
@@ -90,6 +91,7 @@ impl Settings {
                 converter_step_v: CONVERTER_STEP_CODES * converters.volt_per_sample(),
                 ..PointInfluences::NONE
             },
+            channel_ratio: ChannelRatio::UNKNOWN,
         }
     }
 }

@@ -8,6 +8,7 @@ mod validate;
 pub use point_influences::{AtPoint, PointInfluences};
 pub use validate::SettingsError;
 
+use crate::channel_ratio::ChannelRatio;
 use heapless::{String, Vec};
 use serde::{Deserialize, Serialize};
 
@@ -133,8 +134,8 @@ pub struct Influence {
     pub distribution: Distribution,
 }
 
-/// Turns samples of the reference's channel into acceleration: every result
-/// rests on it.
+/// Turns samples of the reference's channel into acceleration, and compares the device's channel
+/// with it: every result rests on it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReferenceChannel {
@@ -142,6 +143,8 @@ pub struct ReferenceChannel {
     pub calibration: ReferenceCalibration,
     /// Its input.
     pub input: InputScale,
+    /// The device's channel over it.
+    pub ratio: ChannelRatio,
 }
 
 /// Everything that is set before a measurement.
@@ -171,6 +174,9 @@ pub struct Settings {
     /// Influence quantities that differ from point to point.
     #[serde(default)]
     pub point_influences: PointInfluences,
+    /// The device's channel over the reference's, where it was measured.
+    #[serde(default)]
+    pub channel_ratio: ChannelRatio,
 }
 
 impl Settings {
@@ -198,6 +204,7 @@ impl Settings {
         blocks: 0,
         influences: Vec::new(),
         point_influences: PointInfluences::NONE,
+        channel_ratio: ChannelRatio::UNKNOWN,
     };
 
     /// Settings of the reference's channel.
@@ -205,12 +212,15 @@ impl Settings {
         ReferenceChannel {
             calibration: self.reference.clone(),
             input: self.reference_input,
+            ratio: self.channel_ratio.clone(),
         }
     }
 
     /// Whether `other` says the same of the reference's channel.
     pub fn has_reference_channel_of(&self, other: &Self) -> bool {
-        self.reference == other.reference && self.reference_input == other.reference_input
+        self.reference == other.reference
+            && self.reference_input == other.reference_input
+            && self.channel_ratio == other.channel_ratio
     }
 }
 
@@ -221,7 +231,7 @@ mod tests {
     #[test]
     fn every_part_of_the_reference_channel_counts_and_nothing_else() {
         type Change = fn(&mut Settings);
-        let of_reference: [Change; 7] = [
+        let of_reference: [Change; 8] = [
             |s| s.reference.serial = String::try_from("R 2").expect("short"),
             |s| s.reference.certificate = String::try_from("C 2").expect("short"),
             |s| s.reference.due_day += 1,
@@ -229,6 +239,7 @@ mod tests {
             |s| s.reference.points[3].sensitivity_v_per_ms2 *= 1.001,
             |s| s.reference.points[3].expanded_uncertainty_phase_rad *= 1.001,
             |s| s.reference_input.volt_per_code *= 1.001,
+            |s| s.channel_ratio.measured_day += 1,
         ];
         let of_others: [Change; 4] = [
             |s| s.dut_input.volt_per_code *= 1.001,

@@ -26,7 +26,15 @@ pub enum SettingsError {
     Influence(u8),
     /// A coefficient of an influence that differs from point to point is negative or not finite.
     PointInfluences,
+    /// Row of the ratio of the channels (from 0): a value is not finite, its frequency does not rise, or
+    /// it is no ratio of equal channels: 0.9 to 1.1 and 10 degrees either way.
+    ChannelRatio(u8),
 }
+
+/// Ratios of channels that are built alike: what lies outside is a wrong lead or a wrong range.
+const RATIO_RANGE: core::ops::RangeInclusive<f32> = 0.9..=1.1;
+/// Largest phase of such a ratio, either way, rad: 10 degrees.
+const RATIO_PHASE_RAD: f32 = 0.174_533;
 
 impl fmt::Display for SettingsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -56,6 +64,12 @@ impl fmt::Display for SettingsError {
             Self::PointInfluences => {
                 f.write_str("point_influences: coefficients must be finite and not negative")
             }
+            Self::ChannelRatio(i) => write!(
+                f,
+                "channel_ratio, row {}: frequencies must rise, magnitudes lie from 0.9 to 1.1, \
+                 phases within 0.17 rad, uncertainties be positive",
+                nth(i)
+            ),
         }
     }
 }
@@ -82,10 +96,27 @@ impl Settings {
             return Err(SettingsError::Blocks);
         }
         self.validate_influences()?;
-        match self.point_influences.is_valid() {
-            true => Ok(()),
-            false => Err(SettingsError::PointInfluences),
+        if !self.point_influences.is_valid() {
+            return Err(SettingsError::PointInfluences);
         }
+        self.validate_channel_ratio()
+    }
+
+    fn validate_channel_ratio(&self) -> Result<(), SettingsError> {
+        let mut last_hz = 0.0;
+        for (row, index) in self.channel_ratio.points.iter().zip(0_u8..) {
+            let valid = row.frequency_hz.is_finite()
+                && row.frequency_hz > last_hz
+                && RATIO_RANGE.contains(&row.magnitude)
+                && row.phase_rad.abs() <= RATIO_PHASE_RAD
+                && positive(row.expanded_uncertainty_rel)
+                && positive(row.expanded_uncertainty_phase_rad);
+            if !valid {
+                return Err(SettingsError::ChannelRatio(index));
+            }
+            last_hz = row.frequency_hz;
+        }
+        Ok(())
     }
 
     fn validate_reference(&self) -> Result<(), SettingsError> {
@@ -154,6 +185,7 @@ impl Settings {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::channel_ratio::ChannelRatioPoint;
 
     #[test]
     fn what_waits_in_memory_is_no_setting() {
@@ -163,7 +195,7 @@ mod tests {
     #[test]
     fn every_impossible_setting_is_named() {
         type Change = fn(&mut Settings);
-        let wrong: [(Change, SettingsError); 10] = [
+        let wrong: [(Change, SettingsError); 11] = [
             (|s| s.reference.points.clear(), SettingsError::NoReference),
             (
                 |s| s.reference.points[3].sensitivity_v_per_ms2 = f32::NAN,
@@ -187,6 +219,19 @@ mod tests {
             ),
             (|s| s.limits.drive_peak_v = 11.0, SettingsError::DriveLimit),
             (|s| s.blocks = 1, SettingsError::Blocks),
+            (
+                |s| {
+                    let row = ChannelRatioPoint {
+                        frequency_hz: 160.0,
+                        magnitude: 0.85,
+                        phase_rad: 0.0,
+                        expanded_uncertainty_rel: 1.0e-4,
+                        expanded_uncertainty_phase_rad: 1.0e-4,
+                    };
+                    s.channel_ratio.points.extend([row]);
+                },
+                SettingsError::ChannelRatio(0),
+            ),
             (|s| s.influences[2].row = 19, SettingsError::Influence(2)),
             (
                 |s| {

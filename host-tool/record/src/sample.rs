@@ -5,6 +5,7 @@
 //! U = 0.5 % at all frequencies. U of each point is computed here in f64 from
 //! the influence quantities, independently of calib-core.
 
+use calib_core::channel_ratio::ChannelRatio;
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::settings::{
     Distribution, Example, Influence, InputScale, Limits, Method, PointInfluences,
@@ -115,6 +116,7 @@ fn settings() -> Settings {
         blocks: BLOCKS,
         influences,
         point_influences: PointInfluences::NONE,
+        channel_ratio: ChannelRatio::UNKNOWN,
     }
 }
 

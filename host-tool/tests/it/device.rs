@@ -1,5 +1,6 @@
 //! A calibrator in memory: the rules of the protocol, without any physics.
 
+use calib_core::channel_ratio::ChannelRatio;
 use calib_core::point::PointResult;
 use calib_core::self_test::{Check, Line, MAX_LINES};
 use calib_core::settings::{
@@ -373,6 +374,7 @@ pub(crate) fn settings() -> Settings {
         blocks: 5,
         influences: heapless::Vec::new(),
         point_influences: PointInfluences::NONE,
+        channel_ratio: ChannelRatio::UNKNOWN,
     }
 }
 

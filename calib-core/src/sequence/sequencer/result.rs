@@ -37,13 +37,11 @@ impl Sequencer<'_> {
         if gathered.ratio.count() < 2 {
             return result;
         }
-        let scale = self.settings.dut_input.volt_per_code
-            / self.settings.reference_input.volt_per_code
-            * plan.reference.sensitivity_v_per_ms2;
-        let sensitivity = gathered.ratio.mean() * scale;
-        let (phase_rad, inverted) = self
-            .polarity
-            .split(sensitivity.arg() + plan.reference.phase_rad);
+        let (ratio, frequency_hz) = (gathered.ratio.mean(), plan.spec.frequency_hz);
+        let sensitivity = self
+            .settings
+            .sensitivity(ratio, &plan.reference, frequency_hz);
+        let (phase_rad, inverted) = self.polarity.split(sensitivity.arg());
         let (repeatability_rel, repeatability_phase_rad) =
             gathered.ratio.standard_deviations_of_mean();
         result.acceleration_rms_ms2 = gathered.mean_level_peak() * FRAC_1_SQRT_2;
