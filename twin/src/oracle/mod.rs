@@ -86,6 +86,15 @@ pub fn anti_alias(rig: &Rig, frequency_hz: f64) -> Complex<f64> {
     )
 }
 
+/// The device's input over the reference's, from connector to converter.
+pub fn channel_ratio(rig: &Rig, frequency_hz: f64) -> Complex<f64> {
+    let converter = &rig.converter;
+    let corner_hz = converter.anti_alias_hz * (1.0 + converter.dut_corner_excess_rel);
+    let filter = butterworth(converter.anti_alias_order, frequency_hz / corner_hz);
+    let late_rad = std::f64::consts::TAU * frequency_hz * converter.dut_delay_s;
+    Complex::from_polar(1.0, -late_rad) * filter / anti_alias(rig, frequency_hz)
+}
+
 /// Butterworth low-pass of `order` at `ratio` of its corner, from its poles.
 fn butterworth(order: u32, ratio: f64) -> Complex<f64> {
     (0..order)

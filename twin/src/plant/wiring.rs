@@ -82,8 +82,11 @@ impl Wiring {
             // What the other channel is early, this one is late.
             let late = Section::Delay(advances[1 - index]);
             let volt = realise(&mut network, &late, &volt, &coil.travel);
-            let order = converter.anti_alias_order;
-            inputs.push(network.butterworth(&volt, order, converter.anti_alias_hz));
+            let volt = match converter.common_source {
+                Some(source) => demand.clone().scaled(source.gains()[index]),
+                None => volt,
+            };
+            inputs.push(input(&mut network, converter, index, &volt));
         }
         let two =
             |mut list: Vec<Signal>| std::array::from_fn(|index| std::mem::take(&mut list[index]));
@@ -99,6 +102,18 @@ impl Wiring {
             network,
         }
     }
+}
+
+/// From the connector of a channel to its converter.
+fn input(network: &mut Network, converter: &Converter, channel: usize, volt: &Signal) -> Signal {
+    let order = converter.anti_alias_order;
+    if channel == 0 {
+        return network.butterworth(volt, order, converter.anti_alias_hz);
+    }
+    let late = Section::Delay(converter.dut_delay_s);
+    let volt = realise(network, &late, volt, &Signal::default());
+    let corner_hz = converter.anti_alias_hz * (1.0 + converter.dut_corner_excess_rel);
+    network.butterworth(&volt, order, corner_hz)
 }
 
 fn chain(network: &mut Network, sections: &[Section], input: &Signal, travel: &Signal) -> Signal {

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::common_source::CommonSource;
 use super::range::Range;
 
 /// Digital-to-analogue and analogue-to-digital conversion.
@@ -30,21 +31,31 @@ pub struct Converter {
     pub anti_alias_order: u32,
     /// Its -3 dB corner, Hz.
     pub anti_alias_hz: f64,
-    /// Number of the unit, from which what its converters do wrong is drawn; may be left out.
+    /// By how much the corner of the device's anti-alias filter lies above the reference's, relative: 0,
+    /// which may be left out, for parts without tolerance.
     #[serde(default, skip_serializing_if = "is_zero")]
+    pub dut_corner_excess_rel: f64,
+    /// By how much the device's input is later than the reference's, s; may be left out.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub dut_delay_s: f64,
+    /// One source at both inputs in place of the transducers; may be left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub common_source: Option<CommonSource>,
+    /// Number of the unit, from which what its converters do wrong is drawn; may be left out.
+    #[serde(default, skip_serializing_if = "is_first")]
     pub unit: u64,
     /// What the part's converters do wrong ([`crate::converters::SHEET`]): 1 as the table has it, other
     /// factors are on what is assumed; 0, which may be left out, makes them ideal.
-    #[serde(default, skip_serializing_if = "is_ideal")]
+    #[serde(default, skip_serializing_if = "is_zero")]
     pub errors: f64,
 }
 
-fn is_zero(unit: &u64) -> bool {
+fn is_first(unit: &u64) -> bool {
     *unit == 0
 }
 
-fn is_ideal(factor: &f64) -> bool {
-    *factor == 0.0
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 impl Converter {
@@ -52,7 +63,7 @@ impl Converter {
         let range = |name: &str, value, lowest, highest| {
             Range::new(format!("converter.{name}"), value, lowest, highest)
         };
-        vec![
+        let mut ranges = vec![
             range("sample_rate_hz", self.sample_rate_hz, 1e3, 1e6),
             range(
                 "input_full_scale_peak_v",
@@ -69,8 +80,17 @@ impl Converter {
             range("reconstruction_hz", self.reconstruction_hz, 100.0, 1e6),
             range("anti_alias_order", self.anti_alias_order.into(), 2.0, 8.0),
             range("anti_alias_hz", self.anti_alias_hz, 100.0, 1e6),
+            range(
+                "dut_corner_excess_rel",
+                self.dut_corner_excess_rel,
+                -0.5,
+                0.5,
+            ),
+            range("dut_delay_s", self.dut_delay_s, 0.0, 1e-3),
             range("errors", self.errors, 0.0, 10.0),
-        ]
+        ];
+        ranges.extend(self.common_source.iter().flat_map(CommonSource::ranges));
+        ranges
     }
 }
 

@@ -4,6 +4,7 @@
 //! another device under test and another plant of the same kind.
 
 mod certificate;
+mod common_source;
 mod converter;
 mod draw;
 mod error;
@@ -21,6 +22,7 @@ use crate::effects::ActiveEffect;
 use crate::effects::fault::ActiveFault;
 
 pub use certificate::Certificate;
+pub use common_source::CommonSource;
 pub use converter::{Amplifier, Converter};
 pub use error::RigError;
 pub use exciter::Exciter;
