@@ -15,6 +15,7 @@
 //! | [`sensitivity`] | sensitivity from readings, conversions | ISO 16063-21 clause 6 |
 //! | [`nomogram`] | acceleration, velocity, displacement | ISO 16063-21 Annex C |
 //! | [`lists`], [`line_fit`] | point and linearity lists, straight lines | ISO 16063-21 5, GUM H.3 |
+//! | [`channel_ratio`] | ratio of the two channels, with one source at both | ISO 16063-21 clause 6 |
 //! | [`check`] | a record against Tables 1 to 6 and clause 7 | ISO 16063-21 |
 //! | [`teds`] | what an accelerometer says about itself | IEEE 1451.4 |
 //! | [`statistics`] | quantiles | |
@@ -25,6 +26,7 @@
 #![forbid(unsafe_code)]
 
 pub mod budget;
+pub mod channel_ratio;
 pub mod check;
 pub mod discrete;
 pub mod evaluated;

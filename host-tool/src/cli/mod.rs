@@ -4,6 +4,7 @@
 //! `run(self, context) -> Result<()>`. Data goes to standard output (tables,
 //! or JSON with `--json` and `--json-lines`), everything else to standard error.
 
+mod adjust;
 mod budget;
 mod capture;
 mod certificate;
@@ -17,6 +18,7 @@ mod doctor;
 mod download;
 mod emulate;
 mod gap;
+mod hand;
 mod identify;
 mod info;
 mod linking;
@@ -89,6 +91,8 @@ pub(crate) enum Command {
     Run(run::Run),
     /// Prints or replaces the calibrator's settings.
     Settings(settings::Settings),
+    /// Measures what the channels differ by, and takes it away.
+    Adjust(adjust::Adjust),
     /// Waveforms of both channels: d.c., harmonics, noise, spectrum.
     Capture(capture::CaptureVerb),
     /// Stops a run and silences the exciter.
@@ -162,6 +166,7 @@ impl Command {
             Self::Selftest(verb) => verb.run(context),
             Self::Run(verb) => verb.run(context),
             Self::Settings(verb) => verb.run(context),
+            Self::Adjust(verb) => verb.run(context),
             Self::Capture(verb) => verb.run(context),
             Self::Stop(verb) => verb.run(context),
             Self::Records(verb) => verb.run(context),

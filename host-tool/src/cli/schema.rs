@@ -2,7 +2,9 @@
 
 use super::context::Failure;
 use super::progress::RunEvent;
-use super::{Context, capture, certificate, completions, convert, download, emulate, gap, logbook};
+use super::{
+    Context, adjust, capture, certificate, completions, convert, download, emulate, gap, logbook,
+};
 use super::{
     identify, linking, phase, predict, release, risk, run, sensitivity, serve, stop, version,
 };
@@ -79,6 +81,7 @@ fn of<T: JsonSchema>(name: &'static str) -> (&'static str, Schema) {
 /// of `--json-lines` is no row of that; `page-` what the page is given.
 fn all() -> Vec<(&'static str, Schema)> {
     vec![
+        of::<adjust::Output>("adjust-ratio"),
         of::<Either<EvaluationView, Template>>("budget"),
         of::<capture::Output<'_>>("capture"),
         of::<certificate::Written>("certificate"),

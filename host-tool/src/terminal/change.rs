@@ -1,5 +1,6 @@
 //! A change of the reference's calibration: before and since, row by row.
 
+use calib_core::channel_ratio::ChannelRatio;
 use calib_core::settings::{ReferenceChannel, ReferencePoint};
 use calib_protocol::change::ReferenceChange;
 use jiff::Timestamp;
@@ -11,7 +12,7 @@ pub fn show_change(change: &ReferenceChange) -> String {
     let (before, since) = (&change.before, &change.settings.reference_channel());
     let labels = &change.head.labels;
     let mut text = format!(
-        "record {} of {}: another calibration of the reference\n{}, {}\n\n",
+        "record {} of {}: what every result rests on has changed\n{}, {}\n\n",
         change.head.id,
         change.head.instrument_serial,
         time(labels.unix_time_s),
@@ -38,6 +39,7 @@ pub fn show_change(change: &ReferenceChange) -> String {
     line("V per code", &|channel| {
         format!("{:e}", channel.input.volt_per_code)
     });
+    line("channels", &|channel| ratio(&channel.ratio));
     text.push_str(
         "\n     Hz  mV/(m/s2)      U %  phase deg  mV/(m/s2)      U %  phase deg  change %\n",
     );
@@ -45,6 +47,14 @@ pub fn show_change(change: &ReferenceChange) -> String {
         text.push_str(&row(before, since));
     }
     text
+}
+
+/// The ratio of the channels in a few words.
+fn ratio(ratio: &ChannelRatio) -> String {
+    match ratio.points.len() {
+        0 => "taken as equal".into(),
+        count => format!("ratio of {}, {count} frequencies", day(ratio.measured_day)),
+    }
 }
 
 /// Rows of both tables side by side, by frequency.

@@ -4,6 +4,7 @@
 //! One program, so that it is linked once and its tests share the cores; what waits in real time, for
 //! a process or a browser, is in programs of its own beside it.
 
+mod adjust;
 mod alignment;
 mod board;
 mod board_faults;

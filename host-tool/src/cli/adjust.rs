@@ -1,0 +1,164 @@
+//! `calib adjust`: measures what parts of the instrument differ by, and takes it away.
+
+use super::hand::Hand;
+use super::number::positive;
+use super::{Context, source, time};
+use calib_core::point::PointSpec;
+use calib_host::{Error, Result};
+use calib_link::Client;
+use calib_link::session::{self, label};
+use calib_metrology::channel_ratio::{self, Evaluated, RatioLine};
+use calib_protocol::record::{Record, RunLabels};
+use clap::{Args, Subcommand};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::io::{IsTerminal, stdin};
+use std::path::{Path, PathBuf};
+
+/// `calib adjust`.
+#[derive(Debug, Args)]
+pub(crate) struct Adjust {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// The ratio of the two channels, with one source at both inputs.
+    Ratio(Ratio),
+}
+
+/// `calib adjust ratio`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Take the amplifier off the drive output and the transducers off the inputs. Lead the drive output
+through a divider of 5 to 1 (400 and 100 ohm) to both inputs. calib measures, asks for the two leads
+to be exchanged, and measures again: what the leads differ by cancels.
+
+  calib adjust ratio                              measures and prints
+  calib adjust ratio --write                      and stores, under a hand on the button
+  calib adjust ratio 12 13 --write                of two runs that were measured before
+
+With a ratio in force every result is divided by it, and its uncertainty stands in the budget in place
+of the tolerance of the parts (row 3 of Table A.1).")]
+struct Ratio {
+    /// Two runs with one source at both inputs, the second with the leads exchanged: files, or numbers of
+    /// records in the calibrator. Without them calib measures.
+    #[arg(num_args = 2, value_name = "RECORD")]
+    records: Vec<PathBuf>,
+    /// Point list, .toml or .csv, of at most 28 frequencies; default: one-third octaves, 20 Hz to 10 kHz.
+    #[arg(long, short, value_name = "FILE", conflicts_with = "records")]
+    points: Option<PathBuf>,
+    /// What the reference would call acceleration, m/s2 r.m.s.: 50 is 0.72 V peak at the inputs. The higher,
+    /// the less the step of the converters counts.
+    #[arg(long, short, default_value_t = 50.0, value_name = "MS2", value_parser = positive::<f32>)]
+    level: f32,
+    /// Stores the ratio in the calibrator.
+    #[arg(long)]
+    write: bool,
+    #[command(flatten)]
+    hand: Hand,
+}
+
+/// What was found.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Output {
+    /// Each frequency.
+    points: Vec<RatioLine>,
+    /// Whether the calibrator has stored it.
+    stored: bool,
+}
+
+impl Adjust {
+    /// Measures, prints, and stores if asked to.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let What::Ratio(ratio) = self.what;
+        ratio.run(context)
+    }
+}
+
+impl Ratio {
+    fn run(self, context: &Context) -> Result<()> {
+        let [straight, exchanged] = match self.records.as_slice() {
+            [straight, exchanged] => [read(context, straight)?, read(context, exchanged)?],
+            _ => self.measure_both(context)?,
+        };
+        let evaluated = channel_ratio::evaluate(&straight, &exchanged).map_err(|error| {
+            Error::input(
+                "the two runs",
+                error.to_string(),
+                "`calib adjust ratio` guides through both",
+            )
+        })?;
+        if self.write {
+            self.store(context, &evaluated)?;
+        }
+        let output = Output {
+            points: evaluated.lines,
+            stored: self.write,
+        };
+        context.print(&output, || channel_ratio::report(&output.points))
+    }
+
+    fn measure_both(&self, context: &Context) -> Result<[Box<Record>; 2]> {
+        if !stdin().is_terminal() {
+            return Err(Error::usage(
+                "the leads are exchanged between two runs, and nobody is at the keyboard",
+                "measure both with `calib run`, then `calib adjust ratio RECORD RECORD`",
+            ));
+        }
+        let points = match &self.points {
+            Some(path) => session::read_points(path, self.level)?,
+            None => session::default_points(self.level),
+        };
+        let mut client = context.connect()?;
+        client.info()?;
+        wait_for("one source at both inputs, the power amplifier off the drive output")?;
+        let straight = self.measure(&mut client, &points)?;
+        wait_for("the two leads exchanged")?;
+        Ok([straight, self.measure(&mut client, &points)?])
+    }
+
+    fn measure(&self, client: &mut Client, points: &[PointSpec]) -> Result<Box<Record>> {
+        let labels = RunLabels {
+            unix_time_s: time::unix_time_s(),
+            dut_model: label("model", "ratio of the channels")?,
+            operator: label("--operator", self.hand.operator())?,
+            ..RunLabels::default()
+        };
+        let stop = super::run::stop_on_interrupt();
+        let outcome = session::run(client, points, labels, |_| stop())?;
+        let folder = tempfile::tempdir()
+            .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
+        let id = outcome.record_id;
+        let download = session::download(client, id, folder.path(), |_| ())?;
+        Ok(Box::new(download.record))
+    }
+
+    fn store(&self, context: &Context, evaluated: &Evaluated) -> Result<()> {
+        let mut client = self.hand.connect(context)?;
+        client.info()?;
+        let mut settings = client.settings()?;
+        settings.channel_ratio = evaluated.ratio.clone();
+        self.hand.store(context, &mut client, settings)?;
+        context.remark("stored: every result from here on is divided by it");
+        Ok(())
+    }
+}
+
+fn read(context: &Context, path: &Path) -> Result<Box<Record>> {
+    let found = source::find(context, path, Path::new("."))?;
+    Ok(Box::new(found.calibration()?.clone()))
+}
+
+fn wait_for(what: &str) -> Result<()> {
+    eprintln!("Connect: {what}. Then press Enter.");
+    let mut line = String::new();
+    match stdin().read_line(&mut line) {
+        Ok(1..) => Ok(()),
+        Ok(0) | Err(_) => Err(Error::usage(
+            "the operator has left: nothing was changed",
+            "call `calib adjust ratio` again",
+        )),
+    }
+}

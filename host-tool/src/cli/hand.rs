@@ -1,0 +1,71 @@
+//! Settings that change only under a hand on the instrument.
+
+use super::Context;
+use calib_core::settings::Settings;
+use calib_host::Result;
+use calib_link::Client;
+use calib_link::session;
+use calib_protocol::message::SettingsChange;
+use clap::Args;
+use std::time::Duration;
+
+/// How often to ask again while the button is up.
+const LOOKS_PER_SECOND: u32 = 2;
+
+/// Who changes settings, and whose hand is on the button.
+#[derive(Debug, Args)]
+pub(crate) struct Hand {
+    /// Who changes them, for the log of a change of what every result rests on.
+    #[arg(long, value_name = "NAME", default_value = "", env = "CALIB_OPERATOR")]
+    operator: String,
+    /// How long to wait for a hand on the button, where one is needed.
+    #[arg(long, value_name = "SECONDS", default_value_t = 30)]
+    wait: u16,
+    /// Puts a hand on the button of the emulated calibrator (`--device emulated`).
+    #[arg(long, requires = "write")]
+    hold_button: bool,
+}
+
+impl Hand {
+    /// The name for the log.
+    pub(super) fn operator(&self) -> &str {
+        &self.operator
+    }
+
+    /// Connects, with a hand on the button of the emulated calibrator if asked to.
+    pub(super) fn connect(&self, context: &Context) -> Result<Client> {
+        match self.hold_button {
+            true => context.connect_under_a_hand(),
+            false => context.connect(),
+        }
+    }
+
+    /// Hands the settings over, and waits for a hand on the button if they need one.
+    pub(super) fn store(
+        &self,
+        context: &Context,
+        client: &mut Client,
+        settings: Settings,
+    ) -> Result<()> {
+        let change = SettingsChange {
+            settings,
+            unix_time_s: super::time::unix_time_s(),
+            operator: session::label("--operator", &self.operator)?,
+        };
+        let mut looks = u32::from(self.wait) * LOOKS_PER_SECOND;
+        loop {
+            match client.write_settings(change.clone()) {
+                Err(calib_link::Error::Refused(refused)) if refused.wants_button() && looks > 0 => {
+                    if looks == u32::from(self.wait) * LOOKS_PER_SECOND {
+                        context.remark(
+                            "every result rests on this: hold the button on the instrument",
+                        );
+                    }
+                    looks -= 1;
+                    client.wait(Duration::from_secs(1) / LOOKS_PER_SECOND)?;
+                }
+                done => return Ok(done?),
+            }
+        }
+    }
+}
