@@ -1,7 +1,7 @@
 //! Requests and answers over any transport.
 
 use super::exchange::{Exchange, Failure};
-use super::{ProtocolError, Refused, Transport};
+use super::{ProtocolError, Refused, StopSwitch, Transport};
 use crate::{Error, Result};
 use calib_core::point::PointResult;
 use calib_core::self_test::Line;
@@ -72,6 +72,25 @@ impl Client {
         }
     }
 
+    /// From now on this switch is looked at all the time: a stop goes ahead of any answer that is waited
+    /// for, and of any run that is to begin. Then [`Error::Stopped`] is what a start returns.
+    #[must_use]
+    pub fn heeding(mut self, stop: StopSwitch) -> Self {
+        self.heed(stop);
+        self
+    }
+
+    /// [`Self::heeding`], for a client that is there already.
+    pub fn heed(&mut self, stop: StopSwitch) {
+        self.exchange.heed(stop);
+    }
+
+    /// Passes a stop on now, if one waits on the switch; whether one did.
+    pub fn pass_stop(&mut self) -> Result<bool> {
+        let passed = self.exchange.pass_stop();
+        passed.map_err(|failure| explained(failure, "to stop"))
+    }
+
     /// Sets the number of the first request to the one after `sequence` instead
     /// of one by chance: what is sent is then the same in every run of a test.
     #[must_use]
@@ -87,7 +106,8 @@ impl Client {
 
     /// Lets time pass (virtual time, if the calibrator lives in it).
     pub fn wait(&mut self, duration: Duration) -> Result<()> {
-        Ok(self.exchange.wait(duration)?)
+        let waited = self.exchange.wait(duration);
+        waited.map_err(|failure| explained(failure, "to wait"))
     }
 
     /// Repetitions of requests so far: 0 on a good link.
@@ -143,7 +163,13 @@ impl Client {
 
     /// Silences the exciter and ends the run, if there is one.
     pub fn stop(&mut self) -> Result<()> {
-        self.done("to stop", &Request::Stop, self.policy.answer_timeout)
+        let RetryPolicy {
+            attempts,
+            answer_timeout,
+            ..
+        } = self.policy;
+        let stopped = self.exchange.stop_now(answer_timeout, attempts);
+        stopped.map_err(|failure| explained(failure, "to stop"))
     }
 
     /// Summaries of all stored records, in rising running number.
@@ -274,14 +300,19 @@ impl Client {
                 refusal,
             })),
             Ok(response) => Ok(response),
-            Err(Failure::Link(error)) => Err(Error::Link(error)),
-            Err(Failure::Unreadable { version }) => Err(match version {
-                Some(device) if device != PROTOCOL_VERSION => {
-                    Error::Protocol(ProtocolError::Version { device })
-                }
-                _ => unexpected(what),
-            }),
+            Err(failure) => Err(explained(failure, what)),
         }
+    }
+}
+
+fn explained(failure: Failure, what: &'static str) -> Error {
+    match failure {
+        Failure::Link(error) => Error::Link(error),
+        Failure::Stopped => Error::Stopped,
+        Failure::Unreadable {
+            version: Some(device),
+        } if device != PROTOCOL_VERSION => Error::Protocol(ProtocolError::Version { device }),
+        Failure::Unreadable { .. } => unexpected(what),
     }
 }
 

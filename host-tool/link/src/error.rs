@@ -21,6 +21,9 @@ pub enum Error {
     /// The calibrator understood and declined.
     #[error(transparent)]
     Refused(#[from] Refused),
+    /// A stop was asked for before the run began; it did not begin.
+    #[error("stopped before it began; the exciter is silent")]
+    Stopped,
     /// A file, an input or a request is not usable.
     #[error(transparent)]
     Files(#[from] calib_files::Error),
@@ -47,17 +50,19 @@ impl Error {
             Self::Link(error) => Some(error.hint()),
             Self::Protocol(error) => Some(error.hint()),
             Self::Refused(error) => Some(error.hint()),
+            Self::Stopped => None,
             Self::Files(error) => error.hint(),
         }
     }
 
     /// Exit code of a program that ends with this error: 3 link, 4 protocol,
-    /// 5 refused, else [`calib_files::Error::exit_code`].
+    /// 5 refused, 7 stopped, else [`calib_files::Error::exit_code`].
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Link(_) => 3,
             Self::Protocol(_) => 4,
             Self::Refused(_) => 5,
+            Self::Stopped => 7,
             Self::Files(error) => error.exit_code(),
         }
     }
@@ -83,6 +88,14 @@ pub enum LinkError {
         address: String,
         /// Error of the operating system.
         source: std::io::Error,
+    },
+    /// A stop was sent, and the calibrator did not confirm it in time.
+    #[error("NOT STOPPED: {address} did not confirm the stop: {source}")]
+    StopUnconfirmed {
+        /// Address as given.
+        address: String,
+        /// What came instead.
+        source: Box<LinkError>,
     },
     /// Not a single byte came back.
     #[error("no answer from {address} after {attempts} attempts")]
@@ -119,6 +132,9 @@ impl LinkError {
             Self::Open { hint, .. } => hint,
             Self::Closed { .. } => {
                 "plug the calibrator in again and repeat; a run in progress goes on without the host"
+            }
+            Self::StopUnconfirmed { .. } => {
+                "use the button on the instrument, or the mute of the power amplifier"
             }
             Self::NoAnswer { .. } => {
                 "is it powered, and is this its port? `calib devices` lists the ports"

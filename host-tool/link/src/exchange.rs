@@ -6,9 +6,11 @@
 //! | answer does not come | asked again after the timeout |
 //! | half a frame in the device's receiver | a zero byte before each request ends it |
 //! | late answer to an earlier request | dropped by its sequence number |
-//! | endless bytes without an answer | the attempt ends after [`BYTES_PER_ATTEMPT`] |
+//! | endless bytes without an answer | an attempt ends after [`BYTES_PER_ATTEMPT`] |
+//! | bytes that drip, late answers for ever | the request ends by its one deadline: timeout times attempts |
+//! | a stop is asked for meanwhile | it is sent at once, confirmed, and the request made again |
 
-use super::{LinkError, Transport};
+use super::{LinkError, StopSwitch, Transport};
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
 use calib_protocol::message::{Request, Response, version_of_info};
 use std::io;
@@ -22,6 +24,13 @@ const BYTES_PER_ATTEMPT: usize = 4 * MAX_FRAME;
 /// before the answer, so the rest of what is on its way is still read.
 const QUIET_AFTER_DAMAGE: Duration = Duration::from_millis(100);
 
+/// Longest wait between two looks at the stop switch.
+const LOOK: Duration = Duration::from_millis(10);
+
+/// How often a stop is sent, and how long each is waited for: half a second in all.
+const STOP_ATTEMPTS: u32 = 4;
+const STOP_TIMEOUT: Duration = Duration::from_millis(125);
+
 /// Why an exchange failed.
 #[derive(Debug)]
 pub(super) enum Failure {
@@ -32,6 +41,8 @@ pub(super) enum Failure {
         /// Its protocol version, if it is an `Info` of any version.
         version: Option<u16>,
     },
+    /// A stop was asked for before a run began.
+    Stopped,
 }
 
 /// A whole frame with our sequence number.
@@ -42,6 +53,15 @@ enum Heard {
     Answer(Answer),
     Late,
     Damage,
+}
+
+/// How an attempt ended.
+enum Attempt {
+    Answered(Answer),
+    /// Nothing usable came in its time.
+    Quiet,
+    /// Somebody asks for a stop.
+    Interrupted,
 }
 
 /// Counts for the message when all attempts failed.
@@ -57,6 +77,9 @@ pub(super) struct Exchange {
     receiver: Receiver,
     sequence: u16,
     repetitions: u64,
+    stop: Option<StopSwitch>,
+    /// A stop is on its way: nothing interrupts it.
+    stopping: bool,
 }
 
 impl Exchange {
@@ -66,7 +89,13 @@ impl Exchange {
             receiver: Receiver::new(),
             sequence: first_sequence(),
             repetitions: 0,
+            stop: None,
+            stopping: false,
         }
+    }
+
+    pub(super) fn heed(&mut self, stop: StopSwitch) {
+        self.stop = Some(stop);
     }
 
     pub(super) fn count_from(&mut self, sequence: u16) {
@@ -81,20 +110,79 @@ impl Exchange {
         self.repetitions
     }
 
-    pub(super) fn wait(&mut self, duration: Duration) -> Result<(), LinkError> {
-        let result = self.transport.wait(duration);
-        result.map_err(|source| self.closed(source))
+    /// Lets time pass; a stop that is asked for meanwhile is passed on.
+    pub(super) fn wait(&mut self, duration: Duration) -> Result<(), Failure> {
+        let mut left = duration;
+        loop {
+            self.pass_stop()?;
+            if left.is_zero() {
+                return Ok(());
+            }
+            let step = self.at_most_a_look(left);
+            let waited = self.transport.wait(step);
+            waited.map_err(|source| Failure::Link(self.closed(source)))?;
+            left -= step;
+        }
     }
 
-    /// Sends a request until its answer is here, `attempts` times at most.
+    /// Sends a request until its answer is here, `attempts` times at most, and within `timeout` times
+    /// `attempts` whatever comes. A stop goes first, and a run is not begun past one.
     pub(super) fn request(
         &mut self,
         request: &Request,
         timeout: Duration,
         attempts: u32,
     ) -> Result<Response, Failure> {
+        loop {
+            let stopped = self.pass_stop()?;
+            if stopped && matches!(request, Request::Start(_)) {
+                return Err(Failure::Stopped);
+            }
+            if let Some(response) = self.converse(request, timeout, attempts)? {
+                return Ok(response);
+            }
+        }
+    }
+
+    /// Passes a stop on, if one waits; whether one did.
+    pub(super) fn pass_stop(&mut self) -> Result<bool, Failure> {
+        let waiting = self.stop.as_ref().and_then(StopSwitch::waiting);
+        let Some(number) = waiting else {
+            return Ok(false);
+        };
+        self.stop_now(STOP_TIMEOUT, STOP_ATTEMPTS)?;
+        if let Some(stop) = &self.stop {
+            stop.confirm(number);
+        }
+        Ok(true)
+    }
+
+    /// Sends a stop and waits for its confirmation; nothing interrupts it.
+    pub(super) fn stop_now(&mut self, timeout: Duration, attempts: u32) -> Result<(), Failure> {
+        self.stopping = true;
+        let answered = self.converse(&Request::Stop, timeout, attempts);
+        self.stopping = false;
+        match answered {
+            Ok(Some(Response::Done)) => Ok(()),
+            Ok(_) => Err(Failure::Unreadable { version: None }),
+            Err(Failure::Link(source)) => Err(Failure::Link(LinkError::StopUnconfirmed {
+                address: self.name(),
+                source: Box::new(source),
+            })),
+            Err(other) => Err(other),
+        }
+    }
+
+    /// One request under a number of its own; `None` when a stop came in between.
+    fn converse(
+        &mut self,
+        request: &Request,
+        timeout: Duration,
+        attempts: u32,
+    ) -> Result<Option<Response>, Failure> {
         self.sequence = self.sequence.wrapping_add(1);
         let frame = self.frame(request)?;
+        let deadline = self.transport.now() + timeout * attempts;
         let mut tally = Tally::default();
         for attempt in 1..=attempts {
             self.repetitions += u64::from(attempt > 1);
@@ -102,9 +190,12 @@ impl Exchange {
             let outcome = self
                 .transport
                 .send(&frame)
-                .and_then(|()| self.answer(timeout, &mut tally));
-            if let Some(answer) = outcome.map_err(|source| Failure::Link(self.closed(source)))? {
-                return answer.map(|response| *response);
+                .and_then(|()| self.answer(timeout, deadline, &mut tally));
+            match outcome.map_err(|source| Failure::Link(self.closed(source)))? {
+                Attempt::Answered(answer) => return answer.map(|response| Some(*response)),
+                Attempt::Interrupted => return Ok(None),
+                Attempt::Quiet if self.transport.now() >= deadline => break,
+                Attempt::Quiet => {}
             }
         }
         Err(Failure::Link(self.gave_up(attempts, &tally)))
@@ -121,32 +212,70 @@ impl Exchange {
         Ok(buffer)
     }
 
-    /// Reads until the answer, or quiet.
-    fn answer(&mut self, timeout: Duration, tally: &mut Tally) -> io::Result<Option<Answer>> {
+    /// Reads until the answer, or quiet, or the deadline.
+    fn answer(
+        &mut self,
+        timeout: Duration,
+        deadline: Duration,
+        tally: &mut Tally,
+    ) -> io::Result<Attempt> {
         let mut buffer = [0; 1024];
         let (mut read, mut timeout) = (0, timeout);
+        let mut quiet_at = self.transport.now() + timeout;
         while read < BYTES_PER_ATTEMPT {
-            let count = self.transport.receive(&mut buffer, timeout)?;
-            if count == 0 {
+            if self.stop_waits() {
+                return Ok(Attempt::Interrupted);
+            }
+            let left = quiet_at.min(deadline).saturating_sub(self.transport.now());
+            let step = self.at_most_a_look(left);
+            if step.is_zero() {
+                break;
+            }
+            let count = self.transport.receive(&mut buffer, step)?;
+            if count == 0 && step < left {
+                continue;
+            } else if count == 0 {
                 break;
             }
             read += count;
             tally.bytes += count;
-            for byte in &buffer[..count] {
-                let Some(raw) = self.receiver.push(*byte) else {
-                    continue;
-                };
-                match judge(raw, self.sequence) {
-                    Heard::Answer(answer) => return Ok(Some(answer)),
-                    Heard::Damage => {
-                        tally.damaged += 1;
-                        timeout = timeout.min(QUIET_AFTER_DAMAGE);
-                    }
-                    Heard::Late => {}
+            if let Some(answer) = self.take(&buffer[..count], &mut timeout, tally) {
+                return Ok(Attempt::Answered(answer));
+            }
+            quiet_at = self.transport.now() + timeout;
+        }
+        Ok(Attempt::Quiet)
+    }
+
+    /// Takes bytes; the answer, if they end it. Damage shortens the quiet that ends the attempt.
+    fn take(&mut self, bytes: &[u8], timeout: &mut Duration, tally: &mut Tally) -> Option<Answer> {
+        for byte in bytes {
+            let Some(raw) = self.receiver.push(*byte) else {
+                continue;
+            };
+            match judge(raw, self.sequence) {
+                Heard::Answer(answer) => return Some(answer),
+                Heard::Damage => {
+                    tally.damaged += 1;
+                    *timeout = (*timeout).min(QUIET_AFTER_DAMAGE);
                 }
+                Heard::Late => {}
             }
         }
-        Ok(None)
+        None
+    }
+
+    fn stop_waits(&self) -> bool {
+        let waiting = self.stop.as_ref().and_then(StopSwitch::waiting);
+        !self.stopping && waiting.is_some()
+    }
+
+    /// As long as `duration`, or until the switch is to be looked at again.
+    fn at_most_a_look(&self, duration: Duration) -> Duration {
+        match self.stop {
+            Some(_) => duration.min(LOOK),
+            None => duration,
+        }
     }
 
     fn closed(&self, source: io::Error) -> LinkError {

@@ -9,8 +9,9 @@
 //!              capture: waveforms, and what is in them
 //! ```
 //!
-//! The client never looks at a clock: a transport says when a timeout is over.
-//! So the same code runs against hardware and in the virtual time of a twin.
+//! The client never looks at a clock but the one of its transport, which has the time of the link. So the
+//! same code runs against hardware and in the virtual time of a twin, and every request ends: whatever
+//! comes, by one deadline. A [`StopSwitch`] is heeded ahead of any answer that is waited for.
 
 #![forbid(unsafe_code)]
 
@@ -22,6 +23,7 @@ mod exchange;
 pub mod port;
 mod serial;
 pub mod session;
+mod stop_switch;
 mod tcp;
 mod transport;
 
@@ -29,5 +31,6 @@ pub use address::Address;
 pub use client::{Chunk, Client, RetryPolicy};
 pub use error::{Error, LinkError, ProtocolError, Refused, Result};
 pub use serial::SerialTransport;
+pub use stop_switch::StopSwitch;
 pub use tcp::TcpTransport;
-pub use transport::{Transport, pause_as_nothing};
+pub use transport::{Transport, pause_as_nothing, since_start};

@@ -1,11 +1,14 @@
 //! A serial port: the ST-LINK's virtual COM port, or USB CDC.
 
-use super::transport::{end_as_error, pause_as_nothing};
+use super::transport::{end_as_error, pause_as_nothing, since_start};
 use super::{LinkError, Transport};
 use calib_protocol::frame::SERIAL_BAUD;
 use serialport::{ErrorKind, SerialPort};
 use std::io::{self, Read, Write};
 use std::time::Duration;
+
+/// Longest wait for room to send: a request is small, and a port takes it at once.
+const WRITE_LIMIT: Duration = Duration::from_millis(200);
 
 /// An open serial port.
 pub struct SerialTransport {
@@ -58,12 +61,17 @@ impl Transport for SerialTransport {
     }
 
     fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.port.write_all(bytes)?;
-        self.port.flush()
+        // Not flushed: a port whose other end does not read would be waited for without a limit.
+        self.port.set_timeout(WRITE_LIMIT)?;
+        self.port.write_all(bytes)
     }
 
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
         self.port.set_timeout(timeout)?;
         pause_as_nothing(end_as_error(self.port.read(buffer)))
+    }
+
+    fn now(&self) -> Duration {
+        since_start()
     }
 }

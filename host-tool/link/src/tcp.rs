@@ -1,10 +1,13 @@
 //! A TCP connection: `calib emulate --tcp`, or a serial server in the field.
 
-use super::transport::{end_as_error, pause_as_nothing};
+use super::transport::{end_as_error, pause_as_nothing, since_start};
 use super::{LinkError, Transport};
 use std::io::{self, Read, Write};
 use std::net::{TcpStream, ToSocketAddrs};
 use std::time::Duration;
+
+/// Longest wait for room to send: a request is small, and its peer reads.
+const WRITE_LIMIT: Duration = Duration::from_millis(200);
 
 /// An open connection.
 pub struct TcpTransport {
@@ -42,7 +45,8 @@ impl TcpTransport {
     fn from_stream(peer: &str, stream: TcpStream) -> io::Result<Self> {
         // A request is one small packet: waiting for more would only delay it.
         stream.set_nodelay(true)?;
-        stream.set_write_timeout(Some(Duration::from_secs(5)))?;
+        // A peer that reads nothing must not keep a stop waiting.
+        stream.set_write_timeout(Some(WRITE_LIMIT))?;
         Ok(Self {
             peer: peer.to_owned(),
             stream,
@@ -64,5 +68,9 @@ impl Transport for TcpTransport {
         self.stream
             .set_read_timeout(Some(timeout.max(Duration::from_millis(1))))?;
         pause_as_nothing(end_as_error(self.stream.read(buffer)))
+    }
+
+    fn now(&self) -> Duration {
+        since_start()
     }
 }

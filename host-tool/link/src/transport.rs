@@ -1,7 +1,8 @@
 //! Carriers of bytes to a calibrator and back.
 
 use std::io;
-use std::time::Duration;
+use std::sync::LazyLock;
+use std::time::{Duration, Instant};
 
 /// A two-way stream of bytes with timeouts.
 ///
@@ -23,6 +24,10 @@ pub trait Transport: Send {
     /// # Errors
     /// The link is gone; `UnexpectedEof` when the other end closed it.
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize>;
+
+    /// Time on the clock of this link, from any moment on: [`since_start`] for hardware, virtual time for a
+    /// transport into a twin. It moves while [`Self::receive`] and [`Self::wait`] wait.
+    fn now(&self) -> Duration;
 
     /// Lets time pass. A transport into a twin runs the twin instead.
     ///
@@ -47,9 +52,19 @@ impl<T: Transport + ?Sized> Transport for Box<T> {
         (**self).receive(buffer, timeout)
     }
 
+    fn now(&self) -> Duration {
+        (**self).now()
+    }
+
     fn wait(&mut self, duration: Duration) -> io::Result<()> {
         (**self).wait(duration)
     }
+}
+
+/// Time on the wall since this was first asked: the clock of links to hardware.
+pub fn since_start() -> Duration {
+    static START: LazyLock<Instant> = LazyLock::new(Instant::now);
+    START.elapsed()
 }
 
 /// A read that ended for want of bytes in time has read none.

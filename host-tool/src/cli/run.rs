@@ -4,8 +4,8 @@ use super::{Context, logbook, number::positive, progress, progress::RunProgress,
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::verdict::Verdict;
 use calib_host::{Error, Result};
-use calib_link::Client;
 use calib_link::session::{self, Outcome, label, temperature_centi_c};
+use calib_link::{Client, StopSwitch};
 use calib_logbook::{Kept, Sensor};
 use calib_output::{PointView, code};
 use calib_protocol::message::RunState;
@@ -15,8 +15,6 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// `calib run`.
 #[derive(Debug, Args)]
@@ -178,21 +176,35 @@ fn measure(
     labels: RunLabels,
     progress: &mut RunProgress<'_>,
 ) -> Result<Outcome> {
-    let stop = stop_on_interrupt();
+    let switch = switch_of_interrupts();
+    // Ahead of any answer that is waited for; the look at each progress is a second way.
+    client.heed(switch.clone());
     let outcome = session::run_excited(client, points, excitation, labels, |state| {
         progress.show(state, points);
-        stop()
+        flow(&switch)
     });
     Ok(outcome?)
 }
 
 /// From now on, Ctrl-C asks a run to stop instead of ending the tool.
 pub(super) fn stop_on_interrupt() -> impl Fn() -> ControlFlow<()> {
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&interrupted);
+    let switch = switch_of_interrupts();
+    move || flow(&switch)
+}
+
+/// From now on, Ctrl-C is a stop on this switch.
+fn switch_of_interrupts() -> StopSwitch {
+    let switch = StopSwitch::default();
+    let pressed = switch.clone();
     // Without the handler Ctrl-C still ends this tool; the calibrator goes on.
-    let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
-    move || match interrupted.load(Ordering::Relaxed) {
+    let _ = ctrlc::set_handler(move || {
+        pressed.ask();
+    });
+    switch
+}
+
+fn flow(switch: &StopSwitch) -> ControlFlow<()> {
+    match switch.is_asked() {
         true => ControlFlow::Break(()),
         false => ControlFlow::Continue(()),
     }

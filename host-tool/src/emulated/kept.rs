@@ -92,6 +92,10 @@ impl Transport for KeptBoard {
         self.link.send(bytes)
     }
 
+    fn now(&self) -> Duration {
+        self.link.now()
+    }
+
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
         self.link.receive(buffer, timeout)
     }

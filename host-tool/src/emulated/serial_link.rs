@@ -30,6 +30,11 @@ impl Transport for EmulatedTransport {
         self.serial.write_all(bytes)
     }
 
+    fn now(&self) -> Duration {
+        let emulator = self.emulator.lock();
+        emulator.unwrap_or_else(PoisonError::into_inner).elapsed()
+    }
+
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
         self.serial.set_timeout(timeout);
         pause_as_nothing(self.serial.read(buffer))

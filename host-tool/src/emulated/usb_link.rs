@@ -56,6 +56,10 @@ impl Transport for EmulatedUsbTransport {
         self.serial.write_all(bytes)
     }
 
+    fn now(&self) -> Duration {
+        self.host.now()
+    }
+
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
         self.serial.set_timeout(timeout);
         pause_as_nothing(self.serial.read(buffer))

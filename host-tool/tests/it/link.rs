@@ -136,6 +136,9 @@ impl Transport for Parrot {
     fn send(&mut self, _: &[u8]) -> io::Result<()> {
         Ok(())
     }
+    fn now(&self) -> Duration {
+        Duration::ZERO
+    }
     fn receive(&mut self, buffer: &mut [u8], _: Duration) -> io::Result<usize> {
         let count = buffer.len().min(self.0.len());
         buffer[..count].copy_from_slice(&self.0[..count]);

@@ -113,6 +113,10 @@ impl Transport for MemoryLink {
         Ok(())
     }
 
+    fn now(&self) -> Duration {
+        Duration::ZERO
+    }
+
     fn receive(&mut self, buffer: &mut [u8], _timeout: Duration) -> io::Result<usize> {
         let count = buffer.len().min(self.inbox.len()).min(self.read_size);
         if count == 0 && self.gone {

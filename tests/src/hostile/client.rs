@@ -77,6 +77,10 @@ impl Transport for Babbler {
         Ok(())
     }
 
+    fn now(&self) -> Duration {
+        Duration::ZERO
+    }
+
     fn receive(&mut self, buffer: &mut [u8], _: Duration) -> io::Result<usize> {
         let count = buffer.len().min(self.inbox.len());
         for (slot, byte) in buffer.iter_mut().zip(self.inbox.drain(..count)) {

@@ -155,6 +155,11 @@ impl Transport for FailingLink {
         Ok(())
     }
 
+    fn now(&self) -> Duration {
+        let board = self.board.lock();
+        board.unwrap_or_else(PoisonError::into_inner).elapsed()
+    }
+
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
         if self.received.is_empty() {
             self.run(timeout, true)?;

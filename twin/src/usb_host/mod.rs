@@ -83,6 +83,12 @@ impl UsbHost {
         &self.port
     }
 
+    /// Virtual time since the first power-on.
+    #[must_use]
+    pub fn now(&self) -> Duration {
+        self.board().elapsed()
+    }
+
     /// Plugs the cable in and waits for a device to show itself.
     ///
     /// # Errors

@@ -1,0 +1,4 @@
+//! The library against links that live in a time of their own.
+
+mod deadline;
+mod slow_link;
