@@ -10,6 +10,7 @@
 //! | `certificates` | what was issued: numbered, never changed |
 //! | `people` | operators and instruments, as records name them |
 //! | `history` | drift of one sensor with its uncertainty |
+//! | `waiting` | records that wait while another program holds the file |
 //! | `inspect` | every sum and number checked again |
 //! | `table`, `parquet` | the whole logbook for other programs |
 
@@ -22,6 +23,7 @@ mod records;
 mod sensors;
 mod store;
 mod table;
+pub mod waiting;
 
 pub use certificates::{Issue, Issued};
 pub use history::{History, Result as HistoryResult};

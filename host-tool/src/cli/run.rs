@@ -6,7 +6,7 @@ use calib_core::verdict::Verdict;
 use calib_host::{Error, Result};
 use calib_link::session::{self, Outcome, label, temperature_centi_c};
 use calib_link::{Client, StopSwitch};
-use calib_logbook::{Kept, Sensor};
+use calib_logbook::{Logbook, Sensor, waiting};
 use calib_output::{PointView, code};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
@@ -154,18 +154,29 @@ impl Run {
 
 /// Keeps the record in the logbook, if this user has one.
 fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Option<i64>> {
-    let stored = outcome.state != RunState::Failed;
-    let Some(mut logbook) = context.logbook_if_there()?.filter(|_| stored) else {
+    let path = context.logbook_path();
+    if outcome.state == RunState::Failed || !path.exists() {
         return Ok(None);
-    };
+    }
     let folder =
         tempfile::tempdir().map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
     let download = session::download(client, outcome.record_id, folder.path(), |_| ())?;
     let bytes = std::fs::read(&download.path)
         .map_err(|error| Error::file("read", &download.path, error))?;
-    Ok(Some(match logbook.keep(&bytes)? {
-        Kept::Added(id) | Kept::Known(id) => id,
-    }))
+    // It is on disk before the logbook is asked for, which another program may hold.
+    let place = waiting::put(&path, &bytes)?;
+    match Logbook::enter_waiting(&path) {
+        Ok(entered) => Ok(entered
+            .iter()
+            .find(|(of, _)| *of == place)
+            .map(|(_, id)| *id)),
+        Err(error) => {
+            let folder = waiting::folder(&path);
+            let until = format!("the record waits in {} until then", folder.display());
+            context.remark(&format!("{error}: {until}; the next run enters it"));
+            Ok(None)
+        }
+    }
 }
 
 /// Runs a list with progress. Ctrl-C stops it and silences the exciter.

@@ -1,5 +1,6 @@
 //! Who may come in: loopback freely, others with a token.
 
+use axum::http::HeaderMap;
 use std::fmt::Write;
 use std::net::SocketAddr;
 
@@ -10,14 +11,72 @@ const TOKEN_BYTES: usize = 16;
 #[derive(Clone, Debug)]
 pub struct Access {
     address: SocketAddr,
+    stop_port: u16,
     token: Option<String>,
 }
 
+/// Where a request says it comes from.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Caller<'a> {
+    /// `Host`: the address this server was called by.
+    pub(super) host: Option<&'a str>,
+    /// `Origin`: the page that sent it, from browsers alone.
+    pub(super) origin: Option<&'a str>,
+    /// `Sec-Fetch-Site`: how that page stands to this server, from browsers alone.
+    pub(super) site: Option<&'a str>,
+    pub(super) token: Option<&'a str>,
+}
+
+impl<'a> Caller<'a> {
+    pub(super) fn of(headers: &'a HeaderMap, token: Option<&'a str>) -> Self {
+        let text = |name: &str| headers.get(name).and_then(|value| value.to_str().ok());
+        Self {
+            host: text("host"),
+            origin: text("origin"),
+            site: text("sec-fetch-site"),
+            token,
+        }
+    }
+
+    /// Whether it comes from the page of this server, or from no browser's page at all.
+    pub(super) fn is_page_itself(&self) -> bool {
+        let site = matches!(self.site, None | Some("same-origin" | "none"));
+        let own = |origin: &str| self.host.is_some_and(|host| is_origin(origin, host));
+        site && self.origin.is_none_or(own)
+    }
+}
+
+fn is_origin(origin: &str, host: &str) -> bool {
+    origin.strip_prefix("http://") == Some(host)
+}
+
+/// A `Host` without its port.
+fn without_port(host: &str) -> &str {
+    host.rsplit_once(':').map_or(host, |(name, _)| name)
+}
+
 impl Access {
-    /// The rule of a server at this address.
-    pub fn new(address: SocketAddr) -> Self {
+    /// The rule of a server at this address, which takes stops on `stop_port` too.
+    pub fn new(address: SocketAddr, stop_port: u16) -> Self {
         let token = (!address.ip().is_loopback()).then(new_token);
-        Self { address, token }
+        Self {
+            address,
+            stop_port,
+            token,
+        }
+    }
+
+    /// Port for stops.
+    pub fn stop_port(&self) -> u16 {
+        self.stop_port
+    }
+
+    /// What the page may load and speak to, and who may frame it.
+    pub fn content_policy(&self) -> String {
+        let (page, port) = (self.address.port(), self.stop_port);
+        format!(
+            "default-src 'self'; connect-src 'self' ws://*:{page} http://*:{port}; frame-ancestors 'none'"
+        )
     }
 
     /// Address for a browser.
@@ -32,17 +91,34 @@ impl Access {
     ///
     /// A page of a stranger can make this browser ask a loopback address by a name
     /// of the stranger's: the header gives it away.
-    pub fn admits(&self, host: Option<&str>, token: Option<&str>) -> bool {
+    pub(super) fn admits(&self, from: &Caller<'_>) -> bool {
+        self.knows(from, self.address.port())
+    }
+
+    /// Whether a stop may come in on the port for stops: from the page of this server, or from no page.
+    pub(super) fn admits_stop(&self, from: &Caller<'_>) -> bool {
+        let page = from
+            .host
+            .map(|host| format!("{}:{}", without_port(host), self.address.port()));
+        let own = |origin| page.as_deref().is_some_and(|page| is_origin(origin, page));
+        // Another port of the same host is the same site to a browser.
+        let site = matches!(from.site, None | Some("same-site" | "none"));
+        self.knows(from, self.stop_port) && site && from.origin.is_none_or(own)
+    }
+
+    fn knows(&self, from: &Caller<'_>, port: u16) -> bool {
         match &self.token {
-            Some(wanted) => token.is_some_and(|token| same(token, wanted)),
-            None => host.is_some_and(|host| self.is_loopback_name(host)),
+            Some(wanted) => from.token.is_some_and(|token| same(token, wanted)),
+            None => from
+                .host
+                .is_some_and(|host| self.is_loopback_name(host, port)),
         }
     }
 
-    fn is_loopback_name(&self, host: &str) -> bool {
-        let names = ["localhost", "127.0.0.1", "[::1]"];
-        let with_port = |name: &&str| host == format!("{name}:{}", self.address.port());
-        host == self.address.to_string() || names.iter().any(with_port)
+    fn is_loopback_name(&self, host: &str, port: u16) -> bool {
+        let own = self.address.ip().to_string();
+        let names = ["localhost", "127.0.0.1", "[::1]", &own];
+        names.iter().any(|name| host == format!("{name}:{port}"))
     }
 }
 
@@ -77,7 +153,14 @@ mod tests {
     use super::*;
 
     fn access(address: &str) -> Access {
-        Access::new(address.parse().expect("an address"))
+        Access::new(address.parse().expect("an address"), 8081)
+    }
+
+    fn by(host: &str) -> Caller<'_> {
+        Caller {
+            host: Some(host),
+            ..Caller::default()
+        }
     }
 
     #[test]
@@ -85,12 +168,18 @@ mod tests {
         let access = access("127.0.0.1:8080");
         assert_eq!(access.url(), "http://127.0.0.1:8080/");
         for host in ["127.0.0.1:8080", "localhost:8080"] {
-            assert!(access.admits(Some(host), None), "{host}");
+            assert!(access.admits(&by(host)), "{host}");
         }
-        for host in ["evil.example:8080", "localhost:80", "localhost", ""] {
-            assert!(!access.admits(Some(host), None), "{host}");
+        for host in [
+            "evil.example:8080",
+            "localhost:80",
+            "localhost:8081",
+            "localhost",
+            "",
+        ] {
+            assert!(!access.admits(&by(host)), "{host}");
         }
-        assert!(!access.admits(None, None));
+        assert!(!access.admits(&Caller::default()));
     }
 
     #[test]
@@ -99,17 +188,68 @@ mod tests {
         let url = access.url();
         let (_, token) = url.split_once("token=").expect("a token");
         assert_eq!(token.len(), 2 * TOKEN_BYTES);
-        assert!(access.admits(Some("bench.example"), Some(token)));
+        let with = |token| Caller {
+            token,
+            ..by("bench.example:8080")
+        };
+        assert!(access.admits(&with(Some(token))) && access.admits_stop(&with(Some(token))));
         let wrong = format!("{}0", &token[..token.len() - 1]);
         let long = format!("{token}0");
         for token in [None, Some(""), Some("x"), Some(long.as_str())] {
-            assert!(!access.admits(Some("127.0.0.1:8080"), token));
+            assert!(!access.admits(&with(token)));
+            assert!(!access.admits_stop(&with(token)));
         }
-        assert_eq!(access.admits(None, Some(&wrong)), wrong == token);
-        assert_ne!(
-            url,
-            Access::new(access.address).url(),
-            "a new one each time"
-        );
+        assert_eq!(access.admits(&with(Some(&wrong))), wrong == token);
+        let again = Access::new(access.address, access.stop_port);
+        assert_ne!(url, again.url(), "a new one each time");
+    }
+
+    /// What browsers say of the page a request comes from.
+    #[test]
+    fn other_sites_are_told_by_their_browser() {
+        let access = access("127.0.0.1:8080");
+        for (origin, site, page, stop) in [
+            (None, None, true, true),
+            (None, Some("none"), true, true),
+            (
+                Some("http://localhost:8080"),
+                Some("same-origin"),
+                true,
+                false,
+            ),
+            (Some("http://localhost:8080"), None, true, false),
+            (
+                Some("http://evil.example"),
+                Some("cross-site"),
+                false,
+                false,
+            ),
+            (
+                Some("http://localhost:8080"),
+                Some("same-site"),
+                false,
+                false,
+            ),
+            (Some("http://localhost:9"), Some("same-site"), false, false),
+            (Some("null"), None, false, false),
+            (None, Some("cross-site"), false, false),
+        ] {
+            let from = |host| Caller {
+                origin,
+                site,
+                ..by(host)
+            };
+            let case = format!("{origin:?} {site:?}");
+            assert_eq!(from("localhost:8080").is_page_itself(), page, "{case}");
+            if origin != Some("http://localhost:8080") {
+                assert_eq!(access.admits_stop(&from("localhost:8081")), stop, "{case}");
+            }
+        }
+        let page = Caller {
+            origin: Some("http://localhost:8080"),
+            site: Some("same-site"),
+            ..by("localhost:8081")
+        };
+        assert!(access.admits_stop(&page));
     }
 }

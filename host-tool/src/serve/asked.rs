@@ -57,13 +57,18 @@ impl Run {
 
     /// A sensor of the logbook by its serial number, or what was typed.
     pub(super) fn labels(&self, logbook: &Path) -> Result<RunLabels> {
-        let known = match (self.sensor.as_str(), Logbook::open_if_there(logbook)?) {
-            ("", _) | (_, None) => Sensor {
+        // Who names no sensor waits for no logbook.
+        let logbook = match self.sensor.as_str() {
+            "" => None,
+            _ => Logbook::open_if_there(logbook)?,
+        };
+        let known = match logbook {
+            Some(logbook) => logbook.known_sensor(&self.sensor)?,
+            None => Sensor {
                 serial: self.dut_serial.clone(),
                 model: self.dut_model.clone(),
                 ..Sensor::default()
             },
-            (serial, Some(logbook)) => logbook.known_sensor(serial)?,
         };
         let mounting = match self.mounting.as_str() {
             "" => known.mounting.clone().unwrap_or_default(),

@@ -14,12 +14,13 @@ const PAGE: Asset = ("/", HTML, include_str!("page/index.html"));
 
 /// Files of the page. They hold nothing of anybody's, and links to them hold
 /// no token: everybody may read it.
-const PARTS: [Asset; 8] = [
+const PARTS: [Asset; 9] = [
     ("/style.css", "text/css", include_str!("page/style.css")),
     ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
     ("/page.js", SCRIPT, include_str!("page/page.js")),
     ("/chart.js", SCRIPT, include_str!("page/chart.js")),
     ("/server.js", SCRIPT, include_str!("page/server.js")),
+    ("/live.js", SCRIPT, include_str!("page/live.js")),
     (
         "/measurement.js",
         SCRIPT,

@@ -1,77 +1,34 @@
 //! The thread that alone speaks to the calibrator.
 //!
 //! Orders come in over a channel and are carried out one after the other. A stop
-//! is no order: stops are counted, and the count is looked at all the time, so that
-//! nothing can be in the way of one. A run knows how many there were when it was
-//! asked for; one more, and it ends or does not begin.
+//! is no order: the client looks at its switch all the time, be it in the middle of
+//! an answer, so that nothing can be in the way of one. A run that was stopped
+//! before its turn does not begin.
 
-use super::view::{Link, RunView, Shared};
+use super::handle::{Handle, Order};
+use super::keeper::Keeper;
+use super::view::{Link, Shared};
 use super::waveforms::Eye;
 use crate::{Device, Error, Result};
 use calib_core::point::{ExcitationKind, PointSpec};
-use calib_link::Client;
 use calib_link::session::{self, Outcome, Progress};
-use calib_logbook::{Kept, Logbook};
-use calib_output::{InfoView, PointView, SetPoint, StatusView};
+use calib_link::{Client, StopSwitch};
+use calib_output::{InfoView, PointView, StatusView};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
-/// Time between two looks at the stop flag and at a lost link.
+/// Time between two looks at a lost link.
 const LOOK: Duration = Duration::from_millis(200);
 
 /// Time a thread that has no link is given to end.
 const GRACE: Duration = Duration::from_millis(500);
-
-/// Request of a page.
-#[derive(Debug)]
-pub enum Order {
-    /// Use this calibrator.
-    Connect {
-        /// Its address, as typed.
-        device: String,
-    },
-    /// Measure a list.
-    Run {
-        /// The list.
-        points: Vec<PointSpec>,
-        /// Labels of the operator.
-        labels: Box<RunLabels>,
-        /// Stops there were when this was asked for.
-        stops: u32,
-    },
-    /// Nothing more will come.
-    End,
-}
-
-/// State shared by requests: the view, and ways to order and to stop.
-#[derive(Clone)]
-pub(super) struct Handle {
-    pub(super) shared: Shared,
-    orders: Sender<Order>,
-    stops: Arc<AtomicU32>,
-}
-
-impl Handle {
-    pub(super) fn order(&self, order: Order) {
-        // The thread ends with the server: nobody is left to be told.
-        let _ = self.orders.send(order);
-    }
-
-    pub(super) fn stop(&self) {
-        self.stops.fetch_add(1, Ordering::SeqCst);
-    }
-
-    pub(super) fn stops(&self) -> u32 {
-        self.stops.load(Ordering::SeqCst)
-    }
-}
 
 /// The thread, from outside.
 pub(super) struct CalibratorSide {
@@ -83,22 +40,17 @@ pub(super) struct CalibratorSide {
 impl CalibratorSide {
     pub(super) fn start(logbook: PathBuf) -> Self {
         let (orders, incoming) = channel();
-        let handle = Handle {
-            shared: Shared::new(),
-            orders,
-            stops: Arc::default(),
-        };
+        let (shared, switch) = (Shared::new(), StopSwitch::default());
         let ending = Arc::new(AtomicBool::new(false));
         let worker = Worker {
-            shared: handle.shared.clone(),
-            stops: Arc::clone(&handle.stops),
+            shared: shared.clone(),
+            switch: switch.clone(),
             ending: Arc::clone(&ending),
-            heeded: 0,
             orders: incoming,
-            logbook,
+            keeper: Keeper::start(logbook, shared.clone()),
             client: None,
-            runs: 0,
         };
+        let handle = Handle::new(shared, orders, switch);
         let thread = std::thread::spawn(move || worker.work());
         Self {
             handle,
@@ -121,7 +73,8 @@ impl CalibratorSide {
     /// Over a link that is lost nothing can be stopped: then it is not waited for.
     pub(super) fn end(self) {
         self.ending.store(true, Ordering::SeqCst);
-        self.handle.stop();
+        // For whatever goes on, so it cannot come late.
+        let _ = self.handle.stop(None);
         self.handle.order(Order::End);
         let begun = Instant::now();
         while !self.thread.is_finished() {
@@ -136,15 +89,12 @@ impl CalibratorSide {
 
 struct Worker {
     shared: Shared,
-    stops: Arc<AtomicU32>,
+    switch: StopSwitch,
     /// Set when the server ends.
     ending: Arc<AtomicBool>,
-    /// Stops that were passed on to the calibrator.
-    heeded: u32,
     orders: Receiver<Order>,
-    logbook: PathBuf,
+    keeper: Keeper,
     client: Option<Client>,
-    runs: u32,
 }
 
 impl Worker {
@@ -153,17 +103,18 @@ impl Worker {
             match self.orders.recv_timeout(LOOK) {
                 Ok(Order::Connect { device }) => self.connect(device),
                 Ok(Order::Run {
+                    number,
                     points,
                     labels,
-                    stops,
-                }) => self.run(&points, *labels, stops),
+                }) => self.run(number, &points, *labels),
                 Ok(Order::End) | Err(RecvTimeoutError::Disconnected) => {
-                    self.stop_if_asked();
+                    self.pass_stop();
                     return;
                 }
+                Ok(Order::Heed) => self.pass_stop(),
                 Err(RecvTimeoutError::Timeout) => {
                     self.reconnect_if_lost();
-                    self.stop_if_asked();
+                    self.pass_stop();
                 }
             }
         }
@@ -183,7 +134,7 @@ impl Worker {
 
     fn open(&mut self) -> Result<()> {
         let Ok(address) = self.shared.snapshot().device.parse::<Device>();
-        let mut client = Client::new(address.open()?);
+        let mut client = Client::new(address.open()?).heeding(self.switch.clone());
         let (info, health) = (client.info()?, client.health()?);
         self.client = Some(client);
         self.shared.change(|snapshot| {
@@ -212,54 +163,32 @@ impl Worker {
 
     /// Passes a stop on when no run is followed here: one that somebody else
     /// began, or one that ended in the meantime.
-    fn stop_if_asked(&mut self) {
-        let stops = self.stops.load(Ordering::SeqCst);
-        let Some(client) = self.client.as_mut().filter(|_| stops != self.heeded) else {
-            return;
-        };
-        match client.stop() {
-            Ok(()) => self.heeded = stops,
-            Err(error) => self.lost(&error.into()),
+    fn pass_stop(&mut self) {
+        let passed = self.client.as_mut().map(Client::pass_stop);
+        if let Some(Err(error)) = passed {
+            self.judge(&error.into());
         }
     }
 
-    fn run(&mut self, points: &[PointSpec], labels: RunLabels, stops: u32) {
-        self.stop_if_asked();
-        self.runs += 1;
-        let run = RunView {
-            number: self.runs,
-            running: true,
-            list: points.iter().map(SetPoint::from).collect(),
-            dut_serial: labels.dut_serial.to_string(),
-            ..RunView::default()
-        };
-        self.shared.keep_record(None);
-        self.shared.change(|snapshot| {
-            snapshot.run = Some(run);
-            snapshot.trouble = None;
-        });
-        if self.stops.load(Ordering::SeqCst) != stops {
-            self.not_begun("stopped before it began");
+    fn run(&mut self, number: u32, points: &[PointSpec], labels: RunLabels) {
+        // Stops from before are none of this run.
+        self.pass_stop();
+        if self.shared.is_stopped(number) {
+            self.shared.not_begun("stopped before it began");
             return;
         }
         let Some(client) = &mut self.client else {
-            self.not_begun("there is no calibrator: connect one");
+            self.shared.not_begun("there is no calibrator: connect one");
             return;
         };
         match session::begin(client, points, ExcitationKind::SingleSine, labels) {
             Ok(record) => self.follow(record, points),
+            Err(calib_link::Error::Stopped) => self.shared.not_begun("stopped before it began"),
             Err(error) => {
-                self.not_begun("did not begin");
+                self.shared.not_begun("did not begin");
                 self.judge(&error.into());
             }
         }
-    }
-
-    fn not_begun(&self, why: &str) {
-        self.shared.change_run(|run| {
-            run.running = false;
-            run.ended = why.to_owned();
-        });
     }
 
     fn follow(&mut self, record: u32, points: &[PointSpec]) {
@@ -267,8 +196,7 @@ impl Worker {
         let Some(client) = &mut self.client else {
             return;
         };
-        let (shared, stops, heeded) = (&self.shared, &self.stops, self.heeded);
-        let ending = &self.ending;
+        let (shared, ending) = (&self.shared, &self.ending);
         let begun = Instant::now();
         let mut eye = match Eye::open(client) {
             Ok(eye) => eye,
@@ -284,10 +212,7 @@ impl Worker {
             if let Some(waveforms) = eye.look(client, &progress.status)? {
                 shared.keep_waveforms(waveforms);
             }
-            Ok(match stops.load(Ordering::SeqCst) == heeded {
-                true => ControlFlow::Continue(()),
-                false => ControlFlow::Break(()),
-            })
+            Ok(ControlFlow::Continue(()))
         });
         match outcome {
             Ok(outcome) => self.ended(&outcome),
@@ -328,8 +253,11 @@ impl Worker {
             .map_err(|error| Error::file("read", &download.path, error))?;
         // Whatever becomes of the logbook, there is a certificate.
         self.shared.keep_record(Some(bytes.clone()));
-        let (Kept::Added(id) | Kept::Known(id)) = Logbook::open(&self.logbook)?.keep(&bytes)?;
-        self.shared.change_run(|run| run.logbook_record = Some(id));
+        let waited = self.keeper.keep(&bytes)?;
+        // A stop never waits for a file.
+        while !waited.is_over() {
+            self.pass_stop();
+        }
         Ok(())
     }
 

@@ -1,5 +1,5 @@
-//! Certificates of records, as answers. One that is downloaded is issued, and is
-//! entered in the logbook; the page that is looked at is not.
+//! Certificates of records, as answers. One that `issues` is entered in the logbook; one that is looked at is
+//! not.
 
 use crate::{Error, Result};
 use axum::http::header;
@@ -26,6 +26,7 @@ pub(super) fn certificate(
     format: &str,
     particulars: &[PathBuf],
     logbook: &Path,
+    issues: bool,
 ) -> Result<Response> {
     let unknown = |problem: String| Error::usage(problem, "");
     let format: Format = format.parse().map_err(unknown)?;
@@ -45,7 +46,7 @@ pub(super) fn certificate(
     };
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
     if let Some(logbook) = logbook
-        && format != Format::Html
+        && issues
     {
         enter(&prepared, stored, logbook)?;
     }

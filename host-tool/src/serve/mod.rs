@@ -3,14 +3,21 @@
 //! | file | idea |
 //! |---|---|
 //! | `calibrator_side` | the thread that alone speaks to the calibrator |
+//! | `handle` | what requests hold of it |
+//! | `stops` | a stop: for which run, and what became of it |
+//! | `keeper` | the thread that enters records into the logbook |
 //! | `view` | what every page sees, and how it learns of changes |
 //! | `waveforms` | what the inputs look like during a run |
 //! | `access` | who may come in |
 //! | `routes` | requests |
 //! | `asked` | what a page asks to be measured |
 //! | `documents` | certificates |
-//! | `events` | the stream of changes |
+//! | `live` | the one channel of each page: changes to it, stops from it |
+//! | `connections` | how many, and for how long |
 //! | `assets`, `page/` | HTML, style and script, without a build step |
+//!
+//! Stops have a port and a thread of their own, which do nothing else: a page's other
+//! requests, a flood of connections or a locked logbook are in nobody's way there.
 //!
 //! Pages come and go; the calibration belongs to none of them. Two pages see the
 //! same, and any of them stops it.
@@ -19,27 +26,34 @@ mod access;
 mod asked;
 mod assets;
 mod calibrator_side;
+mod connections;
 mod documents;
-mod events;
+mod handle;
+mod keeper;
+mod live;
 mod options;
 mod routes;
+mod stops;
 mod view;
 mod waveforms;
 
 pub use access::Access;
-pub use calibrator_side::Order;
+pub use handle::Order;
 pub use options::Options;
+pub use stops::{StopState, StopView};
 pub use view::{Link, RunView, Snapshot};
 pub use waveforms::Waveforms;
 
 use crate::{Error, Result};
 use calibrator_side::CalibratorSide;
-use std::net::TcpListener;
+use std::net::{SocketAddr, TcpListener};
 use std::time::Duration;
 
 /// A page that is being listened for.
 pub struct Server {
     listener: TcpListener,
+    /// For stops alone.
+    stops: TcpListener,
     access: Access,
     options: Options,
 }
@@ -59,9 +73,13 @@ impl Server {
         let listener = TcpListener::bind(options.listen).map_err(refused)?;
         listener.set_nonblocking(true).map_err(refused)?;
         let address = listener.local_addr().map_err(refused)?;
+        let stops = next_port(address).map_err(refused)?;
+        stops.set_nonblocking(true).map_err(refused)?;
+        let stop_port = stops.local_addr().map_err(refused)?.port();
         Ok(Self {
             listener,
-            access: Access::new(address),
+            stops,
+            access: Access::new(address, stop_port),
             options,
         })
     }
@@ -79,28 +97,27 @@ impl Server {
     pub fn serve(self, goes_on: impl Fn() -> bool) -> Result<()> {
         let failed = |error| Error::file("serve", "page".as_ref(), error);
         let side = CalibratorSide::start(self.options.logbook.clone());
+        let handle = side.handle();
+        let stop_port = self.access.stop_port();
+        handle.shared.change(|view| view.stop_port = stop_port);
         if let Some(device) = self.options.device.clone() {
             side.order(Order::Connect { device });
         }
-        let runtime = tokio::runtime::Builder::new_current_thread()
-            .enable_all()
-            .build()
-            .map_err(failed)?;
-        let app = routes::router(side.handle(), self.access, self.options);
-        let served = runtime.block_on(async {
-            let listener = tokio::net::TcpListener::from_std(self.listener)?;
-            let end = async {
-                while goes_on() {
-                    tokio::time::sleep(Duration::from_millis(100)).await;
-                }
-            };
-            // Open streams of events would keep a graceful end waiting for ever.
-            tokio::select! {
-                served = async { axum::serve(listener, app).await } => served,
-                () = end => Ok(()),
+        let stops = routes::stops(handle.clone(), self.access.clone());
+        std::thread::spawn(move || connections::serve(self.stops, stops, std::future::pending()));
+        let app = routes::router(handle, self.access, self.options);
+        let served = connections::serve(self.listener, app, async {
+            while goes_on() {
+                tokio::time::sleep(Duration::from_millis(100)).await;
             }
         });
         side.end();
         served.map_err(failed)
     }
+}
+
+/// The port after the page's, which a firewall's rule can name, or any that is free.
+fn next_port(page: SocketAddr) -> std::io::Result<TcpListener> {
+    let next = page.port().checked_add(1).unwrap_or(0);
+    TcpListener::bind((page.ip(), next)).or_else(|_| TcpListener::bind((page.ip(), 0)))
 }

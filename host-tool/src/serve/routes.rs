@@ -3,25 +3,29 @@
 //! | request | answer |
 //! |---|---|
 //! | `GET /` and what it names | the page |
-//! | `GET /api/state`, `/api/events` | the view; its changes |
+//! | `GET /api/state` | the view |
+//! | `GET /api/live` | the page's channel: the view at each change, and stops |
 //! | `GET /api/waveforms` | the latest waveforms and spectra of both inputs |
 //! | `GET /api/devices`, `/api/sensors`, `/api/records` | ports; the logbook |
 //! | `GET /api/history/SERIAL` | drift of a sensor at 160 Hz |
-//! | `GET /api/certificate/FORMAT` | certificate of the last run |
-//! | `GET /api/records/ID/certificate/FORMAT` | that of a record of the logbook |
+//! | `GET /api/certificate/html`, `/api/records/ID/certificate/html` | certificate of the last run, or of a record of the logbook, to look at |
+//! | `POST` there, and to the other formats | the same issued: entered in the logbook |
 //! | `POST /api/connect` | `{"device"}` |
 //! | `POST /api/run` | `{"sensor" or "dut_model", "dut_serial"; "operator", "mounting", "set_acceleration_rms_ms2", "temperature_c", "frequencies_hz"}` |
-//! | `POST /api/stop` | silences the exciter |
+//! | `POST /api/stop`, here and on the port for stops | `{"run"}`: silences the exciter, and waits until the calibrator says so |
 //!
-//! Posts must be JSON and say so, which a stranger's page cannot send.
+//! Nothing is changed by a GET. Posts must be JSON and say so, which a stranger's page cannot send, and a
+//! request that a browser says comes from another site is refused ([`super::access`]).
 
-use super::access::Access;
+use super::access::{Access, Caller};
 use super::asked::Run;
-use super::calibrator_side::{Handle, Order};
+use super::handle::{Handle, Order};
 use super::options::Options;
-use super::{assets, documents, events};
+use super::stops::{self, Asked, NotStopped};
+use super::{assets, documents, live};
 use crate::Error;
-use axum::extract::{Path, Query, Request, State};
+use axum::extract::ws::WebSocketUpgrade;
+use axum::extract::{DefaultBodyLimit, Path, Query, Request, State};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
@@ -46,14 +50,17 @@ pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router
     let devices = || async { said(&calib_link::port::list()) };
     assets::add(Router::new())
         .route("/api/state", get(state))
-        .route("/api/events", get(changes))
+        .route("/api/live", get(channel))
         .route("/api/waveforms", get(waveforms))
         .route("/api/devices", get(devices))
         .route("/api/sensors", get(sensors))
         .route("/api/records", get(records))
         .route("/api/history/{serial}", get(history))
-        .route("/api/certificate/{format}", get(last_certificate))
-        .route("/api/records/{id}/certificate/{format}", get(certificate))
+        .route("/api/certificate/{format}", get(view_last).post(issue_last))
+        .route(
+            "/api/records/{id}/certificate/{format}",
+            get(view).post(issue),
+        )
         .route("/api/connect", post(connect))
         .route("/api/run", post(run))
         .route("/api/stop", post(stop))
@@ -64,13 +71,20 @@ pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router
         })
 }
 
+/// Requests on the port for stops: nothing else is answered there.
+pub(super) fn stops(handle: Handle, access: Access) -> Router {
+    let access = Arc::new(access);
+    Router::new()
+        .route("/api/stop", post(stop_from_other_port))
+        .layer(DefaultBodyLimit::max(live::LONGEST))
+        .layer(middleware::from_fn_with_state(access, admit_stop))
+        .with_state(handle)
+}
+
 #[derive(Deserialize)]
 struct Token {
     token: Option<String>,
 }
-
-/// Limits what the page may load and who may frame it.
-const OWN: &str = "default-src 'self'; frame-ancestors 'none'";
 
 /// Lets in who may come in. The page keeps to itself: no other site frames it.
 async fn admit(
@@ -79,17 +93,24 @@ async fn admit(
     request: Request,
     next: Next,
 ) -> Response {
-    let host = request.headers().get(header::HOST);
-    let host = host.and_then(|host| host.to_str().ok());
-    if !assets::is_open(request.uri().path()) && !access.admits(host, token.as_deref()) {
-        let why = "open the address that `calib serve` printed";
-        return (StatusCode::FORBIDDEN, why).into_response();
+    let path = request.uri().path();
+    let from = Caller::of(request.headers(), token.as_deref());
+    let admitted = match path {
+        // A link on another site may lead here.
+        "/" => access.admits(&from),
+        _ => access.admits(&from) && from.is_page_itself(),
+    };
+    if !assets::is_open(path) && !admitted {
+        return stranger();
     }
     let mut response = next.run(request).await;
     let headers = response.headers_mut();
-    headers
-        .entry(header::CONTENT_SECURITY_POLICY)
-        .or_insert(HeaderValue::from_static(OWN));
+    let own = HeaderValue::try_from(access.content_policy());
+    if let Ok(own) = own {
+        headers
+            .entry(header::CONTENT_SECURITY_POLICY)
+            .or_insert(own);
+    }
     for (name, value) in [
         (header::CACHE_CONTROL, "no-store"),
         (header::REFERRER_POLICY, "no-referrer"),
@@ -98,6 +119,32 @@ async fn admit(
         headers.insert(name, HeaderValue::from_static(value));
     }
     response
+}
+
+/// Lets in stops of the page, which comes from another port of this host, and tells its browser so.
+async fn admit_stop(
+    State(access): State<Arc<Access>>,
+    Query(Token { token }): Query<Token>,
+    request: Request,
+    next: Next,
+) -> Response {
+    let from = Caller::of(request.headers(), token.as_deref());
+    if !access.admits_stop(&from) {
+        return stranger();
+    }
+    let origin = request.headers().get(header::ORIGIN).cloned();
+    let mut response = next.run(request).await;
+    let headers = response.headers_mut();
+    if let Some(origin) = origin {
+        headers.insert(header::ACCESS_CONTROL_ALLOW_ORIGIN, origin);
+    }
+    headers.insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));
+    response
+}
+
+fn stranger() -> Response {
+    let why = "open the address that `calib serve` printed";
+    (StatusCode::FORBIDDEN, why).into_response()
 }
 
 /// A document, written like those of the verbs.
@@ -116,8 +163,9 @@ async fn waveforms(State(app): State<App>) -> Response {
     said(&app.handle.shared.waveforms())
 }
 
-async fn changes(State(app): State<App>) -> Response {
-    events::stream(app.handle.shared.clone()).into_response()
+async fn channel(State(app): State<App>, upgrade: WebSocketUpgrade) -> Response {
+    let upgrade = upgrade.max_message_size(live::LONGEST);
+    upgrade.on_upgrade(move |page| live::talk(page, app.handle))
 }
 
 async fn sensors(State(app): State<App>) -> Result<Response, Failure> {
@@ -150,12 +198,46 @@ async fn history(State(app): State<App>, Path(serial): Path<String>) -> Result<R
     .await
 }
 
+/// What becomes of a certificate.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Purpose {
+    /// It is looked at: nothing is entered anywhere.
+    View,
+    /// It is given out: the logbook says so from then on.
+    Issue,
+}
+
+async fn view_last(app: State<App>, format: Path<String>) -> Result<Response, Failure> {
+    last_certificate(app, format, Purpose::View).await
+}
+
+async fn issue_last(
+    app: State<App>,
+    format: Path<String>,
+    Json(_): Json<serde_json::Value>,
+) -> Result<Response, Failure> {
+    last_certificate(app, format, Purpose::Issue).await
+}
+
+async fn view(app: State<App>, place: Path<(i64, String)>) -> Result<Response, Failure> {
+    certificate(app, place, Purpose::View).await
+}
+
+async fn issue(
+    app: State<App>,
+    place: Path<(i64, String)>,
+    Json(_): Json<serde_json::Value>,
+) -> Result<Response, Failure> {
+    certificate(app, place, Purpose::Issue).await
+}
+
 async fn last_certificate(
     State(app): State<App>,
     Path(format): Path<String>,
+    purpose: Purpose,
 ) -> Result<Response, Failure> {
     aside(move || match app.handle.shared.record() {
-        Some(stored) => document(&app, &stored, &format),
+        Some(stored) => document(&app, &stored, &format, purpose),
         None => Ok((StatusCode::NOT_FOUND, "no run has ended yet").into_response()),
     })
     .await
@@ -164,19 +246,31 @@ async fn last_certificate(
 async fn certificate(
     State(app): State<App>,
     Path((id, format)): Path<(i64, String)>,
+    purpose: Purpose,
 ) -> Result<Response, Failure> {
     aside(
         move || match Logbook::open_if_there(&app.options.logbook)? {
-            Some(logbook) => document(&app, &logbook.record(id)?, &format),
+            Some(logbook) => document(&app, &logbook.record(id)?, &format, purpose),
             None => Ok((StatusCode::NOT_FOUND, "there is no logbook").into_response()),
         },
     )
     .await
 }
 
-fn document(app: &App, stored: &[u8], format: &str) -> Result<Response, Error> {
+fn document(app: &App, stored: &[u8], format: &str, purpose: Purpose) -> Result<Response, Error> {
+    if purpose == Purpose::View && format != "html" {
+        let why = "this is given out by POST, and entered in the logbook";
+        return Ok((StatusCode::METHOD_NOT_ALLOWED, why).into_response());
+    }
     let options = &app.options;
-    documents::certificate(stored, format, &options.particulars, &options.logbook)
+    let issues = purpose == Purpose::Issue;
+    documents::certificate(
+        stored,
+        format,
+        &options.particulars,
+        &options.logbook,
+        issues,
+    )
 }
 
 /// Does what takes its time beside the thread that answers: a stop never waits
@@ -198,40 +292,52 @@ struct Connect {
 }
 
 async fn connect(State(app): State<App>, Json(asked): Json<Connect>) -> StatusCode {
-    if is_running(&app) {
-        return StatusCode::CONFLICT;
+    match app.handle.connect(asked.device) {
+        true => StatusCode::ACCEPTED,
+        false => StatusCode::CONFLICT,
     }
-    app.handle.order(Order::Connect {
-        device: asked.device,
-    });
-    StatusCode::ACCEPTED
 }
 
-/// Whatever else goes on: the stop is counted before this answers.
-async fn stop(State(app): State<App>, Json(_): Json<serde_json::Value>) -> StatusCode {
-    app.handle.stop();
-    StatusCode::ACCEPTED
+async fn stop(State(app): State<App>, Json(asked): Json<Asked>) -> Result<Response, NotStopped> {
+    stop_and_say(app.handle, asked).await
+}
+
+/// As [`stop`]. The page comes from another port, so its browser would ask whether it may send JSON, and lose
+/// time: it sends the same as plain text. Who may is told by its origin.
+async fn stop_from_other_port(
+    State(handle): State<Handle>,
+    body: String,
+) -> Result<Response, NotStopped> {
+    // Whoever is let in and says STOP is understood.
+    let asked = serde_json::from_str(&body).unwrap_or_default();
+    stop_and_say(handle, asked).await
+}
+
+async fn stop_and_say(handle: Handle, asked: Asked) -> Result<Response, NotStopped> {
+    stops::stop(handle, asked).await?;
+    Ok("stopped, the exciter is silent".into_response())
 }
 
 async fn run(State(app): State<App>, Json(asked): Json<Run>) -> Result<Response, Failure> {
-    if is_running(&app) {
-        return Ok((StatusCode::CONFLICT, "a run is going on").into_response());
-    }
-    // First of all: a stop from here on is meant for this run.
-    let stops = app.handle.stops();
     let points = asked.points()?;
-    let labels = Box::new(asked.labels(&app.options.logbook)?);
-    app.handle.order(Order::Run {
-        points,
-        labels,
-        stops,
-    });
-    Ok(StatusCode::ACCEPTED.into_response())
-}
-
-fn is_running(app: &App) -> bool {
-    let snapshot = app.handle.shared.snapshot();
-    snapshot.run.is_some_and(|run| run.running)
+    // Accepted before the logbook is looked at, which may take its time: a stop meanwhile is for this run.
+    let Some(number) = app.handle.accept_run(&points) else {
+        return Ok((StatusCode::CONFLICT, "a run is going on").into_response());
+    };
+    aside(move || {
+        let labels = asked.labels(&app.options.logbook);
+        let labels = labels.inspect_err(|_| app.handle.shared.not_begun("did not begin"))?;
+        app.handle
+            .shared
+            .change_run(|run| run.dut_serial = labels.dut_serial.to_string());
+        app.handle.order(Order::Run {
+            number,
+            points,
+            labels: Box::new(labels),
+        });
+        Ok(StatusCode::ACCEPTED.into_response())
+    })
+    .await
 }
 
 /// A failure as an answer: in words, with the way out.

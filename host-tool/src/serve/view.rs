@@ -1,6 +1,8 @@
 //! State that every page sees.
 
+use super::stops::{NotStopped, StopState, StopView};
 use super::waveforms::Waveforms;
+use calib_link::StopSwitch;
 use calib_output::{InfoView, PointView, SetPoint, StatusView};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -62,6 +64,10 @@ pub struct Snapshot {
     pub run: Option<RunView>,
     /// Running number of the latest waveforms; 0 before any.
     pub waveforms: u32,
+    /// The latest stop.
+    pub stop: Option<StopView>,
+    /// Port on which this server takes nothing but stops.
+    pub stop_port: u16,
 }
 
 /// A snapshot that many look at; each change is told to all.
@@ -88,6 +94,10 @@ impl Shared {
     /// Changes the snapshot and tells everybody.
     pub(super) fn change(&self, change: impl FnOnce(&mut Snapshot)) {
         change(&mut self.lock());
+        self.tell();
+    }
+
+    fn tell(&self) {
         self.version.send_modify(|version| *version += 1);
     }
 
@@ -96,6 +106,93 @@ impl Shared {
         self.change(|snapshot| {
             if let Some(run) = &mut snapshot.run {
                 change(run);
+            }
+        });
+    }
+
+    /// Takes a run under the next number, unless one is taken already.
+    pub(super) fn accept_run(&self, mut new: RunView) -> Option<u32> {
+        let mut snapshot = self.lock();
+        let before = snapshot.run.as_ref();
+        if before.is_some_and(|run| run.running) {
+            return None;
+        }
+        new.number = before.map_or(0, |run| run.number) + 1;
+        let number = new.number;
+        snapshot.run = Some(new);
+        snapshot.trouble = None;
+        drop(snapshot);
+        self.keep_record(None);
+        self.tell();
+        Some(number)
+    }
+
+    /// Ends a run that never began.
+    pub(super) fn not_begun(&self, why: &str) {
+        self.change_run(|run| {
+            run.running = false;
+            run.ended = why.to_owned();
+        });
+    }
+
+    pub(super) fn is_running(&self) -> bool {
+        self.lock().run.as_ref().is_some_and(|run| run.running)
+    }
+
+    /// Counts a stop on the switch; which run it is for is decided at this moment.
+    pub(super) fn ask_stop(&self, of: Option<u32>, switch: &StopSwitch) -> Result<u64, NotStopped> {
+        let mut snapshot = self.lock();
+        let running = snapshot.run.as_ref().filter(|run| run.running);
+        let running = running.map_or(0, |run| run.number);
+        match of {
+            Some(of) if running != 0 && of != running => {
+                return Err(NotStopped::Late { of, running });
+            }
+            _ => {}
+        }
+        let number = switch.ask();
+        snapshot.stop = Some(StopView {
+            number,
+            run: running,
+            state: StopState::Asked,
+            after_ms: None,
+        });
+        drop(snapshot);
+        self.tell();
+        Ok(number)
+    }
+
+    /// Whether a stop was asked for that is for this run.
+    pub(super) fn is_stopped(&self, run: u32) -> bool {
+        self.lock()
+            .stop
+            .as_ref()
+            .is_some_and(|stop| stop.run == run)
+    }
+
+    pub(super) fn is_latest_stop(&self, number: u64) -> bool {
+        let snapshot = self.lock();
+        snapshot
+            .stop
+            .as_ref()
+            .is_some_and(|stop| stop.number == number)
+    }
+
+    /// Tells what became of a stop, if it is the latest.
+    pub(super) fn note_stop(&self, number: u64, state: StopState, after_ms: Option<u64>) {
+        self.change(|snapshot| {
+            let latest = snapshot.stop.as_mut().filter(|stop| stop.number == number);
+            if let Some(stop) = latest {
+                (stop.state, stop.after_ms) = (state, after_ms);
+            }
+        });
+    }
+
+    /// Says under which number the logbook has a run.
+    pub(super) fn note_logbook_record(&self, run: u32, id: i64) {
+        self.change(|snapshot| {
+            if let Some(of) = snapshot.run.as_mut().filter(|of| of.number == run) {
+                of.logbook_record = Some(id);
             }
         });
     }

@@ -3,7 +3,9 @@
 use crate::command_line::{schemas, serve as serve_device, text};
 use crate::device::Device;
 use calib_output::conforms::conforms;
+use calib_protocol::frame::Frame;
 use calib_protocol::message::Request;
+use rusqlite::Connection;
 use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{Shutdown, TcpListener, TcpStream};
@@ -17,11 +19,18 @@ struct Server {
     process: Child,
     url: String,
     host: String,
+    stop_port: u64,
 }
 
 impl Server {
     fn start(folder: &Path, listen: &str, arguments: &[&str]) -> Self {
-        let mut process = Command::new(env!("CARGO_BIN_EXE_calib"))
+        // Fewer open files than a flood has connections.
+        let mut process = Command::new("sh")
+            .args([
+                "-c",
+                "ulimit -n 512; exec \"$0\" \"$@\"",
+                env!("CARGO_BIN_EXE_calib"),
+            ])
             .args(["serve", "--quiet", "--listen", listen])
             .args(arguments)
             .current_dir(folder)
@@ -36,31 +45,21 @@ impl Server {
         let url = url.trim().to_owned();
         let host = url.trim_start_matches("http://").split('/').next();
         let host = host.expect("a host").replace("0.0.0.0", "127.0.0.1");
-        Self { process, url, host }
+        let mut server = Self {
+            process,
+            url,
+            host,
+            stop_port: 0,
+        };
+        if listen == LOOPBACK {
+            server.stop_port = server.state()["stop_port"].as_u64().expect("a port");
+        }
+        server
     }
 
     /// Status and body of a request with these headers.
     fn ask(&self, line: &str, headers: &str, body: &str) -> (u16, String) {
-        let mut stream = self.send(line, headers, body);
-        let mut answer = Vec::new();
-        stream.read_to_end(&mut answer).expect("an answer");
-        let answer = text(&answer);
-        let status = answer.split(' ').nth(1).expect("a status");
-        let (_, body) = answer.split_once("\r\n\r\n").expect("a body");
-        (status.parse().expect("a number"), body.to_owned())
-    }
-
-    fn send(&self, line: &str, headers: &str, body: &str) -> TcpStream {
-        let mut stream = TcpStream::connect(&self.host).expect("it listens");
-        stream
-            .set_read_timeout(Some(Duration::from_secs(20)))
-            .expect("a timeout");
-        let length = body.len();
-        let request = format!(
-            "{line} HTTP/1.1\r\nConnection: close\r\nContent-Length: {length}\r\n{headers}\r\n{body}"
-        );
-        stream.write_all(request.as_bytes()).expect("sent");
-        stream
+        exchange(&self.host, line, headers, body)
     }
 
     fn get(&self, path: &str) -> (u16, String) {
@@ -75,6 +74,12 @@ impl Server {
         let headers = format!("Host: {}\r\nContent-Type: application/json\r\n", self.host);
         self.ask(&format!("POST {path}"), &headers, &body.to_string())
             .0
+    }
+
+    /// Has a certificate issued.
+    fn issue(&self, path: &str) -> (u16, String) {
+        let headers = format!("Host: {}\r\nContent-Type: application/json\r\n", self.host);
+        self.ask(&format!("POST {path}"), &headers, "{}")
     }
 
     fn state(&self) -> Value {
@@ -102,12 +107,48 @@ impl Server {
         self.until("connected", |view| view["link"] == "connected");
     }
 
-    /// A page's stream of events.
-    fn events(&self) -> BufReader<TcpStream> {
-        let host = format!("Host: {}\r\n", self.host);
-        BufReader::new(self.send("GET /api/events", &host, ""))
+    /// A page's channel.
+    fn page(&self) -> Page {
+        let stream = TcpStream::connect(&self.host).expect("it listens");
+        stream
+            .set_read_timeout(Some(Duration::from_secs(20)))
+            .expect("a timeout");
+        let address = format!("ws://{}/api/live", self.host);
+        let (page, _) = tungstenite::client(address, stream).expect("a channel");
+        page
+    }
+
+    /// A stop on the port that takes nothing else: status, body, and how long it took.
+    fn stop(&self, body: &Value) -> (u16, String, Duration) {
+        let (name, _) = self.host.rsplit_once(':').expect("a port");
+        let host = format!("{name}:{}", self.stop_port);
+        let headers = format!("Host: {host}\r\n");
+        let begun = Instant::now();
+        let (status, said) = exchange(&host, "POST /api/stop", &headers, &body.to_string());
+        (status, said, begun.elapsed())
     }
 }
+
+/// One request over a connection of its own.
+fn exchange(host: &str, line: &str, headers: &str, body: &str) -> (u16, String) {
+    let mut stream = TcpStream::connect(host).expect("it listens");
+    stream
+        .set_read_timeout(Some(Duration::from_secs(20)))
+        .expect("a timeout");
+    let length = body.len();
+    let request = format!(
+        "{line} HTTP/1.1\r\nConnection: close\r\nContent-Length: {length}\r\n{headers}\r\n{body}"
+    );
+    stream.write_all(request.as_bytes()).expect("sent");
+    let mut answer = Vec::new();
+    stream.read_to_end(&mut answer).expect("an answer");
+    let answer = text(&answer);
+    let status = answer.split(' ').nth(1).expect("a status");
+    let (_, body) = answer.split_once("\r\n\r\n").expect("a body");
+    (status.parse().expect("a number"), body.to_owned())
+}
+
+type Page = tungstenite::WebSocket<TcpStream>;
 
 impl Drop for Server {
     fn drop(&mut self) {
@@ -129,22 +170,19 @@ fn has_ended(view: &Value) -> bool {
     view["run"]["running"] == false
 }
 
-/// The next view of a stream that fulfils this.
-fn next_view(events: &mut BufReader<TcpStream>, is: impl Fn(&Value) -> bool) -> Value {
+/// The next view of a channel that fulfils this.
+fn next_view(page: &mut Page, is: impl Fn(&Value) -> bool) -> Value {
     loop {
-        let mut line = String::new();
-        assert!(
-            events.read_line(&mut line).expect("an event") > 0,
-            "it ended"
-        );
-        let Some(data) = line.strip_prefix("data: ") else {
-            continue;
-        };
-        let view = serde_json::from_str(data).expect("JSON");
-        if is(&view) {
-            return view;
+        let mut said = next_message(page);
+        if said["view"].is_object() && is(&said["view"]) {
+            return said["view"].take();
         }
     }
+}
+
+fn next_message(page: &mut Page) -> Value {
+    let said = page.read().expect("a message").into_text().expect("text");
+    serde_json::from_str(&said).expect("JSON")
 }
 
 #[test]
@@ -154,7 +192,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     let server = Server::start(folder.path(), LOOPBACK, &[]);
     for (path, words) in [
         ("/", "STOP"),
-        ("/page.js", "EventSource"),
+        ("/live.js", "WebSocket"),
         ("/style.css", "#stop"),
     ] {
         let (status, body) = server.get(path);
@@ -166,15 +204,13 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
         202
     );
     server.connected();
-    let (mut one, mut other) = (server.events(), server.events());
+    let (mut one, mut other) = (server.page(), server.page());
     let run = json!({ "dut_serial": "D'1", "operator": "N.", "frequencies_hz": [80, 160, 315] });
     assert_eq!(server.post("/api/run", &run), 202);
     // Both pages see it run, and end with the same.
     next_view(&mut one, |view| view["run"]["running"] == true);
-    let views = [
-        next_view(&mut one, has_ended),
-        next_view(&mut other, has_ended),
-    ];
+    let kept = |view: &Value| has_ended(view) && view["run"]["logbook_record"] == 1;
+    let views = [next_view(&mut one, kept), next_view(&mut other, kept)];
     assert_eq!(views[0], views[1]);
     let ended = &views[0]["run"];
     assert_eq!(ended["ended"], "finished");
@@ -187,7 +223,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
         status == 200 && page.contains("D&#x27;1") || page.contains("D'1"),
         "{status}"
     );
-    assert_eq!(server.get("/api/certificate/exe").0, 400);
+    assert_eq!(server.issue("/api/certificate/exe").0, 400);
     // The first run made the logbook, and records in it have certificates too. One
     // that was viewed is not issued, one that was downloaded is.
     assert_eq!(server.get("/api/records/1/certificate/html").1, page);
@@ -199,8 +235,13 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
             .expect("a list")
             .len()
     };
+    // An image on another site's page can ask for any address: nothing is issued by that.
+    for format in ["json", "pdf", "csv"] {
+        let path = format!("/api/records/1/certificate/{format}");
+        assert_eq!(server.get(&path).0, 405);
+    }
     assert_eq!(issued(), 0);
-    let (status, json) = server.get("/api/records/1/certificate/json");
+    let (status, json) = server.issue("/api/records/1/certificate/json");
     assert!(status == 200 && json.contains("sensitivity"), "{json}");
     assert_eq!(issued(), 1);
     let chain = |json: &str| -> Value {
@@ -208,8 +249,8 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
         json["record_chain"].clone()
     };
     assert_eq!(chain(&json), "first");
-    assert_eq!(server.get("/api/records/2/certificate/json").0, 400);
-    let (status, why) = server.get("/api/certificate/dcc");
+    assert_eq!(server.issue("/api/records/2/certificate/json").0, 400);
+    let (status, why) = server.issue("/api/certificate/dcc");
     assert!(status == 400 && why.contains("country"), "{why}");
     let (_, waveforms) = server.get("/api/waveforms");
     let waveforms: Value = serde_json::from_str(&waveforms).expect("JSON");
@@ -222,7 +263,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     // The logbook has the record before the next one.
     assert_eq!(server.post("/api/run", &run), 202);
     next_view(&mut one, |view| view["run"]["logbook_record"] == 2);
-    let (_, json) = server.get("/api/records/2/certificate/json");
+    let (_, json) = server.issue("/api/records/2/certificate/json");
     assert_eq!(chain(&json), "verified");
 }
 
@@ -238,7 +279,7 @@ fn a_stop_ends_a_run_and_one_while_idle_reaches_the_calibrator_too() {
     // A second page cannot begin another one meanwhile.
     assert_eq!(server.post("/api/run", &run), 409);
     let begun = Instant::now();
-    assert_eq!(server.post("/api/stop", &json!({})), 202);
+    assert_eq!(server.post("/api/stop", &json!({})), 200);
     let view = server.until("stopped", has_ended);
     // One look a tenth of a second, and what a loaded computer takes.
     assert!(begun.elapsed() < Duration::from_secs(3));
@@ -308,7 +349,7 @@ fn a_run_is_followed_to_its_end_after_the_link_broke() {
     let cable = Cable::to(&address);
     let server = Server::start(folder.path(), LOOPBACK, &["--device", &cable.address]);
     server.connected();
-    let mut page = server.events();
+    let mut page = server.page();
     server.post(
         "/api/run",
         &json!({ "frequencies_hz": [80, 160, 250, 315] }),
@@ -324,6 +365,216 @@ fn a_run_is_followed_to_its_end_after_the_link_broke() {
     assert_eq!(ended["run"]["points"].as_array().expect("points").len(), 4);
     assert_eq!(ended["trouble"], Value::Null);
     assert_eq!(device.lock().expect("device").starts, 1);
+}
+
+/// What a page of another site makes a browser send, with what the browser says of it.
+#[test]
+fn other_sites_reach_nothing() {
+    let folder = tempfile::tempdir().expect("folder");
+    let server = Server::start(folder.path(), LOOPBACK, &[]);
+    let own = format!(
+        "Host: {}\r\nContent-Type: application/json\r\n",
+        server.host
+    );
+    let evil = "Origin: http://evil.example\r\nSec-Fetch-Site: cross-site\r\n";
+    let neighbour = "Sec-Fetch-Site: same-site\r\n";
+    for told in [evil, neighbour, "Origin: null\r\n"] {
+        let headers = format!("{own}{told}");
+        for line in [
+            "GET /api/state",
+            "GET /api/live",
+            "POST /api/run",
+            "POST /api/stop",
+        ] {
+            assert_eq!(server.ask(line, &headers, "{}").0, 403, "{line} {told}");
+        }
+    }
+    // A link to the page on another site works, and shows nothing by itself.
+    let link = format!("{own}Sec-Fetch-Site: cross-site\r\n");
+    assert_eq!(server.ask("GET /", &link, "").0, 200);
+    let port = format!("127.0.0.1:{}", server.stop_port);
+    let stop = |told: &str| {
+        exchange(
+            &port,
+            "POST /api/stop",
+            &format!("Host: {port}\r\n{told}"),
+            "{}",
+        )
+        .0
+    };
+    assert_eq!(stop(evil), 403);
+    assert_eq!(
+        stop("Origin: http://127.0.0.1:9\r\nSec-Fetch-Site: same-site\r\n"),
+        403
+    );
+    let page = format!(
+        "Origin: http://{}\r\nSec-Fetch-Site: same-site\r\n",
+        server.host
+    );
+    assert_eq!(
+        stop(&page),
+        504,
+        "let in; there is no calibrator to confirm it"
+    );
+    assert_eq!(
+        exchange(&port, "GET /api/state", &format!("Host: {port}\r\n"), "").0,
+        404
+    );
+}
+
+/// A port that takes a connection, and what is said on it, and never says a word.
+fn mute() -> (TcpListener, String) {
+    let listener = TcpListener::bind(LOOPBACK).expect("a port");
+    let address = format!("tcp:{}", listener.local_addr().expect("address"));
+    (listener, address)
+}
+
+#[test]
+fn of_starts_that_come_together_one_is_taken() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (_held, address) = mute();
+    let server = Server::start(folder.path(), LOOPBACK, &[]);
+    server.post("/api/connect", &json!({ "device": address }));
+    let run = json!({ "frequencies_hz": [160] });
+    let post = || server.post("/api/run", &run);
+    let mut taken = std::thread::scope(|scope| {
+        let posts: Vec<_> = (0..8).map(|_| scope.spawn(post)).collect();
+        let answers = posts
+            .into_iter()
+            .map(|post| post.join().expect("an answer"));
+        answers.collect::<Vec<_>>()
+    });
+    taken.sort_unstable();
+    assert_eq!(taken, [202, 409, 409, 409, 409, 409, 409, 409]);
+    assert_eq!(
+        server.post("/api/connect", &json!({ "device": "tcp:127.0.0.1:1" })),
+        409
+    );
+}
+
+#[test]
+fn a_stop_that_comes_late_does_not_end_the_next_run() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (device, address) = serve_device(Device::new());
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    server.post("/api/run", &json!({ "frequencies_hz": [160] }));
+    server.until("the first", has_ended);
+    server.post("/api/run", &json!({}));
+    server.until("the second", |view| {
+        view["run"]["number"] == 2 && view["run"]["status"].is_object()
+    });
+    let (status, said, _) = server.stop(&json!({ "run": 1 }));
+    assert_eq!(status, 409);
+    assert!(
+        said.contains("run 2") && said.contains("STOP again"),
+        "{said}"
+    );
+    let mut page = server.page();
+    page.send(tungstenite::Message::text(r#"{"run":1,"id":7}"#))
+        .expect("sent");
+    let answer = loop {
+        let said = next_message(&mut page);
+        if said["stop_answer"].is_object() {
+            break said["stop_answer"].clone();
+        }
+    };
+    assert_eq!(answer["id"], 7);
+    assert!(answer["why"].as_str().expect("words").contains("run 2"));
+    assert!(
+        !device
+            .lock()
+            .expect("device")
+            .requests
+            .contains(&Request::Stop)
+    );
+    // The right number ends it, and the calibrator's word is waited for.
+    assert_eq!(server.stop(&json!({ "run": 2 })).0, 200);
+    let view = server.until("stopped", has_ended);
+    assert_eq!(view["stop"]["run"], 2);
+    assert_eq!(view["stop"]["state"], "confirmed");
+}
+
+#[test]
+fn a_stop_that_nobody_confirms_is_told_in_half_a_second() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (listener, address) = mute();
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    let (mut device, _) = listener.accept().expect("the tool");
+    let (status, said, took) = server.stop(&json!({}));
+    assert_eq!(status, 504);
+    assert!(said.contains("did not confirm"), "{said}");
+    // Half a second, and what a loaded computer takes.
+    assert!(took < Duration::from_millis(1500), "{took:?}");
+    assert_eq!(server.state()["stop"]["state"], "unconfirmed");
+    // It was on its way at once, ahead of the answer that never came.
+    device
+        .set_read_timeout(Some(Duration::from_secs(5)))
+        .expect("a timeout");
+    let mut receiver = calib_protocol::frame::Receiver::new();
+    let mut is_stop = |byte: &u8| {
+        let whole = receiver.push(*byte).and_then(|raw| Frame::check(raw).ok());
+        whole.is_some_and(|frame| frame.message() == Ok(Request::Stop))
+    };
+    let mut part = [0; 256];
+    loop {
+        let count = device.read(&mut part).expect("bytes");
+        assert!(count > 0, "it is not sent");
+        if part[..count].iter().any(&mut is_stop) {
+            return;
+        }
+    }
+}
+
+/// Connections that ask for nothing, more than the server may have open files; a logbook that is locked.
+#[test]
+fn a_flood_and_a_locked_logbook_are_in_no_stop_s_way() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (_, address) = serve_device(Device::new());
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    let logbook = Connection::open(folder.path().join("logbook.sqlite")).expect("a file");
+    logbook.execute_batch("BEGIN EXCLUSIVE").expect("locked");
+    let port = format!("127.0.0.1:{}", server.stop_port);
+    let idle = |to: &str| TcpStream::connect(to).expect("it listens");
+    let _flood: Vec<_> = (0..300)
+        .flat_map(|_| [idle(&server.host), idle(&port)])
+        .collect();
+    let start = json!({ "sensor": "x", "frequencies_hz": [160] });
+    std::thread::scope(|scope| {
+        // It waits for the logbook.
+        scope.spawn(|| server.post("/api/run", &start));
+        let (status, said, took) = server.stop(&json!({}));
+        assert_eq!(status, 200, "{said}");
+        // The promise is half a second; the rest is for a loaded computer.
+        assert!(took < Duration::from_millis(1500), "{took:?}");
+        assert_eq!(server.get("/").0, 200);
+    });
+}
+
+/// A record measured while another program holds the logbook gets there.
+#[test]
+fn a_run_measured_while_the_logbook_is_locked_is_entered_later() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (_, address) = serve_device(Device::new());
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    let logbook = Connection::open(folder.path().join("logbook.sqlite")).expect("a file");
+    logbook.execute_batch("BEGIN EXCLUSIVE").expect("locked");
+    assert_eq!(
+        server.post("/api/run", &json!({ "frequencies_hz": [160] })),
+        202
+    );
+    let view = server.until("ended", |view| {
+        has_ended(view) && view["trouble"].is_string()
+    });
+    assert_eq!(view["run"]["ended"], "finished");
+    assert_eq!(view["run"]["logbook_record"], Value::Null);
+    let trouble = view["trouble"].as_str().expect("words");
+    assert!(trouble.contains("waits in"), "{trouble}");
+    drop(logbook);
+    let view = server.until("entered", |view| view["run"]["logbook_record"] == 1);
+    assert_eq!(view["trouble"], Value::Null);
 }
 
 #[test]
@@ -354,6 +605,7 @@ fn strangers_are_kept_out() {
     assert_eq!(open.post("/api/stop", &json!({})), 403);
     assert_eq!(
         open.post(&format!("/api/stop?token={token}"), &json!({})),
-        202
+        504,
+        "no calibrator confirms it"
     );
 }

@@ -27,7 +27,7 @@ impl Context {
         Logbook::open(&self.logbook_path())
     }
 
-    /// The logbook, if this user has one: then runs and certificates are entered.
+    /// The logbook, if this user has one: then certificates are entered.
     pub(super) fn logbook_if_there(&self) -> Result<Option<Logbook>> {
         Logbook::open_if_there(&self.logbook_path())
     }

@@ -1,11 +1,12 @@
-// The page shows what the server says and keeps nothing: every event is the whole view.
+// The page shows what the server says and keeps nothing: every message is the whole view.
+import * as live from "./live.js";
 import * as measurement from "./measurement.js";
 import { show_records } from "./records.js";
-import { load, post, save, url } from "./server.js";
+import { load, post, save } from "./server.js";
 import * as waveforms from "./waveforms.js";
 
 const $ = (id) => document.getElementById(id);
-let last = null, ended = 0, refusal = "", answers = true;
+let last = null, ended = "", refusal = "", answers = true;
 
 function say() {
   const lost = !answers ? "the server does not answer; it is being tried again. STOP cannot reach it: use the button on the instrument"
@@ -20,12 +21,24 @@ async function ask(path, body) {
   say();
 }
 
-async function stop() {
-  $("stop").classList.add("sent");
-  await ask("api/stop");
-  setTimeout(() => $("stop").classList.remove("sent"), 300);
+/** Silence was asked for and nobody can say that it is there: nothing else matters on the screen. */
+function alarm(why) {
+  $("alarm-why").textContent = why;
+  $("alarm").hidden = !why;
+  if (why) $("alarm-stop").focus();
 }
 
+// The number of the run tells a stop that is late from one that is meant for what goes on now.
+async function stop() {
+  $("stop").classList.add("sent");
+  const why = await live.stop(last ? (last.run ? last.run.number : 0) : null);
+  $("stop").classList.remove("sent");
+  const nothing_there = answers && last && last.link === "none" && !(last.run && last.run.running);
+  alarm(nothing_there ? "" : why);
+}
+
+$("alarm-stop").addEventListener("click", stop);
+$("alarm-close").addEventListener("click", () => alarm(""));
 $("stop").addEventListener("click", stop);
 document.addEventListener("keydown", (event) => {
   if (event.key === "Escape") stop();
@@ -105,21 +118,21 @@ async function fill() {
   show_records();
 }
 
-const events = new EventSource(url("api/events"));
-events.onmessage = (event) => {
-  last = JSON.parse(event.data);
+live.listen((view) => {
+  last = view;
   answers = true;
-  show(last);
-  const run = last.run;
-  if (run && !run.running && run.number !== ended) {
-    ended = run.number;
+  // A confirmation that came late ends the alarm.
+  if (view.stop && view.stop.state === "confirmed" && !$("alarm").hidden && !(view.run && view.run.running)) alarm("");
+  show(view);
+  const run = view.run, kept = run && !run.running ? run.number + " " + run.logbook_record : "";
+  if (kept && kept !== ended) {
+    ended = kept;
     show_records();
   }
-};
-events.onerror = () => {
+}, () => {
   answers = false;
   $("link").textContent = "the server does not answer";
   $("link").dataset.link = "lost";
   say();
-};
+});
 fill();

@@ -26,10 +26,10 @@ export async function load(path) {
   }
 }
 
-/** Saves what a link names; returns why it cannot be had, or nothing. */
+/** Has what a link names issued, and saves it; returns why it cannot be had, or nothing. */
 export async function save(link) {
   try {
-    const answer = await fetch(link.href);
+    const answer = await fetch(link.href, { method: "POST", headers: { "Content-Type": "application/json" }, body: "{}" });
     if (!answer.ok) return await answer.text();
     const name = /filename="(.*)"/.exec(answer.headers.get("Content-Disposition"));
     const file = document.createElement("a");

@@ -1,0 +1,114 @@
+//! How many connections there are, and for how long: one that asks for nothing makes room for one that may.
+//!
+//! | limit | value | against |
+//! |---|---|---|
+//! | connections at a time | [`MOST`] | files running out; the oldest that has been let in nowhere makes room |
+//! | time to ask for something, and to ask again | [`PATIENCE`] | connections that only wait |
+//! | threads for files and documents | [`WORKERS`] | a locked logbook |
+
+use axum::Router;
+use axum::http::{Request, StatusCode};
+use hyper::body::Incoming;
+use hyper::service::{Service, service_fn};
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::service::TowerToHyperService;
+use std::collections::VecDeque;
+use std::io;
+use std::net::TcpListener;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+use tokio::net::TcpStream;
+use tokio::task::{JoinHandle, yield_now};
+
+/// Connections held at a time: pages of a whole laboratory, and far below what a process may open.
+const MOST: usize = 128;
+/// Time a connection has for the head of a request.
+const PATIENCE: Duration = Duration::from_secs(5);
+/// Threads that may wait for a disk.
+const WORKERS: usize = 8;
+/// Pause after the system refused a connection: there are too many open files.
+const REFUSED: Duration = Duration::from_millis(10);
+
+/// A connection that is held.
+struct Held {
+    /// It was let in: it has asked for something it may have.
+    let_in: Arc<AtomicBool>,
+    task: JoinHandle<()>,
+}
+
+/// Answers requests by `app` on a thread of its own, until `end`.
+pub(super) fn serve(
+    listener: TcpListener,
+    app: Router,
+    end: impl Future<Output = ()>,
+) -> io::Result<()> {
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .enable_all()
+        .max_blocking_threads(WORKERS)
+        .build()?;
+    let served = runtime.block_on(async {
+        let listener = tokio::net::TcpListener::from_std(listener)?;
+        tokio::select! {
+            never = accept(listener, app) => never,
+            () = end => Ok(()),
+        }
+    });
+    // A document that is being made is waited for by nobody.
+    runtime.shutdown_background();
+    served
+}
+
+async fn accept(listener: tokio::net::TcpListener, app: Router) -> io::Result<()> {
+    let mut held = VecDeque::new();
+    loop {
+        let Ok((stream, _)) = listener.accept().await else {
+            make_room(&mut held);
+            tokio::time::sleep(REFUSED).await;
+            continue;
+        };
+        held.retain(|held: &Held| !held.task.is_finished());
+        if held.len() >= MOST && !make_room(&mut held) {
+            continue;
+        }
+        let let_in = Arc::new(AtomicBool::new(false));
+        let task = tokio::spawn(answer(stream, app.clone(), Arc::clone(&let_in)));
+        held.push_back(Held { let_in, task });
+        // In a flood of connections those that are there have their turn too.
+        yield_now().await;
+    }
+}
+
+/// Ends the oldest connection that was let in nowhere; false when all were.
+fn make_room(held: &mut VecDeque<Held>) -> bool {
+    let idle = |held: &Held| !held.let_in.load(Ordering::Relaxed);
+    let Some(oldest) = held.iter().position(idle) else {
+        return false;
+    };
+    if let Some(oldest) = held.remove(oldest) {
+        oldest.task.abort();
+    }
+    true
+}
+
+async fn answer(stream: TcpStream, app: Router, let_in: Arc<AtomicBool>) {
+    // An answer is small: waiting for more would only delay it.
+    let _ = stream.set_nodelay(true);
+    let service = service_fn(|request: Request<Incoming>| {
+        let (app, let_in) = (app.clone(), Arc::clone(&let_in));
+        async move {
+            let answer = TowerToHyperService::new(app).call(request).await;
+            let Ok(answer) = answer;
+            if answer.status() != StatusCode::FORBIDDEN {
+                let_in.store(true, Ordering::Relaxed);
+            }
+            Ok::<_, std::convert::Infallible>(answer)
+        }
+    });
+    let connection = hyper::server::conn::http1::Builder::new()
+        .timer(TokioTimer::new())
+        .header_read_timeout(PATIENCE)
+        .serve_connection(TokioIo::new(stream), service);
+    // A host that goes, or asks nothing, is nobody's failure.
+    let _ = connection.with_upgrades().await;
+}

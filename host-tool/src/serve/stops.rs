@@ -1,0 +1,123 @@
+//! A stop: for which run it is, and what became of it.
+//!
+//! | stop for | while | then |
+//! |---|---|---|
+//! | the run that goes on, or whatever does | | passed on ahead of everything, confirmed or not |
+//! | a run that has ended | nothing runs | the same: silence is silence |
+//! | a run that has ended | the next one runs | refused: it came late, and would end another run |
+//!
+//! Confirmed means: the calibrator answered the stop. What it did not answer within
+//! [`CONFIRMED_WITHIN`] has failed as far as anybody can know, and the page says so.
+
+use super::handle::Handle;
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::time::{Duration, Instant};
+
+/// Longest wait for the calibrator's confirmation.
+const CONFIRMED_WITHIN: Duration = Duration::from_millis(500);
+/// Time between two looks at it.
+const LOOK: Duration = Duration::from_millis(5);
+/// Time between two looks at one that is late.
+const LATE_LOOK: Duration = Duration::from_millis(100);
+
+/// What a page sends.
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Asked {
+    /// Number of the run it is for, 0 for none of this server's; without it, for whatever goes on.
+    pub(super) run: Option<u32>,
+}
+
+/// What is known of the latest stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum StopState {
+    /// It is on its way.
+    Asked,
+    /// The calibrator has answered: the exciter is silent.
+    Confirmed,
+    /// It has not answered in time.
+    Unconfirmed,
+}
+
+/// The latest stop.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct StopView {
+    /// Running number among those of this server.
+    pub number: u64,
+    /// The run it ends; 0 when none of this server's went on.
+    pub run: u32,
+    /// What is known of it.
+    pub state: StopState,
+    /// Time to the confirmation, ms.
+    pub after_ms: Option<u64>,
+}
+
+/// Why nobody can say that the exciter is silent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum NotStopped {
+    /// Another run has begun since.
+    Late { of: u32, running: u32 },
+    /// The calibrator did not answer in time.
+    Unconfirmed,
+}
+
+impl NotStopped {
+    /// For the operator.
+    pub(super) fn text(self) -> String {
+        match self {
+            Self::Late { of, running } => {
+                format!("the stop was for run {of}; run {running} has begun since: STOP again")
+            }
+            Self::Unconfirmed => {
+                let limit_ms = CONFIRMED_WITHIN.as_millis();
+                format!("the calibrator did not confirm the stop within {limit_ms} ms")
+            }
+        }
+    }
+}
+
+impl IntoResponse for NotStopped {
+    fn into_response(self) -> Response {
+        let status = match self {
+            Self::Late { .. } => StatusCode::CONFLICT,
+            Self::Unconfirmed => StatusCode::GATEWAY_TIMEOUT,
+        };
+        (status, self.text()).into_response()
+    }
+}
+
+/// Stops, and says whether the calibrator confirmed it. What is asked is seen to though nobody waits.
+pub(super) async fn stop(handle: Handle, asked: Asked) -> Result<(), NotStopped> {
+    let number = handle.stop(asked.run)?;
+    let watched = tokio::spawn(watch(handle, number));
+    match watched.await {
+        Ok(true) => Ok(()),
+        _ => Err(NotStopped::Unconfirmed),
+    }
+}
+
+async fn watch(handle: Handle, number: u64) -> bool {
+    let begun = Instant::now();
+    while begun.elapsed() < CONFIRMED_WITHIN {
+        if handle.note_if_confirmed(number, begun) {
+            return true;
+        }
+        tokio::time::sleep(LOOK).await;
+    }
+    handle
+        .shared
+        .note_stop(number, StopState::Unconfirmed, None);
+    tokio::spawn(watch_late(handle, number, begun));
+    false
+}
+
+/// A confirmation that comes late is told too, unless there was another stop.
+async fn watch_late(handle: Handle, number: u64, begun: Instant) {
+    while handle.shared.is_latest_stop(number) && !handle.note_if_confirmed(number, begun) {
+        tokio::time::sleep(LATE_LOOK).await;
+    }
+}
