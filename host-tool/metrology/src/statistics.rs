@@ -71,6 +71,23 @@ pub fn standard_deviation(values: &[f64]) -> f64 {
     (squares / (values.len() as f64 - 1.0)).sqrt()
 }
 
+/// Angles moved by whole turns to within half a turn of their mean direction, degrees: what
+/// averages and scatters of angles are taken of. 179.9 and -179.9 are 0.2 degrees apart.
+pub(crate) fn unwrapped_deg(angles_deg: &[f64]) -> Vec<f64> {
+    let sum = |of: fn(f64) -> f64| -> f64 { angles_deg.iter().map(|a| of(a.to_radians())).sum() };
+    let middle = sum(f64::sin).atan2(sum(f64::cos)).to_degrees();
+    let near = |angle: &f64| middle + wrapped_deg(angle - middle);
+    angles_deg.iter().map(near).collect()
+}
+
+/// An angle in [-180, 180], degrees; one that lies there is left as it is.
+pub(crate) fn wrapped_deg(angle_deg: f64) -> f64 {
+    match angle_deg.abs() <= 180.0 {
+        true => angle_deg,
+        false => angle_deg - 360.0 * (angle_deg / 360.0).round(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

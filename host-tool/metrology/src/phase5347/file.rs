@@ -2,6 +2,7 @@
 
 use super::limits::Limits;
 use crate::input::{self, Number, Source};
+use crate::statistics::unwrapped_deg;
 use calib_files::Result;
 use serde::Deserialize;
 use std::path::Path;
@@ -68,6 +69,13 @@ pub fn parse(source: &Source) -> Result<PhaseFile> {
         phasemeter_deg: limit(source, "phasemeter_deg", &raw.phasemeter_deg)?,
         amplifier_deg: limit(source, "amplifier_deg", &raw.amplifier_deg)?,
     };
+    if limits.reference_deg + limits.phasemeter_deg + limits.amplifier_deg == 0.0 {
+        return Err(source.at(
+            &raw.reference_deg.span(),
+            "every limit is zero: no phasemeter and no reference is without error",
+            "state the limits of their certificates, in degrees",
+        ));
+    }
     let mut points: Vec<PhasePoint> = Vec::new();
     for table in &raw.frequency {
         let point = point(source, table.get_ref())?;
@@ -111,12 +119,22 @@ fn point(source: &Source, raw: &RawPoint) -> Result<PhasePoint> {
             "give two readings or more; Student's t shrinks quickly with their number",
         ));
     }
+    let readings_deg = readings
+        .iter()
+        .map(|number| input::finite(source, "phase_difference_deg", number))
+        .collect::<Result<Vec<f64>>>()?;
+    let turned = unwrapped_deg(&readings_deg);
+    let end = |of: fn(f64, f64) -> f64| turned.iter().copied().reduce(of).unwrap_or(0.0);
+    if end(f64::max) - end(f64::min) > 90.0 {
+        return Err(source.at(
+            &raw.phase_difference_deg.span(),
+            "the readings lie more than a quarter of a turn apart and have no common phase",
+            "readings of one phase scatter by a few degrees; look for an exchanged channel",
+        ));
+    }
     Ok(PhasePoint {
         frequency_hz: input::positive(source, "frequency_hz", &raw.frequency_hz)?,
-        readings_deg: readings
-            .iter()
-            .map(|number| input::finite(source, "phase_difference_deg", number))
-            .collect::<Result<_>>()?,
+        readings_deg,
         reference_phase_deg: match &raw.reference_phase_deg {
             Some(number) => input::finite(source, "reference_phase_deg", number)?,
             None => 0.0,

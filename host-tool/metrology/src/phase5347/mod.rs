@@ -16,7 +16,7 @@ pub use limits::Limits;
 pub use report::report;
 
 use super::budget::{self, Budget, Component, CoverageRule, Distribution, Model, Unit};
-use super::statistics::{mean, standard_deviation, student_factor};
+use super::statistics::{mean, standard_deviation, student_factor, unwrapped_deg, wrapped_deg};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -63,7 +63,8 @@ pub struct PhaseResult {
 /// Test `annex_a_by_hand`.
 pub fn evaluate(point: &PhasePoint, limits: &Limits) -> PhaseResult {
     let n = point.readings_deg.len() as f64;
-    let of_mean = standard_deviation(&point.readings_deg) / n.sqrt();
+    let readings_deg = unwrapped_deg(&point.readings_deg);
+    let of_mean = standard_deviation(&readings_deg) / n.sqrt();
     let x_random_deg = student_factor(0.95, n - 1.0) * of_mean;
     let sum = limits.reference_deg + limits.phasemeter_deg + limits.amplifier_deg;
     let x_systematic_deg = 2.0 / 3.0_f64.sqrt() * sum;
@@ -71,7 +72,7 @@ pub fn evaluate(point: &PhasePoint, limits: &Limits) -> PhaseResult {
     PhaseResult {
         frequency_hz: point.frequency_hz,
         readings: point.readings_deg.len(),
-        phase_deg: mean(&point.readings_deg) + point.reference_phase_deg,
+        phase_deg: wrapped_deg(mean(&readings_deg) + point.reference_phase_deg),
         x_random_deg,
         x_systematic_deg,
         x95_deg: x_random_deg.hypot(x_systematic_deg),
@@ -159,6 +160,30 @@ pub fn remarks(file: &PhaseFile) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Averaged as numbers, these were 36 degrees with a scatter of 197.
+    #[test]
+    fn readings_around_half_a_turn_are_averaged_on_the_circle() {
+        let limits = Limits {
+            reference_deg: 1.0,
+            phasemeter_deg: 0.5,
+            amplifier_deg: 0.3,
+        };
+        let evaluated = |readings_deg: &[f64]| {
+            let point = PhasePoint {
+                frequency_hz: 160.0,
+                readings_deg: readings_deg.to_vec(),
+                reference_phase_deg: 0.0,
+            };
+            evaluate(&point, &limits)
+        };
+        let around = evaluated(&[179.9, -179.9, 179.8, -179.8, 180.0]);
+        // The same readings turned by 180 degrees: -0.1, 0.1, -0.2, 0.2, 0.
+        let at_zero = evaluated(&[-0.1, 0.1, -0.2, 0.2, 0.0]);
+        assert!((around.phase_deg.abs() - 180.0).abs() < 1e-9, "{around:?}");
+        assert!((around.x_random_deg - at_zero.x_random_deg).abs() < 1e-9);
+        assert!((at_zero.phase_deg).abs() < 1e-12);
+    }
 
     #[test]
     fn annex_a_by_hand() {

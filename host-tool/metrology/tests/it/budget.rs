@@ -289,7 +289,19 @@ fn faults_name_file_line_and_remedy() {
         (
             format!("{good}degrees_of_freedom = 0\n"),
             6,
-            "greater than zero",
+            "must be 1 or more",
+        ),
+        (
+            format!("{good}degrees_of_freedom = 0.1\n"),
+            6,
+            "must be 1 or more",
+        ),
+        (good.replace("k = 2", "k = 0.01"), 5, "no coverage factor"),
+        (good.replace("0.3", "150"), 3, "more than 100 %"),
+        (
+            format!("coverage_factor = 0.1\n{good}"),
+            1,
+            "no coverage factor",
         ),
         (format!("{good}{good}"), 7, "two components"),
         (

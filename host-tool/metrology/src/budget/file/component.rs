@@ -1,5 +1,6 @@
 //! One `[[component]]` of a budget file.
 
+use super::factor_of;
 use crate::budget::{Budget, Component, Distribution, Unit, evaluate};
 use crate::input::{self, Number, Source, Text};
 use calib_files::Result;
@@ -49,7 +50,7 @@ pub(super) fn component(
         ));
     };
     Ok(Component {
-        value: not_negative(source, value)?,
+        value: possible(source, value, unit)?,
         distribution: distribution(source, fields, remarks)?,
         degrees_of_freedom: degrees_of_freedom(source, fields)?,
         sensitivity_coefficient,
@@ -57,14 +58,26 @@ pub(super) fn component(
     })
 }
 
-fn not_negative(source: &Source, number: &Number) -> Result<f64> {
+/// An uncertainty is never negative, nor larger than the quantity itself or half a turn.
+fn possible(source: &Source, number: &Number, unit: Unit) -> Result<f64> {
     let value = input::finite(source, "value", number)?;
-    match value >= 0.0 {
-        true => Ok(value),
-        false => Err(source.at(
+    let (most, words) = match unit {
+        Unit::Percent => (100.0, "100 %"),
+        Unit::Degree => (180.0, "180 degrees"),
+    };
+    if value < 0.0 {
+        return Err(source.at(
             &number.span(),
             format!("value = {value}: an uncertainty is never negative"),
             "write its magnitude; a sign belongs to sensitivity_coefficient",
+        ));
+    }
+    match value <= most {
+        true => Ok(value),
+        false => Err(source.at(
+            &number.span(),
+            format!("value = {value} is more than {words}"),
+            "write the half-width in the unit of the budget",
         )),
     }
 }
@@ -74,11 +87,11 @@ fn degrees_of_freedom(source: &Source, fields: &ComponentTable) -> Result<f64> {
         return Ok(f64::INFINITY);
     };
     let value = input::plain(source, "degrees_of_freedom", number)?;
-    match value > 0.0 {
+    match value >= 1.0 {
         true => Ok(value),
         false => Err(source.at(
             &number.span(),
-            format!("degrees_of_freedom = {value}: must be greater than zero"),
+            format!("degrees_of_freedom = {value}: must be 1 or more"),
             "n - 1 for a mean of n observations; leave it out for infinite",
         )),
     }
@@ -127,11 +140,11 @@ fn normal(
 ) -> Result<Distribution> {
     refuse_shape(source, fields)?;
     let k = match &fields.k {
-        Some(number) => Some(input::positive(source, "k", number)?),
+        Some(number) => Some(factor_of(source, "k", number)?),
         None => None,
     };
     let divisor = match &fields.divisor {
-        Some(number) => Some((input::positive(source, "divisor", number)?, number.span())),
+        Some(number) => Some((factor_of(source, "divisor", number)?, number.span())),
         None => None,
     };
     let coverage_factor = match (k, divisor) {
