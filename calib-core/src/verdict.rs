@@ -89,11 +89,11 @@ impl Reason {
     }
 }
 
-/// `pass`, or `refused: ` and the reason in words.
+/// `valid`, or `refused: ` and the reason in words.
 impl fmt::Display for Verdict {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Pass => formatter.write_str("pass"),
+            Self::Pass => formatter.write_str("valid"),
             Self::Refused(reason) => write!(formatter, "refused: {reason}"),
         }
     }

@@ -9,7 +9,7 @@
 //! | 4 | the device speaks another protocol version, or answers nonsense |
 //! | 5 | the device understood and refused |
 //! | 6 | an input file (points, record, settings, ...) is not usable |
-//! | 7 | done, but a verdict is not "pass": a point was refused, a sensor drifted, a check failed |
+//! | 7 | done, but a point was refused, a conformity that was asked for is not "pass", a sensor drifted, or a check failed |
 
 use std::path::Path;
 

@@ -9,6 +9,8 @@ pub mod doctor;
 pub mod emulated;
 mod error;
 pub mod gap;
+pub mod judged;
+pub mod refusals;
 pub mod serve;
 pub mod terminal;
 

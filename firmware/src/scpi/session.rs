@@ -214,7 +214,7 @@ impl Session {
     fn verdict(&self, instrument: &mut impl Instrument, out: &mut impl Write) -> Done {
         let result = self.result(instrument);
         let _ = match result.map(|result| result.verdict) {
-            Ok(Verdict::Pass) => out.write_str("PASS"),
+            Ok(Verdict::Pass) => out.write_str("VALID"),
             Ok(Verdict::Refused(reason)) => write!(out, "REFUSED,{reason:?}"),
             Err(_) => out.write_str("NONE"),
         };

@@ -244,7 +244,7 @@ fn a_point_is_measured_by_text_alone() {
     let uncertainty: f32 = uncertainty.parse().expect("a number");
     // Three roundings of f32.
     assert!((uncertainty / 8e-5 - 1.0).abs() < 2e-7, "{uncertainty}");
-    assert_eq!(verdict, "PASS\n");
+    assert_eq!(verdict, "VALID\n");
     b.refused = Some(Reason::Clipped);
     assert_eq!(say(b, "FETC:VERD?;FETC:SENS?"), "REFUSED,Clipped;9.91E37\n");
     // PHAS? was a command error (32), the refused point one of the device (8), the

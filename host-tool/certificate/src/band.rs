@@ -4,6 +4,7 @@
 //! something was measured, so that a step stays a step.
 
 use super::model::Certificate;
+use crate::decision::specification::Place as Where;
 use crate::decision::{Limits, Specification};
 
 /// Places per area on the logarithmic axis; steps have places of their own.
@@ -17,7 +18,13 @@ pub(super) fn areas(certificate: &Certificate, low_hz: f64, high_hz: f64) -> Vec
     let Some((specification, reference)) = judged_by(certificate) else {
         return Vec::new();
     };
-    let place = |hz| Some((hz, specification.limits(hz, reference, false)?));
+    let known = |limits: &Limits| limits.lower.is_finite() && limits.upper.is_finite();
+    let place = |hz| {
+        let limits = specification
+            .limits(at(hz, reference, false))
+            .filter(known)?;
+        Some((hz, limits))
+    };
     let frequencies = frequencies(specification, low_hz, high_hz);
     let places: Vec<Option<Place>> = frequencies.into_iter().map(place).collect();
     let areas = places.split(Option::is_none).filter(|area| area.len() > 1);
@@ -31,9 +38,18 @@ pub(super) fn at_reference(certificate: &Certificate) -> Option<Place> {
     let (specification, reference) = judged_by(certificate)?;
     let (point, _) = certificate.reference_result()?;
     let hz = point.nominal_frequency_hz;
-    let own = specification.limits(hz, reference, true)?;
-    let differ = specification.limits(hz, reference, false) != Some(own);
+    let own = specification.limits(at(hz, reference, true))?;
+    let known = own.lower.is_finite() && own.upper.is_finite();
+    let differ = known && specification.limits(at(hz, reference, false)) != Some(own);
     differ.then_some((point.frequency_hz, own))
+}
+
+fn at(frequency_hz: f64, reference_v_per_ms2: f64, at_reference_point: bool) -> Where {
+    Where {
+        frequency_hz,
+        at_reference_point,
+        reference_v_per_ms2,
+    }
 }
 
 fn judged_by(certificate: &Certificate) -> Option<(&Specification, f64)> {

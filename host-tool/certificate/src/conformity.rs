@@ -2,13 +2,16 @@
 
 use super::model::{Certificate, Line, Remark, Section, Severity, Value};
 use crate::decision::specification::Name;
-use crate::decision::{Assessment, Decision, Rule, assess};
+use crate::decision::{Assessment, Decision, Place, Rule, Specification, assess};
 use crate::units::STANDARD_GRAVITY_MS2;
 
 /// Judges every point that has a result, if a decision is asked for, and adds
 /// the statement ISO/IEC 17025 7.8.6.2 wants: results, specification, rule.
 pub(super) fn attach(certificate: &mut Certificate) {
-    let Some(request) = &certificate.particulars.decision else {
+    let request = certificate.particulars.decision.as_ref();
+    // A rule alone judges nothing: the tolerance is the sensor's, and it has none.
+    let Some(request) = request.filter(|request| !request.is_open()) else {
+        certificate.particulars.decision = None;
         return;
     };
     let decision = match request.build() {
@@ -37,10 +40,11 @@ fn judge(certificate: &mut Certificate, decision: &Decision) {
     let Some(reference) = reference else { return };
     for (index, point) in certificate.points.iter_mut().enumerate() {
         let at_reference = Some(index) == index_of_reference;
-        let limits =
-            decision
-                .specification
-                .limits(point.nominal_frequency_hz, reference, at_reference);
+        let limits = decision.specification.limits(Place {
+            frequency_hz: point.nominal_frequency_hz,
+            at_reference_point: at_reference,
+            reference_v_per_ms2: reference,
+        });
         let (Some(limits), Ok(values)) = (limits, point.outcome.as_mut()) else {
             continue;
         };
@@ -76,7 +80,7 @@ fn statement(certificate: &Certificate, decision: &Decision) -> Section {
         (
             "specification",
             "ISO/IEC 17025 7.8.6.2 b",
-            Some(specification(&decision.specification.name)),
+            Some(specification(&decision.specification)),
         ),
         (
             "nominal",
@@ -102,13 +106,21 @@ fn statement(certificate: &Certificate, decision: &Decision) -> Section {
     Section::new("decision", lines.into_iter().filter(exists))
 }
 
-fn specification(name: &Name) -> Value {
+fn specification(specification: &Specification) -> Value {
     let with =
         |key: &str, percent: f64| Value::Phrase(key.to_owned(), vec![Value::Exact(percent, "%")]);
-    match name {
+    match &specification.name {
         Name::Own(name) => Value::Text(name.clone()),
         Name::Nominal(percent) => with("specification.nominal", *percent),
         Name::Relative(percent) => with("specification.relative", *percent),
+        Name::Bands => Value::List(
+            specification
+                .bands
+                .iter()
+                .copied()
+                .map(Value::Band)
+                .collect(),
+        ),
     }
 }
 
@@ -133,8 +145,8 @@ fn applies_to(certificate: &Certificate, judged: usize) -> Value {
 
 fn overall(certificate: &Certificate) -> Value {
     let key = match certificate.conformity() {
-        Some(conformity) => format!("conformity.{}", conformity.name()),
-        None => "conformity.none".to_owned(),
+        Some(conformity) => crate::decision::Stated::from(conformity).message(),
+        None => "conformity.none",
     };
-    Value::Phrase(key, vec![])
+    Value::Phrase(key.to_owned(), vec![])
 }

@@ -33,7 +33,7 @@ const RESULT: [&str; 15] = [
 ];
 
 /// Headings of the columns behind it.
-const JUDGEMENT: [&str; 13] = [
+const JUDGEMENT: [&str; 14] = [
     "blocks",
     "state",
     "reason",
@@ -46,6 +46,7 @@ const JUDGEMENT: [&str; 13] = [
     "as_found_expanded_uncertainty_percent",
     "change_percent",
     "coherence",
+    "marks",
     "record_chain",
 ];
 
@@ -77,6 +78,14 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
         row.extend(as_found(point, found, language));
         let coherence = point.view.coherence;
         row.push(coherence.map_or_else(String::new, |c| fixed(decimal(c), 4, language)));
+        row.push(
+            certificate
+                .marks()
+                .iter()
+                .map(code)
+                .collect::<Vec<_>>()
+                .join(" "),
+        );
         row.push(
             certificate
                 .chain
@@ -130,7 +139,10 @@ fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<Stri
 /// Limits and risks of a judged point.
 fn limits(judged: &Assessment, language: Language) -> [String; 4] {
     // Limits are products of decimal numbers.
-    let number = |value: f64| language.shortest(number::shortened(value, 12));
+    let number = |value: f64| match value.is_finite() {
+        true => language.shortest(number::shortened(value, 12)),
+        false => String::new(),
+    };
     let percent = |probability: Option<f64>| {
         probability
             .map(|p| fixed(100.0 * p, 4, language))

@@ -4,7 +4,7 @@ use super::model::{Certificate, Refusal, Remark, Severity, Value};
 use super::model::{Point, PointValues};
 use super::particulars::Particulars;
 use super::rounding::{Rounded, round_uncertainty};
-use super::sections::sections;
+use super::sections::{is_traceable, sections};
 use super::stored::{day, run_day};
 use super::units::STANDARD_GRAVITY_MS2;
 use super::{budget, conformity};
@@ -13,6 +13,7 @@ use calib_core::verdict::Verdict;
 use calib_output::PointView;
 use calib_output::number::decimal;
 use calib_protocol::record::Record;
+use calib_record::origin::is_emulated;
 use jiff::civil::Date;
 
 impl Certificate {
@@ -44,6 +45,8 @@ impl Certificate {
             remarks: Vec::new(),
             as_found: None,
             chain: None,
+            simulated: is_emulated(&record.head.instrument_serial),
+            traceable: is_traceable(record),
         };
         certificate.remarks = remarks(record, &certificate);
         conformity::attach(&mut certificate);
@@ -194,6 +197,10 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
         && due < run
     {
         say(Severity::Error, "reference_overdue", vec![Value::Day(due)]);
+        if let Some(why) = &certificate.particulars.calibration.overdue_reference {
+            let why = vec![Value::Text(why.clone())];
+            say(Severity::Warning, "reference_override", why);
+        }
     }
     for (name, due) in other_due_days(&certificate.particulars) {
         if run_day(record).is_some_and(|run| due < run) {

@@ -1,13 +1,15 @@
 //! JSON: every number of the certificate, not rounded, in the keys of every output.
 //!
 //! ```text
-//! { "certificate", "language", "item": {..}, "calibration": {..}, ..., "inverted",
-//!   "reference": {point}, "points": [{point}], "conformity", "budget": {..},
+//! { "certificate", "marks", "missing", "language", "item": {..}, "calibration": {..}, ..., "inverted",
+//!   "reference": {point}, "points": [{point}], "conformity", "verdict", "budget": {..},
 //!   "as_found": {..}, "record_chain", "remarks": [..] }
 //! ```
 
+use super::marks::Mark;
 use super::model::{self, Certificate, Point, Section, Severity};
 use super::rounding::Rounded;
+use super::verdict::Verdict;
 use super::words::Language;
 use crate::decision::Stated;
 use calib_files::{Error, Result};
@@ -35,6 +37,10 @@ type Statements = BTreeMap<&'static str, Option<String>>;
 pub struct Document {
     /// Number of the certificate.
     certificate: String,
+    /// What it is instead of a certificate: `simulated`, `draft`; empty for a complete one.
+    marks: Vec<Mark>,
+    /// What a draft lacks, in words.
+    missing: Vec<String>,
     /// Language of the statements, ISO 639-1.
     language: &'static str,
     /// Statements by section.
@@ -48,6 +54,8 @@ pub struct Document {
     points: Vec<JudgedPoint>,
     /// Statements about the whole object.
     conformity: Stated,
+    /// The same in words, with what decided; none when no tolerance was stated.
+    verdict: Option<Verdict>,
     /// Budget at the reference point.
     budget: Option<Budget>,
     /// Results before an adjustment.
@@ -65,6 +73,12 @@ impl Document {
         let sections = certificate.sections.iter();
         Self {
             certificate: certificate.number.clone(),
+            marks: certificate.marks(),
+            missing: certificate
+                .missing()
+                .iter()
+                .map(|key| language.word(key).to_owned())
+                .collect(),
             language: language.code(),
             sections: sections
                 .map(|section| (section.key, statements(section, language)))
@@ -75,6 +89,7 @@ impl Document {
                 .and_then(|index| points.get(index).cloned()),
             points,
             conformity: certificate.stated_conformity(),
+            verdict: certificate.verdict(language),
             budget: certificate.budget.as_ref().map(Budget::from),
             as_found: as_found(certificate),
             record_chain: certificate.chain,
@@ -123,8 +138,8 @@ fn judged(certificate: &Certificate) -> impl Iterator<Item = JudgedPoint> {
             deviation_rel: values.and_then(|v| v.deviation_percent).map(|d| d / 100.0),
             deviation_db: values.and_then(|v| v.deviation_db),
             conformity: certificate.conformity_of(point),
-            lower_limit_v_per_ms2: judged.map(|j| j.tolerance.lower),
-            upper_limit_v_per_ms2: judged.map(|j| j.tolerance.upper),
+            lower_limit_v_per_ms2: judged.map(|j| j.tolerance.lower).filter(|v| v.is_finite()),
+            upper_limit_v_per_ms2: judged.map(|j| j.tolerance.upper).filter(|v| v.is_finite()),
             false_accept_probability: judged.and_then(|j| j.false_accept),
             false_reject_probability: judged.and_then(|j| j.false_reject),
             printed_mv_per_ms2: values.map(|v| v.printed_mv_per_ms2),

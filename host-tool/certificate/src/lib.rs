@@ -6,8 +6,11 @@
 //! | `sections` | statements, each with the clause that asks for it |
 //! | [`particulars`] | what a TOML file states and no record knows |
 //! | `adjustment` | what was found before an adjustment, beside what was left |
+//! | `marks` | DRAFT, SIMULATED |
+//! | `refused` | what no certificate may say |
 //! | `budget` | the budget at the reference point, recomputed and compared |
 //! | `standing` | the record's sum and its place in the chain |
+//! | `verdict` | the verdict on the whole object, for every output |
 //! | `conformity` | judgement of the results by a decision rule |
 //! | `rounding` | two digits of U, the value to the same digit |
 //! | `present` | [`Certificate`] to strings in a language |
@@ -27,6 +30,7 @@ pub mod decision;
 mod from_record;
 mod html;
 mod json;
+mod marks;
 mod measured;
 pub mod model;
 pub mod particulars;
@@ -35,6 +39,7 @@ mod plot;
 mod present;
 #[cfg(test)]
 pub(crate) mod python;
+mod refused;
 pub mod rounding;
 mod sections;
 mod standing;
@@ -44,6 +49,8 @@ mod tests;
 #[cfg(test)]
 mod tests_dcc;
 #[cfg(test)]
+mod tests_marks;
+#[cfg(test)]
 mod tests_pdf;
 #[cfg(test)]
 mod tests_standing;
@@ -51,15 +58,19 @@ mod tests_standing;
 mod tests_uff;
 mod uff;
 mod units;
+mod verdict;
 mod words;
 
 pub use calib_files::file::Existing;
 pub use json::Document;
+pub use marks::Mark;
 pub use model::Certificate;
-pub use particulars::Particulars;
+pub use particulars::{Known, Particulars};
 pub use present::Presented;
 pub use standing::digest;
-pub use words::Language;
+pub use units::SensitivityUnit;
+pub use verdict::Verdict;
+pub use words::{Language, REASONS};
 
 use calib_files::{Result, set};
 use calib_protocol::record::Record;
@@ -165,6 +176,10 @@ pub struct Prepared {
     pub files: Vec<File>,
     /// Why the printed one has no DCC inside, and the way out.
     pub lack: Option<String>,
+    /// The verdict on the object, if a tolerance was stated.
+    pub verdict: Option<Verdict>,
+    /// The marks it carries, each with its reason.
+    pub marks: Vec<(Mark, String)>,
 }
 
 /// A file of a certificate.
@@ -181,10 +196,11 @@ pub struct File {
 /// Makes the files of a certificate in memory.
 ///
 /// # Errors
-/// [`calib_files::Error::Input`] when something stated makes no sense or a template
-/// does not render, [`calib_files::Error::File`] when a template cannot be read.
+/// [`calib_files::Error::Input`] when something stated makes no sense, the reference was
+/// overdue, or a template does not render, [`calib_files::Error::File`] when a template cannot be read.
 pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result<Prepared> {
     let mut certificate = Certificate::from_record(record, &options.particulars);
+    refused::check(&certificate, record)?;
     if let Some(found) = &options.as_found {
         adjustment::attach(&mut certificate, record, found)?;
     }
@@ -202,6 +218,13 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
     Ok(Prepared {
         files: files?,
         lack: lack.flatten(),
+        verdict: certificate.verdict(language),
+        marks: certificate
+            .marks()
+            .into_iter()
+            .zip(certificate.marks_in_words(language))
+            .map(|(mark, (title, reason))| (mark, format!("{title}: {reason}")))
+            .collect(),
         number: certificate.number,
     })
 }

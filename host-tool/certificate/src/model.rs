@@ -10,7 +10,7 @@
 
 use super::particulars::Particulars;
 use super::rounding::Rounded;
-use crate::decision::{Assessment, Conformity, Decision, Stated};
+use crate::decision::{Assessment, Band, Conformity, Decision, Stated};
 use calib_core::point::PointResult;
 use calib_output::PointView;
 use calib_record::hash_chain::Standing;
@@ -45,6 +45,10 @@ pub struct Certificate {
     pub as_found: Option<Box<Certificate>>,
     /// Place of the record in the chain, once somebody looked.
     pub chain: Option<Standing>,
+    /// Measured by an emulated instrument.
+    pub simulated: bool,
+    /// The chain of the reference is stated in full, was in force, and is a real one's.
+    pub traceable: bool,
 }
 
 impl Certificate {
@@ -165,6 +169,8 @@ pub enum Value {
     Day(Date),
     /// Several statements.
     List(Vec<Value>),
+    /// A tolerance over a range of frequencies.
+    Band(Band),
 }
 
 /// One calibration point.

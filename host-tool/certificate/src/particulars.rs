@@ -108,7 +108,7 @@ pub struct Calibration {
     /// Day of calibration, if the record does not state it.
     #[serde(deserialize_with = "day")]
     pub date: Option<Date>,
-    /// Day of issue; else the day of calibration.
+    /// Day of issue; never assumed.
     #[serde(deserialize_with = "day")]
     pub issued: Option<Date>,
     /// Where it was done.
@@ -119,8 +119,22 @@ pub struct Calibration {
     pub approved_by: Option<String>,
     /// Additions to, deviations and exclusions from the method.
     pub deviations: Option<String>,
+    /// What was measured.
+    pub measurand: Option<Measurand>,
+    /// Why a reference was used although its calibration was overdue.
+    pub overdue_reference: Option<String>,
     /// Whether the object was adjusted (7.8.4.1 d).
     pub adjustment: Option<Adjustment>,
+}
+
+/// What the sensitivity is one of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Measurand {
+    /// The transducer and its conditioner as one chain.
+    WithConditioner,
+    /// The transducer alone: the conditioner's gain is taken out by the settings.
+    WithoutConditioner,
 }
 
 /// Where a calibration was done.
@@ -265,7 +279,10 @@ impl Particulars {
             own.layout.check(path, columns)?;
             own.laboratory.check("laboratory", path)?;
             own.customer.check("customer", path)?;
-            if let Some(Err(problem)) = own.decision.as_ref().map(decision::Request::check) {
+            own.plausible(path)?;
+            // A laboratory may state its rule alone.
+            let stated = own.decision.as_ref().filter(|request| !request.is_open());
+            if let Some(Err(problem)) = stated.map(decision::Request::check) {
                 let place = path.display().to_string();
                 return Err(Error::input(place, problem, "correct the [decision] part"));
             }
@@ -279,22 +296,94 @@ impl Particulars {
     }
 }
 
+/// What a logbook knows of a device under test.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Known {
+    /// Nominal sensitivity, V/(m/s2).
+    pub nominal_v_per_ms2: Option<f64>,
+    /// Its tolerance.
+    pub tolerance: Option<decision::Tolerance>,
+    /// Sensitivities of its last calibration before this one, Hz and V/(m/s2).
+    pub last: Vec<(f64, f64)>,
+}
+
 impl Particulars {
-    /// Completes the decision for a device under test whose nominal sensitivity,
-    /// V/(m/s2), may be known from the logbook, and checks it.
+    /// Completes the decision for a device under test by what is known of it, and
+    /// checks it. The tolerance stated in a file wins; the rule is that of the file,
+    /// also for the sensor's own tolerance.
     ///
     /// # Errors
     /// [`Error::Input`] when nobody stated the nominal sensitivity it needs.
-    pub fn for_device(&mut self, nominal_v_per_ms2: Option<f64>) -> Result<()> {
-        let Some(request) = &mut self.decision else {
+    pub fn for_device(&mut self, known: &Known) -> Result<()> {
+        if let Some(tolerance) = &known.tolerance {
+            tolerance.complete(self.decision.get_or_insert_default());
+        }
+        let Some(request) = self.decision.as_mut().filter(|request| !request.is_open()) else {
             return Ok(());
         };
-        if let Some(nominal) = nominal_v_per_ms2 {
+        if let Some(nominal) = known.nominal_v_per_ms2 {
             request.know_nominal(nominal);
         }
+        request.last.clone_from(&known.last);
         let hint = "state it there, or the sensor's with `calib sensors add`";
         let built = request.build();
         built.map_err(|problem| Error::input("particulars", problem, hint))?;
+        Ok(())
+    }
+}
+
+impl Particulars {
+    /// Conditions that can be: nobody calibrates at -300 degC or 400 % of humidity.
+    fn plausible(&self, path: &Path) -> Result<()> {
+        let (conditions, amplifier) = (&self.conditions, &self.amplifier);
+        let ranges = [
+            (
+                "conditions.ambient_temperature_c",
+                conditions.ambient_temperature_c,
+                -60.0,
+                125.0,
+            ),
+            (
+                "conditions.temperature_difference_k",
+                conditions.temperature_difference_k,
+                -200.0,
+                500.0,
+            ),
+            (
+                "conditions.humidity_percent",
+                conditions.humidity_percent,
+                0.0,
+                100.0,
+            ),
+            ("mounting.torque_n_m", self.mounting.torque_n_m, 0.0, 100.0),
+            (
+                "amplifier.lower_cutoff_hz",
+                amplifier.lower_cutoff_hz,
+                0.0,
+                1.0e6,
+            ),
+            (
+                "amplifier.upper_cutoff_hz",
+                amplifier.upper_cutoff_hz,
+                0.0,
+                1.0e9,
+            ),
+            (
+                "amplifier.slope_db_per_octave",
+                amplifier.slope_db_per_octave,
+                0.0,
+                200.0,
+            ),
+        ];
+        for (item, stated, least, most) in ranges {
+            if let Some(value) = stated
+                && !(least..=most).contains(&value)
+            {
+                let problem = format!("{item}: {value} is not between {least} and {most}");
+                let hint = "the unit is in the item's name";
+                return Err(Error::input(path.display().to_string(), problem, hint));
+            }
+        }
         Ok(())
     }
 }

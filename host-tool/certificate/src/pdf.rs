@@ -11,6 +11,11 @@ use std::path::Path;
 /// The built-in page.
 pub(super) const TEMPLATE: &str = include_str!("page/certificate.typ");
 
+/// Before every template, the laboratory's as well: the marks across each page.
+const MARKS: &str = "#set page(foreground: { let marks = json(\"certificate.json\").marks; \
+    if marks.len() > 0 { rotate(-50deg, text(size: 74pt, weight: \"bold\", \
+    fill: rgb(179, 38, 30, 45), marks.map(mark => mark.at(0)).join(linebreak()))) } })\n";
+
 /// The certificate as PDF/A-3b, by the laboratory's template or the built-in.
 ///
 /// One certificate always gives equal bytes: no clock is read, no font of the
@@ -27,6 +32,7 @@ pub(super) fn render(
     let layout = &certificate.particulars.layout;
     let own = layout.template.as_deref();
     let template = own.map_or_else(|| Ok(TEMPLATE.to_owned()), read_text)?;
+    let template = format!("{MARKS}{template}");
     let logo = layout.logo.as_deref().map(logo).transpose()?;
     // Without date or country there is no DCC; the certificate says what is missing.
     let dcc = super::dcc::render(certificate, language).ok();
@@ -66,7 +72,9 @@ pub(super) fn render(
         let name = own.map_or("certificate.typ".to_owned(), |path| {
             path.display().to_string()
         });
-        Error::input(format!("{name}:{}", error.line), error.problem, error.hint)
+        // The line of the marks is not the template's.
+        let line = error.line.saturating_sub(1).max(1);
+        Error::input(format!("{name}:{line}"), error.problem, error.hint)
     })
 }
 

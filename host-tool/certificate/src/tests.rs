@@ -1,7 +1,7 @@
 //! Every format against the numbers the record was made from.
 
 use super::model::{Certificate, Value};
-use super::{Format, Language, Options, Particulars, render, write_with};
+use super::{Format, Known, Language, Options, Particulars, render, write_with};
 use crate::decision::Conformity;
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::Record;
@@ -146,7 +146,7 @@ fn a_refused_point_has_a_reason_and_no_result() {
         serde_json::from_str(&rendered(&record, Format::Json, Language::En)).expect("JSON");
     assert!(json["points"][1]["sensitivity_v_per_ms2"].is_null());
     let html = rendered(&record, Format::Html, Language::En);
-    assert!(html.contains("refused: signal too small over noise"));
+    assert!(html.contains("refused: too little signal over noise"));
     assert!(html.contains("1 of 2 points were refused"));
 }
 
@@ -180,6 +180,118 @@ fn a_failure_stays_one_when_another_point_was_refused() {
     let page = render(&certificate, Format::Html, Language::De).expect("renders");
     let page = String::from_utf8(page).expect("UTF-8");
     assert!(page.contains("Nennwert ± 5,5\u{a0}%"));
+}
+
+/// The sample record, 10.2 mV/(m/s2) with U = 0.77 %, of a sensor of which this is known.
+fn judged(nominal_mv: f64, tolerance: &str, rule: &str, last: &[(f64, f64)]) -> Certificate {
+    let mut particulars: Particulars = toml::from_str(rule).expect("TOML");
+    let known = Known {
+        nominal_v_per_ms2: Some(nominal_mv / 1000.0),
+        tolerance: Some(tolerance.parse().expect("a tolerance")),
+        last: last.to_vec(),
+    };
+    particulars.for_device(&known).expect("complete");
+    Certificate::from_record(&record(&[160.0, 1000.0]), &particulars)
+}
+
+#[test]
+fn the_verdict_says_what_decided() {
+    // 10.20026 / 9.63 - 1 = 5.92 %; conditional within U = 0.77 % of the limit of 5 %, not beyond.
+    let minus = '\u{2212}';
+    let cases = [
+        (
+            9.63,
+            "5",
+            "FAIL",
+            "+5.92 % of nominal, limit ±5 %, at 160 Hz (U = 0.77 %)".to_owned(),
+        ),
+        (
+            9.68,
+            "5",
+            "CONDITIONAL FAIL",
+            "+5.37 % of nominal, limit ±5 %".to_owned(),
+        ),
+        (
+            9.75,
+            "5",
+            "CONDITIONAL PASS",
+            "+4.62 % of nominal, limit ±5 %".to_owned(),
+        ),
+        (
+            10.3,
+            "5",
+            "PASS",
+            format!("{minus}0.97 % of nominal, limit ±5 %, at 160 Hz"),
+        ),
+        (
+            10.2,
+            "0.5",
+            "NOT JUDGEABLE",
+            "U = 0.77 % is too large for this limit".to_owned(),
+        ),
+        (
+            10.2,
+            "api670",
+            "PASS",
+            "+0.03 % of nominal, limit ±5 %".to_owned(),
+        ),
+        (
+            9.0,
+            "0.5:last",
+            "NOT JUDGEABLE",
+            "nothing is known of the last calibration".to_owned(),
+        ),
+    ];
+    for (nominal, tolerance, title, because) in cases {
+        let certificate = judged(nominal, tolerance, "", &[]);
+        let verdict = certificate.verdict(Language::En).expect("a tolerance");
+        assert_eq!(
+            verdict.title, title,
+            "{tolerance} of {nominal}: {verdict:?}"
+        );
+        assert!(verdict.because.contains(&because), "{verdict:?}");
+        for format in [Format::Html, Format::Json] {
+            let page = render(&certificate, format, Language::En).expect("renders");
+            let page = String::from_utf8(page).expect("UTF-8");
+            assert!(page.contains(title), "{format:?} {title}");
+        }
+    }
+    let german = judged(9.63, "5", "", &[]).verdict(Language::De);
+    let german = german.expect("a tolerance");
+    assert_eq!(german.title, "NICHT ERFÜLLT");
+    assert!(
+        german.because.starts_with("+5,92 % vom Nennwert"),
+        "{german:?}"
+    );
+}
+
+#[test]
+fn the_rule_is_the_laboratorys_and_the_tolerance_the_sensors() {
+    let title = |rule: &str| {
+        let certificate = judged(9.75, "5:nominal:reference,8:reference:500-5000", rule, &[]);
+        certificate
+            .verdict(Language::En)
+            .expect("a tolerance")
+            .title
+    };
+    assert_eq!(title(""), "CONDITIONAL PASS");
+    assert_eq!(title("[decision]\nrule = 'simple'"), "PASS");
+    // 10.2 against 10.0 within 2.5 %, of the same frequency's last calibration.
+    let last = [(160.0, 0.0100), (1000.0, 0.0100)];
+    let verdict = judged(1.0, "2.5:last", "[decision]\nrule = 'simple'", &last);
+    let verdict = verdict.verdict(Language::En).expect("a tolerance");
+    assert_eq!(verdict.title, "PASS");
+    assert!(
+        verdict
+            .because
+            .starts_with("+2.00 % of the last calibration"),
+        "{verdict:?}"
+    );
+    // A rule alone judges nothing.
+    let particulars: Particulars = toml::from_str("[decision]\nrule = 'simple'").expect("TOML");
+    let certificate = Certificate::from_record(&record(&[160.0]), &particulars);
+    assert_eq!(certificate.verdict(Language::En), None);
+    assert_eq!(certificate.remarks, []);
 }
 
 #[test]

@@ -63,6 +63,7 @@ issued = "2025-11-22"
 place = "customer"
 place_text = "Pumpenwerk, Halle 3"
 approved_by = "Dr. A. Prüferin"
+measurand = "with_conditioner"
 deviations = "keine"
 adjustment = "reported_only"
 [conditions]

@@ -157,3 +157,39 @@ fn a_logo_that_is_no_picture_is_refused() {
     let error = pdf(&record(&[160.0]), &particulars).expect_err("no picture");
     assert!(error.to_string().contains("logo.docx"), "{error}");
 }
+
+/// Text of each page.
+const PAGES: &str = "\
+import sys, json, pypdf
+print(json.dumps([p.extract_text() for p in pypdf.PdfReader(sys.argv[1]).pages]))
+";
+
+#[test]
+fn a_mark_stands_on_every_page_also_of_a_laboratorys_own_template() {
+    let folder = tempfile::tempdir().expect("folder");
+    let own = folder.path().join("own.typ");
+    let template = "#set document(title: \"own\", date: datetime(year: 2026, month: 1, day: 1))\n\
+        = Own page\n#pagebreak()\nsecond\n";
+    std::fs::write(&own, template).expect("written");
+    let mut emulated = record(&THIRD_OCTAVES_HZ);
+    emulated.head.instrument_serial = text("23004100075457494E303120");
+    let mut draft = full();
+    draft.calibration.approved_by = None;
+    for template in [None, Some(own)] {
+        draft.layout.template = template;
+        let path = folder.path().join("marked.pdf");
+        std::fs::write(&path, pdf(&emulated, &draft).expect("renders")).expect("written");
+        let arguments = [OsStr::new("-c"), OsStr::new(PAGES), path.as_os_str()];
+        let Some(output) = python("pypdf", &arguments) else {
+            return;
+        };
+        let pages: Vec<String> = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert!(pages.len() >= 2);
+        for (index, page) in pages.iter().enumerate() {
+            assert!(
+                page.contains("SIMULIERT") && page.contains("ENTWURF"),
+                "{index}: {page}"
+            );
+        }
+    }
+}

@@ -83,6 +83,10 @@ fn identification(certificate: &Certificate) -> [String; 5] {
         Some(Standing::Broken) => ": DO NOT USE, the chain of its record is broken",
         _ => "",
     };
+    let object = match certificate.marked(Language::En) {
+        marks if marks.is_empty() => object,
+        marks => format!("{marks}: {object}"),
+    };
     let lines = [
         object,
         format!("certificate {}{warning}", certificate.number),

@@ -1,10 +1,38 @@
 //! Words and numbers of a language, from the one message file.
 
 use calib_core::budget::Table;
+use calib_core::verdict::Reason;
 use calib_output::number::fixed;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
+
+/// Every reason the instrument gives, in the order of its codes.
+pub const REASONS: [Reason; 23] = [
+    Reason::Clipped,
+    Reason::Distortion,
+    Reason::SignalToNoise,
+    Reason::AmplitudeUnstable,
+    Reason::FrequencyDeviation,
+    Reason::NotSettled,
+    Reason::DriveLimit,
+    Reason::AccelerationLimit,
+    Reason::VelocityLimit,
+    Reason::DisplacementLimit,
+    Reason::ReferenceDead,
+    Reason::DutOpen,
+    Reason::Overload,
+    Reason::Overrun,
+    Reason::FrequencyUnavailable,
+    Reason::Stopped,
+    Reason::BudgetInvalid,
+    Reason::TooFewAverages,
+    Reason::LowCoherence,
+    Reason::LevelNotFollowing,
+    Reason::DutDistortion,
+    Reason::TemperatureOutOfRange,
+    Reason::ChannelsNotAligned,
+];
 
 /// The message file.
 static MESSAGES: LazyLock<Messages> = LazyLock::new(|| {
@@ -16,11 +44,13 @@ static MESSAGES: LazyLock<Messages> = LazyLock::new(|| {
 /// Language -> key -> text.
 type Messages = BTreeMap<String, BTreeMap<String, String>>;
 
-/// Adds the English words of Table A.1's rows.
+/// Adds the English words of Table A.1's rows and of refusals, which are calib-core's.
 fn with_rows(mut messages: Messages) -> Messages {
     let rows = Table::A1.sources().iter().zip(1..);
     let english = messages.entry(Language::En.code().to_owned()).or_default();
     english.extend(rows.map(|(text, row)| (format!("row.{row}"), (*text).to_owned())));
+    let reason = |reason: Reason| (format!("reason.{reason:?}"), reason.to_string());
+    english.extend(REASONS.map(reason));
     messages
 }
 
@@ -146,7 +176,7 @@ mod tests {
     #[test]
     fn translations_take_the_same_values() {
         let places = |text: &str| {
-            (0..4)
+            (0..5)
                 .map(|i| text.contains(&format!("{{{i}}}")))
                 .collect::<Vec<_>>()
         };

@@ -46,7 +46,7 @@ impl Logbook {
         let sql = "SELECT records.id, unix_time_s, points.sensitivity_v_per_ms2,
                    points.expanded_uncertainty_rel, min(position)
                    FROM records JOIN points ON record = id
-                   WHERE sensor_serial = ?1 AND verdict = 'pass'
+                   WHERE sensor_serial = ?1 AND verdict = 'valid'
                    AND frequency_hz BETWEEN 0.99 * ?2 AND 1.01 * ?2
                    AND points.sensitivity_v_per_ms2 IS NOT NULL
                    AND points.expanded_uncertainty_rel IS NOT NULL
@@ -67,6 +67,25 @@ impl Logbook {
             frequency_hz,
             results,
         })
+    }
+}
+
+impl Logbook {
+    /// Sensitivities of a sensor's last record before a time: Hz and V/(m/s2), the first
+    /// level of each frequency.
+    pub(super) fn last_calibration(
+        &self,
+        sensor: &str,
+        before_s: i64,
+    ) -> calib_files::Result<Vec<(f64, f64)>> {
+        let sql = "SELECT frequency_hz, points.sensitivity_v_per_ms2, min(position)
+                   FROM points WHERE sensitivity_v_per_ms2 IS NOT NULL AND record =
+                   (SELECT id FROM records WHERE sensor_serial = ?1 AND unix_time_s < ?2
+                    AND reference_frequency_hz IS NOT NULL
+                    ORDER BY unix_time_s DESC, id DESC LIMIT 1)
+                   GROUP BY frequency_hz ORDER BY frequency_hz";
+        let row = |row: &rusqlite::Row<'_>| Ok((row.get(0)?, row.get(1)?));
+        self.all(sql, rusqlite::params![sensor, before_s], row)
     }
 }
 

@@ -1,6 +1,8 @@
 //! Sensors: what is known about a device under test, typed once.
 
 use super::Logbook;
+use calib_certificate::decision::Tolerance;
+use calib_certificate::{Known, SensitivityUnit};
 use calib_files::{Error, Result};
 use rusqlite::{OptionalExtension, params};
 use schemars::JsonSchema;
@@ -27,13 +29,17 @@ pub struct Sensor {
     pub owner: Option<String>,
     /// Day the next calibration is due, ISO 8601.
     pub due_day: Option<String>,
+    /// Tolerance it is judged by, such as `5:nominal`; see [`Tolerance`].
+    pub tolerance: Option<String>,
+    /// Unit its sensitivity is specified in, such as `mV/g`.
+    pub unit: Option<String>,
     /// The virtual TEDS it was made of.
     #[serde(skip)]
     pub teds: Option<Vec<u8>>,
 }
 
 const COLUMNS: &str = "serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe, \
-                       mounting, owner, due_day, teds";
+                       mounting, owner, due_day, teds, tolerance, unit";
 
 impl Sensor {
     /// Manufacturer and model, as a record names it.
@@ -41,6 +47,19 @@ impl Sensor {
         format!("{} {}", self.manufacturer, self.model)
             .trim()
             .to_owned()
+    }
+
+    /// Unit its sensitivity is specified in.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when the logbook names one there is not.
+    pub fn unit(&self) -> Result<SensitivityUnit> {
+        let place = || format!("sensor {}", self.serial);
+        let hint = "state it anew with `calib sensors change`";
+        match self.unit.as_deref().map(str::parse) {
+            None => Ok(SensitivityUnit::default()),
+            Some(unit) => unit.map_err(|problem: String| Error::input(place(), problem, hint)),
+        }
     }
 
     fn texts(&self) -> impl Iterator<Item = &str> {
@@ -63,6 +82,16 @@ impl Sensor {
         if !positive(self.sensitivity_v_per_ms2) || !positive(self.range_ms2) {
             return wrong("sensitivity and range are above zero");
         }
+        let tolerance = self.tolerance.as_deref().map(str::parse::<Tolerance>);
+        match tolerance {
+            Some(Err(problem)) => return wrong(&problem),
+            Some(Ok(tolerance)) if tolerance.needs_nominal() => {
+                if self.sensitivity_v_per_ms2.is_none() {
+                    return wrong("a tolerance of nominal needs the nominal sensitivity");
+                }
+            }
+            _ => (),
+        }
         let day = self.due_day.as_deref();
         if day.is_some_and(|day| day.parse::<jiff::civil::Date>().is_err()) {
             return wrong("the due day looks like 2027-11-20");
@@ -82,6 +111,8 @@ impl Sensor {
             owner: row.get(7)?,
             due_day: row.get(8)?,
             teds: row.get(9)?,
+            tolerance: row.get(10)?,
+            unit: row.get(11)?,
         })
     }
 }
@@ -120,9 +151,11 @@ impl Logbook {
             sensor.owner,
             sensor.due_day,
             sensor.teds,
+            sensor.tolerance,
+            sensor.unit,
         ];
         let put = format!(
-            "INSERT OR REPLACE INTO sensors ({COLUMNS}) VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10)"
+            "INSERT OR REPLACE INTO sensors ({COLUMNS}) VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12)"
         );
         let done = self.connection.execute(&put, values);
         done.map(drop).map_err(|error| self.failure(error))
@@ -140,13 +173,25 @@ impl Logbook {
             .map_err(|error| self.failure(error))
     }
 
-    /// Nominal sensitivity of a sensor, V/(m/s2), if the logbook knows it.
+    /// What judging a run of this sensor, begun at this time (s since 1970-01-01 UTC), needs to
+    /// know of it: nominal sensitivity, tolerance, and the calibration before.
     ///
     /// # Errors
     /// Those of the file.
-    pub fn nominal_v_per_ms2(&self, serial: &str) -> Result<Option<f64>> {
-        let sensor = self.sensor(serial)?;
-        Ok(sensor.and_then(|sensor| sensor.sensitivity_v_per_ms2))
+    pub fn known(&self, serial: &str, unix_time_s: u64) -> Result<Known> {
+        let Some(sensor) = self.sensor(serial)? else {
+            return Ok(Known::default());
+        };
+        let tolerance = sensor.tolerance.as_deref().map(str::parse::<Tolerance>);
+        let place = || format!("sensor {}", sensor.serial);
+        let hint = "state it anew with `calib sensors change`";
+        let tolerance = tolerance.transpose();
+        let before_s = i64::try_from(unix_time_s).unwrap_or(i64::MAX);
+        Ok(Known {
+            nominal_v_per_ms2: sensor.sensitivity_v_per_ms2,
+            tolerance: tolerance.map_err(|problem| Error::input(place(), problem, hint))?,
+            last: self.last_calibration(&sensor.serial, before_s)?,
+        })
     }
 
     /// As [`Self::sensor`].

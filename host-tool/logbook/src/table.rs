@@ -66,7 +66,7 @@ pub(super) const TABLES: &[Table] = &[
         select: "SELECT CAST(strftime('%Y', unix_time_s, 'unixepoch') AS INTEGER), id,
                  lower(hex(sha256)), instrument, sensor_serial, sensor_model, operator,
                  1000 * unix_time_s, position, frequency_hz, acceleration_rms_ms2,
-                 CASE verdict WHEN 'pass' THEN 'valid' ELSE 'refused' END,
+                 CASE verdict WHEN 'valid' THEN 'valid' ELSE 'refused' END,
                  nullif(substr(verdict, length('refused: ') + 1), ''),
                  points.sensitivity_v_per_ms2, points.expanded_uncertainty_rel, coverage_factor,
                  57.29577951308232 * phase_rad, 57.29577951308232 * expanded_uncertainty_phase_rad
@@ -123,9 +123,11 @@ pub(super) const TABLES: &[Table] = &[
             ("mounting", Text),
             ("owner", Text),
             ("due_day", Text),
+            ("tolerance", Text),
+            ("unit", Text),
         ],
         select: "SELECT NULL, serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe,
-                 mounting, owner, due_day FROM sensors ORDER BY serial",
+                 mounting, owner, due_day, tolerance, unit FROM sensors ORDER BY serial",
     },
     Table {
         name: "instruments",

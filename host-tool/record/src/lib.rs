@@ -2,4 +2,5 @@
 #![forbid(unsafe_code)]
 
 pub mod hash_chain;
+pub mod origin;
 pub mod sample;

@@ -1,11 +1,12 @@
 //! `calib certificate RECORD`: the certificate of a downloaded or stored record.
 
 use super::{Context, source, time};
+use calib_certificate::decision::Stated;
 use calib_certificate::{
-    self as certificate, Existing, Format, Language, Options, Particulars, Prepared,
+    self as certificate, Existing, Format, Language, Mark, Options, Prepared, Verdict,
 };
-use calib_host::Result;
-use calib_logbook::Issue;
+use calib_host::{Error, Result, judged, terminal};
+use calib_logbook::{Issue, Logbook};
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
 use clap::Args;
@@ -34,13 +35,14 @@ pub(crate) struct CertificateVerb {
     /// later one states wins. That of the laboratory comes first.
     #[arg(long, short, value_name = "FILE")]
     particulars: Vec<PathBuf>,
-    /// TOML file of the laboratory, read before --particulars [default:
-    /// calib/laboratory.toml in the user's configuration directory, if there].
-    #[arg(long, env = "CALIB_LABORATORY", value_name = "FILE")]
-    laboratory: Option<PathBuf>,
+    #[command(flatten)]
+    laboratory: Laboratory,
     /// File of the record from before an adjustment; RECORD is then from after it.
     #[arg(long, value_name = "FILE")]
     as_found: Option<PathBuf>,
+    /// Refuses a certificate that is not complete, instead of marking it DRAFT.
+    #[arg(long)]
+    strict: bool,
     /// Writes the built-in page as certificate.typ into a directory, to begin one's
     /// own with, and no certificate.
     #[arg(
@@ -77,21 +79,19 @@ impl CertificateVerb {
         let name = self.record.as_deref().unwrap_or(Path::new(""));
         let found = source::find(context, name, &self.out)?;
         let record = found.calibration()?;
-        let mut options = Options {
-            chain: Some(found.standing),
-            ..self.options()?
-        };
         let mut logbook = context.logbook_if_there()?;
-        let nominal = match &logbook {
-            Some(logbook) => logbook.nominal_v_per_ms2(&record.head.labels.dut_serial)?,
-            None => None,
+        let options = Options {
+            chain: Some(found.standing),
+            ..self.options(record, logbook.as_ref())?
         };
-        options.particulars.for_device(nominal)?;
         let formats = match self.format.is_empty() {
             true => certificate::possible(record, &USUAL, &options.particulars),
             false => self.format,
         };
         let prepared = certificate::prepare(record, &formats, &options)?;
+        if self.strict {
+            complete(&prepared)?;
+        }
         if let Some(logbook) = &logbook {
             let files = prepared.paths(&self.out);
             for issue in issues(&prepared, record, &files) {
@@ -110,16 +110,19 @@ impl CertificateVerb {
         if let Some(lack) = &prepared.lack {
             context.remark(lack);
         }
-        print(context, files)
+        for (_, said) in &prepared.marks {
+            context.remark(said);
+        }
+        if let Some(verdict) = &prepared.verdict {
+            context.remark(&terminal::verdict(verdict));
+        }
+        print(context, files)?;
+        passed(prepared.verdict.as_ref())
     }
 
-    fn options(&self) -> Result<Options> {
-        let laboratory = laboratory_file(self.laboratory.clone());
-        let files: Vec<PathBuf> = laboratory
-            .into_iter()
-            .chain(self.particulars.clone())
-            .collect();
-        let mut particulars = Particulars::read(&files)?;
+    fn options(&self, record: &Record, logbook: Option<&Logbook>) -> Result<Options> {
+        let files = self.laboratory.before(&self.particulars);
+        let mut particulars = judged::particulars(&files, &record.head.labels, logbook)?;
         particulars.language = self.language.or(particulars.language);
         Ok(Options {
             particulars,
@@ -144,10 +147,48 @@ fn template(context: &Context, folder: &Path) -> Result<()> {
     print(context, files)
 }
 
+/// An error when something is missing that a certificate cannot be without.
+fn complete(prepared: &Prepared) -> Result<()> {
+    let draft = prepared.marks.iter().find(|(mark, _)| *mark == Mark::Draft);
+    draft.map_or(Ok(()), |(_, said)| {
+        let place = format!("certificate {}", prepared.number);
+        let hint = "state it in the file of the laboratory, or in one given with --particulars";
+        Err(Error::input(place, said.as_str(), hint))
+    })
+}
+
+/// The file of the laboratory, for every verb that states or judges.
+#[derive(Clone, Debug, Args)]
+pub(super) struct Laboratory {
+    /// TOML file of the laboratory: who it is, its decision rule [default:
+    /// calib/laboratory.toml in the user's configuration directory, if there].
+    #[arg(long, env = "CALIB_LABORATORY", value_name = "FILE")]
+    laboratory: Option<PathBuf>,
+}
+
+impl Laboratory {
+    /// The file of the laboratory, and those that win over it.
+    pub(super) fn before(&self, job: &[PathBuf]) -> Vec<PathBuf> {
+        let laboratory = laboratory_file(self.laboratory.clone());
+        laboratory.into_iter().chain(job.iter().cloned()).collect()
+    }
+}
+
 /// The file of the laboratory: the one named, else that of the user if there is one.
 pub(super) fn laboratory_file(named: Option<PathBuf>) -> Option<PathBuf> {
     let own = || dirs::config_dir().map(|folder| folder.join("calib/laboratory.toml"));
     named.or_else(|| own().filter(|path| path.exists()))
+}
+
+/// An error unless a conformity that was asked for is a pass.
+pub(super) fn passed(verdict: Option<&Verdict>) -> Result<()> {
+    match verdict {
+        Some(verdict) if verdict.conformity != Stated::Pass => Err(Error::NotPassed(format!(
+            "{}: {}",
+            verdict.title, verdict.because
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// Entry for the logbook.

@@ -1,6 +1,7 @@
 //! `calib demo`: a whole calibration without hardware.
 
 use super::{Context, progress, progress::RunProgress, run, time};
+use calib_certificate::SensitivityUnit;
 use calib_host::demo::{self, DemoReport, Event};
 use calib_host::{Error, Result};
 use clap::Args;
@@ -33,7 +34,9 @@ impl Demo {
                     list,
                     sample_rate_hz,
                 } => shown
-                    .get_or_insert_with(|| RunProgress::new(context, *sample_rate_hz))
+                    .get_or_insert_with(|| {
+                        RunProgress::new(context, *sample_rate_hz, SensitivityUnit::default())
+                    })
                     .show(progress, list),
             }
             stop()

@@ -2,6 +2,7 @@
 
 use super::Context;
 use super::context::Form;
+use calib_certificate::SensitivityUnit;
 use calib_core::point::PointSpec;
 use calib_link::session::{self, Progress};
 use calib_output::{PointView, StatusView};
@@ -71,6 +72,7 @@ pub(crate) fn print_result<R: Serialize + JsonSchema>(
 pub(crate) struct RunProgress<'a> {
     context: &'a Context,
     sample_rate_hz: f32,
+    unit: SensitivityUnit,
     bar: ProgressBar,
     begun: Instant,
     shown: usize,
@@ -78,11 +80,13 @@ pub(crate) struct RunProgress<'a> {
 }
 
 impl<'a> RunProgress<'a> {
-    /// A bar at zero, of a calibrator with this many samples per second.
-    pub(crate) fn new(context: &'a Context, sample_rate_hz: f32) -> Self {
+    /// A bar at zero, of a calibrator with this many samples per second; sensitivities are
+    /// shown in this unit.
+    pub(crate) fn new(context: &'a Context, sample_rate_hz: f32, unit: SensitivityUnit) -> Self {
         Self {
             context,
             sample_rate_hz,
+            unit,
             bar: bar(context, "[{bar:24}] {msg}"),
             begun: Instant::now(),
             shown: 0,
@@ -98,7 +102,7 @@ impl<'a> RunProgress<'a> {
         self.bar.set_message(message(progress, list, left));
         if self.bar.is_hidden() && !self.silent {
             for point in progress.points.iter().skip(self.shown) {
-                eprintln!("{}", super::text::point_line(point));
+                eprintln!("{}", super::text::point_line(point, self.unit));
             }
         }
         self.stream(progress, left);

@@ -1,15 +1,21 @@
 //! `calib run`: measures a point list.
 
-use super::{Context, logbook, number::positive, progress, progress::RunProgress, text, time};
-use calib_core::point::{ExcitationKind, PointSpec};
-use calib_core::verdict::Verdict;
-use calib_host::{Error, Result};
+use super::certificate::{Laboratory, passed};
+use super::{
+    Context, logbook, number::positive, progress, progress::RunProgress, source, text, time,
+};
+use calib_certificate::{Particulars, SensitivityUnit, Verdict};
+use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::settings::Settings;
+use calib_core::verdict::Verdict as PointVerdict;
+use calib_host::refusals::{self, Refused};
+use calib_host::{Error, Result, judged, terminal};
 use calib_link::session::{self, Outcome, label, temperature_centi_c};
 use calib_link::{Client, StopSwitch};
 use calib_logbook::{Logbook, Sensor, waiting};
 use calib_output::{PointView, code};
 use calib_protocol::message::RunState;
-use calib_protocol::record::RunLabels;
+use calib_protocol::record::{Record, RunLabels};
 use clap::{Args, ValueEnum};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -22,6 +28,11 @@ pub(crate) struct Run {
     /// Point list, .toml or .csv; default: one-third octaves, 20 Hz to 10 kHz.
     #[arg(long, short, value_name = "FILE")]
     points: Option<PathBuf>,
+    /// Measures again what was refused in this record, and nothing else: a file, or the
+    /// running number of one in the calibrator. Device and mounting are those of the record
+    /// unless stated.
+    #[arg(long, value_name = "RECORD", conflicts_with_all = ["points", "level", "excitation"])]
+    retry: Option<PathBuf>,
     /// Set acceleration of points that state none, m/s2 r.m.s.
     #[arg(long, short, default_value_t = 10.0, value_name = "MS2", value_parser = positive::<f32>)]
     level: f32,
@@ -49,6 +60,11 @@ pub(crate) struct Run {
     /// How the device under test is mounted.
     #[arg(long, value_name = "TEXT", default_value = "")]
     mounting: String,
+    /// Unit of the sensitivities shown: mV/(m/s2) or mV/g [default: that of the sensor].
+    #[arg(long, value_name = "UNIT")]
+    unit: Option<SensitivityUnit>,
+    #[command(flatten)]
+    laboratory: Laboratory,
 }
 
 /// Names of [`ExcitationKind`] on the command line.
@@ -83,60 +99,97 @@ pub(super) struct RunResult {
     state: String,
     /// Every point in the order measured.
     points: Vec<PointView>,
+    /// The verdict on the sensor by its tolerance; none when it has none.
+    verdict: Option<Verdict>,
+    /// Why points were refused, and what to do about it.
+    refusals: Vec<Refused>,
 }
 
 impl Run {
     /// Measures, follows, and says how it ended.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let mut points = self.points()?;
-        let labels = self.labels(context)?;
+        let before = self.record_before(context)?;
+        let mut points = self.points(before.as_ref())?;
+        let sensor = self.sensor(context, before.as_ref())?;
+        let labels = self.labels(&sensor)?;
+        // What cannot be judged afterwards is said before anything moves.
+        let particulars = self.particulars(context, &labels)?;
+        let unit = self.unit(&sensor)?;
         let mut client = context.connect()?;
         let info = client.info()?;
         let excitation = ExcitationKind::from(self.excitation);
         if excitation != ExcitationKind::SingleSine {
             points = session::on_lines(&points, info.sample_rate_hz)?;
         }
-        let mut progress = RunProgress::new(context, info.sample_rate_hz);
+        possible(&points, &client.settings()?, info.sample_rate_hz)?;
+        let mut progress = RunProgress::new(context, info.sample_rate_hz, unit);
         let outcome = measure(&mut client, &points, excitation, labels, &mut progress)?;
         drop(progress);
         let kept = keep(context, &mut client, &outcome)?;
+        let of_record = |kept: &Kept| judged::verdict(&kept.record, &particulars);
         let result = RunResult {
             record_id: outcome.record_id,
-            logbook_record: kept,
+            logbook_record: kept.as_ref().and_then(|kept| kept.id),
             state: code(&outcome.state),
             points: outcome
                 .points
                 .iter()
                 .map(|point| PointView::new(point, info.sample_rate_hz))
                 .collect(),
+            verdict: kept.as_ref().and_then(of_record),
+            refusals: refusals::of(&outcome.points),
         };
-        progress::print_result(context, &result, || {
-            let lines: Vec<_> = outcome.points.iter().map(text::point_line).collect();
-            let id = outcome.record_id;
-            let next = match kept {
-                Some(kept) => format!("kept in the logbook as record {kept}"),
-                None => format!("calib download {id}"),
-            };
-            format!("{}\nrecord {id}: {next}", lines.join("\n"))
-        })?;
-        judge(&outcome, points.len())
+        progress::print_result(context, &result, || said(&result, &outcome, unit))?;
+        judge(&outcome, points.len())?;
+        passed(result.verdict.as_ref())
     }
 
-    fn points(&self) -> Result<Vec<PointSpec>> {
+    /// The record whose refused points are measured again.
+    fn record_before(&self, context: &Context) -> Result<Option<Record>> {
+        let Some(name) = &self.retry else {
+            return Ok(None);
+        };
+        let folder = tempfile::tempdir()
+            .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
+        let found = source::find(context, name, folder.path())?;
+        found.calibration().cloned().map(Some)
+    }
+
+    fn points(&self, before: Option<&Record>) -> Result<Vec<PointSpec>> {
+        if let Some(record) = before {
+            return refused_points(record);
+        }
         match &self.points {
             Some(path) => Ok(session::read_points(path, self.level)?),
             None => Ok(session::default_points(self.level)),
         }
     }
 
-    fn labels(&self, context: &Context) -> Result<RunLabels> {
-        let sensor = self.sensor.as_deref();
-        let sensor = sensor.map(|serial| logbook::find_sensor(context, serial));
-        let sensor = sensor.transpose()?.unwrap_or_else(|| Sensor {
-            serial: self.serial.clone(),
-            model: self.model.clone(),
-            ..Sensor::default()
-        });
+    fn sensor(&self, context: &Context, before: Option<&Record>) -> Result<Sensor> {
+        let typed = !self.serial.is_empty() || !self.model.is_empty();
+        match (&self.sensor, before.filter(|_| !typed)) {
+            (Some(serial), _) => logbook::find_sensor(context, serial),
+            (None, Some(record)) => Ok(of_labels(context, &record.head.labels)?),
+            (None, None) => Ok(Sensor {
+                serial: self.serial.clone(),
+                model: self.model.clone(),
+                ..Sensor::default()
+            }),
+        }
+    }
+
+    fn particulars(&self, context: &Context, labels: &RunLabels) -> Result<Particulars> {
+        let files = self.laboratory.before(&[]);
+        let logbook = context.logbook_if_there()?;
+        judged::particulars(&files, labels, logbook.as_ref())
+    }
+
+    /// The unit that was asked for, else that of the sensor.
+    fn unit(&self, sensor: &Sensor) -> Result<SensitivityUnit> {
+        Ok(self.unit.unwrap_or(sensor.unit()?))
+    }
+
+    fn labels(&self, sensor: &Sensor) -> Result<RunLabels> {
         let mounting = match self.mounting.as_str() {
             "" => sensor.mounting.as_deref().unwrap_or_default(),
             stated => stated,
@@ -152,8 +205,80 @@ impl Run {
     }
 }
 
+/// The sensor of a record: as the logbook knows it, else as the record names it.
+fn of_labels(context: &Context, labels: &RunLabels) -> Result<Sensor> {
+    let known = match context.logbook_if_there()? {
+        Some(logbook) => logbook.sensor(&labels.dut_serial)?,
+        None => None,
+    };
+    Ok(known.unwrap_or_else(|| Sensor {
+        serial: labels.dut_serial.to_string(),
+        model: labels.dut_model.to_string(),
+        mounting: Some(labels.mounting.to_string()),
+        ..Sensor::default()
+    }))
+}
+
+/// The points of a record that were refused.
+fn refused_points(record: &Record) -> Result<Vec<PointSpec>> {
+    let refused = |point: &&PointResult| point.verdict != PointVerdict::Pass;
+    let points: Vec<PointSpec> = record
+        .points
+        .iter()
+        .filter(refused)
+        .map(|p| p.spec)
+        .collect();
+    match points.is_empty() {
+        false => Ok(points),
+        true => Err(Error::input(
+            format!("record {}", record.head.id),
+            "has no refused point",
+            "there is nothing to measure again",
+        )),
+    }
+}
+
+/// Refuses a list with points that cannot be measured, before anything moves.
+fn possible(list: &[PointSpec], settings: &Settings, sample_rate_hz: f32) -> Result<()> {
+    let impossible = refusals::impossible(list, settings, sample_rate_hz);
+    let Some(first) = impossible.first() else {
+        return Ok(());
+    };
+    let lines: Vec<String> = impossible.iter().map(frequencies).collect();
+    Err(Error::input("point list", lines.join("; "), first.remedy))
+}
+
+/// Frequencies of a refusal and its reason in words.
+fn frequencies(refused: &Refused) -> String {
+    let hz: Vec<String> = refused.frequencies_hz.iter().map(f32::to_string).collect();
+    format!("{} Hz: {}", hz.join(", "), refused.reason_text)
+}
+
+/// What is printed of a run: its points, the verdict on the sensor, and where the record is.
+fn said(result: &RunResult, outcome: &Outcome, unit: SensitivityUnit) -> String {
+    let line = |point| text::point_line(point, unit);
+    let mut lines: Vec<String> = outcome.points.iter().map(line).collect();
+    for refused in &result.refusals {
+        lines.push(format!("{}\n  {}", frequencies(refused), refused.remedy));
+    }
+    lines.extend(result.verdict.as_ref().map(terminal::verdict));
+    let next = match result.logbook_record {
+        Some(kept) => format!("kept in the logbook as record {kept}"),
+        None => format!("calib download {}", outcome.record_id),
+    };
+    lines.push(format!("record {}: {next}", outcome.record_id));
+    lines.join("\n")
+}
+
+/// A record that is kept.
+struct Kept {
+    /// Its number in the logbook; none while it waits for that.
+    id: Option<i64>,
+    record: Record,
+}
+
 /// Keeps the record in the logbook, if this user has one.
-fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Option<i64>> {
+fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Option<Kept>> {
     let path = context.logbook_path();
     if outcome.state == RunState::Failed || !path.exists() {
         return Ok(None);
@@ -165,18 +290,20 @@ fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Opt
         .map_err(|error| Error::file("read", &download.path, error))?;
     // It is on disk before the logbook is asked for, which another program may hold.
     let place = waiting::put(&path, &bytes)?;
-    match Logbook::enter_waiting(&path) {
-        Ok(entered) => Ok(entered
+    let id = match Logbook::enter_waiting(&path) {
+        Ok(entered) => entered
             .iter()
             .find(|(of, _)| *of == place)
-            .map(|(_, id)| *id)),
+            .map(|(_, id)| *id),
         Err(error) => {
             let folder = waiting::folder(&path);
             let until = format!("the record waits in {} until then", folder.display());
             context.remark(&format!("{error}: {until}; the next run enters it"));
-            Ok(None)
+            None
         }
-    }
+    };
+    let record = source::read(&download.path)?;
+    Ok(Some(Kept { id, record }))
 }
 
 /// Runs a list with progress. Ctrl-C stops it and silences the exciter.
@@ -192,7 +319,10 @@ fn measure(
     client.heed(switch.clone());
     let outcome = session::run_excited(client, points, excitation, labels, |state| {
         progress.show(state, points);
-        flow(&switch)
+        match refusals::dead_from_the_start(state.points) {
+            Some(_) => ControlFlow::Break(()),
+            None => flow(&switch),
+        }
     });
     Ok(outcome?)
 }
@@ -226,12 +356,17 @@ fn judge(outcome: &Outcome, wanted: usize) -> Result<()> {
     let refused = outcome
         .points
         .iter()
-        .filter(|point| point.verdict != Verdict::Pass)
+        .filter(|point| point.verdict != PointVerdict::Pass)
         .count();
     match outcome.state {
         RunState::Failed => Err(Error::NotPassed(
             "the record could not be stored; the results above are all there is".to_owned(),
         )),
+        RunState::Stopped if refusals::dead_from_the_start(&outcome.points).is_some() => {
+            Err(Error::NotPassed(format!(
+                "the device under test gives no signal: the other points of {wanted} were not tried"
+            )))
+        }
         RunState::Stopped => Err(Error::NotPassed(format!(
             "stopped after {} of {wanted} points; the exciter is silent",
             outcome.points.len()

@@ -1,9 +1,10 @@
 //! `calib show RECORD`: a record in the terminal.
 
 use super::Context;
+use super::certificate::Laboratory;
 use super::source::{self, Content};
-use calib_certificate::{self as certificate, Certificate, Language, Particulars};
-use calib_host::{Result, terminal};
+use calib_certificate::{self as certificate, Certificate, Language, SensitivityUnit};
+use calib_host::{Result, judged, terminal};
 use calib_output::ChangeView;
 use calib_record::hash_chain::Standing;
 use clap::Args;
@@ -21,6 +22,11 @@ pub(crate) struct Show {
     /// Where a download goes.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
+    /// Unit of the sensitivities: mV/(m/s2) or mV/g [default: that of the sensor].
+    #[arg(long, value_name = "UNIT")]
+    unit: Option<SensitivityUnit>,
+    #[command(flatten)]
+    laboratory: Laboratory,
 }
 
 impl Show {
@@ -39,8 +45,20 @@ impl Show {
         if found.standing == Standing::Broken {
             context.remark("the chain of records is broken: this one, or the one before, was altered or removed");
         }
-        let certificate = Certificate::from_record(record, &Particulars::default());
+        let logbook = context.logbook_if_there()?;
+        let labels = &record.head.labels;
+        let files = self.laboratory.before(&[]);
+        let particulars = judged::particulars(&files, labels, logbook.as_ref())?;
+        let sensor = match &logbook {
+            Some(logbook) => logbook.sensor(&labels.dut_serial)?,
+            None => None,
+        };
+        let usual = sensor.unwrap_or_default().unit()?;
+        let unit = self.unit.unwrap_or(usual);
+        let certificate = Certificate::from_record(record, &particulars);
         let document = certificate::Document::new(&certificate, Language::default());
-        context.print(&document, || terminal::show(record, &certificate, COLUMNS))
+        context.print(&document, || {
+            terminal::show(record, &certificate, unit, COLUMNS)
+        })
     }
 }

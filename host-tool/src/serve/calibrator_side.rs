@@ -9,7 +9,7 @@ use super::handle::{Handle, Order};
 use super::keeper::Keeper;
 use super::view::{Link, Shared};
 use super::waveforms::Eye;
-use crate::{Device, Error, Result};
+use crate::{Device, Error, Result, refusals};
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_link::session::{self, Outcome, Progress};
 use calib_link::{Client, StopSwitch};
@@ -212,7 +212,10 @@ impl Worker {
             if let Some(waveforms) = eye.look(client, &progress.status)? {
                 shared.keep_waveforms(waveforms);
             }
-            Ok(ControlFlow::Continue(()))
+            Ok(match refusals::dead_from_the_start(progress.points) {
+                Some(_) => ControlFlow::Break(()),
+                None => ControlFlow::Continue(()),
+            })
         });
         match outcome {
             Ok(outcome) => self.ended(&outcome),

@@ -1,12 +1,12 @@
 //! Certificates of records, as answers. One that `issues` is entered in the logbook; one that is looked at is
 //! not.
 
-use crate::{Error, Result};
+use crate::{Error, Result, judged};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
-use calib_certificate::{self as certificate, Format, Options, Particulars, Prepared};
+use calib_certificate::{self as certificate, Certificate, Format, Options, Prepared};
 use calib_logbook::{Issue, Logbook};
-use calib_protocol::record::{self, Record};
+use calib_protocol::record::{self, Record, RecordError};
 use calib_record::hash_chain::{Evidence, Standing};
 use std::path::{Path, PathBuf};
 
@@ -30,15 +30,9 @@ pub(super) fn certificate(
 ) -> Result<Response> {
     let unknown = |problem: String| Error::usage(problem, "");
     let format: Format = format.parse().map_err(unknown)?;
-    let record = record::decode(stored)
-        .map_err(|error| Error::input("record", error.to_string(), "run once more"))?;
-    let mut particulars = Particulars::read(particulars)?;
+    let record = read(stored)?;
     let logbook = Logbook::open_if_there(logbook)?;
-    let nominal = match &logbook {
-        Some(logbook) => logbook.nominal_v_per_ms2(&record.head.labels.dut_serial)?,
-        None => None,
-    };
-    particulars.for_device(nominal)?;
+    let particulars = judged::particulars(particulars, &record.head.labels, logbook.as_ref())?;
     let options = Options {
         particulars,
         chain: Some(standing(&record, stored, logbook.as_ref())?),
@@ -54,6 +48,29 @@ pub(super) fn certificate(
         return Err(Error::input("certificate", "is empty", "report this"));
     };
     Ok(answer(file))
+}
+
+/// A record's results with the verdict on its sensor, as the certificate states them.
+///
+/// # Errors
+/// [`Error::Input`] when the record is damaged, or the laboratory states nonsense.
+pub(super) fn judged(
+    stored: &[u8],
+    particulars: &[PathBuf],
+    logbook: &Path,
+) -> Result<certificate::Document> {
+    let record = read(stored)?;
+    let logbook = Logbook::open_if_there(logbook)?;
+    let labels = &record.head.labels;
+    let particulars = judged::particulars(particulars, labels, logbook.as_ref())?;
+    let language = particulars.language.unwrap_or_default();
+    let certificate = Certificate::from_record(&record, &particulars);
+    Ok(certificate::Document::new(&certificate, language))
+}
+
+fn read(stored: &[u8]) -> Result<Record> {
+    let damaged = |error: RecordError| Error::input("record", error.to_string(), "run once more");
+    record::decode(stored).map_err(damaged)
 }
 
 /// Place of a record in the chain, as far as the logbook has the record before.

@@ -8,6 +8,8 @@
 //! | `GET /api/waveforms` | the latest waveforms and spectra of both inputs |
 //! | `GET /api/devices`, `/api/sensors`, `/api/records` | ports; the logbook |
 //! | `GET /api/history/SERIAL` | drift of a sensor at 160 Hz |
+//! | `GET /api/refusals` | every reason of a refusal in words, and what to do |
+//! | `GET /api/judged` | results of the last run with the verdict; no certificate is issued |
 //! | `GET /api/certificate/html`, `/api/records/ID/certificate/html` | certificate of the last run, or of a record of the logbook, to look at |
 //! | `POST` there, and to the other formats | the same issued: entered in the logbook |
 //! | `POST /api/connect` | `{"device"}` |
@@ -23,7 +25,7 @@ use super::handle::{Handle, Order};
 use super::options::Options;
 use super::stops::{self, Asked, NotStopped};
 use super::{assets, documents, live};
-use crate::Error;
+use crate::{Error, refusals};
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State};
 use axum::http::{HeaderValue, StatusCode, header};
@@ -48,6 +50,7 @@ struct App {
 
 pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router {
     let devices = || async { said(&calib_link::port::list()) };
+    let refusals = || async { said(&refusals::table()) };
     assets::add(Router::new())
         .route("/api/state", get(state))
         .route("/api/live", get(channel))
@@ -57,6 +60,8 @@ pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router
         .route("/api/records", get(records))
         .route("/api/history/{serial}", get(history))
         .route("/api/certificate/{format}", get(view_last).post(issue_last))
+        .route("/api/judged", get(judged))
+        .route("/api/refusals", get(refusals))
         .route(
             "/api/records/{id}/certificate/{format}",
             get(view).post(issue),
@@ -238,6 +243,18 @@ async fn last_certificate(
 ) -> Result<Response, Failure> {
     aside(move || match app.handle.shared.record() {
         Some(stored) => document(&app, &stored, &format, purpose),
+        None => Ok((StatusCode::NOT_FOUND, "no run has ended yet").into_response()),
+    })
+    .await
+}
+
+async fn judged(State(app): State<App>) -> Result<Response, Failure> {
+    aside(move || match app.handle.shared.record() {
+        Some(stored) => {
+            let options = &app.options;
+            let judged = documents::judged(&stored, &options.particulars, &options.logbook)?;
+            Ok(said(&judged))
+        }
         None => Ok((StatusCode::NOT_FOUND, "no run has ended yet").into_response()),
     })
     .await

@@ -4,8 +4,10 @@ mod capture;
 mod change;
 mod history;
 mod record;
+mod verdict;
 
 pub use capture::show as show_capture;
 pub use change::show_change;
 pub use history::show as show_history;
 pub use record::show;
+pub use verdict::show as verdict;

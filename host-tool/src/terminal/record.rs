@@ -1,8 +1,10 @@
 //! A record on one screen: the response with U, and the table of its points.
 
-use calib_certificate::Certificate;
+use calib_certificate::decision::Stated;
 use calib_certificate::model::{Point, PointValues};
+use calib_certificate::{Certificate, Language, SensitivityUnit};
 use calib_core::point::PointResult;
+use calib_output::code;
 use calib_plot::{Plot, Scale};
 use calib_protocol::record::Record;
 use std::fmt::Write;
@@ -10,15 +12,28 @@ use std::fmt::Write;
 /// Rows of the plot.
 const ROWS: usize = 14;
 
-/// The record in words, as a plot and as a table, `width` columns wide.
-pub fn show(record: &Record, certificate: &Certificate, width: usize) -> String {
+/// The record in words, as a plot and as a table, `width` columns wide, sensitivities in `unit`.
+pub fn show(
+    record: &Record,
+    certificate: &Certificate,
+    unit: SensitivityUnit,
+    width: usize,
+) -> String {
     let mut text = heading(record, certificate);
-    text += &response(certificate, width);
+    if let Some(verdict) = certificate.verdict(Language::En) {
+        text += &super::verdict(&verdict);
+        text += "\n\n";
+    }
+    text += &response(certificate, unit, width);
     text.push('\n');
-    text += "   f/Hz   a/(m/s2)  S/(mV/(m/s2))    U/%    phase/deg  verdict\n";
+    let heading = format!("S/({})", unit.name());
+    let _ = writeln!(
+        text,
+        "   f/Hz   a/(m/s2)  {heading:>13}    U/%    phase/deg  verdict"
+    );
     for point in &certificate.points {
         let measured = record.points.iter().find(|measured| is(point, measured));
-        text += &line(point, measured);
+        text += &line(certificate, point, measured, unit);
     }
     text
 }
@@ -51,7 +66,7 @@ fn heading(record: &Record, certificate: &Certificate) -> String {
 }
 
 /// Deviation from the sensitivity at the reference point, in percent.
-fn response(certificate: &Certificate, width: usize) -> String {
+fn response(certificate: &Certificate, unit: SensitivityUnit, width: usize) -> String {
     let Some((point, reference)) = certificate.reference_result() else {
         return "no point passed: there is nothing to draw\n".to_owned();
     };
@@ -60,9 +75,10 @@ fn response(certificate: &Certificate, width: usize) -> String {
     let caption = "deviation from it in %, bars are U";
     let plot = Plot::spanning(caption, Scale::Logarithmic, "Hz", deviations);
     format!(
-        "S({} Hz) = {:.5} mV/(m/s2), U = {:.2} % (k = {:.2})\n\n{}",
+        "S({} Hz) = {:.5} {}, U = {:.2} % (k = {:.2})\n\n{}",
         point.nominal_frequency_hz,
-        1000.0 * reference.sensitivity_v_per_ms2,
+        unit.of_v_per_ms2(reference.sensitivity_v_per_ms2),
+        unit.name(),
         reference.expanded_uncertainty_percent,
         reference.coverage_factor,
         plot.terminal(width, ROWS)
@@ -87,14 +103,25 @@ fn is(point: &Point, measured: &PointResult) -> bool {
         )
 }
 
-fn line(point: &Point, measured: Option<&PointResult>) -> String {
+fn line(
+    certificate: &Certificate,
+    point: &Point,
+    measured: Option<&PointResult>,
+    unit: SensitivityUnit,
+) -> String {
     let frequency = point.nominal_frequency_hz;
-    let verdict = measured.map_or_else(String::new, |m| m.verdict.to_string());
+    let verdict = match certificate.conformity_of(point) {
+        Stated::NotSpecified | Stated::NotJudgeable if point.outcome.is_err() => {
+            measured.map_or_else(String::new, |m| m.verdict.to_string())
+        }
+        Stated::NotSpecified => "valid".to_owned(),
+        judged => code(&judged).replace('_', " "),
+    };
     match &point.outcome {
         Ok(values) => format!(
             "{frequency:>7}  {:>9.3}  {:>13.5}  {:>5.2}  {:>11.3}  {verdict}\n",
             point.acceleration_ms2,
-            1000.0 * values.sensitivity_v_per_ms2,
+            unit.of_v_per_ms2(values.sensitivity_v_per_ms2),
             values.expanded_uncertainty_percent,
             phase_deg(values),
         ),

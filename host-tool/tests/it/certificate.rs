@@ -72,6 +72,30 @@ const ALL: [&str; 8] = [
 ];
 
 #[test]
+fn strict_refuses_a_draft_and_names_what_is_missing() {
+    let folder = folder(&sample::record(&[160.0]));
+    let usual = [
+        "certificate",
+        "record.bin",
+        "--out",
+        "out",
+        "--format",
+        "json",
+    ];
+    let strict = calib(folder.path(), &[&usual[..], &["--strict"]].concat());
+    assert_eq!(strict.status.code(), Some(6));
+    let said = text(&strict.stderr);
+    assert!(
+        said.contains("Authorised by") && said.contains("Customer"),
+        "{said}"
+    );
+    assert!(!folder.path().join("out").exists());
+    let draft = calib(folder.path(), &usual);
+    assert!(draft.status.success());
+    assert!(text(&draft.stderr).contains("DRAFT"));
+}
+
+#[test]
 fn without_a_country_a_dcc_is_left_out_unless_it_is_asked_for() {
     let folder = folder(&sample::record(&[160.0]));
     let usual = ["certificate", "record.bin", "--out", "out"];

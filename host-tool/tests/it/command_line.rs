@@ -290,7 +290,7 @@ fn a_record_is_drawn_within_80_columns() {
     );
     // One mark a point, as far as columns differ, and one line a point.
     assert!(shown.matches('●').count() > 5, "{shown}");
-    assert_eq!(shown.matches("pass").count(), 31, "{shown}");
+    assert_eq!(shown.matches("valid").count(), 31, "{shown}");
     let file = ["show", "record-00003.calibrec", "--json"];
     let document = json(&calib(directory.path(), &file));
     assert_eq!(document["points"].as_array().expect("points").len(), 31);

@@ -32,6 +32,8 @@ pub(crate) struct Device {
     pub(crate) refusal: Option<Refusal>,
     /// The board loses its run at this look at the status.
     pub(crate) reset_at_look: Option<u16>,
+    /// The device under test gives no signal at these frequencies, Hz.
+    pub(crate) silent_hz: Vec<f32>,
     /// The flash is broken: runs end in `Failed`.
     pub(crate) flash_broken: bool,
     pub(crate) requests: Vec<Request>,
@@ -73,6 +75,7 @@ impl Device {
             protocol_version: PROTOCOL_VERSION,
             refusal: None,
             reset_at_look: None,
+            silent_hz: Vec::new(),
             flash_broken: false,
             requests: Vec::new(),
             starts: 0,
@@ -259,7 +262,7 @@ impl Device {
         stored.complete = state == RunState::Finished;
         let done = usize::from(run.looks / LOOKS_PER_POINT);
         for spec in run.spec.points.iter().take(done) {
-            let point = result(spec.frequency_hz, spec.acceleration_rms_ms2);
+            let point = measured(*spec, &self.silent_hz);
             stored.points.push(point).expect("fits");
         }
         self.store(stored);
@@ -269,7 +272,7 @@ impl Device {
         let run = self.run.as_ref()?;
         let done = (run.looks / LOOKS_PER_POINT) > index;
         let spec = run.spec.points.get(usize::from(index)).filter(|_| done)?;
-        Some(result(spec.frequency_hz, spec.acceleration_rms_ms2))
+        Some(measured(*spec, &self.silent_hz))
     }
 
     fn capture(&mut self, pairs: u16) -> Response {
@@ -341,8 +344,8 @@ impl Device {
 }
 
 pub(crate) fn settings() -> Settings {
-    let point = ReferencePoint {
-        frequency_hz: 160.0,
+    let point = |frequency_hz| ReferencePoint {
+        frequency_hz,
         sensitivity_v_per_ms2: 0.01,
         phase_rad: 0.0,
         expanded_uncertainty_rel: 0.005,
@@ -355,8 +358,8 @@ pub(crate) fn settings() -> Settings {
             serial: "REF-1".try_into().expect("short"),
             certificate: "C-1".try_into().expect("short"),
             calibrated_day: 20_000,
-            due_day: 20_365,
-            points: [point].into_iter().collect(),
+            due_day: 20_900,
+            points: [5.0, 160.0, 20_000.0].into_iter().map(point).collect(),
         },
         reference_input: InputScale {
             volt_per_code: 1.5e-4,
@@ -375,6 +378,14 @@ pub(crate) fn settings() -> Settings {
         influences: heapless::Vec::new(),
         point_influences: PointInfluences::NONE,
         channel_ratio: ChannelRatio::UNKNOWN,
+    }
+}
+
+/// What comes of a point.
+fn measured(spec: calib_core::point::PointSpec, silent_hz: &[f32]) -> PointResult {
+    match silent_hz.contains(&spec.frequency_hz) {
+        true => as_stored(&PointResult::refused(spec, None, Reason::DutOpen)),
+        false => result(spec.frequency_hz, spec.acceleration_rms_ms2),
     }
 }
 

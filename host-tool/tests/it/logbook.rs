@@ -366,6 +366,83 @@ fn a_run_with_a_known_sensor_needs_nothing_typed_twice() {
     assert!(go(&["logbook", "check"]).status.success());
 }
 
+/// The device measures 10 mV/(m/s2) with U = 1 % at every point.
+#[test]
+fn a_sensor_out_of_its_tolerance_fails_wherever_one_looks() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (_, address) = serve(Device::new());
+    std::fs::write(folder.path().join("points.csv"), "frequency_hz\n80\n160\n").expect("list");
+    let logbook = ["--logbook", "logbook.sqlite", "--device", &address];
+    let go = |line: &str| {
+        let words: Vec<&str> = line.split(' ').chain(logbook).collect();
+        calib(folder.path(), &words)
+    };
+    // 10 / 9.2 - 1 = 8.70 %; 98.0665 mV/g is 10 mV/(m/s2) exactly.
+    let add = "sensors add --sensitivity 9.2 --tolerance 5 --serial F";
+    assert!(go(add).status.success());
+    assert!(
+        go("sensors add --sensitivity 98.0665 --unit mV/g --tolerance 5 --serial P")
+            .status
+            .success()
+    );
+    let failed = go("run --sensor F --points points.csv");
+    assert_eq!(failed.status.code(), Some(7));
+    let said = text(&failed.stdout);
+    assert!(said.lines().any(|line| line.trim() == "FAIL"), "{said}");
+    assert!(
+        said.contains("+8.7 % of nominal, limit \u{b1}5 %, at 160 Hz (U = 1.0 %)"),
+        "{said}"
+    );
+    let passed = go("run --sensor P --points points.csv --json");
+    assert_eq!(passed.status.code(), Some(0), "{}", text(&passed.stderr));
+    let passed = json(&passed);
+    assert_eq!(passed["verdict"]["title"], "PASS");
+    assert_eq!(passed["verdict"]["frequency_hz"], 160.0);
+    let shown = go("run --sensor P --points points.csv");
+    let shown = text(&shown.stdout);
+    assert!(
+        shown.contains("98.0665 mV/g") && !shown.contains("e-2"),
+        "{shown}"
+    );
+    let get = "logbook get 1 --out f.calibrec";
+    assert!(go(get).status.success());
+    assert!(text(&go("show f.calibrec").stdout).contains("FAIL"));
+    let certificate = go("certificate f.calibrec --format json --out c");
+    assert_eq!(
+        certificate.status.code(),
+        Some(7),
+        "{}",
+        text(&certificate.stderr)
+    );
+    assert!(text(&certificate.stderr).contains("FAIL"));
+    assert_eq!(
+        std::fs::read_dir(folder.path().join("c"))
+            .expect("written")
+            .count(),
+        1
+    );
+}
+
+#[test]
+fn a_tolerance_that_cannot_be_judged_is_refused_when_it_is_typed() {
+    let folder = tempfile::tempdir().expect("folder");
+    let add = |more: &str| {
+        let line = format!("sensors add --logbook l.sqlite --serial A {more}");
+        calib(folder.path(), &line.split(' ').collect::<Vec<_>>())
+    };
+    let without = add("--tolerance 5");
+    assert_eq!(without.status.code(), Some(2));
+    assert!(
+        text(&without.stderr).contains("nominal"),
+        "{}",
+        text(&without.stderr)
+    );
+    let nonsense = add("--tolerance five --sensitivity 10");
+    assert_eq!(nonsense.status.code(), Some(2));
+    assert!(text(&nonsense.stderr).contains("5:nominal:reference"));
+    assert!(add("--tolerance 5:reference:20-5000").status.success());
+}
+
 #[test]
 fn a_sensor_that_changed_by_more_than_u_is_reported() {
     let folder = tempfile::tempdir().expect("folder");

@@ -15,6 +15,7 @@ mod logbook;
 mod memory_link;
 mod odd_use;
 mod python;
+mod refusals;
 mod run;
 mod schema;
 mod serve;

@@ -2,7 +2,7 @@
 
 use super::needs::Needs;
 use super::xml::Xml;
-use crate::model::{Certificate, Value};
+use crate::model::Certificate;
 use crate::particulars::{Contact, Place};
 use crate::present;
 use crate::words::Language;
@@ -85,7 +85,6 @@ fn core_data(xml: &mut Xml, certificate: &Certificate, needs: Needs<'_>, languag
         Some(Place::Customer) => "customer",
         Some(Place::Other) | None => "other",
     };
-    let issued = particulars.calibration.issued.unwrap_or(day);
     xml.element("dcc:coreData", |xml| {
         xml.leaf("dcc:countryCodeISO3166_1", country);
         xml.leaf("dcc:usedLangCodeISO639_1", language.code());
@@ -97,7 +96,9 @@ fn core_data(xml: &mut Xml, certificate: &Certificate, needs: Needs<'_>, languag
         xml.leaf("dcc:beginPerformanceDate", &day.to_string());
         xml.leaf("dcc:endPerformanceDate", &day.to_string());
         xml.leaf("dcc:performanceLocation", place);
-        xml.leaf("dcc:issueDate", &issued.to_string());
+        if let Some(issued) = particulars.calibration.issued {
+            xml.leaf("dcc:issueDate", &issued.to_string());
+        }
     });
 }
 
@@ -153,11 +154,14 @@ fn contact(xml: &mut Xml, element: &str, contact: &Contact, language: Language) 
 
 fn people(xml: &mut Xml, certificate: &Certificate, language: Language) {
     let operator = stated(certificate, "calibration", "operator", language);
-    let approved_by = &certificate.particulars.calibration.approved_by;
-    let signer = approved_by.clone().unwrap_or_else(|| operator.clone());
+    let approved_by = certificate.particulars.calibration.approved_by.as_deref();
+    // Nobody authorised what nobody is named for.
+    let approved_by = approved_by.map(str::trim).filter(|name| !name.is_empty());
     xml.element("dcc:respPersons", |xml| {
-        person(xml, &signer, language.word("calibration.approved_by"), true);
-        if signer != operator {
+        if let Some(name) = approved_by {
+            person(xml, name, language.word("calibration.approved_by"), true);
+        }
+        if approved_by != Some(operator.as_str()) {
             person(xml, &operator, language.word("calibration.operator"), false);
         }
     });
@@ -178,11 +182,17 @@ fn statements(xml: &mut Xml, certificate: &Certificate, language: Language) {
     let traceability = stated(certificate, "equipment", "traceability", language);
     let of = |key| certificate.statement("calibration", key);
     xml.element("dcc:statements", |xml| {
-        let traceable = matches!(
-            certificate.statement("equipment", "reference_certificate"),
-            Some(Value::Text(_))
-        );
-        statement(xml, Some(traceable), "7.8.4.1 c", &traceability, language);
+        for (title, reason) in certificate.marks_in_words(language) {
+            statement(
+                xml,
+                None,
+                "7.8.2.1",
+                &format!("{title}: {reason}"),
+                language,
+            );
+        }
+        let traceable = Some(certificate.traceable);
+        statement(xml, traceable, "7.8.4.1 c", &traceability, language);
         statement(
             xml,
             None,

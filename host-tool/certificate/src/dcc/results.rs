@@ -2,11 +2,13 @@
 
 use super::administrative::{identification, one_software, stated};
 use super::xml::Xml;
+use crate::decision::Conformity;
 use crate::model::{Certificate, Point, PointValues, Value};
 use crate::present;
 use crate::rounding::Rounded;
 use crate::words::Language;
 use calib_core::budget::coverage::PROBABILITY_K2;
+use calib_output::number::fixed;
 
 const PER_MS2: &str = r"\milli\volt\metre\tothe{-1}\second\tothe{2}";
 
@@ -25,11 +27,12 @@ struct List<'a> {
 pub(super) fn write(xml: &mut Xml, certificate: &Certificate, language: Language) {
     xml.element("dcc:measurementResults", |xml| {
         xml.element("dcc:measurementResult", |xml| {
-            xml.content(
-                "dcc:name",
-                language.code(),
-                language.word("section.response"),
-            );
+            let name = language.word("section.response");
+            let name = match certificate.marked(language) {
+                marks if marks.is_empty() => name.to_owned(),
+                marks => format!("{marks}: {name}"),
+            };
+            xml.content("dcc:name", language.code(), &name);
             method(xml, certificate, language);
             let firmware = stated(certificate, "equipment", "firmware", Language::En);
             xml.element("dcc:usedSoftware", |xml| {
@@ -111,7 +114,7 @@ fn ref_type(section: &str, key: &str) -> &'static [(&'static str, &'static str)]
 fn condition(xml: &mut Xml, value: Option<&Value>, language: Language) {
     let number = match value {
         Some(Value::Number(number, decimals, unit)) => {
-            unit_of(unit).map(|u| (format!("{number:.decimals$}"), u))
+            unit_of(unit).map(|u| (fixed(*number, *decimals), u))
         }
         Some(Value::Exact(number, unit)) => unit_of(unit).map(|u| (number.to_string(), u)),
         _ => None,
@@ -162,7 +165,13 @@ fn results(xml: &mut Xml, certificate: &Certificate, language: Language) {
 }
 
 fn result(xml: &mut Xml, certificate: &Certificate, title: &str, language: Language) {
-    let judged = |(_, values): &Measured<'_>| values.assessment.is_some();
+    // The schema has no word for what cannot be judged.
+    let not_judgeable = Conformity::NotJudgeable;
+    let judged = |(_, values): &Measured<'_>| {
+        values
+            .assessment
+            .is_some_and(|judged| judged.conformity != not_judgeable)
+    };
     let (judged, others): (Vec<_>, Vec<_>) = certificate.results().partition(judged);
     let empty = judged.is_empty() && others.is_empty();
     let refused = refused(certificate, language);
@@ -174,13 +183,33 @@ fn result(xml: &mut Xml, certificate: &Certificate, title: &str, language: Langu
     }
     if !others.is_empty() {
         let only = judged.is_empty();
-        let description = if only {
-            refused
-        } else {
-            Some(language.word("conformity.not_specified").to_owned())
-        };
+        let description = if only { refused } else { None };
+        let why = not_judged(&others, language).filter(|_| certificate.decision.is_some());
+        let texts: Vec<String> = description.into_iter().chain(why).collect();
+        let description = (!texts.is_empty()).then(|| texts.join("; "));
         one_result(xml, certificate, title, description, &others, language);
     }
+}
+
+/// Why points have no conformity: nothing is specified there, or U is too large.
+fn not_judged(points: &[Measured<'_>], language: Language) -> Option<String> {
+    let (not_judgeable, not_specified): (Vec<Measured<'_>>, Vec<Measured<'_>>) = points
+        .iter()
+        .copied()
+        .partition(|(_, values)| values.assessment.is_some());
+    let of = |key: &str, points: &[Measured<'_>]| {
+        let hz = points
+            .iter()
+            .map(|(p, _)| language.shortest(p.nominal_frequency_hz));
+        let hz: Vec<String> = hz.collect();
+        (!hz.is_empty()).then(|| format!("{}: {} Hz", language.word(key), hz.join(", ")))
+    };
+    let texts = [
+        of("conformity.notJudgeable", &not_judgeable),
+        of("conformity.not_specified", &not_specified),
+    ];
+    let texts: Vec<String> = texts.into_iter().flatten().collect();
+    (!texts.is_empty()).then(|| texts.join("; "))
 }
 
 fn one_result(
@@ -311,10 +340,6 @@ fn plain<'a>(
         uncertainties: None,
         conformity: Vec::new(),
     }
-}
-
-fn fixed(value: f64, decimals: usize) -> String {
-    format!("{value:.decimals$}")
 }
 
 fn write_list(xml: &mut Xml, certificate: &Certificate, language: Language, list: &List<'_>) {

@@ -5,6 +5,7 @@
 //! | `request` | what a file asks for |
 //! | [`specification`] | what is tolerated, over frequency |
 //! | [`rule`] | how a result with its uncertainty is judged |
+//! | `tolerance` | that of a sensor, as text |
 //! | [`risk`] | probabilities of false acceptance and rejection |
 //!
 //! ISO/IEC 17025 7.8.6 wants three things said: which results, which
@@ -15,11 +16,13 @@ mod request;
 pub mod risk;
 pub mod rule;
 pub mod specification;
+mod tolerance;
 
 pub use limits::{Band, Base, Limits};
 pub use request::{Request, RuleName};
 pub use rule::{Assessment, Conformity, Rule, Stated, assess};
-pub use specification::Specification;
+pub use specification::{Place, Specification};
+pub use tolerance::Tolerance;
 
 /// Specification and rule, checked.
 #[derive(Clone, Debug, PartialEq)]

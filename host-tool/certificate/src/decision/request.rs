@@ -23,6 +23,9 @@ pub struct Request {
     pub rule: RuleName,
     /// Largest probability of false acceptance, %, for `max_false_accept`.
     pub max_false_accept_percent: Option<f64>,
+    /// Sensitivities of the last calibration, Hz and V/(m/s2); from the logbook.
+    #[serde(skip)]
+    pub last: Vec<(f64, f64)>,
 }
 
 /// Names of the decision rules.
@@ -39,6 +42,12 @@ pub enum RuleName {
 }
 
 impl Request {
+    /// True when nothing is specified: a laboratory may state its rule alone, and the
+    /// tolerance is the sensor's.
+    pub fn is_open(&self) -> bool {
+        self.specification.is_empty() && self.bands.is_empty()
+    }
+
     /// Takes a nominal sensitivity, V/(m/s2), if none is stated. API 670 states
     /// one itself.
     pub fn know_nominal(&mut self, v_per_ms2: f64) {

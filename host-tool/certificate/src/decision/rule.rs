@@ -20,6 +20,19 @@ pub enum Rule {
 }
 
 impl Rule {
+    /// True when a result in the middle of the tolerance would be accepted: U at most
+    /// half the tolerance's width (test uncertainty ratio 1, ILAC-G8:09/2019, 4.2), or
+    /// a small enough risk there.
+    fn can_accept(self, tolerance: Limits, expanded: f64, coverage_factor: f64) -> bool {
+        let standard = expanded / coverage_factor;
+        match self {
+            Self::Simple | Self::GuardBand => tolerance.narrowed(expanded).hold_something(),
+            Self::MaxFalseAccept(most) => {
+                1.0 - risk::inside(tolerance, tolerance.middle(), standard) <= most
+            }
+        }
+    }
+
     pub(super) fn build(request: &Request) -> Result<Self, String> {
         match request.rule {
             RuleName::Simple => Ok(Self::Simple),
@@ -47,6 +60,8 @@ pub enum Conformity {
     ConditionalPass,
     /// Outside the tolerance, but not by the guard band.
     ConditionalFail,
+    /// The uncertainty is too large for the tolerance: no result could be accepted.
+    NotJudgeable,
     /// Rejected.
     Fail,
 }
@@ -58,6 +73,7 @@ impl Conformity {
             Self::Pass => "pass",
             Self::ConditionalPass => "conditionalPass",
             Self::ConditionalFail => "conditionalFail",
+            Self::NotJudgeable => "notJudgeable",
             Self::Fail => "fail",
         }
     }
@@ -81,12 +97,27 @@ pub enum Stated {
     NotSpecified,
 }
 
+impl Stated {
+    /// Key of its words in the message file.
+    pub(crate) fn message(self) -> &'static str {
+        match self {
+            Self::Pass => "conformity.pass",
+            Self::ConditionalPass => "conformity.conditionalPass",
+            Self::ConditionalFail => "conformity.conditionalFail",
+            Self::Fail => "conformity.fail",
+            Self::NotJudgeable => "conformity.notJudgeable",
+            Self::NotSpecified => "conformity.none",
+        }
+    }
+}
+
 impl From<Conformity> for Stated {
     fn from(conformity: Conformity) -> Self {
         match conformity {
             Conformity::Pass => Self::Pass,
             Conformity::ConditionalPass => Self::ConditionalPass,
             Conformity::ConditionalFail => Self::ConditionalFail,
+            Conformity::NotJudgeable => Self::NotJudgeable,
             Conformity::Fail => Self::Fail,
         }
     }
@@ -109,6 +140,9 @@ pub struct Assessment {
 
 /// Judges `value` with expanded uncertainty `expanded` and its factor.
 ///
+/// Where U is so large that the rule could accept no result at all, nothing is
+/// judged, unless the value lies outside the tolerance by more than U.
+///
 /// Probabilities are those of a normal distribution of the measurand around
 /// the result with standard deviation U/k (JCGM 106:2012, no prior knowledge).
 pub fn assess(
@@ -121,21 +155,22 @@ pub fn assess(
     let inside = risk::inside(tolerance, value, expanded / coverage_factor);
     let outside = 1.0 - inside;
     let conformity = match rule {
+        _ if tolerance.narrowed(-expanded).excludes(value) => Conformity::Fail,
+        rule if !rule.can_accept(tolerance, expanded, coverage_factor) => Conformity::NotJudgeable,
         Rule::Simple if tolerance.contain(value) => Conformity::Pass,
         Rule::MaxFalseAccept(most) if outside <= most => Conformity::Pass,
         Rule::GuardBand if tolerance.narrowed(expanded).contain(value) => Conformity::Pass,
         Rule::GuardBand if tolerance.contain(value) => Conformity::ConditionalPass,
-        Rule::GuardBand if tolerance.narrowed(-expanded).contain(value) => {
-            Conformity::ConditionalFail
-        }
+        Rule::GuardBand => Conformity::ConditionalFail,
         _ => Conformity::Fail,
     };
     let accepted = conformity == Conformity::Pass;
+    let judged = conformity != Conformity::NotJudgeable;
     Assessment {
         tolerance,
         conformity,
         false_accept: accepted.then_some(outside),
-        false_reject: (!accepted).then_some(inside),
+        false_reject: (judged && !accepted).then_some(inside),
     }
 }
 
@@ -164,6 +199,43 @@ mod tests {
         ];
         for (value, expected) in cases {
             assert_eq!(stated(Rule::GuardBand, value), expected, "{value}");
+        }
+    }
+
+    #[test]
+    fn what_no_result_could_meet_is_not_judged() {
+        // Tolerance +-5, U = 6 with k = 2: the rule accepts nothing; 1 - P(|z| < 5/3) = 9.56 %
+        // in the middle.
+        let rules = [Rule::Simple, Rule::GuardBand, Rule::MaxFalseAccept(0.05)];
+        for rule in rules {
+            let judged = |value| assess(rule, TOLERANCE, value, 6.0, 2.0);
+            for value in [100.0, 104.0, 106.0, 110.9] {
+                assert_eq!(
+                    judged(value).conformity,
+                    Conformity::NotJudgeable,
+                    "{rule:?}"
+                );
+                assert_eq!(
+                    (judged(value).false_accept, judged(value).false_reject),
+                    (None, None)
+                );
+            }
+            // Outside by more than U it fails, whatever the rule.
+            assert_eq!(judged(111.1).conformity, Conformity::Fail, "{rule:?}");
+        }
+        let lenient = assess(Rule::MaxFalseAccept(0.10), TOLERANCE, 100.0, 6.0, 2.0);
+        assert_eq!(lenient.conformity, Conformity::Pass);
+    }
+
+    #[test]
+    fn limits_of_a_base_nobody_knows_judge_nothing() {
+        let unknown = Limits {
+            lower: f64::NAN,
+            upper: f64::NAN,
+        };
+        for rule in [Rule::Simple, Rule::GuardBand, Rule::MaxFalseAccept(0.05)] {
+            let judged = assess(rule, unknown, 1.0, 0.01, 2.0);
+            assert_eq!(judged.conformity, Conformity::NotJudgeable, "{rule:?}");
         }
     }
 

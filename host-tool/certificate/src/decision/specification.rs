@@ -12,6 +12,8 @@ pub enum Name {
     Nominal(f64),
     /// Plus or minus percent of the sensitivity at the reference point.
     Relative(f64),
+    /// What the bands say: the tolerance of a sensor.
+    Bands,
 }
 
 /// A named set of bands.
@@ -23,6 +25,19 @@ pub struct Specification {
     pub nominal_v_per_ms2: Option<f64>,
     /// Bands; where several apply, all must be met.
     pub bands: Vec<Band>,
+    /// Sensitivities of the last calibration, Hz and V/(m/s2).
+    pub last: Vec<(f64, f64)>,
+}
+
+/// Sensitivities that tolerances are stated of, at one point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Nominal frequency, Hz.
+    pub frequency_hz: f64,
+    /// True at the reference point.
+    pub at_reference_point: bool,
+    /// Sensitivity measured at the reference point, V/(m/s2).
+    pub reference_v_per_ms2: f64,
 }
 
 /// A sensor of API 670: 100 mV/g within 5 % at the reference point, response
@@ -33,6 +48,7 @@ impl Specification {
     pub(super) fn build(request: &Request) -> Result<Self, String> {
         let mut nominal = request.nominal_v_per_ms2();
         let (name, bands) = match request.specification.as_str() {
+            "" if !request.bands.is_empty() => (Name::Bands, request.bands.clone()),
             "" => return Err("decision.specification: say api670, nominal, relative, or a name of your own with [[decision.band]]".to_owned()),
             "api670" => {
                 let per_g = Request { nominal_mv_per_g: Some(API_670_MV_PER_G), ..Request::default() };
@@ -53,6 +69,7 @@ impl Specification {
             name,
             nominal_v_per_ms2: nominal,
             bands,
+            last: request.last.clone(),
         };
         specification.check()?;
         Ok(specification)
@@ -63,19 +80,14 @@ impl Specification {
             // Presets have bands.
             let name = match &self.name {
                 Name::Own(name) => name.as_str(),
-                Name::Nominal(_) | Name::Relative(_) => "",
+                Name::Nominal(_) | Name::Relative(_) | Name::Bands => "",
             };
             return Err(format!(
                 "decision: '{name}' has no [[decision.band]]; presets are api670, nominal, relative"
             ));
         }
         for (index, band) in self.bands.iter().enumerate() {
-            let ordered = band.from_hz > 0.0
-                && band.from_hz <= band.to_hz
-                && band.lower_percent < band.upper_percent
-                && band.lower_percent > -100.0
-                && band.upper_percent.is_finite();
-            if !ordered {
+            if !band.is_ordered() {
                 return Err(format!(
                     "decision.band {}: needs 0 < from_hz <= to_hz and -100 < lower_percent < upper_percent",
                     index + 1
@@ -95,32 +107,50 @@ impl Specification {
     }
 
     /// Limits of the sensitivity, V/(m/s2), at a frequency; `None` where
-    /// nothing is specified.
-    pub fn limits(
-        &self,
-        frequency_hz: f64,
-        reference_v_per_ms2: f64,
-        at_reference_point: bool,
-    ) -> Option<Limits> {
-        let applies = |band: &&Band| {
-            // A nominal 10 Hz is played within 0.01 % of it.
-            let inside = (band.from_hz * 0.999..=band.to_hz * 1.001).contains(&frequency_hz);
-            inside && (at_reference_point || !band.reference_point_only)
-        };
-        let limits = self.bands.iter().filter(applies).map(|band| {
-            let base = match band.base {
-                Base::Nominal => self.nominal_v_per_ms2.unwrap_or(f64::NAN),
-                Base::Reference => reference_v_per_ms2,
-            };
-            Limits {
-                lower: base * (1.0 + band.lower_percent / 100.0),
-                upper: base * (1.0 + band.upper_percent / 100.0),
-            }
-        });
+    /// nothing is specified. Of a base that is not known no limit is a number.
+    pub fn limits(&self, place: Place) -> Option<Limits> {
+        let limits = self.bands_at(place).map(|(band, base)| band.around(base));
         limits.reduce(|a, b| Limits {
-            lower: a.lower.max(b.lower),
-            upper: a.upper.min(b.upper),
+            // Not a number stays none.
+            lower: if a.lower > b.lower || a.lower.is_nan() {
+                a.lower
+            } else {
+                b.lower
+            },
+            upper: if a.upper < b.upper || a.upper.is_nan() {
+                a.upper
+            } else {
+                b.upper
+            },
         })
+    }
+
+    /// The band a value, V/(m/s2), comes nearest to leaving or leaves furthest, and
+    /// its base, V/(m/s2).
+    pub fn decisive(&self, place: Place, value: f64) -> Option<(&Band, f64)> {
+        let margin = |(band, base): &(&Band, f64)| {
+            let limits = band.around(*base);
+            (value - limits.lower).min(limits.upper - value)
+        };
+        self.bands_at(place)
+            .min_by(|a, b| margin(a).total_cmp(&margin(b)))
+    }
+
+    fn bands_at(&self, place: Place) -> impl Iterator<Item = (&Band, f64)> {
+        let at = place.at_reference_point;
+        let applies = move |band: &&Band| band.applies(place.frequency_hz, at);
+        let bands = self.bands.iter().filter(applies);
+        bands.map(move |band| (band, self.base(band.base, place)))
+    }
+
+    /// Not a number where it is not known.
+    fn base(&self, base: Base, place: Place) -> f64 {
+        let near = |(hz, _): &&(f64, f64)| (hz / place.frequency_hz - 1.0).abs() < 0.01;
+        match base {
+            Base::Nominal => self.nominal_v_per_ms2.unwrap_or(f64::NAN),
+            Base::Reference => place.reference_v_per_ms2,
+            Base::Last => self.last.iter().find(near).map_or(f64::NAN, |last| last.1),
+        }
     }
 }
 
@@ -136,7 +166,7 @@ fn tolerance(request: &Request) -> Result<f64, String> {
     }
 }
 
-fn everywhere(base: Base, percent: f64) -> Band {
+pub(super) fn everywhere(base: Base, percent: f64) -> Band {
     Band {
         from_hz: f64::MIN_POSITIVE,
         to_hz: f64::MAX / 2.0,
@@ -173,13 +203,38 @@ mod tests {
         toml::from_str(text).expect("TOML")
     }
 
+    fn place(frequency_hz: f64, reference_v_per_ms2: f64, at_reference_point: bool) -> Place {
+        Place {
+            frequency_hz,
+            at_reference_point,
+            reference_v_per_ms2,
+        }
+    }
+
+    #[test]
+    fn the_last_calibration_is_a_base_where_there_was_one() {
+        let mut asked = request(
+            "[[band]]\nfrom_hz = 10\nto_hz = 1000\nbase = 'last'\nlower_percent = -2\nupper_percent = 2",
+        );
+        asked.last = vec![(160.0, 0.010)];
+        let specification = asked.build().expect("bands").specification;
+        let at = specification
+            .limits(place(160.0, 1.0, true))
+            .expect("specified");
+        assert!((at.lower / 0.0098 - 1.0).abs() < 1e-12);
+        assert!((at.upper / 0.0102 - 1.0).abs() < 1e-12);
+        let unknown = specification.limits(place(500.0, 1.0, false));
+        assert!(unknown.expect("specified").lower.is_nan());
+        assert_eq!(specification.limits(place(5000.0, 1.0, false)), None);
+    }
+
     #[test]
     fn api_670_is_tight_at_the_reference_point_and_wide_elsewhere() {
         let decision = request("specification = 'api670'").build().expect("preset");
         let nominal = 0.1 / 9.806_65;
         let at = decision
             .specification
-            .limits(160.0, nominal, true)
+            .limits(place(160.0, nominal, true))
             .expect("specified");
         assert!(
             (at.lower / nominal - 0.95).abs() < 1e-12 && (at.upper / nominal - 1.05).abs() < 1e-12
@@ -187,12 +242,14 @@ mod tests {
         // 3 dB: factors 0.70795 and 1.41254.
         let far = decision
             .specification
-            .limits(10_000.0, nominal, false)
+            .limits(place(10_000.0, nominal, false))
             .expect("specified");
         assert!((far.lower / nominal - 0.707_946).abs() < 1e-6);
         assert!((far.upper / nominal - 1.412_538).abs() < 1e-6);
         assert_eq!(
-            decision.specification.limits(12_500.0, nominal, false),
+            decision
+                .specification
+                .limits(place(12_500.0, nominal, false)),
             None
         );
     }

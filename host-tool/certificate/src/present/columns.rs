@@ -1,5 +1,6 @@
 //! The columns a table over frequency can have.
 
+use crate::decision::Stated;
 use crate::measured::{Heading, MEASURED, Measured};
 use crate::model::{Point, PointValues};
 use crate::rounding::Rounded;
@@ -148,10 +149,11 @@ pub(super) fn value_of(rounded: &Rounded, language: Language) -> String {
 pub(super) fn verdict(point: &Point, language: Language) -> String {
     match &point.outcome {
         Ok(values) => match values.assessment {
-            Some(judged) => language
-                .word(&format!("conformity.{}", judged.conformity.name()))
-                .to_owned(),
-            None => language.word("verdict.pass").to_owned(),
+            Some(judged) => {
+                let stated = Stated::from(judged.conformity);
+                language.word(stated.message()).to_owned()
+            }
+            None => language.word("verdict.valid").to_owned(),
         },
         Err(refusal) => {
             let reason = language.word(&format!("reason.{}", refusal.0)).to_owned();

@@ -13,6 +13,7 @@ use table::Table;
 
 use super::model::{Certificate, Remark, Section, Value};
 use super::plot;
+use super::verdict::Verdict;
 use super::words::{Language, with_unit};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -24,6 +25,8 @@ pub struct Presented {
     pub language: &'static str,
     /// Certificate number.
     pub number: String,
+    /// DRAFT, SIMULATED, each with its reason.
+    pub marks: Vec<(String, String)>,
     /// Fixed words by their message key, dots replaced by underscores.
     pub words: BTreeMap<String, String>,
     /// Result at the reference point.
@@ -32,8 +35,8 @@ pub struct Presented {
     pub sections: Vec<PresentedSection>,
     /// The table over frequency.
     pub table: Table,
-    /// The statement of conformity, and its name for colours.
-    pub conformity: Option<(String, String)>,
+    /// The verdict on the whole object.
+    pub verdict: Option<Verdict>,
     /// Texts of the laboratory above the results.
     pub introduction: Vec<String>,
     /// Texts of the laboratory at the end.
@@ -89,6 +92,7 @@ impl Presented {
         Self {
             language: language.code(),
             number: certificate.number.clone(),
+            marks: certificate.marks_in_words(language),
             words: language.words(),
             headline: headline::headline(certificate, language),
             sections: certificate
@@ -97,7 +101,7 @@ impl Presented {
                 .map(|s| section(s, language))
                 .collect(),
             table: table::table(certificate, language),
-            conformity: conformity(certificate, language),
+            verdict: certificate.verdict(language),
             introduction: certificate.particulars.texts.introduction.clone(),
             closing: certificate.particulars.texts.closing.clone(),
             as_found: adjustment::as_found(certificate, language),
@@ -130,6 +134,7 @@ pub(super) fn value(value: &Value, language: Language) -> String {
         }
         Value::Exact(number, unit) => with_unit(language.shortest(*number), unit),
         Value::Day(day) => day.to_string(),
+        Value::Band(band) => super::verdict::band_words(band, language),
         Value::List(values) => {
             let words: Vec<String> = values.iter().map(|v| self::value(v, language)).collect();
             words.join("; ")
@@ -170,15 +175,4 @@ fn remark(remark: &Remark, language: Language) -> PresentedRemark {
         label: language.word(&severity).to_owned(),
         text: remark_text(remark, language),
     }
-}
-
-fn conformity(certificate: &Certificate, language: Language) -> Option<(String, String)> {
-    certificate.decision.as_ref()?;
-    let name = certificate
-        .conformity()
-        .map_or("none", |conformity| conformity.name());
-    Some((
-        language.word(&format!("conformity.{name}")).to_owned(),
-        name.to_owned(),
-    ))
 }

@@ -3,7 +3,7 @@
 use super::clause;
 use super::value::{phrase, said, text};
 use crate::model::{Line, Section, Value};
-use crate::particulars::{Adjustment, Particulars, Place};
+use crate::particulars::{Adjustment, Measurand, Particulars, Place};
 use crate::stored::run_day;
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
@@ -15,16 +15,18 @@ pub(super) fn calibration(record: &Record, particulars: &Particulars) -> Section
 }
 
 /// Method, days, place and people.
-fn statement(record: &Record, particulars: &Particulars) -> [Line; 9] {
+fn statement(record: &Record, particulars: &Particulars) -> [Line; 10] {
     let stated = &particulars.calibration;
     let date = run_day(record).or(stated.date);
-    let issued = stated.issued.or(date).map(Value::Day);
+    let issued = stated.issued.map(Value::Day);
+    let measurand = stated.measurand.and_then(measurand);
     let operator = text(&record.head.labels.operator);
     let adjustment = stated.adjustment.and_then(adjustment);
     let method = phrase(format!("method.{:?}", record.settings.method), &[]);
     let example = phrase(format!("example.{:?}", record.settings.example), &[]);
     [
         ("method", clause::METHOD, method),
+        ("measurand", clause::METHOD, measurand),
         ("example", clause::NONE, example),
         ("deviations", clause::DEVIATIONS, said(&stated.deviations)),
         ("date", clause::DAY, date.map(Value::Day)),
@@ -89,6 +91,14 @@ fn place(particulars: &Particulars) -> Option<Value> {
         Place::Other => phrase("place.other", &[]),
     });
     said(&stated.place_text).or(kind)
+}
+
+fn measurand(measurand: Measurand) -> Option<Value> {
+    let key = match measurand {
+        Measurand::WithConditioner => "measurand.with_conditioner",
+        Measurand::WithoutConditioner => "measurand.without_conditioner",
+    };
+    phrase(key, &[])
 }
 
 fn adjustment(adjustment: Adjustment) -> Option<Value> {

@@ -4,9 +4,10 @@ use super::clause;
 use super::value::{exact, phrase, said, text};
 use crate::model::{Line, Section, Value};
 use crate::particulars::{Equipment, Particulars};
-use crate::stored::day;
+use crate::stored::{day, run_day};
 use calib_core::settings::InputScale;
 use calib_protocol::record::Record;
+use calib_record::origin::is_emulated;
 
 pub(super) fn amplifier(record: &Record, particulars: &Particulars) -> Section {
     let stated = &particulars.amplifier;
@@ -64,8 +65,7 @@ fn reference(record: &Record, particulars: &Particulars) -> [Line; 5] {
     let certificate = text(&reference.certificate);
     let calibrated = day(reference.calibrated_day).map(Value::Day);
     let due = day(reference.due_day).map(Value::Day);
-    let stated = said(&particulars.texts.traceability);
-    let traceability = stated.or_else(|| traceability(record));
+    let traceability = traceability(record, particulars);
     [
         ("reference", clause::INSTRUMENTS, text(&reference.serial)),
         ("reference_certificate", clause::TRACEABILITY, certificate),
@@ -75,17 +75,43 @@ fn reference(record: &Record, particulars: &Particulars) -> [Line; 5] {
     ]
 }
 
-/// Traceability through the reference, if it has a certificate.
-fn traceability(record: &Record) -> Option<Value> {
+/// True when serial number, certificate and days of the reference are stated, its calibration
+/// was in force on the day of this one, and the instrument is no emulated one.
+pub(in super::super) fn is_traceable(record: &Record) -> bool {
     let reference = &record.settings.reference;
-    let due = day(reference.due_day).map_or("\u{2013}".to_owned(), |due| due.to_string());
+    let named = text(&reference.serial)
+        .and(text(&reference.certificate))
+        .is_some();
+    let days = (
+        day(reference.calibrated_day),
+        day(reference.due_day),
+        run_day(record),
+    );
+    let in_force = match days {
+        (Some(calibrated), Some(due), Some(run)) => calibrated <= run && run <= due,
+        _ => false,
+    };
+    named && in_force && !is_emulated(&record.head.instrument_serial)
+}
+
+/// Traceability through the reference; where it cannot be shown, that and why, whatever the
+/// laboratory's text says.
+fn traceability(record: &Record, particulars: &Particulars) -> Option<Value> {
+    let reference = &record.settings.reference;
     text(&reference.certificate)?;
+    if is_emulated(&record.head.instrument_serial) {
+        return phrase("traceability.simulated", &[]);
+    }
+    if !is_traceable(record) {
+        return phrase("traceability.not_in_force", &[]);
+    }
+    let due = day(reference.due_day).map_or("\u{2013}".to_owned(), |due| due.to_string());
     let values = [
         reference.serial.to_string(),
         reference.certificate.to_string(),
         due,
     ];
-    phrase("statement.traceability", &values)
+    said(&particulars.texts.traceability).or_else(|| phrase("statement.traceability", &values))
 }
 
 fn instrument(used: &Equipment) -> Value {

@@ -1,6 +1,8 @@
 //! `calib sensors`: devices under test, typed once.
 
 use crate::cli::Context;
+use calib_certificate::SensitivityUnit;
+use calib_certificate::decision::Tolerance;
 use calib_host::{Error, Result};
 use calib_logbook::Sensor;
 use calib_metrology::teds;
@@ -65,9 +67,17 @@ struct About {
     /// Model.
     #[arg(long, value_name = "TEXT")]
     model: Option<String>,
-    /// Nominal sensitivity, mV/(m/s2).
-    #[arg(long, value_name = "MV")]
+    /// Nominal sensitivity, in the unit of --unit.
+    #[arg(long, value_name = "NUMBER")]
     sensitivity: Option<f64>,
+    /// Unit its sensitivity is specified in: mV/(m/s2) or mV/g [default: mV/(m/s2)].
+    #[arg(long, value_name = "UNIT")]
+    unit: Option<SensitivityUnit>,
+    /// Tolerance it is judged by: percent of nominal, such as 5; 5:nominal:reference (at the
+    /// reference point alone), 10:reference:20-5000 (of the reference point, 20 Hz to 5 kHz),
+    /// 2:last (of its last calibration), -5/+10:nominal; several after commas; or api670.
+    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
+    tolerance: Option<Tolerance>,
     /// Measuring range, m/s2 peak.
     #[arg(long, value_name = "MS2")]
     range: Option<f64>,
@@ -87,13 +97,16 @@ struct About {
 
 impl About {
     /// The sensor with what is stated here in place of what it had.
-    fn onto(self, sensor: Sensor) -> Sensor {
-        Sensor {
+    fn onto(self, sensor: Sensor) -> Result<Sensor> {
+        let unit = self.unit.unwrap_or(sensor.unit()?);
+        Ok(Sensor {
+            unit: Some(unit.name().to_owned()),
+            tolerance: self.tolerance.map(|t| t.to_string()).or(sensor.tolerance),
             manufacturer: self.manufacturer.unwrap_or(sensor.manufacturer),
             model: self.model.unwrap_or(sensor.model),
             sensitivity_v_per_ms2: self
                 .sensitivity
-                .map(|mv| mv / 1000.0)
+                .map(|stated| unit.to_v_per_ms2(stated))
                 .or(sensor.sensitivity_v_per_ms2),
             range_ms2: self.range.or(sensor.range_ms2),
             iepe: self.iepe.or(sensor.iepe),
@@ -101,7 +114,7 @@ impl About {
             owner: self.owner.or(sensor.owner),
             due_day: self.due.or(sensor.due_day),
             ..sensor
-        }
+        })
     }
 }
 
@@ -119,12 +132,12 @@ impl Sensors {
             }
             What::Show { serial } => logbook.known_sensor(&serial)?,
             What::Add { serial, about } => {
-                let sensor = about.onto(with_serial(serial));
+                let sensor = about.onto(with_serial(serial))?;
                 logbook.add_sensor(&sensor)?;
                 sensor
             }
             What::Change { serial, about } => {
-                let sensor = about.onto(logbook.known_sensor(&serial)?);
+                let sensor = about.onto(logbook.known_sensor(&serial)?)?;
                 logbook.put_sensor(&sensor)?;
                 sensor
             }
@@ -134,7 +147,7 @@ impl Sensors {
                 about,
             } => {
                 let (read, bytes) = teds::read(&teds)?;
-                let sensor = about.onto(from_teds(&read, bytes, serial));
+                let sensor = about.onto(from_teds(&read, bytes, serial))?;
                 logbook.add_sensor(&sensor)?;
                 sensor
             }
@@ -187,6 +200,13 @@ fn millivolt(sensor: &Sensor) -> String {
     sensor.sensitivity_v_per_ms2.map(shown).unwrap_or_default()
 }
 
+/// Nominal sensitivity in the unit it is specified in.
+fn sensitivity(sensor: &Sensor) -> Option<String> {
+    let unit = sensor.unit().unwrap_or_default();
+    let value = unit.of_v_per_ms2(sensor.sensitivity_v_per_ms2?);
+    Some(format!("{value:.5} {}", unit.name()))
+}
+
 /// The first letters, so that a table fits 80 columns.
 pub(super) fn cut(text: &str, letters: usize) -> String {
     match text.chars().count() > letters {
@@ -197,16 +217,16 @@ pub(super) fn cut(text: &str, letters: usize) -> String {
 
 fn text(sensor: &Sensor) -> String {
     let stated = |value: &Option<String>| value.clone().unwrap_or_else(|| "not stated".to_owned());
-    let number = |value: Option<f64>| stated(&value.map(|value| value.to_string()));
     let iepe = sensor.iepe.map(|iepe| if iepe { "yes" } else { "no" });
     format!(
-        "serial number  {}\nsensor         {}\nsensitivity    {} mV/(m/s2)\n\
-         range          {} m/s2 peak\nIEPE           {}\nmounting       {}\n\
+        "serial number  {}\nsensor         {}\nsensitivity    {}\ntolerance      {}\n\
+         range          {}\nIEPE           {}\nmounting       {}\n\
          owner          {}\ndue            {}\n",
         sensor.serial,
         sensor.name(),
-        stated(&sensor.sensitivity_v_per_ms2.map(|_| millivolt(sensor))),
-        number(sensor.range_ms2),
+        stated(&sensitivity(sensor)),
+        stated(&sensor.tolerance),
+        stated(&sensor.range_ms2.map(|range| format!("{range} m/s2 peak"))),
         iepe.unwrap_or("not stated"),
         stated(&sensor.mounting),
         stated(&sensor.owner),

@@ -16,6 +16,50 @@ export function row(cells, name) {
   return line;
 }
 
+/** What the server made of a run that ended: the verdict, and a statement on each point. */
+let judged = { number: 0, document: null };
+
+export function judge(number, document, run) {
+  judged = { number, document };
+  show(run);
+}
+
+const of = (run) => run && !run.running && run.number === judged.number ? judged.document : null;
+const same = (a, b) => a.frequency_hz === b.frequency_hz && a.set_acceleration_rms_ms2 === b.set_acceleration_rms_ms2;
+
+/** Statement on a point: its conformity where it was judged, else that it is valid. */
+function stated(run, point) {
+  const document = of(run), found = document && document.points.find((p) => same(p, point));
+  return found && found.conformity !== "not_specified" ? found.conformity : "valid";
+}
+
+/** Reasons of refusals in words, with what to do; by their code. */
+let reasons = new Map();
+
+export function know(table) {
+  reasons = new Map((table || []).map((line) => [line.reason, line]));
+}
+
+const in_words = (reason) => (reasons.get(reason) || { reason_text: reason.replaceAll("_", " ") }).reason_text;
+
+/** What to do about the refusals of a run that ended. */
+function advice(run, running) {
+  const codes = run && !running ? [...new Set(run.points.filter((p) => !valid(p)).map((p) => p.reason))] : [];
+  const lines = codes.filter((reason) => reasons.has(reason)).map((reason) => {
+    const line = document.createElement("p"), { reason_text, remedy } = reasons.get(reason);
+    line.textContent = reason_text + ": " + remedy;
+    return line;
+  });
+  $("advice").replaceChildren(...lines);
+  $("retry").hidden = !codes.length;
+  $("advice-card").hidden = !codes.length;
+}
+
+/** Frequencies of what was refused, for Retry. */
+export const refused = (run) => run.points.filter((p) => !valid(p)).map((p) => p.frequency_hz);
+
+const failed = (state) => state === "fail" || state === "conditional_fail";
+
 const state_words = { settling: "settling", measuring: "measuring", idle: "starting" };
 const valid = (point) => point.state === "valid";
 
@@ -34,9 +78,12 @@ function left(run, running) {
   return seconds >= 90 ? Math.round(seconds / 60) + " min left" : seconds + " s left";
 }
 
-/** The big numbers: what the calibrator says now, and the last point that was measured. */
+/** The big numbers: what the calibrator says now, and the last point that was measured; of a run that
+ *  ended, the reference point. */
 function tiles(run, running) {
-  const status = running && run.status, last = run && run.points.filter(valid).at(-1);
+  const document = of(run), reference = document && document.reference;
+  const status = running && run.status, last = reference || (run && run.points.filter(valid).at(-1));
+  $("tile-at").textContent = reference ? "at " + reference.frequency_hz + " Hz" : "";
   const put = (id, value, digits) => {
     $(id).textContent = value === undefined || value === false || value === null ? "–" : value.toFixed(digits);
   };
@@ -54,8 +101,9 @@ function tiles(run, running) {
 function table(run) {
   return (run ? run.points : []).map((p) => valid(p)
     ? row([p.frequency_hz, p.acceleration_rms_ms2.toFixed(3), (1000 * p.sensitivity_v_per_ms2).toFixed(4),
-        (100 * p.expanded_uncertainty_rel).toFixed(2), p.phase_deg.toFixed(2), p.settling_s.toFixed(2), "valid"])
-    : row([p.frequency_hz, "", "", "", "", "", "refused: " + p.reason.replaceAll("_", " ")], "refused"));
+        (100 * p.expanded_uncertainty_rel).toFixed(2), p.phase_deg.toFixed(2), p.settling_s.toFixed(2),
+        stated(run, p).replaceAll("_", " ")], failed(stated(run, p)) ? "refused" : "")
+    : row([p.frequency_hz, "", "", "", "", "", "refused: " + in_words(p.reason)], "refused"));
 }
 
 function certificates(run, running) {
@@ -64,7 +112,14 @@ function certificates(run, running) {
   if (!there) return;
   const refused = run.points.filter((p) => !valid(p)).length;
   $("judgement").textContent = run.points.length + " points, " + (refused ? refused + " refused" : "none refused");
-  $("judgement").className = refused ? "exceeds" : "pass";
+  $("judgement").className = refused ? "exceeds" : "";
+  const document = of(run), verdict = document && document.verdict;
+  $("verdict").hidden = !verdict;
+  if (verdict) {
+    $("verdict").dataset.conformity = verdict.conformity;
+    $("verdict-title").textContent = verdict.title;
+    $("verdict-because").textContent = verdict.because;
+  }
   $("kept").textContent = run.logbook_record === null ? "" : "kept in the logbook as record " + run.logbook_record;
   for (const link of document.querySelectorAll("#certificates a")) {
     link.href = url("api/certificate/" + link.dataset.format);
@@ -76,17 +131,16 @@ export function draw(run) {
   const points = (run ? run.points : []).filter(valid);
   const all = run && run.list.length ? run.list.map((p) => p.frequency_hz) : [20, 10000];
   const x = { ...frequency, min: Math.min(...all) / 1.15, max: Math.max(...all) * 1.15 };
-  const tolerance = Math.max(0, Number($("tolerance").value) || 0);
   const reference = points.find((p) => p.frequency_hz === 160) || points[0];
   const marks = points.map((p) => {
     const ratio = p.sensitivity_v_per_ms2 / reference.sensitivity_v_per_ms2;
     const y = 100 * (ratio - 1), u = 100 * ratio * p.expanded_uncertainty_rel;
     const title = p.frequency_hz + " Hz: S = " + (1000 * p.sensitivity_v_per_ms2).toFixed(4) + " mV/(m/s²), "
       + y.toFixed(2) + " %, U = " + u.toFixed(2) + " %";
-    return { x: p.frequency_hz, y, u, title, class: Math.abs(y) > tolerance ? "outside" : "" };
+    return { x: p.frequency_hz, y, u, title, class: failed(stated(run, p)) ? "outside" : "" };
   });
-  const top = 1.15 * Math.max(tolerance, 0.1, ...marks.map((m) => Math.abs(m.y) + m.u));
-  chart($("plot"), x, { min: -top, max: top }, [{ kind: "marks", points: marks }], [-tolerance, tolerance]);
+  const top = 1.15 * Math.max(1, ...marks.map((m) => Math.abs(m.y) + m.u));
+  chart($("plot"), x, { min: -top, max: top }, [{ kind: "marks", points: marks }]);
   const phases = points.map((p) => ({ x: p.frequency_hz, y: p.phase_deg, u: p.expanded_uncertainty_phase_deg,
     title: p.frequency_hz + " Hz: " + p.phase_deg.toFixed(2) + "°" }));
   const ends = phases.flatMap((p) => [p.y - p.u, p.y + p.u]);
@@ -103,5 +157,6 @@ export function show(run) {
   tiles(run, running);
   $("points").replaceChildren(...table(run));
   certificates(run, running);
+  advice(run, running);
   draw(run);
 }

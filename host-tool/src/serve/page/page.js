@@ -61,8 +61,8 @@ function frequencies() {
   return chosen.split(/[\s;,]+/).filter(Boolean).map(Number);
 }
 
-$("run").addEventListener("submit", (event) => {
-  event.preventDefault();
+/** Measures these frequencies; the rest as the form says. */
+function measure(frequencies_hz) {
   const typed = (id) => $(id).value.trim();
   ask("api/run", {
     sensor: $("sensor").value,
@@ -72,9 +72,15 @@ $("run").addEventListener("submit", (event) => {
     mounting: typed("mounting"),
     set_acceleration_rms_ms2: Number($("level").value),
     temperature_c: $("temperature").value === "" ? null : Number($("temperature").value),
-    frequencies_hz: frequencies(),
+    frequencies_hz,
   });
+}
+
+$("run").addEventListener("submit", (event) => {
+  event.preventDefault();
+  measure(frequencies());
 });
+$("retry").addEventListener("click", () => measure(measurement.refused(last.run)));
 $("sensor").addEventListener("change", () => {
   for (const field of document.querySelectorAll(".typed")) field.hidden = $("sensor").value !== "";
 });
@@ -86,7 +92,6 @@ const redraw = () => {
   if (last) measurement.draw(last.run);
   waveforms.draw();
 };
-$("tolerance").addEventListener("input", redraw);
 addEventListener("resize", redraw);
 
 function show(view) {
@@ -108,7 +113,14 @@ function show(view) {
   say();
 }
 
+/** The verdict is made in one place, by the server, once the record is there. */
+async function judge(number) {
+  const judged = await load("api/judged");
+  if (last && last.run && last.run.number === number) measurement.judge(number, judged, last.run);
+}
+
 async function fill() {
+  measurement.know(await load("api/refusals"));
   for (const port of (await load("api/devices")) || []) {
     $("devices").appendChild(document.createElement("option")).value = port.name;
   }
@@ -128,6 +140,7 @@ live.listen((view) => {
   if (kept && kept !== ended) {
     ended = kept;
     show_records();
+    judge(run.number);
   }
 }, () => {
   answers = false;

@@ -1,0 +1,49 @@
+//! What no certificate may say: refused before a file is written.
+
+use super::model::Certificate;
+use super::stored::{day, run_day};
+use calib_files::{Error, Result};
+use calib_protocol::record::Record;
+
+/// Looks at days and at the reference's calibration.
+///
+/// # Errors
+/// [`Error::Input`] when it would be issued before the calibration, states another day of
+/// calibration than the record, or rests on a reference that was overdue and nobody said in
+/// writing why it was used.
+pub(super) fn check(certificate: &Certificate, record: &Record) -> Result<()> {
+    let stated = &certificate.particulars.calibration;
+    let refuse = |problem: String, hint: &str| {
+        let place = format!("certificate {}", certificate.number);
+        Err(Error::input(place, problem, hint))
+    };
+    let run = run_day(record);
+    if let (Some(run), Some(date)) = (run, stated.date)
+        && run != date
+    {
+        return refuse(
+            format!("states {date} as day of calibration, the record says {run}"),
+            "leave `date` out of [calibration]",
+        );
+    }
+    if let (Some(calibrated), Some(issued)) = (certificate.day, stated.issued)
+        && issued < calibrated
+    {
+        return refuse(
+            format!("would be issued on {issued}, before the calibration on {calibrated}"),
+            "correct `issued` under [calibration]",
+        );
+    }
+    let due = day(record.settings.reference.due_day);
+    if let (Some(due), Some(run)) = (due, certificate.day)
+        && due < run
+        && stated.overdue_reference.is_none()
+    {
+        return refuse(
+            format!("rests on a reference whose calibration was due on {due}, before {run}"),
+            "calibrate the reference; or state in writing why it may be used, as \
+             `overdue_reference` under [calibration], which the certificate prints",
+        );
+    }
+    Ok(())
+}

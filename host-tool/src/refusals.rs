@@ -1,0 +1,184 @@
+//! Why a point was refused, and what to do about it: the one table that the tool, the page and
+//! docs/troubleshooting.md share. The names are those of [`Reason`], the words its own.
+
+use calib_certificate::REASONS;
+use calib_core::control::limits::check_level;
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::settings::Settings;
+use calib_core::tone::Tone;
+use calib_core::verdict::{Reason, Verdict};
+use calib_output::code;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::f32::consts::SQRT_2;
+
+/// A reason with the points it refused.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Refused {
+    /// Code of the reason, in snake case.
+    pub reason: String,
+    /// The reason in words.
+    pub reason_text: String,
+    /// What to do about it.
+    pub remedy: &'static str,
+    /// Nominal frequencies of the points, Hz.
+    pub frequencies_hz: Vec<f32>,
+}
+
+impl Refused {
+    fn new(reason: Reason) -> Self {
+        Self {
+            reason: code(&reason),
+            reason_text: reason.to_string(),
+            remedy: remedy(reason),
+            frequencies_hz: Vec::new(),
+        }
+    }
+}
+
+/// What to do about a refusal.
+pub fn remedy(reason: Reason) -> &'static str {
+    match reason {
+        Reason::Clipped => {
+            "Lower the level, or the gain of the conditioner that clips (the page shows which)."
+        }
+        Reason::Distortion => {
+            "Lower the level; look for a loose mount, a cable that pulls, or an amplifier at its end."
+        }
+        Reason::SignalToNoise => {
+            "Raise the level or the gain; look for hum: cable, ground loop, a machine nearby."
+        }
+        Reason::AmplitudeUnstable => {
+            "Fix the cable and the mount, let the exciter warm up, keep off the table; try again."
+        }
+        Reason::FrequencyDeviation => {
+            "The instrument's clock is off: `calib selftest`, then have it serviced."
+        }
+        Reason::NotSettled => {
+            "Tighten the mount and fix the cable; a payload that is too heavy or loose does not settle."
+        }
+        Reason::DriveLimit => {
+            "Lower the level; check that the amplifier is on, its gain is right and the payload is light enough."
+        }
+        Reason::AccelerationLimit => {
+            "Lower the level, or raise the exciter's limit in the settings if its manual allows it."
+        }
+        Reason::VelocityLimit => "Lower the level at this frequency, or leave the frequency out.",
+        Reason::DisplacementLimit => {
+            "Lower the level at this frequency: low frequencies need long strokes."
+        }
+        Reason::ReferenceDead => {
+            "Is the amplifier on, and the reference's cable in? Does the table move? Then try again."
+        }
+        Reason::DutOpen => {
+            "Is the cable in, at both ends? Is the supply (IEPE, 4 mA) on? Is it on the right input? Then try again."
+        }
+        Reason::Overload => {
+            "Look at the exciter before anything else: mount, payload, limits; then try again at a lower level."
+        }
+        Reason::Overrun => {
+            "Try again; if it happens again, `calib selftest` and have the instrument serviced."
+        }
+        Reason::FrequencyUnavailable => {
+            "Choose a frequency that the reference is calibrated for: `calib settings` shows its table."
+        }
+        Reason::Stopped => {
+            "Somebody pressed STOP or the button; start again when the exciter is free."
+        }
+        Reason::BudgetInvalid => {
+            "Correct the influences in the settings: `calib settings` shows them."
+        }
+        Reason::TooFewAverages => "Let the run end: broadband excitation needs 64 averages.",
+        Reason::LowCoherence => {
+            "Raise the level, tighten the mount, or measure this point with a single sine."
+        }
+        Reason::LevelNotFollowing => {
+            "Check mount and cable of the reference, and the amplifier; then try again."
+        }
+        Reason::DutDistortion => {
+            "Is it mounted firmly, within its range, and touching nothing? Lower the level."
+        }
+        Reason::TemperatureOutOfRange => {
+            "Bring the instrument to between the temperatures it is made for, and wait."
+        }
+        Reason::ChannelsNotAligned => {
+            "Restart the instrument; if it happens again, have it serviced."
+        }
+        _ => "Install a newer calib: this one does not know the reason.",
+    }
+}
+
+/// The whole table, for the page and the docs.
+pub fn table() -> Vec<Refused> {
+    REASONS.into_iter().map(Refused::new).collect()
+}
+
+/// Refusals of a run by reason, in the order they came.
+pub fn of(points: &[PointResult]) -> Vec<Refused> {
+    let mut found: Vec<(Reason, Refused)> = Vec::new();
+    for point in points {
+        let Verdict::Refused(reason) = point.verdict else {
+            continue;
+        };
+        let known = found.iter().position(|(known, _)| *known == reason);
+        let at = known.unwrap_or_else(|| {
+            found.push((reason, Refused::new(reason)));
+            found.len() - 1
+        });
+        found[at].1.frequencies_hz.push(point.spec.frequency_hz);
+    }
+    found.into_iter().map(|(_, refused)| refused).collect()
+}
+
+/// The reason when nothing was measured yet and the device under test gives no signal: all other
+/// points would be refused for the same.
+pub fn dead_from_the_start(points: &[PointResult]) -> Option<Reason> {
+    let all = !points.is_empty()
+        && points
+            .iter()
+            .all(|point| point.verdict == Verdict::Refused(Reason::DutOpen));
+    all.then_some(Reason::DutOpen)
+}
+
+/// Points of a list that this instrument would refuse without measuring, by reason: no tone, no
+/// calibration of the reference there, or beyond a limit of the exciter.
+pub fn impossible(list: &[PointSpec], settings: &Settings, sample_rate_hz: f32) -> Vec<Refused> {
+    let refused: Vec<PointResult> = list
+        .iter()
+        .filter_map(|spec| {
+            let reason = possible(*spec, settings, sample_rate_hz).err()?;
+            Some(PointResult::refused(*spec, None, reason))
+        })
+        .collect();
+    of(&refused)
+}
+
+fn possible(spec: PointSpec, settings: &Settings, sample_rate_hz: f32) -> Result<(), Reason> {
+    let none = Reason::FrequencyUnavailable;
+    let tone = Tone::nearest(spec.frequency_hz, sample_rate_hz).ok_or(none)?;
+    let frequency_hz = tone.frequency_hz(sample_rate_hz);
+    settings.reference.at(frequency_hz).ok_or(none)?;
+    let peak_ms2 = spec.acceleration_rms_ms2 * SQRT_2;
+    check_level(&settings.limits, frequency_hz, peak_ms2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_is_complete_and_the_docs_have_every_line_of_it() {
+        // Reasons are numbered without gaps: a new one is not in the table yet.
+        let last = *REASONS.last().expect("reasons") as usize;
+        assert_eq!(last + 1, REASONS.len());
+        let docs = include_str!("../../docs/troubleshooting.md");
+        for line in table() {
+            let row = format!(
+                "| `{}` | {} | {} |",
+                line.reason, line.reason_text, line.remedy
+            );
+            assert!(docs.contains(&row), "docs/troubleshooting.md lacks:\n{row}");
+            assert!(!line.remedy.contains("newer calib"), "{}", line.reason);
+        }
+    }
+}
