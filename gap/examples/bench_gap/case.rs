@@ -1,8 +1,9 @@
 //! One sealed case: drawn, written, diagnosed, compared with the truth.
 
 use super::sealed::random::Random;
+use super::sealed::scatter::{Deviates, Scatter};
 use super::sealed::table::{self, GOOD};
-use super::sealed::truth::{NOMINAL, Truth};
+use super::sealed::truth::{FORMS, NOMINAL, OTHER_FORM, Truth};
 use super::sealed::{design, effects as drawn_effects};
 use calib_effects::{Entry, Of, named};
 use calib_gap::{Answer, GapError, Options, Verdict, diagnose, misfit};
@@ -20,6 +21,28 @@ pub(super) struct Outcome {
     pub(super) sigma: f64,
     /// Remainder of the best substitute, in the same unit (stratum `withheld`).
     pub(super) left_sigma: f64,
+    /// How the noise differs from what is stated.
+    pub(super) unkind: Unkind,
+}
+
+/// How the noise of a case differs from what its dataset states.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Unkind {
+    /// True scatter over the stated one.
+    pub(super) factor: Option<f64>,
+    /// Share of its deviate that a row remembers of the one before it.
+    pub(super) memory: Option<f64>,
+    /// Rows that were misread, from 0.
+    pub(super) misread: Vec<usize>,
+}
+
+impl Unkind {
+    /// Factor by which the noise may hide more than it is stated to. Of noise with a memory the
+    /// mean over many rows is worse than that of independent ones by this much.
+    pub(super) fn hides(&self) -> f64 {
+        let remembered = self.memory.map(|m| ((1.0 + m) / (1.0 - m)).sqrt());
+        self.factor.or(remembered).unwrap_or(1.0)
+    }
 }
 
 impl Outcome {
@@ -93,7 +116,8 @@ fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
     let is_seen = |name: &&&str| named(Of::Calibrator, name).is_some_and(seen);
     let seen_in_ratio: Vec<&'static str> = all.iter().filter(is_seen).copied().collect();
     match stratum {
-        "null" | "off2u" => Vec::new(),
+        "null" | "off2u" | "noise_1.2" | "noise_2" | "misread" | "memory" => Vec::new(),
+        "form" => turn(&FORMS),
         "ratio" => turn(&seen_in_ratio),
         "pairs" => {
             let first = all[random.below(all.len())];
@@ -109,13 +133,37 @@ fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
     }
 }
 
+/// Scatter of a stratum; the cases of `unkind` take each kind in turn.
+fn scatter(stratum: &str, index: u64) -> Scatter {
+    let memories = [0.8, 0.95, 0.98];
+    // So that every effect meets every kind: 42 effects and 6 kinds have common factors.
+    let kind = (index + index / 42) % 6;
+    match (stratum, kind) {
+        ("noise_1.2", _) | ("unkind", 0) => Scatter::Scaled(1.2),
+        ("noise_2", _) | ("unkind", 1) => Scatter::Scaled(2.0),
+        ("misread", _) => Scatter::Misread(1 + index as usize % 3),
+        ("unkind", 2) => Scatter::Misread(1 + (index / 6) as usize % 3),
+        ("memory", _) => Scatter::Correlated(memories[index as usize % 3]),
+        ("unkind", kind) => Scatter::Correlated(memories[kind as usize - 3]),
+        _ => Scatter::AsStated,
+    }
+}
+
+/// What a case says of itself.
+pub(super) struct Written {
+    pub(super) truth: Vec<&'static str>,
+    /// How to diagnose it.
+    pub(super) options: Options,
+    unkind: Unkind,
+}
+
 /// Draws a case and writes it into `folder`; returns the truth and how to diagnose it.
 pub(super) fn write(
     stratum: &str,
     index: u64,
     seed: u64,
     folder: &Path,
-) -> Result<(Vec<&'static str>, Options), GapError> {
+) -> Result<Written, GapError> {
     let mut random = Random::new(seed.wrapping_mul(1_000_003).wrapping_add(index));
     let truth = names(stratum, index, &mut random);
     let ratio_only = stratum == "ratio";
@@ -138,7 +186,20 @@ pub(super) fn write(
         let factor = random.log_between(1e-3, 1.0);
         drawn_effects::shrink(&mut drawn, factor);
     }
-    let points = table::points(&drawn, &rows, &GOOD, !ratio_only, &mut random);
+    if stratum == "form" {
+        drawn.effects.insert(OTHER_FORM, 1.0);
+    }
+    let scatter = scatter(stratum, index);
+    // Rows with much distortion are not written, seldom more than a third.
+    let mut deviates = Deviates::new(scatter.clone(), rows.len() * 2 / 3, &mut random);
+    let points = table::scattered(
+        &drawn,
+        &rows,
+        &GOOD,
+        !ratio_only,
+        &mut deviates,
+        &mut random,
+    );
     let write = || {
         std::fs::create_dir_all(folder)?;
         std::fs::write(folder.join("points.csv"), &points)?;
@@ -149,7 +210,22 @@ pub(super) fn write(
     if stratum == "withheld" {
         options.without = truth.iter().map(ToString::to_string).collect();
     }
-    Ok((truth, options))
+    let unkind = Unkind {
+        factor: match scatter {
+            Scatter::Scaled(factor) => Some(factor),
+            _ => None,
+        },
+        memory: match scatter {
+            Scatter::Correlated(memory) => Some(memory),
+            _ => None,
+        },
+        misread: deviates.misread,
+    };
+    Ok(Written {
+        truth,
+        options,
+        unkind,
+    })
 }
 
 /// Draws, diagnoses and scores a case.
@@ -157,8 +233,8 @@ pub(super) fn run(stratum: &str, index: u64, seed: u64) -> Result<Outcome, GapEr
     let folder = std::env::temp_dir()
         .join("calib-bench-gap")
         .join(format!("{}-{stratum}-{index}", std::process::id()));
-    let (truth, options) = write(stratum, index, seed, &folder)?;
-    let outcome = diagnosed(stratum, index, truth, &folder, &options);
+    let written = write(stratum, index, seed, &folder)?;
+    let outcome = diagnosed(stratum, index, written, &folder);
     if std::env::var_os("CALIB_BENCH_KEEP").is_none() {
         let _ = std::fs::remove_dir_all(&folder);
     }
@@ -168,12 +244,16 @@ pub(super) fn run(stratum: &str, index: u64, seed: u64) -> Result<Outcome, GapEr
 fn diagnosed(
     stratum: &str,
     index: u64,
-    truth: Vec<&'static str>,
+    written: Written,
     folder: &Path,
-    options: &Options,
 ) -> Result<Outcome, GapError> {
+    let Written {
+        truth,
+        options,
+        unkind,
+    } = written;
     let start = processor_s();
-    let answer = diagnose(folder, options)?;
+    let answer = diagnose(folder, &options)?;
     let time_s = processor_s() - start;
     let known = misfit(folder, &truth)?;
     let root = |difference: f64| difference.max(0.0).sqrt();
@@ -189,5 +269,6 @@ fn diagnosed(
         time_s,
         sigma,
         left_sigma,
+        unkind,
     })
 }

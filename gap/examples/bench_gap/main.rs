@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use std::fmt::Write;
 
 /// Strata and their sizes when nothing else is said.
-const STRATA: [(&str, u64); 7] = [
+const STRATA: [(&str, u64); 13] = [
     ("null", 300),
     ("off2u", 300),
     ("single", 336),
@@ -24,6 +24,12 @@ const STRATA: [(&str, u64); 7] = [
     ("pairs", 300),
     ("withheld", 336),
     ("size", 420),
+    ("noise_1.2", 60),
+    ("noise_2", 60),
+    ("misread", 60),
+    ("memory", 90),
+    ("unkind", 252),
+    ("form", 84),
 ];
 /// Not used while the engine was developed.
 const SEED: u64 = 20261127;

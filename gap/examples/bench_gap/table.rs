@@ -50,8 +50,62 @@ fn rates(stratum: &str, all: &[Outcome]) -> Vec<Rate> {
         )],
         "ratio" => rates_of_ratios(&cases),
         "withheld" => rates_of_withheld(&cases),
+        "noise_1.2" | "noise_2" | "misread" | "memory" => rates_of_noise(&cases),
+        "unkind" => rates_under_noise(&cases),
         _ => rates_of_named(&cases),
     }
+}
+
+/// Where nothing is wrong but the noise: no cause.
+fn rates_of_noise(cases: &Cases<'_>) -> Vec<Rate> {
+    let claimed = |o: &Outcome| o.is(Verdict::Explained) || o.is(Verdict::Ambiguous);
+    let named = |o: &Outcome| {
+        let first = o.answer.causes.first();
+        !o.is(Verdict::NoGap) && first.is_some_and(|c| c.probability > 0.5)
+    };
+    vec![
+        (
+            "false explained",
+            share(&cases.every, |o| o.is(Verdict::Explained)),
+        ),
+        ("false explained or ambiguous", share(&cases.every, claimed)),
+        ("a name of p > 0.5 beside a gap", share(&cases.every, named)),
+        (
+            "unexplained",
+            share(&cases.every, |o| o.is(Verdict::Unexplained)),
+        ),
+    ]
+}
+
+/// Where the library has the effect and the noise is not what is stated.
+fn rates_under_noise(cases: &Cases<'_>) -> Vec<Rate> {
+    let kind = |is: &dyn Fn(&Outcome) -> bool| -> Vec<&Outcome> {
+        let visible = |o: &&&Outcome| o.sigma > VISIBLE_SIGMA * o.unkind.hides();
+        let of_kind = cases.every.iter().filter(visible).copied();
+        of_kind.filter(|o| is(o)).collect()
+    };
+    let misread = kind(&|o| !o.unkind.misread.is_empty());
+    let has_partner = |o: &Outcome| {
+        let first = o.answer.causes.first();
+        first.is_some_and(|c| c.effects.len() > o.truth.len())
+    };
+    vec![
+        ("top 1, all kinds", share(&kind(&|_| true), is_first)),
+        (
+            "top 1, 1.2 u",
+            share(&kind(&|o| o.unkind.factor == Some(1.2)), is_first),
+        ),
+        (
+            "top 1, 2 u",
+            share(&kind(&|o| o.unkind.factor == Some(2.0)), is_first),
+        ),
+        ("top 1, misread rows", share(&misread, is_first)),
+        (
+            "top 1, memory",
+            share(&kind(&|o| o.unkind.memory.is_some()), is_first),
+        ),
+        ("spurious partner", share(&kind(&|_| true), has_partner)),
+    ]
 }
 
 /// Where only the ratio was measured: the truth among few sets, and no more certainty than there is.

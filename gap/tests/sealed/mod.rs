@@ -12,6 +12,7 @@ mod exciter;
 pub(crate) mod oscillator;
 pub(crate) mod random;
 mod response;
+pub(crate) mod scatter;
 mod steady;
 pub(crate) mod table;
 pub(crate) mod truth;

@@ -90,26 +90,65 @@ fn mounting(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
 
 /// The device itself.
 fn device(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
+    let other = truth.has_other_form();
     let resonance = truth.factor("dut_resonance.f", |resonance_hz| {
-        second_order(
-            frequency_hz,
-            resonance_hz,
-            truth.or("dut_resonance.q", 30.0),
-        )
+        let quality = truth.or("dut_resonance.q", 30.0);
+        let one = second_order(frequency_hz, resonance_hz, quality);
+        let above = second_order(frequency_hz, 1.9 * resonance_hz, quality);
+        if other { 0.9 * one + 0.1 * above } else { one }
     });
     let slope = truth.factor("dut_frequency_slope.s", |s| {
-        1.0 - s * (frequency_hz / 159.155).log10()
+        let decades = (frequency_hz / 159.155).log10();
+        // A spread of time constants that ends somewhere.
+        1.0 - s * if other {
+            2.0 * (0.5 * decades).tanh()
+        } else {
+            decades
+        }
     });
-    let level = 1.0 + truth.or("dut_level_nonlinearity.g", 0.0) * row.acceleration_rms_ms2;
-    let warm = 1.0 + truth.or("dut_temperature.a", 0.0) * (row.temperature_c - 23.0);
-    let drift = 1.0 + truth.or("dut_drift.b", 0.0) * row.time_s;
+    let level_ms2 = row.acceleration_rms_ms2;
+    let level_ms2 = if other {
+        level_ms2.powf(1.5) / 60.0_f64.sqrt()
+    } else {
+        level_ms2
+    };
+    let level = 1.0 + truth.or("dut_level_nonlinearity.g", 0.0) * level_ms2;
+    let warmer_k = row.temperature_c - 23.0;
+    let warmer_k = if other {
+        warmer_k + warmer_k * warmer_k / 30.0
+    } else {
+        warmer_k
+    };
+    let warm = 1.0 + truth.or("dut_temperature.a", 0.0) * warmer_k;
+    // Settling within 50 minutes.
+    let time_s = if other {
+        3000.0 * (1.0 - (-row.time_s / 3000.0).exp())
+    } else {
+        row.time_s
+    };
+    let drift = 1.0 + truth.or("dut_drift.b", 0.0) * time_s;
     resonance * slope * level * warm * drift
 }
 
 /// The amplifier behind the device.
 fn conditioner(truth: &Truth, frequency_hz: f64) -> C {
-    let corner = truth.factor("dut_highpass.f", |hz| high_pass(frequency_hz, hz));
-    let first = truth.factor("dut_lowpass_1.f", |hz| C::new(1.0, frequency_hz / hz).inv());
+    let other = truth.has_other_form();
+    let corner = truth.factor("dut_highpass.f", |hz| {
+        let second = if other {
+            high_pass(frequency_hz, 0.2 * hz)
+        } else {
+            C::ONE
+        };
+        high_pass(frequency_hz, hz) * second
+    });
+    let first = truth.factor("dut_lowpass_1.f", |hz| {
+        let second = if other {
+            C::new(1.0, 0.2 * frequency_hz / hz)
+        } else {
+            C::ONE
+        };
+        (C::new(1.0, frequency_hz / hz) * second).inv()
+    });
     let second = truth.factor("dut_lowpass_2.f", |corner_hz| {
         second_order(frequency_hz, corner_hz, truth.or("dut_lowpass_2.q", 0.707))
     });

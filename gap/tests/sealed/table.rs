@@ -4,6 +4,7 @@ use super::characteristic::ORDERS;
 use super::design::Condition;
 use super::disturbed::disturbed;
 use super::random::Random;
+use super::scatter::{Deviates, Scatter};
 use super::steady::{Steady, relative, steady};
 use super::truth::{NOMINAL, REFERENCE_V_PER_MS2, Truth};
 use num_complex::Complex64 as C;
@@ -28,6 +29,15 @@ pub(crate) const GOOD: Quality = Quality {
     u_dc_v: 5e-6,
 };
 
+/// Values of a row that scatter as stated: ratio, drive and current, harmonics, means.
+pub(crate) const VALUES: usize = 24;
+/// Number of the first value of drive, current, harmonics and means.
+const DRIVE: usize = 2;
+const CURRENT: usize = 4;
+const REF_HARMONICS: usize = 6;
+const DUT_HARMONICS: usize = 14;
+const MEANS: usize = 22;
+
 /// Repeatability of a mounting.
 const U_MOUNTING: f64 = 2e-4;
 
@@ -48,19 +58,43 @@ pub(crate) fn points(
     all_columns: bool,
     random: &mut Random,
 ) -> String {
+    let stated = &mut Deviates::new(Scatter::AsStated, design.len(), random);
+    scattered(truth, design, quality, all_columns, stated, random)
+}
+
+/// As [`points`], with scatter that may not be the stated one.
+pub(crate) fn scattered(
+    truth: &Truth,
+    design: &[Condition],
+    quality: &Quality,
+    all_columns: bool,
+    deviates: &mut Deviates,
+    random: &mut Random,
+) -> String {
     let columns = if all_columns { ALL } else { RATIO };
     let mut csv = format!("{CONDITIONS},{columns}\n");
     let runs = design.iter().map(|row| row.run).max().unwrap_or(0) + 1;
     let gains: Vec<[f64; 2]> = (0..runs)
         .map(|_| [random.gain(U_MOUNTING), random.gain(U_MOUNTING)])
         .collect();
+    let mut number = 0;
     for row in design {
         let Some(steady) = steady(truth, row, gains[row.run]) else {
             continue;
         };
-        let values = values(truth, row, &steady, quality, all_columns, random);
+        let mut deviate = |value: usize, random: &mut Random| deviates.of(number, value, random);
+        let values = values(
+            truth,
+            row,
+            &steady,
+            quality,
+            all_columns,
+            &mut deviate,
+            random,
+        );
         let text: Vec<String> = values.iter().map(f64::to_string).collect();
         let _ = writeln!(csv, "{},{}", conditions(row), text.join(","));
+        number += 1;
     }
     csv
 }
@@ -78,6 +112,9 @@ fn conditions(row: &Condition) -> String {
     )
 }
 
+/// Deviate of a value of the row, by its number.
+type Deviate<'a> = dyn FnMut(usize, &mut Random) -> f64 + 'a;
+
 /// Measured values of a row, in the order of the columns.
 fn values(
     truth: &Truth,
@@ -85,26 +122,32 @@ fn values(
     steady: &Steady,
     quality: &Quality,
     all_columns: bool,
+    deviate: &mut Deviate<'_>,
     random: &mut Random,
 ) -> Vec<f64> {
     let q = quality;
     let seen = disturbed(truth, row, steady, random);
-    let ratio = seen.ratio.norm() * random.gain(q.u_ratio);
-    let phase_deg = seen.ratio.arg().to_degrees() + q.u_phase_deg * random.normal();
+    let ratio = seen.ratio.norm() * (1.0 + q.u_ratio * deviate(0, random));
+    let phase_deg = seen.ratio.arg().to_degrees() + q.u_phase_deg * deviate(1, random);
     if !all_columns {
         return vec![ratio, phase_deg, q.u_ratio, q.u_phase_deg];
     }
+    let mut deviate = |value: usize| deviate(value, random);
     let ref_v = row.acceleration_rms_ms2 * REFERENCE_V_PER_MS2;
-    let drive = polar(seen.drive, q.u_drive, random);
+    let drive = polar(seen.drive, q.u_drive, DRIVE, &mut deviate);
     let coil_v = ref_v / drive[0];
-    let current = polar(seen.current, q.u_current, random);
+    let current = polar(seen.current, q.u_current, CURRENT, &mut deviate);
     let mut values = vec![row.acceleration_rms_ms2];
     values.extend([coil_v, coil_v * current[0], current[1], ref_v, drive[1]]);
     values.extend([ratio * ref_v, phase_deg]);
-    values.extend(harmonics(&steady.reference_v, q.u_harmonic, random));
-    values.extend(harmonics(&steady.dut_v, q.u_harmonic, random));
-    for orders in [&steady.reference_v, &steady.dut_v] {
-        values.push(orders[0].re + q.u_dc_v * random.normal());
+    for (orders, first) in [
+        (&steady.reference_v, REF_HARMONICS),
+        (&steady.dut_v, DUT_HARMONICS),
+    ] {
+        values.extend(harmonics(orders, q.u_harmonic, first, &mut deviate));
+    }
+    for (orders, value) in [(&steady.reference_v, MEANS), (&steady.dut_v, MEANS + 1)] {
+        values.push(orders[0].re + q.u_dc_v * deviate(value));
     }
     values.extend(seen.noise_rms_v.map(|v| v * random.gain(0.01)));
     values.extend([q.u_ratio, q.u_phase_deg, q.u_drive]);
@@ -113,16 +156,27 @@ fn values(
 }
 
 /// Magnitude and phase in degrees, both with noise.
-fn polar(value: C, u: f64, random: &mut Random) -> [f64; 2] {
-    let magnitude = value.norm() * random.gain(u);
-    [magnitude, (value.arg() + u * random.normal()).to_degrees()]
+fn polar(value: C, u: f64, first: usize, deviate: &mut dyn FnMut(usize) -> f64) -> [f64; 2] {
+    let magnitude = value.norm() * (1.0 + u * deviate(first));
+    [
+        magnitude,
+        (value.arg() + u * deviate(first + 1)).to_degrees(),
+    ]
 }
 
 /// Magnitudes, then phases in degrees, of orders 2..=5.
-fn harmonics(orders: &[C], u: f64, random: &mut Random) -> Vec<f64> {
-    let mut noise = || u * random.normal();
+fn harmonics(
+    orders: &[C],
+    u: f64,
+    first: usize,
+    deviate: &mut dyn FnMut(usize) -> f64,
+) -> Vec<f64> {
     let noisy: Vec<C> = (2..=ORDERS)
-        .map(|n| relative(orders, n) + C::new(noise(), noise()))
+        .map(|n| {
+            let at = first + 2 * (n - 2);
+            let (re, im) = (deviate(at), deviate(at + 1));
+            relative(orders, n) + C::new(u * re, u * im)
+        })
         .collect();
     let magnitudes = noisy.iter().map(|z| z.norm());
     let phases_deg = noisy.iter().map(|z| z.arg().to_degrees());

@@ -19,6 +19,20 @@ pub(crate) const NOMINAL: [(&str, f64, f64); 6] = [
     ("coil_inductance_h", 0.00012, 0.00001),
 ];
 
+/// Key that gives the effects another form than the library has: two corners for one, saturation
+/// for a straight line.
+pub(crate) const OTHER_FORM: &str = "form.other";
+/// Effects with another form.
+pub(crate) const FORMS: [&str; 7] = [
+    "dut_resonance",
+    "dut_frequency_slope",
+    "dut_level_nonlinearity",
+    "dut_temperature",
+    "dut_drift",
+    "dut_highpass",
+    "dut_lowpass_1",
+];
+
 /// Values as they really are; effects are absent where nobody added them.
 #[derive(Clone)]
 pub(crate) struct Truth {
@@ -55,6 +69,11 @@ impl Truth {
     /// A parameter, or what it is without the effect.
     pub(crate) fn or(&self, key: &str, without: f64) -> f64 {
         self.get(key).unwrap_or(without)
+    }
+
+    /// Whether effects act in another form than the library's.
+    pub(crate) fn has_other_form(&self) -> bool {
+        self.effects.contains_key(OTHER_FORM)
     }
 
     /// Factor of an effect on a response; 1 without it.

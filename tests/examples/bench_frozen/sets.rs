@@ -124,7 +124,7 @@ fn independent(root: &Path) -> Result<Vec<Set>, Fault> {
     let draw = |&(stratum, index): &(&str, u64)| {
         let name = format!("independent-{stratum}-{index:02}");
         let folder = root.join(&name);
-        let (_, options) = case::write(stratum, index, SEED, &folder)?;
+        let options = case::write(stratum, index, SEED, &folder)?.options;
         Ok(Set {
             name,
             folder,
