@@ -51,6 +51,11 @@ const BENCHES: &[Bench] = &[
         what: "sealed sets: how often the diagnosis is right, by stratum",
     },
     Bench {
+        name: "measured",
+        example: "bench_measured",
+        what: "measured sets of known cause: leading cause, closed, verdict, first stage: [DIR]",
+    },
+    Bench {
         name: "hard-hostile",
         example: "bench_hard_hostile",
         what: "hosts that flood, babble, reset and race while it measures: [RESETS]",
