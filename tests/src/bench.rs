@@ -255,7 +255,8 @@ pub fn true_certificate(rig: &Rig) -> Vec<CalibrationPoint> {
     oracle::reference_calibration(rig, None)
 }
 
-fn reference_point(line: &CalibrationPoint) -> ReferencePoint {
+/// A line of a certificate as the settings have it.
+pub fn reference_point(line: &CalibrationPoint) -> ReferencePoint {
     ReferencePoint {
         frequency_hz: line.frequency_hz as f32,
         sensitivity_v_per_ms2: line.sensitivity_v_per_ms2 as f32,

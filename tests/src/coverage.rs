@@ -6,12 +6,11 @@
 
 use crate::bench::{Bench, Fault, point};
 use crate::judge::from_truth;
+use crate::turns;
 use calib_core::settings::{Distribution as Stated, Influence as StatedInfluence};
 use calib_core::verdict::Verdict;
 use calib_twin::influence::{Distribution as Drawn, Influence, InfluenceDraw};
 use calib_twin::rig::Rig;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 /// Frequencies of a draw, Hz: all but the last have an exact tone at 50 kS/s.
 const FREQUENCIES_HZ: [f32; 3] = [80.0, 160.0, 2000.0];
@@ -69,11 +68,6 @@ impl Kind {
     }
 }
 
-/// Draws that share an instrument, one after the other. A whole number of them
-/// is a worker's turn, so that what an instrument saw before a draw depends on
-/// no core and no clock.
-const TURN: u64 = 25;
-
 /// How often the stated interval contained the truth.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
@@ -113,39 +107,12 @@ impl Tally {
 /// # Errors
 /// The first draw that could not be carried out.
 pub fn run(draws: u64, first_seed: u64, progress: impl Fn(u64) + Sync) -> Result<Tally, Fault> {
-    let next = AtomicU64::new(0);
-    let done = AtomicU64::new(0);
-    let total = Mutex::new((Tally::default(), None));
-    let work = || {
-        loop {
-            let first = TURN * next.fetch_add(1, Ordering::Relaxed);
-            if first >= draws {
-                return;
-            }
-            // One instrument sees many devices, as in life; booting it for each
-            // would take as long as the measurement.
-            let mut bench = None;
-            for draw in first..draws.min(first + TURN) {
-                let outcome = one(&mut bench, first_seed + draw);
-                let mut total = total.lock().unwrap_or_else(PoisonError::into_inner);
-                match outcome {
-                    Ok(tally) => total.0.add(tally),
-                    Err(fault) => total.1 = total.1.take().or(Some(fault)),
-                }
-                progress(1 + done.fetch_add(1, Ordering::Relaxed));
-            }
-        }
-    };
-    let workers = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..workers {
-            scope.spawn(work);
-        }
-    });
-    match total.into_inner().unwrap_or_else(PoisonError::into_inner) {
-        (_, Some(fault)) => Err(fault),
-        (tally, None) => Ok(tally),
-    }
+    turns::all(
+        draws,
+        |bench, draw| one(bench, first_seed + draw),
+        Tally::add,
+        progress,
+    )
 }
 
 /// One calibration with known truth, on the worker's instrument.

@@ -86,6 +86,11 @@ const BENCHES: &[Bench] = &[
         what: "propagation of distributions on one core, beside numpy",
     },
     Bench {
+        name: "reality",
+        example: "bench_reality",
+        what: "does U hold on a site? every effect and fault at its site sizes: [--core] [--runs N] [EFFECT ...]",
+    },
+    Bench {
         name: "records",
         example: "bench_records",
         what: "10 000 records in the logbook listed and filtered; start of the tool",

@@ -1,0 +1,139 @@
+//! A calibrator on a site: rig, list and what is wrong with it, from the sizes by seed.
+
+use super::sizes::{Sizes, unit};
+use crate::bench::point;
+use calib_core::point::PointSpec;
+use calib_core::points::PREFERRED_HZ;
+use calib_twin::Complex;
+use calib_twin::effects::ActiveEffect;
+use calib_twin::effects::fault::{ActiveFault, FaultEffect};
+use calib_twin::influence::InfluenceDraw;
+use calib_twin::oracle::{self, CalibrationPoint, ONE_THIRD_OCTAVES_HZ};
+use calib_twin::rig::Rig;
+use rand_chacha::ChaCha12Rng;
+use rand_chacha::rand_core::SeedableRng;
+use std::f64::consts::{SQRT_2, TAU};
+
+/// Bands of the tables, Hz: one point of each draw lies in each.
+pub const BANDS_HZ: [[f64; 2]; 5] = [
+    [20.0, 75.0],
+    [75.0, 300.0],
+    [300.0, 1150.0],
+    [1150.0, 3600.0],
+    [3600.0, 10_000.5],
+];
+
+/// A rig on a site, and the truth about it.
+pub struct Draw {
+    /// What the plant simulates.
+    pub rig: Rig,
+    /// What is certified about the reference.
+    pub certificate: Vec<CalibrationPoint>,
+    /// One point in each band, the level the same as far as the exciter's travel goes.
+    pub points: Vec<PointSpec>,
+    /// Temperature of the transducers, degrees Celsius: what the operator reads off and tells.
+    pub temperature_c: f64,
+    /// The device and its conditioner alone.
+    undisturbed: Rig,
+}
+
+impl Draw {
+    /// Draws a rig with `effects`, by seed: the same seed has the same rig, list and conditions
+    /// whatever the effects are.
+    ///
+    /// # Errors
+    /// An effect the library does not have, or a size it does not accept.
+    pub fn new(sizes: &Sizes, effects: &[&str], seed: u64) -> Result<Self, crate::bench::Fault> {
+        let mut random = ChaCha12Rng::seed_from_u64(seed);
+        let mut undisturbed = Rig::draw(seed);
+        undisturbed.converter.errors = 1.0;
+        let mut drawn = InfluenceDraw::new(&undisturbed, &ONE_THIRD_OCTAVES_HZ, &[], seed);
+        let rig = &mut drawn.rig;
+        let mut condition = |name| sizes.condition(name, &mut random);
+        rig.reference.sensitivity_v_per_ms2 *= 1.0 + condition("reference_gain");
+        rig.dut.conditioner_gain *= 1.0 + condition("chain_gain");
+        rig.surroundings.mains_hz = condition("mains_nominal_hz") + condition("mains_hz");
+        let level_ms2 = condition("level_ms2");
+        let travel_m = condition("travel_m");
+        let any_frequency = condition("any_frequency") > 0.5;
+        let points = BANDS_HZ.map(|band| {
+            let frequency_hz = in_band(band, any_frequency, &mut random);
+            let highest_ms2 = travel_m * (TAU * f64::from(frequency_hz)).powi(2) / SQRT_2;
+            point(frequency_hz, level_ms2.min(highest_ms2) as f32)
+        });
+        let mut of_effects = ChaCha12Rng::seed_from_u64(!seed);
+        for effect in effects {
+            add(rig, sizes, effect, &mut of_effects)?;
+        }
+        Ok(Self {
+            temperature_c: 23.0 + rig.surroundings.warmer_k,
+            rig: drawn.rig,
+            certificate: drawn.certificate,
+            points: points.to_vec(),
+            undisturbed,
+        })
+    }
+
+    /// The true sensitivity of the device under test with its conditioner, V/(m/s2).
+    pub fn truth(&self, frequency_hz: f64) -> Complex<f64> {
+        oracle::dut_sensitivity(&self.undisturbed, frequency_hz)
+    }
+}
+
+/// A preferred frequency of the band, or any.
+fn in_band([from, to]: [f64; 2], any: bool, random: &mut ChaCha12Rng) -> f32 {
+    let share = unit(random);
+    if any {
+        return (from * (to / from).powf(share)).min(10_000.0) as f32;
+    }
+    let within = |hz: &f32| (from..to).contains(&f64::from(*hz));
+    let preferred: Vec<f32> = PREFERRED_HZ.into_iter().filter(within).collect();
+    preferred[(share * preferred.len() as f64) as usize]
+}
+
+/// Puts an effect or a fault of a drawn size on the rig.
+fn add(
+    rig: &mut Rig,
+    sizes: &Sizes,
+    name: &str,
+    random: &mut ChaCha12Rng,
+) -> Result<(), crate::bench::Fault> {
+    let mut parameters = Vec::new();
+    for size in sizes.size.iter().filter(|size| size.effect == name) {
+        let value = size.law.draw(random);
+        if size.parameter == "warmer_k" {
+            rig.surroundings.warmer_k = value;
+        } else {
+            parameters.push(format!("{}:{value}", size.parameter));
+        }
+    }
+    let text = format!("{name}={}", parameters.join(","));
+    if FaultEffect::named(name).is_some() {
+        rig.faults.push(text.parse::<ActiveFault>()?);
+    } else {
+        rig.effects.push(text.parse::<ActiveEffect>()?);
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_effect_can_be_drawn_and_draws_repeat() {
+        let sizes = Sizes::read().expect("reads");
+        for name in sizes.effects() {
+            for seed in 1..20 {
+                let draw = Draw::new(&sizes, &[name], seed).expect("draws");
+                let again = Draw::new(&sizes, &[name], seed).expect("draws");
+                assert_eq!(draw.rig, again.rig, "{name}");
+                let text = draw.rig.to_toml().expect("plain numbers");
+                assert_eq!(Rig::parse(&text, "draw").expect("valid"), draw.rig);
+                for (spec, [from, to]) in draw.points.iter().zip(BANDS_HZ) {
+                    assert!((from..to).contains(&f64::from(spec.frequency_hz)));
+                }
+            }
+        }
+    }
+}

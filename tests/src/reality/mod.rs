@@ -1,0 +1,206 @@
+//! Does U hold on a site? Every effect and fault of the library that is an error of a measurement, at
+//! the sizes of sites, through the shipping firmware, judged by the truth.
+//!
+//! ```text
+//! sizes   how large what goes wrong is: reality/sizes.toml
+//! draw    a rig, its list and what is wrong with it, by seed
+//! tally   what came of the points of an effect in a band
+//! ```
+//!
+//! A point is right when the truth is within U, refused, or wrong. Every draw has one point in each band,
+//! so that counts in a band are counts of runs.
+
+mod draw;
+mod sizes;
+mod tally;
+
+pub use draw::{BANDS_HZ, Draw};
+pub use sizes::{LeftOut, Sizes};
+pub use tally::{Fate, Tally};
+
+use crate::bench::{Bench, Fault, reference_point};
+use crate::boardless;
+use crate::judge::from_truth;
+use crate::turns;
+use calib_core::point::PointResult;
+use calib_core::settings::Settings;
+use calib_core::verdict::Verdict;
+use calib_link::session;
+use calib_protocol::record::RunLabels;
+use std::collections::BTreeMap;
+use std::ops::ControlFlow;
+
+/// Stratum without an effect.
+pub const CLEAN: &str = "clean";
+/// Stratum of two effects or faults at a time.
+pub const PAIR: &str = "pair";
+
+/// Counts of a stratum, band by band, and the reasons of refusals.
+#[derive(Clone, Debug, Default)]
+pub struct Stratum {
+    /// In the order of [`BANDS_HZ`].
+    pub bands: [Tally; BANDS_HZ.len()],
+    /// How often points were refused, by reason in words.
+    pub reasons: BTreeMap<String, u32>,
+    /// Effects, seed, frequency in Hz, level in m/s2 and error over U of points that were wrong.
+    pub wrong: Vec<String>,
+}
+
+impl Stratum {
+    /// All bands together.
+    pub fn pooled(&self) -> Tally {
+        let mut pooled = Tally::default();
+        self.bands.iter().for_each(|band| pooled.merge(band));
+        pooled
+    }
+
+    /// Adds another of the same effects.
+    pub fn merge(&mut self, other: Self) {
+        for (band, more) in self.bands.iter_mut().zip(&other.bands) {
+            band.merge(more);
+        }
+        for (reason, count) in other.reasons {
+            *self.reasons.entry(reason).or_default() += count;
+        }
+        self.wrong.extend(other.wrong);
+    }
+}
+
+/// Names of all strata: clean, every effect and fault of the sizes, pairs.
+pub fn strata(sizes: &Sizes) -> Vec<String> {
+    let names = sizes.effects().into_iter();
+    let all = std::iter::once(CLEAN).chain(names).chain([PAIR]);
+    all.map(str::to_owned).collect()
+}
+
+/// What measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Through {
+    /// The shipping image on the emulated board.
+    Firmware,
+    /// The core on the plant, without a board between: the same numbers, many times as fast.
+    Core,
+}
+
+/// Carries out `runs` runs of a stratum, seeded from `first_seed` on, on all cores.
+///
+/// # Errors
+/// The first run that could not be carried out.
+pub fn run(
+    sizes: &Sizes,
+    through: Through,
+    stratum: &str,
+    runs: u64,
+    first_seed: u64,
+) -> Result<Stratum, Fault> {
+    turns::all(
+        runs,
+        |bench, draw| {
+            let seed = first_seed + draw;
+            let draw = Draw::new(sizes, &effects_of(sizes, stratum, seed), seed)?;
+            let results = match through {
+                Through::Firmware => by_firmware(bench, &draw)?,
+                Through::Core => by_core(&draw),
+            };
+            Ok(judge(&draw, &results, seed))
+        },
+        Stratum::merge,
+        |_| (),
+    )
+}
+
+/// The effects of a run of a stratum.
+fn effects_of<'s>(sizes: &'s Sizes, stratum: &'s str, seed: u64) -> Vec<&'s str> {
+    let names = sizes.effects();
+    let count = names.len() as u64;
+    match stratum {
+        CLEAN => Vec::new(),
+        // Every pair has its turn: the seeds count through them.
+        PAIR => {
+            let (first, apart) = (seed % count, 1 + seed / count % (count - 1));
+            let index = [first, (first + apart) % count];
+            index.map(|index| names[index as usize]).to_vec()
+        }
+        name => vec![name],
+    }
+}
+
+/// One run, on the worker's instrument.
+fn by_firmware(bench: &mut Option<Bench>, draw: &Draw) -> Result<Vec<PointResult>, Fault> {
+    let bench = match bench {
+        Some(bench) => bench,
+        None => bench.insert(Bench::with_rig(&draw.rig)?),
+    };
+    bench.certify_reference(&draw.certificate)?;
+    // The faults begin with the run, not with the handling of the button before it.
+    bench.mount(&draw.rig);
+    let labels = RunLabels {
+        temperature_centi_c: Some((100.0 * draw.temperature_c) as i16),
+        ..RunLabels::default()
+    };
+    let goes_on = |_: &session::Progress<'_>| ControlFlow::Continue(());
+    Ok(session::run(&mut bench.client, &draw.points, labels, goes_on)?.points)
+}
+
+/// One run of the core alone.
+fn by_core(draw: &Draw) -> Vec<PointResult> {
+    let mut settings = Settings::field_calibrator();
+    settings.reference.points = draw.certificate.iter().map(reference_point).collect();
+    boardless::measure(&draw.rig, &settings, &draw.points)
+}
+
+/// Counts what came of a run.
+fn judge(draw: &Draw, results: &[PointResult], seed: u64) -> Stratum {
+    let mut counts = Stratum::default();
+    for (index, band) in counts.bands.iter_mut().enumerate() {
+        // A run that ended has no results for the rest of its list.
+        let Some(result) = results.get(index) else {
+            band.add(Fate::Refused);
+            continue;
+        };
+        if let Verdict::Refused(reason) = result.verdict {
+            *counts.reasons.entry(reason.to_string()).or_default() += 1;
+        }
+        let fate = fate(draw, result);
+        counts.wrong.extend(fate.fault(draw, result, seed));
+        band.add(fate);
+    }
+    counts
+}
+
+impl Fate {
+    /// In words, when the point is wrong.
+    fn fault(self, draw: &Draw, result: &PointResult, seed: u64) -> Option<String> {
+        let Self::Stated {
+            magnitude, phase, ..
+        } = self
+        else {
+            return None;
+        };
+        let right = magnitude <= 1.0 && phase <= 1.0;
+        (!right).then(|| {
+            format!(
+                "seed {seed}, {:.2} Hz, {:.2} m/s2: {magnitude:.2} and {phase:.2} of U; {:?} {:?}",
+                result.spec.frequency_hz,
+                result.spec.acceleration_rms_ms2,
+                draw.rig.effects,
+                draw.rig.faults
+            )
+        })
+    }
+}
+
+/// What became of a point.
+fn fate(draw: &Draw, result: &PointResult) -> Fate {
+    if result.verdict != Verdict::Pass {
+        return Fate::Refused;
+    }
+    let frequency_hz =
+        f64::from(result.tone.cycles) * 50_000.0 / f64::from(result.tone.period_samples);
+    let deviation = from_truth(result, draw.truth(frequency_hz));
+    Fate::Stated {
+        magnitude: deviation.magnitude_rel.abs() / f64::from(result.expanded_uncertainty_rel),
+        phase: deviation.phase_rad.abs() / f64::from(result.expanded_uncertainty_phase_rad),
+        expanded_rel: f64::from(result.expanded_uncertainty_rel),
+    }
+}

@@ -1,0 +1,172 @@
+//! The sizes of what goes wrong on a site, and drawing from them: `reality/sizes.toml`.
+
+use rand_chacha::ChaCha12Rng;
+use rand_chacha::rand_core::Rng as _;
+use serde::Deserialize;
+
+/// The file; what it says is fixed with the program.
+const FILE: &str = include_str!("../../reality/sizes.toml");
+
+/// Everything that is drawn.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Sizes {
+    /// What every draw has.
+    pub condition: Vec<Condition>,
+    /// Parameters of the effects and faults.
+    pub size: Vec<Size>,
+    /// Effects that are not drawn.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// A quantity every draw has.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Condition {
+    /// Its name.
+    pub name: String,
+    /// How large it is.
+    pub law: Law,
+    /// Source or reason.
+    pub why: String,
+}
+
+/// A parameter of an effect or a fault, or `warmer_k` of the surroundings.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Size {
+    /// Name of the effect.
+    pub effect: String,
+    /// Name of its parameter.
+    pub parameter: String,
+    /// How large it is.
+    pub law: Law,
+    /// Source or reason.
+    pub why: String,
+}
+
+/// Effects of the library that are no errors of a measurement.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LeftOut {
+    /// Their names.
+    pub effects: Vec<String>,
+    /// Why they are left out.
+    pub why: String,
+}
+
+/// Law a size follows.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Law {
+    /// Evenly between two values.
+    Even([f64; 2]),
+    /// Evenly in the logarithm.
+    Log([f64; 2]),
+    /// As `Log`, of either sign.
+    SignedLog([f64; 2]),
+    /// One of these.
+    OneOf(Vec<f64>),
+}
+
+/// A number from 0 to 1, 1 excluded.
+pub(super) fn unit(random: &mut ChaCha12Rng) -> f64 {
+    // 53 bits, as many as an f64 holds.
+    (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+impl Law {
+    /// A value.
+    pub fn draw(&self, random: &mut ChaCha12Rng) -> f64 {
+        let share = unit(random);
+        match self {
+            Self::Even([from, to]) => from + share * (to - from),
+            Self::Log([from, to]) => from * (to / from).powf(share),
+            Self::SignedLog([from, to]) => {
+                let sign = if unit(random) < 0.5 { -1.0 } else { 1.0 };
+                sign * from * (to / from).powf(share)
+            }
+            Self::OneOf(values) => values[(share * values.len() as f64) as usize],
+        }
+    }
+}
+
+impl Sizes {
+    /// The sizes of the file.
+    ///
+    /// # Errors
+    /// What is wrong with the file, and where.
+    pub fn read() -> Result<Self, toml::de::Error> {
+        toml::from_str(FILE)
+    }
+
+    /// Names of the effects that are drawn, in the order of the file.
+    pub fn effects(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = Vec::new();
+        for size in &self.size {
+            if names.last() != Some(&size.effect.as_str()) {
+                names.push(&size.effect);
+            }
+        }
+        names
+    }
+
+    /// A value of what every draw has; 0 for a name the file does not have.
+    pub fn condition(&self, name: &str, random: &mut ChaCha12Rng) -> f64 {
+        let condition = self.condition.iter().find(|known| known.name == name);
+        condition.map_or(0.0, |condition| condition.law.draw(random))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calib_effects::Of;
+
+    #[test]
+    fn every_effect_and_fault_has_sizes_or_a_reason_why_not() {
+        let sizes = Sizes::read().expect("reads");
+        let mut said = sizes.effects();
+        said.extend(
+            sizes
+                .left_out
+                .iter()
+                .flat_map(|out| out.effects.iter().map(String::as_str)),
+        );
+        said.sort_unstable();
+        let kinds = [Of::Calibrator, Of::Fault].into_iter();
+        let mut known: Vec<&str> = kinds
+            .flat_map(calib_effects::entries)
+            .map(|entry| entry.id)
+            .collect();
+        known.sort_unstable();
+        assert_eq!(said, known);
+        let reasons = sizes.size.iter().map(|size| &size.why);
+        let reasons = reasons.chain(sizes.condition.iter().map(|c| &c.why));
+        assert!(reasons.into_iter().all(|why| !why.is_empty()));
+    }
+
+    #[test]
+    fn every_size_is_of_a_parameter_and_within_what_the_library_simulates() {
+        for size in Sizes::read().expect("reads").size {
+            let named = |of| calib_effects::named(of, &size.effect);
+            let entry = named(Of::Calibrator).or_else(|| named(Of::Fault));
+            let entry = entry.unwrap_or_else(|| panic!("{}", size.effect));
+            if size.parameter == "warmer_k" {
+                continue;
+            }
+            let parameter = entry.parameter(&size.parameter);
+            let parameter = parameter.unwrap_or_else(|| panic!("{size:?}"));
+            let ends = match &size.law {
+                Law::Even(ends) | Law::Log(ends) => ends.to_vec(),
+                Law::SignedLog([from, to]) => vec![-to, -from, *from, *to],
+                Law::OneOf(values) => values.clone(),
+            };
+            let [lowest, highest] = parameter.simulated;
+            assert!(
+                ends.iter().all(|end| (lowest..=highest).contains(end)),
+                "{size:?}"
+            );
+        }
+    }
+}
