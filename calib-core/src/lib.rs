@@ -22,6 +22,7 @@ pub mod control;
 pub mod converter;
 pub mod correlation;
 pub mod generator;
+pub mod hum;
 pub mod output;
 pub mod phase;
 pub mod point;

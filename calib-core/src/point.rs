@@ -52,6 +52,9 @@ pub struct PointResult {
     pub repeatability_rel: f32,
     /// Experimental standard deviation of the mean phase over the blocks, rad.
     pub repeatability_phase_rad: f32,
+    /// Amplitude of what the mains may still do to the result, relative, and as many rad of phase: a sine of
+    /// unknown phase ([`crate::hum`]). 0 where no line comes near, and with broadband excitation.
+    pub hum_rel: f32,
     /// Blocks averaged.
     pub blocks: u16,
     /// Relative expanded uncertainty of the magnitude.
@@ -112,6 +115,7 @@ impl PointResult {
             inverted: false,
             repeatability_rel: 0.0,
             repeatability_phase_rad: 0.0,
+            hum_rel: 0.0,
             blocks: 0,
             expanded_uncertainty_rel: 0.0,
             coverage_factor: 0.0,

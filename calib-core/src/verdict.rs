@@ -23,7 +23,8 @@ pub enum Reason {
     Clipped,
     /// Total harmonic distortion above Table 2 of ISO 16063-21.
     Distortion,
-    /// Too little signal over hum and noise (Table 2).
+    /// Noise makes the result scatter more than Table 1 of ISO 16063-21 grants in all, or the device under
+    /// test has too little signal over it.
     SignalToNoise,
     /// Acceleration amplitude moved more than Table 2 allows while measuring.
     AmplitudeUnstable,
@@ -71,6 +72,9 @@ pub enum Reason {
     /// Both halves of a sample pair are not shown to be of one instant
     /// ([`crate::alignment`]): the phase would be wrong.
     ChannelsNotAligned,
+    /// A line of the mains is too near to the tone to be told from it, and larger than Table 1 of
+    /// ISO 16063-21 grants in all ([`crate::hum`]).
+    Hum,
 }
 
 impl Reason {
@@ -128,6 +132,7 @@ impl fmt::Display for Reason {
             Self::DutDistortion => "the device under test distorts",
             Self::TemperatureOutOfRange => "the instrument is too cold or too hot",
             Self::ChannelsNotAligned => "the channels are not of the same instants",
+            Self::Hum => "hum of the mains too near to the frequency",
         })
     }
 }

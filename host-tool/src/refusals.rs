@@ -104,6 +104,9 @@ pub fn remedy(reason: Reason) -> &'static str {
         Reason::ChannelsNotAligned => {
             "Restart the instrument; if it happens again, have it serviced."
         }
+        Reason::Hum => {
+            "Move the frequency by 3 Hz or more from the mains and its multiples, raise the level, or find where the hum gets in: cable, ground loop."
+        }
         _ => "Install a newer calib: this one does not know the reason.",
     }
 }

@@ -35,8 +35,9 @@ pub struct PointBudget<'a> {
 ///
 /// Row 1 is the reference's calibration, with a second component when its
 /// table had to be interpolated (5.1); the influences of the settings follow, of
-/// which a measured ratio of the channels replaces that of row 3; those that differ from point to point last; the last row is the
-/// measurement's own scatter with blocks - 1 degrees of freedom.
+/// which a measured ratio of the channels replaces that of row 3, then those that
+/// differ from point to point, and the hum; the last row is the measurement's own
+/// scatter with blocks - 1 degrees of freedom.
 ///
 /// # Errors
 /// [`BudgetError`] names the component that makes no sense.
@@ -87,6 +88,8 @@ pub fn point_budget(
         let half_widths = [at_point.half_width_rel, at_point.half_width_phase_rad];
         budget.add_above_zero(at_point.row, at_point.label, half_widths)?;
     }
+    let hum = |row, value| Component::new(row, value, Distribution::UShaped);
+    budget.add(5, hum, [point.hum_rel; 2])?;
     let degrees = f32::from(point.blocks.saturating_sub(1).max(1));
     let random = |row, value| Component::new(row, value, STANDARD).with_degrees_of_freedom(degrees);
     budget.add(

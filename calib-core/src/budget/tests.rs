@@ -529,6 +529,7 @@ fn a_point_budget_has_a_row_for_every_source() {
     let point = PointResult {
         repeatability_rel: 1.0e-4,
         repeatability_phase_rad: 1.0e-4,
+        hum_rel: 2.0e-4,
         blocks: 10,
         acceleration_rms_ms2: 10.0,
         sensitivity_v_per_ms2: 0.01,
@@ -540,19 +541,18 @@ fn a_point_budget_has_a_row_for_every_source() {
     };
     let mut magnitude = rows(&budget.magnitude);
     magnitude.sort_unstable();
-    // Row 5 (hum and noise) is in the repeatability, row 18; row 3 has the gain of the converters and
-    // their step.
-    let mut expected: std::vec::Vec<u8> = (1..=18).filter(|row| *row != 5).collect();
+    // Row 3 has the gain of the converters and their step.
+    let mut expected: std::vec::Vec<u8> = (1..=18).collect();
     expected.insert(2, 3);
     assert_eq!(magnitude, expected);
-    assert_eq!(budget.phase.components().len(), 17);
+    assert_eq!(budget.phase.components().len(), 18);
     let (magnitude, phase) = budget.expand().expect("valid");
     // By hand, percent: 0.25, 0.1443, 0.0577, 0.1269, 2 x 0.0289 + 0.0289,
-    // 0.0866, 0.2078, 4 x 0.0173, 0.01, and 0.2356 of the step, 0.637 x 0.4578 mV over 144.2 mV and over
+    // 0.0866, 0.2078, 4 x 0.0173, 0.01, hum of 0.02 over sqrt 2, and 0.2356 of the step, 0.637 x 0.4578 mV over 144.2 mV and over
     // 141.4 mV: u = 0.4613.
     let squares: f64 = [
         0.25_f64, 0.144_34, 0.057_74, 0.126_93, 0.028_87, 0.028_87, 0.028_87, 0.086_60, 0.207_85,
-        0.017_32, 0.017_32, 0.017_32, 0.017_32, 0.01, 0.001_386, 0.235_61,
+        0.017_32, 0.017_32, 0.017_32, 0.017_32, 0.01, 0.001_386, 0.235_61, 0.014_14,
     ]
     .iter()
     .map(|u| u * u)

@@ -21,6 +21,7 @@ pub mod block;
 pub mod correlator;
 pub mod estimate;
 pub mod fold;
+mod outline;
 mod sums;
 #[cfg(test)]
 mod tests;
@@ -29,3 +30,4 @@ pub use block::Block;
 pub use correlator::Correlator;
 pub use estimate::{ChannelEstimate, PairEstimate};
 pub use fold::{Energy, FoldMemory, SQUARE_STRIDE};
+pub use outline::{OUTLINE, Outline};

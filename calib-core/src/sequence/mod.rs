@@ -18,6 +18,7 @@
 mod checks;
 mod scatter;
 mod sequencer;
+mod stretches;
 mod survey;
 #[cfg(test)]
 mod survey_tests;

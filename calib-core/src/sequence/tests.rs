@@ -161,8 +161,12 @@ impl<'m> Rig<'m> {
             aperture: Aperture::POINT,
             latency_samples: ((delay + 1) * HALF) as u32,
         };
+        let mut sequencer = Sequencer::new(memory, sampling, Settings::field_calibrator());
+        // An instrument has rested a second before it is asked: it has heard that there is no hum.
+        let silence = vec![0x8000_8000; RATE_HZ as usize];
+        assert!(sequencer.feed(&silence).is_none());
         Self {
-            sequencer: Sequencer::new(memory, sampling, Settings::field_calibrator()),
+            sequencer,
             generator: Generator::new(Converters::FIELD.drive, 10.0, 1),
             plant,
             waiting: (0..delay).map(|_| vec![2048; HALF]).collect(),

@@ -113,6 +113,7 @@ impl Runner {
         match survey_request() {
             Some(request) => {
                 self.broadband = true;
+                self.sequencer.forget_hum();
                 self.survey.start(settings, request);
             }
             None => {

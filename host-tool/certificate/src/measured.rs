@@ -31,7 +31,7 @@ pub(crate) struct Heading {
 }
 
 /// Every quantity there is, in the order of CSV and of the printed table.
-pub(crate) const MEASURED: [Measured; 9] = [
+pub(crate) const MEASURED: [Measured; 10] = [
     Measured {
         key: "distortion_dut_percent",
         of: |p| Some(percent(p.distortion_dut_rel)),
@@ -66,6 +66,7 @@ pub(crate) const MEASURED: [Measured; 9] = [
     plain("repeatability_percent", |p| {
         Some(percent(p.repeatability_rel))
     }),
+    plain("hum_percent", |p| Some(percent(p.hum_rel))),
     plain("amplitude_stability_percent", |p| {
         Some(percent(p.amplitude_stability_rel))
     }),

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// Every reason the instrument gives, in the order of its codes.
-pub const REASONS: [Reason; 23] = [
+pub const REASONS: [Reason; 24] = [
     Reason::Clipped,
     Reason::Distortion,
     Reason::SignalToNoise,
@@ -32,6 +32,7 @@ pub const REASONS: [Reason; 23] = [
     Reason::DutDistortion,
     Reason::TemperatureOutOfRange,
     Reason::ChannelsNotAligned,
+    Reason::Hum,
 ];
 
 /// The message file.

@@ -98,6 +98,8 @@ pub struct PointView {
     pub repeatability_rel: Option<f32>,
     /// Experimental standard deviation of the mean phase over the blocks, degrees.
     pub repeatability_phase_deg: Option<f64>,
+    /// Amplitude of what the mains may still do to the result, relative; as many rad of phase.
+    pub hum_rel: Option<f32>,
     /// Largest relative change of the acceleration amplitude while measuring.
     pub amplitude_stability_rel: Option<f32>,
     /// Blocks averaged.
@@ -141,6 +143,7 @@ impl PointView {
             signal_to_noise_reference_db: finite(point.signal_to_noise_reference_db),
             repeatability_rel: finite(point.repeatability_rel),
             repeatability_phase_deg: finite(point.repeatability_phase_rad).map(degrees),
+            hum_rel: finite(point.hum_rel),
             amplitude_stability_rel: finite(point.amplitude_stability_rel),
             blocks: point.blocks,
             drive_peak_v: point.drive_peak_v,

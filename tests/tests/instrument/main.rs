@@ -19,6 +19,7 @@ mod fuzz_smoke;
 mod gap_loop;
 mod healthy_rigs;
 mod hostile_hosts;
+mod hum;
 mod power_cut;
 mod reference_change;
 mod selftest;

@@ -1,12 +1,13 @@
 //! Sums over the measuring blocks of a point.
 
 use crate::correlation::PairEstimate;
-use crate::sequence::scatter::Scatter;
+use crate::sequence::stretches::Stretches;
 
 /// Everything gathered over the measuring blocks.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Gathered {
-    pub(super) ratio: Scatter,
+    pub(super) stretches: Stretches,
+    blocks: u16,
     pub(super) level_sum: f32,
     pub(super) level_lowest: f32,
     pub(super) level_highest: f32,
@@ -19,13 +20,16 @@ pub(super) struct Gathered {
 }
 
 impl Gathered {
-    pub(super) fn add(&mut self, level_peak_ms2: f32, estimate: &PairEstimate) {
+    /// Adds a block, one of `wanted`.
+    pub(super) fn add(&mut self, level_peak_ms2: f32, estimate: &PairEstimate, wanted: u16) {
         let (reference, dut) = (&estimate.reference, &estimate.dut);
-        if self.ratio.count() == 0 {
+        if self.blocks == 0 {
             self.level_lowest = level_peak_ms2;
             self.level_highest = level_peak_ms2;
         }
-        self.ratio.add(dut.amplitude / reference.amplitude);
+        self.blocks = self.blocks.saturating_add(1);
+        let amplitudes = [reference.amplitude, dut.amplitude];
+        self.stretches.add(amplitudes, wanted);
         self.level_sum += level_peak_ms2;
         self.level_lowest = self.level_lowest.min(level_peak_ms2);
         self.level_highest = self.level_highest.max(level_peak_ms2);
@@ -48,8 +52,20 @@ impl Gathered {
         -10.0 * libm::log10f(self.dut_worst_square.max(1.0e-20))
     }
 
-    pub(super) fn blocks(&self) -> f32 {
-        f32::from(self.ratio.count().max(1))
+    /// Blocks gathered.
+    pub(super) fn count(&self) -> u16 {
+        self.blocks
+    }
+
+    fn blocks(&self) -> f32 {
+        f32::from(self.blocks.max(1))
+    }
+
+    /// Noise of a block's amplitude in a channel over the amplitude itself, as far as noise is white.
+    pub(super) fn amplitude_noise_rel(&self, channel: usize, samples: u32) -> f32 {
+        let (signal, residual) = (self.signal_square[channel], self.residual_square[channel]);
+        // Residual sqrt(2/N) over the peak, the square of which is twice the mean square.
+        libm::sqrtf(residual / signal.max(f32::MIN_POSITIVE) / samples.max(1) as f32)
     }
 
     pub(super) fn mean_level_peak(&self) -> f32 {

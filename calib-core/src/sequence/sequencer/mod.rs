@@ -1,6 +1,7 @@
 //! The state machine of a point.
 
 mod gathered;
+mod listen;
 mod result;
 
 use super::checks::judge;
@@ -19,6 +20,7 @@ use crate::tone::Tone;
 use crate::verdict::{Reason, Verdict};
 use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};
 use gathered::Gathered;
+use listen::Listening;
 
 /// Shortest measuring block, s.
 const MEASURING_BLOCK_S: f32 = 0.1;
@@ -99,7 +101,10 @@ struct Plan {
 
 #[derive(Clone, Copy, Debug)]
 enum Stage {
+    /// Listening to the mains, as long as nothing is wanted.
     Idle,
+    /// Listening to the mains before the exciter is driven.
+    Listening,
     /// A change of drive is on its way.
     Waiting,
     Settling,
@@ -122,8 +127,11 @@ pub struct Sequencer<'m> {
     stage: Stage,
     command: Command,
     gathered: Gathered,
+    listening: Listening,
     /// Number of the next sample, modulo the period of the tone.
     index: u32,
+    /// Its value at the first sample that was measured.
+    measured_from: u32,
     /// Samples since the drive began.
     elapsed: u32,
     settling_samples: u32,
@@ -135,12 +143,9 @@ pub struct Sequencer<'m> {
 impl<'m> Sequencer<'m> {
     /// A sequencer at rest.
     pub fn new(memory: &'m mut FoldMemory, sampling: Sampling, settings: Settings) -> Self {
-        let tone = Tone {
-            cycles: 1,
-            period_samples: 500,
-        };
+        let block = listen::block(&sampling);
         Self {
-            correlator: Correlator::new(memory, sampling.input, Block::measuring(tone, 1), 0),
+            correlator: Correlator::new(memory, sampling.input, block, 0),
             sampling,
             settings,
             polarity: Polarity::default(),
@@ -149,7 +154,9 @@ impl<'m> Sequencer<'m> {
             stage: Stage::Idle,
             command: Command::Mute,
             gathered: Gathered::default(),
+            listening: Listening::new(),
             index: 0,
+            measured_from: 0,
             elapsed: 0,
             settling_samples: 0,
             reference_mean: None,
@@ -161,7 +168,9 @@ impl<'m> Sequencer<'m> {
     pub fn start_run(&mut self, settings: Settings) {
         self.settings = settings;
         self.polarity = Polarity::default();
-        self.stage = Stage::Idle;
+        if !matches!(self.stage, Stage::Idle) {
+            self.rest();
+        }
         self.command = Command::Mute;
     }
 
@@ -178,7 +187,11 @@ impl<'m> Sequencer<'m> {
             Ok(plan) => {
                 self.plan = Some(plan);
                 self.level = plan.level_loop.start();
-                self.drive(plan.tone, self.level.drive_peak_v());
+                if self.must_listen(&plan) {
+                    self.stage = Stage::Listening;
+                } else {
+                    self.begin_driving();
+                }
             }
             Err((tone, reason)) => {
                 self.plan = None;
@@ -197,13 +210,15 @@ impl<'m> Sequencer<'m> {
     /// evaluation: see [`Correlator`].
     pub fn feed(&mut self, pairs: &[u32]) -> Option<PointResult> {
         let mut rest = pairs;
+        self.listening.pass(pairs.len());
         loop {
             match self.stage {
-                Stage::Idle => return None,
+                Stage::Idle | Stage::Listening if rest.is_empty() => return None,
+                Stage::Idle | Stage::Listening => rest = self.listen(rest),
                 Stage::Silencing { left, result } => {
                     let taken = left.min(rest.len() as u32);
                     if taken == left {
-                        self.stage = Stage::Idle;
+                        self.rest();
                         return Some(result);
                     }
                     let left = left - taken;
@@ -218,6 +233,9 @@ impl<'m> Sequencer<'m> {
 
     /// Ends the point in work with this reason: lost samples, a stop.
     pub fn interrupt(&mut self, reason: Reason) {
+        if matches!(self.stage, Stage::Idle) {
+            self.rest();
+        }
         if !matches!(self.stage, Stage::Idle | Stage::Silencing { .. }) {
             self.refuse(reason);
         }
@@ -233,11 +251,11 @@ impl<'m> Sequencer<'m> {
         Progress {
             activity: match self.stage {
                 Stage::Idle => Activity::Idle,
-                Stage::Waiting | Stage::Settling => Activity::Settling,
+                Stage::Listening | Stage::Waiting | Stage::Settling => Activity::Settling,
                 Stage::Measuring => Activity::Measuring,
                 Stage::Silencing { .. } => Activity::Silencing,
             },
-            block: self.gathered.ratio.count(),
+            block: self.gathered.count(),
             blocks: self.settings.blocks,
             acceleration_rms_ms2: self.last_level_peak_ms2 * FRAC_1_SQRT_2,
             drive_peak_v: match self.command {
@@ -333,7 +351,7 @@ impl<'m> Sequencer<'m> {
         match self.stage {
             Stage::Settling => self.control(&plan, &estimate),
             Stage::Measuring => self.measure(&plan, &estimate),
-            Stage::Waiting | Stage::Idle | Stage::Silencing { .. } => {}
+            Stage::Waiting | Stage::Idle | Stage::Listening | Stage::Silencing { .. } => {}
         }
     }
 
@@ -379,10 +397,17 @@ impl<'m> Sequencer<'m> {
     }
 
     fn begin_measuring(&mut self, tone: Tone) {
-        let shortest = (MEASURING_BLOCK_S * self.sampling.sample_rate_hz) as u32;
         self.stage = Stage::Measuring;
-        self.correlator
-            .start(Block::measuring(tone, shortest), self.index);
+        if self.gathered.count() == 0 {
+            self.measured_from = self.index;
+        }
+        let block = self.measuring_block(tone);
+        self.correlator.start(block, self.index);
+    }
+
+    fn measuring_block(&self, tone: Tone) -> Block {
+        let shortest = (MEASURING_BLOCK_S * self.sampling.sample_rate_hz) as u32;
+        Block::measuring(tone, shortest)
     }
 
     /// Adds one measured block, or ends the point.
@@ -402,8 +427,9 @@ impl<'m> Sequencer<'m> {
         } else if open {
             self.refuse(Reason::DutOpen);
         } else {
-            self.gathered.add(level.peak_ms2, estimate);
-            if self.gathered.ratio.count() >= self.settings.blocks.max(2) {
+            self.gathered
+                .add(level.peak_ms2, estimate, self.settings.blocks);
+            if self.gathered.count() >= self.settings.blocks.max(2) {
                 self.finish(plan);
             } else {
                 self.begin_measuring(plan.tone);
@@ -434,9 +460,12 @@ impl<'m> Sequencer<'m> {
 
     /// Ends the point with its result: ramp down.
     fn finish(&mut self, plan: &Plan) {
-        let measured = self.measured(plan);
-        let verdict = judge(self.settings.example, &measured);
-        let result = self.result(plan, verdict);
+        let mut result = self.result(plan, Verdict::Pass);
+        // It may have no budget.
+        if result.verdict == Verdict::Pass {
+            let measured = self.measured(plan, &result);
+            result.verdict = judge(self.settings.example, &measured);
+        }
         self.command = Command::Play(Drive {
             tone: plan.tone,
             peak_v: 0.0,

@@ -2,27 +2,29 @@
 
 use super::{Plan, Sequencer};
 use crate::budget::point_budget;
-use crate::control::full_output_peak_ms2;
+use crate::hum::Span;
+use crate::phase::PhaseWalk;
 use crate::point::PointResult;
 use crate::sequence::checks::Measured;
+use crate::sequence::stretches::Ratio;
+use crate::tone::Tone;
 use crate::verdict::{Reason, Verdict};
 use core::f32::consts::FRAC_1_SQRT_2;
+use num_complex::Complex32;
 
 impl Sequencer<'_> {
-    pub(super) fn measured(&self, plan: &Plan) -> Measured {
+    /// What the checks judge of `result`.
+    pub(super) fn measured(&self, plan: &Plan, result: &PointResult) -> Measured {
         let rate_hz = self.sampling.sample_rate_hz;
         let frequency_hz = plan.tone.frequency_hz(rate_hz);
-        let full_rms_ms2 =
-            full_output_peak_ms2(&self.settings.limits, frequency_hz) * FRAC_1_SQRT_2;
-        let mean_rms_ms2 = self.gathered.mean_level_peak() * FRAC_1_SQRT_2;
-        let headroom_db = 20.0 * libm::log10f(full_rms_ms2 / mean_rms_ms2);
         Measured {
             frequency_hz: plan.spec.frequency_hz,
             frequency_deviation_rel: frequency_hz / plan.spec.frequency_hz - 1.0,
             clipped: self.gathered.clipped,
             distortion_rel: self.gathered.distortion_rel(0),
             dut_distortion_rel: self.gathered.distortion_rel(1),
-            noise_below_full_db: self.gathered.signal_to_noise_db(0) + headroom_db,
+            repeatability_rel: result.repeatability_rel,
+            hum_rel: result.hum_rel,
             dut_signal_to_noise_db: self.gathered.dut_worst_signal_to_noise_db(),
             amplitude_stability_rel: self.gathered.stability_rel(),
         }
@@ -34,23 +36,26 @@ impl Sequencer<'_> {
         let mut result = PointResult::refused(plan.spec, Some(plan.tone), Reason::Stopped);
         result.verdict = verdict;
         self.describe_drive(plan, &mut result);
-        if gathered.ratio.count() < 2 {
+        if gathered.count() < 2 {
             return result;
         }
-        let (ratio, frequency_hz) = (gathered.ratio.mean(), plan.spec.frequency_hz);
-        let sensitivity = self
-            .settings
-            .sensitivity(ratio, &plan.reference, frequency_hz);
+        let ratio = self.ratio(plan);
+        let sensitivity = self.settings.sensitivity(
+            ratio.scatter.mean(),
+            &plan.reference,
+            plan.spec.frequency_hz,
+        );
         let (phase_rad, inverted) = self.polarity.split(sensitivity.arg());
         let (repeatability_rel, repeatability_phase_rad) =
-            gathered.ratio.standard_deviations_of_mean();
+            ratio.scatter.standard_deviations_of_mean();
         result.acceleration_rms_ms2 = gathered.mean_level_peak() * FRAC_1_SQRT_2;
         result.sensitivity_v_per_ms2 = sensitivity.norm();
         result.phase_rad = phase_rad;
         result.inverted = inverted;
         result.repeatability_rel = repeatability_rel;
         result.repeatability_phase_rad = repeatability_phase_rad;
-        result.blocks = gathered.ratio.count();
+        result.hum_rel = ratio.hum_rel;
+        result.blocks = gathered.count();
         result.distortion_reference_rel = gathered.distortion_rel(0);
         result.distortion_dut_rel = gathered.distortion_rel(1);
         result.signal_to_noise_reference_db = gathered.signal_to_noise_db(0);
@@ -59,6 +64,27 @@ impl Sequencer<'_> {
         result.amplitude_stability_rel = gathered.stability_rel();
         self.state_uncertainty(plan, &mut result);
         result
+    }
+
+    /// Ratio of the channels, without the mains as far as it can be told from the tone.
+    fn ratio(&self, plan: &Plan) -> Ratio {
+        let Tone {
+            cycles,
+            period_samples,
+        } = plan.tone;
+        let stretches = &self.gathered.stretches;
+        let samples =
+            self.measuring_block(plan.tone).samples() * u32::from(stretches.blocks_each());
+        let (re, im) = PhaseWalk::new(plan.tone, self.measured_from).next_cos_sin();
+        let span = Span {
+            tone_per_sample: f32::from(cycles) / f32::from(period_samples),
+            sample_rate_hz: self.sampling.sample_rate_hz,
+            samples,
+            start: Complex32::new(re, im),
+        };
+        let noise_rel = [0, 1].map(|channel| self.gathered.amplitude_noise_rel(channel, samples));
+        let hum = self.listening.hum();
+        stretches.ratio(hum.as_ref(), &span, noise_rel)
     }
 
     fn describe_drive(&self, plan: &Plan, result: &mut PointResult) {

@@ -1,0 +1,123 @@
+//! Listening to the mains while the exciter rests.
+
+use super::{Plan, Sampling, Sequencer, Stage};
+use crate::correlation::Block;
+use crate::hum::{Hum, Watch};
+use crate::tone::Tone;
+
+/// What was heard is good for a point far from every line, s.
+const GOOD_FOR_S: f32 = 60.0;
+/// And for one beside a line: the grid moves by 10 mHz in such a time.
+const GOOD_BESIDE_A_LINE_FOR_S: f32 = 5.0;
+/// Beside a line, Hz: within the width of a block of 0.1 s.
+const BESIDE_HZ: f32 = 10.0;
+/// A line that is less of the set level does not need to be heard again.
+const SMALL_REL: f32 = 2.0e-4;
+
+/// The mains as last heard.
+#[derive(Clone, Debug)]
+pub(super) struct Listening {
+    watch: Watch,
+    /// A second was heard, and this was in it.
+    heard: Option<Option<Hum>>,
+    /// Samples since.
+    age: u32,
+}
+
+impl Listening {
+    pub(super) const fn new() -> Self {
+        Self {
+            watch: Watch::new(),
+            heard: None,
+            age: 0,
+        }
+    }
+
+    /// So many samples have passed.
+    pub(super) fn pass(&mut self, samples: usize) {
+        self.age = self.age.saturating_add(samples as u32);
+    }
+
+    /// The lines there are.
+    pub(super) fn hum(&self) -> Option<Hum> {
+        self.heard.flatten()
+    }
+}
+
+/// A block in which every multiple of 50 and 60 Hz has whole cycles.
+pub(super) fn block(sampling: &Sampling) -> Block {
+    let tone = Tone {
+        cycles: 1,
+        period_samples: (0.1 * sampling.sample_rate_hz) as u16,
+    };
+    Block::measuring(tone, 1)
+}
+
+impl Sequencer<'_> {
+    /// Samples will be taken without it, as a survey does: what was heard is of no use after that.
+    pub fn forget_hum(&mut self) {
+        self.listening = Listening::new();
+    }
+
+    /// Nothing is wanted: listens anew.
+    pub(super) fn rest(&mut self) {
+        self.stage = Stage::Idle;
+        self.listening.watch.restart();
+        self.correlator.start(block(&self.sampling), 0);
+    }
+
+    /// Takes pairs while the exciter rests; drives it once enough was heard, if that was waited for.
+    pub(super) fn listen<'p>(&mut self, pairs: &'p [u32]) -> &'p [u32] {
+        let taken = self.correlator.push(pairs);
+        if self.correlator.is_complete() {
+            if let Some(outline) = self.correlator.outline() {
+                self.listening.watch.add(&outline);
+            }
+            self.correlator.start(block(&self.sampling), 0);
+            if matches!(self.stage, Stage::Listening) && self.listening.watch.is_full() {
+                self.understand();
+                self.begin_driving();
+            }
+        }
+        pairs.get(taken..).unwrap_or(&[])
+    }
+
+    /// Takes over what was heard.
+    fn understand(&mut self) {
+        self.listening.heard = Some(self.listening.watch.hum());
+        self.listening.age = 0;
+    }
+
+    /// Whether what is known of the mains is too old for a point, or too little.
+    pub(super) fn must_listen(&mut self, plan: &Plan) -> bool {
+        if self.listening.watch.is_full() {
+            self.understand();
+        }
+        let age_s = self.listening.age as f32 / self.sampling.sample_rate_hz;
+        match self.listening.heard {
+            None => true,
+            Some(None) => age_s > GOOD_FOR_S,
+            Some(Some(hum)) if self.is_beside_a_line(plan, &hum) => {
+                age_s > GOOD_BESIDE_A_LINE_FOR_S
+            }
+            Some(Some(_)) => age_s > GOOD_FOR_S,
+        }
+    }
+
+    fn is_beside_a_line(&self, plan: &Plan, hum: &Hum) -> bool {
+        let frequency_hz = plan.tone.frequency_hz(self.sampling.sample_rate_hz);
+        let set_peak = plan.level_loop.set_peak_ms2() * plan.code_per_ms2;
+        hum.lines_peak.iter().zip(1_u16..).any(|(peaks, multiple)| {
+            let beside_hz = (frequency_hz - f32::from(multiple) * hum.mains_hz).abs();
+            let largest = peaks.iter().fold(0.0_f32, |a, b| a.max(*b));
+            beside_hz < BESIDE_HZ && largest > SMALL_REL * set_peak
+        })
+    }
+
+    /// The first drive of a point.
+    pub(super) fn begin_driving(&mut self) {
+        if let Some(plan) = self.plan {
+            self.drive(plan.tone, self.level.drive_peak_v());
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! Amplitudes of both channels over the blocks of a point, and their ratio without the mains.
+
+use super::scatter::Scatter;
+use crate::hum::{Hum, Left, Span, separate};
+use num_complex::Complex32;
+
+/// Most stretches kept: more blocks than that share them, an equal number each.
+const MOST: usize = 32;
+
+/// Amplitudes of blocks that follow each other without a gap, reference and device.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretches {
+    amplitudes: [[Complex32; MOST]; 2],
+    count: usize,
+    /// Blocks of a stretch, and those the last one has.
+    blocks_each: u16,
+    begun: u16,
+}
+
+impl Default for Stretches {
+    fn default() -> Self {
+        Self {
+            amplitudes: [[Complex32::new(0.0, 0.0); MOST]; 2],
+            count: 0,
+            blocks_each: 1,
+            begun: 0,
+        }
+    }
+}
+
+/// Ratio of the channels over the stretches.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ratio {
+    /// Mean and scatter.
+    pub(super) scatter: Scatter,
+    /// Amplitude of what the mains may still do to it, relative, at an unknown phase.
+    pub(super) hum_rel: f32,
+}
+
+impl Stretches {
+    /// Adds the amplitudes of a block, one of `wanted` in all.
+    pub(super) fn add(&mut self, amplitudes: [Complex32; 2], wanted: u16) {
+        if self.count == 0 {
+            self.blocks_each = wanted.div_ceil(MOST as u16).max(1);
+        }
+        if self.begun == 0 || self.begun == self.blocks_each {
+            self.count = (self.count + 1).min(MOST);
+            self.begun = 0;
+        }
+        self.begun += 1;
+        let share = 1.0 / f32::from(self.begun);
+        for (channel, amplitude) in self.amplitudes.iter_mut().zip(amplitudes) {
+            if let Some(mean) = channel.get_mut(self.count - 1) {
+                // Blocks of equal length one after another: the amplitude of all is the mean.
+                *mean += (amplitude - *mean) * share;
+            }
+        }
+    }
+
+    /// Blocks of a stretch.
+    pub(super) fn blocks_each(&self) -> u16 {
+        self.blocks_each
+    }
+
+    /// The ratio, with the lines of `hum` taken out of both channels. `span` is that of the stretches,
+    /// `noise_rel` the noise of their amplitudes.
+    pub(super) fn ratio(&self, hum: Option<&Hum>, span: &Span, noise_rel: [f32; 2]) -> Ratio {
+        let mut amplitudes = self.amplitudes;
+        let (mut hum_square, mut fitted) = (0.0, 0);
+        if let Some(hum) = hum {
+            for ((channel, values), noise) in amplitudes.iter_mut().enumerate().zip(noise_rel) {
+                let values = values.get_mut(..self.count).unwrap_or_default();
+                let left = separate(values, channel, span, hum, noise);
+                let Left { relative, .. } = left;
+                hum_square += relative * relative;
+                fitted = fitted.max(left.fitted);
+            }
+        }
+        let [reference, dut] = &amplitudes;
+        let mut scatter = Scatter::default();
+        for (reference, dut) in reference.iter().zip(dut).take(self.count) {
+            scatter.add(dut / reference);
+        }
+        scatter.fit_took(fitted);
+        Ratio {
+            scatter,
+            hum_rel: libm::sqrtf(hum_square),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SPAN: Span = Span {
+        tone_per_sample: 0.0032,
+        sample_rate_hz: 50_000.0,
+        samples: 5000,
+        start: Complex32::new(1.0, 0.0),
+    };
+
+    #[test]
+    fn many_blocks_share_the_stretches() {
+        for (blocks, each, count) in [(10, 1, 10), (32, 1, 32), (33, 2, 17), (1000, 32, 32)] {
+            let mut stretches = Stretches::default();
+            for block in 0..blocks {
+                let dut = Complex32::new(1.0 + f32::from(block) / f32::from(blocks), 0.0);
+                stretches.add([Complex32::new(1.0, 0.0), dut], blocks);
+            }
+            assert_eq!((stretches.blocks_each, stretches.count), (each, count));
+            let mean = stretches.ratio(None, &SPAN, [0.0; 2]).scatter.mean();
+            // The mean of so many steps is 1.5 less half a step; the last stretch may be shorter and counts
+            // as one of all the same, which moves the mean by half of its share of 1/17.
+            let moved = 0.5 / f32::from(blocks) + 0.5 / 17.0;
+            assert!((mean.re - 1.5).abs() < moved, "{mean}");
+        }
+    }
+}
