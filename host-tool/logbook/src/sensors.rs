@@ -161,12 +161,27 @@ impl Logbook {
         done.map(drop).map_err(|error| self.failure(error))
     }
 
-    /// The sensor of this serial number, if the logbook has it.
+    /// Removes a sensor; its records and certificates stay.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when it is not there.
+    pub fn remove_sensor(&self, serial: &str) -> Result<Sensor> {
+        let sensor = self.known_sensor(serial)?;
+        let remove = "DELETE FROM sensors WHERE serial = ?1";
+        let done = self.connection.execute(remove, [&sensor.serial]);
+        done.map_err(|error| self.failure(error))?;
+        Ok(sensor)
+    }
+
+    /// The sensor of this serial number, if the logbook has it; capitals do not matter.
     ///
     /// # Errors
     /// Those of the file.
     pub fn sensor(&self, serial: &str) -> Result<Option<Sensor>> {
-        let find = format!("SELECT {COLUMNS} FROM sensors WHERE serial = ?1");
+        let find = format!(
+            "SELECT {COLUMNS} FROM sensors WHERE serial = ?1 COLLATE NOCASE
+             ORDER BY serial = ?1 DESC LIMIT 1"
+        );
         self.connection
             .query_row(&find, [serial], Sensor::from_row)
             .optional()

@@ -2,7 +2,7 @@
 
 use calib_host::emulated::KeptBoard;
 use calib_host::{Device, Error, Result};
-use calib_link::{Client, port};
+use calib_link::{Client, LinkError, port};
 use calib_output::json;
 use clap::Args;
 use schemars::JsonSchema;
@@ -204,16 +204,24 @@ fn shown(text: &str) -> String {
     text.replace(steers, "\u{fffd}")
 }
 
+/// Nothing is wrong with the command line: there is no such device.
+fn none_found() -> Error {
+    let missing = LinkError::Open {
+        address: "a calibrator".to_owned(),
+        source: std::io::Error::new(std::io::ErrorKind::NotFound, "no calibrator found"),
+        hint: "name its port with --device; `calib devices` lists the ports, and \
+               `--device emulated` needs no hardware"
+            .to_owned(),
+    };
+    calib_link::Error::from(missing).into()
+}
+
 fn only_likely_port() -> Result<String> {
     let mut likely = port::list().into_iter().filter(|port| port.likely);
     let usage = |problem: &str, hint: &str| Error::usage(problem, hint);
     match (likely.next(), likely.next()) {
         (Some(port), None) => Ok(port.name),
-        (None, _) => Err(usage(
-            "no calibrator found",
-            "name its port with --device; `calib devices` lists the ports, and \
-             `--device emulated` needs no hardware",
-        )),
+        (None, _) => Err(none_found()),
         _ => Err(usage(
             "more than one port may be the calibrator",
             "choose one with --device; `calib devices` lists them",

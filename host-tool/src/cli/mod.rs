@@ -62,7 +62,7 @@ Exit codes:
   4  the device speaks another protocol version, or answers nonsense
   5  the device understood and refused
   6  an input file (points, record, settings, ...) is not usable
-  7  done, but a verdict is not \"pass\"";
+  7  done, but a point was refused, a conformity is not \"pass\", or a check failed";
 
 /// Calibrates vibration transducers with the open field calibrator.
 #[derive(Debug, Parser)]

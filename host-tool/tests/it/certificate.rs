@@ -95,6 +95,25 @@ fn strict_refuses_a_draft_and_names_what_is_missing() {
     assert!(text(&draft.stderr).contains("DRAFT"));
 }
 
+/// The kept record is of the emulated instrument, which reports the id of its processor.
+#[test]
+fn what_the_emulated_instrument_measured_says_so() {
+    let record = include_bytes!("../../../tests/frozen/records/demo.calibrec");
+    let folder = tempfile::tempdir().expect("folder");
+    std::fs::write(folder.path().join("record.bin"), record).expect("written");
+    let arguments = ["certificate", "record.bin", "--format", "csv"];
+    let output = calib(folder.path(), &arguments);
+    assert!(text(&output.stderr).contains("SIMULATED"), "{output:?}");
+    let name = "certificate-23004100075457494E303120-000002.csv";
+    let csv = std::fs::read_to_string(folder.path().join(name)).expect("written");
+    assert!(
+        csv.lines()
+            .skip(1)
+            .all(|line| line.contains(",simulated draft,")),
+        "{csv}"
+    );
+}
+
 #[test]
 fn without_a_country_a_dcc_is_left_out_unless_it_is_asked_for() {
     let folder = folder(&sample::record(&[160.0]));

@@ -441,6 +441,15 @@ fn a_tolerance_that_cannot_be_judged_is_refused_when_it_is_typed() {
     assert_eq!(nonsense.status.code(), Some(2));
     assert!(text(&nonsense.stderr).contains("5:nominal:reference"));
     assert!(add("--tolerance 5:reference:20-5000").status.success());
+    let verb = |line: &str| {
+        let line = format!("sensors {line} --logbook l.sqlite");
+        calib(folder.path(), &line.split(' ').collect::<Vec<_>>())
+    };
+    // Capitals are no other sensor.
+    assert!(text(&verb("show a").stdout).contains("5:reference:20-5000"));
+    assert_eq!(verb("add --serial a").status.code(), Some(6));
+    assert!(verb("remove a").status.success());
+    assert_eq!(verb("show A").status.code(), Some(6));
 }
 
 #[test]

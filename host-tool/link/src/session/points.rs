@@ -153,8 +153,22 @@ fn from_toml(source: &Source<'_>, level_rms_ms2: f32) -> Result<Vec<PointSpec>> 
     Ok(points)
 }
 
+/// Separated by commas, or, as spreadsheets write it where the comma is the decimal sign, by
+/// semicolons.
 fn from_csv(source: &Source<'_>, level_rms_ms2: f32) -> Result<Vec<PointSpec>> {
+    // The reader counts a line of CR and LF apart where one is skipped.
+    let text = source.text.replace("\r\n", "\n");
+    let source = &Source {
+        text: &text,
+        ..*source
+    };
+    let german = source
+        .text
+        .lines()
+        .next()
+        .is_some_and(|line| line.contains(';'));
     let mut reader = csv::ReaderBuilder::new()
+        .delimiter(if german { b';' } else { b',' })
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .flexible(true)
@@ -177,7 +191,11 @@ fn from_csv(source: &Source<'_>, level_rms_ms2: f32) -> Result<Vec<PointSpec>> {
             if text.is_empty() {
                 return Ok(None);
             }
-            let value: f64 = text.parse().map_err(|_| {
+            let number = match german {
+                true => text.replace(',', "."),
+                false => text.to_owned(),
+            };
+            let value: f64 = number.parse().map_err(|_| {
                 source.error(
                     line,
                     format!("{name} = \"{text}\" is no number"),
@@ -257,6 +275,22 @@ mod tests {
         let wanted = vec![(20.0, 5.0), (31.5, 5.0), (1000.0, 50.0)];
         assert_eq!(pairs(read("a.toml", toml).expect("toml")), wanted);
         assert_eq!(pairs(read("a.CSV", csv).expect("csv")), wanted);
+    }
+
+    #[test]
+    fn a_list_of_a_german_spreadsheet_is_read() {
+        let csv = "frequency_hz;acceleration_rms_ms2\r\n160,5;10\r\n1000;2,5\r\n";
+        let wanted = [(160.5, 10.0), (1000.0, 2.5)];
+        assert_eq!(pairs(read("a.csv", csv).expect("csv")), wanted);
+    }
+
+    #[test]
+    fn lines_are_counted_alike_whatever_ends_them() {
+        let csv = "frequency_hz\n# low\n\n20\nx\n";
+        for text in [csv.to_owned(), csv.replace('\n', "\r\n")] {
+            let error = read("a.csv", &text).expect_err("x").to_string();
+            assert!(error.contains("a.csv:5"), "{error}");
+        }
     }
 
     #[test]

@@ -45,6 +45,11 @@ enum What {
         #[command(flatten)]
         about: About,
     },
+    /// Removes a sensor; its records and certificates stay.
+    Remove {
+        /// Serial number.
+        serial: String,
+    },
     /// Adds a sensor from a virtual TEDS (IEEE 1451.4, template 25).
     Import {
         /// The TEDS: its bytes, or hexadecimal digits.
@@ -141,6 +146,7 @@ impl Sensors {
                 logbook.put_sensor(&sensor)?;
                 sensor
             }
+            What::Remove { serial } => logbook.remove_sensor(&serial)?,
             What::Import {
                 teds,
                 serial,
