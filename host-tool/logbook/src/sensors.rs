@@ -83,14 +83,12 @@ impl Sensor {
             return wrong("sensitivity and range are above zero");
         }
         let tolerance = self.tolerance.as_deref().map(str::parse::<Tolerance>);
-        match tolerance {
-            Some(Err(problem)) => return wrong(&problem),
-            Some(Ok(tolerance)) if tolerance.needs_nominal() => {
-                if self.sensitivity_v_per_ms2.is_none() {
-                    return wrong("a tolerance of nominal needs the nominal sensitivity");
-                }
-            }
-            _ => (),
+        if let Some(Err(problem)) = &tolerance {
+            return wrong(problem);
+        }
+        let of_nominal = matches!(&tolerance, Some(Ok(tolerance)) if tolerance.needs_nominal());
+        if of_nominal && self.sensitivity_v_per_ms2.is_none() {
+            return wrong("a tolerance of nominal needs the nominal sensitivity");
         }
         let day = self.due_day.as_deref();
         if day.is_some_and(|day| day.parse::<jiff::civil::Date>().is_err()) {
