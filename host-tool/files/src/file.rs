@@ -35,7 +35,7 @@ pub fn replace(path: &Path, content: &[u8]) -> Result<()> {
     temporary
         .persist(path)
         .map_err(|error| Error::file("write", path, error.error))?;
-    Ok(())
+    sync_folder_of(path)
 }
 
 /// Like [`replace`], but never over an existing file with other content.
@@ -45,7 +45,7 @@ pub fn replace(path: &Path, content: &[u8]) -> Result<()> {
 pub fn create(path: &Path, content: &[u8]) -> Result<()> {
     let temporary = temporary(path, content)?;
     let Err(error) = temporary.persist_noclobber(path) else {
-        return Ok(());
+        return sync_folder_of(path);
     };
     if error.error.kind() != ErrorKind::AlreadyExists {
         return Err(Error::file("write", path, error.error));
@@ -61,13 +61,37 @@ pub fn create(path: &Path, content: &[u8]) -> Result<()> {
     }
 }
 
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+/// Makes a new name outlive a power cut: until its folder is on disk, the file has the old name or none.
+#[cfg(unix)]
+fn sync_folder_of(path: &Path) -> Result<()> {
+    let folder = folder_of(path);
+    let synced = std::fs::File::open(folder).and_then(|folder| folder.sync_all());
+    match synced {
+        // Some file systems of networks cannot.
+        Err(error) if error.kind() != ErrorKind::InvalidInput => {
+            Err(Error::file("write", folder, error))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A folder cannot be opened here; its entries are journalled by the system.
+#[cfg(not(unix))]
+fn sync_folder_of(_: &Path) -> Result<()> {
+    Ok(())
+}
+
 /// The content, on disk, under a temporary name beside `path`.
 pub(crate) fn temporary(path: &Path, content: &[u8]) -> Result<tempfile::NamedTempFile> {
     let failed = |error| Error::file("write", path, error);
-    let directory = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    let directory = folder_of(path);
     std::fs::create_dir_all(directory).map_err(|error| Error::file("create", directory, error))?;
     let mut file = tempfile::Builder::new()
         .permissions_like_a_plain_file()

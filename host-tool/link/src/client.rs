@@ -13,6 +13,9 @@ use calib_protocol::message::{Info, Refusal, Request, Response, RunSpec, Setting
 use calib_protocol::record::RecordSummary;
 use std::time::Duration;
 
+/// More records than any flash holds: a device that lists more goes on for ever.
+const MOST_RECORDS: usize = 10_000;
+
 /// How patient a client is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RetryPolicy {
@@ -182,6 +185,9 @@ impl Client {
             let last = all.last().map_or(u32::MAX, |last| last.id);
             if !more || last == u32::MAX {
                 return Ok(all);
+            }
+            if all.len() > MOST_RECORDS {
+                return Err(unexpected("its records"));
             }
             from = last + 1;
         }

@@ -59,6 +59,7 @@ impl Logbook {
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
         }
+        create_private(path)?;
         let logbook = Self::connect(path)?;
         logbook.bring_up()?;
         Ok(logbook)
@@ -203,6 +204,27 @@ impl Logbook {
     }
 }
 
+/// Makes the file, for its user alone: it names customers. One that is there keeps the rights it was given;
+/// SQLite makes its journal with those of the file.
+#[cfg(unix)]
+fn create_private(path: &Path) -> Result<()> {
+    use std::os::unix::fs::OpenOptionsExt;
+    let mut options = std::fs::OpenOptions::new();
+    let made = options.write(true).create_new(true).mode(0o600).open(path);
+    match made {
+        Err(error) if error.kind() != std::io::ErrorKind::AlreadyExists => {
+            Err(Error::file("create", path, error))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Files are for their user alone in the places this system has for them.
+#[cfg(not(unix))]
+fn create_private(_: &Path) -> Result<()> {
+    Ok(())
+}
+
 /// Error of SQLite, in our words and with a way out.
 pub(super) fn failure(path: &Path, error: rusqlite::Error) -> Error {
     let (problem, hint) = match error.sqlite_error_code() {
@@ -240,6 +262,20 @@ mod tests {
         assert!(Logbook::open_if_there(&path).expect("none").is_none());
         Logbook::open(&path).expect("created");
         assert!(Logbook::open_if_there(&path).expect("opened").is_some());
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_new_logbook_is_for_its_user_alone() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().expect("folder");
+        let path = folder.path().join("logbook.sqlite");
+        Logbook::open(&path).expect("created");
+        let mode = std::fs::metadata(&path)
+            .expect("there")
+            .permissions()
+            .mode();
+        assert_eq!(mode & 0o777, 0o600, "{mode:o}");
     }
 
     #[test]

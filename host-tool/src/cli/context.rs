@@ -200,7 +200,9 @@ pub(crate) fn defect(error: serde_json::Error) -> Error {
 
 /// Text for a terminal: what a record, a file or a device holds must not steer it.
 fn shown(text: &str) -> String {
-    let steers = |c: char| c.is_control() && !matches!(c, '\n' | '\t');
+    // Bidi controls (Unicode Annex 9) show a line in another order than it is in.
+    let reorders = |c: char| matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    let steers = |c: char| (c.is_control() && !matches!(c, '\n' | '\t')) || reorders(c);
     text.replace(steers, "\u{fffd}")
 }
 
@@ -226,5 +228,20 @@ fn only_likely_port() -> Result<String> {
             "more than one port may be the calibrator",
             "choose one with --device; `calib devices` lists them",
         )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_text_steers_a_terminal_or_turns_a_line_round() {
+        let forged = "S 1.0\u{202e}0.9 S\u{2066}\u{1b}[2J\r ok";
+        assert_eq!(
+            shown(forged),
+            "S 1.0\u{fffd}0.9 S\u{fffd}\u{fffd}[2J\u{fffd} ok"
+        );
+        assert_eq!(shown("a\tb\nc \u{5d0}"), "a\tb\nc \u{5d0}");
     }
 }

@@ -9,7 +9,7 @@ use crate::{Error, Result};
 use calib_files::file::{self, Existing};
 use calib_protocol::record::{self, ChainLink, Record, RecordError, RecordSummary};
 use calib_record::hash_chain::{self, Evidence};
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
@@ -186,14 +186,31 @@ struct Part {
     bytes: Vec<u8>,
 }
 
+/// Opens a file for one download at a time, and never what a link of that name leads to.
+fn open_alone(path: &Path) -> Result<File> {
+    let mut options = OpenOptions::new();
+    options.read(true).append(true).create(true);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags(rustix::fs::OFlags::NOFOLLOW.bits().cast_signed());
+    }
+    let file = options.open(path);
+    let file = file.map_err(|error| Error::file("write", path, error))?;
+    match file.try_lock() {
+        Ok(()) => Ok(file),
+        Err(TryLockError::WouldBlock) => Err(Error::input(
+            path.display().to_string(),
+            "another program downloads this record",
+            "wait for it, or give another directory with --out",
+        )),
+        Err(TryLockError::Error(error)) => Err(Error::file("lock", path, error)),
+    }
+}
+
 impl Part {
     fn open(path: PathBuf) -> Result<Self> {
-        let file = OpenOptions::new()
-            .read(true)
-            .append(true)
-            .create(true)
-            .open(&path)
-            .map_err(|error| Error::file("write", &path, error))?;
+        let file = open_alone(&path)?;
         let mut bytes = Vec::new();
         (&file)
             .take(u64::from(MAX_RECORD) + 1)
