@@ -23,6 +23,9 @@ pub trait HostLine {
 
     /// Takes what the board has sent since the last call.
     fn receive(&self) -> Vec<u8>;
+
+    /// Whether some of what was queued has not reached the board yet.
+    fn is_sending(&self) -> bool;
 }
 
 impl HostLine for SerialLine {
@@ -33,6 +36,10 @@ impl HostLine for SerialLine {
     fn receive(&self) -> Vec<u8> {
         self.receive()
     }
+
+    fn is_sending(&self) -> bool {
+        self.is_sending()
+    }
 }
 
 impl HostLine for UsbPort {
@@ -42,6 +49,10 @@ impl HostLine for UsbPort {
 
     fn receive(&self) -> Vec<u8> {
         self.receive()
+    }
+
+    fn is_sending(&self) -> bool {
+        self.waiting() > 0
     }
 }
 

@@ -1,4 +1,15 @@
-//! The board's serial line on a TCP port of this computer.
+//! The board's serial line on a TCP port of this computer, for several hosts at a time.
+//!
+//! One line has room for one speaker: what hosts send is passed on in whole frames and lines, one at a time and
+//! in turn, as fast as the line carries it. A host that sends rubbish fills its own connection and nobody
+//! else's. All hear what the board answers; each knows its own answers by their numbers.
+//!
+//! | a host | then |
+//! |---|---|
+//! | speaks HTTP: a web page found this port | it is cut off, and nothing of it reaches the board |
+//! | sends [`LONGEST`] bytes that are no frame and no line | it is cut off |
+//! | does not read | the oldest of its answers are dropped |
+//! | is one more than [`MOST`] | it is not let in |
 
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind, Read, Write};
@@ -6,18 +17,46 @@ use std::net::{SocketAddr, TcpListener, TcpStream};
 
 use super::paced::{Door, HostLine};
 
-/// Bytes taken from a host at one look: more than a line carries in a millisecond.
+/// Bytes taken from a host at one look.
 const CHUNK: usize = 4096;
+
+/// Longest frame or line: the firmware's frames have 4 126 bytes at most.
+const LONGEST: usize = 4200;
 
 /// Bytes kept for a host that does not read; older ones are dropped, as a port's driver does.
 const BACKLOG: usize = 1 << 20;
 
-/// Listens on the loopback interface. The latest host to connect has the line.
+/// Hosts at a time.
+const MOST: usize = 8;
+
+/// Words a web browser begins with, on behalf of any page.
+const HTTP: [&[u8]; 9] = [
+    b"get ",
+    b"post ",
+    b"head ",
+    b"put ",
+    b"options ",
+    b"delete ",
+    b"patch ",
+    b"connect ",
+    b"host:",
+];
+
+/// Listens on the loopback interface.
 #[derive(Debug)]
 pub struct TcpDoor {
     listener: TcpListener,
     address: SocketAddr,
-    host: Option<TcpStream>,
+    hosts: VecDeque<Host>,
+}
+
+/// A host program.
+#[derive(Debug)]
+struct Host {
+    stream: TcpStream,
+    /// Sent by it, and not yet passed on.
+    sent: Vec<u8>,
+    /// For it, and not yet taken.
     waiting: VecDeque<u8>,
 }
 
@@ -34,8 +73,7 @@ impl TcpDoor {
         Ok(Self {
             listener,
             address,
-            host: None,
-            waiting: VecDeque::new(),
+            hosts: VecDeque::new(),
         })
     }
 
@@ -46,13 +84,86 @@ impl TcpDoor {
     }
 
     fn accept(&mut self) {
-        if let Ok((host, _)) = self.listener.accept() {
+        while let Ok((stream, _)) = self.listener.accept() {
             // A line of a few bytes per answer would otherwise wait 40 ms for more to send.
-            let usable = host.set_nodelay(true).and(host.set_nonblocking(true));
-            self.host = usable.is_ok().then_some(host);
-            self.waiting.clear();
+            let usable = stream.set_nodelay(true).and(stream.set_nonblocking(true));
+            if usable.is_ok() && self.hosts.len() < MOST {
+                self.hosts.push_back(Host {
+                    stream,
+                    sent: Vec::new(),
+                    waiting: VecDeque::new(),
+                });
+            }
         }
     }
+
+    /// Passes the next frame or line on; whose it was comes last the next time.
+    fn pass_on(&mut self, line: &dyn HostLine) {
+        for place in 0..self.hosts.len() {
+            if let Some(unit) = self.hosts[place].next_unit() {
+                line.send(&unit);
+                let served = self.hosts.remove(place);
+                self.hosts.extend(served);
+                return;
+            }
+        }
+    }
+}
+
+impl Host {
+    /// Hands over what the board said and takes what the host says; an error says that it has gone, or is to
+    /// be cut off.
+    fn look(&mut self, from_board: &[u8]) -> io::Result<()> {
+        self.waiting.extend(from_board);
+        let excess = self.waiting.len().saturating_sub(BACKLOG);
+        self.waiting.drain(..excess);
+        flush(&mut self.stream, &mut self.waiting)?;
+        if unit_length(&self.sent).is_none() {
+            self.read()?;
+        }
+        let is_endless = self.sent.len() > LONGEST && unit_length(&self.sent).is_none();
+        match is_endless || speaks_http(&self.sent) {
+            true => Err(ErrorKind::InvalidData.into()),
+            false => Ok(()),
+        }
+    }
+
+    fn read(&mut self) -> io::Result<()> {
+        let mut chunk = [0; CHUNK];
+        match self.stream.read(&mut chunk) {
+            Ok(0) => Err(ErrorKind::UnexpectedEof.into()),
+            Ok(count) => {
+                self.sent.extend(&chunk[..count]);
+                Ok(())
+            }
+            Err(error) if would_wait(&error) => Ok(()),
+            Err(error) => Err(error),
+        }
+    }
+
+    fn next_unit(&mut self) -> Option<Vec<u8>> {
+        let length = unit_length(&self.sent)?;
+        let rest = self.sent.split_off(length);
+        Some(std::mem::replace(&mut self.sent, rest))
+    }
+}
+
+/// Bytes of the first whole frame or line. As the firmware tells them apart: a frame comes after a zero or
+/// begins with what no text begins with, and ends with a zero; a line ends with LF.
+fn unit_length(bytes: &[u8]) -> Option<usize> {
+    let zeros = bytes.iter().take_while(|byte| **byte == 0).count();
+    let rest = &bytes[zeros..];
+    let is_text = |byte: &u8| matches!(byte, b' '..=b'~' | b'\t' | b'\r' | b'\n');
+    let is_line = zeros == 0 && is_text(rest.first()?);
+    let ends = |byte: &u8| *byte == 0 || (is_line && *byte == b'\n');
+    Some(zeros + rest.iter().position(ends)? + 1)
+}
+
+/// Whether a line begins as those of HTTP do.
+fn speaks_http(bytes: &[u8]) -> bool {
+    let lower = bytes.to_ascii_lowercase();
+    let mut lines = lower.split(|byte| *byte == b'\n');
+    lines.any(|line| HTTP.iter().any(|word| line.starts_with(word)))
 }
 
 impl Door for TcpDoor {
@@ -62,14 +173,9 @@ impl Door for TcpDoor {
 
     fn serve(&mut self, line: &dyn HostLine, from_board: &[u8]) -> io::Result<()> {
         self.accept();
-        let Some(host) = &mut self.host else {
-            return Ok(());
-        };
-        self.waiting.extend(from_board);
-        let excess = self.waiting.len().saturating_sub(BACKLOG);
-        self.waiting.drain(..excess);
-        if exchange(host, line, &mut self.waiting).is_err() {
-            self.host = None;
+        self.hosts.retain_mut(|host| host.look(from_board).is_ok());
+        if !line.is_sending() {
+            self.pass_on(line);
         }
         Ok(())
     }
@@ -82,12 +188,19 @@ pub(super) fn exchange(
     waiting: &mut VecDeque<u8>,
 ) -> io::Result<()> {
     let mut chunk = [0; CHUNK];
-    match host.read(&mut chunk) {
-        Ok(0) => return Err(ErrorKind::UnexpectedEof.into()),
-        Ok(count) => line.send(&chunk[..count]),
-        Err(error) if would_wait(&error) => {}
-        Err(error) => return Err(error),
+    // What the line has not carried yet stays with the host.
+    if !line.is_sending() {
+        match host.read(&mut chunk) {
+            Ok(0) => return Err(ErrorKind::UnexpectedEof.into()),
+            Ok(count) => line.send(&chunk[..count]),
+            Err(error) if would_wait(&error) => {}
+            Err(error) => return Err(error),
+        }
     }
+    flush(host, waiting)
+}
+
+fn flush(host: &mut impl Write, waiting: &mut VecDeque<u8>) -> io::Result<()> {
     while !waiting.is_empty() {
         match host.write(waiting.make_contiguous()) {
             Ok(count) => drop(waiting.drain(..count)),
@@ -106,6 +219,7 @@ fn would_wait(error: &io::Error) -> bool {
 mod tests {
     use super::*;
     use crate::board::SerialLine;
+    use std::cell::RefCell;
     use std::time::Duration;
 
     fn connect(door: &TcpDoor) -> TcpStream {
@@ -131,7 +245,7 @@ mod tests {
         let mut door = TcpDoor::listen(0).unwrap();
         let line = SerialLine::default();
         let mut host = connect(&door);
-        host.write_all(b"ask").unwrap();
+        host.write_all(b"ask\n").unwrap();
         serve_until(&mut door, &line, || line.is_sending());
         door.serve(&line, b"answer").unwrap();
         let mut answer = [0; 6];
@@ -146,11 +260,142 @@ mod tests {
         drop(connect(&door));
         door.serve(&line, b"to nobody").unwrap();
         let mut host = connect(&door);
-        host.write_all(b"next").unwrap();
+        host.write_all(b"next\n").unwrap();
         serve_until(&mut door, &line, || line.is_sending());
         door.serve(&line, b"!").unwrap();
         let mut answer = [0; 1];
         host.read_exact(&mut answer).unwrap();
         assert_eq!(&answer, b"!", "and nothing of what the first one missed");
+    }
+
+    /// A line that carries 11 bytes a look, as 115 200 baud do in a millisecond.
+    #[derive(Default)]
+    struct SlowLine {
+        queued: RefCell<VecDeque<u8>>,
+        carried: RefCell<Vec<u8>>,
+    }
+
+    impl SlowLine {
+        fn pass_a_millisecond(&self) {
+            let mut queued = self.queued.borrow_mut();
+            let count = queued.len().min(11);
+            self.carried.borrow_mut().extend(queued.drain(..count));
+        }
+
+        fn has_carried(&self, bytes: &[u8]) -> bool {
+            let carried = self.carried.borrow();
+            carried.windows(bytes.len()).any(|part| part == bytes)
+        }
+    }
+
+    impl HostLine for SlowLine {
+        fn send(&self, bytes: &[u8]) {
+            self.queued.borrow_mut().extend(bytes);
+        }
+
+        fn receive(&self) -> Vec<u8> {
+            Vec::new()
+        }
+
+        fn is_sending(&self) -> bool {
+            !self.queued.borrow().is_empty()
+        }
+    }
+
+    /// Looks until `done`; returns the looks at which the line had something to carry.
+    fn looks_until(door: &mut TcpDoor, line: &SlowLine, done: impl Fn() -> bool) -> usize {
+        let mut looks = 0;
+        for _ in 0..50_000 {
+            door.serve(line, &[]).unwrap();
+            match line.is_sending() {
+                true => looks += 1,
+                false => std::thread::sleep(Duration::from_micros(100)),
+            }
+            line.pass_a_millisecond();
+            if done() {
+                return looks;
+            }
+        }
+        panic!("never");
+    }
+
+    /// 300 kB took 26 s of the line, and whoever came next waited for all of it.
+    #[test]
+    fn rubbish_of_one_host_keeps_no_other_waiting() {
+        let mut door = TcpDoor::listen(0).unwrap();
+        let line = SlowLine::default();
+        let mut bad = connect(&door);
+        let rubbish: Vec<u8> = (0..300_000_u32)
+            .map(|n| (n.wrapping_mul(2_654_435_761) >> 24) as u8)
+            .collect();
+        std::thread::scope(|scope| {
+            // It waits for room, and ends with the door.
+            scope.spawn(move || bad.write_all(&rubbish));
+            looks_until(&mut door, &line, || line.carried.borrow().len() > 1000);
+            let mut good = connect(&door);
+            good.write_all(b"\0\x03stop\0").unwrap();
+            let looks = looks_until(&mut door, &line, || line.has_carried(b"\0\x03stop\0"));
+            assert!(looks < 500, "{looks} ms");
+            drop(door);
+        });
+    }
+
+    #[test]
+    fn a_second_host_leaves_the_first_its_line() {
+        let mut door = TcpDoor::listen(0).unwrap();
+        let line = SlowLine::default();
+        let (mut first, mut second) = (connect(&door), connect(&door));
+        first.write_all(b"\0\x05one").unwrap();
+        second.write_all(b"\0\x05two\0").unwrap();
+        looks_until(&mut door, &line, || line.has_carried(b"\0\x05two\0"));
+        // A frame that came in two parts has nobody else's bytes in it.
+        first.write_all(b" and a half\0").unwrap();
+        looks_until(&mut door, &line, || {
+            line.has_carried(b"\0\x05one and a half\0")
+        });
+        door.serve(&line, b"answer").unwrap();
+        for host in [&mut first, &mut second] {
+            let mut answer = [0; 6];
+            host.read_exact(&mut answer).unwrap();
+            assert_eq!(&answer, b"answer");
+        }
+    }
+
+    /// A page on the web can make a browser send this to any port: its body began a run.
+    #[test]
+    fn a_browser_is_cut_off_before_anything_reaches_the_board() {
+        let endless = vec![b'x'; 100_000];
+        let post =
+            b"POST / HTTP/1.1\r\nHost: 127.0.0.1:5025\r\nContent-Type: text/plain\r\n\r\nINIT\n";
+        for words in [
+            &post[..],
+            b"GET / HTTP/1.1\r\n\r\nINIT\n",
+            b"x\nhOsT: a\nINIT\n",
+            &endless,
+        ] {
+            let mut door = TcpDoor::listen(0).unwrap();
+            let line = SlowLine::default();
+            let mut host = connect(&door);
+            host.set_read_timeout(Some(Duration::from_millis(1)))
+                .unwrap();
+            let _ = host.write_all(words);
+            let mut answer = [0; 1];
+            // Closed, or cut off with something unread.
+            let is_cut = |heard: io::Result<usize>| match heard {
+                Ok(count) => count == 0,
+                Err(error) => !would_wait(&error),
+            };
+            let mut cut = false;
+            for _ in 0..5_000 {
+                door.serve(&line, &[]).unwrap();
+                line.pass_a_millisecond();
+                cut = cut || is_cut(host.read(&mut answer));
+                if cut {
+                    break;
+                }
+            }
+            assert!(cut, "{:?}", String::from_utf8_lossy(&words[..20]));
+            assert!(!line.has_carried(b"INIT"));
+        }
     }
 }
