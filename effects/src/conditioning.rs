@@ -6,6 +6,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &DUT_HIGHPASS,
     &REFERENCE_HIGHPASS,
     &DUT_LOWPASS_1,
+    &REFERENCE_LOWPASS_1,
     &DUT_LOWPASS_2,
     &AVERAGING_WINDOW,
     &CROSSTALK,
@@ -54,6 +55,19 @@ pub static DUT_LOWPASS_1: Entry = Entry {
         "crosstalk",
     ],
     separate_by: "higher frequencies, magnitude and phase",
+    ..Entry::CALIBRATOR
+};
+
+/// Low-pass of the reference: the ratio shows its inverse, the drive transfer the low-pass itself.
+pub static REFERENCE_LOWPASS_1: Entry = Entry {
+    id: "reference_lowpass_1",
+    stage: Stage::Conditioning,
+    formula: "1/r = 1/(1 + j f/fc), the same in d",
+    parameters: DUT_LOWPASS_1.parameters,
+    plain: "the reference's electronics cut off high frequencies",
+    columns: &["frequency_hz", "ratio", "dut_deg", "ref_v", "coil_v"],
+    confused_with: &["channel_skew", "reference_resonance", "crosstalk"],
+    separate_by: "higher frequencies, magnitude and phase; coil voltage beside the ratio",
     ..Entry::CALIBRATOR
 };
 

@@ -2,7 +2,7 @@
 
 use super::fit::Fit;
 use super::problem::Problem;
-use crate::effects::library;
+use crate::effects::{Effect, library};
 use crate::estimation::selection::{cost_of_cause, cost_of_parameter, probabilities};
 use crate::thresholds;
 
@@ -59,7 +59,9 @@ pub(super) fn score(
 /// Names of the library that may stand in this problem.
 fn possible_names(problem: &Problem, allowed: &[bool]) -> usize {
     let entries = library().iter().zip(allowed);
-    let possible = entries.filter(|(e, ok)| **ok && e.applies(&problem.facts));
+    // Two names for the same in data of this kind count as one.
+    let counts = |e: &dyn Effect| e.applies(&problem.facts) && e.alike(&problem.facts).is_none();
+    let possible = entries.filter(|(e, ok)| **ok && counts(**e));
     let mut names: Vec<&str> = possible.map(|(e, _)| e.entry().id).collect();
     names.dedup();
     names.len()
@@ -70,7 +72,8 @@ fn sorted(mut names: Vec<&'static str>) -> Vec<&'static str> {
     names
 }
 
-fn normalise(sets: &mut [Scored]) {
+/// Probabilities among the sets.
+pub(super) fn normalise(sets: &mut [Scored]) {
     let scores: Vec<f64> = sets.iter().map(|s| s.score).collect();
     for (set, probability) in sets.iter_mut().zip(probabilities(&scores)) {
         set.probability = probability;

@@ -14,6 +14,7 @@ pub(super) static EXPLANATIONS: Explanations = &[
     &Filter::DutHighpass,
     &Filter::ReferenceHighpass,
     &Filter::DutLowpass1,
+    &Filter::ReferenceLowpass1,
     &Filter::AveragingWindow,
     &Lowpass2,
 ];
@@ -23,6 +24,7 @@ enum Filter {
     DutHighpass,
     ReferenceHighpass,
     DutLowpass1,
+    ReferenceLowpass1,
     AveragingWindow,
 }
 
@@ -30,13 +32,19 @@ enum Filter {
 struct Lowpass2;
 
 impl Filter {
+    fn is_of_reference(&self) -> bool {
+        matches!(self, Self::ReferenceHighpass | Self::ReferenceLowpass1)
+    }
+
     fn response(&self, p: f64, frequency_hz: f64) -> Complex64 {
         match self {
             Self::DutHighpass | Self::ReferenceHighpass => {
                 let q = Complex64::new(0.0, frequency_hz / p);
                 q / (1.0 + q)
             }
-            Self::DutLowpass1 => Complex64::new(1.0, frequency_hz / p).inv(),
+            Self::DutLowpass1 | Self::ReferenceLowpass1 => {
+                Complex64::new(1.0, frequency_hz / p).inv()
+            }
             Self::AveragingWindow => {
                 let angle = PI * frequency_hz * p;
                 Complex64::from_polar(1.0, -angle) * (angle.sin() / angle)
@@ -54,28 +62,37 @@ impl Effect for Filter {
             Self::DutHighpass => &conditioning::DUT_HIGHPASS,
             Self::ReferenceHighpass => &conditioning::REFERENCE_HIGHPASS,
             Self::DutLowpass1 => &conditioning::DUT_LOWPASS_1,
+            Self::ReferenceLowpass1 => &conditioning::REFERENCE_LOWPASS_1,
             Self::AveragingWindow => &conditioning::AVERAGING_WINDOW,
         }
     }
+    /// Without the drive its inverse in the ratio is a crosstalk in quadrature.
+    fn alike(&self, facts: &Facts) -> Option<&'static Entry> {
+        (matches!(self, Self::ReferenceLowpass1) && !facts.drive)
+            .then_some(&conditioning::CROSSTALK)
+    }
     fn applies(&self, facts: &Facts) -> bool {
         let ratio = facts.ratio || facts.ratio_phase;
-        ratio || matches!(self, Self::ReferenceHighpass) && facts.drive
+        ratio || self.is_of_reference() && facts.drive
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let values = match self {
             Self::DutHighpass | Self::ReferenceHighpass => {
                 ratios(0.0005 * facts.lowest_hz, 4.0 * facts.lowest_hz, 20)
             }
-            Self::DutLowpass1 => ratios(0.2 * facts.highest_hz, 5000.0 * facts.highest_hz, 22),
+            Self::DutLowpass1 | Self::ReferenceLowpass1 => {
+                ratios(0.2 * facts.highest_hz, 5000.0 * facts.highest_hz, 22)
+            }
             Self::AveragingWindow => ratios(0.0002 / facts.highest_hz, 1.5 / facts.highest_hz, 22),
         };
         values.into_iter().map(|v| Start::shape(vec![v])).collect()
     }
     fn transfer(&self, p: &[f64], _row: &Row, frequency_hz: f64, transfer: &mut Transfer) {
         let response = self.response(p[0], frequency_hz);
-        match self {
-            Self::ReferenceHighpass => transfer.reference *= response,
-            _ => transfer.dut *= response,
+        if self.is_of_reference() {
+            transfer.reference *= response;
+        } else {
+            transfer.dut *= response;
         }
     }
 }

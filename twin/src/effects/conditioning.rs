@@ -21,6 +21,12 @@ pub(super) static EFFECTS: &[Effect] = &[
         },
     ),
     Effect::new(
+        &conditioning::REFERENCE_LOWPASS_1,
+        |values, _conditions, model| {
+            model.reference.response.push(Section::LowPass(values[0]));
+        },
+    ),
+    Effect::new(
         &conditioning::DUT_LOWPASS_2,
         |values, _conditions, model| {
             let section = SecondOrder::low_pass(values[0], values[1]);
