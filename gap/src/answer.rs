@@ -20,6 +20,9 @@ pub struct Where {
     /// Condition along which it varies.
     #[schemars(with = "&str")]
     pub axis: Axis,
+    /// Conditions that go with it in these data, so that it may be any of them.
+    #[schemars(with = "Vec<&str>")]
+    pub or_along: Vec<Axis>,
     /// Lowest value of that condition (or of frequency).
     pub from: f64,
     /// Highest value.
@@ -51,7 +54,7 @@ pub struct Estimate {
 pub struct Cause {
     /// Names.
     pub effects: Vec<&'static str>,
-    /// Posterior probability among all sets considered.
+    /// Posterior probability; those of all sets and `probability_other` add up to 1.
     pub probability: f64,
     /// BIC above the smallest.
     pub delta_bic: f64,
@@ -60,8 +63,39 @@ pub struct Cause {
     /// Share of the runs without any one of which this set is still the best; none where
     /// there is one run.
     pub stability_over_runs: Option<f64>,
+    /// Why to doubt it: sizes that may be zero, values at their bounds. Empty where nothing does.
+    pub cautions: Vec<String>,
     /// By effect, by parameter.
     pub parameters: BTreeMap<&'static str, BTreeMap<&'static str, Estimate>>,
+}
+
+/// Noise that is not what is stated; all empty where it is.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, JsonSchema)]
+pub struct OwnNoise {
+    /// Scatter over the stated uncertainty, by observable. The gap and all probabilities go by the
+    /// scatter.
+    pub factor_on_u: BTreeMap<&'static str, f64>,
+    /// Share of its deviate that a row remembers of the row before it, by observable.
+    pub memory: BTreeMap<&'static str, f64>,
+    /// Rows of the table, from 1, that nothing describes which describes the others; they are left
+    /// out.
+    pub outlier_rows: Vec<usize>,
+}
+
+/// What the leading set leaves.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct Remainder {
+    /// Observable in which most of it is.
+    pub observable: &'static str,
+    /// Root mean square of it there, relative as the gap is.
+    pub rms_rel: f64,
+    /// Condition along which it varies.
+    #[schemars(with = "&str")]
+    pub axis: Axis,
+    /// Lowest value of that condition.
+    pub from: f64,
+    /// Highest value.
+    pub to: f64,
 }
 
 /// Gap between records of the simulator and the measurement.
@@ -116,6 +150,8 @@ pub struct DatasetSummary {
 /// The whole answer; every field is always present.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct Answer {
+    /// The answer in a sentence or two.
+    pub summary: String,
     /// Outcome.
     pub verdict: Verdict,
     /// Where the gap lies, largest first.
@@ -130,6 +166,12 @@ pub struct Answer {
     pub next_measurement: String,
     /// How far the gap shrinks on held-out rows.
     pub gap: Gap,
+    /// What the leading set leaves; none where that is noise.
+    pub remainder: Option<Remainder>,
+    /// Noise that is not what is stated.
+    pub noise: OwnNoise,
+    /// Probability of a cause outside the library.
+    pub probability_other: f64,
     /// Nominal parameters as fitted within their uncertainty.
     pub nominal_parameters: BTreeMap<&'static str, Estimate>,
     /// Dataset that was read.

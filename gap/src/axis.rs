@@ -29,6 +29,18 @@ pub enum Axis {
 }
 
 impl Axis {
+    /// Conditions of the rows of a table.
+    pub(crate) const CONDITIONS: [Self; 8] = [
+        Self::Frequency,
+        Self::Level,
+        Self::Travel,
+        Self::Time,
+        Self::Payload,
+        Self::Temperature,
+        Self::Rotation,
+        Self::CoilVoltage,
+    ];
+
     /// Value of a row on the axis; NaN where it is not known, and for an oscillator's axis.
     pub(crate) fn value(self, row: &Row) -> f64 {
         match self {

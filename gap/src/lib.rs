@@ -16,12 +16,17 @@ mod model;
 mod observable;
 mod options;
 mod oscillator;
+mod others;
 mod pictures;
 mod plan;
 mod report;
+mod summary;
 mod thresholds;
 
-pub use answer::{Answer, Cause, Confirmation, DatasetSummary, Distance, Estimate, Verdict, Where};
+pub use answer::{
+    Answer, Cause, Confirmation, DatasetSummary, Distance, Estimate, OwnNoise, Remainder, Verdict,
+    Where,
+};
 pub use axis::Axis;
 pub use calibrator::misfit;
 pub use diagnose::{diagnose, diagnose_all};

@@ -77,12 +77,17 @@ impl fmt::Display for Outcome {
             .map(|c| format!("{}:{:.3}", c.effects.join("+"), c.probability))
             .collect();
         let stages: Vec<&str> = a.r#where.iter().map(|w| w.stage.name()).collect();
+        let noise = &a.noise;
         write!(
             f,
-            "{} {} {:?} p={:.2e} sigma={:.1} left={:.1} top={} stage={} chi={:.2}>{:.2} closed={:.3} {:.2}s [{}] {}",
+            "{} {} {:?} {:?}{:?}{:?} other={:.3} p={:.2e} sigma={:.1} left={:.1} top={} stage={} chi={:.2}>{:.2} closed={:.3} {:.2}s [{}] {}",
             self.index,
             self.truth.join("+"),
             a.verdict,
+            noise.factor_on_u,
+            noise.memory,
+            noise.outlier_rows,
+            a.probability_other,
             a.none_of_these_p_value,
             self.sigma,
             self.left_sigma,

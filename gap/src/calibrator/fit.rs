@@ -33,6 +33,7 @@ impl Fit {
 }
 
 /// Memory of balances, reused between refinements of one problem.
+#[derive(Clone)]
 pub(crate) struct Workspace {
     pub(crate) memory: Vec<Memory>,
 }

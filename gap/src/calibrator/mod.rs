@@ -12,7 +12,8 @@
 //! search              none, singles, pairs, within limits; proposal: what is tried, race: refined
 //! found               what came of it; model_selection: scores and probabilities
 //! lack_of_fit         what is left by shapes; open_data: scatter left open; settled: best values
-//! verdict             the four outcomes, and pairs that cancel
+//! verdict             the outcomes, and pairs that cancel
+//! noise               noise that is not what is stated, and misread rows
 //! unseen              the part that takes no part; holdout and cross_validation: errors there
 //! causes, places      what an answer states; stages, bumps: where; next: what to measure; residuals
 //! ```
@@ -37,6 +38,7 @@ pub(crate) mod linear;
 mod misfit;
 pub(crate) mod model_selection;
 mod next;
+mod noise;
 mod noise_sum;
 pub(crate) mod nuisance;
 mod nuisance_columns;
@@ -61,15 +63,21 @@ pub(crate) mod verdict;
 
 use crate::answer::{Answer, DatasetSummary, Verdict};
 use crate::dataset::Dataset;
+use crate::estimation::gap::Gap;
+use crate::estimation::verdict::heard;
 use crate::options::Options;
+use crate::others::share_with_others;
+use crate::thresholds;
 use causes::{causes, confusable, nominal_parameters};
 use fit::Workspace;
+use lack_of_fit::examine;
 use limits::Limits;
-use next::{next_measurement, sweep};
-use places::{local, places};
+use next::Next;
+use noise::{Noise, stated};
+use places::{local, places, remainder};
 use problem::Problem;
 use residuals::residuals;
-use search::search_from;
+use search::{Search, search_from};
 use unseen::Unseen;
 use verdict::{Judgement, cancels, judge};
 
@@ -86,41 +94,126 @@ pub(crate) fn diagnose_points(
     let limits = Limits::without(&options.without, options.most_effects);
     // The part is searched before the whole: what it finds may guide the whole, not the other way.
     let unseen = Unseen::new(dataset, problem, validate, &limits);
-    let found = search_from(problem, &limits, unseen.searched());
-    let mut work = Workspace::new(problem);
-    let best = found.best();
-    let Judgement {
-        verdict,
-        nominal_left,
-        left,
-    } = judge(problem, &found, &mut work);
-    let verdict = match verdict {
-        Verdict::Explained | Verdict::Ambiguous if cancels(problem, best) => Verdict::Unexplained,
-        verdict => verdict,
+    let stated = |summary| {
+        let found = heard_search(problem, &limits, &unseen);
+        Diagnosis::new(problem, &unseen, None, &found).answer(summary)
     };
-    let gap = unseen.gap(problem, [&found.nominal, best], verdict, &mut work);
-    let causes = causes(problem, &found, &mut work);
-    let confusable = confusable(&causes, verdict, problem);
-    let mut next_measurement = next_measurement(verdict, &causes, &left, problem);
-    let mut places = places(problem, &found, &nominal_left, &left, verdict, &mut work);
-    if verdict == Verdict::Unexplained {
-        let local = local(problem, &nominal_left, &left, &places);
-        if let Some(sweep) = sweep(&local) {
-            next_measurement = sweep;
-        }
-        places.extend(local);
+    let Some(noise) = unseen.noise(dataset, problem) else {
+        return stated(summary);
+    };
+    let quietened = noise.applied(problem, &dataset.rig);
+    let again = Unseen::new(dataset, &quietened, validate, &limits);
+    let found = heard_search(&quietened, &limits, &again);
+    // Rows that stand out beside a structure that stays belong to it.
+    if noise.is_of_rows_only() && leaves_structure(&quietened, &found) {
+        return stated(summary);
     }
-    Answer {
-        verdict,
-        r#where: places,
-        none_of_these_p_value: left.p_value,
-        confusable,
-        next_measurement,
-        gap,
-        nominal_parameters: nominal_parameters(problem, best, &mut work),
-        causes,
-        dataset: summary,
-        confirmation: None,
-        pictures: residuals(problem, &found.nominal, best),
+    Diagnosis::new(&quietened, &again, Some(&noise), &found).answer(summary)
+}
+
+/// A search on all rows, less what unseen rows speak against.
+fn heard_search(problem: &Problem, limits: &Limits, unseen: &Unseen<'_>) -> Search {
+    let mut found = search_from(problem, limits, unseen.searched());
+    unseen.veto(problem, &mut found);
+    found
+}
+
+/// Whether the best set leaves more than noise.
+fn leaves_structure(problem: &Problem, found: &Search) -> bool {
+    let left = examine(problem, found.best(), &mut Workspace::new(problem));
+    left.p_value < thresholds::UNEXPLAINED_P_VALUE
+}
+
+/// What an answer is made of.
+struct Diagnosis<'a> {
+    problem: &'a Problem,
+    unseen: &'a Unseen<'a>,
+    noise: Option<&'a Noise>,
+    found: &'a Search,
+}
+
+impl<'a> Diagnosis<'a> {
+    fn new(
+        problem: &'a Problem,
+        unseen: &'a Unseen<'a>,
+        noise: Option<&'a Noise>,
+        found: &'a Search,
+    ) -> Self {
+        Self {
+            problem,
+            unseen,
+            noise,
+            found,
+        }
+    }
+
+    fn answer(&self, dataset: DatasetSummary) -> Answer {
+        let (problem, found) = (self.problem, self.found);
+        let mut work = Workspace::new(problem);
+        let judgement = judge(problem, found, &mut work);
+        let (verdict, gap) = self.concluded(judgement.verdict, &mut work);
+        let Judgement {
+            nominal_left, left, ..
+        } = judgement;
+        let mut causes = causes(problem, found, &mut work);
+        let confusable = confusable(&causes, verdict, problem);
+        let probability_other = share_with_others(&mut causes, verdict, left.p_value, &gap);
+        let remainder = remainder(problem, &left, verdict);
+        let mut places = places(problem, found, &nominal_left, &left, verdict, &mut work);
+        let local = match verdict {
+            Verdict::Unexplained | Verdict::PartlyExplained => {
+                local(problem, &nominal_left, &left, &places)
+            }
+            _ => Vec::new(),
+        };
+        let noise = self.noise.map(stated).unwrap_or_default();
+        let next = Next {
+            causes: &causes,
+            left: &left,
+            problem,
+            remainder: remainder.as_ref(),
+            noise: &noise,
+            local: &local,
+        };
+        let next_measurement = next.measurement(verdict);
+        places.extend(local);
+        let answer = Answer {
+            summary: String::new(),
+            verdict,
+            r#where: places,
+            none_of_these_p_value: left.p_value,
+            confusable,
+            next_measurement,
+            gap,
+            remainder,
+            noise,
+            probability_other,
+            nominal_parameters: nominal_parameters(problem, found.best(), &mut work),
+            causes,
+            dataset,
+            confirmation: None,
+            pictures: residuals(problem, &found.nominal, found.best()),
+        };
+        answer.summarised()
+    }
+
+    /// The verdict with the gap on rows that took no part.
+    fn concluded(&self, verdict: Verdict, work: &mut Workspace) -> (Verdict, Gap) {
+        let (problem, found) = (self.problem, self.found);
+        let verdict = match verdict {
+            Verdict::Explained | Verdict::Ambiguous if cancels(problem, found.best()) => {
+                Verdict::Unexplained
+            }
+            Verdict::NoGap if self.noise.is_some() => Verdict::Data,
+            verdict => verdict,
+        };
+        let gap = self.unseen.gap(problem, found, verdict, work);
+        let of_leading = Gap {
+            by_level: gap.by_level.clone(),
+            by_band: gap.by_band.clone(),
+            ..self.unseen.gap_with(problem, found, found.best())
+        };
+        let remembers = self.noise.is_some_and(Noise::remembers);
+        (heard(verdict, &of_leading, remembers), gap)
     }
 }

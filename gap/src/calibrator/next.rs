@@ -1,36 +1,121 @@
-//! Next measurement.
+//! Next measurement: what is still open, as something a person on site can do.
 
 use super::lack_of_fit::LackOfFit;
 use super::problem::Problem;
-use crate::answer::{Cause, Verdict, Where};
+use crate::answer::{Cause, OwnNoise, Remainder, Verdict, Where};
 use crate::axis::Axis;
 use crate::observable::Group;
+use crate::summary::short;
 use calib_effects::{Of, named};
 
-/// The measurement that would tell, in words.
-pub(super) fn next_measurement(
-    verdict: Verdict,
-    causes: &[Cause],
-    left: &LackOfFit,
-    problem: &Problem,
-) -> String {
-    match (verdict, causes) {
-        (Verdict::NoGap, _) => {
-            "none needed: repeat the plan after the next change of the rig".into()
+/// What a next measurement follows from.
+pub(super) struct Next<'a> {
+    pub(super) causes: &'a [Cause],
+    pub(super) left: &'a LackOfFit,
+    pub(super) problem: &'a Problem,
+    pub(super) remainder: Option<&'a Remainder>,
+    pub(super) noise: &'a OwnNoise,
+    /// Bumps that are left.
+    pub(super) local: &'a [Where],
+}
+
+impl Next<'_> {
+    /// The measurement that would tell, in words.
+    pub(super) fn measurement(&self, verdict: Verdict) -> String {
+        match (verdict, self.causes) {
+            (Verdict::NoGap, _) => {
+                "none needed: repeat the plan after the next change of the rig".into()
+            }
+            (Verdict::Data, _) => settled_by(self.noise),
+            (Verdict::Explained, _) => {
+                let first = self.causes.first().map_or("", |c| c.effects[0]);
+                let how = separate_by(first).unwrap_or("repeat with another run");
+                format!("to confirm {first}: {how}")
+            }
+            (Verdict::Ambiguous, [first, second, ..]) => to_tell(first, second),
+            (Verdict::Ambiguous, _) => {
+                "repeat the points with the smallest probability of noise in another run".into()
+            }
+            (Verdict::PartlyExplained, [first, ..]) => self.beside(first),
+            (Verdict::PartlyExplained | Verdict::Unexplained, _) => {
+                sweep(self.local).unwrap_or_else(|| self.more_points())
+            }
         }
-        (Verdict::Explained, _) => {
-            let first = causes.first().map_or("", |c| c.effects[0]);
-            format!(
-                "to confirm {first}: {}",
-                separate_by(first).unwrap_or("repeat with another run")
-            )
-        }
-        (Verdict::Ambiguous, [first, second, ..]) => to_tell(first, second),
-        (Verdict::Ambiguous, _) => {
-            "repeat the points with the smallest probability of noise in another run".into()
-        }
-        (Verdict::Unexplained, _) => more_points(left, problem),
     }
+
+    /// What is left beside a cause that is there.
+    fn beside(&self, first: &Cause) -> String {
+        let name = first.effects.join("+");
+        if !self.noise.memory.is_empty() {
+            return format!("to be sure of {name}: {}", settled_by(self.noise));
+        }
+        if let Some(sweep) = sweep(self.local) {
+            return format!("for what {name} leaves: {sweep}");
+        }
+        let Some(left) = self.remainder else {
+            let how = separate_by(first.effects[0]).unwrap_or("repeat with another run");
+            return format!("to confirm {name}: {how}");
+        };
+        format!(
+            "for what {name} leaves: {} between {} and {}, {}",
+            left.observable,
+            short(left.from),
+            short(left.to),
+            way(left.axis)
+        )
+    }
+
+    /// More of what deviates most.
+    fn more_points(&self) -> String {
+        let outcomes = self.left.outcomes.iter();
+        let worst = outcomes.max_by(|a, b| a.z.abs().total_cmp(&b.z.abs()));
+        let usual = (Group::Ratio, Axis::Frequency);
+        let (group, axis) = worst.map_or(usual, |w| (w.observable.group(), w.axis));
+        format!(
+            "{} between {} Hz and {} Hz: {}",
+            group.name(),
+            self.problem.facts.lowest_hz,
+            self.problem.facts.highest_hz,
+            way(axis)
+        )
+    }
+}
+
+/// How to see along which condition something varies.
+fn way(axis: Axis) -> &'static str {
+    match axis {
+        Axis::Frequency => "twice as many frequencies, up once and down once, mounted anew between",
+        Axis::Level | Axis::InverseLevel => {
+            "the same frequencies at a third and at three times the level"
+        }
+        Axis::Travel => "the lowest frequencies at half and at full travel",
+        Axis::Time => "the same few points at once after switching on, and again two hours later",
+        Axis::Payload => "the same points with no payload and with the heaviest one",
+        Axis::Temperature => "the same points with the room 10 K colder or warmer",
+        Axis::Rotation => "the same points with the device turned by 45 degrees at a time",
+        Axis::CoilVoltage => "the same points at half the drive, and with another amplifier",
+        Axis::Amplitude => "a record of larger amplitude, and one of half the amplitude",
+    }
+}
+
+/// What tells how the noise really is.
+fn settled_by(noise: &OwnNoise) -> String {
+    let rows: Vec<String> = noise.outlier_rows.iter().map(ToString::to_string).collect();
+    if !rows.is_empty() {
+        return format!("measure row {} of the table once more", rows.join(", "));
+    }
+    if !noise.memory.is_empty() {
+        return "the same points in another order: what follows the clock is drift, what follows \
+                the frequency is the rig"
+            .into();
+    }
+    let worst = noise.factor_on_u.iter();
+    let worst = worst.max_by(|a, b| a.1.total_cmp(b.1));
+    let (name, factor) = worst.map_or(("ratio", 1.0), |(name, factor)| (*name, *factor));
+    format!(
+        "ten repetitions of one point without touching the rig: they should scatter by {factor:.1} \
+         times what is stated for {name}; state that"
+    )
 }
 
 /// The measurement that tells an effect from those it is mistaken for.
@@ -53,23 +138,8 @@ fn to_tell(first: &Cause, second: &Cause) -> String {
     )
 }
 
-/// More of what deviates most.
-fn more_points(left: &LackOfFit, problem: &Problem) -> String {
-    let outcomes = left.outcomes.iter();
-    let worst = outcomes.max_by(|a, b| a.z.abs().total_cmp(&b.z.abs()));
-    let usual = (Group::Ratio, Axis::Frequency);
-    let (group, axis) = worst.map_or(usual, |w| (w.observable.group(), w.axis));
-    format!(
-        "more points of {} along {} between {} Hz and {} Hz, in at least two runs",
-        group.name(),
-        axis.name(),
-        problem.facts.lowest_hz,
-        problem.facts.highest_hz
-    )
-}
-
 /// Measurement that tells where bumps come from.
-pub(super) fn sweep(local: &[Where]) -> Option<String> {
+fn sweep(local: &[Where]) -> Option<String> {
     let range = |place: &Where| match place.from == place.to {
         true => format!("{} Hz", place.from),
         false => format!("{} .. {} Hz", place.from, place.to),

@@ -4,10 +4,11 @@ use super::fit::Workspace;
 use super::lack_of_fit::LackOfFit;
 use super::problem::Problem;
 use super::search::Search;
-use crate::answer::{Verdict, Where};
+use crate::answer::{Remainder, Verdict, Where};
 use crate::axis::Axis;
 use crate::estimation::significance::two_sided;
-use crate::observable::Observable;
+use crate::observable::{Group, Observable};
+use crate::thresholds;
 use calib_effects::Stage;
 
 /// Where the gap lies: stages in the order of what their effects (or the shape of the structure) explain.
@@ -19,7 +20,7 @@ pub(super) fn places(
     verdict: Verdict,
     work: &mut Workspace,
 ) -> Vec<Where> {
-    if verdict == Verdict::NoGap {
+    if matches!(verdict, Verdict::NoGap | Verdict::Data) {
         return Vec::new();
     }
     let excess =
@@ -38,6 +39,7 @@ pub(super) fn places(
             stage,
             observable: observable.group().name(),
             axis,
+            or_along: inseparable(problem, axis, observable),
             from,
             to,
             share: (share / excess).clamp(0.0, 1.0),
@@ -67,6 +69,7 @@ pub(super) fn local(
             stage: places.first().map_or(Stage::Dut, |place| place.stage),
             observable: bump.observable.group().name(),
             axis: Axis::Frequency,
+            or_along: Vec::new(),
             from: bump.from_hz,
             to: bump.to_hz,
             share: (bump.square / excess).clamp(0.0, 1.0),
@@ -75,6 +78,94 @@ pub(super) fn local(
             shape: None,
         })
         .collect()
+}
+
+/// What the leading set leaves, in the group of observables with most of it; none where it is noise.
+pub(super) fn remainder(
+    problem: &Problem,
+    left: &LackOfFit,
+    verdict: Verdict,
+) -> Option<Remainder> {
+    if !matches!(verdict, Verdict::PartlyExplained | Verdict::Unexplained) {
+        return None;
+    }
+    let excess = |group: Group| {
+        let left = &left.residual[problem.data_of_group(group)];
+        left.iter().map(|r| r * r - 1.0).sum::<f64>()
+    };
+    let groups = Group::ALL.into_iter();
+    let measured = groups.filter(|group| !problem.data_of_group(*group).is_empty());
+    let group = measured.max_by(|a, b| excess(*a).total_cmp(&excess(*b)))?;
+    let outcomes = left.outcomes.iter();
+    let inside = outcomes.filter(|outcome| outcome.observable.group() == group);
+    let strongest = inside.max_by(|a, b| a.z.abs().total_cmp(&b.z.abs()));
+    let first = group.observables().next()?;
+    let (observable, axis) = strongest.map_or((first, Axis::Frequency), |o| (o.observable, o.axis));
+    let (from, to) = extent(problem, axis, observable, &left.residual);
+    let differences = problem
+        .data_of_group(group)
+        .map(|at| (left.residual[at] * problem.uncertainty(at)).powi(2));
+    let rows = problem.data_of(observable).len().max(1) as f64;
+    Some(Remainder {
+        observable: group.name(),
+        rms_rel: (differences.sum::<f64>() / rows).sqrt(),
+        axis,
+        from,
+        to,
+    })
+}
+
+/// Conditions that rise or fall with another one in the rows of an observable, so that these do not
+/// tell along which a deviation varies.
+fn inseparable(problem: &Problem, axis: Axis, observable: Observable) -> Vec<Axis> {
+    let rows = problem.data_of(observable).map(|at| problem.row_of[at]);
+    let rows: Vec<usize> = rows.collect();
+    let ranks = |axis: Axis| {
+        ranks(
+            rows.iter()
+                .map(|row| axis.value(&problem.rows[*row]))
+                .collect(),
+        )
+    };
+    let Some(own) = ranks(axis) else {
+        return Vec::new();
+    };
+    let alike = |other: &Axis| {
+        let other = ranks(*other);
+        other.is_some_and(|other| correlation(&own, &other).abs() > thresholds::INSEPARABLE)
+    };
+    let others = Axis::CONDITIONS.into_iter();
+    others
+        .filter(|other| *other != axis)
+        .filter(alike)
+        .collect()
+}
+
+/// Ranks of values, equal ones sharing theirs; none where a value is unknown or all are equal.
+fn ranks(values: Vec<f64>) -> Option<Vec<f64>> {
+    let mut sorted = values.clone();
+    sorted.sort_by(f64::total_cmp);
+    let differ = sorted.first()? < sorted.last()?;
+    let rank = |value: &f64| {
+        let below = sorted.partition_point(|other| other < value);
+        let upto = sorted.partition_point(|other| other <= value);
+        0.5 * (below + upto) as f64
+    };
+    (differ && values.iter().all(|v| v.is_finite())).then(|| values.iter().map(rank).collect())
+}
+
+/// Of two lists as long as one another, neither of which is constant.
+fn correlation(a: &[f64], b: &[f64]) -> f64 {
+    let mean = |list: &[f64]| list.iter().sum::<f64>() / list.len() as f64;
+    let (mean_a, mean_b) = (mean(a), mean(b));
+    let (mut ab, mut aa, mut bb) = (0.0, 0.0, 0.0);
+    for (x, y) in a.iter().zip(b) {
+        let (x, y) = (x - mean_a, y - mean_b);
+        ab += x * y;
+        aa += x * x;
+        bb += y * y;
+    }
+    ab / (aa * bb).sqrt()
 }
 
 /// Class of a bump that a few neighbouring frequencies show.

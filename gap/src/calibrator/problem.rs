@@ -140,6 +140,24 @@ impl Problem {
         Self::from_rows(rig, rows)
     }
 
+    /// Some of the rows, with the uncertainties of each group of observables times a factor.
+    pub(super) fn with_uncertainties(
+        &self,
+        rig: &Rig,
+        keep: &dyn Fn(usize) -> bool,
+        factor: &dyn Fn(Group) -> f64,
+    ) -> Self {
+        let kept = self.rows.iter().enumerate().filter(|(i, _)| keep(*i));
+        let rescaled = kept.map(|(_, row)| {
+            let mut row = row.clone();
+            for (observable, u) in row.u.iter_mut() {
+                *u *= factor(observable.group());
+            }
+            row
+        });
+        Self::from_rows(rig, rescaled.collect())
+    }
+
     /// Nuisance values of another problem with the same rig, in the order of this one.
     pub(crate) fn translate(&self, other: &Self, theta: &[f64]) -> Vec<f64> {
         let of = |free: &Free| {

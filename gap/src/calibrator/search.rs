@@ -3,7 +3,7 @@
 use super::fit::{Fit, Workspace};
 use super::found::Found;
 use super::limits::Limits;
-use super::model_selection::{Scored, score};
+use super::model_selection::{Scored, normalise, score};
 use super::problem::Problem;
 use super::proposal::{Base, Plan, chosen};
 use super::race::race;
@@ -26,6 +26,12 @@ pub(crate) struct Search {
 }
 
 impl Search {
+    /// Strikes the sets that `stands` does not hold of.
+    pub(crate) fn strike(&mut self, mut stands: impl FnMut(&Scored) -> bool) {
+        self.sets.retain(|set| stands(set));
+        normalise(&mut self.sets);
+    }
+
     /// The leading set; the nominal simulation where there is none.
     pub(crate) fn best(&self) -> &Fit {
         self.sets.first().map_or(&self.nominal, |set| &set.fit)

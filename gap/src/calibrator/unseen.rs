@@ -4,11 +4,14 @@ use super::cross_validation;
 use super::fit::{Fit, Workspace};
 use super::holdout::{score_on, split};
 use super::limits::Limits;
+use super::noise::Noise;
 use super::problem::Problem;
+use super::refine::{FULL, refine};
 use super::search::{Search, search};
 use crate::answer::Verdict;
 use crate::dataset::{Dataset, Rig};
 use crate::estimation::gap::Gap;
+use crate::thresholds;
 
 /// Where the score comes from, with the rig as it is stated there.
 pub(super) enum Unseen<'a> {
@@ -56,21 +59,99 @@ impl<'a> Unseen<'a> {
         }
     }
 
+    /// Noise that is not what is stated, by what a search on part of the rows has found: nothing, the
+    /// best single effect and the best set.
+    pub(super) fn noise(&self, dataset: &Dataset, problem: &Problem) -> Option<Noise> {
+        let Self::Rows(part, _) = self else {
+            return None;
+        };
+        let sets = &part.found.sets;
+        let single = sets.iter().find(|set| set.fit.effects.len() == 1);
+        let fits = sets.first().into_iter().chain(single).map(|set| &set.fit);
+        let mut fits: Vec<Fit> = fits.chain([&part.found.nominal]).cloned().collect();
+        fits.dedup_by_key(|fit| fit.names());
+        for fit in &mut fits {
+            fit.theta = problem.translate(&part.training, &fit.theta);
+        }
+        Noise::of(
+            problem,
+            &dataset.rig,
+            fits.into_iter(),
+            &mut Workspace::new(problem),
+        )
+    }
+
+    /// Strikes sets that the unseen rows speak against: those that make them worse, and those with a
+    /// partner that does not help there. Where a set leaves noise on the rows it was fitted to, noise
+    /// may have made it worse on the others.
+    pub(super) fn veto(&self, problem: &Problem, found: &mut Search) {
+        let plain = self.misfit(problem, &found.nominal);
+        let count = problem.len() as f64;
+        let noise = count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt();
+        let stands = |fit: &Fit| {
+            let here = self.misfit(problem, fit);
+            let clean = fit.objective < noise;
+            let (worse, helps) = if clean {
+                (thresholds::WORSE_BY_NOISE, -thresholds::WORSE_BY_NOISE)
+            } else {
+                (0.0, thresholds::PARTNER_HELPS)
+            };
+            let alone = |leave: usize| {
+                let mut single = fit.clone();
+                single.effects.remove(leave);
+                self.misfit(problem, &single)
+            };
+            here < plain + worse
+                && (fit.effects.len() < 2
+                    || (0..fit.effects.len()).all(|leave| here + helps < alone(leave)))
+        };
+        found.strike(|set| {
+            set.fit.effects.is_empty()
+                || set.probability < thresholds::LISTED_PROBABILITY
+                || stands(&set.fit)
+        });
+    }
+
+    /// The gap with one set, fitted to the others.
+    pub(super) fn gap_with(&self, problem: &Problem, found: &Search, fit: &Fit) -> Gap {
+        match self {
+            Self::Other(other, _) => score_on(problem, other, &found.nominal, fit),
+            Self::Rows(part, _) => {
+                let fit = part.fitted(problem, fit);
+                score_on(&part.training, &part.testing, &part.found.nominal, &fit)
+            }
+        }
+    }
+
+    /// -2 ln likelihood of the unseen rows by a set that was fitted to the others.
+    fn misfit(&self, problem: &Problem, fit: &Fit) -> f64 {
+        let (testing, from, fit) = match self {
+            Self::Other(other, _) => (&**other, problem, fit.clone()),
+            Self::Rows(part, _) => (&part.testing, &part.training, part.fitted(problem, fit)),
+        };
+        let theta = testing.translate(from, &fit.theta);
+        let at = testing.evaluate(&fit.effects, &theta, &mut testing.memory());
+        let data = at.residual.iter().zip(&at.weight).enumerate();
+        data.map(|(datum, (r, w))| r * r - 2.0 * (w * testing.uncertainty(datum)).ln())
+            .sum()
+    }
+
     /// The gap with the plain simulation and with the best set of a search on all rows of `problem`.
     pub(super) fn gap(
         &self,
         problem: &Problem,
-        [nominal, best]: [&Fit; 2],
+        found: &Search,
         verdict: Verdict,
         work: &mut Workspace,
     ) -> Gap {
+        let (nominal, best) = (&found.nominal, found.best());
         let (gap, [by_level, by_band]) = match self {
             Self::Other(other, rig) => (
                 score_on(problem, other, nominal, best),
                 cross_validation::of_other(problem, other, rig, nominal, best),
             ),
             Self::Rows(part, rig) => (
-                part.gap(verdict),
+                part.gap(problem, found, verdict),
                 cross_validation::left_out(problem, rig, nominal, best, work),
             ),
         };
@@ -83,13 +164,35 @@ impl<'a> Unseen<'a> {
 }
 
 impl Part {
-    /// Scores what was chosen on the others; nothing where there is no gap.
-    fn gap(&self, verdict: Verdict) -> Gap {
+    /// A set as it is fitted to the rows that take part.
+    fn fitted(&self, problem: &Problem, fit: &Fit) -> Fit {
+        let names = fit.names();
+        let same = self.found.every.iter().filter(|f| f.names() == names);
+        let best = same.min_by(|a, b| a.objective.total_cmp(&b.objective));
+        if fit.effects.is_empty() {
+            return self.found.nominal.clone();
+        }
+        best.cloned().unwrap_or_else(|| {
+            let theta = self.training.translate(problem, &fit.theta);
+            let mut work = Workspace::new(&self.training);
+            refine(&self.training, fit.effects.clone(), theta, FULL, &mut work)
+        })
+    }
+
+    /// Scores what was chosen on the others; nothing where there is no gap. Where a veto has struck
+    /// what leads there, the set that leads on all rows.
+    fn gap(&self, problem: &Problem, found: &Search, verdict: Verdict) -> Gap {
         let nominal = &self.found.nominal;
-        let chosen = match self.found.sets.first() {
-            Some(best) if verdict != Verdict::NoGap => &best.fit,
-            _ => nominal,
+        let leads = self.found.sets.first().map(|set| &set.fit);
+        let listed = |fit: &&Fit| {
+            let mut sets = found.sets.iter();
+            sets.any(|set| set.fit.names() == fit.names())
         };
-        score_on(&self.training, &self.testing, nominal, chosen)
+        let chosen = match (verdict, leads.filter(listed)) {
+            (Verdict::NoGap | Verdict::Data, _) => nominal.clone(),
+            (_, Some(fit)) => fit.clone(),
+            (_, None) => self.fitted(problem, found.best()),
+        };
+        score_on(&self.training, &self.testing, nominal, &chosen)
     }
 }

@@ -1,10 +1,11 @@
 //! The verdict: from the probability of the leading set, and from what it leaves.
 
+use super::gap::Gap;
 use crate::thresholds;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// The four outcomes.
+/// The outcomes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -12,10 +13,15 @@ pub enum Verdict {
     NoGap,
     /// One set of effects leads clearly and what is left is noise.
     Explained,
+    /// The leading set predicts rows it was not fitted to clearly better everywhere, and more than
+    /// noise is left.
+    PartlyExplained,
     /// Two or more sets cannot be told apart with these data.
     Ambiguous,
-    /// Even the best set leaves significant structure.
+    /// No set closes half of the gap.
     Unexplained,
+    /// What does not fit are stated uncertainties or single rows.
+    Data,
 }
 
 /// Grounds of a verdict: probabilities of sets, and p-values of the remainder.
@@ -45,4 +51,34 @@ pub(crate) fn conclude(evidence: &Evidence) -> Verdict {
         Some(probability) if probability >= thresholds::EXPLAINED_PROBABILITY => Verdict::Explained,
         Some(_) => Verdict::Ambiguous,
     }
+}
+
+/// The verdict once rows that took no part are heard: `gap` is of the leading set, there.
+pub(crate) fn heard(verdict: Verdict, gap: &Gap, remembers: bool) -> Verdict {
+    let claims = matches!(verdict, Verdict::Explained | Verdict::Ambiguous);
+    let holds = gap.chi_after <= thresholds::EXPLAINED_CHI;
+    match verdict {
+        _ if claims && holds && !remembers => verdict,
+        Verdict::Ambiguous if holds => verdict,
+        Verdict::NoGap | Verdict::Data => verdict,
+        _ if explains_part(gap) => Verdict::PartlyExplained,
+        _ if claims && holds => Verdict::PartlyExplained,
+        _ => Verdict::Unexplained,
+    }
+}
+
+/// Whether a set predicts the rows clearly better, and at every level and in every band that shows
+/// the gap.
+fn explains_part(gap: &Gap) -> bool {
+    let slices = gap.by_level.iter().chain(&gap.by_band);
+    let mut shares = slices.filter_map(|slice| Some((slice.beyond, slice.closed?)));
+    let least = |beyond: bool| {
+        if beyond {
+            -thresholds::EVERYWHERE
+        } else {
+            thresholds::EVERYWHERE
+        }
+    };
+    gap.closed.is_some_and(|closed| closed >= thresholds::HALF)
+        && shares.all(|(beyond, closed)| closed >= least(beyond))
 }

@@ -8,9 +8,12 @@ use super::lack_of_fit::Parity;
 use super::model::TERMS;
 use super::run::Run;
 use super::slices::stretch;
-use crate::answer::{Answer, Cause, DatasetSummary, Verdict, Where, hardly_separated};
+use crate::answer::{
+    Answer, Cause, DatasetSummary, OwnNoise, Remainder, Verdict, Where, hardly_separated,
+};
 use crate::axis::Axis;
-use crate::estimation::verdict::{Evidence, conclude};
+use crate::estimation::verdict::{Evidence, conclude, heard};
+use crate::others::share_with_others;
 use crate::pictures::{Pictures, Trace};
 use crate::thresholds;
 use calib_effects::{Of, Stage, named};
@@ -34,15 +37,29 @@ pub(super) fn answer(
             .compared()
             .causes(part, stretch(resonance_hz, part.interval_s)),
     };
+    let mut causes = causes;
     let verdict = verdict(&causes, steps, &scored);
     if verdict == Verdict::NoGap {
         scored.gap.closed = None;
     }
-    Answer {
+    let confusable = hardly_separated(&causes, verdict);
+    let probability_other = share_with_others(&mut causes, verdict, last.left.p_value, &scored.gap);
+    let partly = matches!(verdict, Verdict::PartlyExplained | Verdict::Unexplained);
+    let answer = Answer {
+        summary: String::new(),
+        remainder: partly.then(|| Remainder {
+            observable: "output",
+            rms_rel: 0.01 * scored.gap.after_percent,
+            axis: Axis::Amplitude,
+            from: 0.0,
+            to: peak(&held.output),
+        }),
+        noise: OwnNoise::default(),
+        probability_other,
         verdict,
         r#where: place(verdict, steps, held),
         none_of_these_p_value: last.left.p_value,
-        confusable: hardly_separated(&causes, verdict),
+        confusable,
         next_measurement: next_measurement(verdict, &causes),
         gap: scored.gap,
         nominal_parameters: linear_parameters(&last.fit),
@@ -50,7 +67,8 @@ pub(super) fn answer(
         confirmation: None,
         pictures: trace(held, scored.errors),
         causes,
-    }
+    };
+    answer.summarised()
 }
 
 fn verdict(causes: &[Cause], steps: &[Step], scored: &Scored) -> Verdict {
@@ -72,7 +90,7 @@ fn verdict(causes: &[Cause], steps: &[Step], scored: &Scored) -> Verdict {
         .is_some_and(|c| c > thresholds::NEARLY_ALL);
     match conclude(&evidence) {
         Verdict::Unexplained if tied && nearly_all => Verdict::Ambiguous,
-        other => other,
+        verdict => heard(verdict, &scored.gap, false),
     }
 }
 
@@ -105,6 +123,7 @@ fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
         stage,
         observable: "output",
         axis: Axis::Amplitude,
+        or_along: Vec::new(),
         from: 0.0,
         to: peak(&held.output),
         share: 1.0 - last.fit.square / first.fit.square,
@@ -127,7 +146,7 @@ fn next_measurement(verdict: Verdict, causes: &[Cause]) -> String {
             second.effects.join("+"),
             how(last(second))
         ),
-        (Verdict::Explained, [first, ..]) => {
+        (Verdict::Explained | Verdict::PartlyExplained, [first, ..]) => {
             format!("to confirm {}: {}", last(first), how(last(first)))
         }
         _ => "a record of larger amplitude, and one of half the amplitude".into(),

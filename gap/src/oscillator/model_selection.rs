@@ -90,6 +90,7 @@ impl<'a> Tried<'a> {
                 delta_bic: set.above_best,
                 stability,
                 stability_over_runs: None,
+                cautions: Vec::new(),
                 parameters: term_parameters(set.fit, part.interval_s),
             })
             .collect()

@@ -34,7 +34,7 @@ pub(super) fn suspects(answer: &Answer) -> Vec<Stage> {
         .map(|entry| entry.stage);
     let places = answer.r#where.iter().take(1).map(|place| place.stage);
     match answer.verdict {
-        Verdict::NoGap => Vec::new(),
+        Verdict::NoGap | Verdict::Data => Vec::new(),
         Verdict::Unexplained => places.collect(),
         _ => of_causes.collect(),
     }
@@ -45,10 +45,11 @@ pub(super) fn elsewhere(answer: &Answer) -> Option<String> {
     let slices = answer.gap.by_level.iter().chain(&answer.gap.by_band);
     let gaps = slices.filter_map(|slice| Some((slice, slice.closed?)));
     let worst = gaps.min_by(|a, b| a.1.total_cmp(&b.1));
-    let (Verdict::Explained | Verdict::Ambiguous, Some((slice, closed))) = (answer.verdict, worst)
-    else {
-        return None;
-    };
+    let claims = matches!(
+        answer.verdict,
+        Verdict::Explained | Verdict::PartlyExplained | Verdict::Ambiguous
+    );
+    let (slice, closed) = worst.filter(|_| claims)?;
     let level = answer.gap.by_level.iter().any(|l| std::ptr::eq(l, slice));
     let unit = match (level, answer.gap.rms_before.is_some()) {
         (true, true) => "",

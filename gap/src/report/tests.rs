@@ -46,6 +46,7 @@ fn answer(verdict: Verdict, gap: Gap, pictures: Pictures) -> Answer {
         delta_bic: 0.0,
         stability: 0.93,
         stability_over_runs: None,
+        cautions: vec![HOSTILE.into()],
         parameters: [(
             effect,
             [(
@@ -60,11 +61,13 @@ fn answer(verdict: Verdict, gap: Gap, pictures: Pictures) -> Answer {
         .into(),
     };
     Answer {
+        summary: HOSTILE.into(),
         verdict,
         r#where: vec![Where {
             stage: Stage::Dut,
             observable: "ratio",
             axis: Axis::Level,
+            or_along: vec![Axis::Travel],
             from: 1.0,
             to: 10.0,
             share: 0.6,
@@ -77,6 +80,12 @@ fn answer(verdict: Verdict, gap: Gap, pictures: Pictures) -> Answer {
         confusable: vec![vec![HOSTILE.into(), "channel_skew".into()]],
         next_measurement: HOSTILE.into(),
         gap,
+        remainder: None,
+        noise: OwnNoise {
+            outlier_rows: vec![17],
+            ..OwnNoise::default()
+        },
+        probability_other: 0.125,
         nominal_parameters: [(
             "coil_ohm",
             Estimate {
@@ -154,11 +163,21 @@ fn read(page: &str) -> String {
     text
 }
 
+/// Whether a verdict claims no cause.
+fn quiet(verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::NoGap | Verdict::Data)
+}
+
 #[test]
 fn every_verdict_has_its_page() {
     for (verdict, says) in [
         (Verdict::NoGap, "Simulation and measurement agree"),
         (Verdict::Explained, "one channel leaks into the other"),
+        (
+            Verdict::PartlyExplained,
+            "This is part of it: one channel leaks into the other",
+        ),
+        (Verdict::Data, "The data are not as good as they say"),
         (
             Verdict::Ambiguous,
             "crosstalk (70.0\u{a0}%), dut_resonance (20.0\u{a0}%)",
@@ -173,6 +192,8 @@ fn every_verdict_has_its_page() {
             let page = report(&[answer(verdict, gap(observable), pictures)]).expect("renders");
             let text = read(&page);
             assert!(text.contains(says), "{says} in {text}");
+            let doubt = "outside the library</td><td>12.5\u{a0}%";
+            assert_eq!(page.contains(doubt), !quiet(verdict), "{page}");
             assert!(!page.contains("NaN") && !page.contains("inf'"), "{page}");
             assert_eq!(page.contains("Where: maps"), !is_record);
             assert_eq!(page.contains("Grey: measured output"), is_record);

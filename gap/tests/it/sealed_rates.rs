@@ -86,8 +86,54 @@ fn an_effect_missing_from_the_library_is_not_forced_onto_another() {
     let outcomes = outcomes("withheld", (0..42).step_by(4));
     let left: Vec<&Outcome> = outcomes.iter().filter(|o| o.left_sigma > 3.0).collect();
     assert!(left.len() > 5, "too few cases: {}", left.len());
-    check("not unexplained", &left, 0.05, |o| {
-        o.is(Verdict::Unexplained)
+    check("claimed", &left, 0.05, |o| {
+        o.is(Verdict::Unexplained) || o.is(Verdict::PartlyExplained)
     });
     check("another stage", &left, 0.03, Outcome::stage_found);
+}
+
+/// Twice the stated noise is seen in every group of 210 rows and more: its chi-square is 4 per datum
+/// with a deviation of 0.4.
+#[test]
+fn noise_larger_than_stated_is_said_to_be_so() {
+    for (stratum, factor) in [("noise_1.2", 1.2), ("noise_2", 2.0)] {
+        let outcomes = outcomes(stratum, 0..4);
+        let all: Vec<&Outcome> = outcomes.iter().collect();
+        check(stratum, &all, 0.05, |o| {
+            // The ratio has 420 data: its factor is known to 1/sqrt(840) = 3.5 %, three times.
+            let found = o.answer.noise.factor_on_u.get("ratio");
+            o.is(Verdict::Data) && found.is_some_and(|f| (f / factor - 1.0).abs() < 0.1)
+        });
+    }
+}
+
+#[test]
+fn misread_rows_are_named_and_no_cause_is() {
+    let outcomes = outcomes("misread", 0..6);
+    let all: Vec<&Outcome> = outcomes.iter().collect();
+    check("rows", &all, 0.05, |o| {
+        let truth: Vec<usize> = o.unkind.misread.iter().map(|row| row + 1).collect();
+        o.is(Verdict::Data) && o.answer.noise.outlier_rows == truth
+    });
+}
+
+/// Memories of 0.8, 0.95 and 0.98: as large as stated, and no cause.
+#[test]
+fn noise_that_remembers_is_no_cause() {
+    let outcomes = outcomes("memory", 0..6);
+    let all: Vec<&Outcome> = outcomes.iter().collect();
+    check("explained", &all, 0.01, |o| !o.is(Verdict::Explained));
+    check("named", &all, 0.05, |o| {
+        let first = o.answer.causes.first();
+        o.is(Verdict::Data) || first.is_none_or(|cause| cause.probability < 0.05)
+    });
+}
+
+#[test]
+fn an_effect_is_named_beneath_noise_that_is_not_what_is_stated() {
+    let outcomes = outcomes("unkind", (0..36).step_by(3).chain(1..3));
+    let visible = |o: &&Outcome| o.sigma > 6.0 * o.unkind.hides();
+    let visible: Vec<&Outcome> = outcomes.iter().filter(visible).collect();
+    assert!(visible.len() > 8, "too few: {}", visible.len());
+    check("not named first", &visible, 0.05, named);
 }

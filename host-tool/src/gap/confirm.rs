@@ -35,7 +35,8 @@ const BLOCKS_WITH_CAPTURE: u16 = 10;
 /// those of the link.
 pub fn confirm(folder: &Path, answer: &Answer) -> Result<Option<Confirmation>> {
     let claimed = answer.causes.first().filter(|c| !c.effects.is_empty());
-    let Some(cause) = claimed.filter(|_| answer.verdict != Verdict::NoGap) else {
+    let Some(cause) = claimed.filter(|_| !matches!(answer.verdict, Verdict::NoGap | Verdict::Data))
+    else {
         return Ok(None);
     };
     let mut nominal = Known::load(folder)?.nominal;

@@ -88,12 +88,20 @@ fn every_field_is_there(answer: &Value) {
             assert!(value.get(field).is_some(), "{field} is missing in {value}");
         }
     };
-    has(answer, &["verdict", "where", "causes", "confusable"]);
+    has(
+        answer,
+        &["summary", "verdict", "where", "causes", "confusable"],
+    );
+    has(answer, &["remainder", "noise", "probability_other"]);
     has(answer, &["none_of_these_p_value", "next_measurement"]);
     has(answer, &["gap", "nominal_parameters", "dataset"]);
     has(&answer["where"][0], &["stage", "observable", "axis"]);
     has(&answer["where"][0], &["from", "to", "share", "p_value"]);
-    has(&answer["causes"][0], &["probability", "delta_bic"]);
+    has(&answer["where"][0], &["or_along"]);
+    has(
+        &answer["causes"][0],
+        &["probability", "delta_bic", "cautions"],
+    );
     let sizes = ["before_rel", "after_rel", "floor_rel"];
     let others = ["closed", "chi_before", "chi_after"];
     let gap = &answer["gap"];

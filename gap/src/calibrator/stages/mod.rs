@@ -46,6 +46,11 @@ pub(crate) fn rank(
         // What was named is a substitute: the gap itself speaks first.
         order.extend(by_class.iter().take(2).map(|s| s.0));
     }
+    if verdict == Verdict::PartlyExplained {
+        // What was named is there, or stands for something near it.
+        order.extend(named.first().map(|entry| entry.stage));
+        order.extend(by_class.first().map(|s| s.0));
+    }
     order.extend(named.iter().map(|entry| entry.stage));
     if let [alone] = named.as_slice() {
         order.extend(mistaken_for(alone));

@@ -8,14 +8,22 @@ pub(super) fn answer(answer: &Answer) -> String {
     let mut text = String::new();
     let dataset = &answer.dataset;
     let _ = writeln!(text, "{} ({} rows)", dataset.path, dataset.rows);
+    let _ = writeln!(text, "  {}", answer.summary);
     let _ = writeln!(text, "  {}", verdict(answer.verdict));
     // A gap too faint to be claimed has no cause, only what it might be.
     let word = match answer.verdict {
-        Verdict::NoGap => "perhaps",
+        Verdict::NoGap | Verdict::Data => "perhaps",
         _ => "cause",
     };
     for one in &answer.causes {
         cause(&mut text, word, one);
+    }
+    if !matches!(answer.verdict, Verdict::NoGap | Verdict::Data) {
+        let _ = writeln!(
+            text,
+            "  other   {:<44} probability {:.3}",
+            "a cause outside the library", answer.probability_other
+        );
     }
     for one in &answer.r#where {
         place(&mut text, one);
@@ -38,7 +46,11 @@ fn verdict(verdict: Verdict) -> &'static str {
         }
         Verdict::Explained => "explained: one cause leads clearly, and what it leaves is noise",
         Verdict::Ambiguous => "ambiguous: these data cannot tell the causes below apart",
-        Verdict::Unexplained => "unexplained: no cause in the library describes the gap",
+        Verdict::PartlyExplained => {
+            "partly explained: the cause holds wherever it was tried, and more than noise is left"
+        }
+        Verdict::Unexplained => "unexplained: no cause in the library closes half of the gap",
+        Verdict::Data => "data: stated uncertainties or single rows are what does not fit",
     }
 }
 
@@ -54,6 +66,9 @@ fn cause(text: &mut String, word: &str, cause: &Cause) {
         cause.probability,
         100.0 * cause.stability,
     );
+    for caution in &cause.cautions {
+        let _ = writeln!(text, "            but {caution}");
+    }
     for (effect, estimates) in &cause.parameters {
         for (name, Estimate { value, u, .. }) in estimates {
             let _ = writeln!(
@@ -68,9 +83,14 @@ fn cause(text: &mut String, word: &str, cause: &Cause) {
 fn place(text: &mut String, place: &Where) {
     let shape = place.shape.as_ref();
     let shape = shape.map_or(String::new(), |shape| format!(", as {shape}"));
+    let along: Vec<&str> = place.or_along.iter().map(|axis| axis.name()).collect();
+    let also = match along.is_empty() {
+        true => String::new(),
+        false => format!(" (or {})", along.join(", ")),
+    };
     let _ = writeln!(
         text,
-        "  where   {} in {} along {}, {:.4} .. {:.4} ({}{shape}), share {:.0} %, p = {:.1e}",
+        "  where   {} in {} along {}{also}, {:.4} .. {:.4} ({}{shape}), share {:.0} %, p = {:.1e}",
         place.stage,
         place.observable,
         place.axis.name(),
