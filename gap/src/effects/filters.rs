@@ -73,7 +73,12 @@ impl Effect for Filter {
     }
     fn applies(&self, facts: &Facts) -> bool {
         let ratio = facts.ratio || facts.ratio_phase;
-        ratio || self.is_of_reference() && facts.drive
+        match self {
+            // Its twin stands for it where no drive tells them apart, or the two would make a pair.
+            Self::ReferenceLowpass1 => facts.drive,
+            Self::ReferenceHighpass => ratio || facts.drive,
+            _ => ratio,
+        }
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let values = match self {
