@@ -10,7 +10,7 @@ use calib_core::consecutive::Consecutive;
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::reference::ReferenceSensitivity;
 use calib_core::sequence::Scatter;
-use calib_core::settings::{Distribution, Example, Settings};
+use calib_core::settings::{Distribution, Example, PointInfluences, Settings};
 use calib_core::verdict::Reason;
 use num_complex::Complex32;
 
@@ -69,6 +69,7 @@ fn errors(
     random: &mut Random,
     settings: &Settings,
     reference: &ReferenceSensitivity,
+    frequency_hz: f32,
 ) -> (f64, f64) {
     let table = Distribution::Normal {
         coverage_factor: 2.0,
@@ -78,6 +79,11 @@ fn errors(
     for influence in &settings.influences {
         rel += random.draw(influence.value_rel, influence.distribution);
         phase += random.draw(influence.value_phase_rad, influence.distribution);
+    }
+    let point = measured(&Scatter::default(), frequency_hz);
+    for influence in settings.point_influences.at(&point, reference) {
+        rel += random.draw(influence.half_width_rel, influence.distribution);
+        phase += random.draw(influence.half_width_phase_rad, influence.distribution);
     }
     (rel, phase)
 }
@@ -149,7 +155,7 @@ fn with_blocks(blocks: u16, frequency_hz: f32) -> (f64, f64) {
     let settings = Settings::field_calibrator();
     let reference = settings.reference.at(frequency_hz).expect("in the table");
     coverage(|random| {
-        let errors = errors(random, &settings, &reference);
+        let errors = errors(random, &settings, &reference, frequency_hz);
         let mut scatter = Scatter::default();
         for _ in 0..blocks {
             scatter.add(block(random, &reference, errors));
@@ -182,11 +188,12 @@ fn few_blocks_are_covered_by_students_factor() {
     // (three degrees of freedom).
     let mut settings = Settings::field_calibrator();
     settings.influences.clear();
+    settings.point_influences = PointInfluences::NONE;
     let mut reference = settings.reference.at(160.0).expect("in the table");
     reference.expanded_uncertainty_rel = 1.0e-5;
     reference.expanded_uncertainty_phase_rad = 1.0e-5;
     let (magnitude, phase) = coverage(|random| {
-        let errors = errors(random, &settings, &reference);
+        let errors = errors(random, &settings, &reference, 160.0);
         let mut scatter = Scatter::default();
         for _ in 0..4 {
             scatter.add(block(random, &reference, errors));
@@ -205,7 +212,7 @@ fn consecutive_readings_with_drift_are_covered() {
     let settings = Settings::field_calibrator();
     let reference = settings.reference.at(160.0).expect("in the table");
     let (magnitude, phase) = coverage(|random| {
-        let errors = errors(random, &settings, &reference);
+        let errors = errors(random, &settings, &reference, 160.0);
         let mut scatter = Scatter::default();
         let mut drift_rel = 0.0_f32;
         // The vibration drifts by up to 0.2 % while it is read, the same way

@@ -7,7 +7,7 @@
 use crate::bench::{Bench, Fault, point};
 use crate::judge::from_truth;
 use crate::turns;
-use calib_core::settings::{Distribution as Stated, Influence as StatedInfluence};
+use calib_core::settings::{Distribution as Stated, Influence as StatedInfluence, PointInfluences};
 use calib_core::verdict::Verdict;
 use calib_twin::influence::{Distribution as Drawn, Influence, InfluenceDraw};
 use calib_twin::rig::Rig;
@@ -127,9 +127,11 @@ fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
     bench.certify_reference(&draw.certificate)?;
     bench.adjust(|settings| {
         settings.influences = stated_budget();
-        settings.point_influences.relative_motion_at_10_khz_rel = MOTION_AT_10_KHZ_REL as f32;
-        // The converters of the rigs drawn here have no steps.
-        settings.point_influences.converter_step_v = 0.0;
+        // Nothing else is wrong with the rigs drawn here; the converters have no steps.
+        settings.point_influences = PointInfluences {
+            relative_motion_at_10_khz_rel: MOTION_AT_10_KHZ_REL as f32,
+            ..PointInfluences::NONE
+        };
     })?;
     let outcome = bench.run(&FREQUENCIES_HZ.map(|frequency_hz| point(frequency_hz, 10.0)))?;
     let mut tally = Tally::default();

@@ -55,7 +55,7 @@ pub fn point_budget(
     };
     budget.add(
         1,
-        |row, value| Component::new(row, value, EXPANDED_K2),
+        EXPANDED_K2,
         [
             reference.expanded_uncertainty_rel,
             reference.expanded_uncertainty_phase_rad,
@@ -64,6 +64,7 @@ pub fn point_budget(
     budget.add_above_zero(
         1,
         "interpolation in the table of the reference",
+        Distribution::Rectangular,
         [
             reference.interpolation_rel,
             reference.interpolation_phase_rad,
@@ -78,36 +79,47 @@ pub fn point_budget(
     for influence in settings.influences.iter().filter(|i| !known(i)) {
         let distribution = influence.distribution;
         let values = [influence.value_rel, influence.value_phase_rad];
-        budget.add(
-            influence.row,
-            |row, value| Component::new(row, value, distribution),
-            values,
+        budget.add(influence.row, distribution, values)?;
+    }
+    let mut at_point = settings.point_influences;
+    if channels.is_some() {
+        at_point.channel_delay_s = 0.0;
+    }
+    for at_point in at_point.at(point, reference) {
+        let half_widths = [at_point.half_width_rel, at_point.half_width_phase_rad];
+        budget.add_above_zero(
+            at_point.row,
+            at_point.label,
+            at_point.distribution,
+            half_widths,
         )?;
     }
-    for at_point in settings.point_influences.at(point, reference) {
-        let half_widths = [at_point.half_width_rel, at_point.half_width_phase_rad];
-        budget.add_above_zero(at_point.row, at_point.label, half_widths)?;
-    }
-    let hum = |row, value| Component::new(row, value, Distribution::UShaped);
-    budget.add(5, hum, [point.hum_rel; 2])?;
+    budget.add(5, Distribution::UShaped, [point.hum_rel; 2])?;
     let degrees = f32::from(point.blocks.saturating_sub(1).max(1));
-    let random = |row, value| Component::new(row, value, STANDARD).with_degrees_of_freedom(degrees);
-    budget.add(
-        18,
-        random,
-        [point.repeatability_rel, point.repeatability_phase_rad],
-    )?;
+    for (budget, row, value) in [
+        (&mut budget.magnitude, Row::a1(18), point.repeatability_rel),
+        (
+            &mut budget.phase,
+            Row::a2_from_a1(18),
+            point.repeatability_phase_rad,
+        ),
+    ] {
+        let random = Component::new(row, value, STANDARD);
+        budget.add(random.with_degrees_of_freedom(degrees))?;
+    }
     Ok(budget)
 }
 
 impl PointBudget<'static> {
-    /// Adds a component of this row of Table A.1, and of Table A.2, by value.
+    /// Adds a component of this row of Table A.1, and of Table A.2.
+    #[inline(never)]
     fn add(
         &mut self,
         row: u8,
-        component: impl Fn(Row, f32) -> Component<'static>,
+        distribution: Distribution,
         [magnitude, phase]: [f32; 2],
     ) -> Result<(), BudgetError> {
+        let component = |row, value| Component::new(row, value, distribution);
         self.magnitude.add(component(Row::a1(row), magnitude))?;
         self.phase.add(component(Row::a2_from_a1(row), phase))?;
         Ok(())
@@ -115,31 +127,31 @@ impl PointBudget<'static> {
 
     /// Adds the uncertainty of the ratio of the channels, where it was measured.
     fn add_ratio(&mut self, known: &Response) -> Result<(), BudgetError> {
-        let component = |row, value| {
-            Component::new(row, value, EXPANDED_K2).labelled("ratio of the channels, as measured")
-        };
         let values = [
             known.expanded_uncertainty_rel,
             known.expanded_uncertainty_phase_rad,
         ];
-        self.add(RATIO, component, values)?;
+        let label = "ratio of the channels, as measured";
+        self.add_above_zero(RATIO, label, EXPANDED_K2, values)?;
         self.add_above_zero(
             RATIO,
             "interpolation of the ratio of the channels",
+            Distribution::Rectangular,
             [known.interpolation_rel, known.interpolation_phase_rad],
         )
     }
 
-    /// Adds rectangular components where their half-widths are above zero.
+    /// Adds components where their half-widths are above zero.
+    #[inline(never)]
     fn add_above_zero(
         &mut self,
         row: u8,
         label: &'static str,
+        distribution: Distribution,
         [magnitude, phase]: [f32; 2],
     ) -> Result<(), BudgetError> {
-        let component = |row, half_width| {
-            Component::new(row, half_width, Distribution::Rectangular).labelled(label)
-        };
+        let component =
+            |row, half_width| Component::new(row, half_width, distribution).labelled(label);
         if magnitude > 0.0 {
             self.magnitude.add(component(Row::a1(row), magnitude))?;
         }

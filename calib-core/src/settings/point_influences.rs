@@ -3,9 +3,11 @@
 //! A quantity equal at every point is an [`Influence`](super::Influence). Here each quantity has a
 //! coefficient, which is a setting, and a formula that makes of it the half-width at a point.
 
+use super::Distribution;
 use crate::point::PointResult;
 use crate::reference::ReferenceSensitivity;
-use core::f32::consts::{FRAC_2_PI, SQRT_2};
+use crate::requirements::transverse_at;
+use core::f32::consts::{FRAC_2_PI, SQRT_2, TAU};
 use serde::{Deserialize, Serialize};
 
 /// Coefficients of the influence quantities that differ from point to point. 0 leaves one out of the
@@ -20,15 +22,36 @@ pub struct PointInfluences {
     /// Largest step of the input converters' characteristic beside the line, V at the connector: where the
     /// largest bit turns, which is where signals swing.
     pub converter_step_v: f32,
+    /// Transverse sensitivity of both transducers together, relative: times the transverse motion Table 2
+    /// allows, 10 % to 1 kHz and 30 % above.
+    pub transverse_sensitivity_rel: f32,
+    /// Change of the sensitivity at 10 kHz by another torque, grease or cable, relative: the mounted resonance
+    /// shifts, and below it the sensitivity follows with the square of the frequency.
+    pub mounting_at_10_khz_rel: f32,
+    /// Difference of the delays of both channels, s: filters of parts that are not alike.
+    pub channel_delay_s: f32,
 }
 
-/// Contribution of a quantity at a point: a component of rectangular distribution in both budgets.
+/// Quantities of [`PointInfluences`]; the step of the converters counts for each channel.
+const AT_POINT: usize = 6;
+
+/// Two values equally likely, as far apart as they can be: the half-width is the standard deviation.
+const TWO_VALUES: Distribution = Distribution::Special { divisor: 1.0 };
+
+/// Three quantities of unknown direction and size (Table D.1, note 3): sqrt(18).
+const TRANSVERSE: Distribution = Distribution::Special {
+    divisor: 4.242_640_7,
+};
+
+/// Contribution of a quantity at a point: a component of both budgets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AtPoint {
     /// Row of Table A.1; that of Table A.2 follows from it.
     pub row: u8,
     /// Name in words.
     pub label: &'static str,
+    /// Distribution of both.
+    pub distribution: Distribution,
     /// Half-width of the magnitude, relative.
     pub half_width_rel: f32,
     /// Half-width of the phase, rad.
@@ -40,27 +63,41 @@ impl PointInfluences {
     pub const NONE: Self = Self {
         relative_motion_at_10_khz_rel: 0.0,
         converter_step_v: 0.0,
+        transverse_sensitivity_rel: 0.0,
+        mounting_at_10_khz_rel: 0.0,
+        channel_delay_s: 0.0,
     };
 
     /// The coefficients in the order they are stored: a new one goes to the end.
-    pub fn coefficients_mut(&mut self) -> [&mut f32; 2] {
+    pub fn coefficients_mut(&mut self) -> [&mut f32; 5] {
         [
             &mut self.relative_motion_at_10_khz_rel,
             &mut self.converter_step_v,
+            &mut self.transverse_sensitivity_rel,
+            &mut self.mounting_at_10_khz_rel,
+            &mut self.channel_delay_s,
         ]
     }
 
     /// Contributions of the quantities at a point whose acceleration `reference` has told.
-    pub fn at(&self, point: &PointResult, reference: &ReferenceSensitivity) -> [AtPoint; 2] {
-        [self.motion(point), self.converter_step(point, reference)]
+    pub fn at(&self, point: &PointResult, reference: &ReferenceSensitivity) -> [AtPoint; AT_POINT] {
+        let [of_reference, of_dut] = self.converter_steps(point, reference);
+        [
+            self.motion(point),
+            of_reference,
+            of_dut,
+            self.transverse(point),
+            self.mounting(point),
+            self.delay(point),
+        ]
     }
 
     fn motion(&self, point: &PointResult) -> AtPoint {
-        let ratio = point.spec.frequency_hz / 10_000.0;
-        let motion_rel = self.relative_motion_at_10_khz_rel * ratio * ratio;
+        let motion_rel = self.relative_motion_at_10_khz_rel * square_at_10_khz(point);
         AtPoint {
             row: 9,
             label: "relative motion, with the square of the frequency",
+            distribution: Distribution::Rectangular,
             half_width_rel: motion_rel,
             // Of unknown phase, so that it may turn the sensitivity by as much.
             half_width_phase_rad: motion_rel,
@@ -69,23 +106,74 @@ impl PointInfluences {
 
     /// # Equation
     /// A step `d` in the middle of a sine is a square of `d/2` beside it, whose fundamental is `2 d / pi`
-    /// and in phase. Either channel may have it, in either direction: `2 d / pi (1/X1 + 1/X2)` with the
-    /// amplitudes at the inputs.
-    fn converter_step(&self, point: &PointResult, reference: &ReferenceSensitivity) -> AtPoint {
+    /// and in phase: `2 d / (pi X)` with the amplitude `X` at the input. It is up or down in either channel, and
+    /// as large as the sheet allows where a unit has it at all.
+    fn converter_steps(
+        &self,
+        point: &PointResult,
+        reference: &ReferenceSensitivity,
+    ) -> [AtPoint; 2] {
         let peak_ms2 = SQRT_2 * point.acceleration_rms_ms2;
-        let channels = [reference.sensitivity_v_per_ms2, point.sensitivity_v_per_ms2];
-        let inverse_per_v: f32 = channels.iter().map(|s| 1.0 / (s.abs() * peak_ms2)).sum();
-        let half_width_rel = FRAC_2_PI * self.converter_step_v * inverse_per_v;
+        let of = |sensitivity: f32, label| {
+            let half_width_rel = FRAC_2_PI * self.converter_step_v / (sensitivity.abs() * peak_ms2);
+            AtPoint {
+                row: 3,
+                label,
+                distribution: TWO_VALUES,
+                // Nothing where nothing was measured.
+                half_width_rel: if half_width_rel.is_finite() {
+                    half_width_rel
+                } else {
+                    0.0
+                },
+                half_width_phase_rad: 0.0,
+            }
+        };
+        [
+            of(
+                reference.sensitivity_v_per_ms2,
+                "step in the middle of the converter's range, reference",
+            ),
+            of(
+                point.sensitivity_v_per_ms2,
+                "step in the middle of the converter's range, device",
+            ),
+        ]
+    }
+
+    fn transverse(&self, point: &PointResult) -> AtPoint {
+        let half_width_rel =
+            self.transverse_sensitivity_rel * transverse_at(point.spec.frequency_hz);
+        AtPoint {
+            row: 6,
+            label: "transverse motion as Table 2 allows it",
+            distribution: TRANSVERSE,
+            half_width_rel,
+            // Of unknown phase.
+            half_width_phase_rad: half_width_rel,
+        }
+    }
+
+    /// # Equation
+    /// Below a resonance at `fm`, `S = S0 / (1 - (f/fm)^2)`: a shift by a part `s` of `fm` changes it by
+    /// `2 s (f/fm)^2`, to first order, and the phase by as little as damping is.
+    fn mounting(&self, point: &PointResult) -> AtPoint {
+        AtPoint {
+            row: 8,
+            label: "mounted resonance by torque and grease",
+            distribution: Distribution::Rectangular,
+            half_width_rel: self.mounting_at_10_khz_rel * square_at_10_khz(point),
+            half_width_phase_rad: 0.0,
+        }
+    }
+
+    fn delay(&self, point: &PointResult) -> AtPoint {
         AtPoint {
             row: 3,
-            label: "step in the middle of the converters' range",
-            // Nothing where nothing was measured.
-            half_width_rel: if half_width_rel.is_finite() {
-                half_width_rel
-            } else {
-                0.0
-            },
-            half_width_phase_rad: 0.0,
+            label: "delay between the channels",
+            distribution: Distribution::Rectangular,
+            half_width_rel: 0.0,
+            half_width_phase_rad: TAU * point.spec.frequency_hz * self.channel_delay_s,
         }
     }
 
@@ -96,6 +184,12 @@ impl PointInfluences {
             .iter()
             .all(|value| value.is_finite() && **value >= 0.0)
     }
+}
+
+/// Square of the frequency over that at 10 kHz.
+fn square_at_10_khz(point: &PointResult) -> f32 {
+    let ratio = point.spec.frequency_hz / 10_000.0;
+    ratio * ratio
 }
 
 #[cfg(test)]
@@ -116,7 +210,7 @@ mod tests {
                 acceleration_rms_ms2: 10.0,
             };
             let point = PointResult::refused(spec, None, Reason::Stopped);
-            let [motion, _] = influences.at(&point, &reference());
+            let [motion, ..] = influences.at(&point, &reference());
             // Four roundings of f32.
             assert!((motion.half_width_rel / expected - 1.0).abs() < 4.0 * f32::EPSILON);
             assert_eq!(motion.half_width_phase_rad, motion.half_width_rel);
@@ -136,26 +230,66 @@ mod tests {
         }
     }
 
-    /// 3 codes of 152.6 uV beside 0.1414 V in either channel: 0.637 * 0.458 mV / 0.1414 V, twice; ten times
-    /// as much at a tenth of the level.
+    fn point(frequency_hz: f32, acceleration_rms_ms2: f32) -> PointResult {
+        let spec = PointSpec {
+            frequency_hz,
+            acceleration_rms_ms2,
+        };
+        PointResult {
+            acceleration_rms_ms2,
+            sensitivity_v_per_ms2: -0.01,
+            ..PointResult::refused(spec, None, Reason::Stopped)
+        }
+    }
+
+    /// 3 codes of 152.6 uV beside 0.1414 V: 0.637 * 0.458 mV / 0.1414 V; ten times as much at a tenth of the
+    /// level. Two values have their half-width as standard deviation.
     #[test]
     fn a_step_of_the_converters_counts_more_at_low_levels() {
         let influences = PointInfluences {
             converter_step_v: 3.0 * 152.6e-6,
             ..PointInfluences::NONE
         };
-        for (level_ms2, expected) in [(10.0, 0.004_12), (1.0, 0.041_2)] {
-            let spec = PointSpec {
-                frequency_hz: 160.0,
-                acceleration_rms_ms2: level_ms2,
-            };
-            let mut point = PointResult::refused(spec, None, Reason::Stopped);
-            assert_eq!(influences.at(&point, &reference())[1].half_width_rel, 0.0);
-            point.acceleration_rms_ms2 = level_ms2;
-            point.sensitivity_v_per_ms2 = -0.01;
-            let [_, step] = influences.at(&point, &reference());
-            assert!((step.half_width_rel / expected - 1.0).abs() < 1.0e-3);
-            assert_eq!((step.row, step.half_width_phase_rad), (3, 0.0));
+        for (level_ms2, expected) in [(10.0, 0.002_06), (1.0, 0.020_6)] {
+            let steps = influences.at(&point(160.0, level_ms2), &reference());
+            for step in &steps[1..3] {
+                assert!((step.half_width_rel / expected - 1.0).abs() < 1.0e-3);
+                assert_eq!((step.row, step.half_width_phase_rad), (3, 0.0));
+                assert_eq!(step.distribution.divisor(), 1.0);
+            }
+        }
+        let mut silent = point(160.0, 10.0);
+        silent.acceleration_rms_ms2 = 0.0;
+        assert_eq!(influences.at(&silent, &reference())[1].half_width_rel, 0.0);
+    }
+
+    /// 5.39 % of 10 % and 30 %; 0.75 % and a hundredth of it; 2 pi 10 kHz 0.3 us = 18.85 mrad.
+    #[test]
+    fn transverse_motion_mounting_and_delay_grow_with_the_frequency() {
+        let influences = PointInfluences {
+            transverse_sensitivity_rel: 0.0539,
+            mounting_at_10_khz_rel: 0.0075,
+            channel_delay_s: 3.0e-7,
+            ..PointInfluences::NONE
+        };
+        for (frequency_hz, transverse_rel, mounting_rel, delay_rad) in [
+            (1000.0, 0.005_39, 7.5e-5, 1.885e-3),
+            (10_000.0, 0.016_17, 7.5e-3, 18.85e-3),
+        ] {
+            let at = influences.at(&point(frequency_hz, 10.0), &reference());
+            let [_, _, _, transverse, mounting, delay] = at;
+            for (value, expected) in [
+                (transverse.half_width_rel, transverse_rel),
+                (transverse.half_width_phase_rad, transverse_rel),
+                (mounting.half_width_rel, mounting_rel),
+                (delay.half_width_phase_rad, delay_rad),
+            ] {
+                assert!(
+                    (value / expected - 1.0).abs() < 1.0e-3,
+                    "{value} {expected}"
+                );
+            }
+            assert_eq!((transverse.row, mounting.row, delay.row), (6, 8, 3));
         }
     }
 

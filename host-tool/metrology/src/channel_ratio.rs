@@ -203,7 +203,10 @@ fn uncertainty(
 ) -> Result<[Expanded; 2], BudgetError> {
     let settings = &record.settings;
     let reference = settings.reference.at(straight.spec.frequency_hz);
-    let steps = reference.map(|reference| settings.point_influences.at(straight, &reference));
+    let mut at_point = settings.point_influences;
+    // What is measured here is no uncertainty of it.
+    at_point.channel_delay_s = 0.0;
+    let steps = reference.map(|reference| at_point.at(straight, &reference));
     let of = |row: Row, scatter: fn(&PointResult) -> f32, step: fn([f32; 2]) -> f32| {
         let mut budget = Budget::new();
         for run in [straight, exchanged] {
@@ -218,7 +221,7 @@ fn uncertainty(
         budget.add(correlation)?;
         for at in steps.iter().flatten().filter(|at| at.row == RATIO_ROW) {
             let half_width = step([at.half_width_rel, at.half_width_phase_rad]);
-            budget.add(Component::new(row, half_width, Distribution::Rectangular))?;
+            budget.add(Component::new(row, half_width, at.distribution))?;
         }
         budget.expand(CoverageRule::Probability(PROBABILITY_K2))
     };

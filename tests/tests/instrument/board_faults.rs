@@ -77,9 +77,13 @@ fn every_fault_of_the_board_is_silent_and_reported() -> Result<(), Fault> {
     Ok(())
 }
 
+/// After this rest an instrument has heard the mains, and drives as soon as it is asked.
+const HEARD: Duration = Duration::from_millis(1200);
+
 fn carry_out(bench: &mut Bench, scenario: &Scenario) -> Result<(), Fault> {
     let restarts = bench.board().resets()?.len();
     let records = bench.client.records()?;
+    bench.client.wait(HEARD)?;
     bench.client.start(run_of_one())?;
     bench.client.wait(UNDER_WAY)?;
     if bench.client.status()?.state != RunState::Measuring {
