@@ -253,7 +253,52 @@ fn a_lost_link_two_tabs_and_a_stop_that_silences() -> Result<(), Fault> {
     ctrl_c_ends_it(setup)
 }
 
-/// Ctrl-C during a run, with the pages' streams of events open.
+/// A browser gives a host six connections: six pages with a stream each left none for a stop, which was
+/// delivered when a tab closed, to the next run.
+#[test]
+fn ten_tabs_leave_room_for_a_stop_and_one_that_fails_fills_the_screen() -> Result<(), Fault> {
+    let Some(setup) = Setup::new()? else {
+        return Ok(());
+    };
+    let page = &setup.browser;
+    setup.connect()?;
+    setup.start("20 40 80 160 315 630 1250")?;
+    page.wait_for_text("#state", "point 1 of 7")?;
+    for _ in 1..10 {
+        page.open_tab(&setup.server.url)?;
+        page.wait_for_text("#state", "of 7")?;
+    }
+    assert!(setup.live.silent_for().is_zero(), "the exciter moves");
+    page.click("#stop")?;
+    assert!(setup.silent_within(Duration::from_secs(2)), "it goes on");
+    page.wait_for_text("#state", "stopped, the exciter is silent")?;
+
+    // Nobody confirms a stop over a link that is cut: that is all there is to see.
+    setup.start("20 40 80 160 315 630 1250")?;
+    page.wait_for_text("#state", "point 1 of 7")?;
+    setup.live.unplug(true);
+    page.wait_for_text("#link", "link lost")?;
+    page.click("#stop")?;
+    page.wait_for_text("#alarm", "NOT STOPPED")?;
+    page.wait_for_text("#alarm", "button on the instrument")?;
+    let covers = "(() => { const r = document.getElementById('alarm').getBoundingClientRect();
+        return r.width >= innerWidth && r.height >= innerHeight; })()";
+    assert_eq!(page.value(covers)?, true);
+    // The stop is delivered with the link, to the run it was for, and the alarm ends.
+    setup.live.unplug(false);
+    page.wait_for_text("#state", "stopped, the exciter is silent")?;
+    let hidden = "document.getElementById('alarm').hidden";
+    page.wait_for_text("#link", "connected")?;
+    let begun = Instant::now();
+    while page.value(hidden)? != true {
+        assert!(begun.elapsed() < Duration::from_secs(10), "the alarm stays");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    assert!(setup.silent_within(Duration::from_secs(2)));
+    Ok(())
+}
+
+/// Ctrl-C during a run, with the pages' channels open.
 fn ctrl_c_ends_it(setup: Setup) -> Result<(), Fault> {
     setup.start("160 1000")?;
     setup.browser.wait_for_text("#state", "point 1 of 2")?;

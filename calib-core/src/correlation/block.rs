@@ -31,7 +31,8 @@ impl Block {
     /// requests give that longest block.
     pub fn measuring(tone: Tone, min_samples: u32) -> Self {
         let period = u32::from(tone.period_samples).max(1);
-        let fold = period * MIN_FOLD_SAMPLES.div_ceil(period);
+        // At least one sample, which the compiler does not see: a division by it must not panic.
+        let fold = (period * MIN_FOLD_SAMPLES.div_ceil(period)).max(1);
         Self {
             tone,
             // A period is at most MAX_PERIOD_SAMPLES, a repeated one at most 999.

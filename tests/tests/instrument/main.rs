@@ -21,6 +21,7 @@ mod healthy_rigs;
 mod hostile_hosts;
 mod hum;
 mod power_cut;
+mod reality;
 mod reference_change;
 mod selftest;
 mod site_faults;

@@ -1,0 +1,36 @@
+//! U on a site, the small version of `./run bench reality`.
+
+use calib_tests::bench::Fault;
+use calib_tests::reality::{self, CLEAN, Sizes, Stratum, Through};
+
+/// Shipping firmware: hum and a shaking floor are what it must tell apart from the tone by itself.
+#[test]
+fn hum_and_a_shaking_floor_are_stated_refused_or_taken_out() -> Result<(), Fault> {
+    let sizes = Sizes::read()?;
+    let mut all = Stratum::default();
+    for (name, seed) in [("mains_pickup", 500), ("ambient_vibration", 600)] {
+        all.merge(reality::run(&sizes, Through::Firmware, name, 5, seed)?);
+    }
+    let pooled = all.pooled();
+    println!("{pooled:?} {:?} {:?}", all.reasons, all.wrong);
+    assert_eq!(pooled.points, 50);
+    assert_eq!(pooled.beyond_2_u, 0, "{:?}", all.wrong);
+    Ok(())
+}
+
+/// The core alone, 40 runs: points of a run share their errors, so of 40 runs with a chance of 4.55 % to be
+/// wrong in a band more than six are an accident of 1 in 200; and nothing is refused.
+#[test]
+fn a_clean_rig_is_right() -> Result<(), Fault> {
+    let clean = reality::run(&Sizes::read()?, Through::Core, CLEAN, 40, 700)?;
+    println!("{:?}", clean.wrong);
+    for band in &clean.bands {
+        assert_eq!(band.refused, 0, "{:?}", clean.reasons);
+        assert!(
+            band.wrong_magnitude <= 6 && band.wrong_phase <= 6,
+            "{band:?}"
+        );
+        assert_eq!(band.beyond_2_u, 0, "{:?}", clean.wrong);
+    }
+    Ok(())
+}
