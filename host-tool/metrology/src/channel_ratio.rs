@@ -82,16 +82,16 @@ pub enum RatioError {
 pub struct RatioLine {
     /// Frequency, Hz.
     pub frequency_hz: f32,
-    /// Device's channel over the reference's, less 1, %.
-    pub magnitude_deviation_percent: f32,
+    /// Device's channel over the reference's, less 1.
+    pub magnitude_deviation_rel: f32,
     /// Phase of it, degrees.
     pub phase_deg: f32,
-    /// Expanded uncertainty of the magnitude (k = 2), %.
-    pub expanded_uncertainty_percent: f32,
+    /// Relative expanded uncertainty of the magnitude (k = 2).
+    pub expanded_uncertainty_rel: f32,
     /// Expanded uncertainty of the phase (k = 2), degrees.
     pub expanded_uncertainty_phase_deg: f32,
-    /// What the leads differed by, %, and cancelled.
-    pub leads_percent: f32,
+    /// What the leads differed by, relative, and cancelled.
+    pub leads_rel: f32,
 }
 
 /// A ratio and what is printed of it.
@@ -238,11 +238,11 @@ fn uncertainty(
 fn line(row: &ChannelRatioPoint, leads_rel: f32) -> RatioLine {
     RatioLine {
         frequency_hz: row.frequency_hz,
-        magnitude_deviation_percent: 100.0 * (row.magnitude - 1.0),
+        magnitude_deviation_rel: row.magnitude - 1.0,
         phase_deg: row.phase_rad.to_degrees(),
-        expanded_uncertainty_percent: 100.0 * row.expanded_uncertainty_rel,
+        expanded_uncertainty_rel: row.expanded_uncertainty_rel,
         expanded_uncertainty_phase_deg: row.expanded_uncertainty_phase_rad.to_degrees(),
-        leads_percent: 100.0 * leads_rel,
+        leads_rel,
     }
 }
 
@@ -258,11 +258,11 @@ pub fn report(lines: &[RatioLine]) -> String {
         text += &format!(
             "{:>9} {:>+9.4} % {:>+9.4} deg {:>8.4} % {:>7.4} deg {:>+8.3} %\n",
             line.frequency_hz,
-            line.magnitude_deviation_percent,
+            100.0 * line.magnitude_deviation_rel,
             line.phase_deg,
-            line.expanded_uncertainty_percent,
+            100.0 * line.expanded_uncertainty_rel,
             line.expanded_uncertainty_phase_deg,
-            line.leads_percent
+            100.0 * line.leads_rel
         );
     }
     text
@@ -299,7 +299,7 @@ mod tests {
         assert!((row.phase_rad + 0.01).abs() < 1e-6, "{row:?}");
         let scatter = 1e-4 / 2.0_f32.sqrt();
         assert!((2.0..2.4).contains(&(row.expanded_uncertainty_rel / scatter)));
-        assert!((evaluated.lines[0].leads_percent - 1.0).abs() < 1e-3);
+        assert!((evaluated.lines[0].leads_rel - 0.01).abs() < 1e-5);
     }
 
     #[test]

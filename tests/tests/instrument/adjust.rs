@@ -84,9 +84,9 @@ fn a_ratio_brings_the_phase_back_within_its_uncertainty() -> Result<(), Fault> {
             "{row:?}"
         );
         // The device's lead ends higher; 1e-4 of scatter.
-        assert!((line.leads_percent - 0.3).abs() < 0.01, "{line:?}");
-        // The step of the converters, 0.46 mV beside 0.72 V, in either channel.
-        assert!(line.expanded_uncertainty_percent < 0.1, "{line:?}");
+        assert!((line.leads_rel - 0.003).abs() < 1e-4, "{line:?}");
+        // The step of the converters, 2/pi of 0.46 mV over 0.72 V in each channel: 2 sqrt(2) of 0.041 %.
+        assert!(line.expanded_uncertainty_rel < 0.0012, "{line:?}");
     }
 
     bench.mount(&rig);

@@ -12,10 +12,14 @@ use calib_record::hash_chain::{self, Evidence};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Longest record accepted from a device, in bytes. 200 points take 20 kB; a
 /// broken device must not fill the disk.
 const MAX_RECORD: u32 = 1 << 20;
+/// How long a part that is locked is waited for: 0.2 s.
+const LOCK_TRIES: u32 = 20;
+const LOCK_PAUSE: Duration = Duration::from_millis(10);
 
 /// A record of any kind that arrived whole.
 #[derive(Debug)]
@@ -197,7 +201,7 @@ fn open_alone(path: &Path) -> Result<File> {
     }
     let file = options.open(path);
     let file = file.map_err(|error| Error::file("write", path, error))?;
-    match file.try_lock() {
+    match locked(&file) {
         Ok(()) => Ok(file),
         Err(TryLockError::WouldBlock) => Err(Error::input(
             path.display().to_string(),
@@ -206,6 +210,18 @@ fn open_alone(path: &Path) -> Result<File> {
         )),
         Err(TryLockError::Error(error)) => Err(Error::file("lock", path, error)),
     }
+}
+
+/// Locks a file, with patience for a program that is just being started from this one: it holds what is
+/// open here until it is loaded.
+fn locked(file: &File) -> std::result::Result<(), TryLockError> {
+    for _ in 0..LOCK_TRIES {
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => std::thread::sleep(LOCK_PAUSE),
+            done => return done,
+        }
+    }
+    file.try_lock()
 }
 
 impl Part {
