@@ -11,8 +11,14 @@ use heapless::Vec;
 use num_complex::Complex32;
 use serde::{Deserialize, Serialize};
 
-/// Most frequencies of a ratio: one-third octaves from 20 Hz to 10 kHz are 28.
-pub const MAX_CHANNEL_RATIO_POINTS: usize = 28;
+/// Most frequencies of a ratio.
+pub const MAX_CHANNEL_RATIO_POINTS: usize = 16;
+
+/// Frequencies a ratio is measured at unless others are wanted, Hz: close together where filters differ.
+pub const RATIO_FREQUENCIES_HZ: [f32; MAX_CHANNEL_RATIO_POINTS] = [
+    20.0, 40.0, 80.0, 160.0, 315.0, 630.0, 1000.0, 1250.0, 2000.0, 2500.0, 3150.0, 4000.0, 5000.0,
+    6300.0, 8000.0, 10_000.0,
+];
 
 /// One frequency of the ratio.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

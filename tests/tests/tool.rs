@@ -109,8 +109,13 @@ fn the_demo_finds_the_truth_within_its_uncertainty() {
         let uncertainty_rel = number("expanded_uncertainty_rel");
         assert!(deviation_rel.abs() <= uncertainty_rel, "{point}");
         // A statement of 10 % would cover anything; the budget of the field
-        // calibrator is below one.
-        assert!(uncertainty_rel < 0.01 && number("coverage_factor") >= 1.9);
+        // calibrator is below one to 1 kHz and 2.14 % at 10 kHz (docs/metrology/measurement.md).
+        let most_rel = if number("frequency_hz") <= 1000.0 {
+            0.01
+        } else {
+            0.022
+        };
+        assert!(uncertainty_rel < most_rel && number("coverage_factor") >= 1.9);
         // Phase: the reference's 0.5 degrees and the board's share.
         let phase_deg = number("phase_deg") - number("truth_phase_deg");
         assert!(phase_deg.abs() < 1.0, "{point}");
@@ -411,7 +416,7 @@ fn scpi_agrees_with_the_record(arguments: &[&str], resource: impl Fn(&str) -> St
     assert_eq!(identity.split(',').count(), 4, "{identity}");
     assert_eq!(
         (words("complete"), words("verdict")),
-        ("1".into(), "PASS".into())
+        ("1".into(), "VALID".into())
     );
     assert!(words("catalogue").contains("\"2,BIN,"), "{heard}");
     assert_eq!(words("error"), "0,\"No error\"");

@@ -3,6 +3,7 @@
 use super::hand::Hand;
 use super::number::positive;
 use super::{Context, source, time};
+use calib_core::channel_ratio::RATIO_FREQUENCIES_HZ;
 use calib_core::point::PointSpec;
 use calib_host::{Error, Result};
 use calib_link::Client;
@@ -46,7 +47,7 @@ struct Ratio {
     /// records in the calibrator. Without them calib measures.
     #[arg(num_args = 2, value_name = "RECORD")]
     records: Vec<PathBuf>,
-    /// Point list, .toml or .csv, of at most 28 frequencies; default: one-third octaves, 20 Hz to 10 kHz.
+    /// Point list, .toml or .csv, of at most 16 frequencies; default: 20 Hz to 10 kHz.
     #[arg(long, short, value_name = "FILE", conflicts_with = "records")]
     points: Option<PathBuf>,
     /// What the reference would call acceleration, m/s2 r.m.s.: 50 is 0.72 V peak at the inputs. The higher,
@@ -109,7 +110,12 @@ impl Ratio {
         }
         let points = match &self.points {
             Some(path) => session::read_points(path, self.level)?,
-            None => session::default_points(self.level),
+            None => RATIO_FREQUENCIES_HZ
+                .map(|frequency_hz| PointSpec {
+                    frequency_hz,
+                    acceleration_rms_ms2: self.level,
+                })
+                .to_vec(),
         };
         let mut client = context.connect()?;
         client.info()?;

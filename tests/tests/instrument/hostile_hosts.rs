@@ -215,7 +215,7 @@ fn the_deepest_answer_and_the_deepest_evaluation_fit_on_the_stack_together() -> 
     usb.start(run)?;
     bench.paint_stack()?;
     // Nobody asks meanwhile.
-    bench.client.wait(Duration::from_secs(2))?;
+    bench.client.wait(Duration::from_secs(4))?;
     let measuring = stack - bench.unused_stack_bytes()?;
     assert_eq!(bench.client.status()?.state, RunState::Finished);
     println!("answering {answering} bytes, measuring {measuring}, of {stack}");
