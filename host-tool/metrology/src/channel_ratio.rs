@@ -128,7 +128,7 @@ pub fn evaluate(straight: &Record, exchanged: &Record) -> Result<Evaluated, Rati
             .map(|(record, point)| channels_and_leads(record, point));
         let (first, second) = (first?, second?);
         let leads_rel = (first / second).norm().sqrt() - 1.0;
-        if !(leads_rel.abs() <= LEADS_REL) {
+        if leads_rel.is_nan() || leads_rel.abs() > LEADS_REL {
             let difference_percent = 100.0 * leads_rel;
             return Err(RatioError::Leads {
                 frequency_hz,

@@ -55,7 +55,7 @@ impl Tally {
             return;
         };
         // Written so that what is not a number is wrong.
-        let wrong = |error: f64| u32::from(!(error <= 1.0));
+        let wrong = |error: f64| u32::from(error.is_nan() || error > 1.0);
         let [by_magnitude, by_phase] = [wrong(magnitude), wrong(phase)];
         self.wrong_magnitude += by_magnitude;
         self.wrong_phase += by_phase;
