@@ -206,8 +206,8 @@ mod tests {
                 "velocity_ms" | "velocity_peak_ms" => false,
                 // It has `rms` and `peak` below.
                 "acceleration_ms2" => name != "nomogram",
-                // The one verdict there is: that of a diagnosis.
-                "verdict" => !name.starts_with("gap-"),
+                // That of a diagnosis, or on a sensor; a point has a state.
+                "verdict" => false,
                 key => unwanted
                     .iter()
                     .any(|end| key.ends_with(end) || key.starts_with(end)),

@@ -113,7 +113,7 @@ function certificates(run, running) {
   const refused = run.points.filter((p) => !valid(p)).length;
   $("judgement").textContent = run.points.length + " points, " + (refused ? refused + " refused" : "none refused");
   $("judgement").className = refused ? "exceeds" : "";
-  const document = of(run), verdict = document && document.verdict;
+  const judged = of(run), verdict = judged && judged.verdict;
   $("verdict").hidden = !verdict;
   if (verdict) {
     $("verdict").dataset.conformity = verdict.conformity;
