@@ -4,10 +4,11 @@
 use crate::{Error, Result, judged};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
-use calib_certificate::{self as certificate, Certificate, Format, Options, Prepared};
+use calib_certificate::{self as certificate, Certificate, Format, Options, Particulars, Prepared};
 use calib_logbook::{Issue, Logbook};
 use calib_protocol::record::{self, Record, RecordError};
 use calib_record::hash_chain::{Evidence, Standing};
+use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
 /// A certificate is a page of its own with script and style inside, and talks to
@@ -15,24 +16,59 @@ use std::path::{Path, PathBuf};
 const ALONE: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; \
                      img-src data:; sandbox allow-scripts allow-modals; frame-ancestors 'none'";
 
+/// What the page states on a certificate beside the laboratory's files, and before them; empty is not stated.
+#[derive(Debug, Default, Deserialize)]
+#[serde(default)]
+pub(super) struct Stated {
+    /// Day of issue, as 2026-11-22.
+    issued: String,
+    /// Who authorises it.
+    approved_by: String,
+}
+
+impl Stated {
+    fn complete(&self, particulars: &mut Particulars) -> Result<()> {
+        if !self.issued.is_empty() {
+            let day = self.issued.parse().map_err(|error: jiff::Error| {
+                Error::usage(format!("issued: {error}"), "a day is 2026-11-22")
+            })?;
+            particulars.calibration.issued = Some(day);
+        }
+        if !self.approved_by.is_empty() {
+            particulars.calibration.approved_by = Some(self.approved_by.clone());
+        }
+        Ok(())
+    }
+}
+
+/// The certificate that is asked for.
+pub(super) struct Wanted {
+    /// Name of its format.
+    pub format: String,
+    /// What the page states on it.
+    pub stated: Stated,
+    /// Whether it is given out, so that the logbook says so from then on; else it is looked at.
+    pub issues: bool,
+}
+
 /// The certificate of a record's stored form.
 ///
 /// # Errors
-/// [`Error::Usage`] for a format there is not, [`Error::Input`] when the record is
+/// [`Error::Usage`] for a format or a day there is not, [`Error::Input`] when the record is
 /// damaged, the laboratory states nonsense, or another content was issued under
 /// this number.
 pub(super) fn certificate(
     stored: &[u8],
-    format: &str,
+    wanted: &Wanted,
     particulars: &[PathBuf],
     logbook: &Path,
-    issues: bool,
 ) -> Result<Response> {
     let unknown = |problem: String| Error::usage(problem, "");
-    let format: Format = format.parse().map_err(unknown)?;
+    let format: Format = wanted.format.parse().map_err(unknown)?;
     let record = read(stored)?;
     let logbook = Logbook::open_if_there(logbook)?;
-    let particulars = judged::particulars(particulars, &record.head.labels, logbook.as_ref())?;
+    let mut particulars = judged::particulars(particulars, &record.head.labels, logbook.as_ref())?;
+    wanted.stated.complete(&mut particulars)?;
     let options = Options {
         particulars,
         chain: Some(standing(&record, stored, logbook.as_ref())?),
@@ -40,7 +76,7 @@ pub(super) fn certificate(
     };
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
     if let Some(logbook) = logbook
-        && issues
+        && wanted.issues
     {
         enter(&prepared, stored, logbook)?;
     }

@@ -86,8 +86,9 @@ impl Handle {
     pub(super) fn note_if_confirmed(&self, stop: u64, asked_at: Instant) -> bool {
         let confirmed = self.switch.is_confirmed(stop);
         if confirmed {
-            let after_ms = u64::try_from(asked_at.elapsed().as_millis()).ok();
-            self.shared.note_stop(stop, StopState::Confirmed, after_ms);
+            let after_s = asked_at.elapsed().as_secs_f64();
+            self.shared
+                .note_stop(stop, StopState::Confirmed, Some(after_s));
         }
         confirmed
     }

@@ -11,7 +11,7 @@
 //! | `GET /api/refusals` | every reason of a refusal in words, and what to do |
 //! | `GET /api/judged` | results of the last run with the verdict; no certificate is issued |
 //! | `GET /api/certificate/html`, `/api/records/ID/certificate/html` | certificate of the last run, or of a record of the logbook, to look at |
-//! | `POST` there, and to the other formats | the same issued: entered in the logbook |
+//! | `POST` there, and to the other formats | the same issued: entered in the logbook; both take `?issued=DAY&approved_by=NAME` |
 //! | `POST /api/connect` | `{"device"}` |
 //! | `POST /api/run` | `{"sensor" or "dut_model", "dut_serial"; "operator", "mounting", "set_acceleration_rms_ms2", "temperature_c", "frequencies_hz"}` |
 //! | `POST /api/stop`, here and on the port for stops | `{"run"}`: silences the exciter, and waits until the calibrator says so |
@@ -21,10 +21,11 @@
 
 use super::access::{Access, Caller};
 use super::asked::Run;
+use super::documents::{self, Stated, Wanted};
 use super::handle::{Handle, Order};
 use super::options::Options;
 use super::stops::{self, Asked, NotStopped};
-use super::{assets, documents, live};
+use super::{assets, live};
 use crate::{Error, refusals};
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State};
@@ -203,46 +204,51 @@ async fn history(State(app): State<App>, Path(serial): Path<String>) -> Result<R
     .await
 }
 
-/// What becomes of a certificate.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Purpose {
-    /// It is looked at: nothing is entered anywhere.
-    View,
-    /// It is given out: the logbook says so from then on.
-    Issue,
+fn wanted(format: String, stated: Stated, issues: bool) -> Wanted {
+    Wanted {
+        format,
+        stated,
+        issues,
+    }
 }
 
-async fn view_last(app: State<App>, format: Path<String>) -> Result<Response, Failure> {
-    last_certificate(app, format, Purpose::View).await
+async fn view_last(
+    State(app): State<App>,
+    Path(format): Path<String>,
+    Query(stated): Query<Stated>,
+) -> Result<Response, Failure> {
+    last_certificate(app, wanted(format, stated, false)).await
 }
 
 async fn issue_last(
-    app: State<App>,
-    format: Path<String>,
+    State(app): State<App>,
+    Path(format): Path<String>,
+    Query(stated): Query<Stated>,
     Json(_): Json<serde_json::Value>,
 ) -> Result<Response, Failure> {
-    last_certificate(app, format, Purpose::Issue).await
+    last_certificate(app, wanted(format, stated, true)).await
 }
 
-async fn view(app: State<App>, place: Path<(i64, String)>) -> Result<Response, Failure> {
-    certificate(app, place, Purpose::View).await
+async fn view(
+    State(app): State<App>,
+    Path((id, format)): Path<(i64, String)>,
+    Query(stated): Query<Stated>,
+) -> Result<Response, Failure> {
+    certificate(app, id, wanted(format, stated, false)).await
 }
 
 async fn issue(
-    app: State<App>,
-    place: Path<(i64, String)>,
+    State(app): State<App>,
+    Path((id, format)): Path<(i64, String)>,
+    Query(stated): Query<Stated>,
     Json(_): Json<serde_json::Value>,
 ) -> Result<Response, Failure> {
-    certificate(app, place, Purpose::Issue).await
+    certificate(app, id, wanted(format, stated, true)).await
 }
 
-async fn last_certificate(
-    State(app): State<App>,
-    Path(format): Path<String>,
-    purpose: Purpose,
-) -> Result<Response, Failure> {
+async fn last_certificate(app: App, wanted: Wanted) -> Result<Response, Failure> {
     aside(move || match app.handle.shared.record() {
-        Some(stored) => document(&app, &stored, &format, purpose),
+        Some(stored) => document(&app, &stored, &wanted),
         None => Ok((StatusCode::NOT_FOUND, "no run has ended yet").into_response()),
     })
     .await
@@ -260,34 +266,23 @@ async fn judged(State(app): State<App>) -> Result<Response, Failure> {
     .await
 }
 
-async fn certificate(
-    State(app): State<App>,
-    Path((id, format)): Path<(i64, String)>,
-    purpose: Purpose,
-) -> Result<Response, Failure> {
+async fn certificate(app: App, id: i64, wanted: Wanted) -> Result<Response, Failure> {
     aside(
         move || match Logbook::open_if_there(&app.options.logbook)? {
-            Some(logbook) => document(&app, &logbook.record(id)?, &format, purpose),
+            Some(logbook) => document(&app, &logbook.record(id)?, &wanted),
             None => Ok((StatusCode::NOT_FOUND, "there is no logbook").into_response()),
         },
     )
     .await
 }
 
-fn document(app: &App, stored: &[u8], format: &str, purpose: Purpose) -> Result<Response, Error> {
-    if purpose == Purpose::View && format != "html" {
+fn document(app: &App, stored: &[u8], wanted: &Wanted) -> Result<Response, Error> {
+    if !wanted.issues && wanted.format != "html" {
         let why = "this is given out by POST, and entered in the logbook";
         return Ok((StatusCode::METHOD_NOT_ALLOWED, why).into_response());
     }
     let options = &app.options;
-    let issues = purpose == Purpose::Issue;
-    documents::certificate(
-        stored,
-        format,
-        &options.particulars,
-        &options.logbook,
-        issues,
-    )
+    documents::certificate(stored, wanted, &options.particulars, &options.logbook)
 }
 
 /// Does what takes its time beside the thread that answers: a stop never waits

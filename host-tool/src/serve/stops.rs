@@ -52,8 +52,8 @@ pub struct StopView {
     pub run: u32,
     /// What is known of it.
     pub state: StopState,
-    /// Time to the confirmation, ms.
-    pub after_ms: Option<u64>,
+    /// Time to the confirmation, s.
+    pub after_s: Option<f64>,
 }
 
 /// Why nobody can say that the exciter is silent.

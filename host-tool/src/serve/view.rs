@@ -155,7 +155,7 @@ impl Shared {
             number,
             run: running,
             state: StopState::Asked,
-            after_ms: None,
+            after_s: None,
         });
         drop(snapshot);
         self.tell();
@@ -179,11 +179,11 @@ impl Shared {
     }
 
     /// Tells what became of a stop, if it is the latest.
-    pub(super) fn note_stop(&self, number: u64, state: StopState, after_ms: Option<u64>) {
+    pub(super) fn note_stop(&self, number: u64, state: StopState, after_s: Option<f64>) {
         self.change(|snapshot| {
             let latest = snapshot.stop.as_mut().filter(|stop| stop.number == number);
             if let Some(stop) = latest {
-                (stop.state, stop.after_ms) = (state, after_ms);
+                (stop.state, stop.after_s) = (state, after_s);
             }
         });
     }

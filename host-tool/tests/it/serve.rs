@@ -224,6 +224,8 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
         "{status}"
     );
     assert_eq!(server.issue("/api/certificate/exe").0, 400);
+    let (status, why) = server.get("/api/certificate/html?issued=tomorrow");
+    assert!(status == 400 && why.contains("issued"), "{why}");
     // The first run made the logbook, and records in it have certificates too. One
     // that was viewed is not issued, one that was downloaded is.
     assert_eq!(server.get("/api/records/1/certificate/html").1, page);
@@ -526,15 +528,21 @@ fn a_stop_that_nobody_confirms_is_told_in_half_a_second() {
     }
 }
 
+/// A server that is connected, and whose logbook another program holds until the second is dropped.
+fn with_a_locked_logbook(folder: &Path) -> (Server, Connection) {
+    let (_, address) = serve_device(Device::new());
+    let server = Server::start(folder, LOOPBACK, &["--device", &address]);
+    server.connected();
+    let logbook = Connection::open(folder.join("logbook.sqlite")).expect("a file");
+    logbook.execute_batch("BEGIN EXCLUSIVE").expect("locked");
+    (server, logbook)
+}
+
 /// Connections that ask for nothing, more than the server may have open files; a logbook that is locked.
 #[test]
 fn a_flood_and_a_locked_logbook_are_in_no_stop_s_way() {
     let folder = tempfile::tempdir().expect("folder");
-    let (_, address) = serve_device(Device::new());
-    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
-    server.connected();
-    let logbook = Connection::open(folder.path().join("logbook.sqlite")).expect("a file");
-    logbook.execute_batch("BEGIN EXCLUSIVE").expect("locked");
+    let (server, _lock) = with_a_locked_logbook(folder.path());
     let port = format!("127.0.0.1:{}", server.stop_port);
     let idle = |to: &str| TcpStream::connect(to).expect("it listens");
     let _flood: Vec<_> = (0..300)
@@ -556,11 +564,7 @@ fn a_flood_and_a_locked_logbook_are_in_no_stop_s_way() {
 #[test]
 fn a_run_measured_while_the_logbook_is_locked_is_entered_later() {
     let folder = tempfile::tempdir().expect("folder");
-    let (_, address) = serve_device(Device::new());
-    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
-    server.connected();
-    let logbook = Connection::open(folder.path().join("logbook.sqlite")).expect("a file");
-    logbook.execute_batch("BEGIN EXCLUSIVE").expect("locked");
+    let (server, lock) = with_a_locked_logbook(folder.path());
     assert_eq!(
         server.post("/api/run", &json!({ "frequencies_hz": [160] })),
         202
@@ -572,7 +576,7 @@ fn a_run_measured_while_the_logbook_is_locked_is_entered_later() {
     assert_eq!(view["run"]["logbook_record"], Value::Null);
     let trouble = view["trouble"].as_str().expect("words");
     assert!(trouble.contains("waits in"), "{trouble}");
-    drop(logbook);
+    drop(lock);
     let view = server.until("entered", |view| view["run"]["logbook_record"] == 1);
     assert_eq!(view["trouble"], Value::Null);
 }

@@ -1,6 +1,6 @@
 // The running or last run: where it stands, its points, its certificate.
 import { around, chart } from "./chart.js";
-import { url } from "./server.js";
+import { certificate } from "./server.js";
 
 const $ = (id) => document.getElementById(id);
 const frequency = { log: true, label: "frequency, Hz" };
@@ -102,7 +102,7 @@ function table(run) {
   return (run ? run.points : []).map((p) => valid(p)
     ? row([p.frequency_hz, p.acceleration_rms_ms2.toFixed(3), (1000 * p.sensitivity_v_per_ms2).toFixed(4),
         (100 * p.expanded_uncertainty_rel).toFixed(2), p.phase_deg.toFixed(2), p.settling_s.toFixed(2),
-        stated(run, p).replaceAll("_", " ")], failed(stated(run, p)) ? "refused" : "")
+        stated(run, p).replaceAll("_", " ")], failed(stated(run, p)) ? "failed" : "")
     : row([p.frequency_hz, "", "", "", "", "", "refused: " + in_words(p.reason)], "refused"));
 }
 
@@ -122,7 +122,7 @@ function certificates(run, running) {
   }
   $("kept").textContent = run.logbook_record === null ? "" : "kept in the logbook as record " + run.logbook_record;
   for (const link of document.querySelectorAll("#certificates a")) {
-    link.href = url("api/certificate/" + link.dataset.format);
+    link.href = certificate("api/certificate/" + link.dataset.format);
   }
 }
 

@@ -88,6 +88,12 @@ $("list").addEventListener("change", () => {
   $("typed-points").hidden = $("list").value !== "typed";
   $("frequencies").required = $("list").value === "typed";
 });
+for (const stated of ["issued", "approved_by"]) {
+  $(stated).addEventListener("change", () => {
+    if (last) measurement.show(last.run);
+    show_records();
+  });
+}
 const redraw = () => {
   if (last) measurement.draw(last.run);
   waveforms.draw();

@@ -1,7 +1,7 @@
 // The logbook: what was measured before, and how sensors drift.
 import { around, chart } from "./chart.js";
 import { row } from "./measurement.js";
-import { load, url } from "./server.js";
+import { certificate, load } from "./server.js";
 
 const $ = (id) => document.getElementById(id);
 const fixed = (value, digits) => value === null ? "" : value.toFixed(digits);
@@ -11,7 +11,7 @@ function links(record) {
   for (const format of ["html", "pdf", "dcc"]) {
     const link = place.appendChild(document.createElement("a"));
     link.textContent = { html: "view", pdf: "PDF", dcc: "DCC" }[format];
-    link.href = url("api/records/" + record.logbook_record + "/certificate/" + format);
+    link.href = certificate("api/records/" + record.logbook_record + "/certificate/" + format);
     if (format === "html") link.target = "_blank";
     else link.download = "";
     place.append(" ");

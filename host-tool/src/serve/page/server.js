@@ -2,6 +2,13 @@
 const token = new URLSearchParams(location.search).get("token");
 export const url = (path) => path + (token ? "?token=" + encodeURIComponent(token) : "");
 
+/** Address of a certificate, with the day of issue and the name that the form states. */
+export function certificate(path) {
+  const stated = ["issued", "approved_by"].map((id) => [id, document.getElementById(id).value.trim()]);
+  const query = new URLSearchParams([["token", token], ...stated].filter(([, value]) => value)).toString();
+  return path + (query ? "?" + query : "");
+}
+
 /** Sends JSON; returns what went wrong, or nothing. */
 export async function post(path, body) {
   try {
