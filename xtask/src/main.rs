@@ -10,6 +10,7 @@ mod elf;
 mod fuzz;
 mod ngspice;
 mod no_panic;
+mod package;
 mod packages;
 mod program;
 mod python;
@@ -29,6 +30,8 @@ usage: ./run <command>
   elf [BOARD]       build the firmware image, for one of firmware/boards
   no-panic [BOARD]  look for panics in what calib-core became in the image
   program [BOARD]   build the image and put it on the board at the ST-LINK (needs probe-rs)
+  package [--check] what a user installs, into dist/: a Debian package and a tar, with the
+                    image inside; --check installs and uses it in an empty Debian
   screenshots       pictures of the page for docs/images (needs Chromium)
   size [BOARD]      flash and RAM used by the image
   setup             build everything and run nothing
@@ -48,6 +51,7 @@ fn main() -> Result<()> {
         "elf" => elf::build_for(board).map(|path| println!("{}", path.display())),
         "program" => program::run(board),
         "no-panic" => elf::build_for(board).and_then(|image| no_panic::check(&image)),
+        "package" => package::build(rest),
         "screenshots" => browser::screenshots(),
         "size" => elf::print_size(board),
         "setup" => demo::build_all().map(|_| ()),

@@ -16,7 +16,7 @@ pub(crate) fn find(program: &str) -> Option<PathBuf> {
 
 /// Installs Debian packages.
 pub(crate) fn install(packages: &[&str]) -> Result<()> {
-    eprintln!("installing {} for the tests ...", packages.join(", "));
+    eprintln!("installing {} ...", packages.join(", "));
     // An outdated list is no reason to give up: the packages may be there.
     let _ = shell::run(apt_get().args(["update", "-qq"]));
     let mut install = apt_get();
@@ -24,14 +24,19 @@ pub(crate) fn install(packages: &[&str]) -> Result<()> {
     shell::run(install.args(packages))
 }
 
-/// As root, or by way of `sudo`.
 fn apt_get() -> Command {
-    let user = Command::new("id").arg("-u").output();
-    let root = user.is_ok_and(|user| user.stdout.trim_ascii() == b"0");
-    let mut command = Command::new(if root { "env" } else { "sudo" });
-    if !root {
-        command.arg("env");
-    }
+    let mut command = as_root("env");
     command.args(["DEBIAN_FRONTEND=noninteractive", "apt-get"]);
     command
+}
+
+/// A program as root: at once, or by way of `sudo`.
+pub(crate) fn as_root(program: &str) -> Command {
+    let user = Command::new("id").arg("-u").output();
+    if user.is_ok_and(|user| user.stdout.trim_ascii() == b"0") {
+        return Command::new(program);
+    }
+    let mut sudo = Command::new("sudo");
+    sudo.arg(program);
+    sudo
 }

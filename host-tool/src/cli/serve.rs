@@ -7,6 +7,7 @@ use calib_host::serve::{Options, Server};
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::io::IsTerminal;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 
@@ -21,6 +22,9 @@ pub(crate) struct Serve {
     /// calib/laboratory.toml in the user's configuration directory, if there].
     #[arg(long, env = "CALIB_LABORATORY", value_name = "FILE")]
     laboratory: Option<PathBuf>,
+    /// Leaves the browser alone; it is opened when a person started this in a terminal.
+    #[arg(long)]
+    no_browser: bool,
 }
 
 #[derive(Serialize, JsonSchema)]
@@ -43,7 +47,11 @@ impl Serve {
         })?;
         let listening = Listening { url: server.url() };
         context.print(&listening, || listening.url.clone())?;
-        context.remark("open this address in a browser; Ctrl-C ends it and stops a run");
+        let opens = !self.no_browser && std::io::stdout().is_terminal();
+        if !opens || opener::open_browser(&listening.url).is_err() {
+            context.remark("open this address in a browser");
+        }
+        context.remark("Ctrl-C ends it and stops a run");
         let stop = run::stop_on_interrupt();
         server.serve(|| stop().is_continue())
     }

@@ -7,8 +7,8 @@ use calib_link::port::Port;
 
 /// The rule that gives the user at the seat the right to the board's port
 /// (udev(7); `uaccess` is set by systemd's 73-seat-late.rules, hence the 70).
-pub(super) const UDEV_RULE: &str =
-    "SUBSYSTEM==\"tty\", ATTRS{idVendor}==\"0483\", MODE=\"0660\", TAG+=\"uaccess\"";
+/// The package for Debian installs the same file.
+pub(super) const UDEV_RULE: &str = include_str!("../../packaging/70-calib.rules").trim_ascii();
 
 pub(super) fn check(ports: &[Port], address: Option<&Device>) -> Vec<Finding> {
     let likely: Vec<&Port> = ports.iter().filter(|port| port.likely).collect();

@@ -158,10 +158,20 @@ fn board_error(error: &calib_twin::runner::Error) -> Error {
     )
 }
 
-/// The image: what the environment names, else what was built with this tool.
+/// The image inside the tool, in a package.
+#[cfg(image_inside)]
+const INSIDE: Option<&[u8]> = Some(include_bytes!(env!("CALIB_EMBED_IMAGE")));
+#[cfg(not(image_inside))]
+const INSIDE: Option<&[u8]> = None;
+
+/// The image: what the environment names, else the one inside, else what was built with this tool.
 fn firmware() -> Result<Firmware> {
-    let path = firmware_path();
-    Firmware::read(&path).map_err(|error| {
+    let image = match (std::env::var_os(ELF_VARIABLE), INSIDE) {
+        (Some(path), _) => Firmware::read(Path::new(&path)),
+        (None, Some(bytes)) => Firmware::from_bytes(Path::new("inside calib"), bytes.to_vec()),
+        (None, None) => Firmware::read(&built()),
+    };
+    image.map_err(|error| {
         Error::input(
             "firmware image",
             error.to_string(),
@@ -170,10 +180,8 @@ fn firmware() -> Result<Firmware> {
     })
 }
 
-fn firmware_path() -> PathBuf {
-    if let Some(path) = std::env::var_os(ELF_VARIABLE) {
-        return PathBuf::from(path);
-    }
+/// Where the image lies once it was built beside this program.
+fn built() -> PathBuf {
     // target/release/calib, and target/release/deps/test-...
     let program = std::env::current_exe().unwrap_or_default();
     let candidates = program.ancestors().skip(1).take(3);

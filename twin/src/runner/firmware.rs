@@ -48,6 +48,15 @@ impl Firmware {
             path: path.to_owned(),
             source,
         })?;
+        Self::from_bytes(path, bytes)
+    }
+
+    /// An image that lies in memory already; `path` is what messages call it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotAnImage`].
+    pub fn from_bytes(path: &Path, bytes: Vec<u8>) -> Result<Self, Error> {
         let image = Image::new(path, bytes, None).map_err(|error| Error::NotAnImage {
             path: path.to_owned(),
             reason: error.to_string(),

@@ -1,0 +1,234 @@
+//! One file to install: the tool with the image inside, as a Debian package and as a tar.
+
+use crate::packages::{self, as_root};
+use crate::shell::{cargo, root, run, target_dir};
+use crate::{demo, elf};
+use anyhow::{Context, Result, bail};
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// Largest file to download, bytes.
+const LARGEST: u64 = 40_000_000;
+
+/// Builds `dist/`; with `--check`, also installs and uses the package in an empty Debian.
+pub(crate) fn build(arguments: &[String]) -> Result<()> {
+    let check = match arguments {
+        [] => false,
+        [flag] if flag == "--check" => true,
+        other => bail!("./run package [--check], not {}", other.join(" ")),
+    };
+    needs("dpkg-deb", "dpkg")?;
+    needs("dpkg-shlibdeps", "dpkg-dev")?;
+    let tool = tool_with_image()?;
+    let stage = target_dir().join("package");
+    lay_out(&tool, &stage)?;
+    let dist = root().join("dist");
+    empty(&dist)?;
+    let files = [debian_package(&stage, &dist)?, tar(&stage, &dist)?];
+    list(&dist, &files)?;
+    if check {
+        used_in_an_empty_root(&files[0])?;
+    }
+    Ok(())
+}
+
+/// A program of the system, by the name of its Debian package; elsewhere there is no package to make.
+fn needs(program: &str, package: &str) -> Result<()> {
+    if packages::find(program).is_some() {
+        return Ok(());
+    }
+    if std::env::var_os("CI").is_some() {
+        return packages::install(&[package]);
+    }
+    bail!("{program} is missing: packages are made on Debian, with `apt-get install {package}`")
+}
+
+fn tool_with_image() -> Result<PathBuf> {
+    let image = elf::build()?;
+    eprintln!("building the host tool with the image inside ...");
+    let mut build = cargo("build");
+    build.args(["--release", "--workspace", "--bin", "calib"]);
+    run(build.env("CALIB_EMBED_IMAGE", image))?;
+    Ok(demo::tool())
+}
+
+/// The files as they will lie below `/`.
+fn lay_out(tool: &Path, stage: &Path) -> Result<()> {
+    empty(stage)?;
+    let folder = |path: &str| -> Result<PathBuf> {
+        let folder = stage.join(path);
+        fs::create_dir_all(&folder)?;
+        Ok(folder)
+    };
+    let program = folder("usr/bin")?.join("calib");
+    run(Command::new("strip").arg("-o").arg(&program).arg(tool))?;
+    let pages = folder("usr/share/man/man1")?;
+    run(Command::new(&program)
+        .args(["--quiet", "man", "--out"])
+        .arg(&pages))?;
+    for page in fs::read_dir(&pages)? {
+        run(Command::new("gzip").arg("-9n").arg(page?.path()))?;
+    }
+    for (shell, place, name) in [
+        ("bash", "usr/share/bash-completion/completions", "calib"),
+        ("zsh", "usr/share/zsh/vendor-completions", "_calib"),
+        ("fish", "usr/share/fish/vendor_completions.d", "calib.fish"),
+    ] {
+        let script = Command::new(&program)
+            .args(["completions", shell])
+            .output()?;
+        fs::write(folder(place)?.join(name), script.stdout)?;
+    }
+    let packaging = root().join("host-tool/packaging");
+    let copy = |from: PathBuf, place: &str| -> Result<()> {
+        let name = from.file_name().unwrap_or_default().to_owned();
+        fs::copy(&from, folder(place)?.join(name)).with_context(|| from.display().to_string())?;
+        Ok(())
+    };
+    copy(packaging.join("70-calib.rules"), "usr/lib/udev/rules.d")?;
+    copy(packaging.join("calib.desktop"), "usr/share/applications")?;
+    copy(packaging.join("copyright"), "usr/share/doc/calib")?;
+    for text in ["CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"] {
+        copy(root().join(text), "usr/share/doc/calib")?;
+    }
+    Ok(())
+}
+
+fn debian_package(stage: &Path, dist: &Path) -> Result<PathBuf> {
+    let architecture = said(Command::new("dpkg").arg("--print-architecture"))?;
+    let control = format!(
+        "Package: calib\nVersion: {VERSION}\nArchitecture: {architecture}\n\
+         Maintainer: the calib developers <calib@localhost>\nInstalled-Size: {size}\n\
+         Depends: {depends}\nSuggests: xdg-utils\nSection: science\nPriority: optional\n\
+         Description: field vibration calibrator after ISO 16063-21\n \
+         Measures accelerometers with the calibrator, or with an emulated one whose\n \
+         firmware is inside, keeps the logbook, writes certificates, and says why\n \
+         reality differs from a simulation.\n",
+        size = said(Command::new("du").args(["-sk", "."]).current_dir(stage))?.replace("\t.", ""),
+        depends = depends(stage)?,
+    );
+    let folder = stage.join("DEBIAN");
+    fs::create_dir_all(&folder)?;
+    fs::write(folder.join("control"), control)?;
+    let file = dist.join(format!("calib_{VERSION}_{architecture}.deb"));
+    let mut build = Command::new("dpkg-deb");
+    run(build
+        .args(["--root-owner-group", "--build"])
+        .args([stage, &file]))?;
+    fs::remove_dir_all(folder)?;
+    Ok(file)
+}
+
+/// The shared libraries the program asks for, as packages with their versions.
+fn depends(stage: &Path) -> Result<String> {
+    let around = target_dir().join("package-depends");
+    empty(&around)?;
+    fs::create_dir_all(around.join("debian"))?;
+    fs::write(
+        around.join("debian/control"),
+        "Source: calib\n\nPackage: calib\nArchitecture: any\n",
+    )?;
+    let mut ask = Command::new("dpkg-shlibdeps");
+    let answer = said(
+        ask.arg("-O")
+            .arg(stage.join("usr/bin/calib"))
+            .current_dir(&around),
+    )?;
+    let depends = answer.strip_prefix("shlibs:Depends=");
+    Ok(depends
+        .context("dpkg-shlibdeps names no packages")?
+        .to_owned())
+}
+
+/// The same files for other Linux systems.
+fn tar(stage: &Path, dist: &Path) -> Result<PathBuf> {
+    let name = format!("calib-{VERSION}-{}-linux", std::env::consts::ARCH);
+    let file = dist.join(format!("{name}.tar.xz"));
+    let mut tar = Command::new("tar");
+    tar.env("XZ_OPT", "-T0").arg("-cJf").arg(&file);
+    tar.args(["--owner=0", "--group=0", "--sort=name", "--transform"]);
+    run(tar
+        .arg(format!("s,^usr,{name},"))
+        .arg("-C")
+        .arg(stage)
+        .arg("usr"))?;
+    Ok(file)
+}
+
+/// `SHA256SUMS`, and the sizes.
+fn list(dist: &Path, files: &[PathBuf]) -> Result<()> {
+    let names: Vec<&OsStr> = files.iter().filter_map(|file| file.file_name()).collect();
+    let sums = said(Command::new("sha256sum").args(&names).current_dir(dist))?;
+    fs::write(dist.join("SHA256SUMS"), format!("{sums}\n"))?;
+    for file in files {
+        let bytes = fs::metadata(file)?.len();
+        println!("{} {:.1} MB", file.display(), bytes as f64 / 1e6);
+        if bytes > LARGEST {
+            bail!(
+                "{} has more than {} MB",
+                file.display(),
+                LARGEST / 1_000_000
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Installs the package in a Debian that has nothing else, and calibrates there.
+fn used_in_an_empty_root(package: &Path) -> Result<()> {
+    needs("debootstrap", "debootstrap")?;
+    let release = fs::read_to_string("/etc/os-release")?;
+    let codename = release
+        .lines()
+        .find_map(|line| line.strip_prefix("VERSION_CODENAME="));
+    let empty_root = target_dir().join("package-root");
+    let mut bootstrap = as_root("debootstrap");
+    bootstrap.args(["--variant=minbase", codename.unwrap_or("stable")]);
+    if !empty_root.join("usr/bin/apt-get").exists() {
+        eprintln!("making an empty Debian ...");
+        run(bootstrap.arg(&empty_root))?;
+    }
+    run(as_root("cp").arg(package).arg(empty_root.join("calib.deb")))?;
+    for command in [
+        "apt-get install --yes --quiet --allow-downgrades --reinstall /calib.deb",
+        "calib --version",
+        "calib demo --out /tmp/demo",
+        "test -s /usr/lib/udev/rules.d/70-calib.rules",
+        "test -s /usr/share/man/man1/calib-run.1.gz",
+        "sh -c 'ls -l /tmp/demo/*.pdf'",
+        "calib --device emulated info",
+        "apt-get remove --yes --quiet calib",
+        "sh -c '! command -v calib'",
+    ] {
+        eprintln!("empty root: {command}");
+        let mut inside = as_root("chroot");
+        inside
+            .env("PATH", "/usr/sbin:/usr/bin:/sbin:/bin")
+            .env("HOME", "/root");
+        run(inside.arg(&empty_root).args(["sh", "-c", command]))?;
+    }
+    println!("installed, used and removed in an empty Debian");
+    Ok(())
+}
+
+/// What a program prints.
+fn said(command: &mut Command) -> Result<String> {
+    let name = command.get_program().to_string_lossy().into_owned();
+    let output = command
+        .output()
+        .with_context(|| format!("cannot start {name}"))?;
+    if !output.status.success() {
+        bail!("{name} failed: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    Ok(String::from_utf8_lossy(output.stdout.trim_ascii()).into_owned())
+}
+
+fn empty(folder: &Path) -> Result<()> {
+    if folder.exists() {
+        fs::remove_dir_all(folder)?;
+    }
+    Ok(fs::create_dir_all(folder)?)
+}
