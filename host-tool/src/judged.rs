@@ -4,7 +4,8 @@
 use crate::Result;
 use calib_certificate::{Certificate, Known, Language, Particulars, Verdict};
 use calib_logbook::Logbook;
-use calib_protocol::record::{Record, RunLabels};
+use calib_protocol::record::{Record, RecordHead, RunLabels};
+use calib_record::hash_chain::{Evidence, Standing};
 use std::path::PathBuf;
 
 /// Statements for the certificate of a run with these labels.
@@ -24,6 +25,23 @@ pub fn particulars(
     };
     particulars.for_device(&known)?;
     Ok(particulars)
+}
+
+/// Place in the chain of the record whose bytes these are, by its neighbours in the logbook.
+///
+/// # Errors
+/// Those of the logbook.
+pub fn standing(head: &RecordHead, stored: &[u8], logbook: Option<&Logbook>) -> Result<Standing> {
+    let mut evidence = Evidence::of(&head.instrument_serial);
+    evidence.bytes(head.id, stored);
+    let neighbours = [head.id.checked_sub(1), head.id.checked_add(1)];
+    for id in neighbours.into_iter().flatten() {
+        let Some(logbook) = logbook else { break };
+        if let Some(bytes) = logbook.numbered(&head.instrument_serial, id)? {
+            evidence.bytes(id, &bytes);
+        }
+    }
+    Ok(evidence.standing(head.id))
 }
 
 /// The verdict on a record, if a tolerance was stated.

@@ -1,11 +1,10 @@
 //! `calib`: the command line tool of the calibrator. One file per verb in `cli/`.
 mod cli;
 
-use clap::Parser;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = match cli::Arguments::try_parse() {
+    let arguments = match cli::Arguments::read() {
         Ok(arguments) => arguments,
         Err(said) => return cli::tell(said),
     };

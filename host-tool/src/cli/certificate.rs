@@ -19,8 +19,11 @@ use std::path::{Path, PathBuf};
 pub(crate) struct CertificateVerb {
     /// File of a downloaded record, or the running number of one that is still
     /// in the calibrator (it is downloaded first).
-    #[arg(required_unless_present = "write_template")]
+    #[arg(required_unless_present_any = ["write_template", "sensor"])]
     record: Option<PathBuf>,
+    /// The latest record of this sensor in the logbook, instead of RECORD.
+    #[arg(long, value_name = "SERIAL", conflicts_with = "record")]
+    sensor: Option<String>,
     /// Directory for the files.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
@@ -48,7 +51,7 @@ pub(crate) struct CertificateVerb {
     #[arg(
         long,
         value_name = "DIR",
-        conflicts_with_all = ["record", "format", "language", "particulars", "as_found"]
+        conflicts_with_all = ["record", "sensor", "format", "language", "particulars", "as_found"]
     )]
     write_template: Option<PathBuf>,
 }
@@ -75,9 +78,14 @@ impl CertificateVerb {
         if let Some(folder) = &self.write_template {
             return template(context, folder);
         }
-        // Required by the command line, unless a template is written.
-        let name = self.record.as_deref().unwrap_or(Path::new(""));
-        let found = source::find(context, name, &self.out)?;
+        let found = match (&self.sensor, &self.record) {
+            (Some(serial), _) => source::latest(context, serial)?,
+            // Required by the command line where no sensor is named.
+            (None, record) => {
+                let name = record.as_deref().unwrap_or(Path::new(""));
+                source::find(context, name, &self.out)?
+            }
+        };
         let record = found.calibration()?;
         let mut logbook = context.logbook_if_there()?;
         let options = Options {

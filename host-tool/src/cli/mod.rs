@@ -19,6 +19,7 @@ mod download;
 mod emulate;
 mod gap;
 mod hand;
+mod help;
 mod identify;
 mod info;
 mod linking;
@@ -50,7 +51,7 @@ pub(crate) use context::{Context, GlobalOptions};
 pub(crate) use misuse::tell;
 
 use calib_host::Result;
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 /// Exit codes, printed at the end of `calib --help`.
 const EXIT_CODES: &str = "\
@@ -74,6 +75,18 @@ pub(crate) struct Arguments {
     /// Verb.
     #[command(subcommand)]
     pub(crate) command: Command,
+}
+
+impl Arguments {
+    /// What was typed.
+    ///
+    /// # Errors
+    /// What there is to say instead: help, the version, or what is wrong.
+    pub(crate) fn read() -> Result<Self, clap::Error> {
+        let mut calib = help::described(Self::command());
+        let matches = calib.try_get_matches_from_mut(std::env::args_os())?;
+        Self::from_arg_matches(&matches).map_err(|error| error.format(&mut calib))
+    }
 }
 
 /// The verbs.
@@ -193,8 +206,8 @@ impl Command {
             Self::Export(verb) => verb.run(context),
             Self::Serve(verb) => verb.run(context),
             Self::Doctor(verb) => verb.run(context),
-            Self::Completions(verb) => verb.run(context, Arguments::command()),
-            Self::Man(verb) => verb.run(context, Arguments::command()),
+            Self::Completions(verb) => verb.run(context, help::described(Arguments::command())),
+            Self::Man(verb) => verb.run(context, help::described(Arguments::command())),
             Self::Version(verb) => verb.run(context),
             Self::Schema(verb) => verb.run(context),
         }

@@ -2,8 +2,9 @@
 
 use super::Context;
 use calib_files::file::Existing;
-use calib_host::{Error, Result};
+use calib_host::{Error, Result, judged};
 use calib_link::session;
+use calib_logbook::Filter;
 use calib_protocol::change::{self, ReferenceChange};
 use calib_protocol::record::{self, Record, RecordError, RecordKind};
 use calib_record::hash_chain::{Evidence, Standing};
@@ -57,6 +58,33 @@ pub(super) fn find(context: &Context, path: &Path, out: &Path) -> Result<Found> 
         }
         _ => from_file(path),
     }
+}
+
+/// The latest calibration of this sensor in the logbook.
+pub(super) fn latest(context: &Context, serial: &str) -> Result<Found> {
+    let none = || {
+        Error::input(
+            format!("sensor {serial}"),
+            "has no record in the logbook",
+            "`calib logbook records` lists what is there; a downloaded file can be named instead",
+        )
+    };
+    let logbook = context.logbook_if_there()?.ok_or_else(none)?;
+    let of_sensor = Filter {
+        sensor: Some(serial.to_owned()),
+        ..Filter::default()
+    };
+    let newest = logbook.records(&of_sensor)?.into_iter().next();
+    let bytes = logbook.record(newest.ok_or_else(none)?.id)?;
+    let content = content(Path::new("record of the logbook"), &bytes)?;
+    let head = match &content {
+        Content::Calibration(record) => &record.head,
+        Content::ReferenceChange(_) => return Err(none()),
+    };
+    Ok(Found {
+        standing: judged::standing(head, &bytes, Some(&logbook))?,
+        content,
+    })
 }
 
 /// A downloaded record, with what lies beside it.

@@ -7,7 +7,6 @@ use axum::response::{IntoResponse, Response};
 use calib_certificate::{self as certificate, Certificate, Format, Options, Particulars, Prepared};
 use calib_logbook::{Issue, Logbook};
 use calib_protocol::record::{self, Record, RecordError};
-use calib_record::hash_chain::{Evidence, Standing};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
@@ -71,7 +70,7 @@ pub(super) fn certificate(
     wanted.stated.complete(&mut particulars)?;
     let options = Options {
         particulars,
-        chain: Some(standing(&record, stored, logbook.as_ref())?),
+        chain: Some(judged::standing(&record.head, stored, logbook.as_ref())?),
         ..Options::default()
     };
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
@@ -107,19 +106,6 @@ pub(super) fn judged(
 fn read(stored: &[u8]) -> Result<Record> {
     let damaged = |error: RecordError| Error::input("record", error.to_string(), "run once more");
     record::decode(stored).map_err(damaged)
-}
-
-/// Place of a record in the chain, as far as the logbook has the record before.
-fn standing(record: &Record, stored: &[u8], logbook: Option<&Logbook>) -> Result<Standing> {
-    let mut evidence = Evidence::of(&record.head.instrument_serial);
-    evidence.bytes(record.head.id, stored);
-    let before = record.head.id.saturating_sub(1);
-    if let Some(logbook) = logbook
-        && let Some(bytes) = logbook.numbered(&record.head.instrument_serial, before)?
-    {
-        evidence.bytes(before, &bytes);
-    }
-    Ok(evidence.standing(record.head.id))
 }
 
 fn enter(prepared: &Prepared, stored: &[u8], mut logbook: Logbook) -> Result<()> {

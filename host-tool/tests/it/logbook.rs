@@ -421,6 +421,20 @@ fn a_sensor_out_of_its_tolerance_fails_wherever_one_looks() {
             .count(),
         1
     );
+    // Of the two records of P the later one, whose place the logbook knows by the one before.
+    let latest = go("certificate --sensor P --format json --out p --json");
+    assert_eq!(latest.status.code(), Some(0), "{}", text(&latest.stderr));
+    let file = json(&latest)["files"][0]
+        .as_str()
+        .expect("a file")
+        .to_owned();
+    assert!(file.ends_with("-000003.json"), "{file}");
+    let stated = std::fs::read(folder.path().join(file)).expect("written");
+    let stated: serde_json::Value = serde_json::from_slice(&stated).expect("JSON");
+    assert_eq!(stated["record_chain"], "verified");
+    let nobody = go("certificate --sensor Q --format json --out p");
+    assert_eq!(nobody.status.code(), Some(6));
+    assert!(text(&nobody.stderr).contains("calib logbook records"));
 }
 
 #[test]

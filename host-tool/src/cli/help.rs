@@ -1,0 +1,270 @@
+//! Help that teaches: the verbs in groups, and two examples of each.
+
+use clap::Command;
+use clap::builder::StyledStr;
+use std::fmt::Write;
+
+/// A verb and two lines that use it, without the `calib` before.
+type Verb = (&'static str, [&'static str; 2]);
+
+/// Verbs by what they are for, each group in the order of its work.
+const GROUPS: [(&str, &[Verb]); 6] = [
+    (
+        "Measure",
+        &[
+            ("demo", ["demo", "demo --seed 3 --out another"]),
+            (
+                "run",
+                [
+                    "run --sensor LW12345 --operator N.",
+                    "run --level 5 --points list.csv",
+                ],
+            ),
+            (
+                "serve",
+                [
+                    "serve",
+                    "serve --listen 0.0.0.0:8160 --laboratory laboratory.toml",
+                ],
+            ),
+            (
+                "capture",
+                [
+                    "capture",
+                    "capture --frequency 160 --level 10 --csv tone.csv",
+                ],
+            ),
+            ("stop", ["stop", "--device /dev/ttyACM0 stop"]),
+            (
+                "points",
+                [
+                    "points preferred --from 10 --to 1000",
+                    "points linearity --frequency 80",
+                ],
+            ),
+            ("records", ["records", "records --json"]),
+            ("download", ["download 12", "download --all --out records"]),
+            ("release", ["release 12", "release 12 --json"]),
+        ],
+    ),
+    (
+        "Results and certificates",
+        &[
+            (
+                "show",
+                ["show 12", "show record-00012.calibrec --unit mV/g"],
+            ),
+            (
+                "certificate",
+                [
+                    "certificate 12 --particulars job.toml",
+                    "certificate --sensor LW12345 --language de --format pdf",
+                ],
+            ),
+            (
+                "check",
+                [
+                    "check record-00012.calibrec",
+                    "check record-00012.calibrec --example 2",
+                ],
+            ),
+        ],
+    ),
+    (
+        "Logbook",
+        &[
+            (
+                "sensors",
+                [
+                    "sensors add --serial LW12345 --sensitivity 100 --unit mV/g --tolerance 5",
+                    "sensors list",
+                ],
+            ),
+            (
+                "history",
+                ["history LW12345", "history LW12345 --frequency 1000"],
+            ),
+            ("logbook", ["logbook records", "logbook check"]),
+            (
+                "export",
+                ["export --parquet data", "export --parquet data --json"],
+            ),
+        ],
+    ),
+    (
+        "Metrology",
+        &[
+            (
+                "budget",
+                ["budget --template a1", "budget budget.toml --monte-carlo"],
+            ),
+            (
+                "sensitivity",
+                [
+                    "sensitivity readings.csv",
+                    "sensitivity readings.csv --quantity velocity",
+                ],
+            ),
+            (
+                "phase",
+                ["phase readings.toml", "phase readings.toml --json"],
+            ),
+            (
+                "identify",
+                [
+                    "identify points.csv",
+                    "identify --shock record.csv --from-hz 100",
+                ],
+            ),
+            (
+                "predict",
+                [
+                    "predict record.csv --model model.json",
+                    "predict output.csv --model model.json --inverse",
+                ],
+            ),
+            (
+                "link",
+                ["link comparisons.toml --pairs", "link --doe degrees.csv"],
+            ),
+            (
+                "risk",
+                ["risk --ratio 4", "risk --ratio 2 --in-tolerance 90"],
+            ),
+            (
+                "convert",
+                [
+                    "convert --frequency 160 --sensitivity 0.01",
+                    "convert --frequency 80 --sensitivity 0.004 --from velocity",
+                ],
+            ),
+            (
+                "nomogram",
+                [
+                    "nomogram --frequency 160 --acceleration 10",
+                    "nomogram --frequency 20 --displacement 0.001 --as peak",
+                ],
+            ),
+        ],
+    ),
+    (
+        "Gap between simulation and reality",
+        &[(
+            "gap",
+            [
+                "gap diagnose dataset --report gap.html",
+                "gap effects mount_resonance",
+            ],
+        )],
+    ),
+    (
+        "Instrument and service",
+        &[
+            ("devices", ["devices", "devices --json"]),
+            ("doctor", ["doctor", "--device /dev/ttyACM0 doctor"]),
+            ("info", ["info", "--device tcp:192.0.2.7:5025 info"]),
+            ("selftest", ["selftest", "--device emulated selftest"]),
+            (
+                "settings",
+                ["settings", "settings --write settings.toml --operator N."],
+            ),
+            (
+                "adjust",
+                ["adjust ratio", "adjust ratio --write --operator N."],
+            ),
+            ("emulate", ["emulate", "emulate --pty --flash flash.bin"]),
+            ("completions", ["completions bash", "completions fish"]),
+            ("man", ["man", "man --out pages"]),
+            ("version", ["version", "version --json"]),
+        ],
+    ),
+];
+
+/// The command line with its verbs grouped, and examples at each.
+pub(super) fn described(calib: Command) -> Command {
+    let overview = overview(&calib);
+    let verbs = GROUPS.iter().flat_map(|(_, verbs)| verbs.iter());
+    let calib = verbs.fold(calib, |calib, (verb, examples)| {
+        calib.mut_subcommand(verb, |verb| with_examples(verb, examples))
+    });
+    calib.help_template(format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n{overview}\n\
+         {header}Options of every verb:{header:#}\n{{options}}{{after-help}}",
+        header = header(),
+    ))
+}
+
+fn header() -> clap::builder::styling::Style {
+    *clap::builder::Styles::default().get_header()
+}
+
+fn overview(calib: &Command) -> String {
+    let (header, literal) = (header(), *clap::builder::Styles::default().get_literal());
+    let mut text = String::new();
+    for (title, verbs) in GROUPS {
+        let _ = writeln!(text, "\n{header}{title}:{header:#}");
+        for (name, _) in verbs {
+            let about = calib.find_subcommand(name).and_then(Command::get_about);
+            let about = about.map(ToString::to_string).unwrap_or_default();
+            let _ = writeln!(text, "  {literal}{name:<12}{literal:#} {about}");
+        }
+    }
+    text
+}
+
+/// What the verb says after its options, then the examples.
+fn with_examples(verb: Command, examples: &[&str]) -> Command {
+    let header = header();
+    let mut text = verb
+        .get_after_help()
+        .map(|said| format!("{}\n\n", said.ansi()))
+        .unwrap_or_default();
+    let _ = write!(text, "{header}Examples:{header:#}");
+    for example in examples {
+        let _ = write!(text, "\n  calib {example}");
+    }
+    verb.after_help(StyledStr::from(text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cli::Arguments;
+    use clap::CommandFactory;
+    use clap::error::ErrorKind;
+
+    fn verbs() -> impl Iterator<Item = &'static Verb> {
+        GROUPS.iter().flat_map(|(_, verbs)| verbs.iter())
+    }
+
+    #[test]
+    fn every_verb_is_in_one_group() {
+        let mut grouped: Vec<_> = verbs().map(|(name, _)| *name).collect();
+        grouped.sort_unstable();
+        let calib = Arguments::command();
+        let there = calib.get_subcommands().filter(|verb| !verb.is_hide_set());
+        let mut there: Vec<_> = there.map(Command::get_name).collect();
+        there.sort_unstable();
+        assert_eq!(grouped, there);
+    }
+
+    #[test]
+    fn every_example_is_understood_and_shown() {
+        for (name, examples) in verbs() {
+            for example in examples {
+                let words = ["calib"].into_iter().chain(example.split(' '));
+                let read = described(Arguments::command()).try_get_matches_from(words);
+                match read {
+                    Ok(matches) => assert_eq!(matches.subcommand_name(), Some(*name), "{example}"),
+                    Err(said) => {
+                        assert_eq!(said.kind(), ErrorKind::DisplayHelp, "{example}: {said}")
+                    }
+                }
+            }
+            let mut calib = described(Arguments::command());
+            let verb = calib.find_subcommand_mut(name).expect("there");
+            let help = verb.render_long_help().to_string();
+            assert!(help.contains(examples[1]), "{help}");
+        }
+    }
+}
