@@ -1,6 +1,9 @@
 //! The program `calib` with the shipping image: demo, emulated calibrator, Ctrl-C.
 #![cfg(unix)]
 
+#[path = "tool/documents.rs"]
+mod documents;
+
 use calib_output::conforms::check_output;
 use calib_tests::capture;
 use serde_json::Value;
@@ -285,14 +288,14 @@ fn interrupting_a_run_stops_it_and_keeps_what_was_measured() {
     let emulated = Emulated::start(folder.path(), &["--tcp", "0"]);
     let device = emulated.address.clone();
     let mut run = calib(folder.path(), &["run", "-d", &device])
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
         .spawn()
         .expect("calib starts");
-    let mut errors = BufReader::new(run.stderr.take().expect("piped"));
-    // The first line says that the first point is measured.
+    let mut points = BufReader::new(run.stdout.take().expect("piped"));
+    // A point is printed as soon as it is measured.
     let mut line = String::new();
-    errors.read_line(&mut line).expect("a line");
+    points.read_line(&mut line).expect("a line");
     assert!(line.contains("160 Hz"), "{line}");
     interrupt(&run);
     let status = run.wait().expect("ends");

@@ -136,6 +136,14 @@ impl Context {
         }
     }
 
+    /// Prints one line of a text that comes bit by bit.
+    pub(crate) fn line(&self, text: &str) -> Result<()> {
+        match self.form {
+            Form::Text => write(&format!("{}\n", shown(text))),
+            Form::Json | Form::JsonLines => Ok(()),
+        }
+    }
+
     /// True when a program reads the output: no progress is drawn.
     pub(crate) fn for_program(&self) -> bool {
         self.form != Form::Text

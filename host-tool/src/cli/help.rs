@@ -248,6 +248,36 @@ mod tests {
         assert_eq!(grouped, there);
     }
 
+    /// Lines of the documents that call the tool, without prompt, comment and what the shell does.
+    fn commands_of_the_docs() -> Vec<String> {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let docs = std::fs::read_dir(root.join("docs")).expect("a folder");
+        let docs = docs.flatten().map(|entry| entry.path());
+        let files = docs.chain(["README.md", "CONTRIBUTING.md"].map(|name| root.join(name)));
+        let mut commands = Vec::new();
+        for file in files.filter(|file| file.extension().is_some_and(|end| end == "md")) {
+            let text = std::fs::read_to_string(file).expect("text");
+            let lines = text
+                .lines()
+                .map(|line| line.strip_prefix("$ ").unwrap_or(line));
+            let calls = lines.filter(|line| line.starts_with("calib "));
+            let bare = |line: &str| line.split(['#', '|', '>']).next().unwrap_or("").to_owned();
+            commands.extend(calls.map(bare));
+        }
+        commands
+    }
+
+    #[test]
+    fn every_command_in_the_docs_is_understood() {
+        let commands = commands_of_the_docs();
+        assert!(commands.len() > 20, "{commands:?}");
+        for command in commands {
+            let words = shlex::split(&command).expect("quoted as a shell reads it");
+            let read = described(Arguments::command()).try_get_matches_from(words);
+            assert!(read.is_ok(), "{command}: {}", read.expect_err("wrong"));
+        }
+    }
+
     #[test]
     fn every_example_is_understood_and_shown() {
         for (name, examples) in verbs() {

@@ -1,9 +1,9 @@
 //! Progress on standard error; nothing moves when it is no terminal.
 
-use super::Context;
 use super::context::Form;
+use super::{Context, text};
 use calib_certificate::SensitivityUnit;
-use calib_core::point::PointSpec;
+use calib_core::point::{PointResult, PointSpec};
 use calib_link::session::{self, Progress};
 use calib_output::{PointView, StatusView};
 use calib_protocol::message::RunState;
@@ -77,6 +77,8 @@ pub(crate) struct RunProgress<'a> {
     begun: Instant,
     shown: usize,
     silent: bool,
+    /// Points are what the verb prints, on standard output, and no remarks on the way.
+    points_are_result: bool,
 }
 
 impl<'a> RunProgress<'a> {
@@ -91,7 +93,14 @@ impl<'a> RunProgress<'a> {
             begun: Instant::now(),
             shown: 0,
             silent: context.quiet || context.for_program(),
+            points_are_result: false,
         }
+    }
+
+    /// Prints each point on standard output when it is there, above the bar.
+    pub(crate) fn with_points_as_result(mut self) -> Self {
+        self.points_are_result = true;
+        self
     }
 
     /// Shows where the run stands. Without a terminal: one line per point, or events.
@@ -100,13 +109,26 @@ impl<'a> RunProgress<'a> {
             .set_position((progress.fraction * STEPS as f64) as u64);
         let left = session::time_left(self.begun.elapsed(), progress.fraction);
         self.bar.set_message(message(progress, list, left));
-        if self.bar.is_hidden() && !self.silent {
-            for point in progress.points.iter().skip(self.shown) {
-                eprintln!("{}", super::text::point_line(point, self.unit));
+        self.stream(progress, left);
+        self.show_points(progress.points);
+    }
+
+    /// One line for each point that was not shown yet. A run goes on, whoever stopped reading.
+    fn show_points(&mut self, points: &[PointResult]) {
+        for point in points.iter().skip(self.shown) {
+            let line = text::point_line(point, self.unit);
+            if self.points_are_result {
+                let _ = self.bar.suspend(|| self.context.line(&line));
+            } else if self.bar.is_hidden() && !self.silent {
+                eprintln!("{line}");
             }
         }
-        self.stream(progress, left);
-        self.shown = progress.points.len();
+        self.shown = points.len().max(self.shown);
+    }
+
+    /// The run has ended with these points.
+    pub(crate) fn end(mut self, points: &[PointResult]) {
+        self.show_points(points);
     }
 
     /// A run goes on, whoever stopped reading.

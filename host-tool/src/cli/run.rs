@@ -1,9 +1,7 @@
 //! `calib run`: measures a point list.
 
 use super::certificate::{Laboratory, passed};
-use super::{
-    Context, logbook, number::positive, progress, progress::RunProgress, source, text, time,
-};
+use super::{Context, logbook, number::positive, progress, progress::RunProgress, source, time};
 use calib_certificate::{Particulars, SensitivityUnit, Verdict};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
@@ -122,9 +120,10 @@ impl Run {
             points = session::on_lines(&points, info.sample_rate_hz)?;
         }
         possible(&points, &client.settings()?, info.sample_rate_hz)?;
-        let mut progress = RunProgress::new(context, info.sample_rate_hz, unit);
+        let progress = RunProgress::new(context, info.sample_rate_hz, unit);
+        let mut progress = progress.with_points_as_result();
         let outcome = measure(&mut client, &points, excitation, labels, &mut progress)?;
-        drop(progress);
+        progress.end(&outcome.points);
         let kept = keep(context, &mut client, &outcome)?;
         let of_record = |kept: &Kept| judged::verdict(&kept.record, &particulars);
         let result = RunResult {
@@ -139,7 +138,7 @@ impl Run {
             verdict: kept.as_ref().and_then(of_record),
             refusals: refusals::of(&outcome.points),
         };
-        progress::print_result(context, &result, || said(&result, &outcome, unit))?;
+        progress::print_result(context, &result, || said(&result))?;
         judge(&outcome, points.len())?;
         passed(result.verdict.as_ref())
     }
@@ -254,19 +253,17 @@ fn frequencies(refused: &Refused) -> String {
     format!("{} Hz: {}", hz.join(", "), refused.reason_text)
 }
 
-/// What is printed of a run: its points, the verdict on the sensor, and where the record is.
-fn said(result: &RunResult, outcome: &Outcome, unit: SensitivityUnit) -> String {
-    let line = |point| text::point_line(point, unit);
-    let mut lines: Vec<String> = outcome.points.iter().map(line).collect();
-    for refused in &result.refusals {
-        lines.push(format!("{}\n  {}", frequencies(refused), refused.remedy));
-    }
+/// What is printed after the points of a run: what was refused and why, the verdict on the sensor, and
+/// where the record is.
+fn said(result: &RunResult) -> String {
+    let advice = |refused: &Refused| format!("{}\n  {}", frequencies(refused), refused.remedy);
+    let mut lines: Vec<String> = result.refusals.iter().map(advice).collect();
     lines.extend(result.verdict.as_ref().map(terminal::verdict));
     let next = match result.logbook_record {
         Some(kept) => format!("kept in the logbook as record {kept}"),
-        None => format!("calib download {}", outcome.record_id),
+        None => format!("calib download {}", result.record_id),
     };
-    lines.push(format!("record {}: {next}", outcome.record_id));
+    lines.push(format!("record {}: {next}", result.record_id));
     lines.join("\n")
 }
 
