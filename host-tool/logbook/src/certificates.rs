@@ -1,6 +1,7 @@
 //! Certificates that were issued: numbered, with their sums, never changed.
 
 use super::Logbook;
+use super::journal::{self, Subject};
 use calib_files::{Error, Result};
 use calib_protocol::record::Sha256Sum;
 use rusqlite::{OptionalExtension, params};
@@ -88,7 +89,10 @@ impl Logbook {
                 issue.file,
                 &sum[..]
             ];
-            transaction.execute(enter, values).map_err(failed)?;
+            if transaction.execute(enter, values).map_err(failed)? == 1 {
+                let number = transaction.last_insert_rowid().to_string();
+                journal::enter(&transaction, Subject::Certificate, &number).map_err(failed)?;
+            }
         }
         transaction.commit().map_err(failed)
     }

@@ -1,71 +1,68 @@
-//! Every sum and number checked again.
+//! Every sum and number checked again: what is made of records is made once more, the rest has its journal.
 
-use super::Logbook;
-use super::records::Content;
+use super::{Logbook, journal, row};
 use calib_files::Result;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Tables that are made of the records alone, each row after its name. Records and their points are told by
+/// the record's sum: numbers in the logbook are those of this file.
+const MADE: [&str; 4] = [
+    "SELECT 'record ' || number || ' of ' || instrument, sha256, instrument, number, unix_time_s,
+     sensor_serial, sensor_model, operator, complete, points, refused, reference_frequency_hz,
+     sensitivity_v_per_ms2, expanded_uncertainty_rel, kind FROM records",
+    "SELECT 'point ' || (position + 1) || ' of record ' || number || ' of ' || instrument, sha256,
+     position, frequency_hz, acceleration_rms_ms2, verdict, points.sensitivity_v_per_ms2,
+     points.expanded_uncertainty_rel, coverage_factor, phase_rad, expanded_uncertainty_phase_rad
+     FROM points LEFT JOIN records ON id = record",
+    "SELECT 'operator ' || name, * FROM operators",
+    "SELECT 'instrument ' || serial, * FROM instruments",
+];
+/// Tables, indexes and triggers themselves.
+const FORM: &str = "SELECT type || ' ' || name, tbl_name, sql FROM sqlite_schema";
 
 impl Logbook {
-    /// Looks at the file, at every record, and at every number made of one.
-    /// Returns what is wrong, in words; nothing when all is well.
+    /// Looks at the file, at every record, at every number made of one, and at what the journal has of the
+    /// rest. Returns what is wrong, in words; nothing when all is well.
     ///
     /// # Errors
     /// Those of a file that cannot be read at all.
     pub fn inspect(&self) -> Result<Vec<String>> {
         let mut wrong = self.all("PRAGMA integrity_check", [], |row| row.get::<_, String>(0))?;
         wrong.retain(|line| line != "ok");
+        let mut again = Self::in_memory()?;
         for id in self.all("SELECT id FROM records ORDER BY id", [], |row| row.get(0))? {
-            match self.record(id) {
-                Err(error) => wrong.push(error.to_string()),
-                Ok(bytes) => wrong.extend(self.inspect_record(id, &bytes)?),
-            }
+            let kept = self.record(id).and_then(|bytes| again.keep(&bytes));
+            wrong.extend(kept.err().map(|error| error.to_string()));
         }
-        let numbers = "SELECT count(*), coalesce(max(number), 0) FROM certificates";
-        let (count, last): (i64, i64) = self
-            .connection
-            .query_row(numbers, [], |row| Ok((row.get(0)?, row.get(1)?)))
-            .map_err(|error| self.failure(error))?;
-        if count != last {
-            wrong.push(format!("certificates: {count} of {last} are there"));
+        for sql in MADE.into_iter().chain([FORM]) {
+            wrong.extend(self.differences(&again, sql)?);
         }
+        let journal = journal::check(&self.connection);
+        wrong.extend(journal.map_err(|error| self.failure(error))?);
         Ok(wrong)
     }
 
-    /// Compares the list's line of a record with the record.
-    fn inspect_record(&self, id: i64, bytes: &[u8]) -> Result<Vec<String>> {
-        let place = format!("record {id}");
-        let content = match Content::of(bytes) {
-            Ok(content) => content,
-            Err(error) => return Ok(vec![format!("{place}: {error}")]),
+    /// A logbook of nothing, in no file.
+    fn in_memory() -> Result<Self> {
+        let logbook = Self::connect(Path::new(":memory:"))?;
+        logbook.bring_up()?;
+        Ok(logbook)
+    }
+
+    /// Rows that only one of the two has.
+    fn differences(&self, again: &Self, sql: &str) -> Result<Vec<String>> {
+        let rows = |logbook: &Self| -> Result<BTreeSet<_>> {
+            let rows = row::all(&logbook.connection, sql);
+            Ok(rows
+                .map_err(|error| logbook.failure(error))?
+                .into_iter()
+                .collect())
         };
-        let sql = "SELECT instrument, number, unix_time_s, sensor_serial, points,
-                   (SELECT count(*) FROM points WHERE record = id) FROM records WHERE id = ?1";
-        let listed: (String, u32, i64, String, i64, i64) = self
-            .connection
-            .query_row(sql, [id], |row| {
-                Ok((
-                    row.get(0)?,
-                    row.get(1)?,
-                    row.get(2)?,
-                    row.get(3)?,
-                    row.get(4)?,
-                    row.get(5)?,
-                ))
-            })
-            .map_err(|error| self.failure(error))?;
-        let (head, points) = (content.head(), content.points());
-        let truth = (
-            head.instrument_serial.to_string(),
-            head.id,
-            i64::try_from(head.labels.unix_time_s).unwrap_or(0),
-            head.labels.dut_serial.to_string(),
-            points.len() as i64,
-            points.len() as i64,
-        );
-        Ok(match listed == truth {
-            true => Vec::new(),
-            false => vec![format!(
-                "{place}: the list says something else than the record"
-            )],
-        })
+        let (listed, made) = (rows(self)?, rows(again)?);
+        let names = listed.symmetric_difference(&made).map(|(name, _)| name);
+        let names: BTreeSet<&String> = names.collect();
+        let words = |name| format!("{name}: the list says something else than the records");
+        Ok(names.into_iter().map(words).collect())
     }
 }

@@ -11,15 +11,19 @@
 //! | `people` | operators and instruments, as records name them |
 //! | `history` | drift of one sensor with its uncertainty |
 //! | `waiting` | records that wait while another program holds the file |
+//! | `journal` | sums of what was entered, chained |
 //! | `inspect` | every sum and number checked again |
+//! | `row` | a row of any table as bytes |
 //! | `table`, `parquet` | the whole logbook for other programs |
 
 mod certificates;
 mod history;
 mod inspect;
+mod journal;
 mod parquet;
 mod people;
 mod records;
+mod row;
 mod sensors;
 mod store;
 mod table;

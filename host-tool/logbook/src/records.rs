@@ -1,6 +1,7 @@
 //! Records of both kinds: kept as they were downloaded, listed by what people look for.
 
 use super::Logbook;
+use super::journal::{self, Subject};
 use calib_certificate::{Certificate, Particulars};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
@@ -250,6 +251,7 @@ fn keep_one(
         insert_point(transaction, id, position as i64, point)?;
     }
     super::people::enter(transaction, content.head(), content.settings())?;
+    journal::enter(transaction, Subject::Record, &id.to_string())?;
     Ok(Kept::Added(id))
 }
 

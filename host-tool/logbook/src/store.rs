@@ -1,5 +1,6 @@
 //! The file: where it is, how it is opened, and its failures in words.
 
+use super::journal;
 use calib_files::{Error, Result};
 use rusqlite::{Connection, ErrorCode, Transaction, TransactionBehavior};
 use std::path::{Path, PathBuf};
@@ -7,10 +8,11 @@ use std::time::Duration;
 
 /// Steps that make each form of the tables of the one before, from an empty file on. A form that was ever
 /// released stays here as it is: files of every form are opened.
-const STEPS: [&str; 3] = [
+const STEPS: [&str; 4] = [
     include_str!("schema.sql"),
     include_str!("form2.sql"),
     include_str!("form3.sql"),
+    include_str!("form4.sql"),
 ];
 /// Form of the tables, in SQLite's `user_version`.
 const VERSION: i64 = STEPS.len() as i64;
@@ -97,7 +99,7 @@ impl Logbook {
         }
     }
 
-    fn connect(path: &Path) -> Result<Self> {
+    pub(super) fn connect(path: &Path) -> Result<Self> {
         let failed = |error| failure(path, error);
         let connection = Connection::open(path).map_err(failed)?;
         connection
@@ -153,7 +155,7 @@ impl Logbook {
 
     /// Brings the tables to the form of this release, all of the way or none of it, unless another
     /// program has just done so.
-    fn bring_up(&self) -> Result<()> {
+    pub(super) fn bring_up(&self) -> Result<()> {
         if self.form()? == (APPLICATION, VERSION) {
             return Ok(());
         }
@@ -165,6 +167,10 @@ impl Logbook {
             "{steps}\nPRAGMA application_id = {APPLICATION};\nPRAGMA user_version = {VERSION};"
         );
         transaction.execute_batch(&script).map_err(failed)?;
+        // A journal that was made just now knows nothing yet of what is there.
+        if self.one::<i64>("SELECT count(*) FROM journal", [])? == 0 {
+            journal::begin(&transaction).map_err(failed)?;
+        }
         transaction.commit().map_err(failed)
     }
 

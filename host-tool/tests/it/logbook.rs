@@ -19,7 +19,7 @@ fn bytes(record: &Record) -> Vec<u8> {
 }
 
 /// Record `id` of a sensor, `years` later, with another sensitivity.
-fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
+pub(crate) fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
     let mut record = record(id, 3);
     record.head.labels.unix_time_s += years * YEAR_S;
     record.head.labels.dut_serial = sensor.try_into().expect("short");
@@ -30,7 +30,7 @@ fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
     bytes(&record)
 }
 
-fn logbook(folder: &Path) -> Logbook {
+pub(crate) fn logbook(folder: &Path) -> Logbook {
     Logbook::open(&folder.join("logbook.sqlite")).expect("a logbook")
 }
 

@@ -12,6 +12,7 @@ mod gap;
 mod hostile;
 mod link;
 mod logbook;
+mod logbook_forged;
 mod memory_link;
 mod odd_use;
 mod python;
