@@ -16,6 +16,7 @@ use rigless::soc::stm32h743::peripherals::dma::Span;
 use rigless::soc::{Layout, Width};
 use serde::{Deserialize, Serialize};
 
+use super::flash::FlashWatch;
 use super::request_lines::RequestLines;
 
 /// The instance's name.
@@ -143,22 +144,27 @@ struct Stream {
 #[derive(Debug)]
 pub(super) struct Dma1 {
     lines: RequestLines,
+    flash: FlashWatch,
     streams: [Stream; STREAMS],
 }
 
 rigless::store!(Dma1 {
     values: [streams],
     parts: [],
-    built: [lines],
+    built: [lines, flash],
 });
 
 impl Dma1 {
-    pub(super) fn new(lines: RequestLines) -> Self {
+    pub(super) fn new(lines: RequestLines, flash: FlashWatch) -> Self {
         let mut streams = [Stream::default(); STREAMS];
         for (nth, stream) in streams.iter_mut().enumerate() {
             stream.kept = std::array::from_fn(|row| register(nth, row).spec().reset);
         }
-        Self { lines, streams }
+        Self {
+            lines,
+            flash,
+            streams,
+        }
     }
 
     /// Serves every stream whose line stands.
@@ -269,8 +275,10 @@ impl Dma1 {
         let Some(transfer) = self.streams[nth].transfer.as_mut() else {
             return;
         };
+        let address = transfer.address(access);
         transfer.step(access);
         if access == Access::Fetch {
+            self.flash.note_dma_read(address);
             transfer.item = Some(value);
             transfer.to_fetch -= 1;
         } else {
@@ -567,6 +575,6 @@ impl Device for Dma1 {
     }
 
     fn reset(&mut self) {
-        *self = Self::new(self.lines.clone());
+        *self = Self::new(self.lines.clone(), self.flash.clone());
     }
 }

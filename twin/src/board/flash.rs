@@ -5,21 +5,22 @@
 //! a sector of which some cells are erased. [`FlashWatch`] knows what was under way and how far it was,
 //! so that a cut can leave that behind ([`torn_word`], [`torn_sector`]).
 //!
-//! A torn word also has check bits that do not fit: it is *poisoned*, as is one programmed twice. A
-//! core's load of it is a bus fault and sets `DBECCERR` and the failing address (RM0433 Rev 9, 4.7.8
-//! and 4.9.37); [`super::flash_bus`] asks here. Only an erase of its sector that comes to its end
-//! heals it. A bank that programs or erases stalls whoever loads from it (4.3.11).
+//! A torn word also has check bits that do not fit: it is *poisoned*, as is one programmed twice
+//! ([`super::check_bits`]). A core's load of it is a bus fault; [`super::flash_bus`] asks here. Only an
+//! erase of its sector that comes to its end heals it. A bank that programs or erases stalls whoever
+//! loads from it (RM0433 Rev 9, 4.3.11).
 
-use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use rigless::device::{Device, DeviceContext, RegisterFile};
 use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::soc::Width;
-use rigless::soc::stm32h743::generated::flash::{Register, cr1, cr2, ecc_fa2r, sr1, sr2};
-use rigless::soc::stm32h743::peripherals::flash::Flash;
+use rigless::soc::stm32h743::generated::flash::{Register, cr1, cr2, sr1, sr2};
+use rigless::soc::stm32h743::peripherals::flash::{Flash, OptionBytes};
 use rigless::time::{EventId, VirtualNanos};
+
+use super::check_bits::{CheckBits, Met};
 
 /// Flash bank 1: boot loader and image (`memory.x`).
 const CODE_FLASH: u64 = 0x0800_0000;
@@ -40,6 +41,13 @@ const BANKS: usize = 2;
 const PROGRAM_NS: [u64; 4] = [290_000, 180_000, 130_000, 100_000];
 const ERASE_NS: [u64; 4] = [2_000_000_000, 1_800_000_000, 1_100_000_000, 1_000_000_000];
 
+/// Option bytes of a board that was set up: as the factory leaves them, with brown-out level 3 in bits 2
+/// and 3 of `FLASH_OPTSR_CUR` (RM0433 Rev 9, 4.9.8; docs/hardware.md).
+pub(super) const SET_UP: OptionBytes = OptionBytes {
+    optsr: OptionBytes::FACTORY.optsr | 3 << 2,
+    ..OptionBytes::FACTORY
+};
+
 /// Bank of an address of the flash, from 0.
 pub(super) fn bank_of(address: u64) -> Option<usize> {
     let inside = (CODE_FLASH..FLASH_END).contains(&address);
@@ -52,7 +60,7 @@ pub(super) fn bank_range(bank: usize) -> std::ops::Range<u64> {
 }
 
 /// The flash word around an address.
-fn word_of(address: u64) -> u64 {
+pub(super) fn word_of(address: u64) -> u64 {
     address & !(WORD_BYTES as u64 - 1)
 }
 
@@ -132,8 +140,7 @@ struct State {
     running: [Option<Running>; BANKS],
     started: u64,
     erases: [u64; SECTORS],
-    /// First addresses of the words whose check bits do not fit.
-    poisoned: BTreeSet<u64>,
+    check_bits: CheckBits,
     poisoned_loads: u64,
     /// Words and sectors that were torn.
     torn: [u64; 2],
@@ -150,7 +157,7 @@ rigless::store!(State {
         running,
         started,
         erases,
-        poisoned,
+        check_bits,
         poisoned_loads,
         torn,
         awaited
@@ -214,7 +221,7 @@ impl FlashWatch {
     /// Flash words that are poisoned.
     #[must_use]
     pub fn poisoned_words(&self) -> usize {
-        self.lock().poisoned.len()
+        self.lock().check_bits.poisoned()
     }
 
     /// Loads of the core that met a poisoned word since the first power-on.
@@ -248,7 +255,13 @@ impl FlashWatch {
 
     /// Check bits of the words in a range no longer fit.
     pub(crate) fn poison(&self, words: impl IntoIterator<Item = u64>) {
-        self.lock().poisoned.extend(words);
+        self.lock().check_bits.poison(words);
+        self.has_changed.store(true, Ordering::Relaxed);
+    }
+
+    /// One bit of the word around `address` no longer fits.
+    pub(super) fn weaken(&self, address: u64) {
+        self.lock().check_bits.weaken(word_of(address));
         self.has_changed.store(true, Ordering::Relaxed);
     }
 
@@ -290,12 +303,12 @@ impl FlashWatch {
         self.publish(&state);
     }
 
-    /// The poisoned words, when they or the banks at work are others than at the last call.
+    /// The words whose check bits do not fit, when they or the banks at work are others than at the last call.
     pub(super) fn take_change(&self) -> Option<Vec<u64>> {
         let changed = self.has_changed.load(Ordering::Relaxed) && {
             self.has_changed.swap(false, Ordering::Relaxed)
         };
-        changed.then(|| self.lock().poisoned.iter().copied().collect())
+        changed.then(|| self.lock().check_bits.unfit())
     }
 
     /// Whether a bank programs or erases.
@@ -315,15 +328,25 @@ impl FlashWatch {
         self.at_work.load(Ordering::Relaxed) & AWAITED != 0
     }
 
-    /// Notes a load of the core; whether it meets a poisoned word, and the word.
-    pub(super) fn load_of_poisoned(&self, address: u64) -> Option<u64> {
+    /// Notes a load of the core: the word and what it comes to, where its check bits do not fit.
+    pub(super) fn note_load(&self, address: u64) -> Option<(u64, Met)> {
         let mut state = self.lock();
         let word = word_of(address);
-        if !state.poisoned.contains(&word) {
-            return None;
+        let met = state.check_bits.met(word)?;
+        state.poisoned_loads += u64::from(met == Met::Poisoned);
+        Some((word, met))
+    }
+
+    /// Notes a read of a DMA controller, wherever it went.
+    pub(super) fn note_dma_read(&self, address: u64) {
+        if bank_of(address).is_some() {
+            self.lock().check_bits.read_by_dma(word_of(address));
         }
-        state.poisoned_loads += 1;
-        Some(word)
+    }
+
+    /// What DMA controllers have met since the last call.
+    pub(super) fn take_met_by_dma(&self) -> Vec<(u64, Met)> {
+        self.lock().check_bits.take_met_by_dma()
     }
 
     fn begin(&self, operation: Operation, started: VirtualNanos, lasts_ns: u64) {
@@ -365,10 +388,10 @@ impl FlashWatch {
         match running.operation {
             Operation::Erase { address } => {
                 let sector = address..address + SECTOR_BYTES;
-                state.poisoned.retain(|word| !sector.contains(word));
+                state.check_bits.heal(&sector);
             }
             Operation::Program { address, .. } if running.overwrites => {
-                state.poisoned.insert(address);
+                state.check_bits.poison([address]);
             }
             Operation::Program { .. } => {}
         }
@@ -511,24 +534,6 @@ impl WatchedFlash {
             *place = *byte;
         }
     }
-
-    /// The interface has met a word whose check bits do not fit: the flag stands until it is cleared,
-    /// and the address is that of the first such word since (RM0433 Rev 9, 4.9.37).
-    pub(super) fn note_double_error(word: u64, registers: &mut RegisterFile) {
-        let Some(bank) = bank_of(word) else {
-            return;
-        };
-        let nth_word = (word - bank_range(bank).start) / WORD_BYTES as u64;
-        let (status, flag, failing) = match bank {
-            0 => (Register::Sr1, sr1::DBECCERR1, Register::EccFa1r),
-            _ => (Register::Sr2, sr2::DBECCERR2, Register::EccFa2r),
-        };
-        let before = registers.get(status);
-        if !flag.is_set(before) {
-            registers.set(failing, ecc_fa2r::FAIL_ECC_ADDR2.set(0, nth_word));
-        }
-        registers.set(status, before | flag.mask());
-    }
 }
 
 impl Device for WatchedFlash {
@@ -542,7 +547,8 @@ impl Device for WatchedFlash {
         context: &mut DeviceContext<'_>,
     ) {
         self.inner.write(register, value, registers, context);
-        if register == Register::Ccr2 && !sr2::DBECCERR2.is_set(registers.get(Register::Sr2)) {
+        let met = sr2::DBECCERR2.mask() | sr2::SNECCERR2.mask();
+        if register == Register::Ccr2 && registers.get(Register::Sr2) & met == 0 {
             registers.set(Register::EccFa2r, 0);
         }
         let begun = sector_started(register, value).map(|address| Operation::Erase { address });

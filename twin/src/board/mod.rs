@@ -29,6 +29,7 @@
 
 mod adc;
 mod analog;
+mod check_bits;
 mod cortex_m7;
 mod dac;
 mod dma1;

@@ -13,14 +13,16 @@ use rigless::soc::stm32h743::Stm32h743;
 use rigless::soc::stm32h743::generated::pwr::csr1;
 use rigless::soc::stm32h743::generated::{EXTI, dbgmcu, exti, pwr, rcc, rtc};
 use rigless::soc::stm32h743::peripherals::dbg::KEPT_BY_A_SYSTEM_RESET;
+use rigless::soc::stm32h743::peripherals::flash::OptionBytes;
 use rigless::soc::{Bus, Error, Layout, Width};
 use rigless::time::VirtualNanos;
 
 use super::adc::{self, Common, Converter, SharedPair};
+use super::check_bits::{self, Met};
 use super::dac::Dac;
 use super::dma1::Dma1;
 use super::dmamux::Dmamux;
-use super::flash::{CutOff, FlashWatch, WatchedFlash};
+use super::flash::{CutOff, FlashWatch, SET_UP, WatchedFlash};
 use super::flaws::Flaws;
 use super::iwdg::Iwdg;
 use super::memory_map;
@@ -155,7 +157,7 @@ impl Part {
                 lines.clone(),
             ),
             dmamux: Dmamux::new(lines.clone()),
-            dma1: Dma1::new(lines.clone()),
+            dma1: Dma1::new(lines.clone(), pins.flash.clone()),
             converters: [
                 Converter::new(0, pair.clone(), pins.faults.clone()),
                 Converter::new(1, pair.clone(), pins.faults.clone()),
@@ -171,6 +173,7 @@ impl Part {
             slots,
         };
         part.fit();
+        part.set_options(SET_UP);
         part.suffer();
         part.check()?;
         Ok(part)
@@ -192,15 +195,35 @@ impl Part {
     /// Hands to `fresh` what even a loss of the supply leaves alone: option bytes, and the levels
     /// outside on the pins.
     fn inherit_lasting(&mut self, fresh: &mut Self) {
-        let options = self.flash.inner.committed_options();
-        if let Some(slot) = fresh.base.bus().slot_of("Flash") {
-            let registers = fresh.base.bus_mut().slot_mut(slot).registers_mut();
-            fresh.flash.inner.keep_options(options, registers);
-        }
+        fresh.set_options(self.options());
         fresh.common.inherit_silicon(&self.common);
         for (fresh, old) in fresh.base.gpio.iter_mut().zip(&mut self.base.gpio) {
             *fresh = std::mem::take(old);
             Device::reset(fresh);
+        }
+    }
+
+    /// The option bytes in force.
+    pub(super) fn options(&self) -> OptionBytes {
+        self.flash.inner.committed_options()
+    }
+
+    /// Others are in force from now on.
+    pub(super) fn set_options(&mut self, options: OptionBytes) {
+        if let Some(slot) = self.base.bus().slot_of("Flash") {
+            let registers = self.base.bus_mut().slot_mut(slot).registers_mut();
+            self.flash.inner.keep_options(options, registers);
+        }
+    }
+
+    /// The flash interface shows what was read, and that its check bits did not fit.
+    fn latch(&mut self, word: u64, met: Met) {
+        if let Some(slot) = self.base.bus().slot_of("Flash") {
+            check_bits::latch(
+                word,
+                met,
+                self.base.bus_mut().slot_mut(slot).registers_mut(),
+            );
         }
     }
 
@@ -410,11 +433,10 @@ impl Mcu for Part {
         _report: bool,
         _memory: &mut dyn Memory,
     ) -> Option<Checked> {
-        let word = self.pins.flash.load_of_poisoned(address)?;
-        let slot = self.base.bus().slot_of("Flash")?;
-        let registers = self.base.bus_mut().slot_mut(slot).registers_mut();
-        WatchedFlash::note_double_error(word, registers);
-        Some(Checked::Uncorrectable)
+        let (word, met) = self.pins.flash.note_load(address)?;
+        self.latch(word, met);
+        // What is mended is read like any other word.
+        (met == Met::Poisoned).then_some(Checked::Uncorrectable)
     }
 
     fn mismatched_words(&mut self) -> Option<Vec<u64>> {
@@ -431,6 +453,11 @@ impl Mcu for Part {
         let Some(own) = self.own.get(slot).copied().flatten() else {
             return self.base.split(slot);
         };
+        if let Own::Flash = own {
+            for (word, met) in self.pins.flash.take_met_by_dma() {
+                self.latch(word, met);
+            }
+        }
         let model: &mut dyn ErasedDevice = match own {
             Own::Tim6 => &mut self.tim6,
             Own::Dac => &mut self.dac,

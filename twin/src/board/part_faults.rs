@@ -11,6 +11,7 @@ use rigless::soc::stm32h743::generated::{DMA1, flash};
 use rigless::soc::stm32h743::peripherals::flash::OptionBytes;
 use rigless::time::VirtualNanos;
 
+use super::flash::{SET_UP, word_of};
 use super::flaws::{Flaw, Flawed};
 use super::part::Part;
 
@@ -58,6 +59,22 @@ pub enum PartFault {
     /// Every sector of bank 2 is write-protected by the option bytes: what is erased or programmed
     /// there is refused with `WRPERR` (RM0433 Rev 9, section 4.5.2).
     FlashProtected,
+    /// The option bytes are these, as `FLASH_OPTSR_CUR` shows them (RM0433 Rev 9, 4.9.8), until the part is
+    /// mended: `0x0006_AAF0` is how the factory leaves a part, with brown-out level 0.
+    OptionBytes {
+        /// The register.
+        status: u32,
+    },
+    /// One bit of a flash word is wrong, and the part mends it at each read, until its sector is erased.
+    WeakWord {
+        /// Any address in the word.
+        address: u64,
+    },
+    /// Two bits of a flash word are wrong: it cannot be read until its sector is erased.
+    PoisonedWord {
+        /// Any address in the word.
+        address: u64,
+    },
     /// A converter has a flaw, or with one that is all zero none any more.
     Flaw {
         /// Which converter.
@@ -127,6 +144,12 @@ impl Part {
             }
             PartFault::NoClock => self.faults().lock().clock = true,
             PartFault::FlashProtected => self.faults().lock().flash = true,
+            PartFault::OptionBytes { status } => self.set_options(OptionBytes {
+                optsr: u64::from(status),
+                ..self.options()
+            }),
+            PartFault::WeakWord { address } => self.flash_watch().weaken(address),
+            PartFault::PoisonedWord { address } => self.flash_watch().poison([word_of(address)]),
             PartFault::Flaw { of, flaw } => self.flaws().set(of, flaw),
             PartFault::ConverterSupply { millivolts } => self.set_converter_supply(millivolts),
             PartFault::Processor { centi_c } => self.flaws().set_processor_centi_c(centi_c),
@@ -137,6 +160,7 @@ impl Part {
     /// Makes whole what is broken for good.
     pub(crate) fn mend(&mut self) {
         self.faults().mend();
+        self.set_options(SET_UP);
         self.suffer();
     }
 

@@ -11,6 +11,7 @@ use rigless::time::VirtualNanos;
 
 use super::super::dma1::{Dma1, STREAMS};
 use super::super::dmamux;
+use super::super::flash::FlashWatch;
 use super::super::memory_map;
 use super::super::request_lines::{DAC_CHANNELS, RequestLines};
 use super::{RAM, Ram};
@@ -97,7 +98,7 @@ fn drawn(stream: usize, draw: &mut impl FnMut(u64) -> u64) -> (Register, u64) {
 #[test]
 fn both_controllers_move_the_same() {
     let lines = RequestLines::new();
-    let mut ours = Bench::new(Dma1::new(lines.clone()));
+    let mut ours = Bench::new(Dma1::new(lines.clone(), FlashWatch::default()));
     let mut theirs = Bench::new(Dma::new(DMA1_FIRST_CHANNEL));
     let mut state = 1_u64;
     let mut draw = |below: u64| {

@@ -4,6 +4,7 @@ mod arithmetic;
 mod converters;
 mod dma;
 mod drive;
+mod flash;
 mod panel;
 mod sample_clock;
 mod supply;
@@ -45,13 +46,16 @@ impl RigPort for Recorder {
     }
 }
 
-/// RAM for the DMA: AXI SRAM's first kilobytes.
+/// RAM for the DMA: AXI SRAM's first kilobytes. Whatever else is read is erased flash.
 struct Ram(Vec<u8>);
 
 const RAM: u64 = 0x2400_0000;
 
 impl Memory for Ram {
     fn read(&mut self, address: u64, width: Width) -> Result<u64, Error> {
+        if address < RAM {
+            return Ok(width.mask());
+        }
         let at = (address - RAM) as usize;
         let bytes = &self.0[at..at + width.bytes() as usize];
         Ok(bytes
