@@ -73,6 +73,7 @@ impl Instrument for Calibrator {
         Health {
             deadlines: deadlines.collect(),
             timebase_ppm: state::TIMEBASE_PPM.get(),
+            option_bytes: Some(crate::board::option_bytes()),
             defects: state::defects(),
             restarts: match has_lived && state::defects().is_none() {
                 true => Vec::new(),
@@ -173,17 +174,19 @@ impl Instrument for Calibrator {
     }
 
     async fn self_test(&mut self) -> Result<Vec<Line, MAX_LINES>, Refusal> {
-        let records_readable = self.archive.page(0).await.is_ok();
-        // No await from here to the beginning: no run can come in between.
         if state::status().state.is_running() {
             return Err(Refusal::Busy);
         }
-        let health = self.health();
         let test = SelfTest::begin().ok_or(Refusal::Busy)?;
+        let records = match self.archive.look_through().await {
+            Err(Refusal::Busy) => return Err(Refusal::Busy),
+            looked => looked.ok(),
+        };
+        let health = self.health();
         let identity = self.identity;
         let panicked = identity.last_panic.is_some();
         Ok(test
-            .carry_out(records_readable, &health, identity.reset_cause, panicked)
+            .carry_out(records, &health, identity.reset_cause, panicked)
             .await)
     }
 

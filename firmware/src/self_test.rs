@@ -10,9 +10,10 @@
 //! The pin is let go before the first code of the tone and taken after the last; in between the bias
 //! network of the output stage holds it (docs/safety.md).
 
+use crate::board::{option_bytes, wrong_words_of_image};
 use crate::state;
 use calib_core::alignment::Alignment;
-use calib_core::self_test::{AtRest, Evidence, Line, Loopback, MAX_LINES, judge};
+use calib_core::self_test::{AtRest, Evidence, Line, Loopback, MAX_LINES, WrongWords, judge};
 use calib_protocol::health::Health;
 use calib_protocol::message::ResetCause;
 use core::sync::atomic::{AtomicBool, Ordering};
@@ -63,7 +64,7 @@ impl SelfTest {
     /// Has the converters listened to, and judges the board.
     pub(crate) async fn carry_out(
         &self,
-        records_readable: bool,
+        records: Option<(u32, WrongWords)>,
         health: &Health,
         reset_cause: ResetCause,
         panicked: bool,
@@ -81,7 +82,10 @@ impl SelfTest {
             alignment: heard.map_or(Alignment::Unclear, |heard| heard.alignment),
             lost_pairs,
             stack_unused_bytes: crate::board::unused_stack_bytes(),
-            records_readable,
+            records_unreadable: records.map(|(unreadable, _)| unreadable),
+            option_bytes: option_bytes(),
+            image: wrong_words_of_image().await,
+            record_area: records.map(|(_, wrong)| wrong),
             unwanted_start: unwanted || panicked,
             defects: health.defects.iter().count() as u32,
             deadline_rel: health

@@ -1,12 +1,13 @@
 //! From reset to running tasks.
 
-use crate::board::{Board, Digitiser, Exciter, NAME, usb_port};
+use crate::board::{Board, Digitiser, Exciter, NAME, option_bytes, usb_port};
 use crate::identity::Identity;
 use crate::instrument::Calibrator;
 use crate::state;
 use crate::tasks::acquire::Block;
 use crate::tasks::store::SharedArchive;
 use crate::tasks::{acquire, drive, link, measure, store, supervise, thermometer, timebase};
+use calib_core::self_test::BROWN_OUT_LEVEL;
 use calib_firmware::restarts::LeftOut;
 use calib_firmware::session::LinkName;
 use calib_protocol::health::Defect;
@@ -57,6 +58,15 @@ pub(crate) async fn start(spawner: Spawner) {
     );
     if let Some(reason) = &identity.last_panic {
         defmt::error!("restarted after: {=str}", reason.as_str());
+    }
+
+    let level = option_bytes().brown_out_level();
+    if level != BROWN_OUT_LEVEL {
+        defmt::warn!(
+            "brown-out level {=u8} and not {=u8}",
+            level,
+            BROWN_OUT_LEVEL
+        );
     }
 
     static ARCHIVE: SharedArchive = SharedArchive::new();

@@ -6,12 +6,14 @@
 //! | 2 | restarts | count u8, then a text for each |
 //! | 3 | deadlines | count u8, then for each: work u8, longest f32, allowed f32, microseconds |
 //! | 4 | timebase | how much faster the clock is than the USB host's frames (option of f32, ppm) |
+//! | 5 | option bytes | `FLASH_OPTSR_CUR` (option of u32) |
 //!
 //! A host asks for it beside [`Info`](crate::message::Info), whose fields are fixed: what is learnt of
 //! the instrument later is a section more ([`crate::sections`]).
 
 use crate::error::RecordError;
 use crate::sections::{Fields, Read, find, needed, section};
+use calib_core::self_test::OptionBytes;
 use heapless::{String, Vec};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -25,6 +27,7 @@ const DEFECTS: u8 = 1;
 const RESTARTS: u8 = 2;
 const DEADLINES: u8 = 3;
 const TIMEBASE: u8 = 4;
+const OPTION_BYTES: u8 = 5;
 
 /// Most deadlines that are told.
 pub const MAX_DEADLINES: usize = 8;
@@ -172,6 +175,8 @@ pub struct Health {
     /// How much faster the instrument's clock is than the frames of the USB host, ppm; none without
     /// a host, and in the first seconds.
     pub timebase_ppm: Option<f32>,
+    /// Option bytes of its processor; none from a release that does not say.
+    pub option_bytes: Option<OptionBytes>,
 }
 
 /// The sections.
@@ -185,6 +190,7 @@ impl Serialize for InSections<'_> {
             section(RESTARTS, &health.restarts),
             section(DEADLINES, &health.deadlines),
             section(TIMEBASE, health.timebase_ppm),
+            section(OPTION_BYTES, health.option_bytes),
         )
             .serialize(serializer)
     }
@@ -201,6 +207,9 @@ fn read(sections: &[u8]) -> Result<Health, RecordError> {
     }
     if let Some((_, timebase)) = find(sections, TIMEBASE, 1)? {
         health.timebase_ppm = Fields(timebase).take()?;
+    }
+    if let Some((_, option_bytes)) = find(sections, OPTION_BYTES, 1)? {
+        health.option_bytes = Fields(option_bytes).take()?;
     }
     Ok(health)
 }
@@ -258,6 +267,7 @@ mod tests {
                 .into_iter()
                 .collect(),
             timebase_ppm: Some(-3.5),
+            option_bytes: Some(OptionBytes(0x0006_AAFC)),
         }
     }
 

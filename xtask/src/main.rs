@@ -10,6 +10,7 @@ mod elf;
 mod fuzz;
 mod ngspice;
 mod no_panic;
+mod option_writes;
 mod package;
 mod packages;
 mod program;
@@ -32,6 +33,7 @@ usage: ./run <command>
   program [BOARD]   build the image and put it on the board at the ST-LINK (needs probe-rs)
   package [--check] what a user installs, into dist/: a Debian package and a tar, with the
                     image inside; --check installs and uses it in an empty Debian
+  brown-out         set the brown-out level of the board at the ST-LINK, once in its life
   screenshots       pictures of the page for docs/images (needs Chromium)
   size [BOARD]      flash and RAM used by the image
   setup             build everything and run nothing
@@ -50,6 +52,7 @@ fn main() -> Result<()> {
         "bench" => bench::run(rest),
         "elf" => elf::build_for(board).map(|path| println!("{}", path.display())),
         "program" => program::run(board),
+        "brown-out" => program::brown_out(),
         "no-panic" => elf::build_for(board).and_then(|image| no_panic::check(&image)),
         "package" => package::build(rest),
         "screenshots" => browser::screenshots(),

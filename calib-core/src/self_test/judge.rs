@@ -4,6 +4,7 @@
 //! states what a sound part does, the limit lies three times beyond it or more.
 
 use super::figures::{AtRest, Loopback};
+use super::option_bytes::{BROWN_OUT_LEVEL, OptionBytes};
 use crate::alignment::Alignment;
 use crate::thermometer::{HIGHEST_C, LOWEST_C};
 use heapless::Vec;
@@ -44,7 +45,7 @@ pub enum Check {
     LostPairs,
     /// Bytes of the stack never used since the start.
     Stack,
-    /// Requests of the record area that failed: it was asked once.
+    /// Stored records that cannot be read to the byte; no value where the record area does not answer.
     Records,
     /// 1 if the last start came of a panic, the watchdog or a fall of the supply.
     LastStart,
@@ -54,6 +55,16 @@ pub enum Check {
     Deadline,
     /// Clock against the frames of a USB host, ppm; this line is there only where one was heard.
     Timebase,
+    /// Level of the brown-out reset in the option bytes.
+    BrownOut,
+    /// Other option bytes that are not as delivered ([`OptionBytes::deviations`]).
+    OptionBytes,
+    /// Flash words of the image with wrong bits, mended or not.
+    ImageErrors,
+    /// Flash words of the record area with one wrong bit, which the part mends.
+    FlashCorrected,
+    /// Flash words of the record area with two wrong bits, which cannot be read.
+    FlashUnreadable,
 }
 
 /// One line: a value with its limits.
@@ -80,6 +91,15 @@ impl Line {
     }
 }
 
+/// Flash words whose check bits do not fit, one wrong bit and two.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct WrongWords {
+    /// One, which the part mends at each read.
+    pub corrected: u32,
+    /// Two: the word cannot be read.
+    pub unreadable: u32,
+}
+
 /// What was measured on a board.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evidence {
@@ -97,8 +117,14 @@ pub struct Evidence {
     pub lost_pairs: u32,
     /// Bytes never used.
     pub stack_unused_bytes: u32,
-    /// The record area answers.
-    pub records_readable: bool,
+    /// Stored records that cannot be read; none where the record area does not answer.
+    pub records_unreadable: Option<u32>,
+    /// What the part was told on the bench.
+    pub option_bytes: OptionBytes,
+    /// Wrong words of the image.
+    pub image: WrongWords,
+    /// Wrong words of the record area; none where it does not answer.
+    pub record_area: Option<WrongWords>,
     /// The last start was nobody's wish.
     pub unwanted_start: bool,
     /// Things that do not work.
@@ -121,6 +147,7 @@ pub fn judge(board: &Evidence) -> Vec<Line, MAX_LINES> {
         Alignment::Shifted(samples) => Some(f32::from(samples)),
         Alignment::Unclear => None,
     };
+    let (options, area) = (board.option_bytes, board.record_area);
     let flag = |bad: bool| Some(f32::from(u8::from(bad)));
     let values = [
         (Check::Supply, board.supply_v),
@@ -139,11 +166,28 @@ pub fn judge(board: &Evidence) -> Vec<Line, MAX_LINES> {
         (Check::Alignment, shift),
         (Check::LostPairs, Some(board.lost_pairs as f32)),
         (Check::Stack, Some(board.stack_unused_bytes as f32)),
-        (Check::Records, flag(!board.records_readable)),
+        (Check::Records, board.records_unreadable.map(|n| n as f32)),
         (Check::LastStart, flag(board.unwanted_start)),
         (Check::Defects, Some(board.defects as f32)),
         (Check::Deadline, Some(board.deadline_rel)),
         (Check::Timebase, board.timebase_ppm),
+        (Check::BrownOut, Some(f32::from(options.brown_out_level()))),
+        (
+            Check::OptionBytes,
+            Some(options.deviations().count() as f32),
+        ),
+        (
+            Check::ImageErrors,
+            Some((board.image.corrected + board.image.unreadable) as f32),
+        ),
+        (
+            Check::FlashCorrected,
+            area.map(|area| area.corrected as f32),
+        ),
+        (
+            Check::FlashUnreadable,
+            area.map(|area| area.unreadable as f32),
+        ),
     ];
     let mut lines = Vec::new();
     for (check, value) in values {
@@ -170,7 +214,8 @@ pub fn judge(board: &Evidence) -> Vec<Line, MAX_LINES> {
 /// assumed: 3.3 V within 5 %; an input with 50 mV at its pin lost 3 % of its range; 5 mV r.m.s. is
 /// hum or a broken converter, and 5 uV, a tenth of a code of 16 bits, is no converter at all; a stack
 /// that came within 2 KiB of its end has no room left for what was not tried. A USB host may be 500 ppm
-/// off (USB 2.0, 7.1.11), a crystal 50.
+/// off (USB 2.0, 7.1.11), a crystal 50. A power cut leaves at most one word that cannot be read, until its
+/// sector is erased; 16 of them are assumed to be no wear yet. One wrong bit is never left by design.
 fn limits(check: Check) -> (Option<f32>, Option<f32>) {
     let around = |middle: f32, by: f32| (Some(middle - by), Some(middle + by));
     match check {
@@ -183,7 +228,15 @@ fn limits(check: Check) -> (Option<f32>, Option<f32>) {
         Check::DriveDistortion => (None, Some(3e-3)),
         Check::DriveNoise => (None, Some(2e-3)),
         Check::Alignment => around(0.0, 0.0),
-        Check::LostPairs | Check::Records | Check::LastStart | Check::Defects => (None, Some(0.0)),
+        Check::LostPairs
+        | Check::Records
+        | Check::LastStart
+        | Check::Defects
+        | Check::OptionBytes
+        | Check::ImageErrors
+        | Check::FlashCorrected => (None, Some(0.0)),
+        Check::FlashUnreadable => (None, Some(16.0)),
+        Check::BrownOut => around(f32::from(BROWN_OUT_LEVEL), 0.0),
         Check::Deadline => (None, Some(1.0)),
         Check::Timebase => around(0.0, 550.0),
         Check::Stack => (Some(2048.0), None),
@@ -198,6 +251,10 @@ mod tests {
         offset: 10.0,
         noise_rms: 17.0,
     };
+    const NONE_WRONG: WrongWords = WrongWords {
+        corrected: 0,
+        unreadable: 0,
+    };
     const SOUND: Evidence = Evidence {
         supply_v: Some(3.3),
         temperature_c: Some(48.0),
@@ -211,7 +268,10 @@ mod tests {
         alignment: Alignment::Aligned,
         lost_pairs: 0,
         stack_unused_bytes: 12_000,
-        records_readable: true,
+        records_unreadable: Some(0),
+        option_bytes: OptionBytes(0x0006_AAFC),
+        image: NONE_WRONG,
+        record_area: Some(NONE_WRONG),
         unwanted_start: false,
         defects: 0,
         deadline_rel: 0.4,
@@ -231,7 +291,8 @@ mod tests {
     fn a_sound_board_passes_and_every_line_is_there_once() {
         assert_eq!(failing(&SOUND), []);
         let lines = judge(&SOUND);
-        assert_eq!(lines.len(), Check::Timebase as usize + 1);
+        assert_eq!(lines.len(), Check::FlashUnreadable as usize + 1);
+        assert!(lines.len() <= MAX_LINES);
         assert!(
             lines
                 .iter()
@@ -259,6 +320,17 @@ mod tests {
             ..SOUND
         };
         assert_eq!(failing(&board), [Check::Alignment]);
+        let board = Evidence {
+            records_unreadable: None,
+            record_area: None,
+            ..SOUND
+        };
+        let without_records = [
+            Check::Records,
+            Check::FlashCorrected,
+            Check::FlashUnreadable,
+        ];
+        assert_eq!(failing(&board), without_records);
     }
 
     #[test]
@@ -267,7 +339,12 @@ mod tests {
             timebase_ppm: None,
             ..SOUND
         };
-        assert_eq!(judge(&board).len(), Check::Timebase as usize);
+        assert_eq!(judge(&board).len(), judge(&SOUND).len() - 1);
+        assert!(
+            judge(&board)
+                .iter()
+                .all(|line| line.check != Check::Timebase)
+        );
         assert_eq!(failing(&board), []);
     }
 
@@ -287,18 +364,41 @@ mod tests {
     #[test]
     fn each_fault_fails_its_line() {
         type Fault = (Check, fn(&mut Evidence));
-        let faults: [Fault; 9] = [
+        let faults: [Fault; 16] = [
             (Check::Supply, |board| board.supply_v = Some(3.0)),
             (Check::Alignment, |board| {
                 board.alignment = Alignment::Shifted(-1)
             }),
             (Check::LostPairs, |board| board.lost_pairs = 1),
             (Check::Stack, |board| board.stack_unused_bytes = 100),
-            (Check::Records, |board| board.records_readable = false),
+            (Check::Records, |board| board.records_unreadable = Some(1)),
             (Check::LastStart, |board| board.unwanted_start = true),
             (Check::Defects, |board| board.defects = 1),
             (Check::Deadline, |board| board.deadline_rel = 1.01),
             (Check::Timebase, |board| board.timebase_ppm = Some(600.0)),
+            (Check::BrownOut, |board| {
+                board.option_bytes = OptionBytes(0x0006_AAF0)
+            }),
+            (Check::BrownOut, |board| {
+                board.option_bytes = OptionBytes(0x0006_AAF8)
+            }),
+            (Check::OptionBytes, |board| {
+                board.option_bytes = OptionBytes(0x0006_BBFC)
+            }),
+            (Check::ImageErrors, |board| board.image.corrected = 1),
+            (Check::ImageErrors, |board| board.image.unreadable = 1),
+            (Check::FlashCorrected, |board| {
+                board.record_area = Some(WrongWords {
+                    corrected: 1,
+                    unreadable: 16,
+                })
+            }),
+            (Check::FlashUnreadable, |board| {
+                board.record_area = Some(WrongWords {
+                    corrected: 0,
+                    unreadable: 17,
+                })
+            }),
         ];
         for (check, happen) in faults {
             let mut board = SOUND;

@@ -7,6 +7,7 @@ use calib_protocol::message::{RECORD_CHUNK, Refusal};
 use calib_protocol::record::digest;
 use calib_protocol::stored;
 use core::ops::Range;
+use embassy_futures::yield_now;
 use heapless::Vec;
 
 impl<F: CheckedFlash> Archive<'_, F> {
@@ -55,6 +56,22 @@ impl<F: CheckedFlash> Archive<'_, F> {
         let part = rest.get(..RECORD_CHUNK).unwrap_or(rest);
         let data = Vec::from_slice(part).map_err(|_| Refusal::StorageFailed)?;
         Ok(RecordPart { total, data })
+    }
+
+    /// How many stored records cannot be read to the byte.
+    pub async fn unreadable(&mut self) -> u32 {
+        let mut unreadable = 0;
+        for place in 0..self.memory.directory.len() {
+            let id = self.memory.directory.get(place).map(|entry| entry.id);
+            if let Some(id) = id
+                && self.unpack(id).await.is_err()
+            {
+                unreadable += 1;
+            }
+            // A sum takes a millisecond, and there may be thousands.
+            yield_now().await;
+        }
+        unreadable
     }
 
     /// Puts a whole record into the scratch memory; its length.

@@ -26,6 +26,7 @@ mod converter;
 mod description;
 mod digitiser;
 mod exciter;
+mod option_bytes;
 mod panel;
 mod record_flash;
 mod sample_clock;
@@ -43,8 +44,11 @@ pub(crate) use converter::NotReady;
 pub(crate) use description::{Clocks, Panel, Silicon};
 pub(crate) use digitiser::{APERTURE, BLOCK_PAIRS, Digitiser};
 pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
+pub(crate) use option_bytes::option_bytes;
 pub(crate) use panel::{Lamp, Lamps, PushButton};
-pub(crate) use record_flash::{RECORD_AREA, RecordFlash, finish_word};
+pub(crate) use record_flash::{
+    RECORD_AREA, RecordFlash, finish_word, wrong_words_of_image, wrong_words_of_records,
+};
 pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
 pub(crate) use selected::{CONVERTERS, NAME};
 pub(crate) use stack::unused_bytes as unused_stack_bytes;

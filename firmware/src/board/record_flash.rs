@@ -7,6 +7,8 @@
 //! failing address in `FLASH_ECC_FA2R` is not used: revisions Y and W may not
 //! update it (ES0392 2.2.7).
 //!
+//! A word with one wrong bit is mended by the part and read like any other; the self-test counts those.
+//!
 //! The flag is the bank's, not the load's, so nothing else may read the bank
 //! meanwhile. No DMA is pointed at it, and to the core it is device memory that is
 //! never executed, by a region of the MPU: then it reads nothing ahead and caches
@@ -18,9 +20,11 @@ use core::arch::asm;
 use core::future::poll_fn;
 use core::task::Poll;
 
+use calib_core::self_test::WrongWords;
 use calib_firmware::archive::CheckedFlash;
 use cortex_m::asm::{delay, dsb, isb};
 use cortex_m::peripheral::{MPU, SCB};
+use embassy_futures::yield_now;
 use embassy_stm32::interrupt::{self, InterruptExt};
 use embassy_stm32::pac::flash::{Bank, regs};
 use embassy_stm32::{Peri, pac, peripherals};
@@ -32,6 +36,10 @@ use embedded_storage_async::nor_flash::{
 
 /// The record area: all of bank 2, as offsets in flash (see `memory.x`).
 pub(crate) const RECORD_AREA: core::ops::Range<u32> = 0x10_0000..0x20_0000;
+/// The image, likewise: slot A.
+const IMAGE: core::ops::Range<u32> = 0x02_0000..0x08_0000;
+/// Bytes of a bank.
+const BANK: u32 = 0x10_0000;
 /// Address of offset 0.
 const FLASH_START: u32 = 0x0800_0000;
 /// Bytes programmed at once, with check bits of their own.
@@ -168,7 +176,7 @@ impl ReadNorFlash for RecordFlash {
             let length = rest.len().min(4 * LOADED_AT_ONCE - skipped);
             let words = buffer.split_at_mut((skipped + length).div_ceil(4)).0;
             let address = FLASH_START + at - skipped as u32;
-            if !(0..TRIES).any(|_| load(address, words)) {
+            if !(0..TRIES).any(|_| load(address, words) != Fit::Poisoned) {
                 return Err(FlashFailed::Poisoned);
             }
             let (part, behind) = rest.split_at_mut(length);
@@ -228,31 +236,81 @@ pub(crate) fn finish_word() {
     }
 }
 
-/// Loads words of the core from flash; false when the flash met a word whose check bits do not fit.
-fn load(address: u32, words: &mut [u32]) -> bool {
+/// How the check bits of what was loaded fit.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Fit {
+    Good,
+    /// A bit was wrong, and is mended.
+    Corrected,
+    /// Two were: what was loaded means nothing.
+    Poisoned,
+}
+
+/// Loads words of the core from flash, all of one bank.
+fn load(address: u32, words: &mut [u32]) -> Fit {
+    let bank = pac::FLASH.bank(((address - FLASH_START) / BANK) as usize);
     // Note(unsafe): the registers exist and no other code looks at the fault bits while faults are
-    // masked; whole aligned words within the record area.
+    // masked; whole aligned words of the flash.
     unsafe {
         let core = &*SCB::PTR;
         asm!("cpsid f", options(nostack));
         let before = core.ccr.read();
         core.ccr.write(before | IGNORE_BUS_FAULTS);
-        clear_flags();
+        clear_flags(bank);
         barrier();
         for (place, at) in words.iter_mut().zip((address..).step_by(4)) {
             *place = (at as *const u32).read_volatile();
         }
         dsb();
-        let fits = !bank().sr().read().dbeccerr();
-        clear_flags();
-        if !fits {
+        let status = bank.sr().read();
+        let fit = match (status.dbeccerr(), status.sneccerr1()) {
+            (true, _) => Fit::Poisoned,
+            (false, true) => Fit::Corrected,
+            (false, false) => Fit::Good,
+        };
+        clear_flags(bank);
+        if fit == Fit::Poisoned {
             core.cfsr.write(PRECISE_BUS_FAULT);
         }
         core.ccr.write(before);
         barrier();
         asm!("cpsie f", options(nostack));
-        fits
+        fit
     }
+}
+
+/// Reads all of the image, or of the record area, and counts the words whose check bits do not fit. The
+/// record area must not be written or erased meanwhile.
+///
+/// # Timing
+/// Some 10 ms for a MiB, in pieces of microseconds.
+async fn wrong_words(range: core::ops::Range<u32>) -> WrongWords {
+    let mut wrong = WrongWords::default();
+    let mut buffer = [0; LOADED_AT_ONCE];
+    for at in range.step_by(size_of_val(&buffer)) {
+        let address = FLASH_START + at;
+        if load(address, &mut buffer) != Fit::Good {
+            for (at, word) in (address..).step_by(WORD).zip(buffer.chunks_mut(WORD / 4)) {
+                match load(at, word) {
+                    Fit::Good => {}
+                    Fit::Corrected => wrong.corrected += 1,
+                    Fit::Poisoned => wrong.unreadable += 1,
+                }
+            }
+        }
+        yield_now().await;
+    }
+    wrong
+}
+
+/// Words of the image whose check bits do not fit.
+pub(crate) async fn wrong_words_of_image() -> WrongWords {
+    wrong_words(IMAGE).await
+}
+
+/// The same of the record area, which must be at rest.
+pub(crate) async fn wrong_words_of_records() -> WrongWords {
+    wrong_words(RECORD_AREA).await
 }
 
 /// Registers of bank 2.
@@ -308,7 +366,7 @@ async fn end() -> Result<(), FlashFailed> {
         w.set_operrie(false);
     });
     let status = ended.map_err(|_| FlashFailed::Operation)?;
-    clear_flags();
+    clear_flags(bank());
     match is_clean(status) {
         true => Ok(()),
         false => Err(FlashFailed::Operation),
@@ -326,8 +384,8 @@ fn is_busy() -> bool {
 }
 
 /// The flags are cleared by a register of their own; writing them does nothing.
-fn clear_flags() {
-    bank().ccr().write(|w| {
+fn clear_flags(bank: Bank) {
+    bank.ccr().write(|w| {
         w.set_clr_eop(true);
         w.set_clr_wrperr(true);
         w.set_clr_pgserr(true);
@@ -342,7 +400,7 @@ fn clear_flags() {
 }
 
 fn unlock() {
-    clear_flags();
+    clear_flags(bank());
     if bank().cr().read().lock() {
         for key in KEYS {
             bank().keyr().write_value(key);

@@ -1,8 +1,9 @@
 //! Records out: from an ended run to the archive.
 
-use crate::board::{RECORD_AREA, RecordFlash, axi_static};
+use crate::board::{RECORD_AREA, RecordFlash, axi_static, wrong_words_of_records};
 use crate::identity::Identity;
 use crate::{retained, state};
+use calib_core::self_test::WrongWords;
 use calib_core::settings::Settings;
 use calib_firmware::archive::{Archive, Directory, LastAccess, MAX_ITEM, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
@@ -88,6 +89,13 @@ impl SharedArchive {
         };
         record.settings.clone_from(&change.settings);
         Ok(archive.log_change().await?)
+    }
+
+    /// Stored records that cannot be read, and words of the record area whose check bits do not fit.
+    pub(crate) async fn look_through(&self) -> Result<(u32, WrongWords), Refusal> {
+        let mut archive = self.lock()?;
+        let unreadable = archive.get()?.unreadable().await;
+        Ok((unreadable, wrong_words_of_records().await))
     }
 
     /// Waits until nothing is being stored, and keeps it so.

@@ -1,6 +1,7 @@
 //! The calibrator, what it is doing, and what it keeps.
 
 use crate::{code, hex, unix_time_s};
+use calib_core::self_test::OptionBytes;
 use calib_core::settings::{ReferenceChannel, Settings};
 use calib_protocol::change::ReferenceChange;
 use calib_protocol::health::{Deadline, Defect, Health, Work};
@@ -46,6 +47,11 @@ pub struct InfoView {
     /// How much faster its clock is than the frames of the USB host, as a fraction; none without a
     /// host at its USB port.
     pub timebase_deviation_rel: Option<f64>,
+    /// Level of the brown-out reset in the option bytes of its processor; 3 on a board that was set up, 0 as
+    /// the factory leaves it. None from a release that does not say.
+    pub brown_out_level: Option<u8>,
+    /// Other option bytes that are not as delivered, in words.
+    pub option_byte_texts: Vec<String>,
 }
 
 /// How long a piece of work took at most since the start, and how long it may take.
@@ -77,6 +83,7 @@ impl InfoView {
         let text = |defect: Defect| format!("{}: {}", defect.text(), defect.remedy());
         let deadlines = health.into_iter().flat_map(|health| &health.deadlines);
         let timebase = health.and_then(|health| health.timebase_ppm);
+        let options = health.and_then(|health| health.option_bytes);
         let restarts = health.into_iter().flat_map(|health| &health.restarts);
         Self {
             protocol_version: info.protocol_version,
@@ -95,6 +102,12 @@ impl InfoView {
             restarts: restarts.map(ToString::to_string).collect(),
             deadlines: deadlines.map(DeadlineView::from).collect(),
             timebase_deviation_rel: timebase.map(|ppm| f64::from(ppm) * 1e-6),
+            brown_out_level: options.map(OptionBytes::brown_out_level),
+            option_byte_texts: options
+                .into_iter()
+                .flat_map(OptionBytes::deviations)
+                .map(|deviation| deviation.text().to_owned())
+                .collect(),
         }
     }
 }

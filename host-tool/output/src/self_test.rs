@@ -109,7 +109,7 @@ fn words(check: Check) -> (&'static str, &'static str, &'static str) {
             "a defect of the firmware: keep `calib info` for a report",
         ),
         Check::Records => (
-            "failures of the record area",
+            "stored records that cannot be read",
             "1",
             "download what can be read, then replace the board",
         ),
@@ -132,6 +132,34 @@ fn words(check: Check) -> (&'static str, &'static str, &'static str) {
             "clock against the USB host",
             "ppm",
             "the clock from the ST-LINK, or that of this computer: try another host, then fit a crystal",
+        ),
+        Check::BrownOut => (
+            "level of the brown-out reset",
+            "1",
+            "set it once, with the exciter unplugged: `./run brown-out`, or see docs/hardware.md, Brown-out \
+             level",
+        ),
+        Check::OptionBytes => (
+            "other option bytes not as delivered",
+            "1",
+            "`calib info` names them; set them back with STM32CubeProgrammer, records downloaded first",
+        ),
+        Check::ImageErrors => (
+            "words of the image with wrong bits",
+            "1",
+            "put the image on the board again: `./run program`; if it comes back, replace the board",
+        ),
+        Check::FlashCorrected => (
+            "words of the records that are mended at each read",
+            "1",
+            "download and release the records, so that their sector is erased; if it comes back, the flash \
+             wears out: replace the board",
+        ),
+        Check::FlashUnreadable => (
+            "words of the records that cannot be read",
+            "1",
+            "each power cut while something is stored leaves one: download and release the records, so that \
+             their sector is erased; if they come back, replace the board",
         ),
     }
 }

@@ -1,6 +1,7 @@
 //! `calib info`: who is at the other end.
 
 use super::Context;
+use calib_core::self_test::BROWN_OUT_LEVEL;
 use calib_host::Result;
 use calib_output::InfoView;
 use calib_protocol::message::Info as DeviceInfo;
@@ -27,6 +28,15 @@ fn temperature(processor_c: Option<f32>) -> String {
             format!("{value:.0} degrees Celsius inside the processor, within some kelvin")
         }
         None => "not read".to_owned(),
+    }
+}
+
+fn brown_out(level: u8) -> String {
+    match level == BROWN_OUT_LEVEL {
+        true => format!("level {level}"),
+        false => {
+            format!("level {level}, to be {BROWN_OUT_LEVEL}: docs/hardware.md, Brown-out level")
+        }
     }
 }
 
@@ -69,6 +79,14 @@ fn text(info: &DeviceInfo, view: &InfoView) -> String {
         let ppm = 1e6 * deviation_rel;
         lines.push(format!("timebase       {ppm:+.0} ppm against the USB host"));
     }
+    if let Some(level) = view.brown_out_level {
+        lines.push(format!("brown-out      {}", brown_out(level)));
+    }
+    lines.extend(
+        view.option_byte_texts
+            .iter()
+            .map(|text| format!("option byte    {text}")),
+    );
     lines.extend(
         view.defect_texts
             .iter()

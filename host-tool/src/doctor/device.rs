@@ -2,6 +2,7 @@
 
 use super::finding::{Finding, State};
 use crate::{Device, Error, Result};
+use calib_core::self_test::BROWN_OUT_LEVEL;
 use calib_link::Client;
 use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::health::{Defect, Health, TIMEBASE_LIMIT_PPM};
@@ -23,6 +24,7 @@ pub(super) fn check(address: &Device) -> Vec<Finding> {
                 .into_iter()
                 .chain(defects.map(defect))
                 .chain(parts.as_ref().and_then(timebase))
+                .chain(option_bytes(parts.as_ref()))
                 .collect()
         }
         Err(error) => vec![unreachable(&error)],
@@ -116,6 +118,30 @@ fn timebase(health: &Health) -> Option<Finding> {
             "ask it from another computer: if that says the same, fit a crystal (docs/hardware.md)",
         ),
     })
+}
+
+/// What the part was told on the bench.
+fn option_bytes(health: Option<&Health>) -> Vec<Finding> {
+    let Some(options) = health.and_then(|health| health.option_bytes) else {
+        return Vec::new();
+    };
+    let level = options.brown_out_level();
+    let brown_out = match level == BROWN_OUT_LEVEL {
+        true => Finding::new("brown-out", State::Good, format!("level {level}")),
+        false => Finding::new(
+            "brown-out",
+            State::Warning,
+            format!("level {level} and not {BROWN_OUT_LEVEL}: it may write its flash with too little supply"),
+        )
+        .with_remedy(
+            "set it once, with the exciter unplugged: `./run brown-out` (docs/hardware.md, Brown-out level)",
+        ),
+    };
+    let others = options.deviations().map(|deviation| {
+        Finding::new("options", State::Warning, deviation.text())
+            .with_remedy("set it back with STM32CubeProgrammer, records downloaded first")
+    });
+    std::iter::once(brown_out).chain(others).collect()
 }
 
 /// Something does not work: nothing is measured until it does.

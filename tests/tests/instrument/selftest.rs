@@ -3,7 +3,7 @@
 use calib_core::self_test::{Check, Line};
 use calib_protocol::message::Refusal;
 use calib_tests::bench::{Bench, Fault, point};
-use calib_twin::board::{Flaw, Flawed, PartFault};
+use calib_twin::board::{Flaw, Flawed, PartFault, RECORD_FLASH, SECTOR_BYTES};
 use calib_twin::rig::Rig;
 use std::time::Duration;
 
@@ -76,6 +76,88 @@ fn no_test_during_a_run() -> Result<(), Fault> {
     assert_eq!(refused.refusal, Refusal::Busy);
     bench.client.stop()?;
     bench.expect_silence(Duration::from_millis(200))
+}
+
+/// Option bytes as the factory leaves them (RM0433 Rev 9, table 21).
+const FACTORY: u32 = 0x0006_AAF0;
+/// Brown-out level 3 in bits 2 and 3.
+const LEVEL_3: u32 = 0b1100;
+
+/// Until this stage nothing told a part of the factory from one that was set up.
+#[test]
+fn a_part_of_the_factory_is_named_by_the_test_and_by_its_health() -> Result<(), Fault> {
+    use Check::{BrownOut, OptionBytes};
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let health = bench.client.health()?.ok_or("it knows its health")?;
+    let options = health.option_bytes.ok_or("it knows its option bytes")?;
+    assert_eq!(
+        (options.0, options.brown_out_level()),
+        (FACTORY | LEVEL_3, 3)
+    );
+    for (status, level, want) in [
+        (FACTORY, 0, &[BrownOut][..]),
+        (FACTORY | 0b1000, 2, &[BrownOut]),
+        // Read-out protection level 1.
+        (FACTORY & !0xFF00 | LEVEL_3, 3, &[OptionBytes]),
+        // A watchdog of the hardware, from reset on, and level 1.
+        (FACTORY & !0x10 | 0b0100, 1, &[BrownOut, OptionBytes]),
+    ] {
+        bench.board().fail(PartFault::OptionBytes { status })?;
+        // The part loads them when the power comes.
+        bench.board().power_cycle()?;
+        bench.client.wait(Duration::from_secs(1))?;
+        assert_eq!(found(&mut bench, &[])?, want, "{status:#x}");
+        let health = bench.client.health()?.ok_or("it knows its health")?;
+        let told = health.option_bytes.ok_or("it knows its option bytes")?;
+        assert_eq!((told.0, told.brown_out_level()), (status, level));
+    }
+    bench.board().mend()?;
+    assert_eq!(found(&mut bench, &[])?, []);
+    Ok(())
+}
+
+#[test]
+fn flash_that_wears_out_is_named_by_where_it_is() -> Result<(), Fault> {
+    use Check::{FlashCorrected, FlashUnreadable, ImageErrors, Records};
+    const IMAGE: u64 = 0x0802_0000;
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.adjust(|settings| settings.blocks = 3)?;
+    bench.run(&[point(160.0, 10.0)])?;
+    let poisoned = |address| PartFault::PoisonedWord { address };
+    let weak = |address| PartFault::WeakWord { address };
+    // Behind the image in its slot: a word of it that cannot be read is no board that runs.
+    assert_eq!(found(&mut bench, &[weak(IMAGE + 0x100)])?, [ImageErrors]);
+    assert_eq!(
+        found(&mut bench, &[poisoned(IMAGE + (384 << 10) - 32)])?,
+        [ImageErrors]
+    );
+    let erased = RECORD_FLASH + 5 * SECTOR_BYTES;
+    let known = [ImageErrors];
+    // A few words torn by power cuts are no wear; the seventeenth is.
+    let torn: Vec<_> = (0..16).map(|word| poisoned(erased + 320 * word)).collect();
+    assert_eq!(found(&mut bench, &torn)?, known);
+    let one_more = found(&mut bench, &[poisoned(erased + 320 * 16)])?;
+    assert_eq!(one_more, [ImageErrors, FlashUnreadable]);
+    let worn = found(&mut bench, &[weak(erased + 64)])?;
+    assert_eq!(worn, [ImageErrors, FlashCorrected, FlashUnreadable]);
+    // The board restarts and measures on all that.
+    assert_eq!(bench.client.records()?.len(), 1);
+    // The words of the only record: from the first item of the first sector on.
+    let flash = bench.board().record_flash()?;
+    let stored = flash
+        .chunks(32)
+        .take(4096)
+        .rposition(|word| word.iter().any(|byte| *byte != 0xFF));
+    let last = stored.ok_or("nothing is stored")? as u64 * 32;
+    let all = (32..=last)
+        .step_by(32)
+        .map(|at| poisoned(RECORD_FLASH + at));
+    let lost = found(&mut bench, &all.collect::<Vec<_>>())?;
+    assert_eq!(
+        lost,
+        [Records, ImageErrors, FlashCorrected, FlashUnreadable]
+    );
+    Ok(())
 }
 
 /// Sixteen defects that leave the board running, one after the other on one board.

@@ -358,7 +358,9 @@ fn a_poisoned_word_loses_no_record_but_its_own() {
         let entry = archive.memory.directory.last().copied().expect("stored");
         places.push(entry.address as usize + usize::from(entry.length) / 2);
     }
+    assert_eq!(block_on(archive.unreadable()), 0);
     flash.0.borrow_mut().poison(places[4]..places[4] + 1, 256);
+    assert_eq!(block_on(archive.unreadable()), 1);
     let lost = download(&mut archive, stored[4].0);
     assert_eq!(lost, Err(Refusal::StorageFailed));
     for restarted in [false, true] {
