@@ -4,6 +4,8 @@
 //! the same program prints what a host needs to know about the image.
 #![cfg_attr(target_os = "none", no_std)]
 #![cfg_attr(target_os = "none", no_main)]
+// The tests on the target need the drivers, and no task.
+#![cfg_attr(feature = "hitl", allow(dead_code, unused_imports))]
 
 #[cfg(target_os = "none")]
 mod board;
@@ -13,6 +15,9 @@ mod fault;
 mod identity;
 #[cfg(target_os = "none")]
 mod instrument;
+#[cfg(all(target_os = "none", feature = "hitl"))]
+#[path = "../../hitl/on_target.rs"]
+mod on_target;
 #[cfg(target_os = "none")]
 mod panic;
 #[cfg(target_os = "none")]
@@ -31,7 +36,11 @@ use defmt_rtt as _;
 
 #[cfg(target_os = "none")]
 #[embassy_executor::main]
+#[cfg_attr(feature = "hitl", allow(unused_variables))]
 async fn main(spawner: embassy_executor::Spawner) {
+    #[cfg(feature = "hitl")]
+    on_target::run().await;
+    #[cfg(not(feature = "hitl"))]
     start::start(spawner).await;
 }
 

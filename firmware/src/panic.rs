@@ -40,6 +40,9 @@ pub(crate) fn leave(way: Way, reason: core::fmt::Arguments<'_>) -> ! {
         retained::leave(way, text.0);
     }
     compiler_fence(Ordering::SeqCst);
+    #[cfg(feature = "hitl")]
+    crate::on_target::leave(false);
+    #[cfg(not(feature = "hitl"))]
     board::restart()
 }
 

@@ -39,7 +39,9 @@ pub(crate) fn build_all() -> Result<Vec<PathBuf>> {
     let mut images: Vec<PathBuf> = others
         .map(|board| build_other(&board))
         .collect::<Result<_>>()?;
-    images.push(build()?);
+    // Builds the default one last.
+    build_on_target_tests()?;
+    images.push(path(PACKAGE));
     Ok(images)
 }
 
@@ -64,6 +66,18 @@ fn build_other(board: &str) -> Result<PathBuf> {
     let kept = image.with_file_name("boards").join(board);
     std::fs::create_dir_all(image.with_file_name("boards"))?;
     std::fs::copy(&image, &kept).with_context(|| format!("cannot write {}", kept.display()))?;
+    Ok(kept)
+}
+
+/// Builds the tests on the target, for the default board, and returns their path.
+pub(crate) fn build_on_target_tests() -> Result<PathBuf> {
+    eprintln!("building the tests on the target ...");
+    let image = build_package(PACKAGE, &["--features", "hitl"])?;
+    let kept = image.with_file_name("hitl").join("calib-hitl");
+    std::fs::create_dir_all(image.with_file_name("hitl"))?;
+    std::fs::copy(&image, &kept).with_context(|| format!("cannot write {}", kept.display()))?;
+    // Cargo puts every image in one place, where the shipping one belongs.
+    build()?;
     Ok(kept)
 }
 

@@ -8,6 +8,7 @@ mod browser;
 mod demo;
 mod elf;
 mod fuzz;
+mod hitl;
 mod ngspice;
 mod no_panic;
 mod option_writes;
@@ -34,6 +35,7 @@ usage: ./run <command>
   package [--check] what a user installs, into dist/: a Debian package and a tar, with the
                     image inside; --check installs and uses it in an empty Debian
   brown-out         set the brown-out level of the board at the ST-LINK, once in its life
+  hitl [ratio]      tests on the board at the ST-LINK, exciter unplugged; `hitl emulated` without one
   screenshots       pictures of the page for docs/images (needs Chromium)
   size [BOARD]      flash and RAM used by the image
   setup             build everything and run nothing
@@ -52,6 +54,7 @@ fn main() -> Result<()> {
         "bench" => bench::run(rest),
         "elf" => elf::build_for(board).map(|path| println!("{}", path.display())),
         "program" => program::run(board),
+        "hitl" => hitl::run(rest),
         "brown-out" => program::brown_out(),
         "no-panic" => elf::build_for(board).and_then(|image| no_panic::check(&image)),
         "package" => package::build(rest),

@@ -28,6 +28,13 @@ pub(crate) fn run(board: Option<&str>) -> Result<()> {
     Ok(())
 }
 
+/// The run of tests on the board that is plugged in: it ends with their result.
+pub(crate) fn tests(image: &Path) -> Command {
+    let mut command = Command::new("probe-rs");
+    command.arg("run").args(CHIP).arg(image);
+    command
+}
+
 /// Puts an image on the board that is plugged in, and starts it.
 fn download(image: &Path) -> Result<()> {
     let image = image.to_str().context("a path without UTF-8")?;

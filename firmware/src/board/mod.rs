@@ -72,6 +72,10 @@ const WATCHDOG_US: u32 = 250_000;
 /// The same until the tasks run: converters take 50 ms, a crystal less than 100.
 const BOOT_WATCHDOG_US: u32 = 1_000_000;
 
+/// Silicon the image is for.
+#[cfg(feature = "hitl")]
+pub(crate) const SILICON: Silicon = selected::CLOCKS.silicon;
+
 /// The watchdog.
 pub(crate) type Watchdog = IndependentWatchdog<'static, peripherals::IWDG1>;
 

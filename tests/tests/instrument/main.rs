@@ -18,6 +18,7 @@ mod first_light;
 mod fuzz_smoke;
 mod gap_loop;
 mod healthy_rigs;
+mod hitl;
 mod hostile_hosts;
 mod hum;
 mod power_cut;
