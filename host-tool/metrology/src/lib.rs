@@ -28,6 +28,7 @@
 pub mod budget;
 pub mod channel_ratio;
 pub mod check;
+pub mod control_chart;
 pub mod discrete;
 pub mod evaluated;
 pub mod identify;

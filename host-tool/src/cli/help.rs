@@ -84,6 +84,13 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                 "history",
                 ["history LW12345", "history LW12345 --frequency 1000"],
             ),
+            (
+                "assure",
+                [
+                    "assure CHECK-1",
+                    "assure CHECK-1 --certified 10.02 --certified-u 0.5",
+                ],
+            ),
             ("logbook", ["logbook records", "logbook check"]),
             (
                 "export",

@@ -150,6 +150,8 @@ pub(crate) enum Command {
     Sensors(logbook::Sensors),
     /// Drift of a sensor over the years, with U.
     History(logbook::History),
+    /// Judges a check standard by its own results, before a job is begun.
+    Assure(logbook::Assure),
     /// Records, certificates, instruments and operators that are kept.
     Logbook(logbook::LogbookVerb),
     /// The logbook for other programs.
@@ -202,6 +204,7 @@ impl Command {
             Self::Link(verb) => verb.run(context),
             Self::Sensors(verb) => verb.run(context),
             Self::History(verb) => verb.run(context),
+            Self::Assure(verb) => verb.run(context),
             Self::Logbook(verb) => verb.run(context),
             Self::Export(verb) => verb.run(context),
             Self::Serve(verb) => verb.run(context),

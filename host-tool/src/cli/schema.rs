@@ -82,6 +82,7 @@ fn of<T: JsonSchema>(name: &'static str) -> (&'static str, Schema) {
 fn all() -> Vec<(&'static str, Schema)> {
     vec![
         of::<adjust::Output>("adjust-ratio"),
+        of::<logbook::Assurance>("assure"),
         of::<Either<EvaluationView, Template>>("budget"),
         of::<capture::Output<'_>>("capture"),
         of::<certificate::Written>("certificate"),

@@ -499,6 +499,50 @@ fn a_sensor_that_changed_by_more_than_u_is_reported() {
     assert!((drift - 0.024_876).abs() < 1e-4, "{drift}");
 }
 
+/// Ten results that scatter by 0.1 %, one more like them, and one that is 1 % off.
+#[test]
+fn a_check_standard_is_judged_by_its_own_results() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut logbook = logbook(folder.path());
+    let assure = |more: &str| {
+        let words = format!("assure C --frequency 20 --logbook logbook.sqlite{more}");
+        calib(folder.path(), &words.split(' ').collect::<Vec<_>>())
+    };
+    let scatter = [1.0, 1.001, 0.999, 1.0005, 0.9995];
+    for id in 1..=11_u32 {
+        if id == 6 {
+            let early = assure("");
+            assert_eq!(early.status.code(), Some(6));
+            assert!(
+                text(&early.stderr).contains("5 results"),
+                "{}",
+                text(&early.stderr)
+            );
+        }
+        let factor = scatter[id as usize % scatter.len()];
+        logbook
+            .keep(&later(id, "C", u64::from(id), factor))
+            .expect("kept");
+    }
+    let sound = assure(" --json");
+    assert_eq!(sound.status.code(), Some(0), "{}", text(&sound.stderr));
+    assert_eq!(json(&sound)["results_before"], 10);
+    logbook.keep(&later(12, "C", 12, 1.01)).expect("kept");
+    let off = assure("");
+    assert_eq!(off.status.code(), Some(7));
+    let said = text(&off.stdout);
+    assert!(
+        said.contains("outside of the limits") && said.contains("OUT OF CONTROL"),
+        "{said}"
+    );
+    // The same value against a certificate that says the same: it is only its own chart that speaks.
+    let certified = assure(" --certified 10.1 --certified-u 1 --json");
+    assert_eq!(
+        json(&certified)["e_n"].as_f64().map(|e_n| e_n.abs() < 0.1),
+        Some(true)
+    );
+}
+
 #[test]
 fn a_virtual_teds_becomes_a_sensor() {
     let folder = tempfile::tempdir().expect("folder");

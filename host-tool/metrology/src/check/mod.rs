@@ -171,6 +171,28 @@ mod tests {
         assert!(failed.worst.is_some_and(|worst| (worst - 0.4).abs() < 0.01));
     }
 
+    /// A day after it was due is a day too late, the day itself is none.
+    #[test]
+    fn a_reference_that_is_overdue_fails() {
+        let mut record = sample::record(&[160.0]);
+        let mut outcome = |run_s: u64, due_day: u32| {
+            record.head.labels.unix_time_s = run_s;
+            record.settings.reference.due_day = due_day;
+            let check = super::check(&record, Vec::new(), None);
+            let row = of(&check, "reference, days overdue");
+            (row.outcome, row.worst, check.pass)
+        };
+        // 2026-04-22 is day 20 565; its last second, and the one after.
+        let last_s = 20_566 * 86_400 - 1;
+        assert_eq!(outcome(last_s, 20_565), (Outcome::Pass, Some(0.0), true));
+        assert_eq!(
+            outcome(last_s + 1, 20_565),
+            (Outcome::Fail, Some(1.0), false)
+        );
+        assert_eq!(outcome(last_s, 0).0, Outcome::NotMeasured);
+        assert_eq!(outcome(0, 20_565).0, Outcome::NotMeasured);
+    }
+
     #[test]
     fn missing_statements_and_measurements_are_listed() {
         let record = sample::record(&[160.0]);

@@ -189,7 +189,24 @@ fn surroundings_rows(record: &Record, example: Example) -> Vec<Requirement> {
             at_hz,
             Basis::Stated,
         ),
+        Requirement::open("4.3", "reference, days overdue", "d", 0.0).holding(
+            days_overdue(record),
+            None,
+            Basis::Stated,
+        ),
     ]
+}
+
+/// Days from the day the reference's calibration was due to that of the run, negative before it; none
+/// where one of the two is not known.
+fn days_overdue(record: &Record) -> Option<f64> {
+    const DAY_S: u64 = 86_400;
+    let (due, run_s) = (
+        record.settings.reference.due_day,
+        record.head.labels.unix_time_s,
+    );
+    let known = due > 0 && run_s > 0;
+    known.then(|| (run_s / DAY_S) as f64 - f64::from(due))
 }
 
 /// Tables 3 to 6: linearity from a linearity list, the others as the budget of

@@ -1,10 +1,13 @@
 //! The logbook at the command line.
 
+mod assure;
 mod entries;
 mod export;
 mod history;
 mod sensors;
 
+pub(super) use assure::Assurance;
+pub(crate) use assure::Assure;
 pub(crate) use entries::LogbookVerb;
 pub(super) use entries::{Added, Problem, Written};
 pub(crate) use export::Export;
