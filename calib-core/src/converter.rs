@@ -11,10 +11,16 @@ pub const MID_SAMPLE: u16 = 0x8000;
 /// Samples from one end of the range to the other.
 const SAMPLES: f32 = 65_536.0;
 
-/// Width of a converter.
+/// Samples at either end of an input's range that the dither of the front end takes
+/// (docs/hardware.md): 8700 by its parts, 10 % more by their tolerance and that of the supply.
+const DITHER_SAMPLES: u16 = 9600;
+
+/// Width of a converter, and how much of its range a signal has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Width {
     bits: u8,
+    /// Samples at either end that are dither's.
+    dither_samples: u16,
 }
 
 impl Width {
@@ -24,7 +30,21 @@ impl Width {
     /// Outside of that; in a constant the compiler says so.
     pub const fn of_bits(bits: u8) -> Self {
         assert!(8 <= bits && bits <= 16, "converters have 8 to 16 bits");
-        Self { bits }
+        Self {
+            bits,
+            dither_samples: 0,
+        }
+    }
+
+    /// The same behind a front end that adds dither.
+    ///
+    /// A sample is then the mean of conversions that lie apart by the dither. Those of a signal that comes
+    /// too near to an end are cut off one by one, long before their mean is the last code.
+    pub const fn with_dither(self) -> Self {
+        Self {
+            dither_samples: DITHER_SAMPLES,
+            ..self
+        }
     }
 
     /// Bits of a code.
@@ -42,9 +62,14 @@ impl Width {
         u16::MAX >> self.spare_bits()
     }
 
-    /// Highest sample; the lowest is 0.
+    /// Lowest sample of a signal: there and below conversions are cut off.
+    pub const fn first_sample(self) -> u16 {
+        self.dither_samples
+    }
+
+    /// Highest sample of a signal: there and above conversions are cut off.
     pub const fn last_sample(self) -> u16 {
-        u16::MAX << self.spare_bits()
+        (u16::MAX << self.spare_bits()) - self.dither_samples
     }
 
     /// From the sample of one code to that of the next.
@@ -75,7 +100,7 @@ impl Converters {
     /// The converters of an STM32H743 behind the front end of `docs/hardware.md`: -5 V to +5 V at the
     /// inputs, -10 V to +10 V at the exciter.
     pub const FIELD: Self = Self {
-        input: Width::of_bits(16),
+        input: Width::of_bits(16).with_dither(),
         input_full_scale_peak_v: 5.0,
         drive: Width::of_bits(12),
         drive_full_scale_peak_v: 10.0,
@@ -96,6 +121,12 @@ mod tests {
         let sixteen = Width::of_bits(16);
         assert_eq!((sixteen.mid_code(), sixteen.last_code()), (32_768, 65_535));
         assert_eq!((sixteen.last_sample(), sixteen.sample_step()), (65_535, 1));
+        let dithered = sixteen.with_dither();
+        // 8700 and 10 %, 9570, rounded up to hundreds.
+        assert_eq!(
+            (dithered.first_sample(), dithered.last_sample()),
+            (9600, 55_935)
+        );
         // 14 bits: 8192 and 16 383 times 4.
         let fourteen = Width::of_bits(14);
         assert_eq!((fourteen.mid_code(), fourteen.last_code()), (8192, 16_383));

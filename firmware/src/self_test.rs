@@ -2,7 +2,7 @@
 //!
 //! | step | acquire | drive |
 //! |---|---|---|
-//! | 1 | a block of both inputs at rest | silent |
+//! | 1 | a block of both inputs at rest, and one of single conversions, which show the dither | silent |
 //! | 2 | ADC2 turns from its pin to the DAC, on the chip | lets go of its pin at mid-scale, plays a tone |
 //! | 3 | two blocks of the tone | |
 //! | 4 | ADC2 turns back; both channels are shown to be of the same instants | silent for 18 ms, takes its pin again |
@@ -26,6 +26,8 @@ use heapless::Vec;
 #[derive(Clone, Copy)]
 pub(crate) struct Heard {
     pub(crate) at_rest: Option<[AtRest; 2]>,
+    /// The same by single conversions.
+    pub(crate) dithered: Option<[AtRest; 2]>,
     pub(crate) loopback: Option<Loopback>,
     pub(crate) alignment: Alignment,
 }
@@ -78,6 +80,7 @@ impl SelfTest {
             supply_v: state::SUPPLY_V.get(),
             temperature_c: state::TEMPERATURE_C.get(),
             at_rest: heard.and_then(|heard| heard.at_rest),
+            dithered: heard.and_then(|heard| heard.dithered),
             loopback: heard.and_then(|heard| heard.loopback),
             alignment: heard.map_or(Alignment::Unclear, |heard| heard.alignment),
             lost_pairs,

@@ -9,7 +9,7 @@ use calib_core::verdict::Verdict;
 use calib_tests::bench::{Fault, point, true_certificate};
 use calib_tests::boardless::{Acquisition, measure_by};
 use calib_tests::judge::deviation;
-use calib_twin::converters::SHEET;
+use calib_twin::converters::{SHEET, Shape};
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::Conversions;
 
@@ -17,22 +17,66 @@ use calib_twin::rig_port::Conversions;
 const PLAIN: Acquisition = Acquisition {
     conversions: Conversions {
         count: 1,
-        apart_ns: 2_434,
+        apart_ps: 2_433_334,
         sampling_ns: 2_150,
     },
+    dither_hz: 0.0,
     drive_buffer: false,
 };
+/// Eight conversions, and no dither.
+const EIGHT: Acquisition = Acquisition {
+    dither_hz: 0.0,
+    ..Acquisition::SHIPPING
+};
+const DITHERED: Acquisition = Acquisition::SHIPPING;
 const LEVELS_MS2: [f32; 2] = [10.0, 1.0];
 
-/// A row of the table: a name, the converters' errors, how they are set.
-type Row = (&'static str, f64, Acquisition);
+/// A row of the table: a name, the converters' errors and shape, how they are set.
+type Row = (&'static str, f64, Shape, Acquisition);
 
-const ROWS: [Row; 5] = [
-    ("ideal, one conversion", 0.0, PLAIN),
-    ("one conversion", 1.0, PLAIN),
-    ("8 conversions", 1.0, Acquisition::SHIPPING),
-    ("the same, errors halved", 0.5, Acquisition::SHIPPING),
-    ("the same, errors doubled", 2.0, Acquisition::SHIPPING),
+const ROWS: [Row; 12] = [
+    ("ideal, one conversion", 0.0, Shape::Bits, PLAIN),
+    ("one conversion", 1.0, Shape::Bits, PLAIN),
+    ("8 conversions", 1.0, Shape::Bits, EIGHT),
+    (
+        "the same, steps of sixteenths",
+        1.0,
+        Shape::Sixteenths,
+        EIGHT,
+    ),
+    ("the same, wall", 1.0, Shape::Wall, EIGHT),
+    ("8 conversions, dither", 1.0, Shape::Bits, DITHERED),
+    (
+        "the same, steps and bow halved",
+        1.0,
+        Shape::BitsHalved,
+        DITHERED,
+    ),
+    (
+        "the same, steps and bow doubled",
+        1.0,
+        Shape::BitsDoubled,
+        DITHERED,
+    ),
+    (
+        "the same, steps of sixteenths",
+        1.0,
+        Shape::Sixteenths,
+        DITHERED,
+    ),
+    ("the same, wall", 1.0, Shape::Wall, DITHERED),
+    (
+        "the same, what is assumed halved",
+        0.5,
+        Shape::Bits,
+        DITHERED,
+    ),
+    (
+        "the same, what is assumed doubled",
+        2.0,
+        Shape::Bits,
+        DITHERED,
+    ),
 ];
 
 /// Worst deviations of some points.
@@ -58,20 +102,22 @@ fn main() -> Result<(), Fault> {
         );
     }
     println!(
-        "\n{:<28} {:>6} {:>9} {:>9} {:>8} {:>8}",
+        "\n{:<34} {:>6} {:>9} {:>9} {:>8} {:>8}",
         "converters", "m/s2", "S, %", "phase", "of U", "refused"
     );
     let mut rows = Vec::new();
-    for (name, errors, acquisition) in ROWS {
+    for (name, errors, shape, acquisition) in ROWS {
         for level_ms2 in LEVELS_MS2 {
-            let worst = measure(errors, acquisition, level_ms2, units);
+            let worst = measure((errors, shape), acquisition, level_ms2, units);
             println!(
-                "{name:<28} {level_ms2:>6} {:>9.4} {:>9.4} {:>8.2} {:>5}/{}",
+                "{name:<34} {level_ms2:>6} {:>9.4} {:>9.4} {:>8.2} {:>5}/{}",
                 worst.magnitude_percent, worst.phase_deg, worst.of_u, worst.refused, worst.points
             );
             rows.push(serde_json::json!({
                 "converters": name,
                 "errors": errors,
+                "shape": shape,
+                "dither_hz": acquisition.dither_hz,
                 "level_ms2": level_ms2,
                 "worst_magnitude_percent": worst.magnitude_percent,
                 "worst_phase_deg": worst.phase_deg,
@@ -88,14 +134,22 @@ fn main() -> Result<(), Fault> {
 }
 
 /// The default list at one level by so many units.
-fn measure(errors: f64, acquisition: Acquisition, level_ms2: f32, units: u64) -> Worst {
+fn measure(
+    (errors, shape): (f64, Shape),
+    acquisition: Acquisition,
+    level_ms2: f32,
+    units: u64,
+) -> Worst {
     let mut worst = Worst::default();
     for unit in 0..units {
         let mut rig = Rig::standard();
         rig.converter.unit = unit;
         rig.noise_seed = unit;
-        rig.converter.errors = errors;
-        let settings = settings(&rig);
+        (rig.converter.errors, rig.converter.shape) = (errors, shape);
+        let mut settings = settings(&rig);
+        if acquisition.dither_hz == 0.0 {
+            settings.point_influences.dither_peak_v = 0.0;
+        }
         let points = default_points();
         let list: Vec<_> = points
             .iter()

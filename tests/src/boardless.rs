@@ -12,7 +12,7 @@ use calib_core::sequence::{Sampling, Sequencer};
 use calib_core::settings::Settings;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
-use calib_twin::rig_port::{Conversions, DRIVE_MID_CODE, RigPort};
+use calib_twin::rig_port::{Conversions, DRIVE_MID_CODE, Dither, RigPort};
 
 const RATE_HZ: f32 = 50_000.0;
 const PERIOD_NS: u64 = 20_000;
@@ -23,26 +23,36 @@ const BLOCK: usize = 500;
 pub struct Acquisition {
     /// At each trigger.
     pub conversions: Conversions,
+    /// Frequency of the square wave on the dither's pin, Hz; 0 for none.
+    pub dither_hz: f64,
     /// The drive converter has its buffer before the pin.
     pub drive_buffer: bool,
 }
 
 impl Acquisition {
-    /// As the firmware sets them on the board with 240 MHz buses: 8 conversions of 25 cycles of 30 MHz
-    /// each, 16.5 of them connected to the pin.
+    /// As the firmware sets them on the board with 240 MHz buses: 8 conversions of 41 cycles of 30 MHz
+    /// each, 32.5 of them connected to the pin, and a period of the dither as long as all of them.
     pub const SHIPPING: Self = Self {
         conversions: Conversions {
             count: 8,
-            apart_ns: 834,
-            sampling_ns: 550,
+            apart_ps: 1_366_667,
+            sampling_ns: 1_084,
         },
+        dither_hz: 30.0e6 / (8.0 * 41.0),
         drive_buffer: false,
     };
+
+    fn dither(self) -> Option<Dither> {
+        (self.dither_hz > 0.0).then_some(Dither {
+            frequency_hz: self.dither_hz,
+            phase: 0.1,
+        })
+    }
 
     fn aperture(self) -> Aperture {
         Aperture {
             conversions: self.conversions.count as u16,
-            apart_s: self.conversions.apart_ns as f32 * 1.0e-9,
+            apart_s: self.conversions.apart_ps as f32 * 1.0e-12,
         }
     }
 }
@@ -83,6 +93,7 @@ pub fn measure_by(
     };
     calibrator.plant.set_conversions(acquisition.conversions);
     calibrator.plant.set_drive_buffer(acquisition.drive_buffer);
+    calibrator.plant.set_dither(acquisition.dither());
     calibrator.sequencer.start_run(settings.clone());
     specs
         .iter()

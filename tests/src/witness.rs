@@ -2,7 +2,7 @@
 
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
-use calib_twin::rig_port::{Conversions, DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
+use calib_twin::rig_port::{Conversions, DRIVE_MID_CODE, Dither, INPUT_CHANNELS, RigPort};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Sample pairs of a block: the converters' DMA interrupts with each (10 ms).
@@ -101,6 +101,10 @@ impl RigPort for Witness {
 
     fn set_conversions(&mut self, conversions: Conversions) {
         self.plant.set_conversions(conversions);
+    }
+
+    fn set_dither(&mut self, dither: Option<Dither>) {
+        self.plant.set_dither(dither);
     }
 
     fn set_drive_buffer(&mut self, on: bool) {

@@ -34,8 +34,8 @@ pub const SELF_HEATING_K: f64 = 25.0;
 pub struct Conversions {
     /// Conversions whose mean is the sample, at least 1; the first is at the trigger.
     pub count: u32,
-    /// From one to the next, ns.
-    pub apart_ns: u64,
+    /// From one to the next, ps: whole periods of the dither are to be told from nearly whole ones.
+    pub apart_ps: u64,
     /// For how long each is connected to its pin, ns.
     pub sampling_ns: u64,
 }
@@ -45,10 +45,27 @@ impl Default for Conversions {
     fn default() -> Self {
         Self {
             count: 1,
-            apart_ns: 0,
+            apart_ps: 0,
             sampling_ns: 2_000,
         }
     }
+}
+
+impl Conversions {
+    /// From one to the next, ns, rounded up.
+    #[must_use]
+    pub fn apart_ns(&self) -> u64 {
+        self.apart_ps.div_ceil(1000)
+    }
+}
+
+/// The square wave the board plays on the dither's pin.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Dither {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// Periods since it rose, at this instant: 0 to 1.
+    pub phase: f64,
 }
 
 /// Devices at the board's analogue pins, and the air around it.
@@ -66,6 +83,11 @@ pub trait RigPort: Send {
     /// From now on each sample is made so.
     fn set_conversions(&mut self, conversions: Conversions) {
         let _ = conversions;
+    }
+
+    /// From now on the dither's pin plays this, or nothing.
+    fn set_dither(&mut self, dither: Option<Dither>) {
+        let _ = dither;
     }
 
     /// From now on the drive output has the converter's buffer before it, or not.
@@ -124,6 +146,10 @@ impl<R: RigPort + ?Sized> RigPort for Box<R> {
 
     fn set_conversions(&mut self, conversions: Conversions) {
         (**self).set_conversions(conversions);
+    }
+
+    fn set_dither(&mut self, dither: Option<Dither>) {
+        (**self).set_dither(dither);
     }
 
     fn set_drive_buffer(&mut self, on: bool) {

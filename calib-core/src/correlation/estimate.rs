@@ -156,11 +156,12 @@ fn mean_of_sample(mean: u32, passes: u32) -> f32 {
     (i64::from(mean) - MIDDLE * i64::from(passes)) as f32 / passes as f32
 }
 
-/// True when some place held the first or the last code in every pass.
+/// True when some place held the first or the last sample of the range, or one beyond it, over all passes.
 fn stays_at_an_end(fold: &[FoldSum], channel: usize, passes: u32, width: Width) -> bool {
-    let top = u32::from(width.last_sample()) * passes;
+    let [bottom, top] =
+        [width.first_sample(), width.last_sample()].map(|sample| u32::from(sample) * passes);
     let mut sums = fold.iter().map(|sum| sum.channels()[channel]);
-    sums.any(|sum| sum == 0 || sum == top)
+    sums.any(|sum| sum <= bottom || sum >= top)
 }
 
 /// Sums of a place, free of the mean, in codes per sample.

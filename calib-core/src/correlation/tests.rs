@@ -411,6 +411,21 @@ fn a_narrower_converter_clips_at_its_own_last_code() {
     assert!(!estimate.reference.clipped && estimate.dut.clipped);
 }
 
+/// Behind a front end with dither conversions are cut off from sample 55 935 on, 23 167 from the middle.
+#[test]
+fn a_signal_that_leaves_no_room_for_the_dither_is_clipped() {
+    let dithered = SIXTEEN_BITS.with_dither();
+    let tone = tone(160.0);
+    let block = Block::measuring(tone, 5_000);
+    for (peak, clipped) in [(23_100.0, false), (23_250.0, true)] {
+        let signal = Signal { peak, ..PLAIN };
+        let pairs = pairs(tone, [signal, signal], 0, block.samples(), 0.0);
+        let estimate = correlate_at(dithered, block, 0, &pairs);
+        assert_eq!(estimate.reference.clipped, clipped, "{peak}");
+        assert_eq!(estimate.dut.clipped, clipped, "{peak}");
+    }
+}
+
 #[test]
 fn noise_is_not_taken_for_clipping() {
     // Noise that makes the sums of a place scatter far beyond half the range,

@@ -2,7 +2,7 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | [`figures`] | offset and noise at rest; gain, offset, distortion and noise of the drive's converter |
+//! | [`figures`] | offset and noise at rest, and with single conversions the dither; gain, offset, distortion and noise of the drive's converter |
 //! | [`judge`] | lines with limits |
 //! | [`option_bytes`] | what the part was told on the bench |
 //!

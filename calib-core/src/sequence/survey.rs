@@ -341,11 +341,12 @@ impl<'m> Survey<'m> {
     /// Mutes at once where the motion exceeds what the exciter may do.
     fn guard(&mut self, pairs: &[u32]) {
         let mut highest = 0;
-        let last = u32::from(self.sampling.input.last_sample());
+        let input = self.sampling.input;
+        let within = u32::from(input.first_sample()) + 1..u32::from(input.last_sample());
         for pair in pairs {
             let (reference, dut) = (pair & 0xFFFF, pair >> 16);
             highest = highest.max(reference.abs_diff(u32::from(MID_SAMPLE)));
-            let at_end = |sample: u32| sample == 0 || sample == last;
+            let at_end = |sample: u32| !within.contains(&sample);
             self.clipped |= at_end(reference) || at_end(dut);
         }
         if highest as f32 > self.overload_codes {

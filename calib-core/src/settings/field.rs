@@ -15,6 +15,12 @@ const REFERENCE_V_PER_MS2: f32 = 0.0102;
 /// Step at mid-scale the sheet allows the input converters: differential nonlinearity of +3 codes of 16
 /// bits (DS12110 Rev 10, table 186, typical).
 const CONVERTER_STEP_CODES: f32 = 3.0;
+/// Distance from the line it allows them: integral nonlinearity, in the same table.
+const CONVERTER_NONLINEARITY_CODES: f32 = 10.0;
+/// Codes the dither of the front end reaches to either side: 8700 by its parts, an eighth less because it takes
+/// the ends more often than the middle, and 5 % less by the tolerance of its capacitors
+/// (`the_dither_reaches_as_far_as_the_budget_says`).
+const DITHER_CODES: f32 = 7200.0;
 
 /// What differs from point to point; the reasons are in docs/metrology/measurement.md.
 const POINT_INFLUENCES: PointInfluences = PointInfluences {
@@ -28,6 +34,9 @@ const POINT_INFLUENCES: PointInfluences = PointInfluences {
     mounting_at_10_khz_rel: 0.0075,
     // Filters of parts of 1 %, whose delay is 28 us.
     channel_delay_s: 3.0e-7,
+    // Of the converters, as the step.
+    converter_nonlinearity_v: 0.0,
+    dither_peak_v: 0.0,
 };
 
 const RECTANGULAR: Distribution = Distribution::Rectangular;
@@ -75,8 +84,9 @@ impl Settings {
 
     /// [`Self::field_calibrator`] on another board.
     pub fn field_calibrator_with(converters: &Converters) -> Self {
+        let code_v = converters.volt_per_sample();
         let input = InputScale {
-            volt_per_code: converters.volt_per_sample(),
+            volt_per_code: code_v,
         };
         let drive_full_scale_peak_v = converters.drive_full_scale_peak_v;
         Self {
@@ -95,7 +105,9 @@ impl Settings {
             blocks: 10,
             influences: INFLUENCES.iter().map(influence).collect(),
             point_influences: PointInfluences {
-                converter_step_v: CONVERTER_STEP_CODES * converters.volt_per_sample(),
+                converter_step_v: CONVERTER_STEP_CODES * code_v,
+                converter_nonlinearity_v: CONVERTER_NONLINEARITY_CODES * code_v,
+                dither_peak_v: DITHER_CODES * code_v,
                 ..POINT_INFLUENCES
             },
             channel_ratio: ChannelRatio::UNKNOWN,

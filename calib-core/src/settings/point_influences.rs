@@ -20,7 +20,7 @@ pub struct PointInfluences {
     /// them is a spring: below its resonance the motion grows with the square of the frequency.
     pub relative_motion_at_10_khz_rel: f32,
     /// Largest step of the input converters' characteristic beside the line, V at the connector: where the
-    /// largest bit turns, which is where signals swing.
+    /// largest bit turns, which is where signals swing. Counts where the front end adds no dither.
     pub converter_step_v: f32,
     /// Transverse sensitivity of both transducers together, relative: times the transverse motion Table 2
     /// allows, 10 % to 1 kHz and 30 % above.
@@ -30,9 +30,15 @@ pub struct PointInfluences {
     pub mounting_at_10_khz_rel: f32,
     /// Difference of the delays of both channels, s: filters of parts that are not alike.
     pub channel_delay_s: f32,
+    /// Largest distance of the input converters' characteristic from the line, whatever its shape, V at the
+    /// connector. Counts where the front end adds dither.
+    pub converter_nonlinearity_v: f32,
+    /// How far the dither of the front end reaches to either side at least, V at the connector; 0 for a front
+    /// end without.
+    pub dither_peak_v: f32,
 }
 
-/// Quantities of [`PointInfluences`]; the step of the converters counts for each channel.
+/// Quantities of [`PointInfluences`]; what the converters do counts for each channel.
 const AT_POINT: usize = 6;
 
 /// Two values equally likely, as far apart as they can be: the half-width is the standard deviation.
@@ -66,22 +72,26 @@ impl PointInfluences {
         transverse_sensitivity_rel: 0.0,
         mounting_at_10_khz_rel: 0.0,
         channel_delay_s: 0.0,
+        converter_nonlinearity_v: 0.0,
+        dither_peak_v: 0.0,
     };
 
     /// The coefficients in the order they are stored: a new one goes to the end.
-    pub fn coefficients_mut(&mut self) -> [&mut f32; 5] {
+    pub fn coefficients_mut(&mut self) -> [&mut f32; 7] {
         [
             &mut self.relative_motion_at_10_khz_rel,
             &mut self.converter_step_v,
             &mut self.transverse_sensitivity_rel,
             &mut self.mounting_at_10_khz_rel,
             &mut self.channel_delay_s,
+            &mut self.converter_nonlinearity_v,
+            &mut self.dither_peak_v,
         ]
     }
 
     /// Contributions of the quantities at a point whose acceleration `reference` has told.
     pub fn at(&self, point: &PointResult, reference: &ReferenceSensitivity) -> [AtPoint; AT_POINT] {
-        let [of_reference, of_dut] = self.converter_steps(point, reference);
+        let [of_reference, of_dut] = self.converters(point, reference);
         [
             self.motion(point),
             of_reference,
@@ -104,24 +114,24 @@ impl PointInfluences {
         }
     }
 
-    /// # Equation
-    /// A step `d` in the middle of a sine is a square of `d/2` beside it, whose fundamental is `2 d / pi`
-    /// and in phase: `2 d / (pi X)` with the amplitude `X` at the input. It is up or down in either channel, and
-    /// as large as the sheet allows where a unit has it at all.
-    fn converter_steps(
-        &self,
-        point: &PointResult,
-        reference: &ReferenceSensitivity,
-    ) -> [AtPoint; 2] {
+    fn converters(&self, point: &PointResult, reference: &ReferenceSensitivity) -> [AtPoint; 2] {
         let peak_ms2 = SQRT_2 * point.acceleration_rms_ms2;
-        let of = |sensitivity: f32, label| {
-            let half_width_rel = FRAC_2_PI * self.converter_step_v / (sensitivity.abs() * peak_ms2);
+        let dithered = self.dither_peak_v > 0.0;
+        let of = |sensitivity: f32, labels: [&'static str; 2]| {
+            let peak_v = sensitivity.abs() * peak_ms2;
+            let half_width_rel = match dithered {
+                true => self.slope_rel(peak_v),
+                false => FRAC_2_PI * self.converter_step_v / peak_v,
+            };
             AtPoint {
                 row: 3,
-                label,
-                distribution: TWO_VALUES,
+                label: labels[usize::from(dithered)],
+                distribution: match dithered {
+                    true => Distribution::Rectangular,
+                    false => TWO_VALUES,
+                },
                 // Nothing where nothing was measured.
-                half_width_rel: if half_width_rel.is_finite() {
+                half_width_rel: if half_width_rel.is_finite() && peak_v > 0.0 {
                     half_width_rel
                 } else {
                     0.0
@@ -132,13 +142,31 @@ impl PointInfluences {
         [
             of(
                 reference.sensitivity_v_per_ms2,
-                "step in the middle of the converter's range, reference",
+                [
+                    "step in the middle of the converter's range, reference",
+                    "linearity of the converter over its dither, reference",
+                ],
             ),
             of(
                 point.sensitivity_v_per_ms2,
-                "step in the middle of the converter's range, device",
+                [
+                    "step in the middle of the converter's range, device",
+                    "linearity of the converter over its dither, device",
+                ],
             ),
         ]
+    }
+
+    /// What a characteristic within `I` of the line adds at most to the gain of a sine of `peak_v`.
+    ///
+    /// # Equation
+    /// Dither that takes every voltage within `A` of the signal equally often makes of any characteristic
+    /// `e(x)` its mean over these, whose slope is `(e(x + A) - e(x - A)) / 2 A`: at most `I / A`, at any level
+    /// and for any shape. A sine much larger than the dither meets `e` as it is, and a square wave of `I` has a
+    /// fundamental of `4 I / pi`.
+    fn slope_rel(&self, peak_v: f32) -> f32 {
+        let of_dither = self.converter_nonlinearity_v / self.dither_peak_v;
+        of_dither.min(2.0 * FRAC_2_PI * self.converter_nonlinearity_v / peak_v)
     }
 
     fn transverse(&self, point: &PointResult) -> AtPoint {
@@ -256,6 +284,29 @@ mod tests {
                 assert!((step.half_width_rel / expected - 1.0).abs() < 1.0e-3);
                 assert_eq!((step.row, step.half_width_phase_rad), (3, 0.0));
                 assert_eq!(step.distribution.divisor(), 1.0);
+            }
+        }
+        let mut silent = point(160.0, 10.0);
+        silent.acceleration_rms_ms2 = 0.0;
+        assert_eq!(influences.at(&silent, &reference())[1].half_width_rel, 0.0);
+    }
+
+    /// 10 codes of 152.6 uV over a dither of 7400: 0.1351 % at 10 and at 1 m/s2. A sine of 5 V leaves
+    /// 4 / pi * 1.526 mV / 5 V.
+    #[test]
+    fn with_dither_the_converters_count_the_same_at_any_level() {
+        let code_v = 152.6e-6;
+        let influences = PointInfluences {
+            converter_step_v: 3.0 * code_v,
+            converter_nonlinearity_v: 10.0 * code_v,
+            dither_peak_v: 7400.0 * code_v,
+            ..PointInfluences::NONE
+        };
+        for (level_ms2, expected) in [(10.0, 1.351e-3), (1.0, 1.351e-3), (353.55, 3.886e-4)] {
+            for at in &influences.at(&point(160.0, level_ms2), &reference())[1..3] {
+                assert!((at.half_width_rel / expected - 1.0).abs() < 1.0e-3);
+                assert_eq!((at.row, at.half_width_phase_rad), (3, 0.0));
+                assert_eq!(at.distribution, Distribution::Rectangular);
             }
         }
         let mut silent = point(160.0, 10.0);

@@ -20,6 +20,7 @@ wiring! {
     reference:     PA6,         // ADC1 INP3
     dut:           PB1,         // ADC2 INP5
     drive:         PA5 by Ch2,  // DAC1 OUT2
+    dither:        PB4,         // TIM3 CH1
     serial:        USART2,
     transmit:      PD5,
     receive:       PD6,
@@ -46,7 +47,7 @@ pub(crate) const CLOCKS: Clocks = Clocks {
 
 /// Inputs of 14 bits and half the range, and an exciter of half the voltage.
 pub(crate) const CONVERTERS: Converters = Converters {
-    input: Width::of_bits(14),
+    input: Width::of_bits(14).with_dither(),
     input_full_scale_peak_v: 2.5,
     drive: Width::of_bits(12),
     drive_full_scale_peak_v: 5.0,

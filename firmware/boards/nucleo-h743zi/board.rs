@@ -30,6 +30,7 @@ wiring! {
     reference:     PA3,         // A0; ADC1 INP15
     dut:           PC0,         // A1; ADC2 INP10
     drive:         PA4 by Ch1,  // D24; DAC1 OUT1
+    dither:        PC6,         // D16, assumed; TIM3 CH1
     serial:        USART3,      // virtual COM port of the ST-LINK/V2-1, CN1
     transmit:      PD8,
     receive:       PD9,

@@ -19,6 +19,7 @@ wiring! {
     reference:     PA3,         // A0, CN9-1; ADC1 INP15 (DS12110, table 9)
     dut:           PC0,         // A1, CN9-3; ADC2 INP10
     drive:         PA4 by Ch1,  // D24, CN7-17; DAC1 OUT1
+    dither:        PC6,         // D16, CN7-1; TIM3 CH1 (DS12110, table 12)
     serial:        USART3,      // virtual COM port of the ST-LINK, CN1
     transmit:      PD8,
     receive:       PD9,

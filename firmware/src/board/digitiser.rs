@@ -15,9 +15,11 @@
 //! [`Digitiser::common_signal`].
 
 use super::axi_sram::axi_static;
+use super::clocks::TIMER_HZ;
 use super::common_signal::CommonSignal;
 use super::converter::{NotReady, calibrate, enable};
 use super::description::Silicon;
+use super::dither::Dither;
 use super::exciter;
 use super::sample_clock::SAMPLE_RATE_HZ;
 use super::selected::{CLOCKS, CONVERTERS, Irqs};
@@ -48,24 +50,29 @@ const RESOLUTION: vals::Res = match CONVERTERS.input.bits() {
     _ => panic!("the part's converters have 8, 10, 12, 14 or 16 bits"),
 };
 /// Conversions at each trigger, whose sum the part hands over as 16 bits: a
-/// third of one conversion's noise, and 0.7 % less of 10 kHz. Both converters
-/// must be set alike (25.4.30).
+/// third of one conversion's noise, 1.9 % less of 10 kHz, and a period of the
+/// dither. Both converters must be set alike (25.4.30).
 const CONVERSIONS: u16 = 8;
 /// Places the sum of [`CONVERSIONS`] has more than one of them.
 const SUM_PLACES: u8 = CONVERSIONS.trailing_zeros() as u8;
 /// Clock of the conversions (revision V halves it), and twice the cycles of each:
-/// 16.5 of sampling, and a half and half a cycle a bit (25.4.17).
+/// 32.5 of sampling, and a half and half a cycle a bit (25.4.17).
 const CONVERSION_HZ: u32 = match CLOCKS.silicon {
     Silicon::Y => CLOCK_HZ,
     Silicon::V => CLOCK_HZ / 2,
 };
-const HALF_CYCLES: u32 = 33 + 1 + CONVERTERS.input.bits() as u32;
+const HALF_CYCLES: u32 = 65 + 1 + CONVERTERS.input.bits() as u32;
 /// What a sample is the mean of.
 pub(crate) const APERTURE: Aperture = Aperture {
     conversions: CONVERSIONS,
     apart_s: HALF_CYCLES as f32 / (2 * CONVERSION_HZ) as f32,
 };
 
+/// Ticks of the timers in which the conversions of a trigger are done.
+pub(super) const TRIGGER_TICKS: u32 =
+    CONVERSIONS as u32 * HALF_CYCLES * (TIMER_HZ / CONVERSION_HZ) / 2;
+
+const _: () = assert!(TIMER_HZ.is_multiple_of(CONVERSION_HZ));
 const _: () = assert!(
     CONVERSIONS as u32 * HALF_CYCLES * (SAMPLE_RATE_HZ / 1000) < 9 * 2 * CONVERSION_HZ / 10_000,
     "the conversions of a trigger must end well before the next"
@@ -101,6 +108,7 @@ pub(crate) struct Digitiser {
     common_signal: CommonSignal,
     /// Channel of the device under test.
     dut_channel: u8,
+    _dither: Dither,
 }
 
 impl Digitiser {
@@ -147,6 +155,7 @@ impl Digitiser {
             ring,
             common_signal,
             dut_channel: channels[1].1,
+            _dither: Dither::start(parts.dither),
         })
     }
 
@@ -200,9 +209,18 @@ impl Digitiser {
         self.start();
     }
 
+    /// From now on a sample is one conversion, which shows the dither, or all of a trigger again.
+    pub(crate) fn convert_once(&mut self, once: bool) {
+        self.stop();
+        for adc in [pac::ADC1, pac::ADC2] {
+            oversample(adc, once);
+        }
+        self.start();
+    }
+
     fn stop(&mut self) {
         pac::ADC1.cr().modify(|w| w.set_adstp(vals::Adstp::STOP));
-        // Those of a trigger take 8.4 us at most; the loop is bounded all the same.
+        // Those of a trigger take 13.7 us at most; the loop is bounded all the same.
         for _ in 0..10_000 {
             if pac::ADC1.cr().read().adstp() != vals::Adstp::STOP {
                 break;
@@ -252,23 +270,34 @@ fn select(adc: Adc, channel: u8) {
         w.set_res(RESOLUTION);
         w.set_ovrmod(vals::Ovrmod::OVERWRITE);
     });
-    let spare = CONVERTERS.input.spare_bits();
-    adc.cfgr2().modify(|w| {
-        w.set_rovse(true);
-        w.set_ovsr(CONVERSIONS - 1);
-        w.set_ovss(SUM_PLACES.saturating_sub(spare));
-        w.set_lshift(spare.saturating_sub(SUM_PLACES));
-    });
+    oversample(adc, false);
     // This one alone: a channel that is preselected loads its source.
     adc.pcsel()
         .write(|w| w.set_pcsel(usize::from(channel), vals::Pcsel::PRESELECTED));
-    // 0.55 us: 172 ns settle 16 bits from 47 ohm (DS12110 Rev 10, table 185);
-    // docs/hardware.md says what stands at the pin.
+    // 1.08 us: 172 ns settle 16 bits from 47 ohm (DS12110 Rev 10, table 185);
+    // docs/hardware.md says what stands at the pin. 41 cycles in all have no
+    // divisor in common with the 600 of a sample, which the dither wants.
     adc.smpr(usize::from(channel / 10)).modify(|w| {
-        w.set_smp(usize::from(channel % 10), vals::SampleTime::CYCLES16_5);
+        w.set_smp(usize::from(channel % 10), vals::SampleTime::CYCLES32_5);
     });
     adc.sqr1().modify(|w| {
         w.set_l(0);
         w.set_sq(0, channel);
+    });
+}
+
+/// One conversion per trigger, or the mean of all of them, left justified in 16 bits.
+fn oversample(adc: Adc, once: bool) {
+    let (conversions, places) = if once {
+        (1, 0)
+    } else {
+        (CONVERSIONS, SUM_PLACES)
+    };
+    let spare = CONVERTERS.input.spare_bits();
+    adc.cfgr2().modify(|w| {
+        w.set_rovse(true);
+        w.set_ovsr(conversions - 1);
+        w.set_ovss(places.saturating_sub(spare));
+        w.set_lshift(spare.saturating_sub(places));
     });
 }

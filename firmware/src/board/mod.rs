@@ -9,6 +9,7 @@
 //! | device under test | ADC2 | with ADC1 |
 //! | exciter | a channel of DAC1 | DMA1 stream 1 |
 //! | sample clock | TIM6 | |
+//! | dither of both inputs | TIM3 CH1 | |
 //! | temperature of the processor | ADC3 INP18, INP19 | |
 //! | host link | the board's serial port | DMA1 streams 2, 3 |
 //! | host link | OTG FS: PA11 (D-), PA12 (D+), PA9 (VBUS) | |
@@ -25,6 +26,7 @@ mod common_signal;
 mod converter;
 mod description;
 mod digitiser;
+mod dither;
 mod exciter;
 mod option_bytes;
 mod panel;

@@ -5,6 +5,8 @@ use embassy_stm32::dac::{Channel, DacPin};
 use embassy_stm32::gpio::{self, AnyPin};
 use embassy_stm32::mode::Async;
 use embassy_stm32::peripherals::{PA9, PA11, PA12, USB_OTG_FS};
+use embassy_stm32::timer::simple_pwm::{PwmPin, PwmPinConfig};
+use embassy_stm32::timer::{self, TimerPin};
 use embassy_stm32::usart::Uart;
 use embassy_stm32::{Peri, peripherals};
 
@@ -23,7 +25,34 @@ pub(crate) struct DigitiserParts {
     ),
     pub(crate) reference: InputPin<peripherals::ADC1>,
     pub(crate) dut: InputPin<peripherals::ADC2>,
+    pub(crate) dither: DitherParts,
     pub(crate) dma: Peri<'static, peripherals::DMA1_CH0>,
+}
+
+/// Peripheral and pin of the dither.
+pub(crate) struct DitherParts {
+    /// Held, so that nothing else reprograms the timer.
+    _timer: Peri<'static, peripherals::TIM3>,
+    _pin: PwmPin<'static, peripherals::TIM3, timer::Ch1>,
+}
+
+impl DitherParts {
+    /// The compiler refuses a pin that the timer's first channel does not drive.
+    pub(crate) fn new(
+        timer: Peri<'static, peripherals::TIM3>,
+        pin: Peri<'static, impl TimerPin<peripherals::TIM3, timer::Ch1>>,
+    ) -> Self {
+        // Slow edges: an input is not far.
+        let config = PwmPinConfig {
+            output_type: gpio::OutputType::PushPull,
+            speed: gpio::Speed::Low,
+            pull: gpio::Pull::None,
+        };
+        Self {
+            _timer: timer,
+            _pin: PwmPin::new_with_config(pin, config),
+        }
+    }
 }
 
 /// The pin of an input of the converter `T`.
@@ -107,6 +136,7 @@ macro_rules! wiring {
         reference: $reference:ident,
         dut: $dut:ident,
         drive: $drive:ident by $channel:ident,
+        dither: $dither:ident,
         serial: $serial:ident,
         transmit: $transmit:ident,
         receive: $receive:ident,
@@ -143,6 +173,7 @@ macro_rules! wiring {
                     _converters: (p.ADC1, p.ADC2),
                     reference: crate::board::wiring::InputPin::new(p.$reference),
                     dut: crate::board::wiring::InputPin::new(p.$dut),
+                    dither: crate::board::wiring::DitherParts::new(p.TIM3, p.$dither),
                     dma: p.DMA1_CH0,
                 },
                 exciter: crate::board::wiring::ExciterParts {

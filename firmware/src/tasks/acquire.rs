@@ -7,7 +7,7 @@ use crate::self_test::{self, Heard, LISTEN, TONE};
 use crate::state::{self, Order};
 use crate::tasks::drive::SILENCE;
 use calib_core::alignment::{Alignment, judge};
-use calib_core::self_test::{Loopback, at_rest, loopback};
+use calib_core::self_test::{AtRest, Loopback, at_rest, loopback};
 use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
 use calib_protocol::health::Work;
@@ -119,7 +119,10 @@ async fn listen(
     blocks: &mut Blocks,
     first: &mut [u32; BLOCK_PAIRS],
 ) -> Heard {
-    let at_rest = take(digitiser, blocks, |pairs| at_rest(pairs)).await;
+    let quiet = take(digitiser, blocks, inputs).await;
+    digitiser.convert_once(true);
+    let dithered = take(digitiser, blocks, inputs).await;
+    digitiser.convert_once(false);
     TONE.signal(true);
     digitiser.hear_drive(true);
     let loopback = hear_tone(digitiser, blocks, first).await;
@@ -130,10 +133,16 @@ async fn listen(
         take(digitiser, blocks, |_| ()).await;
     }
     Heard {
-        at_rest,
+        at_rest: quiet,
+        dithered,
         loopback,
         alignment: align(digitiser, &mut blocks.send().await.pairs).await,
     }
+}
+
+/// Both inputs, by a block. One function, so that one copy of [`take`] does for both looks at them.
+fn inputs(pairs: &[u32; BLOCK_PAIRS]) -> [AtRest; 2] {
+    at_rest(pairs)
 }
 
 async fn hear_tone(

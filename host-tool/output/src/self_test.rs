@@ -74,6 +74,8 @@ fn words(check: Check) -> (&'static str, &'static str, &'static str) {
                          ground and the supply of that input; no noise at all is a dead converter";
     const DRIVE: &str = "the pin of the drive may be loaded or the part's reference noisy: unplug the \
                          output stage; if it stays, replace the board";
+    const DITHER: &str = "look for the wire from the timer's pin to the front end, and at R61, C61 and U9; for a \
+                          front end without dither set `dither_peak_v` of the settings to 0";
     match check {
         Check::Supply => (
             "supply of the converters",
@@ -128,6 +130,8 @@ fn words(check: Check) -> (&'static str, &'static str, &'static str) {
             "1",
             "a defect of the firmware: keep `calib info` for a report",
         ),
+        Check::ReferenceDither => ("reference input: dither, r.m.s.", "V", DITHER),
+        Check::DutDither => ("DUT input: dither, r.m.s.", "V", DITHER),
         Check::Timebase => (
             "clock against the USB host",
             "ppm",

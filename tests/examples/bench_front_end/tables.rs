@@ -38,7 +38,7 @@ pub(crate) const CHARGE: [Printed; 3] = [
     ("kick_v", "the pin falls by, mV", 1e3),
     (
         "charge_error",
-        "left after 64.5 cycles, uV (a code is 50 uV)",
+        "left after 32.5 cycles, uV (a code is 50 uV)",
         1e6,
     ),
     ("rest_error", "left before the next sample, uV", 1e6),

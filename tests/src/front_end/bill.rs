@@ -5,7 +5,7 @@ use crate::bench::Fault;
 use std::collections::BTreeMap;
 
 /// Netlists of the circuit itself.
-const CIRCUIT: [&str; 3] = ["input.cir", "drive.cir", "iepe.cir"];
+const CIRCUIT: [&str; 4] = ["input.cir", "dither.cir", "drive.cir", "iepe.cir"];
 
 fn read(file: &str) -> Result<String, Fault> {
     Ok(std::fs::read_to_string(folder().join(file))?)
@@ -71,7 +71,8 @@ fn what_is_drawn_is_what_is_ordered() -> Result<(), Fault> {
         let expected = match (reference.chars().next(), number) {
             (Some('R'), Some(1..=9 | 43)) => "0.1",
             (Some('C'), Some(1..=7)) => "1",
-            (Some('C'), Some(41)) => "5",
+            (Some('C'), Some(41 | 61 | 62)) => "5",
+            (Some('R'), Some(61 | 62)) => "1",
             _ => continue,
         };
         assert_eq!(tolerance, expected, "{reference}");

@@ -4,6 +4,7 @@ use super::images::{self, Filters, Scene};
 use super::ngspice::{self, Run};
 use super::{folder, response, spread};
 use crate::bench::Fault;
+use calib_core::converter::Converters;
 use calib_core::settings::Settings;
 use calib_twin::Complex;
 use calib_twin::oracle;
@@ -128,6 +129,55 @@ fn the_sampling_capacitor_is_full_when_the_time_is_over() -> Result<(), Fault> {
     // It was a load: the pin fell by more than 50 mV.
     assert!(run.printed("kick_v")? > 0.05);
     Ok(())
+}
+
+/// The dither at the pin: how far it reaches, which the clipping limit of the firmware allows for, and how even
+/// it is. A characteristic within `I` of the line gets a slope of at most `I` times the variation of the
+/// dither's density; that of an even one over `A` to either side is `2 / 2 A`.
+#[test]
+fn the_dither_reaches_as_far_as_the_budget_says() -> Result<(), Fault> {
+    let Some(run) = run("play.cir")? else {
+        return Ok(());
+    };
+    let to_samples = 65_536.0 / 3.3;
+    let reach = run.printed("reach_v")? * to_samples;
+    let field = Converters::FIELD;
+    assert!(
+        reach * 1.1 < f64::from(field.input.first_sample()),
+        "{reach}"
+    );
+    // The twin's, as at the connector.
+    let twin = Rig::standard().converter.dither_peak_v / f64::from(field.volt_per_sample());
+    assert!((twin / reach - 1.0).abs() < 0.02, "{twin} {reach}");
+
+    let wave: Vec<f64> = run
+        .rows("play.txt")?
+        .iter()
+        .filter_map(|row| Some(row.values.first()?.re * to_samples))
+        .collect();
+    let even = even_reach(&wave);
+    let stated = Settings::field_calibrator().point_influences.dither_peak_v;
+    let stated = f64::from(stated / field.volt_per_sample());
+    assert!(
+        0.95 * even > stated && stated > 0.9 * even,
+        "{even} {stated}"
+    );
+    Ok(())
+}
+
+/// Samples to either side that an even dither of the same effect reaches.
+fn even_reach(wave: &[f64]) -> f64 {
+    const BINS: usize = 24;
+    let least = wave.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = wave.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let width = (most - least) / BINS as f64;
+    let mut density = [0.0; BINS + 2];
+    for sample in wave {
+        let bin = ((sample - least) / width).min(BINS as f64 - 1.0) as usize;
+        density[bin + 1] += 1.0 / (wave.len() as f64 * width);
+    }
+    let steps = density.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    2.0 / steps.sum::<f64>()
 }
 
 /// Overload, reset, a sinking supply and the mute.

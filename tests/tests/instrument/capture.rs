@@ -27,7 +27,7 @@ const FREQUENCY_HZ: f32 = 160.0;
 fn bent_rig() -> Result<Rig, Fault> {
     let mut rig = Rig::standard();
     // Beside which the converters shall have none of their own.
-    rig.converter.errors = 0.0;
+    (rig.converter.errors, rig.converter.dither_peak_v) = (0.0, 0.0);
     for sensing in [&mut rig.reference, &mut rig.dut] {
         sensing.noise_rms_v = NOISE_RMS_V;
     }
@@ -143,7 +143,7 @@ fn expect_bend(dut: &ToneFit, rig: &Rig) {
 #[test]
 fn captures_at_rest_show_offset_and_noise_and_break_by_name() -> Result<(), Fault> {
     let mut rig = Rig::standard();
-    rig.converter.errors = 0.0;
+    (rig.converter.errors, rig.converter.dither_peak_v) = (0.0, 0.0);
     rig.reference.noise_rms_v = NOISE_RMS_V;
     rig.dut.noise_rms_v = NOISE_RMS_V;
     let (mut bench, inputs) = bench_on(&rig)?;

@@ -201,7 +201,11 @@ fn each_defect_fails_its_lines_and_no_other() -> Result<(), Fault> {
             flaw(adc1, noise(250)),
             &[ReferenceNoise],
         ),
-        ("ADC1 dead", flaw(adc1, dead), &[ReferenceNoise, Alignment]),
+        (
+            "ADC1 dead",
+            flaw(adc1, dead),
+            &[ReferenceNoise, Alignment, ReferenceDither],
+        ),
         (
             "-100 mV in ADC2",
             flaw(adc2, offset(-2000)),
@@ -246,6 +250,20 @@ fn each_defect_fails_its_lines_and_no_other() -> Result<(), Fault> {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+    Ok(())
+}
+
+/// A front end without dither, and one whose capacitor is 10 % too large: 0.244 V r.m.s.
+#[test]
+fn a_dither_that_is_not_there_or_too_small_is_named() -> Result<(), Fault> {
+    for share in [0.0, 0.9] {
+        let mut rig = Rig::standard();
+        rig.converter.dither_peak_v *= share;
+        let mut bench = Bench::with_rig(&rig)?;
+        bench.client.wait(SENSED)?;
+        let named = failed(&bench.client.self_test()?);
+        assert_eq!(named, [Check::ReferenceDither, Check::DutDither], "{share}");
+    }
     Ok(())
 }
 

@@ -8,7 +8,27 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use rigless::snapshot::{self, Reader, Store, Writer};
 use rigless::time::VirtualNanos;
 
-use crate::rig_port::{Conversions, DRIVE_MID_CODE, INPUT_CHANNELS, RigPort};
+use serde::{Deserialize, Serialize};
+
+use crate::rig_port::{Conversions, DRIVE_MID_CODE, Dither, INPUT_CHANNELS, RigPort};
+
+/// A square wave a timer plays.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(super) struct Wave {
+    pub(super) frequency_hz: f64,
+    /// When it rose first.
+    pub(super) risen: VirtualNanos,
+}
+
+impl Wave {
+    fn at(self, now: VirtualNanos) -> Dither {
+        let periods = now.0.saturating_sub(self.risen.0) as f64 * 1e-9 * self.frequency_hz;
+        Dither {
+            frequency_hz: self.frequency_hz,
+            phase: periods.fract(),
+        }
+    }
+}
 
 /// The pins of drive, reference and device under test, with the rig on them.
 struct Pins {
@@ -20,6 +40,9 @@ struct Pins {
     samples: u64,
     conversions: Conversions,
     drive_buffer: bool,
+    /// What the timer of the dither plays, and whether its pin is connected to it.
+    wave: Option<Wave>,
+    wave_on_pin: bool,
 }
 
 /// A shared handle of the pins: DAC1 holds one, the converter pair holds one.
@@ -43,6 +66,8 @@ impl Store for Analog {
             pins.samples,
             pins.conversions,
             pins.drive_buffer,
+            pins.wave,
+            pins.wave_on_pin,
         ))?;
         pins.rig.store(to)
     }
@@ -56,6 +81,8 @@ impl Store for Analog {
             pins.samples,
             pins.conversions,
             pins.drive_buffer,
+            pins.wave,
+            pins.wave_on_pin,
         ) = from.take()?;
         pins.set_rig();
         pins.rig.load(from)
@@ -74,6 +101,8 @@ impl Analog {
             samples: 0,
             conversions: Conversions::default(),
             drive_buffer: true,
+            wave: None,
+            wave_on_pin: false,
         })))
     }
 
@@ -94,6 +123,24 @@ impl Analog {
         if on != pins.drive_buffer {
             pins.advance(now);
             pins.drive_buffer = on;
+            pins.set_rig();
+        }
+    }
+
+    /// The timer of the dither plays this from `now` on.
+    pub(super) fn play_dither(&self, wave: Option<Wave>, now: VirtualNanos) {
+        let mut pins = self.lock();
+        pins.advance(now);
+        pins.wave = wave;
+        pins.set_rig();
+    }
+
+    /// The dither's pin is connected to its timer, or not.
+    pub(super) fn connect_dither(&self, on: bool, now: VirtualNanos) {
+        let mut pins = self.lock();
+        if on != pins.wave_on_pin {
+            pins.advance(now);
+            pins.wave_on_pin = on;
             pins.set_rig();
         }
     }
@@ -163,6 +210,8 @@ impl Pins {
     fn set_rig(&mut self) {
         self.rig.set_conversions(self.conversions);
         self.rig.set_drive_buffer(self.drive_buffer);
+        let wave = self.wave.filter(|_| self.wave_on_pin);
+        self.rig.set_dither(wave.map(|wave| wave.at(self.reached)));
     }
 
     fn advance(&mut self, now: VirtualNanos) {

@@ -1,4 +1,4 @@
-//! The two input pins: which the part's own resistors pull.
+//! The two input pins, which the part's own resistors pull, and the dither's pin, which a timer drives.
 //!
 //! A converter sees its pin whatever the port does with it beside. In input mode the port may connect
 //! a resistor to the rail or to ground, which moves the pin against the source in front of it; in
@@ -18,6 +18,9 @@ const PULL_OHM: f64 = 40_000.0;
 const INPUT: u64 = 0b00;
 const UP: u64 = 0b01;
 const DOWN: u64 = 0b10;
+/// `MODER` of an alternate function, and the number of TIM3's (DS12110 Rev 10, tables 10 to 20).
+const ALTERNATE: u64 = 0b10;
+const TIM3: u64 = 2;
 
 /// Highest code of an input, which the rail has.
 const RAIL_CODE: f64 = 65_535.0;
@@ -48,6 +51,21 @@ impl Part {
     /// What the port does to the pins of reference and device under test.
     pub(super) fn input_pulls(&self) -> [Pull; 2] {
         self.schematic().inputs.map(|pin| self.pull(pin))
+    }
+
+    /// Whether the port connects the dither's pin to TIM3.
+    pub(super) fn dither_is_connected(&self) -> bool {
+        let Some(pin) = self.schematic().dither else {
+            return false;
+        };
+        let instance = pin.instance();
+        let mode = self.register(gpioa::Register::Moder, &instance) >> (2 * pin.number) & 0b11;
+        let functions = match pin.number {
+            0..8 => gpioa::Register::Afrl,
+            _ => gpioa::Register::Afrh,
+        };
+        let function = self.register(functions, &instance) >> (4 * (pin.number % 8)) & 0xF;
+        mode == ALTERNATE && function == TIM3
     }
 
     fn pull(&self, pin: Pin) -> Pull {

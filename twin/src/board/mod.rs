@@ -51,6 +51,7 @@ mod schematic;
 mod serial_line;
 #[cfg(test)]
 mod tests;
+mod tim3;
 mod tim6;
 pub mod usb;
 mod voltage_scale;

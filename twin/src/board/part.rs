@@ -1,7 +1,7 @@
 //! The STM32H743ZI as this board needs it: the emulator's part with our own models in it.
 //!
 //! A part is a bus, which decodes an address to a slot, and a model for a slot. Ours is the
-//! emulator's, on our own bus ([`memory_map`]), with TIM6, DAC, ADC1, ADC2, their common block,
+//! emulator's, on our own bus ([`memory_map`]), with TIM3, TIM6, DAC, ADC1, ADC2, their common block,
 //! DMA1, DMAMUX1, the flash interface, SYSCFG and IWDG answered by the models next door.
 
 mod at_once;
@@ -31,6 +31,7 @@ use super::part_faults::Lasting;
 use super::pins::{Pins, SUPPLY_MV};
 use super::request_lines::RequestLines;
 use super::schematic::{Pin, Schematic};
+use super::tim3::{self, Tim3};
 use super::tim6::{self, Tim6};
 use super::usb::UsbWindow;
 
@@ -42,6 +43,7 @@ const ADC3: usize = 2;
 /// Our own models, and how a slot finds its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Own {
+    Tim3,
     Tim6,
     Dac,
     Dmamux,
@@ -54,7 +56,8 @@ enum Own {
     Usb,
 }
 
-const OWN: [(&str, Own); 10] = [
+const OWN: [(&str, Own); 11] = [
+    (tim3::NAME, Own::Tim3),
     (tim6::NAME, Own::Tim6),
     (super::dac::NAME, Own::Dac),
     (super::dmamux::NAME, Own::Dmamux),
@@ -72,6 +75,7 @@ const OWN: [(&str, Own); 10] = [
 pub struct Part {
     /// The emulator's part. Its bus is ours.
     pub(super) base: Stm32h743,
+    tim3: Tim3,
     tim6: Tim6,
     dac: Dac,
     dmamux: Dmamux,
@@ -87,8 +91,9 @@ pub struct Part {
     own: Box<[Option<Own>]>,
     serial_slot: usize,
     slots: SampleSlots,
-    /// Ports of the inputs' pins, and whether one was used since the converters were told of it.
-    input_ports: [usize; 2],
+    /// Ports of the inputs' pins and of the dither's, and whether one was used since the converters were told
+    /// of it.
+    pin_ports: [usize; 3],
     ports_used: bool,
     /// ADC3 is the emulator's; it is told how warm the part is.
     adc3_slot: usize,
@@ -108,9 +113,9 @@ struct SampleSlots {
 rigless::store!(Part {
     values: [supply_mv, ports_used],
     parts: [
-        base, tim6, dac, dmamux, dma1, converters, common, flash, iwdg, syscfg, usb, pins,
+        base, tim3, tim6, dac, dmamux, dma1, converters, common, flash, iwdg, syscfg, usb, pins,
     ],
-    built: [usb_slot, own, serial_slot, adc3_slot, slots, input_ports],
+    built: [usb_slot, own, serial_slot, adc3_slot, slots, pin_ports],
 });
 
 impl Part {
@@ -133,6 +138,7 @@ impl Part {
             pins.flaws.clone(),
             pins.schematic.drive_channel,
             pins.schematic.input_channels,
+            pins.schematic.converters_halve_their_clock(),
         );
         let lines = RequestLines::new();
         let slots = SampleSlots {
@@ -143,12 +149,13 @@ impl Part {
         };
         let port = |pin: Pin| base.bus().slot_of(&pin.instance()).unwrap_or(usize::MAX);
         let mut part = Self {
-            input_ports: pins.schematic.inputs.map(port),
+            pin_ports: pins.schematic.sampled_pins().map(port),
             ports_used: true,
             serial_slot: base.bus().slot(pins.schematic.serial_name())?,
             adc3_slot: base.bus().slot("ADC3")?,
             supply_mv: SUPPLY_MV,
             base,
+            tim3: Tim3::silent(),
             tim6: Tim6::new(),
             dac: Dac::new(
                 pins.schematic.drive_channel,
@@ -304,6 +311,11 @@ impl Part {
     fn trigger_converters(&mut self, at: VirtualNanos) {
         if std::mem::take(&mut self.ports_used) {
             self.common.set_pulls(self.input_pulls());
+            let connected = self.dither_is_connected();
+            self.pins.analog.connect_dither(connected, at);
+        }
+        if let Some(wave) = self.tim3.take_change() {
+            self.pins.analog.play_dither(wave, at);
         }
         let bus = self.base.bus_mut();
         let (registers, mut context) = bus.drive(at, self.slots.dac);
@@ -444,7 +456,7 @@ impl Mcu for Part {
     }
 
     fn split(&mut self, slot: usize) -> (&mut Bus, Option<&mut dyn ErasedDevice>) {
-        self.ports_used |= self.input_ports.contains(&slot);
+        self.ports_used |= self.pin_ports.contains(&slot);
         if slot == self.adc3_slot {
             let rig_c = self.pins.analog.processor_centi_c();
             let centi_c = self.flaws().processor_centi_c().unwrap_or(rig_c);
@@ -459,6 +471,7 @@ impl Mcu for Part {
             }
         }
         let model: &mut dyn ErasedDevice = match own {
+            Own::Tim3 => &mut self.tim3,
             Own::Tim6 => &mut self.tim6,
             Own::Dac => &mut self.dac,
             Own::Dmamux => &mut self.dmamux,

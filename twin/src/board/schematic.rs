@@ -36,6 +36,9 @@ const ONE_CONVERTER: [&[(&str, u64)]; 2] = [
     &[("PF13", 2), ("PF14", 6)],
 ];
 
+/// Pins of TIM3's first channel (DS12110 Rev 10, tables 10 to 20).
+const TIM3_PINS: [&str; 3] = ["PA6", "PB4", "PC6"];
+
 /// Pins of DAC1's channels.
 const DAC_PINS: [&str; 2] = ["PA4", "PA5"];
 
@@ -74,6 +77,16 @@ pub(super) enum Active {
     Low,
 }
 
+/// Revision of the part's silicon.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
+pub(super) enum Silicon {
+    /// The converters run at the clock they are given (assumed, from DS12110 before revision V).
+    Y,
+    /// They halve it.
+    #[default]
+    V,
+}
+
 /// A pin of a port.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Pin {
@@ -96,6 +109,9 @@ pub struct Schematic {
     pub(super) inputs: [Pin; 2],
     /// Channels of ADC1 and ADC2 that the reference and the device under test lead to.
     pub(super) input_channels: [u64; 2],
+    /// Whose square wave the front end adds to both inputs; none where it has no dither.
+    pub(super) dither: Option<Pin>,
+    pub(super) silicon: Silicon,
     /// Channel of DAC1 that drives the exciter: 0 or 1.
     pub(super) drive_channel: usize,
     /// Place of the serial port in the part's list.
@@ -117,6 +133,9 @@ struct File {
     pressed: Active,
     reference: String,
     dut: String,
+    dither: Option<String>,
+    #[serde(default)]
+    silicon: Silicon,
     input_full_scale_peak_v: f64,
     drive: String,
     drive_full_scale_peak_v: f64,
@@ -172,6 +191,12 @@ impl Schematic {
                 input("reference", 0, &file.reference)?,
                 input("dut", 1, &file.dut)?,
             ],
+            dither: match &file.dither {
+                Some(pin) if TIM3_PINS.contains(&pin.as_str()) => Pin::named(pin),
+                Some(pin) => return Err(impossible("dither", pin)),
+                None => None,
+            },
+            silicon: file.silicon,
             drive_channel: dac_pin(&file.drive).ok_or_else(|| impossible("drive", &file.drive))?,
             serial: serial
                 .into_iter()
@@ -186,6 +211,17 @@ impl Schematic {
     pub fn fit(&self, rig: &mut Rig) {
         rig.converter.input_full_scale_peak_v = self.input_full_scale_peak_v;
         rig.amplifier.full_scale_peak_v = self.drive_full_scale_peak_v;
+    }
+
+    /// Pins of both inputs and of the dither, or once more of an input where there is none.
+    pub(super) fn sampled_pins(&self) -> [Pin; 3] {
+        let [reference, dut] = self.inputs;
+        [reference, dut, self.dither.unwrap_or(dut)]
+    }
+
+    /// Whether the pair of converters runs at half the clock it is given.
+    pub(super) fn converters_halve_their_clock(&self) -> bool {
+        self.silicon == Silicon::V
     }
 
     /// Name of the serial port's instance.
@@ -239,6 +275,7 @@ mod tests {
         assert_eq!(nucleo.lamps, [pin(1, 0), pin(4, 1), pin(1, 14)]);
         assert_eq!((nucleo.button, nucleo.pressed), (pin(2, 13), Active::High));
         assert_eq!(nucleo.input_channels, [15, 10]);
+        assert_eq!(nucleo.dither, Some(pin(2, 6)));
         assert_eq!((nucleo.drive_channel, nucleo.serial_name()), (0, "USART3"));
         assert_eq!(nucleo.lamps[1].instance(), "GPIOE");
     }
@@ -253,6 +290,7 @@ mod tests {
             ("reference = \"PA3\"", "reference = \"PD8\""),
             ("dut = \"PC0\"", "dut = \"PA0\""),
             ("drive = \"PA4\"", "drive = \"PA3\""),
+            ("dither = \"PC6\"", "dither = \"PC7\""),
             ("serial = \"USART3\"", "serial = \"UART5\""),
         ] {
             assert!(NUCLEO_H743ZI2.contains(line), "{line}");

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
-use super::{Quantity, Sheet};
+use super::{Quantity, Shape, Sheet};
 use crate::rig_port::Conversions;
 
 /// Codes of the whole range, of half of it (0 V), and the highest.
@@ -15,7 +15,7 @@ const LAST_CODE: f64 = CODES - 1.0;
 /// The largest bits, whose capacitors differ enough to show; the rest is within the bow.
 const UNEQUAL_BITS: u32 = 8;
 /// Codes of the smallest of them.
-const CELL: usize = 65_536 >> UNEQUAL_BITS;
+pub(super) const CELL: usize = 65_536 >> UNEQUAL_BITS;
 /// Frequency of the reference's ripple, Hz: 1 kHz of a host whose clock is 30 ppm off.
 const RIPPLE_HZ: f64 = 1_000.03;
 
@@ -51,7 +51,13 @@ pub(crate) struct InputConverter {
 
 impl InputConverter {
     /// Converter of `channel` in the unit of this number.
-    pub(crate) fn new(sheet: Sheet, full_scale_peak_v: f64, unit: u64, channel: u64) -> Self {
+    pub(crate) fn new(
+        sheet: Sheet,
+        shape: Shape,
+        full_scale_peak_v: f64,
+        unit: u64,
+        channel: u64,
+    ) -> Self {
         let mut random = ChaCha12Rng::seed_from_u64(unit);
         random.set_stream(channel);
         let mut within = |quantity| sheet.value(quantity) * random.random_range(-1.0..=1.0);
@@ -60,7 +66,7 @@ impl InputConverter {
         let noise_codes = sheet.value(Quantity::InputNoise);
         let curve = match sheet.is_ideal() {
             true => Vec::new(),
-            false => smoothed(&curve(sheet, &mut random), noise_codes),
+            false => smoothed(&shape.curve(sheet, &mut random), noise_codes),
         };
         Self {
             code_per_v: MID_CODE / full_scale_peak_v,
@@ -88,15 +94,24 @@ impl InputConverter {
         signal_rms_v.hypot(self.noise_codes / self.code_per_v / conversions.sqrt())
     }
 
-    /// The mean code of a trigger's conversions.
-    pub(crate) fn code(&mut self, input: Input) -> u16 {
+    /// The mean code of a trigger's conversions, each with its volts of `dither_v` added; without dither they
+    /// are alike.
+    pub(crate) fn code(&mut self, input: Input, dither_v: &[f64]) -> u16 {
         let volt = input.volt + self.crosstalk * input.other_v + self.unsettled_v(input.volt);
         let ripple = match self.ripple_codes {
             0.0 => 0.0,
             peak => peak * (TAU * RIPPLE_HZ * input.time_s).sin(),
         };
         let line = volt * self.code_per_v * self.gain + self.offset_codes + ripple;
-        self.nearest(MID_CODE + line)
+        let middle = MID_CODE + line;
+        if dither_v.is_empty() {
+            return self.nearest(middle);
+        }
+        let code_per_v = self.code_per_v * self.gain;
+        let each = dither_v
+            .iter()
+            .map(|volt| u32::from(self.nearest(middle + volt * code_per_v)));
+        nearest_code(f64::from(each.sum::<u32>()) / dither_v.len() as f64)
     }
 
     fn nearest(&self, code: f64) -> u16 {
@@ -128,43 +143,6 @@ pub(crate) struct Input {
     pub(crate) time_s: f64,
 }
 
-/// Codes beside the line through both ends, by cell of the unequal bits: `(at its first code, at its
-/// last)`. A bow of second and third order, and bits whose weights are off, the largest so far that
-/// mid-scale has the table's step.
-fn curve(sheet: Sheet, random: &mut ChaCha12Rng) -> Vec<[f64; 2]> {
-    let carry = sheet.value(Quantity::InputCarry);
-    let bow = sheet.value(Quantity::InputBow);
-    let mut sign = || if random.random_bool(0.5) { 1.0 } else { -1.0 };
-    let signs = [sign(), sign(), sign()];
-    let mut weights: Vec<f64> = (1..UNEQUAL_BITS)
-        .map(|bit| {
-            let size = carry * 0.5_f64.powf(f64::from(bit) / 2.0);
-            size * random.random_range(-1.0..=1.0)
-        })
-        .collect();
-    weights.insert(0, signs[0] * carry + weights.iter().sum::<f64>());
-    let cells = 1_usize << UNEQUAL_BITS;
-    let bits = |cell: usize| -> f64 {
-        let set = |bit: &usize| cell >> (UNEQUAL_BITS as usize - 1 - bit) & 1 == 1;
-        (0..weights.len()).filter(set).map(|bit| weights[bit]).sum()
-    };
-    let slope = bits(cells - 1) / (CODES - 1.0);
-    // Peaks of 1 - x2 and of x - x3 between -1 and 1 are 1 and 2 / sqrt(27).
-    let bowed = |code: f64| {
-        let x = code / MID_CODE - 1.0;
-        let even = signs[1] * (1.0 - x * x);
-        let odd = signs[2] * (x - x * x * x) * 27.0_f64.sqrt() / 2.0;
-        bow * 0.5 * (even + odd)
-    };
-    (0..cells)
-        .map(|cell| {
-            let first = (cell * CELL) as f64;
-            let beside = |code: f64| bits(cell) - slope * code + bowed(code);
-            [beside(first), beside(first + CELL as f64)]
-        })
-        .collect()
-}
-
 /// The curve at every code, its steps as wide as the noise that goes over them.
 fn smoothed(cells: &[[f64; 2]], noise_codes: f64) -> Vec<f32> {
     let mut curve: Vec<f64> = cells
@@ -193,7 +171,7 @@ mod tests {
     use super::*;
 
     fn converter(factor: f64, unit: u64) -> InputConverter {
-        InputConverter::new(Sheet::new(factor), 5.0, unit, 0)
+        InputConverter::new(Sheet::new(factor), Shape::Bits, 5.0, unit, 0)
     }
 
     fn quiet(volt: f64) -> Input {
@@ -216,7 +194,7 @@ mod tests {
             (5.0, 65_535),
             (-7.0, 0),
         ] {
-            assert_eq!(ideal.code(quiet(volt)), code, "{volt}");
+            assert_eq!(ideal.code(quiet(volt), &[]), code, "{volt}");
         }
     }
 
@@ -260,12 +238,37 @@ mod tests {
         // 50 ns are 3.42 time constants of 14.6 ns: 3.3 % of the step stay.
         one.set(Conversions {
             count: 1,
-            apart_ns: 0,
+            apart_ps: 0,
             sampling_ns: 50,
         });
-        one.code(quiet(0.0));
-        let short = f64::from(one.code(quiet(1.0)));
-        let long = f64::from(one.code(quiet(1.0)));
+        one.code(quiet(0.0), &[]);
+        let short = f64::from(one.code(quiet(1.0), &[]));
+        let long = f64::from(one.code(quiet(1.0), &[]));
         assert!(((long - short) / 6553.6 - 0.0326).abs() < 0.001);
+    }
+
+    /// The wall of 20 codes makes 12.7 codes of a sine of 930 codes, 1.37 %; spread over 8575 codes either way it
+    /// is a slope of 10 / 8575, 0.117 %, at any level.
+    #[test]
+    fn dither_turns_a_wall_into_a_slope() {
+        let dither_v: Vec<f64> = (0..328)
+            .map(|nth| 1.308 * ((f64::from(nth) + 0.5) / 164.0 - 1.0))
+            .collect();
+        for (peak_v, dither_v, expected, within) in [
+            (0.1419, &[][..], 12.73 / 930.0, 5e-4),
+            (0.1419, &dither_v[..], 10.0 / 8575.0, 5e-5),
+            (0.01419, &dither_v[..], 10.0 / 8575.0, 5e-4),
+        ] {
+            let sheet = Sheet::new(1e-9);
+            let mut wall = InputConverter::new(sheet, Shape::Wall, 5.0, 1, 0);
+            (wall.offset_codes, wall.gain) = (0.0, 1.0);
+            let mut sum = 0.0;
+            for nth in 0..5000 {
+                let sine = (TAU * f64::from(nth) / 5000.0).sin();
+                sum += sine * f64::from(wall.code(quiet(peak_v * sine), dither_v));
+            }
+            let gain = sum / 2500.0 / (peak_v * MID_CODE / 5.0) - 1.0;
+            assert!((gain.abs() - expected).abs() < within, "{peak_v}: {gain}");
+        }
     }
 }

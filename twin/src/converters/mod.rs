@@ -4,11 +4,15 @@
 //! only noise differs from sample to sample. Every line of the table says what it
 //! rests on, the sheet or an assumption, and what is assumed can be halved and doubled.
 
+mod dither;
 mod drive;
 mod input;
+mod shape;
 mod sheet;
 
+pub(crate) use dither::Dithering;
 pub(crate) use drive::DriveConverter;
 pub(crate) use input::{Input, InputConverter, MID_CODE, nearest_code};
+pub use shape::Shape;
 pub use sheet::{Basis, Entry, SHEET};
 pub(crate) use sheet::{Quantity, Sheet};

@@ -27,11 +27,11 @@ use rigless::snapshot::{Error, Reader, Writer};
 use self::codes::{input_code, input_v};
 use self::sampler::{Sampled, Sampler};
 use self::simulation::Simulation;
-use crate::converters::{DriveConverter, InputConverter, Sheet};
+use crate::converters::{Dithering, DriveConverter, InputConverter, Sheet};
 use crate::faults::{BodyFault, Faults};
 use crate::model::Model;
 use crate::rig::Rig;
-use crate::rig_port::{AIR_C, Conversions, INPUT_CHANNELS, RigPort, SELF_HEATING_K};
+use crate::rig_port::{AIR_C, Conversions, Dither, INPUT_CHANNELS, RigPort, SELF_HEATING_K};
 
 /// A simulated rig at work.
 ///
@@ -45,6 +45,7 @@ pub struct Plant {
     samplers: [Sampler; INPUT_CHANNELS],
     drive: DriveConverter,
     conversions: Conversions,
+    dithering: Dithering,
     noise: ChaCha8Rng,
     /// Faults, and the body as it is by now.
     faults: Faults,
@@ -65,7 +66,8 @@ impl Plant {
         let sheet = Sheet::new(parts.errors);
         let sampler = |nth, channel, sensing| {
             let full_scale_peak_v = parts.input_full_scale_peak_v;
-            let converter = InputConverter::new(sheet, full_scale_peak_v, parts.unit, nth);
+            let converter =
+                InputConverter::new(sheet, parts.shape, full_scale_peak_v, parts.unit, nth);
             Sampler::new(&model, channel, sensing, converter, start_s)
         };
         Self {
@@ -76,6 +78,7 @@ impl Plant {
             ],
             drive: DriveConverter::new(sheet, rig.amplifier.full_scale_peak_v, parts.unit),
             conversions: Conversions::default(),
+            dithering: Dithering::new(parts.dither_peak_v),
             noise: ChaCha8Rng::seed_from_u64(rig.noise_seed),
             rig: rig.clone(),
             faults,
@@ -117,6 +120,7 @@ impl Plant {
     pub fn hold_volt(&mut self, drive_v: f64, duration_ns: u64) {
         let elapsed_s = self.simulation.elapsed_s();
         self.change_body(elapsed_s);
+        self.dithering.advance(duration_ns);
         let coil_v = self.faults.drive_v(drive_v, elapsed_s);
         self.simulation.hold(coil_v, duration_ns);
         for fault in &self.faults.body {
@@ -180,6 +184,10 @@ impl RigPort for Plant {
         }
     }
 
+    fn set_dither(&mut self, dither: Option<Dither>) {
+        self.dithering.set(dither);
+    }
+
     fn set_drive_buffer(&mut self, on: bool) {
         self.drive.buffer(on);
     }
@@ -187,6 +195,7 @@ impl RigPort for Plant {
     fn sample(&mut self) -> [u16; INPUT_CHANNELS] {
         let simulation = &self.simulation;
         let elapsed_s = simulation.elapsed_s();
+        let dither_v = self.dithering.at(self.conversions);
         let mut codes = [0; INPUT_CHANNELS];
         for (channel, code) in codes.iter_mut().enumerate() {
             let sampler = &mut self.samplers[channel];
@@ -200,10 +209,9 @@ impl RigPort for Plant {
                 face_m2s4: simulation.face_m2s4(channel),
                 other_v: simulation.converter_v(1 - channel),
             };
-            *code = sampler.code(sampled, elapsed_s, &mut self.noise);
-            *code = self.faulty_code(channel, *code, elapsed_s);
+            *code = sampler.code(sampled, dither_v, elapsed_s, &mut self.noise);
         }
-        codes
+        std::array::from_fn(|channel| self.faulty_code(channel, codes[channel], elapsed_s))
     }
 
     fn store(&self, to: &mut Writer) -> Result<(), Error> {
@@ -211,11 +219,13 @@ impl RigPort for Plant {
             return Err(Error::Unsaved("a rig whose body has become another one"));
         }
         to.put(&self.noise.get_word_pos())?;
+        to.put(&self.dithering.played())?;
         to.put(&self.simulation.motion())
     }
 
     fn load(&mut self, from: &mut Reader) -> Result<(), Error> {
         self.noise.set_word_pos(from.take()?);
+        self.dithering.set(from.take()?);
         self.simulation.go_on(from.take()?);
         Ok(())
     }

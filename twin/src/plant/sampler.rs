@@ -60,8 +60,14 @@ impl Sampler {
         self.jitter_s != 0.0 || self.channel.clock_delta != 0.0
     }
 
-    /// The code at `elapsed_s` after the start.
-    pub(super) fn code(&mut self, sampled: Sampled, elapsed_s: f64, noise: &mut ChaCha8Rng) -> u16 {
+    /// The code at `elapsed_s` after the start, with so much dither at each of its conversions.
+    pub(super) fn code(
+        &mut self,
+        sampled: Sampled,
+        dither_v: &[f64],
+        elapsed_s: f64,
+        noise: &mut ChaCha8Rng,
+    ) -> u16 {
         let mut normal = || -> f64 { StandardNormal.sample(noise) };
         let time_s = self.start_s + elapsed_s;
         let channel = &self.channel;
@@ -80,11 +86,12 @@ impl Sampler {
         let picked_up_v = self.pickup_v(time_s);
         let total = volt + picked_up_v + self.offset_v + noise_rms_v * normal();
         let volt = channel.converter.output_v(total);
-        self.converter.code(Input {
+        let input = Input {
             volt,
             other_v: sampled.other_v,
             time_s,
-        })
+        };
+        self.converter.code(input, dither_v)
     }
 
     fn impact_rms_v(&self, level_rms_ms2: f64) -> f64 {

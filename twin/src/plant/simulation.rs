@@ -273,7 +273,7 @@ impl Simulation {
     /// From now on a sample is the mean over `conversions`: the signals at their instants follow from the
     /// present state, the inputs being held, so the mean is a signal of its own.
     pub(super) fn average_over(&mut self, conversions: Conversions) {
-        let apart = self.stepper.transition(conversions.apart_ns);
+        let apart = self.stepper.transition(conversions.apart_ns());
         let count = conversions.count.max(1);
         for (mean, instant) in self.means.iter_mut().zip(self.taps.sampled()) {
             *mean = mean_tap(instant, &apart, count);

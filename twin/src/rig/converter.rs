@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::common_source::CommonSource;
 use super::range::Range;
+use crate::converters::Shape;
 
 /// Digital-to-analogue and analogue-to-digital conversion.
 ///
@@ -44,6 +45,13 @@ pub struct Converter {
     /// Number of the unit, from which what its converters do wrong is drawn; may be left out.
     #[serde(default, skip_serializing_if = "is_first")]
     pub unit: u64,
+    /// Characteristic of the input converters beside the line; may be left out.
+    #[serde(default, skip_serializing_if = "Shape::is_bits")]
+    pub shape: Shape,
+    /// What the front end adds to both inputs of the square wave on the dither's pin, V peak as at the
+    /// connector: 0, which may be left out, for a front end without.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub dither_peak_v: f64,
     /// What the part's converters do wrong ([`crate::converters::SHEET`]): 1 as the table has it, other
     /// factors are on what is assumed; 0, which may be left out, makes them ideal.
     #[serde(default, skip_serializing_if = "is_zero")]
@@ -88,6 +96,7 @@ impl Converter {
             ),
             range("dut_delay_s", self.dut_delay_s, 0.0, 1e-3),
             range("errors", self.errors, 0.0, 10.0),
+            range("dither_peak_v", self.dither_peak_v, 0.0, 1e3),
         ];
         ranges.extend(self.common_source.iter().flat_map(CommonSource::ranges));
         ranges

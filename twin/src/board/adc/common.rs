@@ -72,14 +72,15 @@ impl Common {
         self.pair.lock().skew = skew;
     }
 
-    /// Figure 136: kernel clock over `PRESC`, or bus clock over 1, 2 or 4; revision V halves both.
+    /// Figure 136: kernel clock over `PRESC`, or bus clock over 1, 2 or 4; revision V halves both, revision Y neither.
     fn clock(&self, control: u64) {
         let prescaler = PRESCALER.get(ccr::PRESC.get(control) as usize);
         let hz = match ccr::CKMODE.get(control) {
             0 => self.kernel_hz / prescaler.copied().unwrap_or(256),
             mode => self.bus_hz >> (mode - 1),
         };
-        self.pair.lock().clock_hz = hz / 2;
+        let mut pair = self.pair.lock();
+        pair.clock_hz = if pair.halves_clock { hz / 2 } else { hz };
     }
 
     /// TIM6's trigger output pulses.
@@ -103,7 +104,7 @@ impl Common {
         if now < pair.busy_until {
             return context.tell("CCR", "a trigger during a conversion is ignored");
         }
-        let duration_ns = u64::from(conversions.count) * conversions.apart_ns;
+        let duration_ns = u64::from(conversions.count) * conversions.apart_ns();
         pair.busy_until = VirtualNanos(now.0 + duration_ns);
         pair.analog.convert_so(conversions);
         let codes = pair.sample(now);

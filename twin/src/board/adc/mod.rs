@@ -60,6 +60,8 @@ struct Pair {
     internal: u64,
     /// Channel of each converter that is wired to a connector.
     wired: [u64; 2],
+    /// Both converters run at half the clock they are given.
+    halves_clock: bool,
     /// The analogue clock both converters run on, 0 while it stands still.
     clock_hz: u64,
     converters: [State; 2],
@@ -92,7 +94,7 @@ pub(super) struct SharedPair(Arc<Mutex<Pair>>);
 rigless::store!(Pair {
     values: [clock_hz, converters, unread, busy_until, pulls, skew],
     parts: [],
-    built: [analog, flaws, internal, wired],
+    built: [analog, flaws, internal, wired, halves_clock],
 });
 
 impl Store for SharedPair {
@@ -106,12 +108,19 @@ impl Store for SharedPair {
 }
 
 impl SharedPair {
-    pub(super) fn new(analog: Analog, flaws: Flaws, drive: usize, wired: [u64; 2]) -> Self {
+    pub(super) fn new(
+        analog: Analog,
+        flaws: Flaws,
+        drive: usize,
+        wired: [u64; 2],
+        halves_clock: bool,
+    ) -> Self {
         Self(Arc::new(Mutex::new(Pair {
             analog,
             flaws,
             internal: ADC2_HEARS_DAC + drive as u64,
             wired,
+            halves_clock,
             clock_hz: 0,
             converters: [State::default(); 2],
             unread: false,
@@ -225,19 +234,20 @@ impl Pair {
         let slowest = |half_cycles: fn(&State, u64) -> u64| {
             let all = self.converters.iter();
             let each = all.filter_map(|one| Some(half_cycles(one, one.channel()?)));
-            self.half_cycles_ns(each.max()?)
+            self.half_cycles_ps(each.max()?)
         };
         Some(Conversions {
             count: master.conversions(),
-            apart_ns: slowest(State::conversion_half_cycles)?,
-            sampling_ns: slowest(State::sampling_half_cycles)?,
+            apart_ps: slowest(State::conversion_half_cycles)?,
+            sampling_ns: slowest(State::sampling_half_cycles)?.div_ceil(1000),
         })
     }
 
-    /// Nanoseconds so many half cycles of the analogue clock last, `None` while it stands still.
-    fn half_cycles_ns(&self, half_cycles: u64) -> Option<u64> {
+    /// Picoseconds so many half cycles of the analogue clock last, `None` while it stands still.
+    fn half_cycles_ps(&self, half_cycles: u64) -> Option<u64> {
         let doubled_hz = 2 * u128::from(self.clock_hz);
-        (doubled_hz > 0).then(|| (u128::from(half_cycles) * NS_PER_S).div_ceil(doubled_hz) as u64)
+        let ps_per_s = 1000 * NS_PER_S;
+        (doubled_hz > 0).then(|| (u128::from(half_cycles) * ps_per_s).div_ceil(doubled_hz) as u64)
     }
 
     /// Nanoseconds `cycles` of the analogue clock last, `None` while it stands still.

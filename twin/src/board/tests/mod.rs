@@ -2,6 +2,7 @@
 
 mod arithmetic;
 mod converters;
+mod dither;
 mod dma;
 mod drive;
 mod flash;
@@ -21,13 +22,14 @@ use rigless::soc::{Layout, Peripheral, Width};
 use rigless::time::VirtualNanos;
 
 use super::{Analog, Part, Pins, Schematic};
-use crate::rig_port::{INPUT_CHANNELS, RigPort};
+use crate::rig_port::{Dither, INPUT_CHANNELS, RigPort};
 
 /// Log of a recording rig: each stretch of constant drive, and when it was sampled.
 #[derive(Debug, Default)]
 struct Told {
     holds: Vec<(u16, u64)>,
     samples: u16,
+    dither: Option<Dither>,
 }
 
 /// A rig that writes down what it is told and gives codes that count the samples.
@@ -37,6 +39,10 @@ impl RigPort for Recorder {
     fn hold(&mut self, drive_code: u16, duration_ns: u64) {
         let mut told = self.0.lock().unwrap();
         told.holds.push((drive_code, duration_ns));
+    }
+
+    fn set_dither(&mut self, dither: Option<Dither>) {
+        self.0.lock().unwrap().dither = dither;
     }
 
     fn sample(&mut self) -> [u16; INPUT_CHANNELS] {
@@ -104,12 +110,12 @@ impl Bench {
         bench
     }
 
-    /// DMA1, ADC1/2, TIM6, DAC1 and the ports, the converters on `per_ck`, which is the 64 MHz HSI.
+    /// DMA1, ADC1/2, TIM3, TIM6, DAC1 and the ports, the converters on `per_ck`, which is the 64 MHz HSI.
     fn enable_clocks(&mut self) {
         use rcc::Register;
         for (register, value) in [
             (Register::Ahb1enr, 1 | 1 << 5),
-            (Register::Apb1lenr, 1 << 4 | 1 << 29),
+            (Register::Apb1lenr, 1 << 1 | 1 << 4 | 1 << 29),
             (Register::Ahb4enr, 0x7FF),
             (Register::D3ccipr, 0b10 << 16),
         ] {
