@@ -97,6 +97,27 @@ pub struct PointResult {
 }
 
 impl PointResult {
+    /// Whether magnitude, phase, their uncertainties and the coverage factor are numbers.
+    pub fn has_result(&self) -> bool {
+        [
+            self.sensitivity_v_per_ms2,
+            self.expanded_uncertainty_rel,
+            self.coverage_factor,
+            self.phase_rad,
+            self.expanded_uncertainty_phase_rad,
+        ]
+        .into_iter()
+        .all(f32::is_finite)
+    }
+
+    /// Takes back a verdict that no number stands behind: what was stored or sent may be damaged or
+    /// forged, and is then no result.
+    pub fn refuse_without_result(&mut self) {
+        if self.verdict == Verdict::Pass && !self.has_result() {
+            self.verdict = Verdict::Refused(Reason::BudgetInvalid);
+        }
+    }
+
     /// A point without numbers, refused for `reason`.
     ///
     /// Without a tone (no frequency of the sample clock fits), zero cycles are
@@ -132,6 +153,45 @@ impl PointResult {
             overshoot_rel: 0.0,
             coherence: None,
             instrument_temperature_c: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_passes_with_numbers_alone() {
+        let spec = PointSpec {
+            frequency_hz: 160.0,
+            acceleration_rms_ms2: 10.0,
+        };
+        let whole = PointResult {
+            verdict: Verdict::Pass,
+            sensitivity_v_per_ms2: 0.01,
+            expanded_uncertainty_rel: 0.01,
+            coverage_factor: 2.0,
+            ..PointResult::refused(spec, None, Reason::Stopped)
+        };
+        let judged = |mut point: PointResult| {
+            point.refuse_without_result();
+            point.verdict
+        };
+        assert_eq!(judged(whole), Verdict::Pass);
+        type Damage = fn(&mut PointResult);
+        let damages: [Damage; 6] = [
+            |p| p.sensitivity_v_per_ms2 = f32::NAN,
+            |p| p.expanded_uncertainty_rel = f32::NAN,
+            |p| p.expanded_uncertainty_rel = f32::INFINITY,
+            |p| p.coverage_factor = f32::NAN,
+            |p| p.phase_rad = f32::NAN,
+            |p| p.expanded_uncertainty_phase_rad = f32::NAN,
+        ];
+        for damage in damages {
+            let mut point = whole;
+            damage(&mut point);
+            assert_eq!(judged(point), Verdict::Refused(Reason::BudgetInvalid));
         }
     }
 }

@@ -75,6 +75,8 @@ pub enum Reason {
     /// A line of the mains is too near to the tone to be told from it, and larger than Table 1 of
     /// ISO 16063-21 grants in all ([`crate::hum`]).
     Hum,
+    /// No host has spoken for as long as the lease of the settings grants.
+    HostsSilent,
 }
 
 impl Reason {
@@ -89,6 +91,7 @@ impl Reason {
                 | Self::Stopped
                 | Self::TemperatureOutOfRange
                 | Self::ChannelsNotAligned
+                | Self::HostsSilent
         )
     }
 }
@@ -133,6 +136,7 @@ impl fmt::Display for Reason {
             Self::TemperatureOutOfRange => "the instrument is too cold or too hot",
             Self::ChannelsNotAligned => "the channels are not of the same instants",
             Self::Hum => "hum of the mains too near to the frequency",
+            Self::HostsSilent => "no host has spoken for longer than the lease grants",
         })
     }
 }

@@ -11,7 +11,7 @@ use calib_protocol::health::{Defect, Health};
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, SettingsChange, Status,
 };
-use calib_protocol::record::RecordSummary;
+use calib_protocol::record::{RecordSummary, RunLabels};
 use heapless::Vec;
 
 /// Part of a stored record.
@@ -50,6 +50,8 @@ pub trait Instrument {
     async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal>;
     /// Silences the exciter and ends the run, if there is one.
     async fn stop(&mut self);
+    /// As [`Self::stop`], if the run that goes on is that of this record.
+    async fn stop_run(&mut self, record_id: u32);
     /// Stored records from a running number on.
     async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal>;
     /// Bytes of a stored record.
@@ -71,12 +73,10 @@ pub trait Instrument {
     fn read_capture(&mut self, offset: u16) -> Result<CapturePart, Refusal>;
     /// Tests the board, with the table at rest.
     async fn self_test(&mut self) -> Result<Vec<Line, MAX_LINES>, Refusal>;
-    /// Whether a hand is on the button.
+    /// Whether a hand is on the button. That was what its press was for: letting go has no effect.
     fn button_held(&mut self) -> bool;
-    /// Stores and takes new settings that say the same of the reference.
-    async fn write_settings(&mut self, settings: &Settings) -> Result<(), Refusal>;
-    /// Logs and takes new settings that say something else of the reference.
-    async fn change_reference(&mut self, change: &SettingsChange) -> Result<(), Refusal>;
+    /// Logs new settings and takes them into force.
+    async fn change_settings(&mut self, change: &SettingsChange) -> Result<(), Refusal>;
 }
 
 /// Carries out `request`; a reset is left to the caller, who answers first.
@@ -100,11 +100,16 @@ async fn carry_out(
         },
         Request::Start(spec) => {
             check_points(&spec)?;
+            check_conditions(&spec.labels)?;
             let record_id = instrument.start(spec).await?;
             Response::Started { record_id }
         }
         Request::Stop => {
             instrument.stop().await;
+            Response::Done
+        }
+        Request::StopRun { record_id } => {
+            instrument.stop_run(record_id).await;
             Response::Done
         }
         Request::Records { from } => {
@@ -145,27 +150,38 @@ async fn carry_out(
     })
 }
 
-/// Every result rests on the reference: its calibration changes only under a
-/// hand on the instrument, and leaves a record. Whoever sends the same again is
-/// told that it is done. Where the stored one cannot be read, any other may be a
-/// change.
+/// There is no setting that shapes neither a result, nor its uncertainty, nor a
+/// limit: each changes only under a hand on the instrument, and leaves a record.
+/// Whoever sends the same again is told that it is done. Where the stored ones
+/// cannot be read, any other may be a change.
 async fn write_settings(
     change: &SettingsChange,
     instrument: &mut impl Instrument,
 ) -> Result<(), Refusal> {
     change.settings.validate().map_err(|_| Refusal::Settings)?;
     let known = !instrument.health().defects.has(Defect::Settings);
-    if known
-        && change
-            .settings
-            .has_reference_channel_of(&instrument.settings())
-    {
-        return instrument.write_settings(&change.settings).await;
+    // Asked first: a short press for settings that are there already is no tap either.
+    let held = instrument.button_held();
+    if known && change.settings == instrument.settings() {
+        return Ok(());
     }
-    if !instrument.button_held() {
-        return Err(Refusal::ButtonNotHeld);
+    match held {
+        true => instrument.change_settings(change).await,
+        false => Err(Refusal::ButtonNotHeld),
     }
-    instrument.change_reference(change).await
+}
+
+/// Temperatures of a transducer that are no slip of the pen, hundredths of a degree Celsius: what
+/// accelerometers are made for, -55 to 200 degrees.
+const TEMPERATURES_CENTI_C: core::ops::RangeInclusive<i16> = -5_500..=20_000;
+
+/// Whether conditions an operator says for one run can be true.
+fn check_conditions(labels: &RunLabels) -> Result<(), Refusal> {
+    match labels.temperature_centi_c {
+        Some(stated) if !TEMPERATURES_CENTI_C.contains(&stated) => Err(Refusal::Conditions),
+        _ if !labels.is_plain() => Err(Refusal::Conditions),
+        _ => Ok(()),
+    }
 }
 
 /// Whether every value of a list is finite and positive, and there is one; a

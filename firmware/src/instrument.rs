@@ -10,6 +10,7 @@ use calib_core::settings::Settings;
 use calib_core::thermometer::may_work_at;
 use calib_core::verdict::Reason;
 use calib_firmware::command::{Instrument, RecordPage, RecordPart};
+use calib_firmware::lease::Lease;
 use calib_firmware::restarts::MINUTE_MS;
 use calib_firmware::session::LinkName;
 use calib_protocol::capture::CapturePart;
@@ -114,8 +115,11 @@ impl Instrument for Calibrator {
             let mut run = run.borrow_mut();
             run.results.clear();
             run.complete = false;
+            run.record_id = record_id;
             run.spec = spec;
         });
+        let lease_s = state::settings().lease_s;
+        state::with_lease(|lease, now_ms| *lease = Lease::begin(lease_s, now_ms));
         state::update_status(|status| {
             status.state = RunState::Settling;
             status.point = 0;
@@ -131,6 +135,13 @@ impl Instrument for Calibrator {
         // Nobody would take the order; the exciter is at rest.
         if state::MEASURES.load(Ordering::Relaxed) {
             state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
+        }
+    }
+
+    async fn stop_run(&mut self, record_id: u32) {
+        // What is no more needs no stop, and what came after it is another run.
+        if state::RUN.lock(|run| run.borrow().record_id) == record_id {
+            self.stop().await;
         }
     }
 
@@ -164,15 +175,6 @@ impl Instrument for Calibrator {
         state::settings()
     }
 
-    async fn write_settings(&mut self, settings: &Settings) -> Result<(), Refusal> {
-        if state::status().state.is_running() {
-            return Err(Refusal::Busy);
-        }
-        self.archive.store_settings(settings).await?;
-        take_settings(settings);
-        Ok(())
-    }
-
     async fn self_test(&mut self) -> Result<Vec<Line, MAX_LINES>, Refusal> {
         if state::status().state.is_running() {
             return Err(Refusal::Busy);
@@ -191,14 +193,15 @@ impl Instrument for Calibrator {
     }
 
     fn button_held(&mut self) -> bool {
-        state::BUTTON_HELD.load(Ordering::Relaxed)
+        let held = state::BUTTON_HELD.load(Ordering::Relaxed);
+        state::BUTTON_USED.fetch_or(held, Ordering::Relaxed);
+        held
     }
 
-    async fn change_reference(&mut self, change: &SettingsChange) -> Result<(), Refusal> {
+    async fn change_settings(&mut self, change: &SettingsChange) -> Result<(), Refusal> {
         if state::status().state.is_running() {
             return Err(Refusal::Busy);
         }
-        state::BUTTON_USED.store(true, Ordering::Relaxed);
         self.archive.log_change(self.identity, change).await?;
         take_settings(&change.settings);
         Ok(())

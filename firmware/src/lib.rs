@@ -15,6 +15,7 @@ pub mod button;
 pub mod capture;
 pub mod command;
 pub mod lamps;
+pub mod lease;
 pub mod link;
 pub mod restarts;
 pub mod scpi;

@@ -249,6 +249,7 @@ mod tests {
             }
         }
         async fn stop(&mut self) {}
+        async fn stop_run(&mut self, _: u32) {}
         async fn records(&mut self, _: u32) -> Result<RecordPage, Refusal> {
             Ok(RecordPage::default())
         }
@@ -260,9 +261,6 @@ mod tests {
         }
         fn settings(&mut self) -> Settings {
             unreachable!("not asked here")
-        }
-        async fn write_settings(&mut self, _: &Settings) -> Result<(), Refusal> {
-            Ok(())
         }
         fn capture(&mut self, _: u16) -> Result<(), Refusal> {
             Ok(())
@@ -276,7 +274,7 @@ mod tests {
         fn button_held(&mut self) -> bool {
             false
         }
-        async fn change_reference(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
+        async fn change_settings(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
             unreachable!("nobody holds the button")
         }
     }

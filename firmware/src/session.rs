@@ -3,7 +3,7 @@
 //! | request | from the holder | from the other link |
 //! |---|---|---|
 //! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`, `ReadCapture`, `Health`) | answered | answered |
-//! | `Stop` | carried out | carried out: anyone may silence the exciter |
+//! | `Stop`, `StopRun` | carried out | carried out: anyone may silence the exciter |
 //! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`, `Capture`, `SelfTest`) | carried out | refused |
 //!
 //! The first link that asks for a change takes the session. It keeps it while
@@ -75,6 +75,7 @@ fn changes(request: &Request) -> bool {
         | Request::Status
         | Request::Point { .. }
         | Request::Stop
+        | Request::StopRun { .. }
         | Request::Records { .. }
         | Request::ReadRecord { .. }
         | Request::SettingsRead
@@ -115,6 +116,7 @@ mod tests {
             Request::ReadCapture { offset: 0 },
             Request::Health,
             Request::Stop,
+            Request::StopRun { record_id: 7 },
         ] {
             assert_eq!(session.admit(Usb, &request, 1), Ok(()), "{request:?}");
         }

@@ -5,6 +5,7 @@ use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
 use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
+use calib_firmware::lease::Lease;
 use calib_firmware::session::Session;
 use calib_protocol::health::{Defect, Defects, Work};
 use calib_protocol::message::{RunSpec, Status};
@@ -16,6 +17,7 @@ use embassy_sync::blocking_mutex::CriticalSectionMutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::channel::Channel;
 use embassy_sync::signal::Signal;
+use embassy_time::Instant;
 use heapless::Vec;
 
 static STATUS: CriticalSectionMutex<Cell<Status>> =
@@ -57,6 +59,19 @@ pub(crate) fn note_defect(defect: Defect, is_there: bool) {
     });
 }
 
+static LEASE: CriticalSectionMutex<Cell<Lease>> = CriticalSectionMutex::new(Cell::new(Lease::NONE));
+
+/// Looks at the lease of the run in work, and changes it; `now_ms` counts from the start.
+pub(crate) fn with_lease<T>(look: impl FnOnce(&mut Lease, u32) -> T) -> T {
+    let now_ms = Instant::now().as_millis() as u32;
+    LEASE.lock(|cell| {
+        let mut lease = cell.get();
+        let result = look(&mut lease, now_ms);
+        cell.set(lease);
+        result
+    })
+}
+
 static SESSION: CriticalSectionMutex<Cell<Session>> =
     CriticalSectionMutex::new(Cell::new(Session::free()));
 
@@ -78,6 +93,8 @@ pub(crate) struct Run {
     pub(crate) results: Vec<PointResult, MAX_POINTS>,
     /// Every point was attempted.
     pub(crate) complete: bool,
+    /// Running number its record has or will have.
+    pub(crate) record_id: u32,
 }
 
 impl Run {
@@ -90,6 +107,7 @@ impl Run {
         },
         results: Vec::new(),
         complete: false,
+        record_id: 0,
     };
 }
 
@@ -210,11 +228,16 @@ pub(crate) static BUTTON_USED: AtomicBool = AtomicBool::new(false);
 static SETTINGS: CriticalSectionMutex<RefCell<Option<Settings>>> =
     CriticalSectionMutex::new(RefCell::new(None));
 
-/// The settings in force; before any were stored, a field calibrator's.
+/// The settings in force; before any were stored, those of the factory.
 pub(crate) fn settings() -> Settings {
     SETTINGS
         .lock(|settings| settings.borrow().clone())
-        .unwrap_or_else(|| Settings::field_calibrator_with(&CONVERTERS))
+        .unwrap_or_else(factory_settings)
+}
+
+/// Settings of an instrument that was never told any: a field calibrator's, on this board.
+pub(crate) fn factory_settings() -> Settings {
+    Settings::field_calibrator_with(&CONVERTERS)
 }
 
 /// Takes other settings into force.

@@ -1,6 +1,7 @@
 //! The record of a calibration, whatever form it is written in.
 
 use crate::head::{RecordHead, Sha256Sum};
+use crate::provenance::Provenance;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use heapless::{String, Vec};
@@ -20,6 +21,8 @@ pub struct Record {
     pub incident: Option<String<160>>,
     /// True when every point of the list was attempted.
     pub complete: bool,
+    /// Digest of the settings, and since when they are those.
+    pub provenance: Provenance,
     /// Results in the order measured.
     pub points: Vec<PointResult, MAX_POINTS>,
     /// [Digest](crate::record::digest) of the bytes it was read from; none of a record that was not read.
@@ -33,6 +36,7 @@ impl Record {
         settings: Settings::BLANK,
         incident: None,
         complete: false,
+        provenance: Provenance::UNKNOWN,
         points: Vec::new(),
         sha256: None,
     };

@@ -1,15 +1,23 @@
-//! The log of a change of the reference's calibration.
+//! The log of a change of settings.
 //!
-//! Every result rests on the reference, so whoever changes what is certified
-//! about it holds the button on the instrument meanwhile, and the change stays
-//! in the chain of records: what was in force, what is from then on, when, and
-//! who said so. Its beginning is that of every [`crate::record`].
+//! Every setting shapes a number or a limit, so whoever changes one holds the
+//! button on the instrument meanwhile, and the change stays in the chain of
+//! records: what was in force, what is from then on, when, and who said so. Its
+//! beginning is that of every [`crate::record`].
+//!
+//! Releases before 2026-11-23 asked for a hand and logged where the calibration
+//! of the reference changed, and said of the settings before what is the
+//! reference's alone.
 
-use crate::record::{RecordError, RecordHead, RecordKind, content_of, encode_change};
+use crate::provenance::Provenance;
+use crate::record::{
+    RecordError, RecordHead, RecordKind, content_of, encode_change, tame_settings,
+};
+use crate::text::tame;
 use calib_core::settings::{ReferenceChannel, Settings};
 use serde::Serialize;
 
-/// Another calibration of the reference. It is serialized for people alone; stored by [`encode`].
+/// Other settings. It is serialized for people alone; stored by [`encode`].
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ReferenceChange {
     /// Number, place in the chain, instrument, time and operator.
@@ -18,6 +26,16 @@ pub struct ReferenceChange {
     pub settings: Settings,
     /// Settings of the reference's channel in force before.
     pub before: ReferenceChannel,
+    /// All settings in force before; none in a log that says only those of the reference.
+    pub all_before: Option<Settings>,
+}
+
+impl ReferenceChange {
+    /// Whether the calibration of the reference changed, the scale of its input or the ratio of the
+    /// channels, beside whatever else.
+    pub fn concerns_reference(&self) -> bool {
+        self.before != self.settings.reference_channel()
+    }
 }
 
 /// Writes a [`ReferenceChange`] of these fields and returns its length in bytes.
@@ -27,10 +45,11 @@ pub struct ReferenceChange {
 pub fn encode(
     head: &RecordHead,
     settings: &Settings,
-    before: &ReferenceChannel,
+    before: &Settings,
+    provenance: &Provenance,
     buffer: &mut [u8],
 ) -> Result<usize, RecordError> {
-    encode_change(head, settings, before, buffer)
+    encode_change(head, settings, before, provenance, buffer)
 }
 
 /// Reads a change.
@@ -41,11 +60,20 @@ pub fn decode(bytes: &[u8]) -> Result<ReferenceChange, RecordError> {
     let content = content_of(RecordKind::ReferenceChange, bytes)?;
     let mut settings = Settings::BLANK;
     let mut before = settings.reference_channel();
-    content.read_change(&mut settings, &mut before)?;
+    let mut all_before = content.read_change(&mut settings, &mut before)?;
+    let mut head = content.head()?;
+    head.tame();
+    all_before
+        .iter_mut()
+        .chain([&mut settings])
+        .for_each(tame_settings);
+    tame(&mut before.calibration.serial);
+    tame(&mut before.calibration.certificate);
     Ok(ReferenceChange {
-        head: content.head()?,
+        head,
         settings,
         before,
+        all_before,
     })
 }
 
@@ -77,14 +105,23 @@ mod tests {
             },
             settings,
             before: before.reference_channel(),
+            all_before: Some(before),
         }
     }
 
     fn written() -> std::vec::Vec<u8> {
         let change = change();
         let mut bytes = vec![0; 8192];
-        let length =
-            encode(&change.head, &change.settings, &change.before, &mut bytes).expect("fits");
+        let before = change.all_before.expect("written since");
+        let provenance = Provenance::UNKNOWN;
+        let length = encode(
+            &change.head,
+            &change.settings,
+            &before,
+            &provenance,
+            &mut bytes,
+        )
+        .expect("fits");
         bytes.truncate(length);
         bytes
     }

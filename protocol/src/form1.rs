@@ -65,6 +65,7 @@ fn settings(fields: &mut Fields<'_>, settings: &mut Settings) -> Result<(), Reco
     settings.blocks = fields.take()?;
     settings.point_influences = PointInfluences::NONE;
     settings.channel_ratio = ChannelRatio::UNKNOWN;
+    settings.lease_s = 0;
     read_influences(fields, &mut settings.influences)?;
     for influence in &mut settings.influences {
         // The number of a special distribution was the factor, its reciprocal.

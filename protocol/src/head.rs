@@ -1,5 +1,6 @@
 //! Head of every record, of any kind.
 
+use crate::text::{is_plain, tame};
 use heapless::String;
 use serde::{Deserialize, Serialize};
 
@@ -25,6 +26,17 @@ pub struct RecordHead {
 }
 
 impl RecordHead {
+    /// Its texts as words of one line each ([`crate::text`]).
+    pub(crate) fn tame(&mut self) {
+        tame(&mut self.instrument_serial);
+        tame(&mut self.firmware);
+        let labels = &mut self.labels;
+        tame(&mut labels.dut_model);
+        tame(&mut labels.dut_serial);
+        tame(&mut labels.operator);
+        tame(&mut labels.mounting);
+    }
+
     /// A head of nothing, for memory that waits for one.
     pub const BLANK: Self = Self {
         id: 0,
@@ -54,6 +66,12 @@ pub struct RunLabels {
 }
 
 impl RunLabels {
+    /// Whether each text is words of one line.
+    pub fn is_plain(&self) -> bool {
+        let texts = [&self.dut_model, &self.dut_serial, &self.operator];
+        texts.into_iter().all(|text| is_plain(text)) && is_plain(&self.mounting)
+    }
+
     /// Labels of an operator who says nothing.
     pub const BLANK: Self = Self {
         unix_time_s: 0,

@@ -13,7 +13,8 @@ pub enum RecordKind {
     /// A run that was measured: a [`Record`](crate::calibration::Record).
     #[default]
     Calibration,
-    /// Another calibration of the reference: a [`crate::change::ReferenceChange`].
+    /// Other settings: a [`crate::change::ReferenceChange`]. Changes of the reference were the first to be
+    /// logged, and gave the name.
     ReferenceChange,
 }
 

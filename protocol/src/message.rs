@@ -17,6 +17,7 @@
 //! | `ReadCapture` | `CaptureData` or `Refused` | capture/read |
 //! | `Health` | `Health` | health/get |
 //! | `SelfTest` | `SelfTest` or `Refused` | device/self-test |
+//! | `StopRun` | `Done` | run/stop |
 
 use crate::capture::CapturePart;
 use crate::health::{Defects, Health};
@@ -67,9 +68,8 @@ pub enum Request {
     },
     /// The settings in force.
     SettingsRead,
-    /// New settings, stored in flash. Those that change the reference's channel
-    /// need the button held on the instrument, and are logged as a record
-    /// ([`crate::change`]).
+    /// New settings, stored in flash. They need the button held on the
+    /// instrument, and are logged as a record ([`crate::change`]).
     SettingsWrite(SettingsChange),
     /// Reset the board.
     Reset,
@@ -94,6 +94,12 @@ pub enum Request {
     Health,
     /// Test the board. The exciter is cut off on the chip first: the table does not move.
     SelfTest,
+    /// Silence the exciter and end the run whose record has this number, if it goes on: a stop that
+    /// comes late ends no other run.
+    StopRun {
+        /// Running number of its record, as `Started` told it.
+        record_id: u32,
+    },
 }
 
 /// Answer of the calibrator.
@@ -196,8 +202,8 @@ pub enum Refusal {
     NotCaptured,
     /// Sample pairs were lost while the capture was taken.
     CaptureBroken,
-    /// The settings change the calibration of the reference, and the button on
-    /// the instrument is not held; nothing was changed.
+    /// They are other settings, and the button on the instrument is not held;
+    /// nothing was changed.
     ButtonNotHeld,
     /// The instrument is colder or hotter than it is made for
     /// ([`calib_core::thermometer`]).
@@ -208,6 +214,9 @@ pub enum Refusal {
     /// Something of the instrument does not work: it measures nothing, and does
     /// what is asked as far as it can.
     Degraded(Defects),
+    /// A condition said for the run cannot be true: a temperature outside of -55 to
+    /// 200 degrees Celsius.
+    Conditions,
 }
 
 /// New settings, and what the log of a change says of it.

@@ -15,6 +15,8 @@
 //! | 3 | run | incident, complete |
 //! | 4 | points | [`crate::stored_point`] |
 //! | 5 | before | channel of the reference before a change: [`crate::change`] |
+//! | 6 | all before | all settings before a change |
+//! | 7 | provenance | [`Provenance`] of the settings |
 //!
 //! The head comes first. Records of version 1 had no sections: they are read, and written no more.
 
@@ -25,13 +27,15 @@ use crate::frame::CRC;
 pub use crate::head::{RecordHead, RunLabels, Sha256Sum};
 use crate::kind::{Form, kind_of};
 pub use crate::kind::{RECORD_VERSION, RecordKind};
+use crate::provenance::Provenance;
 use crate::sections::{Fields, find, needed, section};
 use crate::settings_form::{self, InSections};
 use crate::stored_point::{self, InColumns};
+use crate::text::tame;
 use calib_core::settings::{ReferenceChannel, Settings};
 use core::ops::Range;
 use heapless::String;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 use sha2::{Digest, Sha256};
 
 const HEAD: u8 = 1;
@@ -39,6 +43,8 @@ const SETTINGS: u8 = 2;
 const RUN: u8 = 3;
 const POINTS: u8 = 4;
 const BEFORE: u8 = 5;
+const ALL_BEFORE: u8 = 6;
+const PROVENANCE: u8 = 7;
 
 /// One line of the record list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -94,6 +100,7 @@ pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> 
         section(SETTINGS, InSections(&record.settings)),
         section(RUN, (&record.incident, record.complete)),
         section(POINTS, InColumns(&record.points)),
+        Origin(&record.provenance),
     );
     seal(RecordKind::Calibration, &content, buffer)
 }
@@ -102,15 +109,31 @@ pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> 
 pub(crate) fn encode_change(
     head: &RecordHead,
     settings: &Settings,
-    before: &ReferenceChannel,
+    before: &Settings,
+    provenance: &Provenance,
     buffer: &mut [u8],
 ) -> Result<usize, RecordError> {
     let content = (
         section(HEAD, head),
         section(SETTINGS, InSections(settings)),
+        // For a reader that knows the reference's alone.
         section(BEFORE, settings_form::Channel(before)),
+        section(ALL_BEFORE, InSections(before)),
+        Origin(provenance),
     );
     seal(RecordKind::ReferenceChange, &content, buffer)
+}
+
+/// The section of the provenance; none where nothing is known.
+struct Origin<'a>(&'a Provenance);
+
+impl Serialize for Origin<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match *self.0 == Provenance::UNKNOWN {
+            true => ().serialize(serializer),
+            false => section(PROVENANCE, self.0).serialize(serializer),
+        }
+    }
 }
 
 /// Writes content between kind and checksum.
@@ -194,20 +217,39 @@ impl<'a> Content<'a> {
         let mut run = needed(self.bytes, RUN)?;
         record.incident = run.take()?;
         record.complete = run.take()?;
+        record.provenance = self.provenance()?;
         stored_point::read(needed(self.bytes, POINTS)?, &mut record.points)
     }
 
-    /// Reads settings and channel of the log of a change.
+    /// Provenance of the settings, unknown where there is none.
+    pub(crate) fn provenance(self) -> Result<Provenance, RecordError> {
+        if self.form == Form::Plain {
+            return Ok(Provenance::UNKNOWN);
+        }
+        match find(self.bytes, PROVENANCE, 1)? {
+            Some((_, content)) => Fields(content).take(),
+            None => Ok(Provenance::UNKNOWN),
+        }
+    }
+
+    /// Reads settings and channel of the log of a change, and all settings before where they are there.
     pub(crate) fn read_change(
         self,
         settings: &mut Settings,
         before: &mut ReferenceChannel,
-    ) -> Result<(), RecordError> {
+    ) -> Result<Option<Settings>, RecordError> {
         if self.form == Form::Plain {
-            return form1::change(self.bytes, settings, before);
+            form1::change(self.bytes, settings, before)?;
+            return Ok(None);
         }
         settings_form::read(needed(self.bytes, SETTINGS)?.0, settings)?;
-        settings_form::read_channel(needed(self.bytes, BEFORE)?.0, before)
+        settings_form::read_channel(needed(self.bytes, BEFORE)?.0, before)?;
+        let Some((_, content)) = find(self.bytes, ALL_BEFORE, 1)? else {
+            return Ok(None);
+        };
+        let mut all = Settings::BLANK;
+        settings_form::read(content, &mut all)?;
+        Ok(Some(all))
     }
 }
 
@@ -284,7 +326,14 @@ pub fn inspect(bytes: &[u8]) -> Result<(RecordSummary, Range<usize>), RecordErro
     Ok((summary, settings.start + 2..settings.end + 2))
 }
 
-/// Reads the record of a calibration.
+/// Texts of settings as words of one line each.
+pub(crate) fn tame_settings(settings: &mut Settings) {
+    tame(&mut settings.reference.serial);
+    tame(&mut settings.reference.certificate);
+}
+
+/// Reads the record of a calibration. Its texts are words of one line each ([`crate::text`]), and a point
+/// without numbers is no result, whatever its verdict says.
 ///
 /// # Errors
 /// Those of [`check`], [`RecordError::Content`], [`RecordError::Section`] and [`RecordError::Kind`].
@@ -296,6 +345,12 @@ pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
         ..Record::BLANK
     };
     content.read_run(&mut record)?;
+    record.head.tame();
+    tame_settings(&mut record.settings);
+    record.incident.iter_mut().for_each(tame);
+    for point in &mut record.points {
+        point.refuse_without_result();
+    }
     Ok(record)
 }
 

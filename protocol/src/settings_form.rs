@@ -10,8 +10,10 @@
 //! | 6 | influences | rows: row u8, relative value f32, value in rad f32, distribution |
 //! | 7 | influences that differ from point to point | list of their coefficients, f32 |
 //! | 8 | ratio of the channels | day it was measured u32, rows of 5 f32: Hz, 1, rad, relative U, U in rad |
+//! | 9 | lease | quiet of all hosts after which a run ends, s, u16 |
 //!
-//! Missing sections are as in [`Settings::BLANK`], which no instrument accepts where it matters.
+//! Sections 8 and 9 are written where they say something: the sum over all of them
+//! ([`crate::provenance`]) stays what it is when a release adds one. Missing sections are as in [`Settings::BLANK`], which no instrument accepts where it matters.
 
 use crate::error::RecordError;
 use crate::sections::{Fields, Read, find, needed, section};
@@ -33,6 +35,10 @@ const EXCITER: u8 = 5;
 const INFLUENCES: u8 = 6;
 const POINT_INFLUENCES: u8 = 7;
 const CHANNEL_RATIO: u8 = 8;
+const LEASE: u8 = 9;
+
+/// Bytes of settings, at most.
+pub const LONGEST_SETTINGS: usize = 2048;
 
 /// Id of settings where they are a section themselves.
 const SETTINGS: u8 = 1;
@@ -41,6 +47,8 @@ const SETTINGS: u8 = 1;
 pub struct InSections<'a>(pub &'a Settings);
 
 impl Serialize for InSections<'_> {
+    // Once for each kind of output: the image's slot is small.
+    #[inline(never)]
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let settings = self.0;
         let limits = &settings.limits;
@@ -66,8 +74,21 @@ impl Serialize for InSections<'_> {
             section(INFLUENCES, List(&settings.influences, influence_row)),
             section(POINT_INFLUENCES, List(&coefficients, |value| *value)),
             Ratio(&settings.channel_ratio),
+            Lease(settings.lease_s),
         )
             .serialize(serializer)
+    }
+}
+
+/// The section of the lease; none where runs go on without a host.
+struct Lease(u16);
+
+impl Serialize for Lease {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            0 => ().serialize(serializer),
+            lease_s => section(LEASE, lease_s).serialize(serializer),
+        }
     }
 }
 
@@ -92,6 +113,8 @@ impl Serialize for Ratio<'_> {
 struct Calibration<'a>(&'a ReferenceCalibration);
 
 impl Serialize for Calibration<'_> {
+    // Once for each kind of output: the image's slot is small.
+    #[inline(never)]
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let ReferenceCalibration {
             serial,
@@ -172,6 +195,10 @@ pub fn read(sections: &[u8], settings: &mut Settings) -> Result<(), RecordError>
     if let Some((_, list)) = find(sections, POINT_INFLUENCES, 1)? {
         read_coefficients(Fields(list), &mut settings.point_influences)?;
     }
+    settings.lease_s = match find(sections, LEASE, 1)? {
+        Some((_, content)) => Fields(content).take()?,
+        None => 0,
+    };
     read_ratio(sections, &mut settings.channel_ratio)
 }
 
@@ -303,19 +330,14 @@ fn read_rows<T, const N: usize>(
 }
 
 /// The reference's channel before a change of it: sections 2, 3, 4 and 8, of which 4 has one input.
-pub(crate) struct Channel<'a>(pub(crate) &'a ReferenceChannel);
+pub(crate) struct Channel<'a>(pub(crate) &'a Settings);
 
 impl Serialize for Channel<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let ReferenceChannel {
-            calibration,
-            input,
-            ratio,
-        } = self.0;
         (
-            Calibration(calibration),
-            section(INPUTS, input.volt_per_code),
-            Ratio(ratio),
+            Calibration(&self.0.reference),
+            section(INPUTS, self.0.reference_input.volt_per_code),
+            Ratio(&self.0.channel_ratio),
         )
             .serialize(serializer)
     }
@@ -371,6 +393,7 @@ mod tests {
         settings.reference.serial = "R 1".try_into().expect("short");
         settings.reference.due_day = 20_565;
         settings.channel_ratio.measured_day = 20_779;
+        settings.lease_s = 300;
         let row = ChannelRatioPoint {
             frequency_hz: 160.0,
             magnitude: 1.002,

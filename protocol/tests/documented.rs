@@ -97,6 +97,7 @@ fn the_table_lists_every_request_with_its_number() {
         Request::ReadCapture { offset: 0 },
         Request::Health,
         Request::SelfTest,
+        Request::StopRun { record_id: 0 },
     ];
     assert_eq!(rows("request"), requests.each_ref().map(variant));
     expect_no_more::<Request>(requests.len());
@@ -160,6 +161,7 @@ fn the_table_lists_every_reason_with_its_number() {
         Refusal::TemperatureOutOfRange,
         Refusal::ChannelsNotAligned,
         Refusal::Degraded(Defects::NONE),
+        Refusal::Conditions,
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     expect_no_more::<Refusal>(reasons.len());

@@ -201,15 +201,14 @@ impl Bench {
         done
     }
 
-    /// Changes settings in place.
+    /// Changes settings in place, with a hand on the button.
     ///
     /// # Errors
     /// The instrument refuses.
     pub fn adjust(&mut self, change: impl FnOnce(&mut Settings)) -> Result<(), Fault> {
         let mut settings = self.client.settings()?;
         change(&mut settings);
-        self.client.write_settings(settings)?;
-        Ok(())
+        self.under_a_hand(|client| Ok(client.write_settings(settings)?))
     }
 
     /// Runs a list to its end.

@@ -4,7 +4,7 @@
 //! as the stated distributions admit. The instrument is told the budget, not
 //! the errors, and states its uncertainty; the oracle knows the truth.
 
-use crate::bench::{Bench, Fault, point};
+use crate::bench::{Bench, Fault, point, reference_point};
 use crate::judge::from_truth;
 use crate::turns;
 use calib_core::settings::{Distribution as Stated, Influence as StatedInfluence, PointInfluences};
@@ -124,8 +124,8 @@ fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
         None => bench.insert(Bench::with_rig(&draw.rig)?),
     };
     bench.mount(&draw.rig);
-    bench.certify_reference(&draw.certificate)?;
     bench.adjust(|settings| {
+        settings.reference.points = draw.certificate.iter().map(reference_point).collect();
         settings.influences = stated_budget();
         // Nothing else is wrong with the rigs drawn here; the converters have no steps.
         settings.point_influences = PointInfluences {
@@ -134,6 +134,8 @@ fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
         };
     })?;
     let outcome = bench.run(&FREQUENCIES_HZ.map(|frequency_hz| point(frequency_hz, 10.0)))?;
+    // Each rig is a change of settings, and so a record: they make room.
+    bench.client.release(outcome.record_id)?;
     let mut tally = Tally::default();
     for (result, frequency_hz) in outcome.points.iter().zip(frequencies_hz) {
         if result.verdict != Verdict::Pass {

@@ -147,8 +147,9 @@ impl LevelLoop {
     /// # Errors
     /// The limit the set level exceeds; nothing may be driven then.
     pub fn new(limits: &Limits, frequency_hz: f32, set_peak_ms2: f32) -> Result<Self, Reason> {
-        check_level(limits, frequency_hz, set_peak_ms2)?;
-        let share = SEARCH_LEVEL_REL * set_peak_ms2 / full_output_peak_ms2(limits, frequency_hz);
+        let limits = limits.under_ceilings();
+        check_level(&limits, frequency_hz, set_peak_ms2)?;
+        let share = SEARCH_LEVEL_REL * set_peak_ms2 / full_output_peak_ms2(&limits, frequency_hz);
         Ok(Self {
             set_peak_ms2,
             drive_limit_peak_v: limits.drive_peak_v,

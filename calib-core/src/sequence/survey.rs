@@ -138,6 +138,7 @@ impl<'m> Survey<'m> {
         let rate_hz = self.sampling.sample_rate_hz;
         let (low_hz, high_hz) = request.band_hz;
         self.settings = settings;
+        self.settings.limits = self.settings.limits.under_ceilings();
         self.random = request.kind == ExcitationKind::Random;
         self.excitation = Excitation {
             first: nearest_line(low_hz, rate_hz),

@@ -111,6 +111,7 @@ impl Settings {
                 ..POINT_INFLUENCES
             },
             channel_ratio: ChannelRatio::UNKNOWN,
+            lease_s: 0,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Everything the instrument knows before it measures: reference, inputs, limits,
 //! influence quantities. Plain SI values, stored and exchanged as one message.
 
+mod ceilings;
 mod field;
 mod point_influences;
 mod validate;
@@ -177,6 +178,9 @@ pub struct Settings {
     /// The device's channel over the reference's, where it was measured.
     #[serde(default)]
     pub channel_ratio: ChannelRatio,
+    /// Quiet of all hosts after which a run that a host began ends in silence, s; 0: it goes on to its end.
+    #[serde(default)]
+    pub lease_s: u16,
 }
 
 impl Settings {
@@ -205,6 +209,7 @@ impl Settings {
         influences: Vec::new(),
         point_influences: PointInfluences::NONE,
         channel_ratio: ChannelRatio::UNKNOWN,
+        lease_s: 0,
     };
 
     /// Settings of the reference's channel.

@@ -1,6 +1,6 @@
 //! Settings that make no sense are refused before anything is driven.
 
-use super::{Distribution, Settings};
+use super::{Distribution, Limits, Settings};
 use core::fmt;
 
 /// The first thing that is wrong with a set of settings.
@@ -19,6 +19,9 @@ pub enum SettingsError {
     Positive(&'static str),
     /// The drive limit exceeds the full scale of the drive.
     DriveLimit,
+    /// Full scale of the drive or a limit exceeds its ceiling ([`Limits::CEILINGS`]); the name is that of
+    /// the field.
+    Ceiling(&'static str),
     /// Fewer than two blocks have no scatter.
     Blocks,
     /// Influence (from 0): row outside 1..=18, value negative or not finite,
@@ -54,6 +57,10 @@ impl fmt::Display for SettingsError {
             ),
             Self::Positive(name) => write!(f, "{name} must be positive and finite"),
             Self::DriveLimit => f.write_str("limits.drive_peak_v exceeds drive_full_scale_peak_v"),
+            Self::Ceiling(name) => write!(
+                f,
+                "{name} exceeds what no setting may: 42 V, 1415 m/s2, 1.5 m/s, 0.0127 m peak"
+            ),
             Self::Blocks => f.write_str("blocks must be at least 2"),
             Self::Influence(i) => write!(
                 f,
@@ -161,7 +168,37 @@ impl Settings {
         if limits.drive_peak_v > self.drive_full_scale_peak_v {
             return Err(SettingsError::DriveLimit);
         }
-        Ok(())
+        self.validate_ceilings()
+    }
+
+    fn validate_ceilings(&self) -> Result<(), SettingsError> {
+        let (limits, most) = (&self.limits, &Limits::CEILINGS);
+        let fields = [
+            (
+                self.drive_full_scale_peak_v,
+                most.drive_peak_v,
+                "drive_full_scale_peak_v",
+            ),
+            (
+                limits.acceleration_peak_ms2,
+                most.acceleration_peak_ms2,
+                "limits.acceleration_peak_ms2",
+            ),
+            (
+                limits.velocity_peak_ms,
+                most.velocity_peak_ms,
+                "limits.velocity_peak_ms",
+            ),
+            (
+                limits.displacement_peak_m,
+                most.displacement_peak_m,
+                "limits.displacement_peak_m",
+            ),
+        ];
+        match fields.into_iter().find(|(value, most, _)| value > most) {
+            Some((_, _, name)) => Err(SettingsError::Ceiling(name)),
+            None => Ok(()),
+        }
     }
 
     fn validate_influences(&self) -> Result<(), SettingsError> {
@@ -195,7 +232,7 @@ mod tests {
     #[test]
     fn every_impossible_setting_is_named() {
         type Change = fn(&mut Settings);
-        let wrong: [(Change, SettingsError); 11] = [
+        let wrong: [(Change, SettingsError); 15] = [
             (|s| s.reference.points.clear(), SettingsError::NoReference),
             (
                 |s| s.reference.points[3].sensitivity_v_per_ms2 = f32::NAN,
@@ -218,6 +255,22 @@ mod tests {
                 SettingsError::Positive("limits.velocity_peak_ms"),
             ),
             (|s| s.limits.drive_peak_v = 11.0, SettingsError::DriveLimit),
+            (
+                |s| s.drive_full_scale_peak_v = 42.5,
+                SettingsError::Ceiling("drive_full_scale_peak_v"),
+            ),
+            (
+                |s| s.limits.acceleration_peak_ms2 = 1416.0,
+                SettingsError::Ceiling("limits.acceleration_peak_ms2"),
+            ),
+            (
+                |s| s.limits.velocity_peak_ms = 1.0e30,
+                SettingsError::Ceiling("limits.velocity_peak_ms"),
+            ),
+            (
+                |s| s.limits.displacement_peak_m = 0.013,
+                SettingsError::Ceiling("limits.displacement_peak_m"),
+            ),
             (|s| s.blocks = 1, SettingsError::Blocks),
             (
                 |s| {

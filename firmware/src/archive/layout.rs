@@ -27,5 +27,3 @@ pub(super) const LONGEST_HEAD: usize = 720 + LONGEST_HEADINGS;
 /// Bytes of an item that hold what the list says of a record, at most: mark, stored head, version and
 /// head of the record.
 pub(super) const LONGEST_LISTED: usize = 2 + stored::MAX_HEAD + 2 + 400;
-/// Bytes of settings, at most.
-pub(super) const LONGEST_SETTINGS: usize = 1600;

@@ -10,9 +10,9 @@
 //! erasing the oldest sector loses its own records and nothing else, and there
 //! are as many copies of the state as there are sectors in use.
 //!
-//! The log of a change of the reference is a record too, always with its
-//! settings: they are in force from it on, whether or not the state item behind
-//! it was written.
+//! The log of a change of settings is a record too, always with its settings:
+//! they are in force from it on, whether or not the state item behind it was
+//! written.
 //!
 //! A power cut leaves words whose check bits do not fit, and a read of one fails
 //! ([`CheckedFlash`]). Such a word counts as torn: [`sector`] shows it to the queue
@@ -39,7 +39,8 @@ pub use state::State;
 
 use calib_core::settings::Settings;
 use calib_protocol::message::Refusal;
-use calib_protocol::record::{Record, RecordKind, RecordSummary};
+use calib_protocol::provenance::LoggedChange;
+use calib_protocol::record::{Record, RecordKind};
 use calib_protocol::stored::{self, settings_mark};
 use core::ops::Range;
 use embassy_futures::yield_now;
@@ -79,6 +80,8 @@ pub struct Memory<'m> {
     pub record: &'m mut Record,
     /// Where the flash was used last.
     pub last_access: &'m LastAccess,
+    /// Settings of an instrument that was never told any.
+    pub factory: fn() -> Settings,
 }
 
 /// Why something could not be stored or read.
@@ -196,9 +199,10 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
                     let Ok((head, body)) = stored::head(body) else {
                         continue;
                     };
-                    let Ok(RecordSummary { id, kind, .. }) = head.summary(body) else {
+                    let Ok(summary) = head.summary(body) else {
                         continue;
                     };
+                    let (id, kind) = (summary.id, summary.kind);
                     let sector = sector_of::<F>(address);
                     let known = &self.known_settings;
                     if !head.with_settings && known.find(sector, head.settings_mark).is_none() {
@@ -209,7 +213,12 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
                     if kind == RecordKind::ReferenceChange
                         && let Some(settings) = head.settings_in(body)
                     {
-                        self.state.set_settings(&settings);
+                        let change = LoggedChange {
+                            record_id: id,
+                            unix_time_s: summary.unix_time_s,
+                        };
+                        let after = self.state.after(&settings, change, self.memory.factory);
+                        self.state.change_settings(&settings, after);
                         self.settings_unreadable = false;
                     }
                     insert(

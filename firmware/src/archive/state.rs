@@ -2,6 +2,7 @@
 
 use calib_core::settings::Settings;
 use calib_protocol::form1;
+use calib_protocol::provenance::{LoggedChange, Provenance, settings_digest};
 use calib_protocol::record::{RecordError, Sha256Sum};
 use calib_protocol::sections::{Fields, find, needed, section};
 use calib_protocol::settings_form::{self, InSections};
@@ -17,6 +18,8 @@ pub struct State {
     /// SHA-256 of the record with that number.
     last_sha256: Sha256Sum,
     settings: Option<Settings>,
+    /// Where they come from; its digest of them is taken anew for each record.
+    provenance: Provenance,
 }
 
 /// Released, last number, its SHA-256.
@@ -24,13 +27,14 @@ type Counters = (u32, u32, Sha256Sum);
 
 const COUNTERS: u8 = 1;
 const SETTINGS: u8 = 2;
+const PROVENANCE: u8 = 3;
 
 /// How a state item is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// Version 1: [`Counters`], then settings of version 1. Read, and written no more.
     Plain,
-    /// Version 2: sections 1, [`Counters`], and 2, settings.
+    /// Version 2: sections 1, [`Counters`], 2, settings, and 3, [`Provenance`].
     Sections,
 }
 
@@ -42,6 +46,40 @@ impl State {
 
     pub(super) fn set_settings(&mut self, settings: &Settings) {
         self.settings = Some(settings.clone());
+    }
+
+    /// Takes a change that is logged into force.
+    pub(super) fn change_settings(&mut self, settings: &Settings, provenance: Provenance) {
+        self.provenance = provenance;
+        self.set_settings(settings);
+    }
+
+    /// Provenance of settings that `change` brings into force; before any, those of `factory` are.
+    pub(super) fn after(
+        &self,
+        settings: &Settings,
+        change: LoggedChange,
+        factory: fn() -> Settings,
+    ) -> Provenance {
+        let mut after = self.provenance(settings);
+        let of_reference = match &self.settings {
+            Some(before) => !settings.has_reference_channel_of(before),
+            None => !settings.has_reference_channel_of(&factory()),
+        };
+        after.changed = change;
+        if of_reference {
+            after.reference_changed = change;
+            after.sha256_at_reference = after.sha256;
+        }
+        after
+    }
+
+    /// Provenance of a record that is made with `settings`.
+    pub(super) fn provenance(&self, settings: &Settings) -> Provenance {
+        Provenance {
+            sha256: settings_digest(settings),
+            ..self.provenance
+        }
     }
 
     /// Records up to this running number may make room.
@@ -74,6 +112,10 @@ impl State {
         self.released = self.released.max(newer.released);
         self.note_record(newer.last_id, newer.last_sha256);
         self.settings = newer.settings.or(self.settings.take());
+        // A release without it wrote none.
+        if newer.provenance.changed.record_id > self.provenance.changed.record_id {
+            self.provenance = newer.provenance;
+        }
     }
 
     /// Reads an item; where its settings lie is returned as well.
@@ -93,12 +135,18 @@ impl State {
                 (counters, at..at + content.len())
             }
         };
+        let provenance = match form {
+            Form::Plain => None,
+            Form::Sections => find(bytes, PROVENANCE, 1)?,
+        };
+        let provenance = provenance.map(|(_, content)| Fields(content).take());
         let (released, last_id, last_sha256) = counters;
         let state = Self {
             released,
             last_id,
             last_sha256,
             settings: Some(settings),
+            provenance: provenance.transpose()?.unwrap_or_default(),
         };
         Ok((state, range))
     }
@@ -107,7 +155,11 @@ impl State {
     pub(super) fn write(&self, buffer: &mut [u8]) -> Option<(Range<usize>, usize)> {
         let settings = InSections(self.settings.as_ref()?);
         let counters: Counters = (self.released, self.last_id, self.last_sha256);
-        let content = (section(COUNTERS, counters), section(SETTINGS, settings));
+        let content = (
+            section(COUNTERS, counters),
+            section(SETTINGS, settings),
+            section(PROVENANCE, self.provenance),
+        );
         let written = postcard::to_slice(&content, buffer).ok()?;
         let (at, settings) = find(written, SETTINGS, 1).ok()??;
         Some((at..at + settings.len(), written.len()))

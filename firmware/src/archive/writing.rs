@@ -1,11 +1,13 @@
 //! Storing: records, settings, releases.
 
 use super::known::Known;
-use super::layout::{BODY_AT, LONGEST_HEAD, LONGEST_SETTINGS, RECORD_ITEM, STATE_ITEM};
-use super::{Archive, ArchiveError, CheckedFlash, Entry, end_of, insert, read, sector_of};
+use super::layout::{BODY_AT, LONGEST_HEAD, RECORD_ITEM, STATE_ITEM};
+use super::{Archive, ArchiveError, CheckedFlash, Entry, Memory, end_of, insert, read, sector_of};
 use calib_core::settings::Settings;
 use calib_protocol::change;
+use calib_protocol::provenance::LoggedChange;
 use calib_protocol::record::{self, Record, RecordError};
+use calib_protocol::settings_form::LONGEST_SETTINGS;
 use calib_protocol::stored::{self, StoredHead, settings_mark};
 use calib_protocol::stored_point::LONGEST_POINT;
 use core::ops::Range;
@@ -26,12 +28,14 @@ impl<F: CheckedFlash> Archive<'_, F> {
     }
 
     /// The record to be stored next, with its number and its place in the
-    /// chain; the caller fills in the rest.
-    pub fn draft(&mut self) -> &mut Record {
+    /// chain, its settings and their provenance; the caller fills in the rest.
+    pub fn draft(&mut self, settings: &Settings) -> &mut Record {
         self.unpacked = None;
         let record = &mut *self.memory.record;
         record.head.id = self.state.next_id();
         record.head.previous_sha256 = self.state.last_sha256();
+        record.settings.clone_from(settings);
+        record.provenance = self.state.provenance(settings);
         record
     }
 
@@ -76,8 +80,8 @@ impl<F: CheckedFlash> Archive<'_, F> {
         Ok(())
     }
 
-    /// Logs that the settings of the draft say something else of the reference
-    /// than those in force, and stores them, twice.
+    /// Logs that the settings of the draft are others than those in force, and
+    /// stores them, twice.
     ///
     /// The record is the change: once it is there, the settings in it are in
     /// force, also when the supply fails before they are stored beside it.
@@ -88,10 +92,20 @@ impl<F: CheckedFlash> Archive<'_, F> {
         if self.memory.directory.is_full() {
             return Err(ArchiveError::Full);
         }
+        let record = &mut *self.memory.record;
+        let (id, unix_time_s) = (record.head.id, record.head.labels.unix_time_s);
+        let change = LoggedChange {
+            record_id: id,
+            unix_time_s,
+        };
+        let factory = self.memory.factory;
+        record.provenance = self.state.after(&record.settings, change, factory);
         let (head, item) = self.pack_change()?;
         let address = self.push(item.clone()).await?;
-        self.enter(self.memory.record.head.id, &head, address, item.len());
-        self.state.set_settings(&self.memory.record.settings);
+        self.enter(id, &head, address, item.len());
+        let record = &*self.memory.record;
+        self.state
+            .change_settings(&record.settings, record.provenance);
         for _copy in 0..2 {
             // The next record carries its settings whatever becomes of this.
             let _ = self.push_state().await;
@@ -112,22 +126,6 @@ impl<F: CheckedFlash> Archive<'_, F> {
         );
     }
 
-    /// Stores settings, twice: one damaged item never loses them.
-    ///
-    /// # Errors
-    /// See [`ArchiveError`]; the settings before stay in force.
-    pub async fn store_settings(&mut self, settings: &Settings) -> Result<(), ArchiveError> {
-        let before = self.state.clone();
-        self.state.set_settings(settings);
-        for _copy in 0..2 {
-            if let Err(error) = self.push_state().await {
-                self.state = before;
-                return Err(error);
-            }
-        }
-        Ok(())
-    }
-
     /// Lets every record up to this running number make room when it is
     /// needed: a host keeps them.
     ///
@@ -136,45 +134,28 @@ impl<F: CheckedFlash> Archive<'_, F> {
     pub async fn release(&mut self, through: u32) -> Result<(), ArchiveError> {
         self.state.release(through);
         if self.state.settings().is_none() {
-            self.state.set_settings(&Settings::field_calibrator());
+            self.state.set_settings(&(self.memory.factory)());
         }
         self.push_state().await
     }
 
     fn pack_draft(&mut self, share: bool) -> Result<(StoredHead, Range<usize>), ArchiveError> {
-        self.pack(!share, record::encode)
+        pack(&mut self.memory, !share, record::encode)
     }
 
     fn pack_change(&mut self) -> Result<(StoredHead, Range<usize>), ArchiveError> {
+        let factory;
         let before = match self.state.settings() {
-            Some(settings) => settings.reference_channel(),
-            None => Settings::field_calibrator().reference_channel(),
+            Some(settings) => settings,
+            None => {
+                factory = (self.memory.factory)();
+                &factory
+            }
         };
-        self.pack(true, |record, body| {
-            change::encode(&record.head, &record.settings, &before, body)
+        pack(&mut self.memory, true, |record, body| {
+            let (settings, provenance) = (&record.settings, &record.provenance);
+            change::encode(&record.head, settings, before, provenance, body)
         })
-    }
-
-    /// Puts a record as an item into the scratch memory; where it lies.
-    fn pack(
-        &mut self,
-        with_settings: bool,
-        encode: impl FnOnce(&Record, &mut [u8]) -> Result<usize, RecordError>,
-    ) -> Result<(StoredHead, Range<usize>), ArchiveError> {
-        let too_long = |_| ArchiveError::TooLong;
-        let (front, body) = self.memory.scratch.split_at_mut(BODY_AT);
-        let length = encode(self.memory.record, body).map_err(|_| ArchiveError::TooLong)?;
-        let record = body.get(..length).ok_or(ArchiveError::TooLong)?;
-        let head = stored::head_of(record, with_settings).map_err(too_long)?;
-        stored::cut_out(&head, body).map_err(too_long)?;
-        let written = stored::write_head(&head, front).map_err(too_long)?;
-        let start = BODY_AT - written - 2;
-        front.copy_within(..written, start + 2);
-        let mark = front
-            .get_mut(start..start + 2)
-            .ok_or(ArchiveError::TooLong)?;
-        mark.copy_from_slice(&RECORD_ITEM.to_le_bytes());
-        Ok((head, start..BODY_AT + usize::from(head.body_bytes)))
     }
 
     async fn push_state(&mut self) -> Result<(), ArchiveError> {
@@ -270,4 +251,26 @@ impl<F: CheckedFlash> Archive<'_, F> {
         let mut records = self.memory.directory.iter();
         records.all(|entry| sector_of::<F>(entry.address) != next || entry.id <= released)
     }
+}
+
+/// Puts a record as an item into the scratch memory; where it lies.
+fn pack(
+    memory: &mut Memory<'_>,
+    with_settings: bool,
+    encode: impl FnOnce(&Record, &mut [u8]) -> Result<usize, RecordError>,
+) -> Result<(StoredHead, Range<usize>), ArchiveError> {
+    let too_long = |_| ArchiveError::TooLong;
+    let (front, body) = memory.scratch.split_at_mut(BODY_AT);
+    let length = encode(memory.record, body).map_err(|_| ArchiveError::TooLong)?;
+    let record = body.get(..length).ok_or(ArchiveError::TooLong)?;
+    let head = stored::head_of(record, with_settings).map_err(too_long)?;
+    stored::cut_out(&head, body).map_err(too_long)?;
+    let written = stored::write_head(&head, front).map_err(too_long)?;
+    let start = BODY_AT - written - 2;
+    front.copy_within(..written, start + 2);
+    let mark = front
+        .get_mut(start..start + 2)
+        .ok_or(ArchiveError::TooLong)?;
+    mark.copy_from_slice(&RECORD_ITEM.to_le_bytes());
+    Ok((head, start..BODY_AT + usize::from(head.body_bytes)))
 }

@@ -107,6 +107,9 @@ impl Instrument for Bench {
     async fn stop(&mut self) {
         self.running = false;
     }
+    async fn stop_run(&mut self, _: u32) {
+        unreachable!("no line asks for that")
+    }
     async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal> {
         let records = (from.max(1)..=self.records)
             .take(16)
@@ -134,9 +137,6 @@ impl Instrument for Bench {
     fn settings(&mut self) -> Settings {
         Settings::field_calibrator()
     }
-    async fn write_settings(&mut self, _: &Settings) -> Result<(), Refusal> {
-        unreachable!("no line asks for that")
-    }
     async fn self_test(&mut self) -> Result<heapless::Vec<Line, MAX_LINES>, Refusal> {
         if self.running {
             return Err(Refusal::Busy);
@@ -161,7 +161,7 @@ impl Instrument for Bench {
     fn button_held(&mut self) -> bool {
         true
     }
-    async fn change_reference(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
+    async fn change_settings(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
         unreachable!("no line asks for that")
     }
     fn capture(&mut self, _: u16) -> Result<(), Refusal> {

@@ -7,6 +7,7 @@ use crate::board::{
 use crate::instrument::Calibrator;
 use crate::tasks::store::SharedArchive;
 use crate::{retained, state};
+use calib_firmware::lease::Lease;
 use calib_firmware::link::{Aftermath, Link};
 use calib_firmware::restarts::{Reason, Way};
 use calib_firmware::scpi::Console;
@@ -102,6 +103,7 @@ impl Conversation {
                 continue;
             };
             output.send(answer).await;
+            state::with_lease(Lease::hear);
             if aftermath == Aftermath::Reset {
                 reset(self.instrument.archive).await;
             }

@@ -4,7 +4,6 @@ use crate::board::{RECORD_AREA, RecordFlash, axi_static, wrong_words_of_records}
 use crate::identity::Identity;
 use crate::{retained, state};
 use calib_core::self_test::WrongWords;
-use calib_core::settings::Settings;
 use calib_firmware::archive::{Archive, Directory, LastAccess, MAX_ITEM, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
 use calib_firmware::restarts::{LeftOut, Stage};
@@ -67,11 +66,6 @@ impl SharedArchive {
         Ok(self.lock()?.get()?.release(through).await?)
     }
 
-    /// See [`Archive::store_settings`].
-    pub(crate) async fn store_settings(&self, settings: &Settings) -> Result<(), Refusal> {
-        Ok(self.lock()?.get()?.store_settings(settings).await?)
-    }
-
     /// See [`Archive::log_change`].
     pub(crate) async fn log_change(
         &self,
@@ -80,14 +74,13 @@ impl SharedArchive {
     ) -> Result<(), Refusal> {
         let mut archive = self.lock()?;
         let archive = archive.get()?;
-        let record = archive.draft();
+        let record = archive.draft(&change.settings);
         sign(record, identity);
         record.head.labels = RunLabels {
             unix_time_s: change.unix_time_s,
             operator: change.operator.clone(),
             ..RunLabels::BLANK
         };
-        record.settings.clone_from(&change.settings);
         Ok(archive.log_change().await?)
     }
 
@@ -132,6 +125,7 @@ async fn open(shared: &'static SharedArchive, flash: RecordFlash) {
         scratch: SCRATCH.take(),
         record: RECORD.take(),
         last_access: &LAST_ACCESS,
+        factory: state::factory_settings,
     };
     let mut place = shared.0.lock().await;
     let opening = Archive::open(flash, RECORD_AREA, memory);
@@ -172,9 +166,8 @@ pub(crate) async fn store(
         let Some(archive) = archive.as_mut() else {
             continue;
         };
-        let record = archive.draft();
+        let record = archive.draft(&state::settings());
         sign(record, identity);
-        record.settings = state::settings();
         record.incident.clone_from(&incident);
         state::RUN.lock(|run| {
             let run = run.borrow();

@@ -10,6 +10,7 @@ use calib_core::verdict::{Reason, Verdict};
 use calib_firmware::button::{Button, PERIOD_MS, Press};
 use calib_firmware::command::Instrument;
 use calib_firmware::lamps::is_red_lit;
+use calib_firmware::lease::Lease;
 use calib_firmware::restarts::{MINUTE_MS, Reason as Why, Way};
 use calib_protocol::health::Defect;
 use calib_protocol::message::{RunSpec, RunState};
@@ -61,6 +62,9 @@ pub(crate) async fn supervise(
             try_again();
         }
         let state = state::status().state;
+        if state.is_running() {
+            keep_lease().await;
+        }
         if state != state_before && !state.is_running() {
             defmt::info!("{=u32} bytes of stack never used", unused_stack_bytes());
         }
@@ -129,8 +133,25 @@ async fn start_default_list(instrument: &mut Calibrator) {
         excitation: ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     };
-    if let Err(refusal) = instrument.start(run).await {
-        defmt::warn!("button: {}", defmt::Debug2Format(&refusal));
+    match instrument.start(run).await {
+        // Whoever pressed it is there.
+        Ok(_) => state::with_lease(|lease, _| *lease = Lease::NONE),
+        Err(refusal) => defmt::warn!("button: {}", defmt::Debug2Format(&refusal)),
+    }
+}
+
+/// Ends a run whose host has been silent for longer than its lease grants.
+async fn keep_lease() {
+    let run_out = state::with_lease(|lease, now_ms| {
+        let run_out = lease.has_run_out(now_ms);
+        if run_out {
+            // Once is enough.
+            *lease = Lease::NONE;
+        }
+        run_out
+    });
+    if run_out {
+        state::ORDERS.send(Order::Stop(Reason::HostsSilent)).await;
     }
 }
 

@@ -5,13 +5,14 @@ use super::model::{Point, PointValues};
 use super::particulars::Particulars;
 use super::rounding::{Rounded, round_uncertainty};
 use super::sections::{is_traceable, sections};
-use super::stored::{day, run_day};
+use super::stored::{day, run_day, unix_day};
 use super::units::STANDARD_GRAVITY_MS2;
 use super::{budget, conformity};
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
 use calib_output::PointView;
 use calib_output::number::decimal;
+use calib_protocol::provenance::{LoggedChange, Provenance};
 use calib_protocol::record::Record;
 use calib_record::origin::is_emulated;
 use jiff::civil::Date;
@@ -202,6 +203,9 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
             say(Severity::Warning, "reference_override", why);
         }
     }
+    if record.provenance.differs_from_reference() {
+        say(Severity::Warning, "settings_changed", changes(record));
+    }
     for (name, due) in other_due_days(&certificate.particulars) {
         if run_day(record).is_some_and(|run| due < run) {
             let values = vec![Value::Text(name), Value::Day(due)];
@@ -215,6 +219,20 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
         say(Severity::Note, "coverage_factor", vec![]);
     }
     remarks
+}
+
+/// Record and day of the last change of the reference's calibration, and of any setting.
+fn changes(record: &Record) -> Vec<Value> {
+    let stated = |change: LoggedChange| {
+        let day = unix_day(change.unix_time_s).map_or("\u{2013}".to_owned(), |day| day.to_string());
+        [change.record_id.to_string(), day].map(Value::Text)
+    };
+    let Provenance {
+        changed,
+        reference_changed,
+        ..
+    } = record.provenance;
+    [stated(reference_changed), stated(changed)].concat()
 }
 
 /// Equipment used beside the reference, and when its calibration is due.

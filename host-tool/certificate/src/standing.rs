@@ -1,6 +1,7 @@
 //! A record's place in the chain, as a certificate states it.
 
 use super::model::{Certificate, Entry, Remark, Severity, Value};
+use calib_protocol::provenance::Provenance;
 use calib_protocol::record::{self, Record, Sha256Sum};
 use calib_record::hash_chain::Standing;
 use std::fmt::Write;
@@ -30,7 +31,11 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: O
             clause: "",
             value: Some(value),
         };
+        let known = record.provenance != Provenance::UNKNOWN;
+        let settings = known.then(|| Value::Text(hexadecimal(&record.provenance.sha256)));
+        let settings = settings.map(|sum| entry("settings_sha256", sum));
         let entries = [entry("sha256", sum), entry("chain", said)];
+        let entries = entries.into_iter().chain(settings);
         section.entries.splice(at..at, entries);
     }
     certificate.chain = Some(standing);

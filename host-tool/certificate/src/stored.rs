@@ -13,9 +13,12 @@ pub(super) fn day(days: u32) -> Option<Date> {
 
 /// The UTC day of a run, if the host's clock was known.
 pub(super) fn run_day(record: &Record) -> Option<Date> {
-    let seconds = i64::try_from(record.head.labels.unix_time_s)
-        .ok()
-        .filter(|s| *s > 0)?;
+    unix_day(record.head.labels.unix_time_s)
+}
+
+/// The UTC day of a time; 0 is not known.
+pub(super) fn unix_day(unix_time_s: u64) -> Option<Date> {
+    let seconds = i64::try_from(unix_time_s).ok().filter(|s| *s > 0)?;
     let time = Timestamp::from_second(seconds).ok()?;
     Some(time.to_zoned(TimeZone::UTC).date())
 }

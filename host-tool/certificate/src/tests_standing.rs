@@ -1,7 +1,8 @@
 //! A record's place in the chain, as certificates of every format state it.
 
-use super::{Format, Options, Particulars, Prepared, digest, prepare};
+use super::{Certificate, Format, Options, Particulars, Prepared, digest, prepare};
 use calib_protocol::frame::CRC;
+use calib_protocol::provenance::{LoggedChange, Provenance};
 use calib_protocol::record::{self, Record};
 use calib_record::hash_chain::{Evidence, Standing};
 use calib_record::sample::{THIRD_OCTAVES_HZ, record};
@@ -115,4 +116,40 @@ fn an_altered_neighbour_breaks_the_chain_of_the_certificate() {
     let checksum = CRC.checksum(&altered[..end]).to_le_bytes();
     altered[end..].copy_from_slice(&checksum);
     assert_eq!(standing(&altered), Standing::Broken);
+}
+
+/// Settings that differ from those the last change of the reference's calibration left are told with both
+/// changes; settings that are the same are not, whatever was changed in between.
+#[test]
+fn settings_changed_since_the_reference_was_calibrated_are_told() {
+    let told = |sha256: u8| {
+        let mut record = record(&[160.0]);
+        let change = |record_id, unix_time_s| LoggedChange {
+            record_id,
+            unix_time_s,
+        };
+        record.provenance = Provenance {
+            sha256: [sha256; 32],
+            // date -u -d 2026-11-22 +%s; a host without a clock.
+            changed: change(7, 1_795_305_600),
+            reference_changed: change(3, 0),
+            sha256_at_reference: [1; 32],
+        };
+        let certificate = Certificate::from_record(&record, &Particulars::default());
+        let html = prepare(&record, &[Format::Html], &Options::default()).expect("rendered");
+        let html = file(&html, Format::Html);
+        assert!(html.contains("SHA-256 of all settings"));
+        let key = |remark: &super::model::Remark| remark.key == "settings_changed";
+        assert_eq!(certificate.remarks.iter().any(key), sha256 != 1);
+        html
+    };
+    let words = "since the calibration of its reference was entered (record 3, \u{2013}), last by record 7 \
+                 (2026-11-22)";
+    assert!(told(2).contains(words));
+    assert!(!told(1).contains(words));
+    // A release that did not say has nothing to compare.
+    let untold = record(&[160.0]);
+    assert_eq!(untold.provenance, Provenance::UNKNOWN);
+    let html = prepare(&untold, &[Format::Html], &Options::default()).expect("rendered");
+    assert!(!file(&html, Format::Html).contains("settings have changed"));
 }

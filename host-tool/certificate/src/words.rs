@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// Every reason the instrument gives, in the order of its codes.
-pub const REASONS: [Reason; 24] = [
+pub const REASONS: [Reason; 25] = [
     Reason::Clipped,
     Reason::Distortion,
     Reason::SignalToNoise,
@@ -33,6 +33,7 @@ pub const REASONS: [Reason; 24] = [
     Reason::TemperatureOutOfRange,
     Reason::ChannelsNotAligned,
     Reason::Hum,
+    Reason::HostsSilent,
 ];
 
 /// The message file.

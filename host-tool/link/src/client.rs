@@ -1,4 +1,5 @@
-//! Requests and answers over any transport.
+//! Requests and answers over any transport. Words of a device are words of one line each
+//! ([`calib_protocol::text`]), and a point without numbers is no result.
 
 use super::exchange::{Exchange, Failure};
 use super::{ProtocolError, Refused, StopSwitch, Transport};
@@ -11,6 +12,7 @@ use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::health::Health;
 use calib_protocol::message::{Info, Refusal, Request, Response, RunSpec, SettingsChange, Status};
 use calib_protocol::record::RecordSummary;
+use calib_protocol::text::tame;
 use std::time::Duration;
 
 /// More records than any flash holds: a device that lists more goes on for ever.
@@ -121,7 +123,13 @@ impl Client {
     /// Identity and health, and the check that both speak the same version.
     pub fn info(&mut self) -> Result<Info> {
         match self.ask("its identity", &Request::Info)? {
-            Response::Info(info) if info.protocol_version == PROTOCOL_VERSION => Ok(info),
+            Response::Info(mut info) if info.protocol_version == PROTOCOL_VERSION => {
+                tame(&mut info.firmware_version);
+                tame(&mut info.git_hash);
+                tame(&mut info.serial);
+                info.last_panic.iter_mut().for_each(tame);
+                Ok(info)
+            }
             Response::Info(info) => Err(Error::Protocol(ProtocolError::Version {
                 device: info.protocol_version,
             })),
@@ -133,7 +141,10 @@ impl Client {
     /// know the question.
     pub fn health(&mut self) -> Result<Option<Health>> {
         match self.ask("its health", &Request::Health) {
-            Ok(Response::Health(health)) => Ok(Some(health)),
+            Ok(Response::Health(mut health)) => {
+                health.restarts.iter_mut().for_each(tame);
+                Ok(Some(health))
+            }
             Err(Error::Refused(refused)) if refused.refusal == Refusal::Unknown => Ok(None),
             Ok(_) => Err(unexpected("its health")),
             Err(error) => Err(error),
@@ -151,7 +162,15 @@ impl Client {
     /// Result of one point of the running or last run, when it is there.
     pub fn point(&mut self, index: u16) -> Result<Option<PointResult>> {
         match self.ask("a point", &Request::Point { index })? {
-            Response::Point { index: of, result } if of == index => Ok(result),
+            Response::Point {
+                index: of,
+                mut result,
+            } if of == index => {
+                result
+                    .iter_mut()
+                    .for_each(PointResult::refuse_without_result);
+                Ok(result)
+            }
             _ => Err(unexpected("a point")),
         }
     }
@@ -164,7 +183,13 @@ impl Client {
         }
     }
 
-    /// Silences the exciter and ends the run, if there is one.
+    /// From now on stops are for the run whose record has this number, and one that comes late ends no
+    /// other; with none they are for whatever goes on.
+    pub fn stop_for(&mut self, run: Option<u32>) {
+        self.exchange.stop_for(run);
+    }
+
+    /// Silences the exciter and ends the run, if there is one ([`Self::stop_for`]).
     pub fn stop(&mut self) -> Result<()> {
         let RetryPolicy {
             attempts,
@@ -196,7 +221,7 @@ impl Client {
     /// Summaries of the stored records from a running number on: at most 16, and
     /// whether there are more.
     pub fn page(&mut self, from: u32) -> Result<(Vec<RecordSummary>, bool)> {
-        let Response::Records { records, more } =
+        let Response::Records { mut records, more } =
             self.ask("its records", &Request::Records { from })?
         else {
             return Err(unexpected("its records"));
@@ -207,6 +232,9 @@ impl Client {
         if !rise || numbers().next().is_some_and(|first| first < from) {
             return Err(unexpected("its records"));
         }
+        records
+            .iter_mut()
+            .for_each(|record| tame(&mut record.dut_serial));
         Ok((records.to_vec(), more))
     }
 
@@ -236,13 +264,17 @@ impl Client {
     /// The settings in force.
     pub fn settings(&mut self) -> Result<Settings> {
         match self.ask("its settings", &Request::SettingsRead)? {
-            Response::Settings(settings) => Ok(settings),
+            Response::Settings(mut settings) => {
+                tame(&mut settings.reference.serial);
+                tame(&mut settings.reference.certificate);
+                Ok(settings)
+            }
             _ => Err(unexpected("its settings")),
         }
     }
 
-    /// Replaces the settings; they are stored in flash. Those that change the
-    /// calibration of the reference need the button held on the instrument.
+    /// Replaces the settings; they are stored in flash, which needs the button held on the
+    /// instrument.
     pub fn write_settings(&mut self, change: impl Into<SettingsChange>) -> Result<()> {
         let request = Request::SettingsWrite(change.into());
         self.done("new settings", &request, self.policy.flash_timeout)

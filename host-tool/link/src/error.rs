@@ -210,11 +210,10 @@ fn reason(refusal: Refusal) -> String {
         Refusal::CaptureLength => "it has no room for so many sample pairs, or none were asked for",
         Refusal::NotCaptured => "nothing was captured since it was started",
         Refusal::CaptureBroken => "sample pairs were lost while it captured",
-        Refusal::ButtonNotHeld => {
-            "they change the calibration of its reference, and its button is not held"
-        }
+        Refusal::ButtonNotHeld => "they are other settings than it has, and its button is not held",
         Refusal::TemperatureOutOfRange => "it is too cold or too hot to measure",
         Refusal::ChannelsNotAligned => "its two channels are not of the same instants",
+        Refusal::Conditions => "the temperature stated for the run cannot be true",
         _ => "for a reason this tool does not know",
     };
     known.to_owned()
@@ -270,7 +269,10 @@ impl Refused {
                 "reset the instrument and repeat; if it happens again, the flash is worn out"
             }
             Refusal::PointList => "correct the point list",
-            Refusal::Settings => "correct the settings",
+            Refusal::Conditions => "state -55 to 200 degrees Celsius, or none",
+            Refusal::Settings => {
+                "correct the settings; docs/safety.md has the ceilings no setting passes"
+            }
             Refusal::CaptureLength => "a capture has 1 to 16384 sample pairs",
             Refusal::NotCaptured => "was it reset? capture again",
             Refusal::CaptureBroken => "capture again",

@@ -12,7 +12,7 @@
 
 use super::{LinkError, StopSwitch, Transport};
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
-use calib_protocol::message::{Request, Response, version_of_info};
+use calib_protocol::message::{Refusal, Request, Response, version_of_info};
 use std::io;
 use std::time::Duration;
 
@@ -80,6 +80,8 @@ pub(super) struct Exchange {
     stop: Option<StopSwitch>,
     /// A stop is on its way: nothing interrupts it.
     stopping: bool,
+    /// The run a stop is for, by the number of its record; none for whatever goes on.
+    run: Option<u32>,
 }
 
 impl Exchange {
@@ -91,7 +93,12 @@ impl Exchange {
             repetitions: 0,
             stop: None,
             stopping: false,
+            run: None,
         }
+    }
+
+    pub(super) fn stop_for(&mut self, run: Option<u32>) {
+        self.run = run;
     }
 
     pub(super) fn heed(&mut self, stop: StopSwitch) {
@@ -160,7 +167,7 @@ impl Exchange {
     /// Sends a stop and waits for its confirmation; nothing interrupts it.
     pub(super) fn stop_now(&mut self, timeout: Duration, attempts: u32) -> Result<(), Failure> {
         self.stopping = true;
-        let answered = self.converse(&Request::Stop, timeout, attempts);
+        let answered = self.converse_stop(timeout, attempts);
         self.stopping = false;
         match answered {
             Ok(Some(Response::Done)) => Ok(()),
@@ -171,6 +178,21 @@ impl Exchange {
             })),
             Err(other) => Err(other),
         }
+    }
+
+    /// A stop that comes late must end no other run: it names its own, where the instrument knows of that.
+    fn converse_stop(
+        &mut self,
+        timeout: Duration,
+        attempts: u32,
+    ) -> Result<Option<Response>, Failure> {
+        if let Some(record_id) = self.run {
+            let named = self.converse(&Request::StopRun { record_id }, timeout, attempts)?;
+            if named != Some(Response::Refused(Refusal::Unknown)) {
+                return Ok(named);
+            }
+        }
+        self.converse(&Request::Stop, timeout, attempts)
     }
 
     /// One request under a number of its own; `None` when a stop came in between.

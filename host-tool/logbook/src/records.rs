@@ -48,7 +48,7 @@ pub struct Listed {
     pub points: u32,
     /// Points refused.
     pub refused: u32,
-    /// A calibration, or the log of a change of the reference, which has no points.
+    /// A calibration, or the log of a change of settings, which has no points.
     #[schemars(with = "&str")]
     pub kind: RecordKind,
     /// Frequency of the reference point (clause 5.3), Hz.
@@ -70,7 +70,7 @@ pub struct Filter {
     pub before_s: Option<i64>,
 }
 
-/// Kind of the log of a change of the reference, in the tables.
+/// Kind of the log of a change of settings, in the tables.
 const REFERENCE_CHANGE: &str = "reference_change";
 
 const LISTED: &str = "SELECT id, instrument, number, unix_time_s, sensor_serial, sensor_model,

@@ -156,7 +156,7 @@ impl From<&Status> for StatusView {
 pub struct RecordView {
     /// Running number of the instrument.
     pub record_id: u32,
-    /// `calibration` or `reference_change`.
+    /// `calibration`, or `reference_change`: the log of a change of settings, the reference's or others.
     pub kind: String,
     /// Stored bytes.
     pub bytes: u32,
@@ -187,12 +187,12 @@ impl From<&RecordSummary> for RecordView {
     }
 }
 
-/// A change of the calibration of the reference.
+/// A change of settings.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ChangeView {
     /// Running number of the instrument.
     pub record_id: u32,
-    /// `reference_change`.
+    /// `reference_change`, whichever settings they are.
     pub kind: String,
     /// Serial number of the instrument.
     pub instrument_serial: String,
@@ -206,6 +206,8 @@ pub struct ChangeView {
     pub operator: String,
     /// Settings of the reference's channel in force before.
     pub before: ReferenceChannel,
+    /// All settings in force before; none from a release that logged those of the reference alone.
+    pub settings_before: Option<Settings>,
     /// All settings in force since, as in the settings file.
     pub settings: Settings,
 }
@@ -223,6 +225,7 @@ impl From<&ReferenceChange> for ChangeView {
             unix_time_s: unix_time_s(head.labels.unix_time_s),
             operator: head.labels.operator.to_string(),
             before: change.before.clone(),
+            settings_before: change.all_before.clone(),
             settings: change.settings.clone(),
         }
     }

@@ -235,15 +235,13 @@ mod tests {
             record.head.previous_sha256 = chain.last().map_or([0; 32], |bytes| digest(bytes));
             let mut bytes = vec![0; 8192];
             let length = match id {
-                3 => {
-                    let before = record.settings.reference_channel();
-                    calib_protocol::change::encode(
-                        &record.head,
-                        &record.settings,
-                        &before,
-                        &mut bytes,
-                    )
-                }
+                3 => calib_protocol::change::encode(
+                    &record.head,
+                    &record.settings,
+                    &record.settings,
+                    &record.provenance,
+                    &mut bytes,
+                ),
                 _ => record::encode(&record, &mut bytes),
             };
             bytes.truncate(length.expect("fits"));

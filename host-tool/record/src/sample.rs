@@ -117,6 +117,7 @@ fn settings() -> Settings {
         influences,
         point_influences: PointInfluences::NONE,
         channel_ratio: ChannelRatio::UNKNOWN,
+        lease_s: 0,
     }
 }
 

@@ -41,7 +41,7 @@ impl Downloaded {
     fn text(&self) -> String {
         let content = match self.kind {
             RecordKind::Calibration => format!("{} points", self.points),
-            RecordKind::ReferenceChange => "change of the reference".to_owned(),
+            RecordKind::ReferenceChange => "change of settings".to_owned(),
         };
         let chain = match self.chain {
             Standing::First => "first of the chain",

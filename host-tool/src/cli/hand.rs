@@ -15,10 +15,10 @@ const LOOKS_PER_SECOND: u32 = 2;
 /// Who changes settings, and whose hand is on the button.
 #[derive(Debug, Args)]
 pub(crate) struct Hand {
-    /// Who changes them, for the log of a change of what every result rests on.
+    /// Who changes them, for the log of the change.
     #[arg(long, value_name = "NAME", default_value = "", env = "CALIB_OPERATOR")]
     operator: String,
-    /// How long to wait for a hand on the button, where one is needed.
+    /// How long to wait for a hand on the button.
     #[arg(long, value_name = "SECONDS", default_value_t = 30)]
     wait: u16,
     /// Puts a hand on the button of the emulated calibrator (`--device emulated`).
@@ -58,7 +58,7 @@ impl Hand {
                 Err(calib_link::Error::Refused(refused)) if refused.wants_button() && looks > 0 => {
                     if looks == u32::from(self.wait) * LOOKS_PER_SECOND {
                         context.remark(
-                            "every result rests on this: hold the button on the instrument",
+                            "results and limits rest on this: hold the button on the instrument",
                         );
                     }
                     looks -= 1;

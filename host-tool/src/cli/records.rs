@@ -27,7 +27,7 @@ impl Records {
                     super::time::date_and_minute(record.unix_time_s),
                     match record.kind {
                         RecordKind::Calibration => record.dut_serial.to_string(),
-                        RecordKind::ReferenceChange => "(reference changed)".to_owned(),
+                        RecordKind::ReferenceChange => "(settings changed)".to_owned(),
                     },
                     record.points.to_string(),
                     record.refused.to_string(),

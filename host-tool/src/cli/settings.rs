@@ -15,9 +15,9 @@ Edit what `calib settings > mine.toml` printed (limits of the exciter, scales of
 influence quantities, the calibration table of the reference) and hand it back with
 `calib settings --write mine.toml`. All values are SI; phases are in radians.
 
-The calibration of the reference (its table, serial number, certificate and days, and the scale of its
-input) and the ratio of the channels change only while the button on the instrument is held; calib waits for that. Each such change
-is logged as a record, with the time and the operator.")]
+Settings change only while the button on the instrument is held: each of them enters a result, its
+uncertainty or a limit. calib waits for the hand. Each change is logged as a record, with the time and the
+operator. No setting passes the ceilings: 42 V, 1415 m/s2, 1.5 m/s, 12.7 mm peak.")]
 pub(crate) struct Settings {
     /// Stores the settings of this TOML file in the calibrator; nothing is changed
     /// unless all of them are accepted.

@@ -30,8 +30,8 @@ pub(crate) struct Show {
 }
 
 impl Show {
-    /// Draws S over f, with a table of the points; of a change of the reference,
-    /// what was in force before and is since.
+    /// Draws S over f, with a table of the points; of a change of settings, what was
+    /// in force before and is since.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let found = source::find(context, &self.record, &self.out)?;
         let record = match &found.content {

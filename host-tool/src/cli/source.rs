@@ -22,7 +22,7 @@ pub(super) struct Found {
 pub(super) enum Content {
     /// A run that was measured.
     Calibration(Box<Record>),
-    /// Another calibration of the reference.
+    /// Other settings.
     ReferenceChange(Box<ReferenceChange>),
 }
 
@@ -33,7 +33,7 @@ impl Found {
             Content::Calibration(record) => Ok(record),
             Content::ReferenceChange(change) => Err(Error::input(
                 format!("record {}", change.head.id),
-                "logs a change of the reference and is no calibration",
+                "logs a change of settings and is no calibration",
                 "`calib show` shows it; `calib records` lists the calibrations",
             )),
         }

@@ -133,9 +133,15 @@ impl Worker {
     }
 
     fn open(&mut self) -> Result<()> {
-        let Ok(address) = self.shared.snapshot().device.parse::<Device>();
+        let snapshot = self.shared.snapshot();
+        let Ok(address) = snapshot.device.parse::<Device>();
         let mut client = Client::new(address.open()?).heeding(self.switch.clone());
+        // A stop that waited for the link is for the run that was followed, not for one that another host
+        // has begun meanwhile.
+        let followed = snapshot.run.filter(|run| run.running);
+        client.stop_for(followed.and_then(|run| run.record_id));
         let (info, health) = (client.info()?, client.health()?);
+        client.stop_for(None);
         self.client = Some(client);
         self.shared.change(|snapshot| {
             snapshot.info = Some(InfoView::new(&info, health.as_ref()));

@@ -1,10 +1,12 @@
-//! A change of the reference's calibration: before and since, row by row.
+//! A change of settings: before and since, those of the reference row by row.
 
 use calib_core::channel_ratio::ChannelRatio;
-use calib_core::settings::{ReferenceChannel, ReferencePoint};
+use calib_core::settings::{ReferenceChannel, ReferencePoint, Settings};
 use calib_protocol::change::ReferenceChange;
 use jiff::Timestamp;
 use jiff::civil::date;
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// The change as text, 80 columns wide.
@@ -12,7 +14,7 @@ pub fn show_change(change: &ReferenceChange) -> String {
     let (before, since) = (&change.before, &change.settings.reference_channel());
     let labels = &change.head.labels;
     let mut text = format!(
-        "record {} of {}: what every result rests on has changed\n{}, {}\n\n",
+        "record {} of {}: settings have changed\n{}, {}\n\n",
         change.head.id,
         change.head.instrument_serial,
         time(labels.unix_time_s),
@@ -40,6 +42,14 @@ pub fn show_change(change: &ReferenceChange) -> String {
         format!("{:e}", channel.input.volt_per_code)
     });
     line("channels", &|channel| ratio(&channel.ratio));
+    if let Some(before) = &change.all_before {
+        for line in others(before, &change.settings) {
+            text.push_str(&line);
+        }
+    }
+    if !change.concerns_reference() {
+        return text;
+    }
     text.push_str(
         "\n     Hz  mV/(m/s2)      U %  phase deg  mV/(m/s2)      U %  phase deg  change %\n",
     );
@@ -47,6 +57,57 @@ pub fn show_change(change: &ReferenceChange) -> String {
         text.push_str(&row(before, since));
     }
     text
+}
+
+/// A line for each setting beside the reference's channel that is another one, by its place in the
+/// settings file.
+fn others(before: &Settings, since: &Settings) -> Vec<String> {
+    let (before, since) = (leaves(before), leaves(since));
+    let places: BTreeSet<&String> = before.keys().chain(since.keys()).collect();
+    let of_reference = ["reference.", "reference_input.", "channel_ratio."];
+    let others = places
+        .into_iter()
+        .filter(|place| !of_reference.iter().any(|part| place.starts_with(part)));
+    others
+        .filter(|place| before.get(*place) != since.get(*place))
+        .map(|place| {
+            let said = |all: &BTreeMap<String, String>| all.get(place).cloned();
+            let [before, since] =
+                [&before, &since].map(|all| said(all).unwrap_or_else(|| "none".into()));
+            format!("{place}: {before} -> {since}\n")
+        })
+        .collect()
+}
+
+/// Every number and word of settings, by its place.
+fn leaves(settings: &Settings) -> BTreeMap<String, String> {
+    let mut found = BTreeMap::new();
+    // As text first: numbers of single precision are then written as they were meant.
+    let text = serde_json::to_string(settings).unwrap_or_default();
+    gather(
+        "",
+        &serde_json::from_str(&text).unwrap_or_default(),
+        &mut found,
+    );
+    found
+}
+
+fn gather(place: &str, value: &Value, found: &mut BTreeMap<String, String>) {
+    let below = |name: &str| match place {
+        "" => name.to_owned(),
+        place => format!("{place}.{name}"),
+    };
+    match value {
+        Value::Object(fields) => fields
+            .iter()
+            .for_each(|(name, value)| gather(&below(name), value, found)),
+        Value::Array(rows) => (1..)
+            .zip(rows)
+            .for_each(|(row, value)| gather(&below(&row.to_string()), value, found)),
+        value => {
+            found.insert(place.to_owned(), value.to_string());
+        }
+    }
 }
 
 /// The ratio of the channels in a few words.
@@ -133,7 +194,6 @@ fn day(days_since_1970: u32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use calib_core::settings::Settings;
     use calib_protocol::record::{RecordHead, RunLabels};
 
     #[test]
@@ -155,6 +215,7 @@ mod tests {
             },
             settings,
             before: before.reference_channel(),
+            all_before: None,
         };
         let text = show_change(&change);
         assert!(text.starts_with("record 5 of CAL-1: "), "{text}");
@@ -180,5 +241,29 @@ mod tests {
             text.lines().all(|line| line.chars().count() <= 80),
             "{text}"
         );
+    }
+
+    #[test]
+    fn settings_beside_the_reference_s_stand_by_their_place() {
+        let before = Settings::field_calibrator();
+        let mut settings = before.clone();
+        settings.limits.acceleration_peak_ms2 = 400.0;
+        settings.influences[0].value_rel = 0.0;
+        let change = ReferenceChange {
+            head: RecordHead::BLANK,
+            settings,
+            before: before.reference_channel(),
+            all_before: Some(before),
+        };
+        let text = show_change(&change);
+        let lines: Vec<&str> = text.lines().filter(|line| line.contains("->")).collect();
+        assert_eq!(
+            lines,
+            [
+                "influences.1.value_rel: 0.0025 -> 0.0",
+                "limits.acceleration_peak_ms2: 200.0 -> 400.0"
+            ]
+        );
+        assert!(!text.contains("mV/(m/s2)"), "{text}");
     }
 }

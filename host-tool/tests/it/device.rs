@@ -140,6 +140,12 @@ impl Device {
                 self.end(RunState::Stopped);
                 Response::Done
             }
+            Request::StopRun { record_id } => {
+                if self.run.as_ref().is_some_and(|run| run.id == record_id) {
+                    self.end(RunState::Stopped);
+                }
+                Response::Done
+            }
             Request::Records { from } => self.list(from),
             Request::ReadRecord { id, offset } => self.read(id, offset),
             Request::SettingsRead => Response::Settings(self.settings.clone()),
@@ -378,6 +384,7 @@ pub(crate) fn settings() -> Settings {
         influences: heapless::Vec::new(),
         point_influences: PointInfluences::NONE,
         channel_ratio: ChannelRatio::UNKNOWN,
+        lease_s: 0,
     }
 }
 

@@ -85,9 +85,15 @@ fn the_log_of_a_change_of_the_reference_is_kept_like_any_record() {
     head.labels.operator = "M. Beispiel".try_into().expect("short");
     head.labels.unix_time_s += YEAR_S;
     settings.reference.certificate = "R-2027-01".try_into().expect("short");
-    let before = run.settings.reference_channel();
     let mut change = vec![0; 8192];
-    let length = change::encode(&head, &settings, &before, &mut change).expect("fits");
+    let length = change::encode(
+        &head,
+        &settings,
+        &run.settings,
+        &run.provenance,
+        &mut change,
+    )
+    .expect("fits");
     change.truncate(length);
     logbook.keep(&bytes(&run)).expect("kept");
     let Kept::Added(id) = logbook.keep(&change).expect("kept too") else {

@@ -8,6 +8,7 @@ mod command_line;
 mod device;
 mod documentation;
 mod download;
+mod forged;
 mod gap;
 mod hostile;
 mod link;

@@ -72,7 +72,9 @@ fn an_observer_that_fails_stops_the_run_and_keeps_its_error() {
     .expect_err("the observer's");
     assert!(error.to_string().contains("nothing to look at"), "{error}");
     let device = device.lock().expect("device");
-    assert_eq!(device.requests.last(), Some(&Request::Stop));
+    // For this run and no other.
+    let stop = Request::StopRun { record_id: id };
+    assert_eq!(device.requests.last(), Some(&stop));
 }
 
 #[test]

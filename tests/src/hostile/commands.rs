@@ -23,7 +23,7 @@ use std::task::{Context, Poll, Waker};
 /// Numbers of the requests that change something (docs/protocol.md).
 const START: u32 = 3;
 const STOP: u32 = 4;
-const SETTINGS_WRITE: u32 = 8;
+const STOP_RUN: u32 = 15;
 const RESET: u32 = 9;
 const RELEASE: u32 = 10;
 const CAPTURE: u32 = 11;
@@ -40,12 +40,15 @@ pub fn commands(data: &[u8]) {
         let sequences: Vec<u16> = asked.iter().map(|whole| whole.sequence).collect();
         assert_eq!(answered, sequences, "one answer each");
         let changes = instrument.changes;
-        let stopping = count(&asked, STOP) + words(&lines, b"ABOR") + words(&lines, b"*RST");
+        let stopping = count(&asked, STOP)
+            + count(&asked, STOP_RUN)
+            + words(&lines, b"ABOR")
+            + words(&lines, b"*RST");
         assert!(instrument.stops <= stopping, "a stop nobody asked for");
         if holder == LinkName::Serial {
             let asked_for = |number| count(&asked, number);
             assert!(changes.starts <= asked_for(START) + words(&lines, b"INIT"));
-            assert!(changes.writes <= asked_for(SETTINGS_WRITE));
+            assert_eq!(changes.writes, 0, "nobody holds the button");
             assert!(changes.resets <= asked_for(RESET));
             assert!(changes.releases <= asked_for(RELEASE));
             assert!(changes.captures <= asked_for(CAPTURE));
@@ -56,9 +59,7 @@ pub fn commands(data: &[u8]) {
                 "the other host holds the session"
             );
         }
-        if changes.writes == 0 {
-            assert_eq!(instrument.settings, before);
-        }
+        assert_eq!(instrument.settings, before);
         assert_eq!(instrument.settings.validate(), Ok(()));
         instrument.expect_info();
     }
@@ -142,7 +143,6 @@ struct Changes {
     resets: usize,
     releases: usize,
     captures: usize,
-    references: usize,
 }
 
 /// An instrument that does nothing and notes everything.
@@ -269,6 +269,10 @@ impl Instrument for Notes {
         self.stops += 1;
     }
 
+    async fn stop_run(&mut self, _: u32) {
+        self.stops += 1;
+    }
+
     async fn records(&mut self, _: u32) -> Result<RecordPage, Refusal> {
         Ok(RecordPage::default())
     }
@@ -286,13 +290,6 @@ impl Instrument for Notes {
         self.settings.clone()
     }
 
-    async fn write_settings(&mut self, settings: &Settings) -> Result<(), Refusal> {
-        assert!(settings.has_reference_channel_of(&self.settings));
-        self.changes.writes += 1;
-        self.settings = settings.clone();
-        Ok(())
-    }
-
     async fn self_test(&mut self) -> Result<heapless::Vec<Line, MAX_LINES>, Refusal> {
         Ok(heapless::Vec::new())
     }
@@ -301,9 +298,9 @@ impl Instrument for Notes {
         self.hand_on_button
     }
 
-    async fn change_reference(&mut self, change: &SettingsChange) -> Result<(), Refusal> {
+    async fn change_settings(&mut self, change: &SettingsChange) -> Result<(), Refusal> {
         assert!(self.hand_on_button, "without a hand on the instrument");
-        self.changes.references += 1;
+        self.changes.writes += 1;
         self.settings = change.settings.clone();
         Ok(())
     }
@@ -336,22 +333,24 @@ mod tests {
             .flat_map(|seed| [vec![0], seed.bytes].concat())
             .collect();
         let mut instrument = Notes::held_by(LinkName::Serial);
-        assert_eq!(instrument.hear(&all).len(), 14);
+        instrument.hand_on_button = true;
+        // The seed changes a setting.
+        instrument.settings.blocks += 1;
+        assert_eq!(instrument.hear(&all).len(), 15);
         let once = Changes {
             starts: 1,
             writes: 1,
             resets: 1,
             releases: 1,
             captures: 1,
-            references: 0,
         };
         assert_eq!(instrument.changes, once);
     }
 
     #[test]
-    fn the_reference_changes_under_a_hand_alone_and_once_for_a_repeated_frame() {
+    fn settings_change_under_a_hand_alone_and_once_for_a_repeated_frame() {
         let mut settings = Settings::field_calibrator();
-        settings.reference.points[4].sensitivity_v_per_ms2 *= 1.01;
+        settings.limits.acceleration_peak_ms2 *= 2.0;
         let mut instrument = Notes::held_by(LinkName::Serial);
         let mut buffer = vec![0; MAX_FRAME];
         let request = Request::SettingsWrite(settings.clone().into());
@@ -362,11 +361,11 @@ mod tests {
         assert_eq!(instrument.settings, Settings::field_calibrator());
         instrument.hand_on_button = true;
         instrument.hear(&frame);
-        assert_eq!(instrument.changes.references, 1);
+        assert_eq!(instrument.changes.writes, 1);
         assert_eq!(instrument.settings, settings);
         // The answer got lost, and the hand has gone: the same settings are there.
         instrument.hand_on_button = false;
         instrument.hear(&frame);
-        assert_eq!(instrument.changes.references, 1);
+        assert_eq!(instrument.changes.writes, 1);
     }
 }

@@ -89,6 +89,7 @@ fn requests() -> Vec<Request> {
         Request::Capture { pairs: 300 },
         Request::ReadCapture { offset: 256 },
         Request::SelfTest,
+        Request::StopRun { record_id: 1 },
     ]
 }
 

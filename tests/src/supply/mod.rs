@@ -26,6 +26,8 @@ const OFF: Duration = Duration::from_millis(10);
 const RESET: Duration = Duration::from_micros(10);
 /// From then until requests are heard.
 const BOOT: Duration = Duration::from_millis(100);
+/// Time after which the firmware has seen the button go up or down.
+const BUTTON_SEEN: Duration = Duration::from_millis(60);
 /// Longest spell of power: a session that comes to no end has no cut either.
 const LONGEST: Duration = Duration::from_secs(120);
 
@@ -128,9 +130,26 @@ impl Desk {
         self.told.look(&mut client, &self.folder)?;
         let before = self.erases();
         while self.erases() == before {
-            self.told.change_settings(&mut client)?;
+            self.change_settings(&mut client)?;
+            self.told.release(&mut client)?;
         }
         Ok(())
+    }
+
+    /// Writes other settings with a hand on the button.
+    fn change_settings(&mut self, client: &mut Client) -> Result<(), Fault> {
+        self.told.doing = Doing::Settings;
+        self.press_button(true)?;
+        client.wait(BUTTON_SEEN)?;
+        self.told.change_settings(client)?;
+        self.press_button(false)?;
+        client.wait(BUTTON_SEEN)?;
+        Ok(())
+    }
+
+    fn press_button(&self, held: bool) -> Result<(), Fault> {
+        let mut board = self.board.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(board.press_button(held)?)
     }
 
     fn session(&mut self, client: &mut Client) -> Result<(), Fault> {
@@ -139,11 +158,13 @@ impl Desk {
             board.uptime()
         };
         self.told.doing = Doing::Boot;
+        // Whoever held it has let go: one that is down at a start opens nothing.
+        self.press_button(false)?;
         client.wait(RESET)?;
         client.wait(BOOT)?;
         self.told.look(client, &self.folder)?;
         while elapsed(self) < LONGEST {
-            self.told.change_settings(client)?;
+            self.change_settings(client)?;
             self.told.measure(client)?;
             self.told.download(client, &self.folder)?;
             self.told.release(client)?;

@@ -4,6 +4,7 @@ use crate::bench::{Fault, point};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
+use calib_files::file::Existing;
 use calib_link::Client;
 use calib_link::session::{self, Outcome};
 use calib_protocol::message::RunState;
@@ -99,15 +100,18 @@ impl Told {
         Ok(())
     }
 
-    /// Writes other settings.
+    /// Writes other settings, which somebody holds the button for.
     pub(super) fn change_settings(&mut self, client: &mut Client) -> Result<(), Fault> {
-        self.doing = Doing::Settings;
         let mut settings = self.settings.clone().ok_or("no settings were read")?;
         let place = BLOCKS.iter().position(|blocks| *blocks == settings.blocks);
         settings.blocks = BLOCKS[place.map_or(0, |place| place + 1) % BLOCKS.len()];
         self.attempted = Some(settings.clone());
         client.write_settings(settings)?;
         self.settings = self.attempted.take();
+        // The log of it is a record.
+        let records = client.records()?;
+        let last = records.last().ok_or("a change of settings has no log")?;
+        self.records.insert(last.id, Some(last.sha256));
         Ok(())
     }
 
@@ -156,8 +160,8 @@ impl Told {
 
     /// Downloads a record, going on where a cut broke off, and compares its content.
     fn fetch(&self, client: &mut Client, id: u32, folder: &Path) -> Result<(), Fault> {
-        let download = session::download(client, id, folder, |_| ())?;
-        let content = std::fs::read(&download.path)?;
+        let fetched = session::fetch(client, id, folder, Existing::Keep, |_| ())?;
+        let content = std::fs::read(&fetched.path)?;
         let sum = record::check(&content).map(|_| record::digest(&content));
         let known = self.records.get(&id).copied().flatten();
         if sum.ok() != known {
@@ -165,13 +169,14 @@ impl Told {
         }
         let before = id.checked_sub(1).and_then(|id| self.records.get(&id));
         let before = before.copied().flatten();
-        if before.is_some_and(|sum| sum != download.record.head.previous_sha256) {
+        if before.is_some_and(|sum| sum != fetched.link.previous_sha256) {
             return Err(format!("record {id} does not follow the one before").into());
         }
         let measured = self.measured.as_ref().filter(|run| run.record_id == id);
-        if measured.is_some_and(|run| run.points.as_slice() != download.record.points.as_slice()) {
-            return Err(format!("record {id} is not what was measured").into());
+        let Some(run) = measured else { return Ok(()) };
+        match record::decode(&content)?.points.as_slice() == run.points.as_slice() {
+            true => Ok(()),
+            false => Err(format!("record {id} is not what was measured").into()),
         }
-        Ok(())
     }
 }

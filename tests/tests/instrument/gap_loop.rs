@@ -41,7 +41,7 @@ fn recorded(rig: &Rig, points: &[PointSpec], waveforms: bool) -> (Known, Recorde
     // A capture is asked for at one look of ten in a second: the level must be held that long.
     let blocks = if waveforms { 10 } else { 3 };
     let settings = Settings { blocks, ..settings };
-    client.write_settings(settings).expect("taken");
+    board.set_up(&mut client, settings).expect("taken");
     let setting = Setting {
         payload_kg: rig.exciter.payload_kg,
         temperature_c: Some(known.nominal.environment.reference_temperature_c),

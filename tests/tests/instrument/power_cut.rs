@@ -14,12 +14,14 @@ use std::time::Duration;
 const BUSY: Duration = Duration::from_secs(5);
 /// From power-on until requests are heard.
 const BOOT: Duration = Duration::from_millis(200);
+/// Time after which the firmware has seen the button go up or down.
+const BUTTON_SEEN: Duration = Duration::from_millis(60);
 /// How far into an operation the supply fails, in turn.
 const FRACTIONS: [f64; 3] = [0.02, 0.5, 0.98];
 
 /// Every so many operations one is cut: a boot takes a second of wall time, mostly the emulator's
 /// code generator. A number that is no multiple of three, so that every fraction meets every place.
-const STRIDE: usize = 5;
+const STRIDE: usize = 11;
 
 /// Cuts the supply once in flash operations all along a write of settings.
 #[test]
@@ -62,6 +64,11 @@ fn cut_while_writing(
     let request = Request::SettingsWrite(settings.clone().into());
     let length = encode(0x7000, &request, &mut frame[1..]).map_err(|_| "too long a frame")?;
     let mut board = bench.board();
+    // One that is down at a start opens nothing.
+    board.press_button(false)?;
+    board.run_for(BUTTON_SEEN)?;
+    board.press_button(true)?;
+    board.run_for(BUTTON_SEEN)?;
     let ordinal = board.flash_watch().operations() + nth;
     board.write_serial(&frame[..=length]);
     if !board.run_into_flash_operation(ordinal, fraction, BUSY)? {
@@ -72,14 +79,22 @@ fn cut_while_writing(
     Ok(Some(torn))
 }
 
+/// Flash operations of a change of settings: its log, and two copies of them.
+fn operations_of_a_change() -> Result<u64, Fault> {
+    let mut bench = Bench::with_port(Box::new(ShortedInputs))?;
+    bench.adjust(|settings| settings.blocks = 3)?;
+    let operations = bench.board().flash_watch().operations();
+    Ok(operations)
+}
+
 /// A small `./run bench hard-power`: the host finds everything it was told, whatever it was doing.
 #[test]
 fn nothing_told_is_lost_when_the_supply_fails_in_a_session() -> Result<(), Fault> {
     let folder = tempfile::tempdir()?;
     let mut desk = Desk::new(folder.path())?;
-    // Two copies of settings take 62 words: the next are those of the record.
+    // The words behind those of a change of settings are the record's.
     let in_the_record = Cut::InOperation {
-        nth: 66,
+        nth: operations_of_a_change()? + 4,
         fraction: 0.5,
     };
     let met = desk.cut(in_the_record)?;

@@ -1,11 +1,12 @@
-//! The calibration of the reference changes only under a hand on the instrument, and every change
-//! is a record in the chain.
+//! Settings change only under a hand on the instrument, and every change is a record in the chain.
 
+use calib_core::point::ExcitationKind;
 use calib_core::settings::Settings;
 use calib_link::Error;
 use calib_link::session;
-use calib_protocol::message::{Refusal, SettingsChange};
-use calib_protocol::record::{self, ChainLink, RecordKind};
+use calib_protocol::message::{Refusal, RunSpec, SettingsChange};
+use calib_protocol::provenance::settings_digest;
+use calib_protocol::record::{self, ChainLink, RecordKind, RunLabels};
 use calib_protocol::{change, frame};
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::rig::Rig;
@@ -56,29 +57,29 @@ fn links(bench: &mut Bench) -> Result<Vec<ChainLink>, Fault> {
 }
 
 #[test]
-fn the_reference_changes_under_a_hand_alone_and_each_change_is_a_record() -> Result<(), Fault> {
+fn settings_change_under_a_hand_alone_and_each_change_is_a_record() -> Result<(), Fault> {
     let mut bench = Bench::with_rig(&Rig::standard())?;
     let before = bench.client.settings()?;
     let wanted = recalibrated(&before)?;
 
-    // A host alone changes everything else.
+    // A host alone changes nothing.
     expect_refusal(bench.client.write_settings(wanted.clone()));
     let mut input = before.clone();
     input.reference_input.volt_per_code *= 2.0;
     expect_refusal(bench.client.write_settings(input));
     assert_eq!(bench.client.settings()?, before);
-    bench.adjust(|settings| settings.blocks = 5)?;
     assert_eq!(bench.client.records()?, []);
     bench.run(&[point(160.0, 10.0)])?;
 
-    // Under a hand it does.
-    let mut wanted = wanted;
-    wanted.settings.blocks = 5;
+    // Under a hand it does, the reference and others.
     bench.under_a_hand(|client| Ok(client.write_settings(wanted.clone())?))?;
     assert_eq!(bench.client.settings()?, wanted.settings);
     // The hand has gone. The same once more is no change, and another one is refused.
     bench.client.write_settings(wanted.clone())?;
     expect_refusal(bench.client.write_settings(before.clone()));
+    // A short press for it is no tap either: it starts nothing.
+    bench.under_a_hand(|client| Ok(client.write_settings(wanted.clone())?))?;
+    assert!(!bench.client.status()?.state.is_running());
     bench.run(&[point(160.0, 10.0)])?;
 
     // What is left of it survives the supply.
@@ -93,6 +94,7 @@ fn the_reference_changes_under_a_hand_alone_and_each_change_is_a_record() -> Res
     let change = change::decode(&logged)?;
     assert_eq!(change.settings, wanted.settings);
     assert_eq!(change.before, before.reference_channel());
+    assert_eq!(change.all_before, Some(before));
     assert_eq!(change.head.labels.unix_time_s, NOW_S);
     assert_eq!(change.head.labels.operator, wanted.operator);
     let kinds: Vec<RecordKind> = chain.iter().map(|link| link.kind).collect();
@@ -106,6 +108,55 @@ fn the_reference_changes_under_a_hand_alone_and_each_change_is_a_record() -> Res
     let folder = tempfile::tempdir()?;
     let download = session::download(&mut bench.client, 3, folder.path(), |_| ())?;
     assert_eq!(download.record.settings, wanted.settings);
+    let provenance = download.record.provenance;
+    assert_eq!(provenance.sha256, settings_digest(&wanted.settings));
+    assert_eq!(provenance.changed.record_id, 2);
+    assert_eq!(provenance.reference_changed, provenance.changed);
+    Ok(())
+}
+
+/// A limit that was doubled under a hand is told by every record since, beside the reference's change,
+/// also by those behind a restart.
+#[test]
+fn a_record_tells_that_settings_changed_since_the_reference_was_calibrated() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let before = bench.client.settings()?;
+    let recalibrated = recalibrated(&before)?;
+    bench.under_a_hand(|client| Ok(client.write_settings(recalibrated.clone())?))?;
+    bench.adjust(|settings| settings.limits.acceleration_peak_ms2 *= 2.0)?;
+    bench.board().power_cycle()?;
+    bench.client.wait(BOOT)?;
+    bench.run(&[point(160.0, 10.0)])?;
+    let record = record::decode(&read(&mut bench, 3)?)?;
+    let provenance = record.provenance;
+    assert!(provenance.differs_from_reference());
+    let calibrated = settings_digest(&recalibrated.settings);
+    assert_eq!(provenance.sha256_at_reference, calibrated);
+    assert_eq!(provenance.sha256, settings_digest(&record.settings));
+    let changes = [provenance.reference_changed, provenance.changed];
+    assert_eq!(changes.map(|change| change.record_id), [1, 2]);
+    assert_eq!(changes.map(|change| change.unix_time_s), [NOW_S, 0]);
+    Ok(())
+}
+
+/// A temperature no transducer has is no condition of a run.
+#[test]
+fn a_condition_that_cannot_be_true_is_refused() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    for (centi_c, accepted) in [(-5_501, false), (20_001, false), (20_000, true)] {
+        let spec = RunSpec {
+            points: [point(160.0, 10.0)].into_iter().collect(),
+            excitation: ExcitationKind::SingleSine,
+            labels: RunLabels {
+                temperature_centi_c: Some(centi_c),
+                ..RunLabels::default()
+            },
+        };
+        match bench.client.start(spec) {
+            Err(Error::Refused(refused)) => assert_eq!(refused.refusal, Refusal::Conditions),
+            started => assert!(accepted, "{centi_c}: {started:?}"),
+        }
+    }
     Ok(())
 }
 

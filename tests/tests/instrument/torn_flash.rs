@@ -38,6 +38,8 @@ fn no_restart_tears_the_word_that_is_being_programmed() -> Result<(), Fault> {
         let mut settings = bench.client.settings()?;
         settings.blocks += 2;
         let mut board = bench.board();
+        board.press_button(true)?;
+        board.run_for(Duration::from_millis(60))?;
         let ordinal = board.flash_watch().operations() + NTH;
         send(&mut board, &Request::SettingsWrite(settings.into()))?;
         assert!(board.run_into_flash_operation(ordinal, EARLY, BUSY)?);

@@ -355,6 +355,9 @@ fn one_of_two_hosts_holds_the_session() -> Result<(), Fault> {
     let board = bench.shared();
     let mut usb = plug_in(&board)?;
     let mut settings = bench.client.settings()?;
+    // A hand is there all the time: who may is not a matter of the button here.
+    bench.board().press_button(true)?;
+    bench.client.wait(Duration::from_millis(60))?;
 
     settings.blocks = 11;
     usb.write_settings(settings.clone())?;

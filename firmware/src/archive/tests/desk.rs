@@ -42,6 +42,7 @@ impl Desk {
             scratch: &mut self.scratch,
             record: &mut self.record,
             last_access: &self.last_access,
+            factory: Settings::field_calibrator,
         };
         let area = 0..(SECTORS * SECTOR) as u32;
         block_on(Archive::open(flash.clone(), area, memory))
@@ -93,12 +94,14 @@ pub(crate) fn result(frequency_hz: f32, seed: u32) -> PointResult {
     calib_protocol::stored_point::as_stored(&point)
 }
 
-/// Fills in everything but number and chain.
+/// Fills in everything but number, chain and provenance.
 pub(crate) fn fill(record: &mut Record, points: usize, seed: u32, settings: &Settings) {
     let (id, previous_sha256) = (record.head.id, record.head.previous_sha256);
+    let provenance = record.provenance;
     record.clone_from(&blank());
     (record.head.id, record.head.previous_sha256) = (id, previous_sha256);
     record.settings = settings.clone();
+    record.provenance = provenance;
     record.head.labels.unix_time_s = u64::from(seed);
     let list = PREFERRED_HZ.iter().rev().take(points);
     record.points = list.map(|hz| result(*hz, seed)).collect();
@@ -111,7 +114,7 @@ pub(crate) fn store<const SECTOR: usize>(
     seed: u32,
     settings: &Settings,
 ) -> Result<(u32, Vec<u8>), ArchiveError> {
-    let record = archive.draft();
+    let record = archive.draft(settings);
     fill(record, points, seed, settings);
     let mut bytes = vec![0; MAX_ITEM];
     let length = record::encode(record, &mut bytes).expect("fits");
@@ -121,13 +124,13 @@ pub(crate) fn store<const SECTOR: usize>(
     Ok((id, bytes))
 }
 
-/// Logs another calibration of the reference.
+/// Logs other settings.
 pub(crate) fn log_change<const SECTOR: usize>(
     archive: &mut Archive<'_, MockFlash<SECTOR>>,
     seed: u32,
     settings: &Settings,
 ) -> Result<u32, ArchiveError> {
-    let record = archive.draft();
+    let record = archive.draft(settings);
     fill(record, 0, seed, settings);
     let id = record.head.id;
     block_on(archive.log_change())?;

@@ -8,7 +8,8 @@ mod told;
 
 use super::*;
 use calib_protocol::change;
-use calib_protocol::record::{self, digest};
+use calib_protocol::provenance::{Provenance, settings_digest};
+use calib_protocol::record::{self, RecordSummary, digest};
 use desk::{Desk, download, fill, log_change, result, store};
 use embassy_futures::block_on;
 use flash::MockFlash;
@@ -91,6 +92,7 @@ fn a_change_of_the_reference_is_a_link_of_the_chain_and_outlives_a_restart() {
     assert_eq!(logged.head.previous_sha256, digest(&first));
     assert_eq!(logged.settings, after);
     assert_eq!(logged.before, before.reference_channel());
+    assert_eq!(logged.all_before, Some(before.clone()));
     let kinds: std::vec::Vec<_> = list(&mut archive).iter().map(|line| line.kind).collect();
     assert_eq!(
         kinds,
@@ -155,8 +157,9 @@ fn a_full_area_refuses_before_measuring_until_records_are_released() {
 
     block_on(archive.release(stored)).expect("releases");
     assert_eq!(block_on(archive.check_room(31)), Ok(()));
-    // What is left of the last sector takes two more at most.
-    for seed in 0..3 {
+    // What is left of the last sector is less than the longest record of 31 points, and takes three of
+    // these at most.
+    for seed in 0..4 {
         store(&mut archive, 31, seed, &settings).expect("stores");
     }
     let first = list(&mut archive).first().map(|summary| summary.id);
@@ -197,7 +200,7 @@ fn settings_are_kept_through_everything() {
     settings.blocks = 17;
     {
         let mut archive = desk.open(&flash).expect("opens");
-        block_on(archive.store_settings(&settings)).expect("stores");
+        log_change(&mut archive, 1, &settings).expect("logs");
         // Round the ring, so that the sector they were written to is gone.
         for seed in 0..400 {
             let (id, _) = store(&mut archive, 6, seed, &settings).expect("stores");
@@ -206,32 +209,96 @@ fn settings_are_kept_through_everything() {
     }
     let archive = desk.open(&flash).expect("opens");
     assert_eq!(archive.settings(), Some(&settings));
-    assert_eq!(archive.next_id(), 401);
+    // The log of the change, and the runs.
+    assert_eq!(archive.next_id(), 402);
 }
 
-/// The copy written last, damaged after either way to write settings.
+/// The copy written last.
 #[test]
 fn one_damaged_copy_of_the_settings_does_not_lose_them() {
-    for changes_reference in [false, true] {
-        let flash = MockFlash::<SMALL>::erased(SECTORS);
-        let mut desk = Desk::new();
-        let mut settings = Settings::field_calibrator();
-        let last;
-        {
-            let mut archive = desk.open(&flash).expect("opens");
-            if changes_reference {
-                settings.reference.due_day = 23;
-                log_change(&mut archive, 1, &settings).expect("logs");
-            } else {
-                settings.blocks = 23;
-                block_on(archive.store_settings(&settings)).expect("stores");
-            }
-            last = archive.memory.last_access.longest_write() as usize;
-        }
-        flash.0.borrow_mut().bytes[last + 100] ^= 0x10;
-        let archive = desk.open(&flash).expect("opens");
-        assert_eq!(archive.settings(), Some(&settings));
+    let flash = MockFlash::<SMALL>::erased(SECTORS);
+    let mut desk = Desk::new();
+    let mut settings = Settings::field_calibrator();
+    let last;
+    {
+        let mut archive = desk.open(&flash).expect("opens");
+        settings.reference.due_day = 23;
+        log_change(&mut archive, 1, &settings).expect("logs");
+        last = archive.memory.last_access.longest_write() as usize;
     }
+    flash.0.borrow_mut().bytes[last + 100] ^= 0x10;
+    let archive = desk.open(&flash).expect("opens");
+    assert_eq!(archive.settings(), Some(&settings));
+}
+
+/// Every record says which settings it was made with and since when, also once the logs of the changes
+/// have made room.
+#[test]
+fn the_provenance_of_settings_goes_through_everything() {
+    let flash = MockFlash::<SMALL>::erased(SECTORS);
+    let mut desk = Desk::new();
+    let mut settings = Settings::field_calibrator();
+    let origin = |bytes: &[u8]| record::decode(bytes).expect("a record").provenance;
+    let change = |record_id| LoggedChange {
+        record_id,
+        unix_time_s: u64::from(record_id),
+    };
+    let expected = {
+        let mut archive = desk.open(&flash).expect("opens");
+        let (_, first) = store(&mut archive, 1, 1, &settings).expect("stores");
+        let untouched = Provenance {
+            sha256: settings_digest(&settings),
+            ..Provenance::UNKNOWN
+        };
+        assert_eq!(origin(&first), untouched);
+        settings.reference.due_day = 23;
+        assert_eq!(log_change(&mut archive, 2, &settings), Ok(2));
+        let calibrated = settings_digest(&settings);
+        settings.blocks = 17;
+        assert_eq!(log_change(&mut archive, 3, &settings), Ok(3));
+        Provenance {
+            sha256: settings_digest(&settings),
+            changed: change(3),
+            reference_changed: change(2),
+            sha256_at_reference: calibrated,
+        }
+    };
+    assert!(expected.differs_from_reference());
+    // Restarts, and round the ring.
+    for seed in 0..300 {
+        let mut archive = desk.open(&flash).expect("opens");
+        let (id, bytes) = store(&mut archive, 6, seed, &settings).expect("stores");
+        assert_eq!(origin(&bytes), expected, "{seed}");
+        block_on(archive.release(id)).expect("releases");
+    }
+    let mut archive = desk.open(&flash).expect("opens");
+    assert_eq!(download(&mut archive, 3), Err(Refusal::RecordNotFound));
+    // Changed back they are the same.
+    settings.blocks = Settings::field_calibrator().blocks;
+    let id = log_change(&mut archive, 9, &settings).expect("logs");
+    let (_, bytes) = store(&mut archive, 1, 1, &settings).expect("stores");
+    assert!(!origin(&bytes).differs_from_reference());
+    assert_eq!(origin(&bytes).changed.record_id, id);
+}
+
+/// Once, whoever released records on a board with scales of its own made those of another board the
+/// settings of the next start.
+#[test]
+fn a_release_changes_no_settings() {
+    fn of_another_board() -> Settings {
+        let mut settings = Settings::field_calibrator();
+        settings.dut_input.volt_per_code *= 0.5;
+        settings
+    }
+    let flash = MockFlash::<SMALL>::erased(SECTORS);
+    let mut desk = Desk::new();
+    {
+        let mut archive = desk.open(&flash).expect("opens");
+        archive.memory.factory = of_another_board;
+        block_on(archive.release(7)).expect("releases");
+    }
+    let archive = desk.open(&flash).expect("opens");
+    assert_eq!(archive.settings(), Some(&of_another_board()));
 }
 
 #[test]
@@ -244,7 +311,7 @@ fn a_record_of_the_most_points_with_the_fullest_settings_fits() {
     let flash = MockFlash::<REAL>::erased(SECTORS);
     let mut desk = Desk::new();
     let mut archive = desk.open(&flash).expect("opens");
-    let record = archive.draft();
+    let record = archive.draft(&settings);
     fill(record, 1, 3, &settings);
     let point = result(11.3, 3);
     while record.points.push(point).is_ok() {}
@@ -267,11 +334,12 @@ fn records_come_back_after_any_number_of_settings() {
         let erases = || flash.0.borrow().erases.iter().sum::<u32>();
         while erases() == 0 {
             settings.blocks = 2 + settings.blocks % 60;
-            block_on(archive.store_settings(&settings)).expect("stores");
+            let id = log_change(&mut archive, 1, &settings).expect("logs");
+            block_on(archive.release(id)).expect("releases");
         }
         for seed in 0..12 {
             settings.blocks = 2 + settings.blocks % 60;
-            block_on(archive.store_settings(&settings)).expect("stores");
+            log_change(&mut archive, 1, &settings).expect("logs");
             for points in [1, 2] {
                 stored.push(store(&mut archive, points, seed, &settings).expect("stores"));
             }

@@ -118,11 +118,23 @@ pub fn follow(
 
 /// [`follow`] for who asks the calibrator for other things meanwhile. A request or
 /// two at each look: a stop waits for them. An error of `observe` stops the run as
-/// well, for nobody follows it any more.
+/// well, for nobody follows it any more. Stops meanwhile are for this run alone.
 ///
 /// # Errors
 /// As [`run`], and what `observe` returns.
 pub fn follow_beside<E: From<Error>>(
+    client: &mut Client,
+    record_id: u32,
+    points: &[PointSpec],
+    observe: impl FnMut(&Progress<'_>, &mut Client) -> Result<ControlFlow<()>, E>,
+) -> Result<Outcome, E> {
+    client.stop_for(Some(record_id));
+    let outcome = to_its_end(client, record_id, points, observe);
+    client.stop_for(None);
+    outcome
+}
+
+fn to_its_end<E: From<Error>>(
     client: &mut Client,
     record_id: u32,
     points: &[PointSpec],

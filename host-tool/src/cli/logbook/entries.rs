@@ -194,7 +194,7 @@ fn record_table(records: &[Listed]) -> String {
             when(record.unix_time_s),
             match record.kind {
                 RecordKind::Calibration => cut(&record.sensor_serial, 16),
-                RecordKind::ReferenceChange => "(reference)".to_owned(),
+                RecordKind::ReferenceChange => "(settings)".to_owned(),
             },
             record.points.to_string(),
             record.refused.to_string(),

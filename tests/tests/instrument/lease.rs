@@ -1,0 +1,83 @@
+//! A run whose hosts are silent goes on or ends, as the laboratory chose; and a stop for one run ends no
+//! other.
+
+use calib_core::point::ExcitationKind;
+use calib_core::verdict::{Reason, Verdict};
+use calib_protocol::message::{RunSpec, RunState};
+use calib_protocol::record::RunLabels;
+use calib_tests::bench::{Bench, Fault, point};
+use calib_twin::rig::Rig;
+use std::time::Duration;
+
+/// Granted quiet of the tests.
+const LEASE_S: u16 = 2;
+/// Longer, and shorter than the run.
+const QUIET: Duration = Duration::from_millis(2_500);
+
+/// A run of half a minute.
+fn long_run() -> RunSpec {
+    RunSpec {
+        points: [point(160.0, 10.0); 20].into_iter().collect(),
+        excitation: ExcitationKind::SingleSine,
+        labels: RunLabels::default(),
+    }
+}
+
+#[test]
+fn a_run_whose_hosts_are_silent_goes_on_unless_the_lease_says_otherwise() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.client.start(long_run())?;
+    bench.client.wait(QUIET)?;
+    assert!(bench.client.status()?.state.is_running(), "the default");
+    bench.client.stop()?;
+    bench.client.wait(Duration::from_secs(1))?;
+
+    bench.adjust(|settings| settings.lease_s = LEASE_S)?;
+    bench.client.start(long_run())?;
+    // A word every second keeps it.
+    for _ in 0..4 {
+        bench.client.wait(Duration::from_secs(1))?;
+        assert!(bench.client.status()?.state.is_running());
+    }
+    bench.client.wait(QUIET)?;
+    // Looked at before anything is asked: the supervisor looks every 20 ms, the drive rests a block later.
+    let silent = bench.board().silent_for();
+    let since_lease = QUIET - Duration::from_secs(u64::from(LEASE_S));
+    let earliest = since_lease - Duration::from_millis(60);
+    assert!(
+        silent.is_some_and(|silent| silent >= earliest),
+        "{silent:?}"
+    );
+    let status = bench.client.status()?;
+    assert_eq!(status.state, RunState::Stopped);
+    let last = bench.client.point(status.point)?.ok_or("no result")?;
+    assert_eq!(last.verdict, Verdict::Refused(Reason::HostsSilent));
+    Ok(())
+}
+
+#[test]
+fn a_tap_on_the_button_starts_a_run_without_a_lease() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.adjust(|settings| settings.lease_s = LEASE_S)?;
+    bench.under_a_hand(|_| Ok(()))?;
+    bench.client.wait(QUIET)?;
+    assert!(bench.client.status()?.state.is_running());
+    Ok(())
+}
+
+#[test]
+fn a_stop_for_one_run_ends_no_other() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let first = bench.run(&[point(160.0, 10.0)])?.record_id;
+    let second = bench.client.start(long_run())?;
+    bench.client.wait(Duration::from_millis(500))?;
+    // It comes late.
+    bench.client.stop_for(Some(first));
+    bench.client.stop()?;
+    bench.client.wait(Duration::from_millis(200))?;
+    assert!(bench.client.status()?.state.is_running());
+    bench.client.stop_for(Some(second));
+    bench.client.stop()?;
+    bench.expect_silence(Duration::from_millis(40))?;
+    Ok(())
+}
