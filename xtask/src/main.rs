@@ -6,6 +6,7 @@
 mod bench;
 mod browser;
 mod demo;
+mod deny;
 mod elf;
 mod fuzz;
 mod hitl;
@@ -29,6 +30,7 @@ usage: ./run <command>
                     (options go to `calib demo`: --out DIR, --seed N, --json)
   test [FILTER]     format, lints and every test there is
   bench [NAME]      benchmark tables, also written to target/bench/NAME.json
+  deny              licences, sources and known weaknesses of every dependency (fetches a list)
   elf [BOARD]       build the firmware image, for one of firmware/boards
   no-panic [BOARD]  look for panics in what calib-core became in the image
   program [BOARD]   build the image and put it on the board at the ST-LINK (needs probe-rs)
@@ -52,6 +54,7 @@ fn main() -> Result<()> {
         "demo" => demo::run(rest),
         "test" | "ci" => test::run(rest),
         "bench" => bench::run(rest),
+        "deny" => deny::check_all(),
         "elf" => elf::build_for(board).map(|path| println!("{}", path.display())),
         "program" => program::run(board),
         "hitl" => hitl::run(rest),

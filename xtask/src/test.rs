@@ -1,7 +1,7 @@
 //! Every test there is, in the order that fails soonest.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{browser, demo, elf, ngspice, no_panic, python, tshark};
+use crate::{browser, demo, deny, elf, ngspice, no_panic, python, tshark};
 use anyhow::{Context, Result, bail};
 
 /// Format, lints, images, tool, tests. With a filter: only tests of that name.
@@ -23,7 +23,11 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     tests
         .env("CALIB_FIRMWARE_ELF", image)
         .env("CALIB_TOOL", demo::tool());
-    if let Some(interpreter) = python::interpreter()? {
+    let interpreter = python::interpreter()?;
+    if filter.is_empty() {
+        deny::check_offline(interpreter.as_deref())?;
+    }
+    if let Some(interpreter) = interpreter {
         tests.env("CALIB_PYTHON", interpreter);
     }
     if let Some(tshark) = tshark::program()? {
