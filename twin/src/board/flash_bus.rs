@@ -6,6 +6,9 @@
 //! precise bus fault, and noted by the flash interface. A load from a bank at work gets its data, and
 //! the core does nothing more until the work is done; so does one that is to fetch from it.
 //!
+//! An access of the core to the areas of code and SRAM where there is no memory is a bus fault too, which
+//! the emulator by itself lets pass: a stack that overflows is noticed at once, as on the part.
+//!
 //! Loads of DMA controllers are not held up, and fetches are asked about between stretches of at most
 //! [`LOOK`] instructions.
 
@@ -16,6 +19,7 @@ use rigless::emulator::{
     Access, AccessKind, BitAlias, Checked, CoreBus, DataModel, Error, Exit, HaltReason, HostCall,
     InterruptLine, Processor, Queued,
 };
+use rigless::soc::stm32h743::MEMORY;
 use rigless::soc::{Endian, Width};
 use rigless::time::VirtualNanos;
 
@@ -23,6 +27,16 @@ use super::flash::{FlashWatch, bank_of, bank_range};
 
 /// Instructions between two looks at where the core fetches from, while bank 1 is at work.
 const LOOK: u32 = 64;
+
+/// First address behind the areas of code and SRAM (ARMv7-M, B3.1): below there are memories alone.
+const PERIPHERALS: u64 = 0x4000_0000;
+
+/// Whether nothing answers at an address of the areas for memories (RM0433 Rev 9, table 7).
+fn is_nowhere(address: u64) -> bool {
+    let mut memories = MEMORY.iter();
+    address < PERIPHERALS
+        && !memories.any(|memory| (memory.base..memory.base + memory.size).contains(&address))
+}
 
 /// A core whose loads from flash are looked at.
 #[derive(Debug)]
@@ -73,6 +87,9 @@ struct Looked<'b> {
 
 impl CoreBus for Looked<'_> {
     fn access(&mut self, access: Access, from_code: bool) -> Option<u64> {
+        if is_nowhere(access.address) {
+            return None;
+        }
         if access.kind == AccessKind::Read
             && let Some(bank) = bank_of(access.address)
         {
