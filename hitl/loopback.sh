@@ -10,7 +10,7 @@ failed=0
 
 look() {
   printf '\n== calib %s\n' "$*"
-  "$CALIB" --device "$DEVICE" "$@" || { failed=$((failed + 1)); printf '== FAILED with %d\n' "$?"; }
+  "$CALIB" --device "$DEVICE" "$@" || { printf '== FAILED with %d\n' "$?"; failed=$((failed + 1)); }
 }
 
 look doctor

@@ -154,13 +154,13 @@ fn words(check: Check) -> (&'static str, &'static str, &'static str) {
             "put the image on the board again: `./run program`; if it comes back, replace the board",
         ),
         Check::FlashCorrected => (
-            "words of the records that are mended at each read",
+            "record words mended at each read",
             "1",
             "download and release the records, so that their sector is erased; if it comes back, the flash \
              wears out: replace the board",
         ),
         Check::FlashUnreadable => (
-            "words of the records that cannot be read",
+            "record words that cannot be read",
             "1",
             "each power cut while something is stored leaves one: download and release the records, so that \
              their sector is erased; if they come back, replace the board",
