@@ -101,6 +101,11 @@ const BENCHES: &[Bench] = &[
         what: "emulator, rig, correlation on this computer, image size, settling",
     },
     Bench {
+        name: "stop",
+        example: "bench_stop",
+        what: "from STOP to the calibrator's link, by what is in the way, and to a drive at rest: [TRIES]",
+    },
+    Bench {
         name: "target",
         example: "bench_target",
         what: "instructions and times on the Cortex-M7, beside idsp and the limits",

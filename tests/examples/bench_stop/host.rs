@@ -1,0 +1,142 @@
+//! The server of the page, and what is put in the way of a stop.
+
+use calib_tests::bench::Fault;
+use calib_tests::served::Served;
+use serde_json::Value;
+use std::io::{Read, Write};
+use std::net::TcpStream;
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+/// Longest wait for an answer.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// The server under attack.
+pub(crate) struct Host {
+    _served: Served,
+    /// Where its page is, and where its stops.
+    pub(crate) page: String,
+    pub(crate) stops: String,
+}
+
+impl Host {
+    pub(crate) fn start(folder: &Path, device: &str) -> Result<Self, Fault> {
+        let served = Served::start(folder, &["--device", device])?;
+        let page = served.url.trim_start_matches("http://").to_owned();
+        let page = page.split('/').next().ok_or("no host")?.to_owned();
+        let mut host = Self {
+            _served: served,
+            page,
+            stops: String::new(),
+        };
+        let port = host.state()?["stop_port"].as_u64().ok_or("no port")?;
+        host.stops = format!("127.0.0.1:{port}");
+        Ok(host)
+    }
+
+    pub(crate) fn state(&self) -> Result<Value, Fault> {
+        Ok(serde_json::from_str(
+            &self.ask(&self.page, "GET /api/state", "")?.1,
+        )?)
+    }
+
+    /// Status and body of a request over a connection of its own.
+    pub(crate) fn ask(&self, host: &str, line: &str, body: &str) -> Result<(u16, String), Fault> {
+        let mut stream = TcpStream::connect(host)?;
+        stream.set_read_timeout(Some(PATIENCE))?;
+        stream.set_nodelay(true)?;
+        let length = body.len();
+        let request = format!(
+            "{line} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\nContent-Type: application/json\r\n\
+             Content-Length: {length}\r\n\r\n{body}"
+        );
+        stream.write_all(request.as_bytes())?;
+        let mut answer = String::new();
+        stream.read_to_string(&mut answer)?;
+        let status = answer.split(' ').nth(1).ok_or("no status")?.parse()?;
+        let body = answer.split_once("\r\n\r\n").map_or("", |(_, body)| body);
+        Ok((status, body.to_owned()))
+    }
+
+    /// A page that was opened, and whose browser reads nothing any more.
+    fn sleeping_page(&self) -> Result<TcpStream, Fault> {
+        let mut stream = TcpStream::connect(&self.page)?;
+        let host = &self.page;
+        let request = format!(
+            "GET /api/live HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\nConnection: Upgrade\r\n\
+             Upgrade: websocket\r\nSec-WebSocket-Version: 13\r\n\
+             Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n"
+        );
+        stream.write_all(request.as_bytes())?;
+        let mut answer = [0; 12];
+        stream.read_exact(&mut answer)?;
+        match &answer == b"HTTP/1.1 101" {
+            true => Ok(stream),
+            false => Err("the server opens no channel".into()),
+        }
+    }
+}
+
+/// What is in the way, as long as it is kept.
+#[derive(Default)]
+pub(crate) struct Obstacles {
+    connections: Vec<TcpStream>,
+    logbook: Option<rusqlite::Connection>,
+    load: Option<Load>,
+}
+
+impl Obstacles {
+    pub(crate) fn pages(&mut self, host: &Host, count: usize) -> Result<(), Fault> {
+        for _ in 0..count {
+            self.connections.push(host.sleeping_page()?);
+        }
+        Ok(())
+    }
+
+    /// Half of them on each port.
+    pub(crate) fn idle(&mut self, host: &Host, count: usize) -> Result<(), Fault> {
+        for number in 0..count {
+            let to = [&host.page, &host.stops][number % 2];
+            self.connections.push(TcpStream::connect(to)?);
+        }
+        Ok(())
+    }
+
+    pub(crate) fn lock(&mut self, logbook: &Path) -> Result<(), Fault> {
+        let connection = rusqlite::Connection::open(logbook)?;
+        connection.execute_batch("BEGIN EXCLUSIVE")?;
+        self.logbook = Some(connection);
+        Ok(())
+    }
+
+    /// Twice as many threads as there are cores, that never rest.
+    pub(crate) fn load(&mut self) {
+        self.load = Some(Load::new());
+    }
+}
+
+struct Load(Arc<AtomicBool>);
+
+impl Load {
+    fn new() -> Self {
+        let ended = Arc::new(AtomicBool::new(false));
+        let cores = std::thread::available_parallelism().map_or(2, usize::from);
+        for _ in 0..2 * cores {
+            let ended = Arc::clone(&ended);
+            std::thread::spawn(move || {
+                while !ended.load(Ordering::Relaxed) {
+                    std::hint::spin_loop();
+                }
+            });
+        }
+        Self(ended)
+    }
+}
+
+impl Drop for Load {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}

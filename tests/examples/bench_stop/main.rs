@@ -1,0 +1,224 @@
+//! `./run bench stop [TRIES]`: how long a stop takes from the request of a page to the calibrator's link, by
+//! what is in its way, and from there to a drive at rest.
+//!
+//! The first part is measured by the clock of this computer, the program as it ships with a calibrator of
+//! this bench behind a TCP port; the second in virtual time, with the shipping image.
+
+mod device;
+mod host;
+mod instrument;
+
+use calib_tests::bench::Fault;
+use device::{Device, Way};
+use host::{Host, Obstacles};
+use rand_chacha::ChaCha20Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Stops of a situation, unless said otherwise.
+const TRIES: usize = 100;
+/// Longest wait for a run to begin.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// What is in the way of a stop.
+struct Situation {
+    name: &'static str,
+    way: Way,
+    prepare: fn(&mut Obstacles, &Host, &Path) -> Result<(), Fault>,
+}
+
+impl Situation {
+    /// Longest time to the link without an alarm.
+    fn promised(&self) -> Duration {
+        Duration::from_millis(match self.way {
+            Way::Plain => 200,
+            Way::Drip | Way::OldFrames => 500,
+        })
+    }
+}
+
+const SITUATIONS: [Situation; 8] = [
+    Situation {
+        name: "nothing",
+        way: Way::Plain,
+        prepare: |_, _, _| Ok(()),
+    },
+    Situation {
+        name: "ten pages, asleep",
+        way: Way::Plain,
+        prepare: |obstacles, host, _| obstacles.pages(host, 10),
+    },
+    Situation {
+        name: "1 100 idle connections",
+        way: Way::Plain,
+        prepare: |obstacles, host, _| obstacles.idle(host, 1100),
+    },
+    Situation {
+        name: "locked logbook",
+        way: Way::Plain,
+        prepare: |obstacles, _, logbook| obstacles.lock(logbook),
+    },
+    Situation {
+        name: "busy computer",
+        way: Way::Plain,
+        prepare: |obstacles, _, _| {
+            obstacles.load();
+            Ok(())
+        },
+    },
+    Situation {
+        name: "all of these",
+        way: Way::Plain,
+        prepare: |obstacles, host, logbook| {
+            obstacles.pages(host, 10)?;
+            obstacles.idle(host, 1100)?;
+            obstacles.lock(logbook)?;
+            obstacles.load();
+            Ok(())
+        },
+    },
+    Situation {
+        name: "link drips, 0.6 s a byte",
+        way: Way::Drip,
+        prepare: |_, _, _| Ok(()),
+    },
+    Situation {
+        name: "device repeats old answers",
+        way: Way::OldFrames,
+        prepare: |_, _, _| Ok(()),
+    },
+];
+
+/// Times of a situation.
+#[derive(Default)]
+struct Times {
+    /// To the calibrator's link.
+    arrived: Vec<Duration>,
+    /// To what the page is told.
+    told: Vec<Duration>,
+    confirmed: usize,
+    alarms: usize,
+    /// Neither stopped nor an alarm.
+    silent_failures: usize,
+}
+
+fn main() -> Result<(), Fault> {
+    let tries = std::env::args().nth(1).map(|text| text.parse());
+    let tries = tries.transpose()?.unwrap_or(TRIES);
+    println!(
+        "{tries} stops each, ms\n\n{:<28}{:>9}{:>9}{:>11}{:>9}{:>11}{:>8}",
+        "in the way", "median", "worst", "told in", "worst", "confirmed", "alarms"
+    );
+    let mut rows = Vec::new();
+    for situation in &SITUATIONS {
+        let times = measure(situation, tries)?;
+        rows.push(row(situation, times)?);
+    }
+    let [median, worst] = spread(&mut instrument::times(tries)?);
+    println!("\nfrom the line to a drive at rest: median {median:.1} ms, worst {worst:.1} ms");
+    rows.push(serde_json::json!({
+        "situation": "instrument", "median_ms": median, "worst_ms": worst,
+    }));
+    if let Some(path) = std::env::var_os("CALIB_BENCH_JSON") {
+        std::fs::write(path, serde_json::to_string_pretty(&rows)?)?;
+    }
+    Ok(())
+}
+
+fn measure(situation: &Situation, tries: usize) -> Result<Times, Fault> {
+    let folder = tempfile::tempdir()?;
+    let device = Device::listen()?;
+    let host = Host::start(folder.path(), &device.address)?;
+    until("connected", || Ok(host.state()?["link"] == "connected"))?;
+    let mut obstacles = Obstacles::default();
+    (situation.prepare)(&mut obstacles, &host, &folder.path().join("logbook.sqlite"))?;
+    let mut draws = ChaCha20Rng::seed_from_u64(18);
+    let mut times = Times::default();
+    for _ in 0..tries {
+        device.behave(Way::Plain);
+        until("running", || begun(&host, &device))?;
+        device.behave(situation.way);
+        std::thread::sleep(Duration::from_millis(u64::from(draws.next_u32() % 300)));
+        times.stop(&host, &device, situation.promised())?;
+    }
+    device.behave(Way::Plain);
+    Ok(times)
+}
+
+/// Asks for a run; a link that was lost in the try before may not be there again yet.
+fn begun(host: &Host, device: &Device) -> Result<bool, Fault> {
+    let start = r#"{"frequencies_hz": [160]}"#;
+    let asked = host.ask(&host.page, "POST /api/run", start)?.0 == 202;
+    for _ in 0..100 {
+        if device.is_running() {
+            return Ok(true);
+        }
+        if !asked {
+            return Ok(false);
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    Ok(false)
+}
+
+impl Times {
+    fn stop(&mut self, host: &Host, device: &Device, promised: Duration) -> Result<(), Fault> {
+        let begun = Instant::now();
+        let (status, _) = host.ask(&host.stops, "POST /api/stop", "{}")?;
+        self.told.push(begun.elapsed());
+        match status {
+            200 => self.confirmed += 1,
+            504 => self.alarms += 1,
+            _ => {}
+        }
+        // An alarm does not mean that it never comes.
+        until("stopped", || Ok(device.stopped_at().is_some()))?;
+        let stopped = device.stopped_at().ok_or("never stopped")?;
+        let arrived = stopped.saturating_duration_since(begun);
+        let late = arrived > promised && status != 504;
+        self.silent_failures += usize::from(late || ![200, 504].contains(&status));
+        self.arrived.push(arrived);
+        Ok(())
+    }
+}
+
+fn row(situation: &Situation, mut times: Times) -> Result<serde_json::Value, Fault> {
+    let [median, worst] = spread(&mut times.arrived);
+    let [told, told_worst] = spread(&mut times.told);
+    println!(
+        "{:<28}{median:>9.1}{worst:>9.1}{told:>11.1}{told_worst:>9.1}{:>11}{:>8}",
+        situation.name, times.confirmed, times.alarms
+    );
+    let most = situation.promised();
+    if times.silent_failures > 0 {
+        return Err(format!(
+            "{}: {} stops came later than {most:?} without an alarm",
+            situation.name, times.silent_failures
+        )
+        .into());
+    }
+    Ok(serde_json::json!({
+        "situation": situation.name, "median_ms": median, "worst_ms": worst,
+        "told_median_ms": told, "told_worst_ms": told_worst,
+        "confirmed": times.confirmed, "alarms": times.alarms,
+    }))
+}
+
+/// Median and worst, ms.
+fn spread(times: &mut [Duration]) -> [f64; 2] {
+    times.sort_unstable();
+    let ms = |time: Option<&Duration>| time.map_or(f64::NAN, |time| 1e3 * time.as_secs_f64());
+    [ms(times.get(times.len() / 2)), ms(times.last())]
+}
+
+fn until(what: &str, is: impl Fn() -> Result<bool, Fault>) -> Result<(), Fault> {
+    let begun = Instant::now();
+    while !is()? {
+        if begun.elapsed() > PATIENCE {
+            return Err(format!("not {what} within {PATIENCE:?}").into());
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    Ok(())
+}
