@@ -127,7 +127,7 @@ fn one(bench: &mut Option<Bench>, seed: u64) -> Result<Tally, Fault> {
     bench.adjust(|settings| {
         settings.reference.points = draw.certificate.iter().map(reference_point).collect();
         settings.influences = stated_budget();
-        // Nothing else is wrong with the rigs drawn here; the converters have no steps.
+        // Nothing else is wrong with the rigs drawn here, but for what dither leaves of the converters: a tenth of U.
         settings.point_influences = PointInfluences {
             relative_motion_at_10_khz_rel: MOTION_AT_10_KHZ_REL as f32,
             ..PointInfluences::NONE

@@ -173,6 +173,8 @@ fn emulate(
 /// rig; being known, it is taken out of the rows again.
 fn believed_rig(nominal: &Nominal, setting: &Setting) -> Rig {
     let mut rig = Rig::standard();
+    // Nobody believes in an error of his converters.
+    (rig.converter.errors, rig.converter.dither_peak_v) = (0.0, 0.0);
     let exciter = &nominal.exciter;
     rig.exciter.moving_mass_kg = exciter.moving_mass_kg.value;
     rig.exciter.stiffness_n_per_m = exciter.stiffness_n_per_m.value;
