@@ -11,9 +11,16 @@ const RATE_HZ: f32 = 50_000.0;
 /// From mounting to asking for the run: longer than the instrument listens.
 const RESTED: Duration = Duration::from_millis(1500);
 
+/// The standard rig with ideal converters.
+fn ideal() -> Rig {
+    let mut rig = Rig::standard();
+    (rig.converter.errors, rig.converter.dither_peak_v) = (0.0, 0.0);
+    rig
+}
+
 /// An instrument that is told the truth about its reference, with ideal converters: what is off is hum.
 fn bench() -> Result<Bench, Fault> {
-    let rig = Rig::standard();
+    let rig = ideal();
     let mut bench = Bench::with_rig(&rig)?;
     bench.certify_reference(&true_certificate(&rig))?;
     bench.adjust(|settings| settings.point_influences.converter_step_v = 0.0)?;
@@ -36,7 +43,7 @@ fn measure(
     hz: f32,
     ms2: f32,
 ) -> Result<Outcome, Fault> {
-    let mut rig = Rig::standard();
+    let mut rig = ideal();
     rig.surroundings.mains_hz = mains_hz;
     if !hum.is_empty() {
         rig.effects.push(hum.parse()?);

@@ -141,8 +141,8 @@ fn flash_that_wears_out_is_named_by_where_it_is() -> Result<(), Fault> {
     let worn = found(&mut bench, &[weak(erased + 64)])?;
     assert_eq!(worn, [ImageErrors, FlashCorrected, FlashUnreadable]);
     // The board restarts and measures on all that.
-    assert_eq!(bench.client.records()?.len(), 1);
-    // The words of the only record: from the first item of the first sector on.
+    assert_eq!(bench.client.records()?.len(), 2);
+    // The words of both, the change of the settings and the run: from the first item of the first sector on.
     let flash = bench.board().record_flash()?;
     let stored = flash
         .chunks(32)
