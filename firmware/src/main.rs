@@ -36,10 +36,12 @@ use defmt_rtt as _;
 
 #[cfg(target_os = "none")]
 #[embassy_executor::main]
-#[cfg_attr(feature = "hitl", allow(unused_variables))]
 async fn main(spawner: embassy_executor::Spawner) {
     #[cfg(feature = "hitl")]
-    on_target::run().await;
+    {
+        let _ = spawner;
+        on_target::run().await;
+    }
     #[cfg(not(feature = "hitl"))]
     start::start(spawner).await;
 }
