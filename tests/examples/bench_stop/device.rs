@@ -1,10 +1,11 @@
 //! A calibrator that notes when a stop reaches it, behind a TCP port that can misbehave.
 
 use calib_core::settings::Settings;
-use calib_protocol::frame::{Frame, MAX_FRAME, PROTOCOL_VERSION, Receiver, encode};
+use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
 use calib_protocol::health::Health;
-use calib_protocol::message::{Info, Refusal, Request, ResetCause, Response, RunState, Status};
+use calib_protocol::message::{Refusal, Request, Response, RunState, Status};
 use calib_tests::bench::Fault;
+use calib_tests::hostile::info;
 use std::io::{Read, Write};
 use std::net::{TcpListener, TcpStream};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -178,20 +179,4 @@ fn stop(state: &mut State) -> Response {
         state.stopped_at = Some(Instant::now());
     }
     Response::Done
-}
-
-fn info() -> Info {
-    Info {
-        protocol_version: PROTOCOL_VERSION,
-        firmware_version: heapless::String::new(),
-        git_hash: heapless::String::new(),
-        serial: heapless::String::new(),
-        sample_rate_hz: 50_000.0,
-        reset_cause: ResetCause::PowerOn,
-        last_panic: None,
-        records: 0,
-        uptime_ms: 0,
-        stack_unused_bytes: 0,
-        instrument_temperature_c: None,
-    }
 }

@@ -214,6 +214,23 @@ impl Notes {
     }
 }
 
+/// What a pretended calibrator says of itself.
+pub fn info() -> Info {
+    Info {
+        protocol_version: PROTOCOL_VERSION,
+        firmware_version: heapless::String::new(),
+        git_hash: heapless::String::new(),
+        serial: heapless::String::new(),
+        sample_rate_hz: 50_000.0,
+        reset_cause: ResetCause::PowerOn,
+        last_panic: None,
+        records: 0,
+        uptime_ms: 0,
+        stack_unused_bytes: 0,
+        instrument_temperature_c: None,
+    }
+}
+
 /// The result of a future that never waits.
 fn now<T>(future: impl Future<Output = T>) -> T {
     match pin!(future).poll(&mut Context::from_waker(Waker::noop())) {
@@ -228,19 +245,7 @@ impl Instrument for Notes {
     }
 
     fn info(&mut self) -> Info {
-        Info {
-            protocol_version: PROTOCOL_VERSION,
-            firmware_version: heapless::String::new(),
-            git_hash: heapless::String::new(),
-            serial: heapless::String::new(),
-            sample_rate_hz: 50_000.0,
-            reset_cause: ResetCause::PowerOn,
-            last_panic: None,
-            records: 0,
-            uptime_ms: 0,
-            stack_unused_bytes: 0,
-            instrument_temperature_c: None,
-        }
+        info()
     }
 
     fn health(&mut self) -> Health {

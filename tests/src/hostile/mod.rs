@@ -14,7 +14,7 @@ mod records;
 mod seeds;
 
 pub use client::client;
-pub use commands::{Heard, commands, heard};
+pub use commands::{Heard, commands, heard, info};
 pub use frames::{Whole, framed, frames, whole_frames};
 pub use mutate::Mutator;
 pub use records::records;

@@ -1,15 +1,13 @@
 //! `calib assure SERIAL`: a check standard against its own results, before a job is begun.
 
+use super::history::plot;
 use crate::cli::{Context, number::positive};
-use calib_host::{Error, Result, terminal};
+use calib_host::{Error, Result};
 use calib_logbook::History;
 use calib_metrology::control_chart::{ControlChart, FEWEST, Signal, control_chart, e_n};
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// Columns and rows of the plot.
-const SIZE: (usize, usize) = (80, 12);
 
 /// `calib assure SERIAL`.
 #[derive(Debug, Args)]
@@ -118,11 +116,7 @@ impl Assure {
 fn text(assurance: &Assurance, history: &History) -> String {
     let mv = |value: f64| format!("{:.5}", 1000.0 * value);
     let mut lines = vec![
-        format!(
-            "{} at {} Hz, change from the first in %, bars are U",
-            assurance.dut_serial, assurance.frequency_hz
-        ),
-        terminal::show_history(history, SIZE.0, SIZE.1),
+        plot(history),
         format!(
             "record {}: {} mV/(m/s2), limits {} to {} by {} results before",
             assurance.logbook_record,

@@ -50,6 +50,16 @@ impl History {
     }
 }
 
+/// The results over time with U, under a heading.
+pub(super) fn plot(history: &Drift) -> String {
+    format!(
+        "{} at {} Hz, change from the first in %, bars are U\n{}",
+        history.sensor,
+        history.frequency_hz,
+        terminal::show_history(history, SIZE.0, SIZE.1)
+    )
+}
+
 fn text(history: &Drift) -> String {
     let mut table = Table::new(&["measured", "record", "mV/(m/s2)", "U/%", "drift/%", ""]);
     for result in &history.results {
@@ -66,10 +76,5 @@ fn text(history: &Drift) -> String {
             },
         ]);
     }
-    format!(
-        "{} at {} Hz, change from the first in %, bars are U\n{}\n{table}",
-        history.sensor,
-        history.frequency_hz,
-        terminal::show_history(history, SIZE.0, SIZE.1)
-    )
+    format!("{}\n{table}", plot(history))
 }
