@@ -12,6 +12,7 @@ use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, SettingsChange, Status,
 };
 use calib_protocol::record::{RecordSummary, RunLabels};
+use calib_protocol::signature::DeviceKey;
 use heapless::Vec;
 
 /// Part of a stored record.
@@ -75,6 +76,10 @@ pub trait Instrument {
     async fn self_test(&mut self) -> Result<Vec<Line, MAX_LINES>, Refusal>;
     /// Whether a hand is on the button. That was what its press was for: letting go has no effect.
     fn button_held(&mut self) -> bool;
+    /// The public key, once there is one.
+    async fn key(&mut self) -> Result<Option<DeviceKey>, Refusal>;
+    /// Makes the key.
+    async fn make_key(&mut self) -> Result<(), Refusal>;
     /// Logs new settings and takes them into force.
     async fn change_settings(&mut self, change: &SettingsChange) -> Result<(), Refusal>;
 }
@@ -147,7 +152,25 @@ async fn carry_out(
         Request::SelfTest => Response::SelfTest {
             lines: instrument.self_test().await?,
         },
+        Request::Key => Response::Key(instrument.key().await?),
+        Request::MakeKey => {
+            make_key(instrument).await?;
+            Response::Key(instrument.key().await?)
+        }
     })
+}
+
+/// The key of an instrument is made once, under a hand.
+async fn make_key(instrument: &mut impl Instrument) -> Result<(), Refusal> {
+    // Asked first: a press for a key that is there already is no tap either.
+    let held = instrument.button_held();
+    if instrument.key().await?.is_some() {
+        return Err(Refusal::KeyExists);
+    }
+    match held {
+        true => instrument.make_key().await,
+        false => Err(Refusal::ButtonNotHeld),
+    }
 }
 
 /// There is no setting that shapes neither a result, nor its uncertainty, nor a

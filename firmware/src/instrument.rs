@@ -17,6 +17,7 @@ use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::health::{Deadline, Defect, Health, Work};
 use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, SettingsChange, Status};
+use calib_protocol::signature::DeviceKey;
 use core::sync::atomic::Ordering;
 use embassy_time::{Duration, Instant, Timer, with_timeout};
 use heapless::Vec;
@@ -196,6 +197,17 @@ impl Instrument for Calibrator {
         let held = state::BUTTON_HELD.load(Ordering::Relaxed);
         state::BUTTON_USED.fetch_or(held, Ordering::Relaxed);
         held
+    }
+
+    async fn key(&mut self) -> Result<Option<DeviceKey>, Refusal> {
+        self.archive.key()
+    }
+
+    async fn make_key(&mut self) -> Result<(), Refusal> {
+        if state::status().state.is_running() {
+            return Err(Refusal::Busy);
+        }
+        self.archive.make_key().await
     }
 
     async fn change_settings(&mut self, change: &SettingsChange) -> Result<(), Refusal> {

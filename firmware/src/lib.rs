@@ -14,6 +14,7 @@ pub mod archive;
 pub mod button;
 pub mod capture;
 pub mod command;
+pub mod device_key;
 pub mod lamps;
 pub mod lease;
 pub mod link;

@@ -212,6 +212,7 @@ mod tests {
     use calib_protocol::health::Health;
     use calib_protocol::message::{Info, RunSpec, SettingsChange, Status};
     use calib_protocol::record::RunLabels;
+    use calib_protocol::signature::DeviceKey;
     use core::future::Future;
     use core::pin::pin;
     use core::task::{Context, Poll, Waker};
@@ -273,6 +274,12 @@ mod tests {
         }
         fn button_held(&mut self) -> bool {
             false
+        }
+        async fn key(&mut self) -> Result<Option<DeviceKey>, Refusal> {
+            Ok(None)
+        }
+        async fn make_key(&mut self) -> Result<(), Refusal> {
+            unreachable!("nobody holds the button")
         }
         async fn change_settings(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
             unreachable!("nobody holds the button")

@@ -2,9 +2,9 @@
 //!
 //! | request | from the holder | from the other link |
 //! |---|---|---|
-//! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`, `ReadCapture`, `Health`) | answered | answered |
+//! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`, `ReadCapture`, `Health`, `Key`) | answered | answered |
 //! | `Stop`, `StopRun` | carried out | carried out: anyone may silence the exciter |
-//! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`, `Capture`, `SelfTest`) | carried out | refused |
+//! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`, `Capture`, `SelfTest`, `MakeKey`) | carried out | refused |
 //!
 //! The first link that asks for a change takes the session. It keeps it while
 //! it goes on asking for anything, and loses it after [`PATIENCE_MS`] of quiet
@@ -70,7 +70,8 @@ fn changes(request: &Request) -> bool {
         | Request::Reset
         | Request::Release { .. }
         | Request::Capture { .. }
-        | Request::SelfTest => true,
+        | Request::SelfTest
+        | Request::MakeKey => true,
         Request::Info
         | Request::Status
         | Request::Point { .. }
@@ -80,7 +81,8 @@ fn changes(request: &Request) -> bool {
         | Request::ReadRecord { .. }
         | Request::SettingsRead
         | Request::ReadCapture { .. }
-        | Request::Health => false,
+        | Request::Health
+        | Request::Key => false,
     }
 }
 

@@ -69,8 +69,8 @@ pub(crate) async fn start(spawner: Spawner) {
         );
     }
 
-    static ARCHIVE: SharedArchive = SharedArchive::new();
-    let archive = &ARCHIVE;
+    static ARCHIVE: StaticCell<SharedArchive> = StaticCell::new();
+    let archive: &'static SharedArchive = ARCHIVE.init(SharedArchive::new(board.random));
     let instrument = |link| Calibrator {
         link,
         identity,

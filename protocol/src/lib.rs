@@ -25,6 +25,7 @@ pub mod provenance;
 pub mod record;
 pub mod sections;
 pub mod settings_form;
+pub mod signature;
 pub mod stored;
 pub mod stored_point;
 pub mod text;

@@ -18,10 +18,13 @@
 //! | `Health` | `Health` | health/get |
 //! | `SelfTest` | `SelfTest` or `Refused` | device/self-test |
 //! | `StopRun` | `Done` | run/stop |
+//! | `Key` | `Key` or `Refused` | key/get |
+//! | `MakeKey` | `Key` or `Refused` | key/make |
 
 use crate::capture::CapturePart;
 use crate::health::{Defects, Health};
 use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
+use crate::signature::DeviceKey;
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
@@ -100,6 +103,11 @@ pub enum Request {
         /// Running number of its record, as `Started` told it.
         record_id: u32,
     },
+    /// The public key of the instrument.
+    Key,
+    /// Make the key of the instrument, which signs every record from then on. It needs the button held, and
+    /// an instrument has one key in its life.
+    MakeKey,
 }
 
 /// Answer of the calibrator.
@@ -157,6 +165,8 @@ pub enum Response {
         /// What was looked at, in the order of [`calib_core::self_test::Check`].
         lines: Vec<Line, MAX_LINES>,
     },
+    /// Answer to `Key` and `MakeKey`; none: the instrument signs nothing.
+    Key(Option<DeviceKey>),
 }
 
 /// Protocol version in an `Info` answer of any version, from its message bytes.
@@ -217,6 +227,10 @@ pub enum Refusal {
     /// A condition said for the run cannot be true: a temperature outside of -55 to
     /// 200 degrees Celsius.
     Conditions,
+    /// The instrument has a key, and keeps it.
+    KeyExists,
+    /// The generator of random numbers gives none: no key was made.
+    NoRandomness,
 }
 
 /// New settings, and what the log of a change says of it.

@@ -17,6 +17,7 @@
 //! | 5 | before | channel of the reference before a change: [`crate::change`] |
 //! | 6 | all before | all settings before a change |
 //! | 7 | provenance | [`Provenance`] of the settings |
+//! | 8 | signature | [`crate::signature::Signature`] of the instrument, the last of all |
 //!
 //! The head comes first. Records of version 1 had no sections: they are read, and written no more.
 
@@ -272,6 +273,12 @@ fn open(bytes: &[u8]) -> Result<Content<'_>, RecordError> {
 /// number is damage and no version.
 pub fn check(bytes: &[u8]) -> Result<(), RecordError> {
     open(bytes).map(drop)
+}
+
+/// Sections of a record of any kind; none of one that was made before there were any.
+pub(crate) fn sections_of(bytes: &[u8]) -> Result<Option<&[u8]>, RecordError> {
+    let content = open(bytes)?;
+    Ok((content.form == Form::Sections).then_some(content.bytes))
 }
 
 /// Content of a record of this kind.

@@ -98,6 +98,8 @@ fn the_table_lists_every_request_with_its_number() {
         Request::Health,
         Request::SelfTest,
         Request::StopRun { record_id: 0 },
+        Request::Key,
+        Request::MakeKey,
     ];
     assert_eq!(rows("request"), requests.each_ref().map(variant));
     expect_no_more::<Request>(requests.len());
@@ -137,6 +139,7 @@ fn the_table_lists_every_answer_with_its_number() {
         Response::SelfTest {
             lines: heapless::Vec::new(),
         },
+        Response::Key(None),
     ];
     assert_eq!(rows("answer"), answers.each_ref().map(variant));
     expect_no_more::<Response>(answers.len());
@@ -162,6 +165,8 @@ fn the_table_lists_every_reason_with_its_number() {
         Refusal::ChannelsNotAligned,
         Refusal::Degraded(Defects::NONE),
         Refusal::Conditions,
+        Refusal::KeyExists,
+        Refusal::NoRandomness,
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     expect_no_more::<Refusal>(reasons.len());

@@ -37,10 +37,12 @@ pub use layout::{MAX_ITEM, SECTORS};
 pub use located::LastAccess;
 pub use state::State;
 
+use crate::device_key::DeviceKey;
 use calib_core::settings::Settings;
 use calib_protocol::message::Refusal;
 use calib_protocol::provenance::LoggedChange;
 use calib_protocol::record::{Record, RecordKind};
+use calib_protocol::signature::{DeviceKey as PublicDeviceKey, Message, Signature};
 use calib_protocol::stored::{self, settings_mark};
 use core::ops::Range;
 use embassy_futures::yield_now;
@@ -148,6 +150,10 @@ pub struct Archive<'m, F: CheckedFlash> {
     end: Option<u32>,
     /// Record whose full encoding is in the scratch memory, and its length.
     unpacked: Option<(u32, u32)>,
+    /// Signs every record, once there is one.
+    key: Option<DeviceKey>,
+    /// The last signature, and what it is of.
+    signed: Option<(Message, Signature)>,
 }
 
 impl<'m, F: CheckedFlash> Archive<'m, F> {
@@ -176,8 +182,11 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
             settings_unreadable: false,
             end: None,
             unpacked: None,
+            key: None,
+            signed: None,
         };
         archive.scan().await?;
+        archive.key = archive.state.secret().map(DeviceKey::new);
         Ok(archive)
     }
 
@@ -267,6 +276,15 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
     /// older ones, or none.
     pub fn settings_are_unreadable(&self) -> bool {
         self.settings_unreadable
+    }
+
+    /// The public key of the instrument, once there is one.
+    pub fn public_key(&self) -> Option<PublicDeviceKey> {
+        let (key, secret) = (self.key.as_ref()?, self.state.secret()?);
+        Some(PublicDeviceKey {
+            public: key.public(),
+            since: secret.since,
+        })
     }
 
     /// Running number the next record will have.

@@ -1,5 +1,6 @@
 //! State the instrument must not forget, beside its records.
 
+use crate::device_key::Secret;
 use calib_core::settings::Settings;
 use calib_protocol::form1;
 use calib_protocol::provenance::{LoggedChange, Provenance, settings_digest};
@@ -7,6 +8,7 @@ use calib_protocol::record::{RecordError, Sha256Sum};
 use calib_protocol::sections::{Fields, find, needed, section};
 use calib_protocol::settings_form::{self, InSections};
 use core::ops::Range;
+use serde::{Serialize, Serializer};
 
 /// Settings, running number, chain and release.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,6 +22,8 @@ pub struct State {
     settings: Option<Settings>,
     /// Where they come from; its digest of them is taken anew for each record.
     provenance: Provenance,
+    /// What the key of the instrument is made of.
+    secret: Option<Secret>,
 }
 
 /// Released, last number, its SHA-256.
@@ -28,13 +32,14 @@ type Counters = (u32, u32, Sha256Sum);
 const COUNTERS: u8 = 1;
 const SETTINGS: u8 = 2;
 const PROVENANCE: u8 = 3;
+const SECRET: u8 = 4;
 
 /// How a state item is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// Version 1: [`Counters`], then settings of version 1. Read, and written no more.
     Plain,
-    /// Version 2: sections 1, [`Counters`], 2, settings, and 3, [`Provenance`].
+    /// Version 2: sections 1, [`Counters`], 2, settings, 3, [`Provenance`], and 4, [`Secret`], where there is one.
     Sections,
 }
 
@@ -82,6 +87,15 @@ impl State {
         }
     }
 
+    /// What the key is made of, once there is one.
+    pub(super) fn secret(&self) -> Option<&Secret> {
+        self.secret.as_ref()
+    }
+
+    pub(super) fn set_secret(&mut self, secret: Option<Secret>) {
+        self.secret = secret;
+    }
+
     /// Records up to this running number may make room.
     pub fn released(&self) -> u32 {
         self.released
@@ -112,6 +126,7 @@ impl State {
         self.released = self.released.max(newer.released);
         self.note_record(newer.last_id, newer.last_sha256);
         self.settings = newer.settings.or(self.settings.take());
+        self.secret = newer.secret.or(self.secret.take());
         // A release without it wrote none.
         if newer.provenance.changed.record_id > self.provenance.changed.record_id {
             self.provenance = newer.provenance;
@@ -135,11 +150,12 @@ impl State {
                 (counters, at..at + content.len())
             }
         };
-        let provenance = match form {
-            Form::Plain => None,
-            Form::Sections => find(bytes, PROVENANCE, 1)?,
+        let added = |id| match form {
+            Form::Plain => Ok(None),
+            Form::Sections => find(bytes, id, 1),
         };
-        let provenance = provenance.map(|(_, content)| Fields(content).take());
+        let provenance = added(PROVENANCE)?.map(|(_, content)| Fields(content).take());
+        let secret = added(SECRET)?.map(|(_, content)| Fields(content).take());
         let (released, last_id, last_sha256) = counters;
         let state = Self {
             released,
@@ -147,6 +163,7 @@ impl State {
             last_sha256,
             settings: Some(settings),
             provenance: provenance.transpose()?.unwrap_or_default(),
+            secret: secret.transpose()?,
         };
         Ok((state, range))
     }
@@ -159,9 +176,22 @@ impl State {
             section(COUNTERS, counters),
             section(SETTINGS, settings),
             section(PROVENANCE, self.provenance),
+            OfKey(self.secret.as_ref()),
         );
         let written = postcard::to_slice(&content, buffer).ok()?;
         let (at, settings) = find(written, SETTINGS, 1).ok()??;
         Some((at..at + settings.len(), written.len()))
+    }
+}
+
+/// The section of the secret; none where there is no key.
+struct OfKey<'a>(Option<&'a Secret>);
+
+impl Serialize for OfKey<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            None => ().serialize(serializer),
+            Some(secret) => section(SECRET, secret).serialize(serializer),
+        }
     }
 }

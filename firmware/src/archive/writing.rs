@@ -3,11 +3,13 @@
 use super::known::Known;
 use super::layout::{BODY_AT, LONGEST_HEAD, RECORD_ITEM, STATE_ITEM};
 use super::{Archive, ArchiveError, CheckedFlash, Entry, Memory, end_of, insert, read, sector_of};
+use crate::device_key::{DeviceKey, RANDOM_BYTES, Secret};
 use calib_core::settings::Settings;
 use calib_protocol::change;
 use calib_protocol::provenance::LoggedChange;
 use calib_protocol::record::{self, Record, RecordError};
 use calib_protocol::settings_form::LONGEST_SETTINGS;
+use calib_protocol::signature::{self, Message, SIGNATURE_BYTES, Signature};
 use calib_protocol::stored::{self, StoredHead, settings_mark};
 use calib_protocol::stored_point::LONGEST_POINT;
 use core::ops::Range;
@@ -18,7 +20,7 @@ impl<F: CheckedFlash> Archive<'_, F> {
     /// # Errors
     /// [`ArchiveError::Full`] when not, so that nothing is measured in vain.
     pub async fn check_room(&mut self, points: usize) -> Result<(), ArchiveError> {
-        let bytes = LONGEST_HEAD + LONGEST_SETTINGS + points * LONGEST_POINT;
+        let bytes = LONGEST_HEAD + LONGEST_SETTINGS + points * LONGEST_POINT + SIGNATURE_BYTES;
         let fit = self.queue.find_max_fit().await?;
         let fits = fit.is_some_and(|largest| largest as usize >= bytes);
         if !fits && !self.may_erase_next() || self.memory.directory.is_full() {
@@ -133,14 +135,43 @@ impl<F: CheckedFlash> Archive<'_, F> {
     /// See [`ArchiveError`].
     pub async fn release(&mut self, through: u32) -> Result<(), ArchiveError> {
         self.state.release(through);
-        if self.state.settings().is_none() {
-            self.state.set_settings(&(self.memory.factory)());
-        }
+        self.have_settings();
         self.push_state().await
     }
 
+    /// Makes the key of the instrument of bytes that nobody knows, and stores it twice. An instrument that has
+    /// one keeps it.
+    ///
+    /// # Errors
+    /// See [`ArchiveError`]; there is no key then.
+    pub async fn make_key(&mut self, random: &[u8; RANDOM_BYTES]) -> Result<(), ArchiveError> {
+        if self.key.is_some() {
+            return Ok(());
+        }
+        let secret = Secret::new(random, self.state.next_id());
+        let key = DeviceKey::new(&secret);
+        self.have_settings();
+        self.state.set_secret(Some(secret));
+        if let Err(error) = self.push_state().await {
+            self.state.set_secret(None);
+            return Err(error);
+        }
+        self.key = Some(key);
+        // There is one in flash, and every sector gets its own.
+        let _ = self.push_state().await;
+        Ok(())
+    }
+
+    /// A state is stored with settings: those of an instrument that was told none.
+    fn have_settings(&mut self) {
+        if self.state.settings().is_none() {
+            self.state.set_settings(&(self.memory.factory)());
+        }
+    }
+
     fn pack_draft(&mut self, share: bool) -> Result<(StoredHead, Range<usize>), ArchiveError> {
-        pack(&mut self.memory, !share, record::encode)
+        let signer = Signer(self.key.as_ref(), &mut self.signed);
+        pack(&mut self.memory, !share, signer, record::encode)
     }
 
     fn pack_change(&mut self) -> Result<(StoredHead, Range<usize>), ArchiveError> {
@@ -152,7 +183,8 @@ impl<F: CheckedFlash> Archive<'_, F> {
                 &factory
             }
         };
-        pack(&mut self.memory, true, |record, body| {
+        let signer = Signer(self.key.as_ref(), &mut self.signed);
+        pack(&mut self.memory, true, signer, |record, body| {
             let (settings, provenance) = (&record.settings, &record.provenance);
             change::encode(&record.head, settings, before, provenance, body)
         })
@@ -253,15 +285,34 @@ impl<F: CheckedFlash> Archive<'_, F> {
     }
 }
 
+/// The key, if there is one, and the last signature: a record that is packed once more is not signed once more.
+struct Signer<'a>(Option<&'a DeviceKey>, &'a mut Option<(Message, Signature)>);
+
+impl Signer<'_> {
+    /// Signs the record of `length` bytes at the beginning of `buffer`; its length from then on.
+    fn sign(self, buffer: &mut [u8], length: usize) -> Result<usize, RecordError> {
+        let Self(Some(key), last) = self else {
+            return Ok(length);
+        };
+        signature::append(buffer, length, |message| match *last {
+            Some((signed, signature)) if signed == *message => signature,
+            _ => last.insert((*message, key.sign(message))).1,
+        })
+    }
+}
+
 /// Puts a record as an item into the scratch memory; where it lies.
 fn pack(
     memory: &mut Memory<'_>,
     with_settings: bool,
+    signer: Signer<'_>,
     encode: impl FnOnce(&Record, &mut [u8]) -> Result<usize, RecordError>,
 ) -> Result<(StoredHead, Range<usize>), ArchiveError> {
     let too_long = |_| ArchiveError::TooLong;
     let (front, body) = memory.scratch.split_at_mut(BODY_AT);
     let length = encode(memory.record, body).map_err(|_| ArchiveError::TooLong)?;
+    let length = signer.sign(body, length);
+    let length = length.map_err(|_| ArchiveError::TooLong)?;
     let record = body.get(..length).ok_or(ArchiveError::TooLong)?;
     let head = stored::head_of(record, with_settings).map_err(too_long)?;
     stored::cut_out(&head, body).map_err(too_long)?;

@@ -15,6 +15,7 @@
 //! | host link | OTG FS: PA11 (D-), PA12 (D+), PA9 (VBUS) | |
 //! | lamps, button | GPIO | |
 //! | records | FLASH bank 2 | |
+//! | key | RNG | |
 //! | time | TIM2 | |
 //! | watchdog | IWDG1 | |
 //! | fall of the supply | PWR (PVD), EXTI line 16 | |
@@ -30,6 +31,7 @@ mod dither;
 mod exciter;
 mod option_bytes;
 mod panel;
+mod random;
 mod record_flash;
 mod sample_clock;
 mod selected;
@@ -48,6 +50,7 @@ pub(crate) use digitiser::{APERTURE, BLOCK_PAIRS, Digitiser};
 pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
 pub(crate) use option_bytes::option_bytes;
 pub(crate) use panel::{Lamp, Lamps, PushButton};
+pub(crate) use random::RandomSource;
 pub(crate) use record_flash::{
     RECORD_AREA, RecordFlash, finish_word, wrong_words_of_image, wrong_words_of_records,
 };
@@ -108,6 +111,7 @@ pub(crate) struct Board {
     pub(crate) sensor_converter: SensorConverter,
     pub(crate) sample_clock: SampleClock,
     pub(crate) flash: RecordFlash,
+    pub(crate) random: RandomSource,
     pub(crate) watchdog: Watchdog,
 }
 
@@ -160,6 +164,7 @@ impl Board {
             sensor_converter: SensorConverter::new(wired.adc3),
             sample_clock: SampleClock::new(wired.tim6),
             flash: RecordFlash::new(wired.flash),
+            random: RandomSource::new(wired.rng),
             watchdog: IndependentWatchdog::new(wired.iwdg, WATCHDOG_US),
         }
     }

@@ -119,6 +119,7 @@ pub(crate) struct Wired {
     pub(crate) adc3: Peri<'static, peripherals::ADC3>,
     pub(crate) tim6: Peri<'static, peripherals::TIM6>,
     pub(crate) flash: Peri<'static, peripherals::FLASH>,
+    pub(crate) rng: Peri<'static, peripherals::RNG>,
     pub(crate) iwdg: Peri<'static, peripherals::IWDG1>,
 }
 
@@ -192,6 +193,7 @@ macro_rules! wiring {
                 adc3: p.ADC3,
                 tim6: p.TIM6,
                 flash: p.FLASH,
+                rng: p.RNG,
                 iwdg: p.IWDG1,
             }
         }

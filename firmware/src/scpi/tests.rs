@@ -14,6 +14,7 @@ use calib_protocol::message::{
     Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, SettingsChange, Status,
 };
 use calib_protocol::record::{RecordKind, RecordSummary};
+use calib_protocol::signature::DeviceKey;
 use core::pin::pin;
 use core::task::{Context, Poll, Waker};
 
@@ -160,6 +161,12 @@ impl Instrument for Bench {
     }
     fn button_held(&mut self) -> bool {
         true
+    }
+    async fn key(&mut self) -> Result<Option<DeviceKey>, Refusal> {
+        Ok(None)
+    }
+    async fn make_key(&mut self) -> Result<(), Refusal> {
+        unreachable!("no line asks for that")
     }
     async fn change_settings(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
         unreachable!("no line asks for that")

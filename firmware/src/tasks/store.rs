@@ -1,6 +1,6 @@
 //! Records out: from an ended run to the archive.
 
-use crate::board::{RECORD_AREA, RecordFlash, axi_static, wrong_words_of_records};
+use crate::board::{RECORD_AREA, RandomSource, RecordFlash, axi_static, wrong_words_of_records};
 use crate::identity::Identity;
 use crate::{retained, state};
 use calib_core::self_test::WrongWords;
@@ -10,6 +10,7 @@ use calib_firmware::restarts::{LeftOut, Stage};
 use calib_protocol::health::Defect;
 use calib_protocol::message::{Refusal, RunState, SettingsChange};
 use calib_protocol::record::{Record, RunLabels};
+use calib_protocol::signature::DeviceKey;
 use core::sync::atomic::Ordering;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::mutex::{Mutex, MutexGuard};
@@ -25,15 +26,15 @@ type Guard<'a> = MutexGuard<'a, CriticalSectionRawMutex, Option<Archive<'static,
 /// The archive behind a lock. Nobody waits for it on behalf of a host: while
 /// it is being read at the start, or written, a host hears that the calibrator
 /// is busy. One that cannot be read never comes.
-pub(crate) struct SharedArchive(Lock);
+pub(crate) struct SharedArchive(Lock, RandomSource);
 
 /// The archive, for as long as it is held.
 struct ArchiveGuard<'a>(Guard<'a>);
 
 impl SharedArchive {
     /// Before the record area was read.
-    pub(crate) const fn new() -> Self {
-        Self(Mutex::new(None))
+    pub(crate) const fn new(random: RandomSource) -> Self {
+        Self(Mutex::new(None), random)
     }
 
     /// Stored records; while one is being written, none are counted.
@@ -66,6 +67,19 @@ impl SharedArchive {
         Ok(self.lock()?.get()?.release(through).await?)
     }
 
+    /// See [`Archive::public_key`].
+    pub(crate) fn key(&self) -> Result<Option<DeviceKey>, Refusal> {
+        Ok(self.lock()?.get()?.public_key())
+    }
+
+    /// See [`Archive::make_key`].
+    pub(crate) async fn make_key(&self) -> Result<(), Refusal> {
+        let mut archive = self.lock()?;
+        let archive = archive.get()?;
+        let random = self.1.bytes().await.ok_or(Refusal::NoRandomness)?;
+        Ok(archive.make_key(&random).await?)
+    }
+
     /// See [`Archive::log_change`].
     pub(crate) async fn log_change(
         &self,
@@ -75,7 +89,7 @@ impl SharedArchive {
         let mut archive = self.lock()?;
         let archive = archive.get()?;
         let record = archive.draft(&change.settings);
-        sign(record, identity);
+        name(record, identity);
         record.head.labels = RunLabels {
             unix_time_s: change.unix_time_s,
             operator: change.operator.clone(),
@@ -167,7 +181,7 @@ pub(crate) async fn store(
             continue;
         };
         let record = archive.draft(&state::settings());
-        sign(record, identity);
+        name(record, identity);
         record.incident.clone_from(&incident);
         state::RUN.lock(|run| {
             let run = run.borrow();
@@ -198,7 +212,7 @@ pub(crate) async fn store(
 }
 
 /// Puts down whose record it is.
-fn sign(record: &mut Record, identity: &Identity) {
+fn name(record: &mut Record, identity: &Identity) {
     record.head.instrument_serial.clone_from(&identity.serial);
     record.head.firmware = identity.firmware();
     record.head.sample_rate_hz = crate::board::SAMPLE_RATE_HZ as f32;

@@ -16,6 +16,7 @@ use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
 };
 use calib_protocol::record::{self, Record, RecordHead, RecordKind, RecordSummary, RunLabels};
+use calib_protocol::signature::DeviceKey;
 use calib_protocol::stored_point::as_stored;
 use std::collections::BTreeMap;
 
@@ -47,6 +48,8 @@ pub(crate) struct Device {
     pub(crate) other_capture_at_look: Option<u16>,
     /// Captures do not grow.
     pub(crate) clock_stands: bool,
+    /// What signs its records, as it says.
+    pub(crate) key: Option<DeviceKey>,
 }
 
 /// Looks before a capture is whole.
@@ -85,6 +88,7 @@ impl Device {
             capture: None,
             other_capture_at_look: None,
             clock_stands: false,
+            key: None,
         }
     }
 
@@ -164,6 +168,7 @@ impl Device {
             Request::SelfTest => Response::SelfTest {
                 lines: self.self_test(),
             },
+            Request::Key | Request::MakeKey => Response::Key(self.key),
         }
     }
 

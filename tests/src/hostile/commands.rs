@@ -16,6 +16,7 @@ use calib_protocol::health::Health;
 use calib_protocol::message::{
     Info, Refusal, Request, ResetCause, Response, RunSpec, SettingsChange, Status,
 };
+use calib_protocol::signature::DeviceKey;
 use std::future::Future;
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
@@ -48,7 +49,11 @@ pub fn commands(data: &[u8]) {
         if holder == LinkName::Serial {
             let asked_for = |number| count(&asked, number);
             assert!(changes.starts <= asked_for(START) + words(&lines, b"INIT"));
-            assert_eq!(changes.writes, 0, "nobody holds the button");
+            assert_eq!(
+                (changes.writes, changes.keys),
+                (0, 0),
+                "nobody holds the button"
+            );
             assert!(changes.resets <= asked_for(RESET));
             assert!(changes.releases <= asked_for(RELEASE));
             assert!(changes.captures <= asked_for(CAPTURE));
@@ -140,6 +145,7 @@ fn number_of(message: &[u8]) -> Option<u32> {
 struct Changes {
     starts: usize,
     writes: usize,
+    keys: usize,
     resets: usize,
     releases: usize,
     captures: usize,
@@ -303,6 +309,18 @@ impl Instrument for Notes {
         self.hand_on_button
     }
 
+    async fn key(&mut self) -> Result<Option<DeviceKey>, Refusal> {
+        let public = [1; 32];
+        let key = DeviceKey { public, since: 1 };
+        Ok((self.changes.keys > 0).then_some(key))
+    }
+
+    async fn make_key(&mut self) -> Result<(), Refusal> {
+        assert!(self.hand_on_button, "without a hand on the instrument");
+        self.changes.keys += 1;
+        Ok(())
+    }
+
     async fn change_settings(&mut self, change: &SettingsChange) -> Result<(), Refusal> {
         assert!(self.hand_on_button, "without a hand on the instrument");
         self.changes.writes += 1;
@@ -341,10 +359,11 @@ mod tests {
         instrument.hand_on_button = true;
         // The seed changes a setting.
         instrument.settings.blocks += 1;
-        assert_eq!(instrument.hear(&all).len(), 15);
+        assert_eq!(instrument.hear(&all).len(), 17);
         let once = Changes {
             starts: 1,
             writes: 1,
+            keys: 1,
             resets: 1,
             releases: 1,
             captures: 1,

@@ -90,6 +90,8 @@ fn requests() -> Vec<Request> {
         Request::ReadCapture { offset: 256 },
         Request::SelfTest,
         Request::StopRun { record_id: 1 },
+        Request::Key,
+        Request::MakeKey,
     ]
 }
 

@@ -12,6 +12,8 @@ use calib_firmware::archive::{
 };
 use calib_protocol::message::Refusal;
 use calib_protocol::record::{self, Record, RecordHead, RecordSummary};
+use calib_protocol::signature;
+use ed25519_dalek::{Signature, VerifyingKey};
 use embassy_futures::block_on;
 
 /// Buffers an archive works in.
@@ -121,7 +123,30 @@ pub(crate) fn store<const SECTOR: usize>(
     bytes.truncate(length);
     let id = record.head.id;
     block_on(archive.store())?;
-    Ok((id, bytes))
+    Ok((id, as_signed(archive, id, bytes)?))
+}
+
+/// The bytes of a record as a host must get them from an archive with a key: the same, and its signature.
+fn as_signed<const SECTOR: usize>(
+    archive: &mut Archive<'_, MockFlash<SECTOR>>,
+    id: u32,
+    bytes: Vec<u8>,
+) -> Result<Vec<u8>, ArchiveError> {
+    let Some(key) = archive.public_key() else {
+        return Ok(bytes);
+    };
+    let stored = download(archive, id).map_err(|_| ArchiveError::Flash)?;
+    let signed = signature::of(&stored).expect("a record");
+    let (signature, message) = signed.expect("it is signed");
+    assert_eq!(signature.key, key.public);
+    let [r, s] = signature.halves;
+    let public = VerifyingKey::from_bytes(&key.public).expect("a key");
+    let fits = public.verify_strict(&message, &Signature::from_components(r, s));
+    assert!(fits.is_ok(), "record {id}");
+    let content = bytes.len() - 4;
+    assert_eq!(stored[..content], bytes[..content]);
+    assert_eq!(stored.len(), bytes.len() + signature::SIGNATURE_BYTES);
+    Ok(stored)
 }
 
 /// Logs other settings.

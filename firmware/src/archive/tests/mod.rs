@@ -7,12 +7,14 @@ mod power_cut;
 mod told;
 
 use super::*;
+use crate::device_key::RANDOM_BYTES;
 use calib_protocol::change;
 use calib_protocol::provenance::{Provenance, settings_digest};
 use calib_protocol::record::{self, RecordSummary, digest};
 use desk::{Desk, download, fill, log_change, result, store};
 use embassy_futures::block_on;
 use flash::MockFlash;
+use sha2::{Digest, Sha256};
 
 /// Sectors small enough to be filled quickly.
 const SMALL: usize = 16 * 1024;
@@ -279,6 +281,42 @@ fn the_provenance_of_settings_goes_through_everything() {
     let (_, bytes) = store(&mut archive, 1, 1, &settings).expect("stores");
     assert!(!origin(&bytes).differs_from_reference());
     assert_eq!(origin(&bytes).changed.record_id, id);
+}
+
+/// The key is made once, signs from the next record on, and goes through restarts and round the ring; what it is
+/// made of is in no record.
+#[test]
+fn the_key_goes_through_everything_and_signs_from_the_next_record_on() {
+    let flash = MockFlash::<SMALL>::erased(SECTORS);
+    let mut desk = Desk::new();
+    let settings = Settings::field_calibrator();
+    let random = [0xA5; RANDOM_BYTES];
+    let key = {
+        let mut archive = desk.open(&flash).expect("opens");
+        store(&mut archive, 3, 1, &settings).expect("stores");
+        assert_eq!(archive.public_key(), None);
+        block_on(archive.make_key(&random)).expect("makes");
+        let key = archive.public_key().expect("a key");
+        assert_eq!(key.since, 2);
+        // Another is not made of anything.
+        block_on(archive.make_key(&[1; RANDOM_BYTES])).expect("keeps");
+        assert_eq!(archive.public_key(), Some(key));
+        key
+    };
+    let seed = Sha256::digest(random);
+    for round in 0..300 {
+        let mut archive = desk.open(&flash).expect("opens");
+        // Compares the signature.
+        let (id, bytes) = store(&mut archive, 6, round, &settings).expect("stores");
+        assert_eq!(archive.public_key(), Some(key), "{round}");
+        assert!(!bytes.windows(32).any(|part| *part == seed[..]), "{round}");
+        block_on(archive.release(id)).expect("releases");
+    }
+    let mut archive = desk.open(&flash).expect("opens");
+    let changed = log_change(&mut archive, 1, &settings).expect("logs");
+    let log = download(&mut archive, changed).expect("reads");
+    let signed = calib_protocol::signature::of(&log).expect("a record");
+    assert_eq!(signed.map(|(signature, _)| signature.key), Some(key.public));
 }
 
 /// Once, whoever released records on a board with scales of its own made those of another board the

@@ -5,11 +5,13 @@ use super::desk;
 use super::flash::MockFlash;
 use calib_core::settings::Settings;
 use calib_firmware::archive::{Archive, ArchiveError};
+use calib_firmware::device_key::RANDOM_BYTES;
 use calib_protocol::record::{self, RecordKind};
+use calib_protocol::signature::DeviceKey;
 use embassy_futures::block_on;
 use std::collections::BTreeMap;
 
-/// Everything a host was told: records stored, settings in force, records released.
+/// Everything a host was told: records stored, settings in force, records released, the key.
 #[derive(Clone, Default)]
 pub(crate) struct Told {
     pub(crate) records: BTreeMap<u32, Vec<u8>>,
@@ -17,6 +19,9 @@ pub(crate) struct Told {
     /// A change that was begun may or may not have come through.
     attempted: Option<Settings>,
     released: u32,
+    key: Option<DeviceKey>,
+    /// A key that was begun may or may not have come through.
+    attempted_key: bool,
 }
 
 /// One step of a session; `Err` when the power failed.
@@ -28,6 +33,11 @@ pub(crate) fn step<const SECTOR: usize>(
     let settings = told.settings.clone();
     let mut settings = settings.unwrap_or_else(Settings::field_calibrator);
     match number % 8 {
+        1 if archive.public_key().is_none() => {
+            told.attempted_key = true;
+            block_on(archive.make_key(&[number as u8; RANDOM_BYTES]))?;
+            told.key = archive.public_key();
+        }
         3 | 5 => {
             match number % 8 {
                 3 => settings.blocks = 2 + (number % 60_000) as u16,
@@ -84,6 +94,10 @@ impl Told {
         if self.settings.is_some() && !expected {
             return Err("the settings are others".into());
         }
+        let key = archive.public_key();
+        if key != self.key && (self.key.is_some() || !self.attempted_key) {
+            return Err("the key is another".into());
+        }
         if let (Some(kept), Some(logged)) = (kept, &logged)
             && *kept != logged.settings
         {
@@ -91,6 +105,7 @@ impl Told {
         }
         // What came through is in force from here on, and what is gone is gone.
         self.settings = kept.cloned();
+        self.key = key;
         self.records.retain(|id, _| found(id));
         Ok(listed.len() as u64)
     }
