@@ -33,6 +33,9 @@ pub fn particulars(
 /// Those of the logbook.
 pub fn standing(head: &RecordHead, stored: &[u8], logbook: Option<&Logbook>) -> Result<Standing> {
     let mut evidence = Evidence::of(&head.instrument_serial);
+    if let Some(logbook) = logbook {
+        evidence.key(logbook.key(&head.instrument_serial)?);
+    }
     evidence.bytes(head.id, stored);
     let neighbours = [head.id.checked_sub(1), head.id.checked_add(1)];
     for id in neighbours.into_iter().flatten() {

@@ -12,6 +12,7 @@ use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::health::Health;
 use calib_protocol::message::{Info, Refusal, Request, Response, RunSpec, SettingsChange, Status};
 use calib_protocol::record::RecordSummary;
+use calib_protocol::signature::DeviceKey;
 use calib_protocol::text::tame;
 use std::time::Duration;
 
@@ -304,6 +305,25 @@ impl Client {
         match self.ask_within("a self-test", &Request::SelfTest, timeout)? {
             Response::SelfTest { lines } => Ok(lines.to_vec()),
             _ => Err(unexpected("a self-test")),
+        }
+    }
+
+    /// The public key of the instrument; none where it signs nothing, be it because its release cannot.
+    pub fn key(&mut self) -> Result<Option<DeviceKey>> {
+        match self.ask("its key", &Request::Key) {
+            Ok(Response::Key(key)) => Ok(key),
+            Ok(_) => Err(unexpected("its key")),
+            Err(Error::Refused(refused)) if refused.refusal == Refusal::Unknown => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Makes the key of the instrument, under a hand; it signs every record from then on.
+    pub fn make_key(&mut self) -> Result<DeviceKey> {
+        let timeout = self.policy.flash_timeout;
+        match self.ask_within("to make its key", &Request::MakeKey, timeout)? {
+            Response::Key(Some(key)) => Ok(key),
+            _ => Err(unexpected("to make its key")),
         }
     }
 

@@ -210,10 +210,12 @@ fn reason(refusal: Refusal) -> String {
         Refusal::CaptureLength => "it has no room for so many sample pairs, or none were asked for",
         Refusal::NotCaptured => "nothing was captured since it was started",
         Refusal::CaptureBroken => "sample pairs were lost while it captured",
-        Refusal::ButtonNotHeld => "they are other settings than it has, and its button is not held",
+        Refusal::ButtonNotHeld => "this changes what results rest on, and its button is not held",
         Refusal::TemperatureOutOfRange => "it is too cold or too hot to measure",
         Refusal::ChannelsNotAligned => "its two channels are not of the same instants",
         Refusal::Conditions => "the temperature stated for the run cannot be true",
+        Refusal::KeyExists => "it has a key, and keeps it",
+        Refusal::NoRandomness => "its generator of random numbers gives none",
         _ => "for a reason this tool does not know",
     };
     known.to_owned()
@@ -270,6 +272,10 @@ impl Refused {
             }
             Refusal::PointList => "correct the point list",
             Refusal::Conditions => "state -55 to 200 degrees Celsius, or none",
+            Refusal::KeyExists => "`calib key` shows it, and enters it in the logbook",
+            Refusal::NoRandomness => {
+                "switch it off and on and repeat; if it happens again, have it serviced"
+            }
             Refusal::Settings => {
                 "correct the settings; docs/safety.md has the ceilings no setting passes"
             }

@@ -31,6 +31,13 @@ impl Logbook {
         let mut wrong = self.all("PRAGMA integrity_check", [], |row| row.get::<_, String>(0))?;
         wrong.retain(|line| line != "ok");
         let mut again = Self::in_memory()?;
+        for instrument in self.all("SELECT instrument FROM keys", [], |row| {
+            row.get::<_, String>(0)
+        })? {
+            if let Some(key) = self.key(&instrument)? {
+                again.enter_key(&instrument, &key)?;
+            }
+        }
         for id in self.all("SELECT id FROM records ORDER BY id", [], |row| row.get(0))? {
             let kept = self.record(id).and_then(|bytes| again.keep(&bytes));
             wrong.extend(kept.err().map(|error| error.to_string()));

@@ -16,16 +16,18 @@ pub(super) enum Subject {
     Sensor,
     Record,
     Certificate,
+    Key,
 }
 
 impl Subject {
-    const ALL: [Self; 3] = [Self::Sensor, Self::Record, Self::Certificate];
+    const ALL: [Self; 4] = [Self::Sensor, Self::Record, Self::Certificate, Self::Key];
 
     fn word(self) -> &'static str {
         match self {
             Self::Sensor => "sensor",
             Self::Record => "record",
             Self::Certificate => "certificate",
+            Self::Key => "key",
         }
     }
 
@@ -35,6 +37,7 @@ impl Subject {
             Self::Sensor => "SELECT serial, * FROM sensors",
             Self::Record => "SELECT CAST(id AS TEXT), sha256 FROM records",
             Self::Certificate => "SELECT CAST(number AS TEXT), * FROM certificates",
+            Self::Key => "SELECT instrument, * FROM keys",
         }
     }
 
@@ -44,6 +47,7 @@ impl Subject {
             Self::Sensor => "WHERE serial = ?1",
             Self::Record => "WHERE id = CAST(?1 AS INTEGER)",
             Self::Certificate => "WHERE number = CAST(?1 AS INTEGER)",
+            Self::Key => "WHERE instrument = ?1",
         }
     }
 }

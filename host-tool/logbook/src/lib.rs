@@ -11,6 +11,7 @@
 //! | `people` | operators and instruments, as records name them |
 //! | `history` | drift of one sensor with its uncertainty |
 //! | `waiting` | records that wait while another program holds the file |
+//! | `keys` | keys of instruments, and what speaks against a new record |
 //! | `journal` | sums of what was entered, chained |
 //! | `inspect` | every sum and number checked again |
 //! | `row` | a row of any table as bytes |
@@ -20,6 +21,7 @@ mod certificates;
 mod history;
 mod inspect;
 mod journal;
+mod keys;
 mod parquet;
 mod people;
 mod records;

@@ -2,6 +2,7 @@
 
 use super::Logbook;
 use super::journal::{self, Subject};
+use super::keys::objection;
 use calib_certificate::{Certificate, Particulars};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
@@ -9,7 +10,7 @@ use calib_core::verdict::Verdict;
 use calib_files::{Error, Result};
 use calib_protocol::change::{self, ReferenceChange};
 use calib_protocol::record::{self, Record, RecordError, RecordHead, RecordKind, Sha256Sum};
-use rusqlite::{OptionalExtension, Transaction, params};
+use rusqlite::{Connection, OptionalExtension, Transaction, params};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -70,6 +71,10 @@ pub struct Filter {
     pub before_s: Option<i64>,
 }
 
+/// Way out of a record that cannot be the instrument's.
+pub(super) const TRUE_ONE: &str =
+    "do not use it; the instrument has the true one: `calib download` gets it";
+
 /// Kind of the log of a change of settings, in the tables.
 const REFERENCE_CHANGE: &str = "reference_change";
 
@@ -82,7 +87,8 @@ impl Logbook {
     /// and operator are entered too.
     ///
     /// # Errors
-    /// [`Error::Input`] when the bytes are no record of this version.
+    /// [`Error::Input`] when the bytes are no record of this version, when the logbook has another of this
+    /// number, and when the signature is not that of the instrument's key.
     pub fn keep(&mut self, bytes: &[u8]) -> Result<Kept> {
         let kept = self.keep_all(std::iter::once(bytes))?;
         kept.into_iter()
@@ -103,10 +109,31 @@ impl Logbook {
             let content = Content::of(bytes).map_err(|error| {
                 Error::input("record", error.to_string(), "download it once more")
             })?;
-            kept.push(keep_one(&transaction, bytes, &content).map_err(failed)?);
+            let known = known(&transaction, bytes).map_err(failed)?;
+            if known.is_none()
+                && let Some(problem) = objection(&transaction, bytes).map_err(failed)?
+            {
+                return Err(Error::input("record", problem, TRUE_ONE));
+            }
+            kept.push(match known {
+                Some(id) => Kept::Known(id),
+                None => keep_new(&transaction, bytes, &content).map_err(failed)?,
+            });
         }
         transaction.commit().map_err(failed)?;
         Ok(kept)
+    }
+
+    /// Why these bytes cannot be a record of the instrument they name; none when nothing speaks against it.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub(super) fn objection(&self, bytes: &[u8]) -> Result<Option<String>> {
+        let found = || match known(&self.connection, bytes)? {
+            Some(_) => Ok(None),
+            None => objection(&self.connection, bytes),
+        };
+        found().map_err(|error| self.failure(error))
     }
 
     /// Lines of the records wanted, newest first.
@@ -229,21 +256,20 @@ impl Content {
     }
 }
 
-fn keep_one(
+/// Number of a record that is there to the byte.
+fn known(connection: &Connection, bytes: &[u8]) -> rusqlite::Result<Option<i64>> {
+    connection
+        .prepare_cached("SELECT id FROM records WHERE sha256 = ?1")?
+        .query_row([&record::digest(bytes)[..]], |row| row.get(0))
+        .optional()
+}
+
+fn keep_new(
     transaction: &Transaction<'_>,
     bytes: &[u8],
     content: &Content,
 ) -> rusqlite::Result<Kept> {
-    let sum = record::digest(bytes);
-    let known = "SELECT id FROM records WHERE sha256 = ?1";
-    let known: Option<i64> = transaction
-        .prepare_cached(known)?
-        .query_row([&sum[..]], |row| row.get(0))
-        .optional()?;
-    if let Some(id) = known {
-        return Ok(Kept::Known(id));
-    }
-    let id = insert_line(transaction, content, sum)?;
+    let id = insert_line(transaction, content, record::digest(bytes))?;
     transaction
         .prepare_cached("INSERT INTO contents (record, bytes) VALUES (?1, ?2)")?
         .execute(params![id, bytes])?;

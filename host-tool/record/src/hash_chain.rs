@@ -11,11 +11,14 @@
 //! | alters a record and mends its checksum | its sum, in the next record or in the list |
 //! | removes a record | the gap in the numbers of the list |
 //! | puts another record in its place | its number, its instrument, or its sum |
+//! | makes a record up, the last of all too | its signature, where the instrument has a key |
 //!
 //! A forgery that nothing at hand contradicts cannot be found: the last record of all,
-//! altered with a right checksum, where there is no instrument to ask.
+//! altered with a right checksum, where there is neither an instrument to ask nor a key.
 
+use crate::signature::{Signed, short, signed};
 use calib_protocol::record::{self, ChainLink, RecordSummary, Sha256Sum};
+use calib_protocol::signature::{DeviceKey, PublicKey};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -52,6 +55,23 @@ pub enum Break {
     },
     /// The first record of an instrument says that there was one before.
     NotFirst,
+    /// The record carries a signature that does not fit.
+    Forged {
+        /// Number of the record.
+        id: u32,
+    },
+    /// The record carries none, and the instrument had its key by then.
+    Unsigned {
+        /// Number of the record.
+        id: u32,
+    },
+    /// The record is signed by another key than the instrument's.
+    OtherKey {
+        /// Number of the record.
+        id: u32,
+        /// The key it is signed by.
+        found: PublicKey,
+    },
 }
 
 impl Break {
@@ -60,9 +80,12 @@ impl Break {
         match *self {
             // The next of them carries the sum of the last that is missing.
             Self::Missing { through, .. } => through.checked_add(1) == Some(id),
-            Self::Damaged { id: of } | Self::Another { id: of } | Self::NotAsListed { id: of } => {
-                of == id
-            }
+            Self::Damaged { id: of }
+            | Self::Another { id: of }
+            | Self::NotAsListed { id: of }
+            | Self::Forged { id: of }
+            | Self::Unsigned { id: of }
+            | Self::OtherKey { id: of, .. } => of == id,
             Self::Altered { id: of } => of == id || of.checked_add(1) == Some(id),
             Self::NotFirst => id == 1,
         }
@@ -92,6 +115,19 @@ impl fmt::Display for Break {
                 id + 1
             ),
             Self::NotFirst => formatter.write_str("record 1 says that there was one before"),
+            Self::Forged { id } => write!(
+                formatter,
+                "the signature of record {id} does not fit: it was altered after the instrument signed it"
+            ),
+            Self::Unsigned { id } => write!(
+                formatter,
+                "record {id} is not signed, and the instrument signed all of its records by then"
+            ),
+            Self::OtherKey { id, found } => write!(
+                formatter,
+                "record {id} is signed by the key {}, which is not the instrument's",
+                short(&found)
+            ),
         }
     }
 }
@@ -116,6 +152,8 @@ pub struct Evidence {
     instrument_serial: String,
     links: BTreeMap<u32, ChainLink>,
     listed: BTreeMap<u32, Sha256Sum>,
+    signed: BTreeMap<u32, Signed>,
+    key: Option<DeviceKey>,
     unusable: Vec<Break>,
 }
 
@@ -126,6 +164,11 @@ impl Evidence {
             instrument_serial: instrument_serial.to_owned(),
             ..Self::default()
         }
+    }
+
+    /// Takes note of the instrument's key, if one is known.
+    pub fn key(&mut self, key: Option<DeviceKey>) {
+        self.key = key;
     }
 
     /// Takes note of all that the instrument lists.
@@ -139,6 +182,9 @@ impl Evidence {
         match record::link(bytes) {
             Ok(link) if link.id == id && link.instrument_serial == *self.instrument_serial => {
                 self.links.insert(id, link);
+                // Of what is a record, a signature can be read, or is none.
+                let signed = signed(bytes).unwrap_or(Signed::Falsely);
+                self.signed.insert(id, signed);
             }
             Ok(_) => self.unusable.push(Break::Another { id }),
             Err(_) => self.unusable.push(Break::Damaged { id }),
@@ -168,6 +214,25 @@ impl Evidence {
         of_bytes.or_else(|| self.listed.get(&id).copied())
     }
 
+    /// What speaks against the signature of a record.
+    fn misgiving(&self, id: u32, signed: Signed) -> Option<Break> {
+        match (signed, self.key) {
+            (Signed::Falsely, _) => Some(Break::Forged { id }),
+            (Signed::No, Some(key)) if id >= key.since => Some(Break::Unsigned { id }),
+            (Signed::By(found), Some(key)) if found != key.public => {
+                Some(Break::OtherKey { id, found })
+            }
+            _ => None,
+        }
+    }
+
+    /// Places that concern record `id`.
+    pub fn breaks_of(&self, id: u32) -> Vec<Break> {
+        let mut breaks = self.breaks();
+        breaks.retain(|found| found.concerns(id));
+        breaks
+    }
+
     /// Every place where the chain does not hold.
     pub fn breaks(&self) -> Vec<Break> {
         let numbers: Vec<u32> = self.listed.keys().copied().collect();
@@ -177,6 +242,8 @@ impl Evidence {
             through: pair[1] - 1,
         });
         let mut breaks: Vec<Break> = missing.chain(self.unusable.iter().cloned()).collect();
+        let signed = self.signed.iter();
+        breaks.extend(signed.filter_map(|(&id, &signed)| self.misgiving(id, signed)));
         for (&id, link) in &self.links {
             let listed = self.listed.get(&id);
             if listed.is_some_and(|sum| *sum != link.sha256) {
@@ -200,7 +267,7 @@ impl Evidence {
     /// Standing of record `id`.
     pub fn standing(&self, id: u32) -> Standing {
         let before = id.saturating_sub(1);
-        if self.breaks().iter().any(|found| found.concerns(id)) {
+        if !self.breaks_of(id).is_empty() {
             Standing::Broken
         } else if id == 1 {
             Standing::First
@@ -345,6 +412,45 @@ mod tests {
         let standing = [1, 2, 3, 4].map(|id| evidence.standing(id));
         let (first, broken, verified) = (Standing::First, Standing::Broken, Standing::Verified);
         assert_eq!(standing, [first, broken, broken, verified]);
+    }
+
+    /// The last record of all, its result altered and its checksum mended: without a key nothing says so.
+    #[test]
+    fn with_a_key_the_last_record_of_all_cannot_be_made_up() {
+        let record = sample::record(&[160.0]);
+        let id = record.head.id;
+        let bytes = sample::signed(&record, &[5; 32]);
+        let Ok(Signed::By(public)) = signed(&bytes) else {
+            panic!("it was signed");
+        };
+        let since = id - 2;
+        let breaks = |bytes: &[u8], key| {
+            let mut evidence = Evidence::of(SERIAL);
+            evidence.key(key);
+            evidence.bytes(id, bytes);
+            evidence.breaks()
+        };
+        let key = Some(DeviceKey { public, since });
+        assert_eq!(breaks(&bytes, key), []);
+        assert_eq!(breaks(&bytes, None), []);
+        let mut altered = bytes.clone();
+        let mut places = altered.windows(5);
+        let at = places.position(|bytes| bytes == b"0.1.0");
+        altered[at.expect("its version")] ^= 1;
+        mend(&mut altered);
+        assert_eq!(breaks(&altered, None), [Break::Forged { id }]);
+        // Without its signature, or with that of another key.
+        let bare = sample::bytes(&record);
+        assert_eq!(breaks(&bare, None), []);
+        assert_eq!(breaks(&bare, key), [Break::Unsigned { id }]);
+        let later = Some(DeviceKey {
+            public,
+            since: id + 1,
+        });
+        assert_eq!(breaks(&bare, later), []);
+        let other = sample::signed(&record, &[6; 32]);
+        let found = breaks(&other, key);
+        assert!(matches!(found[..], [Break::OtherKey { .. }]), "{found:?}");
     }
 
     #[test]

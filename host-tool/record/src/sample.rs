@@ -13,7 +13,9 @@ use calib_core::settings::{
 };
 use calib_core::tone::Tone;
 use calib_core::verdict::{Reason, Verdict};
-use calib_protocol::record::{Record, RecordHead, RunLabels};
+use calib_protocol::record::{self, Record, RecordHead, RunLabels};
+use calib_protocol::signature::{self, Message, SIGNATURE_BYTES, Signature};
+use ed25519_dalek::{Signer, SigningKey};
 use heapless::{String, Vec};
 
 /// One-third-octave frequencies of the default list, 20 Hz to 10 kHz (ISO 266).
@@ -75,6 +77,37 @@ pub fn record(frequencies_hz: &[f32]) -> Record {
         points,
         ..Record::BLANK
     }
+}
+
+/// The bytes of a record.
+///
+/// # Panics
+/// When they do not fit.
+pub fn bytes(record: &Record) -> std::vec::Vec<u8> {
+    let mut bytes = vec![0; 16 * 1024];
+    let length = record::encode(record, &mut bytes).expect("fits");
+    bytes.truncate(length);
+    bytes
+}
+
+/// The bytes of a record that the key of this seed signed, as an instrument does.
+///
+/// # Panics
+/// When they do not fit.
+pub fn signed(record: &Record, seed: &[u8; 32]) -> std::vec::Vec<u8> {
+    let key = SigningKey::from_bytes(seed);
+    let mut bytes = bytes(record);
+    let length = bytes.len();
+    bytes.resize(length + SIGNATURE_BYTES, 0);
+    let sign = |message: &Message| {
+        let signature = key.sign(message);
+        Signature {
+            key: key.verifying_key().to_bytes(),
+            halves: [*signature.r_bytes(), *signature.s_bytes()],
+        }
+    };
+    signature::append(&mut bytes, length, sign).expect("there is room");
+    bytes
 }
 
 /// Words as a record holds them.

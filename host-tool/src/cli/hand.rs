@@ -22,7 +22,7 @@ pub(crate) struct Hand {
     #[arg(long, value_name = "SECONDS", default_value_t = 30)]
     wait: u16,
     /// Puts a hand on the button of the emulated calibrator (`--device emulated`).
-    #[arg(long, requires = "write")]
+    #[arg(long)]
     hold_button: bool,
 }
 
@@ -52,9 +52,21 @@ impl Hand {
             unix_time_s: super::time::unix_time_s(),
             operator: session::label("--operator", &self.operator)?,
         };
+        self.wait_for(context, client, |client| {
+            client.write_settings(change.clone())
+        })
+    }
+
+    /// Asks until there is a hand on the button, or nobody can be waited for any longer.
+    pub(super) fn wait_for<T>(
+        &self,
+        context: &Context,
+        client: &mut Client,
+        mut ask: impl FnMut(&mut Client) -> calib_link::Result<T>,
+    ) -> Result<T> {
         let mut looks = u32::from(self.wait) * LOOKS_PER_SECOND;
         loop {
-            match client.write_settings(change.clone()) {
+            match ask(client) {
                 Err(calib_link::Error::Refused(refused)) if refused.wants_button() && looks > 0 => {
                     if looks == u32::from(self.wait) * LOOKS_PER_SECOND {
                         context.remark(

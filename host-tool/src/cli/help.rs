@@ -179,6 +179,7 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                 "adjust",
                 ["adjust ratio", "adjust ratio --write --operator N."],
             ),
+            ("key", ["key", "key --make"]),
             ("emulate", ["emulate", "emulate --pty --flash flash.bin"]),
             ("completions", ["completions bash", "completions fish"]),
             ("man", ["man", "man --out pages"]),

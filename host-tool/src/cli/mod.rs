@@ -22,6 +22,7 @@ mod hand;
 mod help;
 mod identify;
 mod info;
+mod key;
 mod linking;
 mod logbook;
 mod misuse;
@@ -100,6 +101,8 @@ pub(crate) enum Command {
     Info(info::Info),
     /// Tests the board, with the table at rest: each line with its limits.
     Selftest(selftest::SelfTest),
+    /// The key the calibrator signs its records with.
+    Key(key::Key),
     /// Measures a point list.
     Run(run::Run),
     /// Prints or replaces the calibrator's settings.
@@ -179,6 +182,7 @@ impl Command {
             Self::Devices(verb) => verb.run(context),
             Self::Info(verb) => verb.run(context),
             Self::Selftest(verb) => verb.run(context),
+            Self::Key(verb) => verb.run(context),
             Self::Run(verb) => verb.run(context),
             Self::Settings(verb) => verb.run(context),
             Self::Adjust(verb) => verb.run(context),

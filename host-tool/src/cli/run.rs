@@ -287,7 +287,8 @@ fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Opt
         .map_err(|error| Error::file("read", &download.path, error))?;
     // It is on disk before the logbook is asked for, which another program may hold.
     let place = waiting::put(&path, &bytes)?;
-    let id = match Logbook::enter_waiting(&path) {
+    let keys = session::stated_key(client)?;
+    let id = match Logbook::enter_waiting(&path, keys.as_slice()) {
         Ok(entered) => entered
             .iter()
             .find(|(of, _)| *of == place)

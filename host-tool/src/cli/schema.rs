@@ -6,7 +6,7 @@ use super::{
     Context, adjust, capture, certificate, completions, convert, download, emulate, gap, logbook,
 };
 use super::{
-    identify, linking, phase, predict, release, risk, run, sensitivity, serve, stop, version,
+    identify, key, linking, phase, predict, release, risk, run, sensitivity, serve, stop, version,
 };
 use calib_certificate::Document;
 use calib_core::settings::Settings;
@@ -108,6 +108,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<History>("history"),
         of::<Either<identify::Output, ShockIdentification>>("identify"),
         of::<InfoView>("info"),
+        of::<key::KeyView>("key"),
         of::<Either<linking::Output, linking::DoeOutput>>("link"),
         of::<Vec<logbook::Added>>("logbook-add"),
         of::<Vec<Issued>>("logbook-certificates"),

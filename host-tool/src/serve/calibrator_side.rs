@@ -260,9 +260,10 @@ impl Worker {
         let download = session::download(client, record, folder.path(), |_| ())?;
         let bytes = std::fs::read(&download.path)
             .map_err(|error| Error::file("read", &download.path, error))?;
+        let key = session::stated_key(client)?;
         // Whatever becomes of the logbook, there is a certificate.
         self.shared.keep_record(Some(bytes.clone()));
-        let waited = self.keeper.keep(&bytes)?;
+        let waited = self.keeper.keep(&bytes, key)?;
         // A stop never waits for a file.
         while !waited.is_over() {
             self.pass_stop();

@@ -2,7 +2,8 @@
 
 use super::view::Shared;
 use crate::{Error, Result};
-use calib_logbook::{Logbook, waiting};
+use calib_logbook::Logbook;
+use calib_logbook::waiting::{self, Stated};
 use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::{Duration, Instant};
@@ -18,6 +19,8 @@ const LOOK: Duration = Duration::from_millis(10);
 struct Waiting {
     path: PathBuf,
     run: u32,
+    /// Key of the instrument, if it has one.
+    key: Option<Stated>,
     entered: Sender<()>,
 }
 
@@ -60,11 +63,16 @@ impl Keeper {
     }
 
     /// Puts a record where it waits for the logbook, on disk: it gets there, be it after a restart.
-    pub(super) fn keep(&self, bytes: &[u8]) -> Result<Wait> {
+    pub(super) fn keep(&self, bytes: &[u8], key: Option<Stated>) -> Result<Wait> {
         let run = self.shared.snapshot().run.map_or(0, |run| run.number);
         let path = waiting::put(&self.logbook, bytes)?;
         let (entered, heard) = channel();
-        let _ = self.orders.send(Waiting { path, run, entered });
+        let _ = self.orders.send(Waiting {
+            path,
+            run,
+            key,
+            entered,
+        });
         Ok(Wait {
             begun: Instant::now(),
             entered: heard,
@@ -99,7 +107,8 @@ impl Keeping {
 
     /// Enters what waits; false when that has to be tried again.
     fn enter(&mut self) -> bool {
-        match Logbook::enter_waiting(&self.logbook) {
+        let key = self.latest.as_ref().and_then(|latest| latest.key.clone());
+        match Logbook::enter_waiting(&self.logbook, key.as_slice()) {
             Ok(entered) => {
                 self.take_back();
                 let Some(latest) = self.latest.take() else {

@@ -27,6 +27,7 @@ mod reality;
 mod reference_change;
 mod selftest;
 mod settings_hand;
+mod signature;
 mod site_faults;
 mod torn_flash;
 mod usb;

@@ -8,6 +8,7 @@ use crate::Client;
 use crate::{Error, Result};
 use calib_files::file::{self, Existing};
 use calib_protocol::record::{self, ChainLink, Record, RecordError, RecordSummary};
+use calib_protocol::signature::DeviceKey;
 use calib_record::hash_chain::{self, Evidence};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{Read, Write};
@@ -145,6 +146,7 @@ fn whole(bytes: &[u8]) -> Result<ChainLink, RecordError> {
 /// Those of the link.
 pub fn evidence(client: &mut Client, fetched: &[Fetched], folder: &Path) -> Result<Evidence> {
     let mut evidence = Evidence::of(&client.info()?.serial);
+    evidence.key(client.key()?);
     evidence.list(&lines(client, fetched)?);
     for record in fetched {
         evidence.bytes(record.link.id, &record.bytes);
@@ -153,6 +155,16 @@ pub fn evidence(client: &mut Client, fetched: &[Fetched], folder: &Path) -> Resu
         evidence.neighbours(record.link.id, folder);
     }
     Ok(evidence)
+}
+
+/// Serial number and key of the instrument, if it has one.
+///
+/// # Errors
+/// Those of the link.
+pub fn stated_key(client: &mut Client) -> Result<Option<(String, DeviceKey)>> {
+    let key = client.key()?;
+    let serial = client.info()?.serial;
+    Ok(key.map(|key| (serial.as_str().to_owned(), key)))
 }
 
 /// For one record the lines around it; where the one before is not among them,

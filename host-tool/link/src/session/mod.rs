@@ -9,6 +9,7 @@ mod run;
 pub use broadband::on_lines;
 pub use download::{
     Download, Fetched, Progress as DownloadProgress, download, download_with, evidence, fetch,
+    stated_key,
 };
 pub use labels::{label, temperature_centi_c};
 pub use points::{default_points, read_points};

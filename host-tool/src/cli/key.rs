@@ -1,0 +1,87 @@
+//! `calib key`: the key an instrument signs its records with.
+
+use super::Context;
+use super::hand::Hand;
+use calib_host::Result;
+use calib_protocol::signature::DeviceKey;
+use calib_record::signature::short;
+use clap::Args;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// `calib key`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+The key is made once in the life of an instrument, by its own generator of random numbers, while the button on
+it is held; the half that signs never leaves it. From then on every record is signed, and the logbook refuses
+records of the instrument that are not. The public key enters the logbook, if there is one: compare its digits
+with those on the instrument's paper when another computer shows them. What it proves and what not:
+docs/safety.md.")]
+pub(crate) struct Key {
+    /// Makes the key of an instrument that has none.
+    #[arg(long)]
+    make: bool,
+    #[command(flatten)]
+    hand: Hand,
+}
+
+/// The key of an instrument.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct KeyView {
+    instrument_serial: String,
+    /// The public key (Ed25519), in hexadecimal digits; none where the instrument signs nothing.
+    public_key: Option<String>,
+    /// Running number of the first record it signed.
+    signed_since_record: Option<u32>,
+    /// Whether the logbook has it now.
+    in_logbook: bool,
+}
+
+impl Key {
+    /// Prints the key, after making it if asked to, and enters it in the logbook.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let mut client = self.hand.connect(context)?;
+        let serial = client.info()?.serial;
+        let key = match self.make {
+            true => Some(
+                self.hand
+                    .wait_for(context, &mut client, |client| client.make_key())?,
+            ),
+            false => client.key()?,
+        };
+        let logbook = context.logbook_if_there()?;
+        if let (Some(logbook), Some(key)) = (&logbook, &key) {
+            logbook.enter_key(&serial, key)?;
+        }
+        let view = KeyView {
+            instrument_serial: serial.as_str().to_owned(),
+            public_key: key.map(|key| calib_output::hex(&key.public)),
+            signed_since_record: key.map(|key| key.since),
+            in_logbook: logbook.is_some() && key.is_some(),
+        };
+        context.print(&view, || view.text(key))
+    }
+}
+
+impl KeyView {
+    fn text(&self, key: Option<DeviceKey>) -> String {
+        let Some(key) = key else {
+            return format!(
+                "{} has no key: its records are not signed. `calib key --make` makes one\n",
+                self.instrument_serial
+            );
+        };
+        let kept = match self.in_logbook {
+            true => "in the logbook",
+            false => {
+                "there is no logbook to keep it in: `calib sensors add` and `calib logbook add` make one"
+            }
+        };
+        format!(
+            "{}  {}  signs its records from number {} on; {kept}\n",
+            self.instrument_serial,
+            short(&key.public),
+            key.since
+        )
+    }
+}
