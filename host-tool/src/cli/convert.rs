@@ -1,6 +1,7 @@
 //! `calib convert`: a sensitivity as that to another motion quantity.
 
 use super::Context;
+use super::number::reachable;
 use calib_host::{Error, Result};
 use calib_metrology::sensitivity::{self, Converted, Quantity};
 use clap::{Args, ValueEnum};
@@ -66,6 +67,7 @@ impl Convert {
                 "an inverted transducer has --phase 180",
             ));
         }
+        reachable("--frequency", self.frequency)?;
         let (from, hz) = (self.from.into(), self.frequency);
         let output = Output {
             frequency_hz: hz,

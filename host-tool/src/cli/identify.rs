@@ -121,7 +121,9 @@ impl Identify {
         if let Some(chart) = &self.chart {
             file::replace(chart, shock::simulation_chart(&record, &result).as_bytes())?;
         }
-        context.print(&result, || shock::report(&result))
+        let consistent = result.consistent;
+        context.print(&result, || shock::report(&result))?;
+        passed(consistent)
     }
 
     fn identify_points(&self, context: &Context, path: &Path) -> Result<()> {
@@ -154,6 +156,18 @@ impl Identify {
         };
         context.print(&output, || {
             identify::report(&output.identification, output.monte_carlo.as_ref())
-        })
+        })?;
+        passed(output.identification.consistent)
+    }
+}
+
+/// A rejected model was printed, but is not to be used; one that could not be tested is no failure.
+fn passed(consistent: Option<bool>) -> Result<()> {
+    match consistent {
+        Some(false) => Err(Error::NotPassed(
+            "the data reject the model: its parameters and their uncertainties are not to be used"
+                .into(),
+        )),
+        _ => Ok(()),
     }
 }

@@ -84,7 +84,7 @@ impl Arguments {
     /// # Errors
     /// What there is to say instead: help, the version, or what is wrong.
     pub(crate) fn read() -> Result<Self, clap::Error> {
-        let mut calib = help::described(Self::command());
+        let mut calib = number::signed(help::described(Self::command()));
         let matches = calib.try_get_matches_from_mut(std::env::args_os())?;
         Self::from_arg_matches(&matches).map_err(|error| error.format(&mut calib))
     }

@@ -1,6 +1,7 @@
 //! `calib nomogram`: two quantities of a vibration give the others.
 
 use super::Context;
+use super::number::reachable;
 use calib_files::file;
 use calib_host::Result;
 use calib_metrology::nomogram::{self, Amplitude, Known, Measure, RigLimits, nomogram_chart};
@@ -66,6 +67,7 @@ impl Nomogram {
             As::PeakToPeak => Measure::PeakToPeak,
         };
         let vibration = nomogram::solve(&known, measure)?;
+        reachable("the frequency", vibration.frequency_hz)?;
         let limits = RigLimits {
             acceleration_rms_ms2: self.rig_acceleration,
             velocity_rms_ms: self.rig_velocity,

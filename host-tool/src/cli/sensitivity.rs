@@ -15,7 +15,9 @@ const FORM: &str = "\
 READINGS.csv has frequency_hz, dut_v, and one of
   reference_sensitivity, reference_v                            direct comparison
   reference_sensitivity, reference_before_v, reference_after_v  consecutive (4.5 a)
-  amplitude                                                     calibrator, S = X/A
+  amplitude_rms or amplitude_peak, with dut_rms_v or dut_peak_v in place of dut_v
+                                                                calibrator, S = X/A
+reference_sensitivity is in V per unit; _mv or _v behind its name say the unit.
 Phases are optional: dut_deg, reference_deg, reference_before_deg,
 reference_after_deg, reference_sensitivity_deg.
 
@@ -46,12 +48,12 @@ pub(super) struct Output {
 impl Sensitivity {
     /// Evaluates and prints; a refused point is not a pass.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let readings = sensitivity::load(&self.file)?;
         let example = match self.example {
             1 => Example::Example1,
             _ => Example::Example2,
         };
         let quantity = Quantity::from(self.quantity);
+        let readings = sensitivity::load(&self.file, quantity)?;
         let output = Output {
             quantity,
             unit: quantity.unit(),

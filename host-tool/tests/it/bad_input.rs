@@ -64,6 +64,48 @@ fn budgets() {
     }
 }
 
+/// Numbers below zero were unknown options, and 160 kHz written as 160e6 had 9.9e9 V/(m/s).
+#[test]
+fn command_lines() {
+    for (line, what) in [
+        ("convert --frequency -160 --sensitivity 0.01", "above zero"),
+        ("convert --frequency 160 --sensitivity -0.01", "above zero"),
+        ("convert --frequency 160e6 --sensitivity 0.01", "no exciter"),
+        (
+            "nomogram --frequency -160 --acceleration 10",
+            "greater than zero",
+        ),
+        ("nomogram --frequency 160e6 --acceleration 10", "no exciter"),
+        ("risk --ratio -4", "above 1"),
+    ] {
+        let output = Command::new(env!("CARGO_BIN_EXE_calib"))
+            .args(line.split(' '))
+            .output()
+            .expect("calib starts");
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{line}: {message}");
+        assert!(message.contains(what), "{line}: {message}");
+        assert!(message.contains("hint: "), "{line}: {message}");
+    }
+}
+
+/// It ended as a success, which the table of exit codes denies.
+#[test]
+fn a_rejected_model_is_no_success() {
+    let folder = tempfile::tempdir().expect("folder");
+    // 60 % at twice the frequency, where a resonance at 40 Hz has 33 %, known to 0.1 %.
+    let rows = "10,1,-1,0.001,0.1\n20,1.6,-2,0.0016,0.1\n25,1.7,-2.5,0.0017,0.1\n";
+    std::fs::write(folder.path().join("p.csv"), format!("{POINTS}{rows}")).expect("written");
+    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
+        .args(["identify", "p.csv", "--trials", "0"])
+        .current_dir(folder.path())
+        .output()
+        .expect("calib starts");
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(said.contains("REJECTED"), "{said}");
+    assert_eq!(output.status.code(), Some(7));
+}
+
 #[test]
 fn comparisons() {
     for case in [

@@ -6,6 +6,9 @@ use crate::text::significant;
 
 /// Rise over S0 the data should reach (8.3 b).
 const WANTED_RISE: f64 = 1.10;
+/// Resonance below which a transducer is no accelerometer for vibration, Hz: large seismic ones of 10 V/g begin at
+/// some hundred.
+const LOWEST_RESONANCE_HZ: f64 = 100.0;
 
 /// Advice to the metrologist before the parameters are used.
 pub(super) fn advise(points: &Points, result: &Identification) -> Vec<String> {
@@ -21,6 +24,12 @@ pub(super) fn advise(points: &Points, result: &Identification) -> Vec<String> {
             "the range is too low for the resonance: the sensitivity rises by {} % over S0, \
              less than the 10 % of 8.3 b; f0 and delta are poorly determined",
             significant(100.0 * (highest - 1.0), 2)
+        ));
+    }
+    if oscillator.f0_hz < LOWEST_RESONANCE_HZ {
+        advice.push(format!(
+            "a resonance of {} Hz is that of a seismometer: is the frequency in Hz, not kHz?",
+            significant(oscillator.f0_hz, 3)
         ));
     }
     advice.extend(near_resonance(points, result));

@@ -19,6 +19,8 @@ pub(super) enum Form {
     Relative(f64),
     /// The unit is not stated.
     Unstated,
+    /// A logarithm of the quantity, which no model is fitted to.
+    Decibel,
 }
 
 /// Meaning of a column.
@@ -81,6 +83,7 @@ fn form(quantity: Quantity, uncertain: bool, has: &dyn Fn(&[&str]) -> bool) -> F
         Quantity::Magnitude if uncertain && has(&["rel", "relative", "ratio"]) => {
             Form::Relative(1.0)
         }
+        Quantity::Magnitude if has(&["db", "decibel"]) => Form::Decibel,
         Quantity::Magnitude => Form::Scaled(1.0),
     }
 }
@@ -106,6 +109,7 @@ mod tests {
         assert_eq!(plain("dut_deg").quantity, Quantity::Phase);
         assert_eq!(plain("phase").form, Form::Unstated);
         assert_eq!(plain("ratio").form, Form::Scaled(1.0));
+        assert_eq!(plain("magnitude_db").form, Form::Decibel);
         assert_eq!(plain("u_ratio").form, Form::Relative(1.0));
         assert_eq!(plain("u_s").form, Form::Scaled(1.0));
         assert_eq!(plain("u_magnitude_percent").form, Form::Relative(0.01));

@@ -1,8 +1,9 @@
 //! The table of points: frequency, magnitude, phase and their uncertainties.
 
 use super::header::{Form, Meaning, Quantity, meaning};
-use crate::input::{Column, Row, Source, Table};
+use crate::input::{Column, HIGHEST_HZ, Row, Source, Table};
 use calib_files::{Error, Result};
+use std::f64::consts::TAU;
 
 /// One frequency of a calibration.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,6 +135,14 @@ fn check_uncertainties(
             "name it phase_deg or phase_rad",
         ));
     }
+    let stated = std::iter::once(&chosen.magnitude).chain(&chosen.u_magnitude);
+    for (column, _) in stated.filter(|(_, meaning)| meaning.form == Form::Decibel) {
+        return Err(table.source.at_line(
+            table.header_line,
+            format!("column '{}' is in dB", column.written),
+            "write magnitudes: 10^(dB / 20) times what the dB refer to; 0.1 dB of uncertainty are 1.16 %",
+        ));
+    }
     if let Some((_, meaning)) = &mut chosen.u_phase
         && meaning.form == Form::Unstated
     {
@@ -204,7 +213,35 @@ fn point(table: &Table, row: &Row, chosen: &Chosen) -> Result<Point> {
             ));
         }
     }
+    believable(&point).map_err(|(problem, hint)| table.source.at_line(row.line, problem, hint))?;
     Ok(point)
+}
+
+/// What a column in another unit than its name says looks like: problem and way out.
+fn believable(point: &Point) -> Result<(), (String, &'static str)> {
+    if point.frequency_hz > HIGHEST_HZ {
+        return Err((
+            format!("frequency {} Hz: no exciter reaches it", point.frequency_hz),
+            "the column holds Hz and says kHz? Name it frequency_hz",
+        ));
+    }
+    // A single resonance turns the phase by half a turn, an inverted transducer by as much again.
+    if point.phase_rad.abs() > 1.001 * TAU {
+        return Err((
+            format!("phase {} rad is more than a turn", point.phase_rad),
+            "the column holds degrees and says rad? Name it phase_deg; else take whole turns off",
+        ));
+    }
+    if point.u_magnitude > point.magnitude {
+        return Err((
+            format!(
+                "uncertainty {} of a magnitude {} is more than all of it",
+                point.u_magnitude, point.magnitude
+            ),
+            "name the column u_magnitude_percent or u_magnitude_rel if it is relative",
+        ));
+    }
+    Ok(())
 }
 
 fn value(table: &Table, row: &Row, column: &(Column, Meaning), magnitude: f64) -> Result<f64> {
@@ -213,6 +250,6 @@ fn value(table: &Table, row: &Row, column: &(Column, Meaning), magnitude: f64) -
     Ok(match meaning.form {
         Form::Scaled(factor) => number * factor,
         Form::Relative(factor) => number * factor * magnitude,
-        Form::Unstated => number,
+        Form::Unstated | Form::Decibel => number,
     })
 }

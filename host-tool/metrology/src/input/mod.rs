@@ -4,7 +4,7 @@ mod table;
 mod values;
 
 pub use table::{Column, Row, Table};
-pub use values::{Number, Text, finite, plain, positive};
+pub use values::{HIGHEST_HZ, Number, Text, coverage_factor, finite, plain, positive};
 
 use calib_files::{Error, Result, text};
 use serde::de::DeserializeOwned;

@@ -14,6 +14,10 @@ pub type Text = Spanned<String>;
 /// (Welch-Satterthwaite) of what is made of it is still a number.
 pub(super) const LARGEST: f64 = 1.0e60;
 
+/// Highest frequency anybody calibrates a vibration transducer at, Hz: laser vibrometry of PTB's high-frequency
+/// exciters ends near 100 kHz. What is above is a frequency in another unit.
+pub const HIGHEST_HZ: f64 = 200.0e3;
+
 /// A finite number of at most 1e60.
 ///
 /// # Errors
@@ -69,4 +73,21 @@ pub fn plain(source: &Source, name: &str, number: &Number) -> Result<f64> {
         ));
     }
     Ok(value)
+}
+
+/// A coverage factor that can be one: from the standard uncertainty itself to what one degree of
+/// freedom needs for 95.45 % (13.97).
+///
+/// # Errors
+/// As [`positive`], and what is outside of that.
+pub fn coverage_factor(source: &Source, name: &str, number: &Number) -> Result<f64> {
+    let factor = positive(source, name, number)?;
+    match (1.0..=14.0).contains(&factor) {
+        true => Ok(factor),
+        false => Err(source.at(
+            &number.span(),
+            format!("{name} = {factor} is no coverage factor: they lie between 1 and 14"),
+            "k = 2 covers about 95 % of a normal distribution",
+        )),
+    }
 }

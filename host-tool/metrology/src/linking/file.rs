@@ -125,7 +125,7 @@ pub fn parse(source: &Source) -> Result<LinkFile> {
     let file = LinkFile {
         title: raw.title.unwrap_or_else(|| "linked comparison".into()),
         coverage_factor: match &raw.coverage_factor {
-            Some(number) => input::positive(source, "coverage_factor", number)?,
+            Some(number) => input::coverage_factor(source, "coverage_factor", number)?,
             None => 2.0,
         },
         on_failure: match raw.mandel_paule {
@@ -182,7 +182,7 @@ fn standard_uncertainty(source: &Source, raw: &RawResult) -> Result<f64> {
         (None, Some(number)) => {
             let expanded = input::positive(source, "expanded_uncertainty", number)?;
             let k = match &raw.k {
-                Some(k) => input::positive(source, "k", k)?,
+                Some(k) => input::coverage_factor(source, "k", k)?,
                 None => 2.0,
             };
             Ok(expanded / k)

@@ -7,6 +7,7 @@
 
 use super::random::Lanes;
 use crate::statistics::{mean, standard_deviation};
+use std::f64::consts::TAU;
 use serde::Serialize;
 
 /// Magnitude and phase by Monte Carlo and to first order.
@@ -37,12 +38,15 @@ pub fn polar(real: f64, imaginary: f64, u: [f64; 2], r: f64, trials: usize, seed
     let (mut first, mut second) = (vec![0.0; trials], vec![0.0; trials]);
     lanes.fill_normal(&mut first);
     lanes.fill_normal(&mut second);
+    let direction_rad = imaginary.atan2(real);
     let (mut magnitudes, mut phases) = (Vec::new(), Vec::new());
     for (a, b) in first.iter().zip(&second) {
         let x = real + u[0] * a;
         let y = imaginary + u[1] * (r * a + (1.0 - r * r).sqrt() * b);
         magnitudes.push(x.hypot(y));
-        phases.push(y.atan2(x));
+        // From the direction of the quantity itself: around half a turn, angles of both signs are one.
+        let turn = (y.atan2(x) - direction_rad) / TAU;
+        phases.push((turn - turn.round()) * TAU);
     }
     let size = real.hypot(imaginary);
     let (c, s) = (real / size, imaginary / size);
@@ -52,7 +56,7 @@ pub fn polar(real: f64, imaginary: f64, u: [f64; 2], r: f64, trials: usize, seed
     Polar {
         magnitude: mean(&magnitudes),
         u_magnitude: standard_deviation(&magnitudes),
-        phase_rad: mean(&phases),
+        phase_rad: direction_rad + mean(&phases),
         u_phase_rad: standard_deviation(&phases),
         first_order_u_magnitude: along.max(0.0).sqrt(),
         first_order_u_phase_rad: across.max(0.0).sqrt() / size,

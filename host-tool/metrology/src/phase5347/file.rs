@@ -100,14 +100,16 @@ pub fn parse(source: &Source) -> Result<PhaseFile> {
 
 fn limit(source: &Source, name: &str, number: &Number) -> Result<f64> {
     let value = input::finite(source, name, number)?;
-    match value >= 0.0 {
-        true => Ok(value),
-        false => Err(source.at(
-            &number.span(),
-            format!("{name} = {value}: a limit is never negative"),
-            "write its magnitude in degrees",
-        )),
-    }
+    let problem = match value {
+        _ if value < 0.0 => "a limit is never negative",
+        _ if value > 180.0 => "is more than half a turn",
+        _ => return Ok(value),
+    };
+    Err(source.at(
+        &number.span(),
+        format!("{name} = {value}: {problem}"),
+        "write its magnitude in degrees",
+    ))
 }
 
 fn point(source: &Source, raw: &RawPoint) -> Result<PhasePoint> {

@@ -12,6 +12,7 @@
 //! # Source
 //! ISO 16063-21:2003, 4.5, 5.3, clause 6, Annex B.
 
+mod columns;
 mod conversion;
 mod file;
 mod reading;
@@ -88,7 +89,7 @@ fn sensitivity(reading: &Reading, with_phase: bool, example: Example) -> PointSe
             reference_output,
             dut,
         } => ("comparison", Ok(reference * dut / reference_output), None),
-        Values::Calibrator { amplitude, dut } => ("calibrator", Ok(dut / amplitude), None),
+        Values::Calibrator { amplitude_rms, dut } => ("calibrator", Ok(dut / amplitude_rms), None),
         Values::Consecutive {
             reference,
             readings,

@@ -33,9 +33,9 @@ pub enum Values {
     },
     /// Output at a stated amplitude.
     Calibrator {
-        /// Amplitude of the calibrator, in the unit of the quantity.
-        amplitude: f32,
-        /// Output of the device under test, V.
+        /// Amplitude of the calibrator, in the unit of the quantity, r.m.s.
+        amplitude_rms: f32,
+        /// Output of the device under test, V r.m.s.
         dut: Complex32,
     },
 }

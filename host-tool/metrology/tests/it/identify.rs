@@ -182,6 +182,15 @@ fn advice_and_faults_are_given() {
         ("f,S,phase_deg,u_S\n10,1,0,0.1\n20,1,0,0.1\n", 1, "u_phase"),
         ("f,phase_deg\n10,1\n20,1\n", 1, "magnitude"),
         ("f,S,phase_deg\n10,1,0\n", 1, "one point"),
+        ("f,S_db,phase_deg\n10,1,0\n20,1,0\n", 1, "in dB"),
+        // Hz that say kHz made a resonance of 51 MHz.
+        ("f_khz,S,phase_deg\n10,1,0\n1000,1,0\n", 3, "no exciter"),
+        ("f,S,phase_rad\n10,1,0\n1000,1,-11\n", 3, "more than a turn"),
+        (
+            "f,S,phase_deg,u_S,u_phase_deg\n10,1,0,2,1\n20,1,0,1,1\n",
+            2,
+            "all of it",
+        ),
     ];
     for (text, line, what) in cases {
         let error = read(text).expect_err(what);

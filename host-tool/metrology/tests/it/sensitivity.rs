@@ -8,7 +8,10 @@ use std::path::Path;
 const CONSECUTIVE: &str = include_str!("../../../../docs/metrology/examples/consecutive.csv");
 
 fn read(text: &str) -> calib_files::Result<Readings> {
-    sensitivity::parse(Source::from_text(Path::new("r.csv"), text)?)
+    sensitivity::parse(
+        Source::from_text(Path::new("r.csv"), text)?,
+        Quantity::Acceleration,
+    )
 }
 
 fn evaluate(text: &str, example: Example) -> Vec<PointSensitivity> {
@@ -83,10 +86,23 @@ fn comparison_and_calibrator_are_their_formulas() {
     close(points[0].sensitivity, 0.005_1);
     assert_eq!(points[0].phase_deg, None);
     assert_eq!(points[0].method, "comparison");
-    let text = "frequency_hz,amplitude,dut_v,dut_deg\n160,10,0.05,-3\n";
+    let text = "frequency_hz,amplitude_rms,dut_rms_v,dut_deg\n160,10,0.05,-3\n";
     let points = evaluate(text, Example::Example2);
     close(points[0].sensitivity, 0.005);
     near(points[0].phase_deg, -3.0, ANGLE_DEG);
+    // 10 m/s2 peak are 7.07 r.m.s.; what both state alike cancels.
+    let mixed = "frequency_hz,amplitude_peak,dut_rms_v\n160,10,0.05\n";
+    close(
+        evaluate(mixed, Example::Example2)[0].sensitivity,
+        0.005 * std::f64::consts::SQRT_2,
+    );
+    let peaks = "frequency_hz,amplitude_peak,dut_peak_v\n160,10,0.05\n";
+    close(evaluate(peaks, Example::Example2)[0].sensitivity, 0.005);
+    let millivolt = "frequency_hz,reference_sensitivity_mv,reference_v,dut_v\n160,10.2,0.1,0.05\n";
+    close(
+        evaluate(millivolt, Example::Example2)[0].sensitivity,
+        0.005_1,
+    );
 }
 
 #[test]
@@ -129,6 +145,28 @@ fn faults_name_the_line_and_the_remedy() {
         ),
         (format!("{header}160,0.01,1,1\n160,0.01,1,1\n"), 3, "twice"),
         ("frequency_hz,dut_v\n160,1\n".into(), 1, "amplitude"),
+        // r.m.s. or peak: 41 %.
+        (
+            "frequency_hz,amplitude,dut_v\n160,10,0.1\n".into(),
+            1,
+            "r.m.s. or peak",
+        ),
+        (
+            "frequency_hz,amplitude_rms,dut_v\n160,10,0.1\n".into(),
+            1,
+            "r.m.s. or peak",
+        ),
+        // mV meant: 9.86 V/(m/s2), pass, before.
+        (
+            format!("{header}160,10.2,0.102,0.0986\n"),
+            2,
+            "more than any accelerometer",
+        ),
+        (
+            format!("{header}160000,0.0102,0.1,0.1\n80000000,0.01,0.1,0.1\n"),
+            3,
+            "no exciter",
+        ),
         (
             "frequency_hz,reference_v,dut_v\n160,1,1\n".into(),
             1,

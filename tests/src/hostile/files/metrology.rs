@@ -57,7 +57,7 @@ fn evaluate(path: &Path, source: Source) -> Result<String> {
             Ok(phase5347::report(&results, &phase5347::remarks(&file)))
         }
         "readings.csv" => {
-            let readings = sensitivity::parse(source)?;
+            let readings = sensitivity::parse(source, sensitivity::Quantity::Acceleration)?;
             let points = sensitivity::evaluate(&readings, Example::Example2);
             Ok(sensitivity::report(&points, "V/(m/s2)", &readings.remarks))
         }

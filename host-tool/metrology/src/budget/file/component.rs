@@ -1,6 +1,5 @@
 //! One `[[component]]` of a budget file.
 
-use super::factor_of;
 use crate::budget::{Budget, Component, Distribution, Unit, evaluate};
 use crate::input::{self, Number, Source, Text};
 use calib_files::Result;
@@ -140,11 +139,14 @@ fn normal(
 ) -> Result<Distribution> {
     refuse_shape(source, fields)?;
     let k = match &fields.k {
-        Some(number) => Some(factor_of(source, "k", number)?),
+        Some(number) => Some(input::coverage_factor(source, "k", number)?),
         None => None,
     };
     let divisor = match &fields.divisor {
-        Some(number) => Some((factor_of(source, "divisor", number)?, number.span())),
+        Some(number) => Some((
+            input::coverage_factor(source, "divisor", number)?,
+            number.span(),
+        )),
         None => None,
     };
     let coverage_factor = match (k, divisor) {

@@ -138,7 +138,7 @@ fn coverage(source: &Source, file: &BudgetFile) -> Result<CoverageRule> {
     match (&file.coverage_factor, &file.coverage_probability) {
         (None, None) => Ok(CoverageRule::Default),
         (Some(factor), None) => {
-            factor_of(source, "coverage_factor", factor).map(CoverageRule::Factor)
+            input::coverage_factor(source, "coverage_factor", factor).map(CoverageRule::Factor)
         }
         (None, Some(number)) => {
             let probability = input::positive(source, "coverage_probability", number)?;
@@ -155,20 +155,6 @@ fn coverage(source: &Source, file: &BudgetFile) -> Result<CoverageRule> {
             &second.span(),
             "coverage_factor and coverage_probability are both stated",
             "state one of them; the other follows from it",
-        )),
-    }
-}
-
-/// A coverage factor that can be one: from the standard uncertainty itself to what one degree of
-/// freedom needs for 95.45 % (13.97).
-fn factor_of(source: &Source, name: &str, number: &Number) -> Result<f64> {
-    let factor = input::positive(source, name, number)?;
-    match (1.0..=14.0).contains(&factor) {
-        true => Ok(factor),
-        false => Err(source.at(
-            &number.span(),
-            format!("{name} = {factor} is no coverage factor: they lie between 1 and 14"),
-            "k = 2 covers about 95 % of a normal distribution",
         )),
     }
 }
