@@ -1,14 +1,21 @@
-//! The budget at the reference point, recomputed from the record's settings.
+//! The budgets of a record's points, recomputed from its settings.
 //!
 //! The instrument stored U; the certificate prints where it comes from. Both
 //! are the same function of calib-core on the same numbers, so they agree to the
 //! digits a record keeps; a record whose settings do not give its U is not trusted.
+//! A temperature beyond what the settings cover enlarges U in the same proportion
+//! as it does that of the recomputed budget.
 
+use super::deviation::{OfRatio, of_ratio, within_a_response, within_an_instrument};
 use super::model::{Budget, BudgetRow, Certificate, Remark, Severity, Value};
+use super::particulars::Particulars;
+use super::temperature::Distance;
 use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, point_budget};
 use calib_core::point::PointResult;
-use calib_core::settings::Distribution;
+use calib_core::settings::{Distribution, Settings};
+use calib_output::number::decimal;
 use calib_protocol::record::Record;
+use std::borrow::Cow;
 
 /// A record keeps U to 1.6e-5 (upper 24 bits of the f32); sums of squares of
 /// host and target differ in the last bits of f32 (6e-8, at most 22 terms).
@@ -33,8 +40,141 @@ fn agreement_rel(budget: &CoreBudget<'_>) -> f64 {
     STORED_U_REL + 2.0 * share * STORED_REPEATABILITY_REL
 }
 
+/// What the uncertainties of a certificate are made of.
+pub(super) struct Basis<'a> {
+    record: &'a Record,
+    /// Settings that cover the temperature, too.
+    settings: Cow<'a, Settings>,
+    /// How far the temperature was from that of the settings.
+    pub(super) distance: Distance,
+    /// Correlation of the reference's calibration between two frequencies.
+    correlation: f64,
+}
+
+/// Expanded uncertainties of a point.
+pub(super) struct Uncertainty {
+    /// Of the magnitude, relative.
+    pub(super) expanded_rel: f64,
+    pub(super) coverage_factor: f64,
+    /// Possibly infinite.
+    pub(super) effective_degrees_of_freedom: f64,
+    /// Of the phase, rad.
+    pub(super) expanded_phase_rad: f64,
+    /// Coverage factor of the phase, where its budget gives the stated U: the
+    /// record stores that of the magnitude only.
+    pub(super) coverage_factor_phase: Option<f64>,
+}
+
+impl<'a> Basis<'a> {
+    pub(super) fn new(record: &'a Record, particulars: &Particulars) -> Self {
+        let distance = Distance::of(record, particulars);
+        let correlation = particulars.calibration.reference_correlation;
+        Self {
+            record,
+            settings: distance.covered_by(&record.settings),
+            distance,
+            correlation: correlation.unwrap_or(1.0),
+        }
+    }
+
+    /// Uncertainty of a point; none where a temperature counts and no budget can say how.
+    pub(super) fn uncertainty(&self, point: &PointResult) -> Option<Uncertainty> {
+        let stored = self.stored(point);
+        if self.distance == Distance::Covered {
+            return Some(stored);
+        }
+        let expand = |settings| {
+            let budget = of_point(self.record, settings, point).ok()?;
+            budget.expand().ok()
+        };
+        let (before, before_phase) = expand(&self.record.settings)?;
+        let (now, now_phase) = expand(&self.settings)?;
+        let times = |now: f32, before: f32| match before > 0.0 {
+            true => f64::from(now) / f64::from(before),
+            false => 1.0,
+        };
+        Some(Uncertainty {
+            expanded_rel: stored.expanded_rel
+                * times(now.expanded_uncertainty, before.expanded_uncertainty),
+            coverage_factor: decimal(now.coverage.factor),
+            effective_degrees_of_freedom: decimal(now.effective_degrees_of_freedom),
+            expanded_phase_rad: stored.expanded_phase_rad
+                * times(
+                    now_phase.expanded_uncertainty,
+                    before_phase.expanded_uncertainty,
+                ),
+            coverage_factor_phase: stored
+                .coverage_factor_phase
+                .map(|_| f64::from(now_phase.coverage.factor)),
+        })
+    }
+
+    /// What the instrument stated.
+    fn stored(&self, point: &PointResult) -> Uncertainty {
+        Uncertainty {
+            expanded_rel: f64::from(point.expanded_uncertainty_rel),
+            coverage_factor: decimal(point.coverage_factor),
+            effective_degrees_of_freedom: decimal(point.effective_degrees_of_freedom),
+            expanded_phase_rad: f64::from(point.expanded_uncertainty_phase_rad),
+            coverage_factor_phase: self.coverage_factor_phase(point),
+        }
+    }
+
+    fn coverage_factor_phase(&self, point: &PointResult) -> Option<f64> {
+        let budget = of_point(self.record, &self.record.settings, point).ok()?;
+        let (_, phase) = budget.expand().ok()?;
+        let ratio = f64::from(phase.expanded_uncertainty / point.expanded_uncertainty_phase_rad);
+        let agrees = (ratio - 1.0).abs() <= agreement_rel(&budget.phase);
+        agrees.then(|| f64::from(phase.coverage.factor))
+    }
+
+    /// Uncertainty of the ratio of a point's magnitude to that of the reference point.
+    pub(super) fn of_ratio(&self, point: &PointResult, reference: &PointResult) -> Option<OfRatio> {
+        let correlation = within_a_response(self.correlation);
+        of_ratio(
+            &self.magnitude(point)?,
+            &self.magnitude(reference)?,
+            &correlation,
+        )
+    }
+
+    /// Uncertainty of the ratio of a point's magnitude to that of a point of another calibration.
+    pub(super) fn of_change(
+        &self,
+        point: &PointResult,
+        before: &Self,
+        point_before: &PointResult,
+    ) -> Option<OfRatio> {
+        let (now, then) = (self.magnitude(point)?, before.magnitude(point_before)?);
+        match self.is_of_the_instrument(before) {
+            true => of_ratio(&now, &then, &within_an_instrument),
+            false => of_ratio(&now, &then, &|_| 0.0),
+        }
+    }
+
+    /// One instrument, and one calibration of its reference, that is known by name.
+    fn is_of_the_instrument(&self, other: &Self) -> bool {
+        let of = |basis: &Self| {
+            let reference = &basis.record.settings.reference;
+            let words = [
+                basis.record.head.instrument_serial.as_str(),
+                reference.serial.as_str(),
+                reference.certificate.as_str(),
+            ];
+            words.map(|word| word.trim().to_owned())
+        };
+        let (own, other) = (of(self), of(other));
+        own == other && own.iter().all(|word| !word.is_empty())
+    }
+
+    fn magnitude(&self, point: &PointResult) -> Option<CoreBudget<'static>> {
+        let budget = of_point(self.record, &self.settings, point).ok()?;
+        Some(budget.magnitude)
+    }
+}
+
 /// Recomputes the budget of `point` and compares it with the stored U.
-pub(super) fn attach(certificate: &mut Certificate, record: &Record, point: &PointResult) {
+pub(super) fn attach(certificate: &mut Certificate, basis: &Basis<'_>, point: &PointResult) {
     let mut error = |key, values| {
         let severity = Severity::Error;
         certificate.remarks.push(Remark {
@@ -43,15 +183,17 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, point: &Poi
             values,
         });
     };
-    match recompute(record, point) {
+    let budgets = recompute(basis.record, &basis.record.settings, point)
+        .and_then(|own| Ok((own, recompute(basis.record, &basis.settings, point)?.0)));
+    match budgets {
         Err(problem) => error("budget_failed", vec![Value::Text(problem)]),
-        Ok((budget, agreement_rel)) => {
+        Ok(((own, agreement_rel), budget)) => {
             let stored = 100.0 * f64::from(point.expanded_uncertainty_rel);
-            if (budget.expanded_percent / stored - 1.0).abs() > agreement_rel {
+            if (own.expanded_percent / stored - 1.0).abs() > agreement_rel {
                 let number = |percent| Value::Number(percent, 4, "");
                 error(
                     "budget_mismatch",
-                    vec![number(budget.expanded_percent), number(stored)],
+                    vec![number(own.expanded_percent), number(stored)],
                 );
             }
             certificate.budget = Some(budget);
@@ -59,26 +201,24 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, point: &Poi
     }
 }
 
-/// Coverage factor of the phase of a point: the record stores that of the
-/// magnitude only, the budget of the phase gives its own.
-pub(super) fn coverage_factor_phase(record: &Record, point: &PointResult) -> Option<f64> {
-    let budget = of_point(record, point).ok()?;
-    let (_, phase) = budget.expand().ok()?;
-    let ratio = f64::from(phase.expanded_uncertainty / point.expanded_uncertainty_phase_rad);
-    let agrees = (ratio - 1.0).abs() <= agreement_rel(&budget.phase);
-    agrees.then(|| f64::from(phase.coverage.factor))
-}
-
-fn of_point(record: &Record, point: &PointResult) -> Result<PointBudget<'static>, String> {
+fn of_point(
+    record: &Record,
+    settings: &Settings,
+    point: &PointResult,
+) -> Result<PointBudget<'static>, String> {
     let frequency_hz = point.tone.frequency_hz(record.head.sample_rate_hz);
-    let reference = record.settings.reference.at(frequency_hz);
+    let reference = settings.reference.at(frequency_hz);
     let reference = reference
         .ok_or_else(|| format!("the table of the reference does not reach {frequency_hz} Hz"))?;
-    point_budget(&record.settings, &reference, point).map_err(|e| e.to_string())
+    point_budget(settings, &reference, point).map_err(|e| e.to_string())
 }
 
-fn recompute(record: &Record, point: &PointResult) -> Result<(Budget, f64), String> {
-    let budget = of_point(record, point)?;
+fn recompute(
+    record: &Record,
+    settings: &Settings,
+    point: &PointResult,
+) -> Result<(Budget, f64), String> {
+    let budget = of_point(record, settings, point)?;
     let (expanded, _) = budget.expand().map_err(|e| e.to_string())?;
     let reported = Budget {
         rows: rows(&budget.magnitude),

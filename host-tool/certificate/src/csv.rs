@@ -14,7 +14,7 @@ use calib_output::code;
 use calib_output::number::{self, decimal};
 
 /// Headings of the columns before what is measured.
-const RESULT: [&str; 15] = [
+const RESULT: [&str; 17] = [
     "certificate",
     "dut_model",
     "dut_serial",
@@ -28,12 +28,14 @@ const RESULT: [&str; 15] = [
     "coverage_factor",
     "deviation_percent",
     "deviation_db",
+    "expanded_uncertainty_deviation_percent",
+    "coverage_factor_deviation",
     "phase_deg",
     "expanded_uncertainty_phase_deg",
 ];
 
 /// Headings of the columns behind it.
-const JUDGEMENT: [&str; 14] = [
+const JUDGEMENT: [&str; 15] = [
     "blocks",
     "state",
     "reason",
@@ -46,6 +48,7 @@ const JUDGEMENT: [&str; 14] = [
     "as_found_expanded_uncertainty_percent",
     "change_percent",
     "coherence",
+    "overrides",
     "marks",
     "record_chain",
 ];
@@ -78,6 +81,7 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
         row.extend(as_found(point, found, language));
         let coherence = point.view.coherence;
         row.push(coherence.map_or_else(String::new, |c| fixed(decimal(c), 4, language)));
+        row.push(harmless(certificate.overrides().join("; ")));
         row.push(
             certificate
                 .marks()
@@ -120,7 +124,7 @@ fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<Stri
     ];
     match &point.outcome {
         Ok(values) => row.extend(results(values, language)),
-        Err(_) => row.extend(std::iter::repeat_n(String::new(), 8)),
+        Err(_) => row.extend(std::iter::repeat_n(String::new(), 10)),
     }
     let measured = MEASURED.iter().map(|one| (one.of)(&point.measured));
     row.extend(measured.map(|value| value.map(number).unwrap_or_default()));
@@ -173,24 +177,30 @@ fn as_found(left: &Point, found: Option<&Point>, language: Language) -> [String;
 }
 
 /// Results as printed: what is on paper and what is in the file is one number.
-fn results(values: &PointValues, language: Language) -> [String; 8] {
+fn results(values: &PointValues, language: Language) -> [String; 10] {
     let fixed = |value: f64, decimals: usize| fixed(value, decimals, language);
     let (uncertainty, decimals) = values.printed_uncertainty_percent;
     let per_ms2 = values.printed_mv_per_ms2;
     let per_g = values.printed_mv_per_g;
     let phase = values.printed_phase_deg;
+    let deviation = values.deviation;
+    let of_deviation = deviation.and_then(|d| Some((d.uncertainty?, d.decimals)));
     [
         fixed(per_ms2.value, per_ms2.decimals),
         fixed(per_g.value, per_g.decimals),
         fixed(uncertainty, decimals),
         fixed(values.coverage_factor, 2),
-        values
-            .deviation_percent
-            .map(|d| fixed(d, decimals))
+        deviation
+            .map(|d| fixed(d.percent, d.decimals))
             .unwrap_or_default(),
-        values
-            .deviation_db
-            .map(|d| fixed(d, decimals + 1))
+        deviation
+            .map(|d| fixed(d.db, d.decimals + 1))
+            .unwrap_or_default(),
+        of_deviation
+            .map(|(u, decimals)| fixed(u.printed_percent, decimals))
+            .unwrap_or_default(),
+        of_deviation
+            .map(|(u, _)| fixed(u.coverage_factor, 2))
             .unwrap_or_default(),
         phase
             .map(|r| fixed(r.value, r.decimals))

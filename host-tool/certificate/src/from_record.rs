@@ -1,13 +1,15 @@
 //! From a decoded record to the certificate: the only place that computes.
 
+use super::budget::{self, Basis};
+use super::conformity;
 use super::model::{Certificate, Refusal, Remark, Severity, Value};
-use super::model::{Point, PointValues};
+use super::model::{Deviation, Point, PointValues};
 use super::particulars::Particulars;
 use super::rounding::{Rounded, round_uncertainty};
 use super::sections::{is_traceable, sections};
 use super::stored::{day, run_day, unix_day};
+use super::temperature::Distance;
 use super::units::STANDARD_GRAVITY_MS2;
-use super::{budget, conformity};
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
 use calib_output::PointView;
@@ -30,9 +32,10 @@ impl Certificate {
             let (a, b) = (key(a), key(b));
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        let mut points: Vec<Point> = measured.iter().map(|p| point(p, record)).collect();
+        let basis = Basis::new(record, particulars);
+        let mut points: Vec<Point> = measured.iter().map(|p| point(p, &basis, record)).collect();
         let reference = reference_point(&points);
-        state_deviations(&mut points, reference);
+        state_deviations(&mut points, reference, &basis);
         let mut certificate = Self {
             number: number(record, particulars),
             day: run_day(record).or(particulars.calibration.date),
@@ -50,9 +53,11 @@ impl Certificate {
             traceable: is_traceable(record),
         };
         certificate.remarks = remarks(record, &certificate);
+        let temperature = basis.distance.remark();
+        certificate.remarks.extend(temperature);
         conformity::attach(&mut certificate);
         if let Some(index) = reference {
-            budget::attach(&mut certificate, record, measured[index]);
+            budget::attach(&mut certificate, &basis, measured[index]);
         }
         certificate
     }
@@ -63,11 +68,13 @@ fn number(record: &Record, particulars: &Particulars) -> String {
     stated.unwrap_or_else(|| format!("{}-{:06}", record.head.instrument_serial, record.head.id))
 }
 
-fn point(result: &PointResult, record: &Record) -> Point {
+fn point(result: &PointResult, basis: &Basis<'_>, record: &Record) -> Point {
     let mut view = PointView::new(result, record.head.sample_rate_hz);
-    let outcome = outcome(result, record);
-    if outcome.is_err() && view.is_valid() {
-        view.refuse("not_reportable");
+    let outcome = outcome(result, basis);
+    match &outcome {
+        Err(_) if view.is_valid() => view.refuse("not_reportable"),
+        Ok(values) if basis.distance != Distance::Covered => state_uncertainty(&mut view, values),
+        _ => {}
     }
     let nominal_frequency_hz = decimal(result.spec.frequency_hz);
     Point {
@@ -81,20 +88,30 @@ fn point(result: &PointResult, record: &Record) -> Point {
     }
 }
 
-fn outcome(result: &PointResult, record: &Record) -> Result<PointValues, Refusal> {
+/// U as certified, in place of the instrument's.
+fn state_uncertainty(view: &mut PointView, values: &PointValues) {
+    let single = |value: f64| Some(value as f32).filter(|value| value.is_finite());
+    view.expanded_uncertainty_rel = single(values.expanded_uncertainty_percent / 100.0);
+    view.coverage_factor = single(values.coverage_factor);
+    view.effective_degrees_of_freedom = single(values.effective_degrees_of_freedom);
+    view.expanded_uncertainty_phase_deg = Some(values.expanded_uncertainty_phase_deg);
+}
+
+fn outcome(result: &PointResult, basis: &Basis<'_>) -> Result<PointValues, Refusal> {
     match result.verdict {
         Verdict::Refused(reason) => Err(Refusal(format!("{reason:?}"))),
         // A result without a valid U is none, whatever the verdict says.
-        Verdict::Pass => values(result, record).ok_or_else(|| Refusal("NotReportable".to_owned())),
+        Verdict::Pass => values(result, basis).ok_or_else(|| Refusal("NotReportable".to_owned())),
     }
 }
 
-fn values(result: &PointResult, record: &Record) -> Option<PointValues> {
+fn values(result: &PointResult, basis: &Basis<'_>) -> Option<PointValues> {
+    let stated = basis.uncertainty(result)?;
     let sensitivity_v_per_ms2 = decimal(result.sensitivity_v_per_ms2);
-    let relative = f64::from(result.expanded_uncertainty_rel);
+    let relative = stated.expanded_rel;
     let phase_deg = f64::from(result.phase_rad).to_degrees();
-    let phase_u_deg = f64::from(result.expanded_uncertainty_phase_rad).to_degrees();
-    let coverage_factor = decimal(result.coverage_factor);
+    let phase_u_deg = stated.expanded_phase_rad.to_degrees();
+    let coverage_factor = stated.coverage_factor;
     let in_mv = |factor: f64| {
         let value = sensitivity_v_per_ms2 * 1000.0 * factor;
         Rounded::new(value, value * relative)
@@ -106,12 +123,11 @@ fn values(result: &PointResult, record: &Record) -> Option<PointValues> {
         sensitivity_v_per_ms2,
         expanded_uncertainty_percent: relative * 100.0,
         coverage_factor,
-        effective_degrees_of_freedom: decimal(result.effective_degrees_of_freedom),
+        effective_degrees_of_freedom: stated.effective_degrees_of_freedom,
         phase_deg,
         expanded_uncertainty_phase_deg: phase_u_deg,
-        coverage_factor_phase: budget::coverage_factor_phase(record, result),
-        deviation_percent: None,
-        deviation_db: None,
+        coverage_factor_phase: stated.coverage_factor_phase,
+        deviation: None,
         assessment: None,
         printed_mv_per_ms2: in_mv(1.0)?,
         printed_mv_per_g: in_mv(STANDARD_GRAVITY_MS2)?,
@@ -150,19 +166,23 @@ fn reference_point(points: &[Point]) -> Option<usize> {
         .map(|(_, index)| index)
 }
 
-fn state_deviations(points: &mut [Point], reference: Option<usize>) {
-    let Some(index) = reference else { return };
-    let Ok(of_reference) = points[index]
-        .outcome
-        .as_ref()
-        .map(|v| v.sensitivity_v_per_ms2)
-    else {
+/// Deviations from the reference point; that of the reference point is nothing, without uncertainty.
+fn state_deviations(points: &mut [Point], reference: Option<usize>, basis: &Basis<'_>) {
+    let Some(at) = reference else { return };
+    let of_reference = points[at].measured;
+    let Some(reference_v_per_ms2) = points[at].values().map(|v| v.sensitivity_v_per_ms2) else {
         return;
     };
-    for values in points.iter_mut().filter_map(|p| p.outcome.as_mut().ok()) {
-        let ratio = values.sensitivity_v_per_ms2 / of_reference;
-        values.deviation_percent = Some(100.0 * (ratio - 1.0));
-        values.deviation_db = Some(20.0 * ratio.log10());
+    for (index, point) in points.iter_mut().enumerate() {
+        let uncertainty = match index == at {
+            true => None,
+            false => basis.of_ratio(&point.measured, &of_reference),
+        };
+        if let Ok(values) = &mut point.outcome {
+            let ratio = values.sensitivity_v_per_ms2 / reference_v_per_ms2;
+            let decimals = values.printed_uncertainty_percent.1;
+            values.deviation = Some(Deviation::new(ratio, uncertainty, decimals));
+        }
     }
 }
 

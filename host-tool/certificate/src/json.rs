@@ -111,6 +111,12 @@ struct JudgedPoint {
     deviation_rel: Option<f64>,
     /// Deviation in dB.
     deviation_db: Option<f64>,
+    /// Expanded uncertainty of the deviation, relative to the reference point; none there.
+    expanded_uncertainty_deviation_rel: Option<f64>,
+    /// The same in dB.
+    expanded_uncertainty_deviation_db: Option<f64>,
+    /// Its coverage factor.
+    coverage_factor_deviation: Option<f64>,
     /// Statements about the point.
     conformity: Stated,
     /// Lower limit of the tolerance, V/(m/s2).
@@ -133,10 +139,15 @@ fn judged(certificate: &Certificate) -> impl Iterator<Item = JudgedPoint> {
     let point = |point: &Point| {
         let values = point.values();
         let judged = values.and_then(|v| v.assessment);
+        let deviation = values.and_then(|v| v.deviation);
+        let of_deviation = deviation.and_then(|d| d.uncertainty);
         JudgedPoint {
             measured: point.view.clone(),
-            deviation_rel: values.and_then(|v| v.deviation_percent).map(|d| d / 100.0),
-            deviation_db: values.and_then(|v| v.deviation_db),
+            deviation_rel: deviation.map(|d| d.percent / 100.0),
+            deviation_db: deviation.map(|d| d.db),
+            expanded_uncertainty_deviation_rel: of_deviation.map(|u| u.expanded_percent / 100.0),
+            expanded_uncertainty_deviation_db: of_deviation.map(|u| u.expanded_db),
+            coverage_factor_deviation: of_deviation.map(|u| u.coverage_factor),
             conformity: certificate.conformity_of(point),
             lower_limit_v_per_ms2: judged.map(|j| j.tolerance.lower).filter(|v| v.is_finite()),
             upper_limit_v_per_ms2: judged.map(|j| j.tolerance.upper).filter(|v| v.is_finite()),

@@ -8,7 +8,11 @@
 //! | `adjustment` | what was found before an adjustment, beside what was left |
 //! | `marks` | DRAFT, SIMULATED |
 //! | `refused` | what no certificate may say |
-//! | `budget` | the budget at the reference point, recomputed and compared |
+//! | `assurance` | check standards that speak against it |
+//! | `budget` | the budgets of the points, recomputed and compared |
+//! | `deviation` | uncertainty of the deviation from the reference point |
+//! | `change` | uncertainty of the change since another calibration |
+//! | `temperature` | what the temperature told adds to row 11 |
 //! | `standing` | the record's sum and its place in the chain |
 //! | `verdict` | the verdict on the whole object, for every output |
 //! | `conformity` | judgement of the results by a decision rule |
@@ -21,12 +25,15 @@
 #![forbid(unsafe_code)]
 
 mod adjustment;
+mod assurance;
 mod band;
 mod budget;
+mod change;
 mod conformity;
 mod csv;
 mod dcc;
 pub mod decision;
+mod deviation;
 mod from_record;
 mod html;
 mod json;
@@ -44,6 +51,7 @@ pub mod rounding;
 mod sections;
 mod standing;
 mod stored;
+mod temperature;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]
@@ -55,13 +63,19 @@ mod tests_pdf;
 #[cfg(test)]
 mod tests_standing;
 #[cfg(test)]
+mod tests_statements;
+#[cfg(test)]
 mod tests_uff;
+#[cfg(test)]
+mod tests_uncertainty;
 mod uff;
 mod units;
 mod verdict;
 mod words;
 
+pub use assurance::{CheckProblem, FailedCheck};
 pub use calib_files::file::Existing;
+pub use change::expanded_uncertainty_of_change_rel;
 pub use json::Document;
 pub use marks::Mark;
 pub use model::Certificate;
@@ -149,6 +163,8 @@ pub struct Options {
     /// Knowledge of the record's place in the chain; by default nothing but
     /// what its number says.
     pub chain: Option<Standing>,
+    /// Check standards that speak against it: without an override in writing it is refused.
+    pub failed_checks: Vec<FailedCheck>,
 }
 
 /// Writes the certificate of `record` in `formats` into `out_dir`.
@@ -197,10 +213,11 @@ pub struct File {
 ///
 /// # Errors
 /// [`calib_files::Error::Input`] when something stated makes no sense, the reference was
-/// overdue, or a template does not render, [`calib_files::Error::File`] when a template cannot be read.
+/// overdue or a check standard failed without an override, or a template does not render, [`calib_files::Error::File`] when a template cannot be read.
 pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result<Prepared> {
     let mut certificate = Certificate::from_record(record, &options.particulars);
     refused::check(&certificate, record)?;
+    assurance::attach(&mut certificate, &options.failed_checks)?;
     if let Some(found) = &options.as_found {
         adjustment::attach(&mut certificate, record, found)?;
     }

@@ -8,8 +8,9 @@
 //! Numbers are f64 in the unit their name states; accelerations are r.m.s.,
 //! uncertainties expanded. A missing item is `None` and is printed as missing.
 
+use super::deviation::OfRatio;
 use super::particulars::Particulars;
-use super::rounding::Rounded;
+use super::rounding::{Rounded, round_uncertainty};
 use crate::decision::{Assessment, Band, Conformity, Decision, Stated};
 use calib_core::point::PointResult;
 use calib_output::PointView;
@@ -110,6 +111,18 @@ impl Certificate {
             };
             (left, found.and_then(|found| found.points.iter().find(same)))
         })
+    }
+
+    /// Reasons for which it was issued although something spoke against it.
+    pub fn overrides(&self) -> Vec<&str> {
+        let stated = &self.particulars.calibration;
+        let used = |key: &str| self.remarks.iter().any(|remark| remark.key == key);
+        let reasons = [
+            ("reference_override", &stated.overdue_reference),
+            ("check_override", &stated.check_override),
+        ];
+        let reasons = reasons.into_iter().filter(|(key, _)| used(key));
+        reasons.filter_map(|(_, why)| why.as_deref()).collect()
     }
 
     /// A statement by section and key.
@@ -220,10 +233,8 @@ pub struct PointValues {
     pub coverage_factor_phase: Option<f64>,
     /// Expanded uncertainty of the phase, degrees, not rounded.
     pub expanded_uncertainty_phase_deg: f64,
-    /// Deviation from the reference point, %, not rounded.
-    pub deviation_percent: Option<f64>,
-    /// Deviation from the reference point, dB, not rounded.
-    pub deviation_db: Option<f64>,
+    /// Deviation from the reference point.
+    pub deviation: Option<Deviation>,
     /// Judgement by the decision rule, V/(m/s2), where something is specified.
     pub assessment: Option<Assessment>,
     /// Sensitivity and U in mV/(m/s2), as printed.
@@ -234,6 +245,56 @@ pub struct PointValues {
     pub printed_phase_deg: Option<Rounded>,
     /// U in %, as printed, with its decimals.
     pub printed_uncertainty_percent: (f64, usize),
+}
+
+/// Deviation of a magnitude from that at the reference point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Deviation {
+    /// In percent, not rounded.
+    pub percent: f64,
+    /// In dB, not rounded.
+    pub db: f64,
+    /// Its expanded uncertainty, % and dB, and the coverage factor; none at the reference point.
+    pub uncertainty: Option<DeviationUncertainty>,
+    /// Decimals it is printed with in percent; in dB with one more, one percent being 0.087 dB.
+    pub decimals: usize,
+}
+
+/// Uncertainty of a [`Deviation`]: what both points share is not in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeviationUncertainty {
+    /// Expanded, %, not rounded.
+    pub expanded_percent: f64,
+    /// Expanded, dB, not rounded.
+    pub expanded_db: f64,
+    /// Expanded, %, as printed.
+    pub printed_percent: f64,
+    /// Coverage factor.
+    pub coverage_factor: f64,
+}
+
+impl Deviation {
+    /// That of a ratio to the sensitivity at the reference point. Without an uncertainty it is printed
+    /// with `decimals`.
+    pub(super) fn new(ratio: f64, uncertainty: Option<OfRatio>, decimals: usize) -> Self {
+        let stated = uncertainty.and_then(|of_ratio| {
+            let expanded_percent = 100.0 * ratio * of_ratio.expanded_rel;
+            let (printed_percent, digit) = round_uncertainty(expanded_percent, 2)?;
+            let stated = DeviationUncertainty {
+                expanded_percent,
+                expanded_db: 20.0 * std::f64::consts::LOG10_E * of_ratio.expanded_rel,
+                printed_percent,
+                coverage_factor: of_ratio.coverage_factor,
+            };
+            Some((stated, usize::try_from(digit).unwrap_or(0)))
+        });
+        Self {
+            percent: 100.0 * (ratio - 1.0),
+            db: 20.0 * ratio.log10(),
+            uncertainty: stated.map(|(stated, _)| stated),
+            decimals: stated.map_or(decimals, |(_, decimals)| decimals),
+        }
+    }
 }
 
 /// Budget of the sensitivity at one point, in D.1's shape.

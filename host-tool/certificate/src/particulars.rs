@@ -123,6 +123,11 @@ pub struct Calibration {
     pub measurand: Option<Measurand>,
     /// Why a reference was used although its calibration was overdue.
     pub overdue_reference: Option<String>,
+    /// Why the certificate is issued although a check standard was out of control or overdue.
+    pub check_override: Option<String>,
+    /// Correlation of the reference's calibration between two frequencies, 0 to 1, by its certificate;
+    /// 1 where nothing is stated.
+    pub reference_correlation: Option<f64>,
     /// Whether the object was adjusted (7.8.4.1 d).
     pub adjustment: Option<Adjustment>,
 }
@@ -354,6 +359,12 @@ impl Particulars {
                 conditions.humidity_percent,
                 0.0,
                 100.0,
+            ),
+            (
+                "calibration.reference_correlation",
+                self.calibration.reference_correlation,
+                0.0,
+                1.0,
             ),
             ("mounting.torque_n_m", self.mounting.torque_n_m, 0.0, 100.0),
             (

@@ -153,11 +153,40 @@ fn an_overdue_reference_is_refused_unless_overridden_in_writing() {
     let reason = "overdue_reference = \"recalibration ordered, check standard in control\"";
     let allowed = without("deviations", reason);
     let allowed = prepared(&overdue, allowed).expect("overridden");
-    for format in [Format::Html, Format::Json, Format::Dcc] {
+    for format in TEXTS {
         let text = of(&allowed, format);
         assert!(text.contains("check standard in control"), "{format:?}");
     }
     assert!(of(&allowed, Format::Dcc).contains("<dcc:traceable>false</dcc:traceable>"));
+}
+
+#[test]
+fn a_check_standard_that_failed_blocks_every_format_or_is_overridden_in_each() {
+    use crate::{CheckProblem, FailedCheck};
+    let failed = FailedCheck {
+        serial: "CHK-1".into(),
+        problem: CheckProblem::OutOfControl(jiff::civil::date(2025, 11, 20)),
+    };
+    let with = |particulars: Particulars| {
+        let options = Options {
+            particulars,
+            failed_checks: vec![failed.clone()],
+            ..Options::default()
+        };
+        prepare(&sample(), &Format::ALL, &options)
+    };
+    let error = with(particulars(FULL)).expect_err("out of control");
+    assert!(
+        error.to_string().contains("CHK-1 is out of control"),
+        "{error}"
+    );
+    assert!(error.hint().expect("a way out").contains("check_override"));
+    let reason = "check_override = \"repeated by hand, agrees\"";
+    let overridden = with(without("deviations", reason)).expect("overridden");
+    for format in TEXTS {
+        let text = of(&overridden, format);
+        assert!(text.contains("repeated by hand, agrees"), "{format:?}");
+    }
 }
 
 #[test]

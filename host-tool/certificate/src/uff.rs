@@ -83,6 +83,13 @@ fn identification(certificate: &Certificate) -> [String; 5] {
         Some(Standing::Broken) => ": DO NOT USE, the chain of its record is broken",
         _ => "",
     };
+    let last = match certificate.overrides().join("; ") {
+        reasons if reasons.is_empty() => {
+            "complex sensitivity in V/(m/s2), acceleration r.m.s.".into()
+        }
+        // Units are in records 8 to 10, too.
+        reasons => format!("in spite of: {reasons}"),
+    };
     let object = match certificate.marked(Language::En) {
         marks if marks.is_empty() => object,
         marks => format!("{marks}: {object}"),
@@ -92,7 +99,7 @@ fn identification(certificate: &Certificate) -> [String; 5] {
         format!("certificate {}{warning}", certificate.number),
         said("calibration", "date"),
         said("calibration", "method"),
-        "complex sensitivity in V/(m/s2), acceleration r.m.s.".to_owned(),
+        last,
     ];
     lines.map(|line| ascii(&line))
 }

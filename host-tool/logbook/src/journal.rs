@@ -16,11 +16,18 @@ pub(super) enum Subject {
     Sensor,
     Record,
     Certificate,
+    CheckStandard,
     Key,
 }
 
 impl Subject {
-    const ALL: [Self; 4] = [Self::Sensor, Self::Record, Self::Certificate, Self::Key];
+    const ALL: [Self; 5] = [
+        Self::Sensor,
+        Self::Record,
+        Self::Certificate,
+        Self::CheckStandard,
+        Self::Key,
+    ];
 
     fn word(self) -> &'static str {
         match self {
@@ -28,6 +35,7 @@ impl Subject {
             Self::Record => "record",
             Self::Certificate => "certificate",
             Self::Key => "key",
+            Self::CheckStandard => "check standard",
         }
     }
 
@@ -38,13 +46,14 @@ impl Subject {
             Self::Record => "SELECT CAST(id AS TEXT), sha256 FROM records",
             Self::Certificate => "SELECT CAST(number AS TEXT), * FROM certificates",
             Self::Key => "SELECT instrument, * FROM keys",
+            Self::CheckStandard => "SELECT serial, * FROM check_standards",
         }
     }
 
     /// The one of the name that is the statement's parameter.
     fn of_name(self) -> &'static str {
         match self {
-            Self::Sensor => "WHERE serial = ?1",
+            Self::Sensor | Self::CheckStandard => "WHERE serial = ?1",
             Self::Record => "WHERE id = CAST(?1 AS INTEGER)",
             Self::Certificate => "WHERE number = CAST(?1 AS INTEGER)",
             Self::Key => "WHERE instrument = ?1",

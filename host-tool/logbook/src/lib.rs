@@ -8,6 +8,7 @@
 //! | `sensors` | devices under test: what nobody wants to type twice |
 //! | `records` | records as downloaded, with what lists and drift need |
 //! | `certificates` | what was issued: numbered, never changed |
+//! | `check_standards` | sensors that are measured to watch the calibrator |
 //! | `people` | operators and instruments, as records name them |
 //! | `history` | drift of one sensor with its uncertainty |
 //! | `waiting` | records that wait while another program holds the file |
@@ -18,6 +19,7 @@
 //! | `table`, `parquet` | the whole logbook for other programs |
 
 mod certificates;
+mod check_standards;
 mod history;
 mod inspect;
 mod journal;
@@ -32,6 +34,7 @@ mod table;
 pub mod waiting;
 
 pub use certificates::{Issue, Issued};
+pub use check_standards::{Certified, CheckStandard};
 pub use history::{History, Result as HistoryResult};
 pub use parquet::export;
 pub use people::{Instrument, Operator};

@@ -75,6 +75,8 @@ pub struct Filter {
 pub(super) const TRUE_ONE: &str =
     "do not use it; the instrument has the true one: `calib download` gets it";
 
+/// Temperature that adds nothing to a budget, degrees Celsius.
+const ROOM_C: f64 = 23.0;
 /// Kind of the log of a change of settings, in the tables.
 const REFERENCE_CHANGE: &str = "reference_change";
 
@@ -292,7 +294,9 @@ fn insert_line(
     };
     let (complete, certificate) = match content {
         Content::Calibration(record) => {
-            let particulars = Particulars::default();
+            // What the list says of a record follows from its bytes, not from what nobody stated.
+            let mut particulars = Particulars::default();
+            particulars.conditions.ambient_temperature_c = Some(ROOM_C);
             let certificate = Certificate::from_record(record, &particulars);
             (record.complete, Some(certificate))
         }
@@ -321,7 +325,10 @@ fn insert_line(
             refused.count() as i64,
             reference.map(|(point, _)| point.nominal_frequency_hz),
             reference.map(|(_, values)| values.sensitivity_v_per_ms2),
-            reference.map(|(_, values)| values.expanded_uncertainty_percent / 100.0),
+            // The instrument's: conditions that others state later are no part of the list.
+            reference.map(
+                |(point, _)| 100.0 * f64::from(point.measured.expanded_uncertainty_rel) / 100.0
+            ),
             kind,
         ])
 }

@@ -15,6 +15,7 @@
 //! | [`sensitivity`] | sensitivity from readings, conversions | ISO 16063-21 clause 6 |
 //! | [`nomogram`] | acceleration, velocity, displacement | ISO 16063-21 Annex C |
 //! | [`lists`], [`line_fit`] | point and linearity lists, straight lines | ISO 16063-21 5, GUM H.3 |
+//! | [`control_chart`], [`common_drift`] | check standards, alone and together | ISO 7870-2, ILAC-G24 |
 //! | [`channel_ratio`] | ratio of the two channels, with one source at both | ISO 16063-21 clause 6 |
 //! | [`check`] | a record against Tables 1 to 6 and clause 7 | ISO 16063-21 |
 //! | [`teds`] | what an accelerometer says about itself | IEEE 1451.4 |
@@ -28,6 +29,7 @@
 pub mod budget;
 pub mod channel_ratio;
 pub mod check;
+pub mod common_drift;
 pub mod control_chart;
 pub mod discrete;
 pub mod evaluated;

@@ -5,7 +5,7 @@ use calib_certificate::decision::Stated;
 use calib_certificate::{
     self as certificate, Existing, Format, Language, Mark, Options, Prepared, Verdict,
 };
-use calib_host::{Error, Result, judged, terminal};
+use calib_host::{Error, Result, assurance, judged, terminal};
 use calib_logbook::{Issue, Logbook};
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
@@ -90,6 +90,7 @@ impl CertificateVerb {
         let mut logbook = context.logbook_if_there()?;
         let options = Options {
             chain: Some(found.standing),
+            failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
             ..self.options(record, logbook.as_ref())?
         };
         let formats = match self.format.is_empty() {
@@ -136,7 +137,7 @@ impl CertificateVerb {
             particulars,
             existing: Existing::Keep,
             as_found: self.as_found.as_deref().map(source::read).transpose()?,
-            chain: None,
+            ..Options::default()
         })
     }
 }

@@ -15,6 +15,7 @@ use calib_files::file;
 use calib_gap::{Answer, Plan};
 use calib_gap_challenge::{Sealed, score::Score};
 use calib_host::Result;
+use calib_host::assurance::AssuranceReport;
 use calib_host::demo::DemoReport;
 use calib_host::doctor::Finding;
 use calib_host::gap::simulated::Simulated;
@@ -82,7 +83,7 @@ fn of<T: JsonSchema>(name: &'static str) -> (&'static str, Schema) {
 fn all() -> Vec<(&'static str, Schema)> {
     vec![
         of::<adjust::Output>("adjust-ratio"),
-        of::<logbook::Assurance>("assure"),
+        of::<Either<logbook::Assurance, AssuranceReport>>("assure"),
         of::<Either<EvaluationView, Template>>("budget"),
         of::<capture::Output<'_>>("capture"),
         of::<certificate::Written>("certificate"),

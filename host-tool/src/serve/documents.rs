@@ -1,7 +1,7 @@
 //! Certificates of records, as answers. One that `issues` is entered in the logbook; one that is looked at is
 //! not.
 
-use crate::{Error, Result, judged};
+use crate::{Error, Result, assurance, judged};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
 use calib_certificate::{self as certificate, Certificate, Format, Options, Particulars, Prepared};
@@ -71,6 +71,7 @@ pub(super) fn certificate(
     let options = Options {
         particulars,
         chain: Some(judged::standing(&record.head, stored, logbook.as_ref())?),
+        failed_checks: assurance::failed_checks(logbook.as_ref(), &record)?,
         ..Options::default()
     };
     let mut prepared = certificate::prepare(&record, &[format], &options)?;

@@ -20,8 +20,17 @@ fn bytes(record: &Record) -> Vec<u8> {
 
 /// Record `id` of a sensor, `years` later, with another sensitivity.
 pub(crate) fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
+    after(id, sensor, years * YEAR_S, factor)
+}
+
+/// The same, days later.
+fn on_day(id: u32, sensor: &str, days: u64, factor: f32) -> Vec<u8> {
+    after(id, sensor, days * 86_400, factor)
+}
+
+fn after(id: u32, sensor: &str, seconds: u64, factor: f32) -> Vec<u8> {
     let mut record = record(id, 3);
-    record.head.labels.unix_time_s += years * YEAR_S;
+    record.head.labels.unix_time_s += seconds;
     record.head.labels.dut_serial = sensor.try_into().expect("short");
     record.head.labels.operator = "N. N.".try_into().expect("short");
     for point in &mut record.points {
@@ -391,7 +400,7 @@ fn a_sensor_out_of_its_tolerance_fails_wherever_one_looks() {
             .status
             .success()
     );
-    let failed = go("run --sensor F --points points.csv");
+    let failed = go("run --sensor F --points points.csv --temperature 23");
     assert_eq!(failed.status.code(), Some(7));
     let said = text(&failed.stdout);
     assert!(said.lines().any(|line| line.trim() == "FAIL"), "{said}");
@@ -399,12 +408,12 @@ fn a_sensor_out_of_its_tolerance_fails_wherever_one_looks() {
         said.contains("+8.7 % of nominal, limit \u{b1}5 %, at 160 Hz (U = 1.0 %)"),
         "{said}"
     );
-    let passed = go("run --sensor P --points points.csv --json");
+    let passed = go("run --sensor P --points points.csv --temperature 23 --json");
     assert_eq!(passed.status.code(), Some(0), "{}", text(&passed.stderr));
     let passed = json(&passed);
     assert_eq!(passed["verdict"]["title"], "PASS");
     assert_eq!(passed["verdict"]["frequency_hz"], 160.0);
-    let shown = go("run --sensor P --points points.csv");
+    let shown = go("run --sensor P --points points.csv --temperature 23");
     let shown = text(&shown.stdout);
     assert!(
         shown.contains("98.0665 mV/g") && !shown.contains("e-2"),
@@ -493,7 +502,7 @@ fn a_sensor_that_changed_by_more_than_u_is_reported() {
     let output = calib(folder.path(), &history);
     assert_eq!(output.status.code(), Some(7));
     let shown = text(&output.stdout);
-    assert_eq!(shown.matches("more than U").count(), 1, "{shown}");
+    assert_eq!(shown.matches("changed").count(), 1, "{shown}");
     assert!(
         shown.contains("2027") && shown.matches('●').count() == 3,
         "{shown}"
@@ -546,6 +555,87 @@ fn a_check_standard_is_judged_by_its_own_results() {
     let judged: serde_json::Value = serde_json::from_slice(&certified.stdout).expect("JSON");
     let e_n = judged["e_n"].as_f64().expect("a number");
     assert!(e_n.abs() < 0.1, "{judged}");
+}
+
+/// Nobody is stopped by a sensor that is no check standard; from when it is one, certificates of its instrument
+/// need it in control and measured in time, or a reason in writing.
+#[test]
+fn a_check_standard_blocks_certificates_unless_overridden_in_writing() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut logbook = logbook(folder.path());
+    let run = |words: &str| {
+        let line = format!("{words} --logbook logbook.sqlite");
+        calib(folder.path(), &line.split(' ').collect::<Vec<_>>())
+    };
+    let scatter = [1.0, 1.001, 0.999, 1.0005, 0.9995];
+    for id in 1..=10_u32 {
+        let factor = scatter[id as usize % scatter.len()];
+        logbook
+            .keep(&on_day(id, "C", u64::from(id), factor))
+            .expect("kept");
+    }
+    let unknown = run("assure C --every 7 --frequency 20");
+    assert_eq!(
+        unknown.status.code(),
+        Some(6),
+        "no sensor of the logbook yet"
+    );
+    assert!(run("sensors add --serial C").status.success());
+    let nobody = run("assure");
+    assert!(
+        text(&nobody.stdout).contains("no check standard"),
+        "{}",
+        text(&nobody.stdout)
+    );
+    for (id, day) in [(40, 10), (41, 20)] {
+        let name = folder.path().join(format!("job-{id}.calibrec"));
+        std::fs::write(name, on_day(id, "J", day, 1.0)).expect("written");
+    }
+    let job = |id: u32, more: &str| {
+        run(&format!(
+            "certificate job-{id}.calibrec --format csv,html --out {id}{more}"
+        ))
+    };
+    assert!(
+        job(40, "-before").status.success(),
+        "no check standard, no block"
+    );
+    assert!(run("assure C --every 7 --frequency 20").status.success());
+    let sound = job(40, "-sound");
+    assert!(sound.status.success(), "{}", text(&sound.stderr));
+    // The last result is of day 10, the job of day 20.
+    let overdue = job(41, "");
+    assert_eq!(overdue.status.code(), Some(6));
+    let said = text(&overdue.stderr);
+    assert!(
+        said.contains("check standard C was overdue") && said.contains("check_override"),
+        "{said}"
+    );
+    logbook.keep(&on_day(11, "C", 11, 1.01)).expect("kept");
+    let off = job(40, "-off");
+    assert!(
+        text(&off.stderr).contains("C is out of control"),
+        "{}",
+        text(&off.stderr)
+    );
+    let all = run("assure --json");
+    assert_eq!(all.status.code(), Some(7));
+    let all: serde_json::Value = serde_json::from_slice(&all.stdout).expect("JSON");
+    assert_eq!(all["standards"][0]["in_control"], false);
+    let reason = "[calibration]\ncheck_override = 'repeated by hand, agrees'\nnumber = 'Z-1'\n";
+    std::fs::write(folder.path().join("why.toml"), reason).expect("written");
+    let overridden = job(40, "-why --particulars why.toml");
+    assert!(overridden.status.success(), "{}", text(&overridden.stderr));
+    for format in ["csv", "html"] {
+        let file = folder
+            .path()
+            .join(format!("40-why/certificate-Z-1.{format}"));
+        let certificate = std::fs::read_to_string(file).expect("written");
+        assert!(certificate.contains("repeated by hand, agrees"), "{format}");
+    }
+    assert!(run("assure C --no-longer").status.success());
+    assert!(job(40, "-after").status.success());
+    assert_eq!(logbook.inspect().expect("readable"), Vec::<String>::new());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::administrative::{identification, one_software, stated};
 use super::xml::Xml;
 use crate::decision::Conformity;
-use crate::model::{Certificate, Point, PointValues, Value};
+use crate::model::{Certificate, Deviation, Point, PointValues, Value};
 use crate::present;
 use crate::rounding::Rounded;
 use crate::words::Language;
@@ -275,7 +275,8 @@ fn lists(xml: &mut Xml, certificate: &Certificate, points: &[Measured<'_>], lang
     );
     let magnitudes = magnitudes(points, language);
     let lists = [frequencies, accelerations, magnitudes].into_iter();
-    for list in lists.chain(phases(points, language)) {
+    let lists = lists.chain(phases(points, language));
+    for list in lists.chain(deviations(points, language)) {
         write_list(xml, certificate, language, &list);
     }
 }
@@ -316,6 +317,29 @@ fn phases<'a>(points: &[Measured<'_>], language: Language) -> Option<List<'a>> {
         unit: r"\degree",
         values: printed(|r| r.value),
         uncertainties: Some((printed(|r| r.uncertainty), factors.collect())),
+        conformity: Vec::new(),
+    })
+}
+
+/// Deviations from the reference point, where every point has one; at that point it is nothing, and has
+/// no uncertainty.
+fn deviations<'a>(points: &[Measured<'_>], language: Language) -> Option<List<'a>> {
+    let deviations: Option<Vec<Deviation>> = points.iter().map(|(_, v)| v.deviation).collect();
+    let deviations = deviations?;
+    let values = deviations.iter().map(|d| fixed(d.percent, d.decimals));
+    let expanded = deviations.iter().map(|d| {
+        let printed = d.uncertainty.map_or(0.0, |u| u.printed_percent);
+        fixed(printed, d.decimals)
+    });
+    let factors = deviations
+        .iter()
+        .map(|d| factor(d.uncertainty.map_or(2.0, |u| u.coverage_factor)));
+    Some(List {
+        name: language.word("column.deviation"),
+        ref_type: "vib_sensitivityMagnitudeDeviation",
+        unit: r"\percent",
+        values: values.collect(),
+        uncertainties: Some((expanded.collect(), factors.collect())),
         conformity: Vec::new(),
     })
 }

@@ -59,7 +59,7 @@ pub(crate) fn columns() -> impl Iterator<Item = Column> {
     RESULTS.into_iter().chain(measured).chain(VERDICTS)
 }
 
-const RESULTS: [Column; 10] = [
+const RESULTS: [Column; 11] = [
     column("frequency", "frequency", "Hz", |p, l| {
         l.shortest(p.nominal_frequency_hz)
     }),
@@ -85,15 +85,27 @@ const RESULTS: [Column; 10] = [
     }),
     column("deviation", "deviation", "%", |p, l| {
         cell(p, |v| {
-            Some(l.number(v.deviation_percent?, v.printed_uncertainty_percent.1))
+            let deviation = v.deviation?;
+            Some(l.number(deviation.percent, deviation.decimals))
         })
     }),
-    // One percent is 0.087 dB: one more digit keeps the resolution.
     column("deviation_db", "deviation", "dB", |p, l| {
         cell(p, |v| {
-            Some(l.number(v.deviation_db?, v.printed_uncertainty_percent.1 + 1))
+            let deviation = v.deviation?;
+            Some(l.number(deviation.db, deviation.decimals + 1))
         })
     }),
+    column(
+        "uncertainty_deviation",
+        "uncertainty_deviation",
+        "%",
+        |p, l| {
+            cell(p, |v| {
+                let deviation = v.deviation?;
+                Some(l.number(deviation.uncertainty?.printed_percent, deviation.decimals))
+            })
+        },
+    ),
     column("phase", "phase", "°", |p, l| {
         cell(p, |v| Some(value_of(&v.printed_phase_deg?, l)))
     }),

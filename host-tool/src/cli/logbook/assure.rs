@@ -1,32 +1,48 @@
-//! `calib assure SERIAL`: a check standard against its own results, before a job is begun.
+//! `calib assure`: check standards against their own results, before a job is begun.
 
 use super::history::plot;
-use crate::cli::{Context, number::positive};
+use super::sensors::cut;
+use crate::cli::{Context, number::positive, time};
+use calib_host::assurance::{self, AssuranceReport, CheckState};
 use calib_host::{Error, Result};
-use calib_logbook::History;
-use calib_metrology::control_chart::{ControlChart, FEWEST, Signal, control_chart, e_n};
+use calib_logbook::{Certified, CheckStandard, History, HistoryResult, Logbook};
+use calib_metrology::common_drift::CommonDrift;
+use calib_metrology::control_chart::{ControlChart, FEWEST, Signal, control_chart};
+use calib_metrology::text::Table;
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// `calib assure SERIAL`.
+/// `calib assure [SERIAL]`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 A check standard is a sensor that is measured for no customer, to see whether the calibrator still
-gives what it gave (ISO/IEC 17025, 7.7.1). Measure it with `calib run --sensor` first. Exit code 7
-when its latest result is out of control, or does not agree with its certificate.")]
+gives what it gave (ISO/IEC 17025, 7.7.1). Name one with --every, measure it with `calib run --sensor`
+before a job, and ask here. From then on a certificate of this instrument is refused while its check
+standard is out of control or overdue, unless `check_override` under [calibration] says in writing
+why, which the certificate prints.
+
+Without SERIAL: every check standard, the drift they show together, which is that of the reference,
+and the interval between its calibrations that this advises (ILAC-G24). Exit code 7 when one is out of
+control or overdue, or does not agree with its certificate.")]
 pub(crate) struct Assure {
-    /// Serial number of the check standard.
-    serial: String,
-    /// Frequency to compare at, Hz.
-    #[arg(long, value_name = "HZ", default_value_t = 160.0, value_parser = positive::<f64>)]
-    frequency: f64,
+    /// Serial number of the check standard; all of them without.
+    serial: Option<String>,
+    /// Frequency to compare at, Hz [default: that it was named with, else 160].
+    #[arg(long, value_name = "HZ", requires = "serial", value_parser = positive::<f64>)]
+    frequency: Option<f64>,
     /// Sensitivity at that frequency on its own certificate, from elsewhere, mV/(m/s2).
-    #[arg(long, value_name = "MV", requires = "certified_u", value_parser = positive::<f64>)]
+    #[arg(long, value_name = "MV", requires_all = ["certified_u", "serial"], value_parser = positive::<f64>)]
     certified: Option<f64>,
     /// Its expanded uncertainty (k = 2), %.
     #[arg(long, value_name = "PERCENT", requires = "certified", value_parser = positive::<f64>)]
     certified_u: Option<f64>,
+    /// Names it a check standard that is measured every so many days at least.
+    #[arg(long, value_name = "DAYS", requires = "serial", value_parser = clap::value_parser!(u32).range(1..=3650))]
+    every: Option<u32>,
+    /// It is no check standard any more; its records stay.
+    #[arg(long, requires = "serial", conflicts_with_all = ["every", "certified", "frequency"])]
+    no_longer: bool,
 }
 
 /// The latest result of a check standard judged.
@@ -54,62 +70,167 @@ pub(in crate::cli) struct Assurance {
 }
 
 impl Assure {
-    /// Draws the results, and judges the latest.
+    /// Names a check standard, judges one, or reports all.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let history = context.logbook()?.history(&self.serial, self.frequency)?;
-        let values = history.results.iter().map(|r| r.sensitivity_v_per_ms2);
-        let values: Vec<f64> = values.collect();
-        let chart = control_chart(&values).ok_or_else(|| self.too_few(values.len()))?;
-        let assurance = self.judge(&history, chart)?;
-        context.print(&assurance, || text(&assurance, &history))?;
-        match assurance.in_control {
-            true => Ok(()),
-            false => Err(Error::NotPassed(format!(
-                "{} is out of control",
-                self.serial
-            ))),
+        let logbook = context.logbook()?;
+        let Some(serial) = self.serial.as_deref() else {
+            return all(context, &logbook);
+        };
+        if self.no_longer {
+            logbook.remove_check_standard(serial)?;
+            return all(context, &logbook);
+        }
+        let known = logbook.check_standard(serial)?;
+        let standard = self.standard(serial, known);
+        if self.every.is_some() {
+            logbook.put_check_standard(&standard)?;
+            return print(context, &assurance::report(&logbook, now_s())?);
+        }
+        judged(context, &logbook, &standard)
+    }
+
+    /// What was said before, and what is said now.
+    fn standard(&self, serial: &str, known: Option<CheckStandard>) -> CheckStandard {
+        let certified = self.certified.zip(self.certified_u);
+        let certified = certified.map(|(mv, percent)| Certified {
+            sensitivity_v_per_ms2: mv / 1000.0,
+            expanded_uncertainty_rel: percent / 100.0,
+        });
+        let known_every = known.as_ref().map(|known| known.every_days);
+        let known_hz = known.as_ref().map(|known| known.frequency_hz);
+        CheckStandard {
+            serial: serial.to_owned(),
+            frequency_hz: self.frequency.or(known_hz).unwrap_or(160.0),
+            every_days: self.every.or(known_every).unwrap_or(1),
+            certified: certified.or(known.and_then(|known| known.certified)),
         }
     }
+}
 
-    fn too_few(&self, count: usize) -> Error {
-        Error::input(
-            format!("check standard {}", self.serial),
-            format!(
-                "has {count} results at {} Hz, {FEWEST} are needed for a chart",
-                self.frequency
-            ),
-            format!("`calib run --sensor {}` measures one more", self.serial),
-        )
+fn now_s() -> i64 {
+    i64::try_from(time::unix_time_s()).unwrap_or(i64::MAX)
+}
+
+fn print(context: &Context, report: &AssuranceReport) -> Result<()> {
+    context.print(report, || report_text(report))
+}
+
+/// Every check standard; none is an error, as one that fails is no pass.
+fn all(context: &Context, logbook: &Logbook) -> Result<()> {
+    let report = assurance::report(logbook, now_s())?;
+    print(context, &report)?;
+    let failed = |state: &&CheckState| state.overdue || !state.in_control;
+    match report.standards.iter().filter(failed).count() {
+        0 => Ok(()),
+        count => Err(Error::NotPassed(format!(
+            "{count} of {} check standards are out of control or overdue",
+            report.standards.len()
+        ))),
     }
+}
 
-    fn judge(&self, history: &History, chart: ControlChart) -> Result<Assurance> {
-        let latest = history.results.last().ok_or_else(|| self.too_few(0))?;
-        let value = latest.sensitivity_v_per_ms2;
-        let expanded = value * latest.expanded_uncertainty_rel;
-        let certified = self.certified.zip(self.certified_u);
-        let e_n = certified.map(|(certified_mv, certified_percent)| {
-            let certified = certified_mv / 1000.0;
-            e_n(
-                value,
-                expanded,
-                certified,
-                certified * certified_percent / 100.0,
-            )
-        });
-        Ok(Assurance {
-            dut_serial: history.sensor.clone(),
-            frequency_hz: history.frequency_hz,
-            logbook_record: latest.record,
-            results_before: history.results.len() - 1,
-            sensitivity_v_per_ms2: value,
-            mean_v_per_ms2: chart.mean,
-            standard_deviation_v_per_ms2: chart.standard_deviation,
-            lower_v_per_ms2: chart.mean - chart.half_width,
-            upper_v_per_ms2: chart.mean + chart.half_width,
-            in_control: chart.signals.is_empty() && e_n.is_none_or(|e_n| e_n.abs() <= 1.0),
-            signals: chart.signals,
-            e_n,
-        })
+fn report_text(report: &AssuranceReport) -> String {
+    if report.standards.is_empty() {
+        return "There is no check standard: `calib assure SERIAL --every DAYS` names one.".into();
+    }
+    let mut table = Table::new(&["serial", "Hz", "every/d", "results", "latest", "E_n", ""]);
+    for state in &report.standards {
+        let latest = state.latest_unix_time_s.and_then(|s| u64::try_from(s).ok());
+        table.row([
+            cut(&state.standard.serial, 16),
+            state.standard.frequency_hz.to_string(),
+            state.standard.every_days.to_string(),
+            state.results.to_string(),
+            latest.map_or("never".to_owned(), time::date_and_minute),
+            state.e_n.map_or(String::new(), |e_n| format!("{e_n:+.2}")),
+            state.words(),
+        ]);
+    }
+    let mut text = table.to_string();
+    if let Some(drift) = &report.common_drift {
+        text.push_str(&drift_text(drift, report));
+    }
+    text
+}
+
+fn drift_text(drift: &CommonDrift, report: &AssuranceReport) -> String {
+    let mut text = format!(
+        "\ncommon drift   {:+.3} % a year, U = {:.3} %, by {} results of {} series\n",
+        100.0 * drift.drift_rel_per_year,
+        100.0 * drift.expanded_rel_per_year,
+        drift.results,
+        drift.standards,
+    );
+    text.push_str(match (drift.is_significant(), drift.standards) {
+        (false, _) => "               less than its uncertainty: none is shown\n",
+        (true, 1) => "               one series cannot tell its sensor from the reference\n",
+        (true, _) => {
+            "               the reference drifts by as much the other way, or the instrument\n"
+        }
+    });
+    let interval = report
+        .allowed_drift_rel
+        .zip(report.reference_interval_years);
+    if let Some((allowed, years)) = interval {
+        text.push_str(&format!(
+            "interval       {years:.1} years between calibrations of the reference: then drift and U\n               \
+             use up the {:.2} % of row 10 (ILAC-G24)\n",
+            100.0 * allowed
+        ));
+    }
+    text
+}
+
+/// Draws the results of one, and judges the latest.
+fn judged(context: &Context, logbook: &Logbook, standard: &CheckStandard) -> Result<()> {
+    let history = logbook.history(&standard.serial, standard.frequency_hz)?;
+    let values = history.results.iter().map(|r| r.sensitivity_v_per_ms2);
+    let values: Vec<f64> = values.collect();
+    let too_few = || too_few(standard, values.len());
+    let chart = control_chart(&values).ok_or_else(too_few)?;
+    let latest = history.results.last().ok_or_else(too_few)?;
+    let assurance = judge(standard, &history, latest, chart);
+    context.print(&assurance, || text(&assurance, &history))?;
+    match assurance.in_control {
+        true => Ok(()),
+        false => Err(Error::NotPassed(format!(
+            "{} is out of control",
+            standard.serial
+        ))),
+    }
+}
+
+fn too_few(standard: &CheckStandard, count: usize) -> Error {
+    Error::input(
+        format!("check standard {}", standard.serial),
+        format!(
+            "has {count} results at {} Hz, {FEWEST} are needed for a chart",
+            standard.frequency_hz
+        ),
+        format!("`calib run --sensor {}` measures one more", standard.serial),
+    )
+}
+
+fn judge(
+    standard: &CheckStandard,
+    history: &History,
+    latest: &HistoryResult,
+    chart: ControlChart,
+) -> Assurance {
+    let e_n = assurance::against_certificate(standard, latest);
+    Assurance {
+        dut_serial: history.sensor.clone(),
+        frequency_hz: history.frequency_hz,
+        logbook_record: latest.record,
+        results_before: history.results.len() - 1,
+        sensitivity_v_per_ms2: latest.sensitivity_v_per_ms2,
+        mean_v_per_ms2: chart.mean,
+        standard_deviation_v_per_ms2: chart.standard_deviation,
+        lower_v_per_ms2: chart.mean - chart.half_width,
+        upper_v_per_ms2: chart.mean + chart.half_width,
+        in_control: chart.signals.is_empty() && e_n.is_none_or(|e_n| e_n.abs() <= 1.0),
+        signals: chart.signals,
+        e_n,
     }
 }
 

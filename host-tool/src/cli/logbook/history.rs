@@ -12,8 +12,9 @@ const SIZE: (usize, usize) = (80, 12);
 /// `calib history SERIAL`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-A change between two calibrations that is larger than both expanded uncertainties is marked, and
-the exit code is 7.")]
+A change between two calibrations is judged by its own expanded uncertainty: with one reference in
+one instrument, the reference's calibration, the gain and the ratio of the channels are common and not
+in it. E_n is the change over that; beyond 1 it is marked, and the exit code is 7.")]
 pub(crate) struct History {
     /// Serial number of the sensor.
     serial: String,
@@ -44,7 +45,7 @@ impl History {
         match exceeded.count() {
             0 => Ok(()),
             count => Err(Error::NotPassed(format!(
-                "the sensor changed by more than the uncertainty, {count} times"
+                "the sensor changed by more than the uncertainty of the change, {count} times"
             ))),
         }
     }
@@ -61,7 +62,16 @@ pub(super) fn plot(history: &Drift) -> String {
 }
 
 fn text(history: &Drift) -> String {
-    let mut table = Table::new(&["measured", "record", "mV/(m/s2)", "U/%", "drift/%", ""]);
+    let mut table = Table::new(&[
+        "measured",
+        "record",
+        "mV/(m/s2)",
+        "U/%",
+        "drift/%",
+        "U of it/%",
+        "E_n",
+        "",
+    ]);
     for result in &history.results {
         let drift = result.drift_rel;
         table.row([
@@ -70,8 +80,12 @@ fn text(history: &Drift) -> String {
             format!("{:.5}", 1000.0 * result.sensitivity_v_per_ms2),
             format!("{:.2}", 100.0 * result.expanded_uncertainty_rel),
             drift.map_or(String::new(), |drift| format!("{:+.2}", 100.0 * drift)),
+            result
+                .u_drift_rel
+                .map_or(String::new(), |u| format!("{:.2}", 100.0 * u)),
+            result.e_n.map_or(String::new(), |e_n| format!("{e_n:+.2}")),
             match result.drift_exceeds_uncertainty {
-                true => "more than U".to_owned(),
+                true => "changed".to_owned(),
                 false => String::new(),
             },
         ]);

@@ -44,7 +44,8 @@ async function show_history(serial) {
   if (!results.length) return;
   const last = results.at(-1), year = (r) => 1970 + r.unix_time_s / 31557600;
   const words = last.drift_rel === null ? "calibrated once"
-    : "last change " + (100 * last.drift_rel).toFixed(2) + " %" + (last.drift_exceeds_uncertainty ? ", more than U" : ", within U");
+    : "last change " + (100 * last.drift_rel).toFixed(2) + " %" + " (U " + (100 * last.expanded_uncertainty_drift_rel).toFixed(2) + " %)"
+      + (last.e_n === null ? "" : ", E_n " + last.e_n.toFixed(2)) + (last.drift_exceeds_uncertainty ? ": changed" : "");
   $("drift").textContent = serial + " at " + history.frequency_hz + " Hz: " + words;
   $("drift").className = last.drift_exceeds_uncertainty ? "exceeds" : "";
   const points = results.map((r) => ({ x: year(r), y: 1000 * r.sensitivity_v_per_ms2,
