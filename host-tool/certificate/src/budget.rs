@@ -8,15 +8,22 @@
 
 use super::deviation::{OfRatio, of_ratio, within_a_response, within_an_instrument};
 use super::model::{Budget, BudgetRow, Certificate, Remark, Severity, Value};
+use super::mountings::Mountings;
 use super::particulars::Particulars;
 use super::temperature::Distance;
-use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, point_budget};
+use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, Row, point_budget};
 use calib_core::point::PointResult;
 use calib_core::settings::{Distribution, Settings};
 use calib_output::number::decimal;
 use calib_protocol::record::Record;
 use std::borrow::Cow;
 
+/// Row of Table A.1 for the mounting.
+const MOUNTING: u8 = 8;
+/// Standard uncertainties are entered with this one.
+const STANDARD: Distribution = Distribution::Normal {
+    coverage_factor: 1.0,
+};
 /// A record keeps U to 1.6e-5 (upper 24 bits of the f32); sums of squares of
 /// host and target differ in the last bits of f32 (6e-8, at most 22 terms).
 const STORED_U_REL: f64 = 2.0e-5;
@@ -49,6 +56,7 @@ pub(super) struct Basis<'a> {
     pub(super) distance: Distance,
     /// Correlation of the reference's calibration between two frequencies.
     correlation: f64,
+    mountings: &'a Mountings,
 }
 
 /// Expanded uncertainties of a point.
@@ -66,7 +74,11 @@ pub(super) struct Uncertainty {
 }
 
 impl<'a> Basis<'a> {
-    pub(super) fn new(record: &'a Record, particulars: &Particulars) -> Self {
+    pub(super) fn new(
+        record: &'a Record,
+        particulars: &Particulars,
+        mountings: &'a Mountings,
+    ) -> Self {
         let distance = Distance::of(record, particulars);
         let correlation = particulars.calibration.reference_correlation;
         Self {
@@ -74,21 +86,19 @@ impl<'a> Basis<'a> {
             settings: distance.covered_by(&record.settings),
             distance,
             correlation: correlation.unwrap_or(1.0),
+            mountings,
         }
     }
 
     /// Uncertainty of a point; none where a temperature counts and no budget can say how.
     pub(super) fn uncertainty(&self, point: &PointResult) -> Option<Uncertainty> {
         let stored = self.stored(point);
-        if self.distance == Distance::Covered {
+        if self.is_the_instruments() {
             return Some(stored);
         }
-        let expand = |settings| {
-            let budget = of_point(self.record, settings, point).ok()?;
-            budget.expand().ok()
-        };
-        let (before, before_phase) = expand(&self.record.settings)?;
-        let (now, now_phase) = expand(&self.settings)?;
+        let own = of_point(self.record, &self.record.settings, point).ok()?;
+        let (before, before_phase) = own.expand().ok()?;
+        let (now, now_phase) = self.certified(point).ok()?.expand().ok()?;
         let times = |now: f32, before: f32| match before > 0.0 {
             true => f64::from(now) / f64::from(before),
             false => 1.0,
@@ -107,6 +117,34 @@ impl<'a> Basis<'a> {
                 .coverage_factor_phase
                 .map(|_| f64::from(now_phase.coverage.factor)),
         })
+    }
+
+    /// True when nothing is known beyond what the instrument knew.
+    pub(super) fn is_the_instruments(&self) -> bool {
+        self.distance == Distance::Covered && !self.mountings.are_repeated()
+    }
+
+    /// Budget with everything that is known.
+    fn certified(&self, point: &PointResult) -> Result<PointBudget<'static>, String> {
+        let mut budget = of_point(self.record, &self.settings, point)?;
+        if let Some(scatter) = self.mountings.of(&point.spec) {
+            let degrees = scatter.degrees_of_freedom as f32;
+            let phase_rad = scatter.standard_uncertainty_phase_deg.to_radians();
+            for (budget, row, value) in [
+                (
+                    &mut budget.magnitude,
+                    Row::a1(MOUNTING),
+                    scatter.standard_uncertainty_rel,
+                ),
+                (&mut budget.phase, Row::a2_from_a1(MOUNTING), phase_rad),
+            ] {
+                let component = Component::new(row, value as f32, STANDARD);
+                let component = component.labelled("scatter between mountings");
+                let added = budget.add(component.with_degrees_of_freedom(degrees));
+                added.map_err(|error| error.to_string())?;
+            }
+        }
+        Ok(budget)
     }
 
     /// What the instrument stated.
@@ -168,8 +206,7 @@ impl<'a> Basis<'a> {
     }
 
     fn magnitude(&self, point: &PointResult) -> Option<CoreBudget<'static>> {
-        let budget = of_point(self.record, &self.settings, point).ok()?;
-        Some(budget.magnitude)
+        Some(self.certified(point).ok()?.magnitude)
     }
 }
 
@@ -183,8 +220,10 @@ pub(super) fn attach(certificate: &mut Certificate, basis: &Basis<'_>, point: &P
             values,
         });
     };
-    let budgets = recompute(basis.record, &basis.record.settings, point)
-        .and_then(|own| Ok((own, recompute(basis.record, &basis.settings, point)?.0)));
+    let own = of_point(basis.record, &basis.record.settings, point);
+    let budgets = own
+        .and_then(|own| reported(&own))
+        .and_then(|own| Ok((own, reported(&basis.certified(point)?)?.0)));
     match budgets {
         Err(problem) => error("budget_failed", vec![Value::Text(problem)]),
         Ok(((own, agreement_rel), budget)) => {
@@ -213,12 +252,8 @@ fn of_point(
     point_budget(settings, &reference, point).map_err(|e| e.to_string())
 }
 
-fn recompute(
-    record: &Record,
-    settings: &Settings,
-    point: &PointResult,
-) -> Result<(Budget, f64), String> {
-    let budget = of_point(record, settings, point)?;
+/// As the certificate prints it, and how well a stored U agrees with it.
+fn reported(budget: &PointBudget<'_>) -> Result<(Budget, f64), String> {
     let (expanded, _) = budget.expand().map_err(|e| e.to_string())?;
     let reported = Budget {
         rows: rows(&budget.magnitude),
@@ -252,7 +287,10 @@ fn row(component: &Component<'_>) -> BudgetRow {
 fn distribution(component: &Component<'_>) -> (&'static str, Option<f64>) {
     match component.distribution {
         Distribution::Normal { .. } if component.degrees_of_freedom.is_finite() => {
-            ("student", None)
+            match component.row.number {
+                MOUNTING => ("mountings", None),
+                _ => ("student", None),
+            }
         }
         Distribution::Normal { coverage_factor } => (
             "normal",

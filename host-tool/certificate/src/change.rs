@@ -1,6 +1,7 @@
 //! Change of a sensitivity between two calibrations, with its own uncertainty.
 
 use super::budget::Basis;
+use super::mountings::Mountings;
 use super::particulars::Particulars;
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
@@ -20,7 +21,9 @@ pub fn expanded_uncertainty_of_change_rel(
     frequency_hz: f64,
 ) -> Option<f64> {
     let nobody = Particulars::default();
-    let (then, own) = (Basis::new(before, &nobody), Basis::new(now, &nobody));
+    let once = Mountings::ONCE;
+    let basis = |record| Basis::new(record, &nobody, &once);
+    let (then, own) = (basis(before), basis(now));
     let (then_at, at) = (point(before, frequency_hz)?, point(now, frequency_hz)?);
     let of_ratio = own.of_change(at, &then, then_at)?;
     Some(of_ratio.expanded_rel)

@@ -4,11 +4,11 @@ use super::budget::{self, Basis};
 use super::conformity;
 use super::model::{Certificate, Refusal, Remark, Severity, Value};
 use super::model::{Deviation, Point, PointValues};
+use super::mountings::Mountings;
 use super::particulars::Particulars;
 use super::rounding::{Rounded, round_uncertainty};
 use super::sections::{is_traceable, sections};
 use super::stored::{day, run_day, unix_day};
-use super::temperature::Distance;
 use super::units::STANDARD_GRAVITY_MS2;
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
@@ -26,13 +26,31 @@ impl Certificate {
     /// chosen per clause 5.3 among those that passed. The budget there is
     /// recomputed from the settings and compared with the stored U.
     pub fn from_record(record: &Record, particulars: &Particulars) -> Self {
+        Self::with_mountings(record, particulars, &Mountings::ONCE)
+    }
+
+    /// [`Self::from_record`] of one device that was mounted again for every record: means, with the scatter
+    /// between mountings in every budget.
+    ///
+    /// # Errors
+    /// [`calib_files::Error::Input`] when the records do not belong together.
+    pub fn from_records(
+        record: &Record,
+        others: &[Record],
+        particulars: &Particulars,
+    ) -> calib_files::Result<Self> {
+        let (joined, mountings) = Mountings::join(record, others)?;
+        Ok(Self::with_mountings(&joined, particulars, &mountings))
+    }
+
+    fn with_mountings(record: &Record, particulars: &Particulars, mountings: &Mountings) -> Self {
         let mut measured: Vec<&PointResult> = record.points.iter().collect();
         measured.sort_by(|a, b| {
             let key = |p: &PointResult| (p.spec.frequency_hz, p.spec.acceleration_rms_ms2);
             let (a, b) = (key(a), key(b));
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
-        let basis = Basis::new(record, particulars);
+        let basis = Basis::new(record, particulars, mountings);
         let mut points: Vec<Point> = measured.iter().map(|p| point(p, &basis, record)).collect();
         let reference = reference_point(&points);
         state_deviations(&mut points, reference, &basis);
@@ -52,6 +70,7 @@ impl Certificate {
             simulated: is_emulated(&record.head.instrument_serial),
             traceable: is_traceable(record),
         };
+        mountings.state(&mut certificate);
         certificate.remarks = remarks(record, &certificate);
         let temperature = basis.distance.remark();
         certificate.remarks.extend(temperature);
@@ -73,7 +92,7 @@ fn point(result: &PointResult, basis: &Basis<'_>, record: &Record) -> Point {
     let outcome = outcome(result, basis);
     match &outcome {
         Err(_) if view.is_valid() => view.refuse("not_reportable"),
-        Ok(values) if basis.distance != Distance::Covered => state_uncertainty(&mut view, values),
+        Ok(values) if !basis.is_the_instruments() => state_uncertainty(&mut view, values),
         _ => {}
     }
     let nominal_frequency_hz = decimal(result.spec.frequency_hz);

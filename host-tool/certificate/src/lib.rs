@@ -10,6 +10,7 @@
 //! | `refused` | what no certificate may say |
 //! | `assurance` | check standards that speak against it |
 //! | `budget` | the budgets of the points, recomputed and compared |
+//! | `mountings` | several mountings of one device as one result |
 //! | `deviation` | uncertainty of the deviation from the reference point |
 //! | `change` | uncertainty of the change since another calibration |
 //! | `temperature` | what the temperature told adds to row 11 |
@@ -40,6 +41,7 @@ mod json;
 mod marks;
 mod measured;
 pub mod model;
+mod mountings;
 pub mod particulars;
 mod pdf;
 mod plot;
@@ -79,6 +81,7 @@ pub use change::expanded_uncertainty_of_change_rel;
 pub use json::Document;
 pub use marks::Mark;
 pub use model::Certificate;
+pub use mountings::{MountingScatter, scatter as mounting_scatter};
 pub use particulars::{Known, Particulars};
 pub use present::Presented;
 pub use standing::digest;
@@ -163,6 +166,8 @@ pub struct Options {
     /// Knowledge of the record's place in the chain; by default nothing but
     /// what its number says.
     pub chain: Option<Standing>,
+    /// Records of the same device mounted again, beside `record`.
+    pub remounted: Vec<Record>,
     /// Check standards that speak against it: without an override in writing it is refused.
     pub failed_checks: Vec<FailedCheck>,
 }
@@ -215,7 +220,8 @@ pub struct File {
 /// [`calib_files::Error::Input`] when something stated makes no sense, the reference was
 /// overdue or a check standard failed without an override, or a template does not render, [`calib_files::Error::File`] when a template cannot be read.
 pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result<Prepared> {
-    let mut certificate = Certificate::from_record(record, &options.particulars);
+    let mut certificate =
+        Certificate::from_records(record, &options.remounted, &options.particulars)?;
     refused::check(&certificate, record)?;
     assurance::attach(&mut certificate, &options.failed_checks)?;
     if let Some(found) = &options.as_found {

@@ -77,6 +77,51 @@ fn where_nobody_told_a_temperature_u_is_that_of_the_whole_range_of_clause_4_2() 
     assert!(remark.contains("10.0\u{a0}K"), "{remark}");
 }
 
+/// Three mountings, 1 % apart: means, and 0.577 % with two degrees of freedom in row 8. With the 0.394 % of all
+/// the rest, `nu_eff = 2 (0.700 / 0.577)^4 = 4.33`.
+#[test]
+fn scatter_between_mountings_is_in_the_budget_with_its_degrees_of_freedom() {
+    let mounted = |number: u32, factor: f32| {
+        let mut record = record(&[160.0, 1000.0]);
+        record.head.id = number;
+        record
+            .points
+            .iter_mut()
+            .for_each(|p| p.sensitivity_v_per_ms2 *= factor);
+        record
+    };
+    let options = Options {
+        particulars: particulars(FULL),
+        remounted: vec![mounted(18, 1.01), mounted(19, 1.02)],
+        ..Options::default()
+    };
+    let prepared = prepare(&mounted(17, 1.0), &[Format::Json], &options).expect("one device");
+    let json: serde_json::Value = serde_json::from_slice(&prepared.files[0].content).expect("JSON");
+    let once = self::json(&mounted(17, 1.0), particulars(FULL));
+    let of = |json: &serde_json::Value, key: &str| json["points"][0][key].as_f64().expect(key);
+    let key = "sensitivity_v_per_ms2";
+    assert!((of(&json, key) / of(&once, key) - 1.01).abs() < 1e-6);
+    let between = 0.01 / 1.01 / 3.0_f64.sqrt();
+    let rest = expanded(0.1).0 / 2.0;
+    let u = between.hypot(rest);
+    let degrees = 2.0 * (u / between).powi(4);
+    let stated = of(&json, "effective_degrees_of_freedom");
+    assert!((stated / degrees - 1.0).abs() < 0.01, "{stated} {degrees}");
+    let k = of(&json, "coverage_factor");
+    let expanded = of(&json, "expanded_uncertainty_rel");
+    assert!((expanded / (k * u) - 1.0).abs() < 2e-3, "{expanded}");
+    // Student's t at 95.45 % lies between that of 4 (2.87) and 5 (2.65) degrees of freedom.
+    assert!((2.65..2.87).contains(&k), "{k}");
+    let said = |json: &serde_json::Value| {
+        json["mounting"]["repeated"]
+            .as_str()
+            .expect("said")
+            .to_owned()
+    };
+    assert!(said(&json).contains("17, 18, 19"), "{}", said(&json));
+    assert!(said(&once).starts_with("nein: einmal"), "{}", said(&once));
+}
+
 /// The reference's 0.5 %, gain, ratio, drift and temperature are common to all frequencies; 0.05 % of row 8 and
 /// the scatter of 0.015 % count twice: U = 0.092 %, where U of S is 0.85 %.
 #[test]

@@ -43,6 +43,15 @@ pub(crate) struct CertificateVerb {
     /// File of the record from before an adjustment; RECORD is then from after it.
     #[arg(long, value_name = "FILE")]
     as_found: Option<PathBuf>,
+    /// Records of the same device taken off and mounted again (`calib run --remount`): means, with the scatter
+    /// between mountings in the budget. Files or numbers, separated by commas.
+    #[arg(
+        long,
+        value_name = "RECORD",
+        value_delimiter = ',',
+        conflicts_with = "as_found"
+    )]
+    remounted: Vec<PathBuf>,
     /// Refuses a certificate that is not complete, instead of marking it DRAFT.
     #[arg(long)]
     strict: bool,
@@ -91,6 +100,7 @@ impl CertificateVerb {
         let options = Options {
             chain: Some(found.standing),
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
+            remounted: self.remounted(context)?,
             ..self.options(record, logbook.as_ref())?
         };
         let formats = match self.format.is_empty() {
@@ -127,6 +137,14 @@ impl CertificateVerb {
         }
         print(context, files)?;
         passed(prepared.verdict.as_ref())
+    }
+
+    fn remounted(&self, context: &Context) -> Result<Vec<Record>> {
+        let read = |name: &PathBuf| {
+            let found = source::find(context, name, &self.out)?;
+            found.calibration().cloned()
+        };
+        self.remounted.iter().map(read).collect()
     }
 
     fn options(&self, record: &Record, logbook: Option<&Logbook>) -> Result<Options> {

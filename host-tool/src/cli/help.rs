@@ -17,7 +17,7 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                 "run",
                 [
                     "run --sensor LW12345 --operator N.",
-                    "run --level 5 --points list.csv",
+                    "run --sensor LW12345 --remount 3",
                 ],
             ),
             (

@@ -34,6 +34,7 @@ mod predict;
 mod progress;
 mod records;
 mod release;
+mod remount;
 mod risk;
 mod run;
 mod schema;

@@ -1,6 +1,7 @@
 //! `calib run`: measures a point list.
 
 use super::certificate::{Laboratory, passed};
+use super::remount::{self, Mountings, Remounting};
 use super::{Context, logbook, number::positive, progress, progress::RunProgress, source, time};
 use calib_certificate::{Particulars, SensitivityUnit, Verdict};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
@@ -58,6 +59,10 @@ pub(crate) struct Run {
     /// How the device under test is mounted.
     #[arg(long, value_name = "TEXT", default_value = "")]
     mounting: String,
+    /// Measures the list so often, and asks for the device to be taken off and mounted again in between: the
+    /// scatter between mountings is evaluated (ISO 16063-21, 5.2). Each is a record of its own.
+    #[arg(long, value_name = "N", default_value_t = 1, conflicts_with = "retry", value_parser = clap::value_parser!(u8).range(1..=20))]
+    remount: u8,
     /// Unit of the sensitivities shown: mV/(m/s2) or mV/g [default: that of the sensor].
     #[arg(long, value_name = "UNIT")]
     unit: Option<SensitivityUnit>,
@@ -101,6 +106,8 @@ pub(super) struct RunResult {
     verdict: Option<Verdict>,
     /// Why points were refused, and what to do about it.
     refusals: Vec<Refused>,
+    /// With `--remount`: every mounting's record, this one included, and their scatter.
+    remounting: Option<Remounting>,
 }
 
 impl Run {
@@ -120,12 +127,20 @@ impl Run {
             points = session::on_lines(&points, info.sample_rate_hz)?;
         }
         possible(&points, &client.settings()?, info.sample_rate_hz)?;
-        let progress = RunProgress::new(context, info.sample_rate_hz, unit);
-        let mut progress = progress.with_points_as_result();
-        let outcome = measure(&mut client, &points, excitation, labels, &mut progress)?;
-        progress.end(&outcome.points);
-        let kept = keep(context, &mut client, &outcome)?;
-        let of_record = |kept: &Kept| judged::verdict(&kept.record, &particulars);
+        if labels.temperature_centi_c.is_none() && !context.for_program() {
+            context.remark(
+                "no --temperature: certificates state U for all that ISO 16063-21, 4.2 allows",
+            );
+        }
+        let asked = Asked {
+            points: &points,
+            excitation,
+            sample_rate_hz: info.sample_rate_hz,
+            unit,
+        };
+        let (mountings, outcome, kept) =
+            self.measure_mountings(context, &mut client, &asked, labels)?;
+        let of_record = |_: &Kept| mountings.verdict(&particulars);
         let result = RunResult {
             record_id: outcome.record_id,
             logbook_record: kept.as_ref().and_then(|kept| kept.id),
@@ -137,10 +152,40 @@ impl Run {
                 .collect(),
             verdict: kept.as_ref().and_then(of_record),
             refusals: refusals::of(&outcome.points),
+            remounting: mountings.remounting(),
         };
         progress::print_result(context, &result, || said(&result))?;
         judge(&outcome, points.len())?;
         passed(result.verdict.as_ref())
+    }
+
+    /// Measures, and once more for every mounting that is wanted.
+    fn measure_mountings(
+        &self,
+        context: &Context,
+        client: &mut Client,
+        asked: &Asked<'_>,
+        mut labels: RunLabels,
+    ) -> Result<(Mountings, Outcome, Option<Kept>)> {
+        let switch = switch_of_interrupts();
+        let mut mountings = Mountings::default();
+        loop {
+            let progress = RunProgress::new(context, asked.sample_rate_hz, asked.unit);
+            let mut progress = progress.with_points_as_result();
+            let outcome = measure(client, asked, labels.clone(), &switch, &mut progress)?;
+            progress.end(&outcome.points);
+            let kept = keep(context, client, &outcome)?;
+            mountings.add(&outcome, kept.as_ref());
+            let enough = mountings.count() >= usize::from(self.remount);
+            if enough || outcome.state != RunState::Finished {
+                return Ok((mountings, outcome, kept));
+            }
+            mountings.wait_for_the_next(outcome.record_id)?;
+            if switch.is_asked() {
+                return Ok((mountings, outcome, kept));
+            }
+            labels.unix_time_s = time::unix_time_s();
+        }
     }
 
     /// The record whose refused points are measured again.
@@ -258,6 +303,7 @@ fn frequencies(refused: &Refused) -> String {
 fn said(result: &RunResult) -> String {
     let advice = |refused: &Refused| format!("{}\n  {}", frequencies(refused), refused.remedy);
     let mut lines: Vec<String> = result.refusals.iter().map(advice).collect();
+    lines.extend(result.remounting.as_ref().map(remount::text));
     lines.extend(result.verdict.as_ref().map(terminal::verdict));
     let next = match result.logbook_record {
         Some(kept) => format!("kept in the logbook as record {kept}"),
@@ -268,10 +314,10 @@ fn said(result: &RunResult) -> String {
 }
 
 /// A record that is kept.
-struct Kept {
+pub(super) struct Kept {
     /// Its number in the logbook; none while it waits for that.
     id: Option<i64>,
-    record: Record,
+    pub(super) record: Record,
 }
 
 /// Keeps the record in the logbook, if this user has one.
@@ -304,22 +350,30 @@ fn keep(context: &Context, client: &mut Client, outcome: &Outcome) -> Result<Opt
     Ok(Some(Kept { id, record }))
 }
 
+/// What is to be measured, and how it is shown.
+struct Asked<'a> {
+    points: &'a [PointSpec],
+    excitation: ExcitationKind,
+    sample_rate_hz: f32,
+    unit: SensitivityUnit,
+}
+
 /// Runs a list with progress. Ctrl-C stops it and silences the exciter.
 fn measure(
     client: &mut Client,
-    points: &[PointSpec],
-    excitation: ExcitationKind,
+    asked: &Asked<'_>,
     labels: RunLabels,
+    switch: &StopSwitch,
     progress: &mut RunProgress<'_>,
 ) -> Result<Outcome> {
-    let switch = switch_of_interrupts();
     // Ahead of any answer that is waited for; the look at each progress is a second way.
     client.heed(switch.clone());
+    let (points, excitation) = (asked.points, asked.excitation);
     let outcome = session::run_excited(client, points, excitation, labels, |state| {
         progress.show(state, points);
         match refusals::dead_from_the_start(state.points) {
             Some(_) => ControlFlow::Break(()),
-            None => flow(&switch),
+            None => flow(switch),
         }
     });
     Ok(outcome?)

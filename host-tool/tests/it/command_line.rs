@@ -134,7 +134,13 @@ fn progress_and_remarks_stay_off_standard_output() {
     assert!(output.status.success(), "{}", text(&output.stderr));
     // Two points and the record, each said once.
     assert_eq!(text(&output.stdout).lines().count(), 3);
-    assert_eq!(text(&output.stderr), "");
+    let remark = "no --temperature: certificates state U for all that ISO 16063-21, 4.2 allows\n";
+    assert_eq!(text(&output.stderr), remark);
+    let told = calib(
+        directory.path(),
+        &[&run[..], &["--temperature", "23"]].concat(),
+    );
+    assert_eq!(text(&told.stderr), "");
     let quiet = calib(directory.path(), &[&run[..], &["-q"]].concat());
     assert_eq!(text(&quiet.stderr), "");
 }

@@ -37,6 +37,8 @@ pub(crate) struct Device {
     pub(crate) silent_hz: Vec<f32>,
     /// The flash is broken: runs end in `Failed`.
     pub(crate) flash_broken: bool,
+    /// Every run is another mounting, whose sensitivity is larger by this part.
+    pub(crate) remounting_rel: f32,
     pub(crate) requests: Vec<Request>,
     pub(crate) starts: u32,
     receiver: Receiver,
@@ -80,6 +82,7 @@ impl Device {
             reset_at_look: None,
             silent_hz: Vec::new(),
             flash_broken: false,
+            remounting_rel: 0.0,
             requests: Vec::new(),
             starts: 0,
             receiver: Receiver::new(),
@@ -273,7 +276,10 @@ impl Device {
         stored.complete = state == RunState::Finished;
         let done = usize::from(run.looks / LOOKS_PER_POINT);
         for spec in run.spec.points.iter().take(done) {
-            let point = measured(*spec, &self.silent_hz);
+            let point = mounted(
+                self.remounting_rel * run.id as f32,
+                measured(*spec, &self.silent_hz),
+            );
             stored.points.push(point).expect("fits");
         }
         self.store(stored);
@@ -283,7 +289,8 @@ impl Device {
         let run = self.run.as_ref()?;
         let done = (run.looks / LOOKS_PER_POINT) > index;
         let spec = run.spec.points.get(usize::from(index)).filter(|_| done)?;
-        Some(measured(*spec, &self.silent_hz))
+        let rel = self.remounting_rel * run.id as f32;
+        Some(mounted(rel, measured(*spec, &self.silent_hz)))
     }
 
     fn capture(&mut self, pairs: u16) -> Response {
@@ -399,6 +406,12 @@ fn measured(spec: calib_core::point::PointSpec, silent_hz: &[f32]) -> PointResul
         true => as_stored(&PointResult::refused(spec, None, Reason::DutOpen)),
         false => result(spec.frequency_hz, spec.acceleration_rms_ms2),
     }
+}
+
+/// The point, larger by this part.
+fn mounted(larger_rel: f32, mut point: PointResult) -> PointResult {
+    point.sensitivity_v_per_ms2 *= 1.0 + larger_rel;
+    point
 }
 
 /// A result as the firmware keeps it: what is stored comes back unchanged.

@@ -638,6 +638,83 @@ fn a_check_standard_blocks_certificates_unless_overridden_in_writing() {
     assert_eq!(logbook.inspect().expect("readable"), Vec::<String>::new());
 }
 
+/// Mountings that differ by 1 % of the first's: s = 1 %, s of the mean 0.577 %, two degrees of freedom.
+#[test]
+fn a_run_that_is_mounted_again_evaluates_the_scatter_and_certifies_all_records() {
+    let folder = tempfile::tempdir().expect("folder");
+    logbook(folder.path());
+    let mut device = Device::new();
+    device.remounting_rel = 0.01;
+    let (_, address) = serve(device);
+    std::fs::write(folder.path().join("p.csv"), "frequency_hz\n80\n160\n").expect("list");
+    let with = |line: &str| {
+        let words = format!("{line} --logbook logbook.sqlite --device {address}");
+        words.split(' ').map(str::to_owned).collect::<Vec<_>>()
+    };
+    let run = |enter: &str| {
+        let words = with("run --serial R --points p.csv --temperature 23 --remount 3 --json");
+        let mut tool = std::process::Command::new(env!("CARGO_BIN_EXE_calib"));
+        tool.args(words).current_dir(folder.path());
+        tool.stdin(std::process::Stdio::piped());
+        tool.stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped());
+        let mut tool = tool.spawn().expect("calib starts");
+        let mut stdin = tool.stdin.take().expect("piped");
+        std::io::Write::write_all(&mut stdin, enter.as_bytes()).expect("written");
+        drop(stdin);
+        tool.wait_with_output().expect("ends")
+    };
+    let output = run("\n\n");
+    let remounting = &json(&output)["remounting"];
+    assert_eq!(remounting["record_ids"], serde_json::json!([1, 2, 3]));
+    let point = &remounting["points"][1];
+    let number = |key: &str| point[key].as_f64().expect(key);
+    // 1.01, 1.02, 1.03: 0.01 of 1.02; sensitivities travel as f32.
+    assert!(
+        (number("scatter_rel") - 0.01 / 1.02).abs() < 1e-5,
+        "{point}"
+    );
+    assert!((number("standard_uncertainty_rel") - 0.01 / 1.02 / 3.0_f64.sqrt()).abs() < 1e-5);
+    assert_eq!(number("degrees_of_freedom"), 2.0);
+    assert!(
+        text(&output.stderr).contains("mount it again"),
+        "{}",
+        text(&output.stderr)
+    );
+    let certificate = |more: &str| {
+        let words = with(&format!("certificate 1 --format json{more}"));
+        calib(
+            folder.path(),
+            &words.iter().map(String::as_str).collect::<Vec<_>>(),
+        )
+    };
+    let written = certificate(" --remounted 2,3 --out all");
+    assert!(written.status.success(), "{}", text(&written.stderr));
+    let all = std::fs::read_to_string(folder.path().join("all/certificate-MEM-1-000001.json"));
+    let all: serde_json::Value = serde_json::from_str(&all.expect("written")).expect("JSON");
+    let said = all["mounting"]["repeated"].as_str().expect("said");
+    assert!(said.contains("3 mountings, records 1, 2, 3"), "{said}");
+    let rows = all["budget"]["components"].as_array().expect("rows");
+    let row = rows
+        .iter()
+        .find(|row| row["distribution"] == "mountings")
+        .expect("a row");
+    assert_eq!(
+        (row["row"].as_i64(), row["degrees_of_freedom"].as_f64()),
+        (Some(8), Some(2.0))
+    );
+    let twice = certificate(" --remounted 1 --out twice");
+    assert_eq!(twice.status.code(), Some(6));
+    // Nobody at the keyboard: what was measured is kept.
+    let alone = run("");
+    assert_eq!(alone.status.code(), Some(2));
+    assert!(
+        text(&alone.stderr).contains("is kept"),
+        "{}",
+        text(&alone.stderr)
+    );
+}
+
 #[test]
 fn a_virtual_teds_becomes_a_sensor() {
     let folder = tempfile::tempdir().expect("folder");

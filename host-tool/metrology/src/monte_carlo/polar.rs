@@ -7,8 +7,8 @@
 
 use super::random::Lanes;
 use crate::statistics::{mean, standard_deviation};
-use std::f64::consts::TAU;
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 /// Magnitude and phase by Monte Carlo and to first order.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
