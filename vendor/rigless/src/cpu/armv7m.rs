@@ -47,6 +47,8 @@ pub(crate) mod family;
 mod itm;
 #[cfg(not(emulator_absent))]
 mod mpu;
+#[cfg(not(emulator_absent))]
+mod spaces;
 #[cfg_attr(
     emulator_absent,
     expect(

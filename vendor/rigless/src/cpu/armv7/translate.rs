@@ -442,6 +442,8 @@ pub(crate) struct Chain<'a> {
     /// The core's cache of recent lookups, where an exit to a computed address finds the next
     /// block.
     pub(crate) recent: usize,
+    /// What every key of a block this one chains to has beside where that starts.
+    pub(crate) space: u64,
 }
 
 impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {

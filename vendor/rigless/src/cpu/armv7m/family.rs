@@ -34,6 +34,7 @@ use super::registers::{
 };
 use super::scs::{Masks, SCS_BASE, SCS_SIZE, Scs};
 use super::semihosting;
+use super::spaces::{Space, Spaces};
 use super::state::State;
 use super::translate::{self, LONGEST_BLOCK, Start, block_key};
 use super::{PPB_BASE, PPB_SIZE};
@@ -406,6 +407,14 @@ pub(crate) struct Family {
     implementation: Implementation,
     pub(crate) scs: Scs,
     pub(crate) mpu: Mpu,
+    /// What blocks were translated in, and where the next one is looked up, as long as what that
+    /// hangs on is as it was.
+    spaces: Spaces,
+    space: Space,
+    space_of: Option<(u64, u32, bool)>,
+    /// Software without the privilege has run since the MPU last changed, so a page is inline only
+    /// as far as it's granted to everyone.
+    unprivileged: bool,
     pages: Pages,
     jit: Jit,
     blocks: Blocks,
@@ -417,9 +426,9 @@ pub(crate) struct Family {
     breakpoints: BTreeMap<u64, u32>,
     /// Where the checked block translated last may start, in its order.
     stepped: Vec<(u32, u32)>,
-    /// Where a checked block may start: by address and `ITSTATE`, the key of its block, which of its
-    /// instructions it is, and how often it was.
-    steps: BTreeMap<(u32, u32), (u64, u32, i64)>,
+    /// Where a checked block may start: by address, `ITSTATE` and space, the key of its block, which of
+    /// its instructions it is, and how often it was.
+    steps: BTreeMap<(u32, u32, u64), (u64, u32, i64)>,
     /// The key of every block kept that loops back to its first instruction inside itself, which
     /// runs through a breakpoint set there later without the run loop seeing it.
     looping: BTreeSet<u64>,
@@ -615,6 +624,10 @@ impl Family {
             )
             .endian(endian),
             mpu: Mpu::new(regions.count()),
+            spaces: Spaces::default(),
+            space: Space::OFF,
+            space_of: None,
+            unprivileged: false,
             pages,
             jit: Jit::new()?,
             blocks: Blocks::default(),
@@ -727,6 +740,7 @@ impl Family {
             if self.breakpoints.contains_key(&u64::from(pc)) && passing != Some(u64::from(pc)) {
                 return Exit::Breakpoint;
             }
+            self.find_space();
             let (block, step) = match self.next_block(pc, std::mem::take(&mut short)) {
                 Ok(next) => next,
                 Err(error) => panic!("{error}"),
@@ -873,9 +887,8 @@ impl Family {
     ) -> Result<(crate::emulator::core::Block, u32), Error> {
         let start = self.start_at(pc);
         let inside = short || start.longest == 1;
-        // Breakpoints and the MPU's contexts are left to the blocks that know them.
-        let usual =
-            !self.features.isa.shortcuts || !self.breakpoints.is_empty() || self.mpu.enabled();
+        // Breakpoints are left to the blocks that know them.
+        let usual = !self.features.isa.shortcuts || !self.breakpoints.is_empty();
         if inside
             && !usual
             && let Some(found) = self.step_at(start, short)?
@@ -899,7 +912,7 @@ impl Family {
         start: Start,
         short: bool,
     ) -> Result<Option<(crate::emulator::core::Block, u32)>, Error> {
-        let place = (start.pc, start.it);
+        let place = (start.pc, start.it, self.space.key);
         if !self.steps.contains_key(&place) {
             let from = self.blocks.holding(u64::from(start.pc)).unwrap_or(start.pc);
             self.make_steps(from, 0)?;
@@ -933,8 +946,9 @@ impl Family {
         let (key, _) = self.key_of(start);
         self.block(start)?;
         let made = std::mem::take(&mut self.stepped);
-        for (step, place) in (0..).zip(made) {
-            self.steps.entry(place).or_insert((key, step, 0));
+        let space = self.space.key;
+        for (step, (pc, it)) in (0..).zip(made) {
+            self.steps.entry((pc, it, space)).or_insert((key, step, 0));
         }
         Ok(())
     }
@@ -1089,6 +1103,9 @@ impl Family {
         // Keying the block by them costs a lookup, where dropping every translation each time
         // would cost retranslating everything an exception touches. With it off, the default map
         // answers every context alike.
+        if self.features.isa.shortcuts {
+            return (key | self.space.key, self.space.context);
+        }
         if self.mpu.enabled() {
             let context = self.mpu_context();
             let key = key
@@ -1109,7 +1126,9 @@ impl Family {
     /// answers it, the first and last byte it came from, and whether it loops back to its start. A
     /// quick translation counts its runs.
     fn compile(&mut self, start: Start, context: Context, tier: Tier) -> Result<Translated, Error> {
-        let chains = !self.mpu.enabled();
+        // A block's exits lead to blocks of its own space.
+        let chains = self.features.isa.shortcuts || !self.mpu.enabled();
+        let space = self.space.key;
         let counter = (tier == Tier::Quick && !start.checked).then(|| self.blocks.new_counter());
         let recent = self.blocks.recent();
         let features = self.features;
@@ -1141,11 +1160,11 @@ impl Family {
                 it,
                 longest: LONGEST_BLOCK,
                 checked: false,
-            }))
+            }) | space)
         };
-        // With the MPU on, the next block's key holds the context it runs in, which an exit
-        // can't know, so nothing chains.
-        let cells: Option<(Cells<'_>, usize)> = chains.then_some((&mut cells, recent));
+        // Without spaces, the next block's key holds the context it runs in while the MPU is on,
+        // which an exit can't know, so nothing chains.
+        let cells: Option<(Cells<'_>, usize, u64)> = chains.then_some((&mut cells, recent, space));
         translate::translate(
             jit,
             features,
@@ -1171,11 +1190,46 @@ impl Family {
         }
     }
 
-    /// The MPU's configuration changed: every translation goes, since fetches were checked when
-    /// they were made, and data accesses are inline only while the MPU is off.
+    /// The MPU's configuration changed: fetches were checked when translations were made, so the
+    /// next one is looked up in another space, or, without spaces, every translation goes. Data
+    /// accesses are inline only while the MPU is off, or as far as it grants them throughout a page.
     pub(crate) fn mpu_changed(&mut self, enabled: bool) {
-        self.drop_translations();
+        self.space_of = None;
+        self.unprivileged = false;
+        if !self.features.isa.shortcuts {
+            self.drop_translations();
+        }
         self.pages.check_all(enabled);
+    }
+
+    /// Finds the space of the next block, where anything it hangs on has changed since it was last
+    /// found. Nothing that changes it comes between two blocks without the run loop.
+    fn find_space(&mut self) {
+        if !self.features.isa.shortcuts {
+            return;
+        }
+        let now = (
+            self.scs.generation(),
+            self.state.faultmask,
+            self.state.privileged(),
+        );
+        if self.space_of == Some(now) {
+            return;
+        }
+        self.space_of = Some(now);
+        let context = self.mpu_context();
+        self.space = match self.spaces.find(&self.mpu, context) {
+            Some(space) => space,
+            None => {
+                self.drop_translations();
+                self.spaces.clear();
+                self.spaces.find(&self.mpu, context).unwrap_or(Space::OFF)
+            }
+        };
+        if !context.privileged && !self.unprivileged && self.mpu.enabled() {
+            self.unprivileged = true;
+            self.pages.check_all(true);
+        }
     }
 
     /// Drops every block translated.
@@ -1383,9 +1437,11 @@ impl Family {
         {
             if self.mpu.enabled() && !self.pages.decided(wide) {
                 let page = address & !u32::try_from(PAGE_SIZE - 1).expect("a page");
-                let inline = self
-                    .mpu
-                    .inline_throughout(page, u32::try_from(PAGE_SIZE).expect("a page"));
+                // Software that has always had the privilege is asked about as such. The first that
+                // hasn't has every page decided again, before it runs.
+                let privileged = self.features.isa.shortcuts && !self.unprivileged;
+                let size = u32::try_from(PAGE_SIZE).expect("a page");
+                let inline = self.mpu.inline_throughout(page, size, privileged);
                 self.pages.allow(wide, inline);
             }
             match write {
@@ -1775,6 +1831,12 @@ impl Family {
         self.pages.route(address, routed);
     }
 
+    /// How many blocks were translated.
+    #[cfg(test)]
+    pub(crate) fn translations(&self) -> u64 {
+        self.jit.made()
+    }
+
     /// The accesses of the page holding `address` that are inline.
     #[cfg(test)]
     pub(crate) fn inline(&self, address: u32) -> crate::emulator::core::Inline {
@@ -1796,7 +1858,8 @@ const CARRY_ON: u32 = 2;
 const MOST_BLOCKS: u64 = 1 << 16;
 
 /// The bit a block's key gains while a breakpoint is at its start, which no key an exit finds a
-/// block by has: [`block_key`]'s fields and the MPU's context end at bit 49.
+/// block by has: [`block_key`]'s fields and the MPU's context end at bit 49, and bit 51 and the
+/// space's number are above it.
 const AT_BREAKPOINT: u64 = 1 << 50;
 
 /// A block translated, the first and last byte it came from, and whether it loops back to its
@@ -2105,6 +2168,7 @@ impl Processor for Family {
         if changed {
             self.mpu_changed(self.mpu.enabled());
         }
+        self.space_of = None;
         self.quiet = None;
         Ok(())
     }

@@ -117,12 +117,25 @@ const FULL_ACCESS: u32 = 0b011;
 /// The smallest region `MPU_RBAR` can hold a base for: `ADDR` starts at bit 5, B3.5.8.
 const SMALLEST_REGION_BITS: u32 = 5;
 
+/// `MPU_CTRL`, every `MPU_RBAR` and every `MPU_RASR`, which every check depends on.
+pub(crate) type InForce = (u32, [u32; MOST_REGIONS], [u32; MOST_REGIONS]);
+
 /// What an access is for, which decides the permission it needs, B2.3.8.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Fetch,
     Read,
     Write,
+}
+
+/// What decides the accesses of a stretch of bytes.
+enum Deciding {
+    /// The region with this `MPU_RASR`.
+    Region(u32),
+    /// No region holds any of them.
+    Background,
+    /// Not the same for all of them.
+    Several,
 }
 
 /// The two things about the processor a check reads: B2.3.3's `FindPriv()`, and whether B1.5.4's
@@ -174,7 +187,7 @@ impl Mpu {
     }
 
     /// What the checks depend on, or nothing while the MPU is off and only the default map counts.
-    fn in_force(&self) -> Option<(u32, [u32; MOST_REGIONS], [u32; MOST_REGIONS])> {
+    pub(crate) fn in_force(&self) -> Option<InForce> {
         self.enabled().then_some((self.ctrl, self.rbar, self.rasr))
     }
 
@@ -223,31 +236,36 @@ impl Mpu {
         self.rnr < u32::from(self.regions.max(1))
     }
 
-    /// The data accesses of the `size` bytes at `base` allowed whatever the privilege, B3.5.3.
+    /// The data accesses of the `size` bytes at `base` allowed whatever the privilege, or of
+    /// `privileged` software, B3.5.3.
     /// That's only when one region, or the background, holds all of them. Running below priority
     /// 0 with `HFNMIENA` clear only lets more through, since the default map grants every data
     /// access, B3.5.3 `DefaultPermissions()`. `base` is aligned to `size`, a power of two.
-    pub(crate) fn inline_throughout(&self, base: u32, size: u32) -> Inline {
-        // With no region deciding, the background grants nothing unprivileged, B3.5.6.
-        self.deciding(base, size).map_or(Inline::Neither, |rasr| {
-            // Table B3-15 never grants unprivileged software what it refuses privileged software,
-            // and never a write without a read.
-            let ap = get(mpu_rasr::AP, rasr);
-            if grants(ap, Kind::Write, false) {
-                Inline::Both
-            } else if grants(ap, Kind::Read, false) {
-                Inline::Reads
-            } else {
-                Inline::Neither
+    pub(crate) fn inline_throughout(&self, base: u32, size: u32, privileged: bool) -> Inline {
+        let ap = match self.deciding(base, size) {
+            Deciding::Region(rasr) => get(mpu_rasr::AP, rasr),
+            // The background grants nothing unprivileged, B3.5.6.
+            Deciding::Background if privileged && is_set(mpu_ctrl::PRIVDEFENA, self.ctrl) => {
+                FULL_ACCESS
             }
-        })
+            Deciding::Background | Deciding::Several => return Inline::Neither,
+        };
+        // Table B3-15 never grants unprivileged software what it refuses privileged software,
+        // and never a write without a read.
+        if grants(ap, Kind::Write, privileged) {
+            Inline::Both
+        } else if grants(ap, Kind::Read, privileged) {
+            Inline::Reads
+        } else {
+            Inline::Neither
+        }
     }
 
-    /// The `MPU_RASR` of the region deciding every one of the `size` bytes at `base`, B3.5.3: the
-    /// highest one holding any of them in an enabled subregion, when it holds all of them so.
+    /// What decides every one of the `size` bytes at `base`, B3.5.3: the highest region holding any
+    /// of them in an enabled subregion, when it holds all of them so.
     /// `base` is aligned to `size`, a power of two, and so is every region, so a region holds all
     /// of them, none, or a part smaller than them.
-    fn deciding(&self, base: u32, size: u32) -> Option<u32> {
+    fn deciding(&self, base: u32, size: u32) -> Deciding {
         let (first, last) = (u64::from(base), u64::from(base) + u64::from(size) - 1);
         for region in (0..usize::from(self.regions)).rev() {
             let rasr = self.rasr[region];
@@ -272,9 +290,13 @@ impl Mpu {
                 continue;
             }
             let whole = start <= first && last <= end;
-            return (whole && !(low..=high).any(disabled)).then_some(rasr);
+            return if whole && !(low..=high).any(disabled) {
+                Deciding::Region(rasr)
+            } else {
+                Deciding::Several
+            };
         }
-        None
+        Deciding::Background
     }
 
     /// The `MPU_RASR` of the highest enabled region holding `address` in an enabled subregion,
@@ -1263,6 +1285,7 @@ mod tests {
     #[test]
     fn a_page_one_region_decides_is_inline_as_far_as_it_grants_both_privileges() {
         let mut bench = Bench::new(&[STR]);
+        bench.core.features.isa.shortcuts = false;
         region(&mut bench, 0, RAM, attributes(15, 0b010));
         write(
             &mut bench,
@@ -1285,6 +1308,58 @@ mod tests {
         assert_eq!(bench.core.inline(RAM), Inline::Both);
     }
 
+    /// As long as nothing unprivileged has run with the MPU on, what the region, or the background,
+    /// grants privileged software is inline, and the first that's unprivileged is checked.
+    #[test]
+    fn a_page_is_inline_for_privileged_software_until_unprivileged_software_runs() {
+        for background in [false, true] {
+            let mut bench = Bench::new(&[STR]);
+            if !background {
+                region(&mut bench, 0, RAM, attributes(15, 0b001));
+            }
+            region(&mut bench, 1, CODE, attributes(15, FULL_ACCESS));
+            write(
+                &mut bench,
+                CTRL,
+                mpu_ctrl(&[mpu_ctrl::ENABLE, mpu_ctrl::PRIVDEFENA]),
+            );
+            bench.core.state.r[..2].copy_from_slice(&[0x1234, RAM + 0x100]);
+            bench.run(1);
+            assert_eq!(bench.word(RAM + 0x100), 0x1234);
+            assert_eq!(bench.core.inline(RAM), Inline::Both, "{background}");
+            unprivileged(&mut bench);
+            bench.core.state.r[..2].copy_from_slice(&[0x5678, RAM + 0x100]);
+            bench.core.state.r[15] = CODE;
+            bench.run(1);
+            assert_eq!(bench.word(RAM + 0x100), 0x1234, "{background}");
+            assert_eq!(bench.core.inline(RAM), Inline::Neither, "{background}");
+        }
+    }
+
+    /// What was translated before the MPU changed runs again once the MPU is as it was, and not
+    /// before.
+    #[test]
+    fn what_was_translated_with_the_mpu_so_runs_again_when_it_is_so() {
+        let mut bench = one_region(FULL_ACCESS);
+        region(&mut bench, 1, CODE, attributes(15, FULL_ACCESS));
+        let again = |bench: &mut Bench| {
+            bench.core.state.r[15] = CODE;
+            bench.run(1)
+        };
+        assert_eq!(again(&mut bench), (Exit::Budget, 1));
+        let executable = attributes(15, FULL_ACCESS);
+        region(&mut bench, 1, CODE, set(mpu_rasr::XN, executable, 1));
+        assert_eq!(again(&mut bench).1, 0, "IACCVIOL");
+        let made = bench.core.translations();
+        bench.core.reset();
+        bench.core.state.t = 1;
+        region(&mut bench, 0, RAM, attributes(15, FULL_ACCESS));
+        region(&mut bench, 1, CODE, executable);
+        write(&mut bench, CTRL, mpu_ctrl(&[mpu_ctrl::ENABLE]));
+        assert_eq!(again(&mut bench), (Exit::Budget, 1));
+        assert_eq!(bench.core.translations(), made, "translated again");
+    }
+
     /// B3.5.3: what the regions answer is the same over a page only when one region, or none,
     /// holds every byte of it in enabled subregions.
     #[test]
@@ -1292,7 +1367,7 @@ mod tests {
         let page = u32::try_from(crate::emulator::core::PAGE_SIZE).unwrap();
         let mut bench = bench();
         let throughout =
-            |bench: &mut Bench, base: u32| bench.core.mpu.inline_throughout(base, page);
+            |bench: &mut Bench, base: u32| bench.core.mpu.inline_throughout(base, page, false);
         region(&mut bench, 0, RAM, attributes(15, FULL_ACCESS));
         write(&mut bench, CTRL, mpu_ctrl(&[mpu_ctrl::ENABLE]));
         assert_eq!(throughout(&mut bench, RAM), Inline::Both);

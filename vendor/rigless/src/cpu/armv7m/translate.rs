@@ -113,7 +113,7 @@ pub(crate) fn translate(
     start: Start,
     fetch: &mut dyn FnMut(u32) -> Option<u16>,
     stop_before: &dyn Fn(u32) -> bool,
-    cells: Option<(Cells<'_>, usize)>,
+    cells: Option<(Cells<'_>, usize, u64)>,
     tier: Tier,
     counter: Option<usize>,
     steps: &mut Vec<(u32, u32)>,
@@ -136,10 +136,11 @@ pub(crate) fn translate(
         // A block that's translated again runs often, and mostly with budget to spare.
         let whole = features.isa.shortcuts && tier == Tier::Best && !start.checked;
         (e.in_hand, e.checked_on_entry) = (whole, whole);
-        e.chain = cells.map(|(cells, recent)| Chain {
+        e.chain = cells.map(|(cells, recent, space)| Chain {
             cells,
             signature,
             recent,
+            space,
         });
         // The registers, the flags and the budget are read in `body`, and each pass round the
         // block starts after them, at `head`.

@@ -2126,6 +2126,7 @@ mod tests {
                 cells: &mut cells,
                 signature,
                 recent,
+                space: 0,
             });
             e.begin(0, 0x100, 4, 0);
             lower(&mut e);

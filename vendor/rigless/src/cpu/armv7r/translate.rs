@@ -148,6 +148,7 @@ pub(crate) fn translate(
             cells,
             signature,
             recent,
+            space: 0,
         });
         // The registers, the flags and the budget are read in `body`, and each pass round the
         // block starts after them, at `head`.

@@ -50,16 +50,21 @@ impl Profile for Family {
         e.b.set_cold_block(slow);
         let join = e.b.create_block();
         e.b.append_block_param(join, types::I32);
-        let table = table(e);
-        let host = emit_lookup(e.b, table, address, Lookup::Read(size.bytes()), slow);
-        // A3.3.1: the core's data order.
-        let value = load_guest(e.b, size.host(), host, e.features.endian);
-        let value = if size == Size::Word {
-            value
+        if attributes.unprivileged {
+            // A page may be inline for privileged software alone.
+            e.b.ins().jump(slow, &[]);
         } else {
-            e.b.ins().uextend(types::I32, value)
-        };
-        e.b.ins().jump(join, &[value.into()]);
+            let table = table(e);
+            let host = emit_lookup(e.b, table, address, Lookup::Read(size.bytes()), slow);
+            // A3.3.1: the core's data order.
+            let value = load_guest(e.b, size.host(), host, e.features.endian);
+            let value = if size == Size::Word {
+                value
+            } else {
+                e.b.ins().uextend(types::I32, value)
+            };
+            e.b.ins().jump(join, &[value.into()]);
+        }
         e.b.switch_to_block(slow);
         let size = e.constant(size.bytes());
         let attributes = e.constant(attributes.bits());
@@ -91,15 +96,19 @@ impl Profile for Family {
         let slow = e.b.create_block();
         e.b.set_cold_block(slow);
         let join = e.b.create_block();
-        let table = table(e);
-        let host = emit_lookup(e.b, table, address, Lookup::Write(size.bytes()), slow);
-        let narrow = if size == Size::Word {
-            value
+        if attributes.unprivileged {
+            e.b.ins().jump(slow, &[]);
         } else {
-            e.b.ins().ireduce(size.host(), value)
-        };
-        store_guest(e.b, narrow, host, e.features.endian);
-        e.b.ins().jump(join, &[]);
+            let table = table(e);
+            let host = emit_lookup(e.b, table, address, Lookup::Write(size.bytes()), slow);
+            let narrow = if size == Size::Word {
+                value
+            } else {
+                e.b.ins().ireduce(size.host(), value)
+            };
+            store_guest(e.b, narrow, host, e.features.endian);
+            e.b.ins().jump(join, &[]);
+        }
         e.b.switch_to_block(slow);
         let size = e.constant(size.bytes());
         let attributes = e.constant(attributes.bits());
@@ -315,6 +324,7 @@ impl Family {
         };
         let signature = chain.signature;
         let recent = chain.recent;
+        let beside = u64::from(LONGEST_BLOCK) << 40 | chain.space;
         let chained = e.b.create_block();
         let plain = e.b.create_block();
         e.b.ins().brif(address, chained, &[], plain, &[]);
@@ -338,7 +348,8 @@ impl Family {
         let wide_it = e.b.ins().uextend(types::I64, it);
         let wide_it = e.b.ins().ishl_imm_s(wide_it, 32);
         let key = e.b.ins().bor(wide_pc, wide_it);
-        let key = e.b.ins().bor_imm_s(key, i64::from(LONGEST_BLOCK) << 40);
+        let beside = i64::try_from(beside).expect("a key below bit 63");
+        let key = e.b.ins().bor_imm_s(key, beside);
         let next = emit_find(e.b, e.pointer, recent, key);
         e.b.ins().jump(found, &[next.into()]);
         e.b.switch_to_block(by_cell);
