@@ -65,7 +65,7 @@ impl Dithering {
     pub(crate) fn advance(&mut self, duration_ns: u64) {
         if let Some(dither) = &mut self.dither {
             let periods = duration_ns as f64 * 1e-9 * dither.frequency_hz;
-            dither.phase = (dither.phase + periods).fract();
+            dither.phase = fraction(dither.phase + periods);
         }
     }
 
@@ -77,7 +77,7 @@ impl Dithering {
             let volts = (0..conversions.count).map(|nth| {
                 at(
                     &self.wave_v,
-                    (dither.phase + f64::from(nth) * apart).fract(),
+                    fraction(dither.phase + f64::from(nth) * apart),
                 )
             });
             self.at_conversions_v.extend(volts);
@@ -100,6 +100,11 @@ fn wave() -> Vec<f64> {
         .iter()
         .fold(0.0_f64, |peak, point| peak.max(point.abs()));
     points.into_iter().map(|point| point / peak).collect()
+}
+
+/// What is behind the point of a number that is not negative: `f64::fract`, which asks a library here.
+fn fraction(value: f64) -> f64 {
+    value - (value as i64) as f64
 }
 
 /// The wave at a phase of 0 to 1.

@@ -8,10 +8,9 @@ use rand_chacha::ChaCha12Rng;
 use super::{Quantity, Shape, Sheet};
 use crate::rig_port::Conversions;
 
-/// Codes of the whole range, of half of it (0 V), and the highest.
+/// Codes of the whole range, and of half of it (0 V).
 const CODES: f64 = 65_536.0;
 pub(crate) const MID_CODE: f64 = CODES / 2.0;
-const LAST_CODE: f64 = CODES - 1.0;
 /// The largest bits, whose capacitors differ enough to show; the rest is within the bow.
 const UNEQUAL_BITS: u32 = 8;
 /// Codes of the smallest of them.
@@ -27,7 +26,8 @@ pub(crate) fn nearest_code(code: f64) -> u16 {
         reason = "clamped"
     )]
     {
-        (code + 0.5).clamp(0.0, LAST_CODE) as u16
+        // What is outside becomes the first or the last one.
+        (code + 0.5) as u16
     }
 }
 
@@ -44,7 +44,11 @@ pub(crate) struct InputConverter {
     settling_ns: f64,
     /// Code beside the line, by code, as the mean over the noise of a conversion; empty if ideal.
     curve: Vec<f32>,
-    conversions: Conversions,
+    /// What follows from how it is set: conversions of a trigger, their noise, and what is left in them of
+    /// the trigger before.
+    count: f64,
+    own_noise_rms_v: f64,
+    kept: f64,
     /// Of the trigger before, V.
     before_v: f64,
 }
@@ -68,7 +72,7 @@ impl InputConverter {
             true => Vec::new(),
             false => smoothed(&shape.curve(sheet, &mut random), noise_codes),
         };
-        Self {
+        let mut converter = Self {
             code_per_v: MID_CODE / full_scale_peak_v,
             noise_codes,
             offset_codes,
@@ -77,21 +81,29 @@ impl InputConverter {
             crosstalk: sheet.value(Quantity::InputCrosstalk),
             settling_ns: sheet.value(Quantity::InputSettling),
             curve,
-            conversions: Conversions::default(),
+            count: 1.0,
+            own_noise_rms_v: 0.0,
+            kept: 0.0,
             before_v: 0.0,
-        }
+        };
+        converter.set(Conversions::default());
+        converter
     }
 
     /// The converter is set so from now on.
     pub(crate) fn set(&mut self, conversions: Conversions) {
-        self.conversions = conversions;
+        self.count = f64::from(conversions.count);
+        self.own_noise_rms_v = self.noise_codes / self.code_per_v / self.count.sqrt();
+        self.kept = match self.settling_ns {
+            0.0 => 0.0,
+            settling_ns => (-(conversions.sampling_ns as f64) / settling_ns).exp(),
+        };
     }
 
     /// Noise of a sample, V r.m.s. That of the signal, `signal_rms_v`, has passed the anti-alias filter and is
     /// the same for all conversions of a trigger; each of them adds its own.
     pub(crate) fn noise_rms_v(&self, signal_rms_v: f64) -> f64 {
-        let conversions = f64::from(self.conversions.count);
-        signal_rms_v.hypot(self.noise_codes / self.code_per_v / conversions.sqrt())
+        signal_rms_v.hypot(self.own_noise_rms_v)
     }
 
     /// The mean code of a trigger's conversions, each with its volts of `dither_v` added; without dither they
@@ -100,7 +112,7 @@ impl InputConverter {
         let volt = input.volt + self.crosstalk * input.other_v + self.unsettled_v(input.volt);
         let ripple = match self.ripple_codes {
             0.0 => 0.0,
-            peak => peak * (TAU * RIPPLE_HZ * input.time_s).sin(),
+            peak => peak * input.ripple,
         };
         let line = volt * self.code_per_v * self.gain + self.offset_codes + ripple;
         let middle = MID_CODE + line;
@@ -124,11 +136,10 @@ impl InputConverter {
     /// What the first conversion keeps of the sample before: its capacitor was charged to that.
     fn unsettled_v(&mut self, volt: f64) -> f64 {
         let before_v = std::mem::replace(&mut self.before_v, volt);
-        if self.settling_ns == 0.0 {
-            return 0.0;
+        match self.kept {
+            0.0 => 0.0,
+            kept => (before_v - volt) * kept / self.count,
         }
-        let kept = (-(self.conversions.sampling_ns as f64) / self.settling_ns).exp();
-        (before_v - volt) * kept / f64::from(self.conversions.count)
     }
 }
 
@@ -139,8 +150,13 @@ pub(crate) struct Input {
     pub(crate) volt: f64,
     /// The same of the other channel, V.
     pub(crate) other_v: f64,
-    /// Since the start, s.
-    pub(crate) time_s: f64,
+    /// Of the reference both channels see, of its peak: [`ripple`].
+    pub(crate) ripple: f64,
+}
+
+/// Ripple of the reference at an instant, of its peak.
+pub(crate) fn ripple(time_s: f64) -> f64 {
+    (TAU * RIPPLE_HZ * time_s).sin()
 }
 
 /// The curve at every code, its steps as wide as the noise that goes over them.
@@ -178,7 +194,7 @@ mod tests {
         Input {
             volt,
             other_v: 0.0,
-            time_s: 0.0,
+            ripple: 0.0,
         }
     }
 

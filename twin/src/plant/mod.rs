@@ -27,7 +27,7 @@ use rigless::snapshot::{Error, Reader, Writer};
 use self::codes::{input_code, input_v};
 use self::sampler::{Sampled, Sampler};
 use self::simulation::Simulation;
-use crate::converters::{Dithering, DriveConverter, InputConverter, Sheet};
+use crate::converters::{self, Dithering, DriveConverter, InputConverter, Sheet};
 use crate::faults::{BodyFault, Faults};
 use crate::model::Model;
 use crate::rig::Rig;
@@ -113,7 +113,7 @@ impl Plant {
 
     /// Volts at both input converters at this instant, without noise and offset.
     pub fn converter_v(&self) -> [f64; INPUT_CHANNELS] {
-        [0, 1].map(|channel| self.simulation.converter_v(channel))
+        self.simulation.converters_v()
     }
 
     /// As [`RigPort::hold`] with the voltage of an ideal drive converter.
@@ -196,18 +196,24 @@ impl RigPort for Plant {
         let simulation = &self.simulation;
         let elapsed_s = simulation.elapsed_s();
         let dither_v = self.dithering.at(self.conversions);
+        let volts = simulation.converters_v();
+        let slopes = match self.samplers.iter().any(Sampler::needs_slope) {
+            true => simulation.converters_v_per_s(),
+            false => [0.0; INPUT_CHANNELS],
+        };
+        let ripple = converters::ripple(self.samplers[0].time_s(elapsed_s));
         let mut codes = [0; INPUT_CHANNELS];
         for (channel, code) in codes.iter_mut().enumerate() {
             let sampler = &mut self.samplers[channel];
             let sampled = Sampled {
-                volt: simulation.converter_v(channel),
-                volt_per_s: if sampler.needs_slope() {
-                    simulation.converter_v_per_s(channel)
-                } else {
-                    0.0
+                volt: volts[channel],
+                volt_per_s: match sampler.needs_slope() {
+                    true => slopes[channel],
+                    false => 0.0,
                 },
                 face_m2s4: simulation.face_m2s4(channel),
-                other_v: simulation.converter_v(1 - channel),
+                other_v: volts[1 - channel],
+                ripple,
             };
             *code = sampler.code(sampled, dither_v, elapsed_s, &mut self.noise);
         }

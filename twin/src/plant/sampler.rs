@@ -19,6 +19,8 @@ pub(super) struct Sampled {
     pub(super) face_m2s4: f64,
     /// Volts at the other channel's converter.
     pub(super) other_v: f64,
+    /// Of the converters' reference, of its peak.
+    pub(super) ripple: f64,
 }
 
 /// One channel's converter.
@@ -60,6 +62,11 @@ impl Sampler {
         self.jitter_s != 0.0 || self.channel.clock_delta != 0.0
     }
 
+    /// Time on the clock of the rig's surroundings, s.
+    pub(super) fn time_s(&self, elapsed_s: f64) -> f64 {
+        self.start_s + elapsed_s
+    }
+
     /// The code at `elapsed_s` after the start, with so much dither at each of its conversions.
     pub(super) fn code(
         &mut self,
@@ -69,7 +76,7 @@ impl Sampler {
         noise: &mut ChaCha8Rng,
     ) -> u16 {
         let mut normal = || -> f64 { StandardNormal.sample(noise) };
-        let time_s = self.start_s + elapsed_s;
+        let time_s = self.time_s(elapsed_s);
         let channel = &self.channel;
         let level_rms_ms2 = sampled.face_m2s4.sqrt();
         let gain = (1.0 + channel.drift_per_s * time_s)
@@ -81,7 +88,10 @@ impl Sampler {
             early_s += self.jitter_s * normal();
         }
         let volt = (sampled.volt + sampled.volt_per_s * early_s) * gain;
-        let signal_rms_v = self.noise_rms_v.hypot(self.impact_rms_v(level_rms_ms2));
+        let signal_rms_v = match self.impact_rms_v(level_rms_ms2) {
+            0.0 => self.noise_rms_v.abs(),
+            impact_rms_v => self.noise_rms_v.hypot(impact_rms_v),
+        };
         let noise_rms_v = self.converter.noise_rms_v(signal_rms_v);
         let picked_up_v = self.pickup_v(time_s);
         let total = volt + picked_up_v + self.offset_v + noise_rms_v * normal();
@@ -89,7 +99,7 @@ impl Sampler {
         let input = Input {
             volt,
             other_v: sampled.other_v,
-            time_s,
+            ripple: sampled.ripple,
         };
         self.converter.code(input, dither_v)
     }

@@ -54,8 +54,9 @@ struct Nonlinear {
 pub(super) struct Simulation {
     stepper: Stepper,
     taps: Taps,
-    /// Volts of both converters, then their derivatives, as means over a trigger's conversions.
-    means: [Tap; 2 * INPUT_CHANNELS],
+    /// Volts of both converters, and their derivatives, as means over a trigger's conversions.
+    volts: PairTap,
+    rates: PairTap,
     nonlinear: Option<Box<Nonlinear>>,
     levels: Levels,
     /// Whether anything needs the levels.
@@ -124,7 +125,8 @@ impl Simulation {
         let channels = [&model.reference, &model.dut];
         let taps = Taps::new(&wiring);
         Self {
-            means: taps.sampled().map(Tap::clone),
+            volts: PairTap::of(&taps.converter),
+            rates: PairTap::of(&taps.converter_rate),
             taps,
             stepper,
             levelled: nonlinear.is_some()
@@ -275,9 +277,11 @@ impl Simulation {
     pub(super) fn average_over(&mut self, conversions: Conversions) {
         let apart = self.stepper.transition(conversions.apart_ns());
         let count = conversions.count.max(1);
-        for (mean, instant) in self.means.iter_mut().zip(self.taps.sampled()) {
-            *mean = mean_tap(instant, &apart, count);
-        }
+        let mean = |taps: &[Tap; INPUT_CHANNELS]| {
+            PairTap::of(&[0, 1].map(|channel| mean_tap(&taps[channel], &apart, count)))
+        };
+        self.volts = mean(&self.taps.converter);
+        self.rates = mean(&self.taps.converter_rate);
     }
 
     /// Since the start, s.
@@ -300,14 +304,14 @@ impl Simulation {
         self.read(&self.taps.acceleration)
     }
 
-    /// Volts at an input converter.
-    pub(super) fn converter_v(&self, channel: usize) -> f64 {
-        self.read(&self.means[channel])
+    /// Volts at both input converters.
+    pub(super) fn converters_v(&self) -> [f64; INPUT_CHANNELS] {
+        self.volts.read(self.stepper.source())
     }
 
-    /// Their derivative, V/s.
-    pub(super) fn converter_v_per_s(&self, channel: usize) -> f64 {
-        self.read(&self.means[INPUT_CHANNELS + channel])
+    /// Their derivatives, V/s.
+    pub(super) fn converters_v_per_s(&self) -> [f64; INPUT_CHANNELS] {
+        self.rates.read(self.stepper.source())
     }
 
     /// Mean square of the motion of a mounting face, (m/s2)2.
@@ -320,6 +324,42 @@ impl Simulation {
         tap.iter()
             .map(|&(column, factor)| factor * source[column])
             .sum()
+    }
+}
+
+/// The taps of both channels, read in one pass.
+#[derive(Clone, Debug)]
+struct PairTap(Vec<(usize, [f64; INPUT_CHANNELS])>);
+
+impl PairTap {
+    /// Each channel's terms stay in the order they have, so that its sum is that of its tap.
+    fn of(taps: &[Tap; INPUT_CHANNELS]) -> Self {
+        let mut terms: Vec<(usize, [f64; INPUT_CHANNELS])> = Vec::new();
+        for (channel, tap) in taps.iter().enumerate() {
+            let mut from = 0;
+            for &(column, factor) in tap {
+                // A term before those this channel has already would change the order.
+                let known = terms[from..].iter().position(|term| term.0 == column);
+                let place = known.map_or(terms.len(), |place| from + place);
+                if known.is_none() {
+                    terms.push((column, [0.0; INPUT_CHANNELS]));
+                }
+                terms[place].1[channel] = factor;
+                from = place + 1;
+            }
+        }
+        Self(terms)
+    }
+
+    fn read(&self, source: &[f64]) -> [f64; INPUT_CHANNELS] {
+        let mut sums = [0.0; INPUT_CHANNELS];
+        for &(column, factors) in &self.0 {
+            let value = source[column];
+            for (sum, factor) in sums.iter_mut().zip(factors) {
+                *sum += factor * value;
+            }
+        }
+        sums
     }
 }
 
@@ -358,12 +398,6 @@ impl Nonlinear {
 }
 
 impl Taps {
-    /// Volts of both converters, then their derivatives.
-    fn sampled(&self) -> [&Tap; 2 * INPUT_CHANNELS] {
-        let ([one, two], [one_rate, two_rate]) = (&self.converter, &self.converter_rate);
-        [one, two, one_rate, two_rate]
-    }
-
     fn new(wiring: &Wiring) -> Self {
         let network = &wiring.network;
         let tap = |signal: &Signal| network.columns(signal);
