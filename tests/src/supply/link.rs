@@ -1,5 +1,7 @@
-//! A serial line to a board whose supply fails at a given instant.
+//! A serial line to a board whose supply fails at a given instant, or might.
 
+use super::outage::{Next, Outage};
+use crate::bench::Fault;
 use calib_link::Transport;
 use calib_twin::runner::{Emulator, SharedEmulator, Torn};
 use std::io;
@@ -20,6 +22,13 @@ pub enum Cut {
     },
     /// In the next erase of a sector, so far into it, from 0 to 1.
     InErase(f64),
+    /// In an operation on the record flash, or in an erase that comes before it.
+    InOperationOrErase {
+        /// Which one from here, counted from 1.
+        nth: u64,
+        /// How far into it, from 0 to 1.
+        fraction: f64,
+    },
 }
 
 /// State the cut left, once it has come.
@@ -44,6 +53,12 @@ enum Due {
         ordinal: u64,
         fraction: f64,
     },
+    /// In that operation, or when there were more erases than so many.
+    OperationOrErase {
+        ordinal: u64,
+        before: u64,
+        fraction: f64,
+    },
     /// When there were more erases than so many.
     Erase {
         before: u64,
@@ -63,6 +78,11 @@ impl Due {
                 before: erases(board),
                 fraction,
             },
+            Cut::InOperationOrErase { nth, fraction } => Self::OperationOrErase {
+                ordinal: board.flash_watch().operations() + nth,
+                before: erases(board),
+                fraction,
+            },
         }
     }
 
@@ -73,6 +93,9 @@ impl Due {
             Self::At(instant) => board.elapsed() >= instant,
             Self::Operation { ordinal, .. } => board.flash_watch().operations() >= ordinal,
             Self::Erase { before, .. } => erases(board) > before,
+            Self::OperationOrErase {
+                ordinal, before, ..
+            } => board.flash_watch().operations() >= ordinal || erases(board) > before,
         }
     }
 
@@ -88,6 +111,12 @@ impl Due {
                 board.flash_watch().set_erase_trap(fraction);
                 wanted
             }
+            Self::OperationOrErase {
+                ordinal, fraction, ..
+            } => {
+                board.flash_watch().set_trap_or_erase(ordinal, fraction);
+                wanted
+            }
         }
     }
 }
@@ -101,12 +130,19 @@ pub(super) fn erases(board: &Emulator) -> u64 {
 pub(super) struct FailingLink {
     board: SharedEmulator,
     due: Due,
+    outage: Arc<Mutex<dyn Outage>>,
     failure: Failure,
     received: Vec<u8>,
 }
 
 impl FailingLink {
-    pub(super) fn new(board: SharedEmulator, cut: Cut, failure: Failure) -> Self {
+    /// A line whose first cut is `cut`; `outage` says what comes of it.
+    pub(super) fn new(
+        board: SharedEmulator,
+        cut: Cut,
+        outage: Arc<Mutex<dyn Outage>>,
+        failure: Failure,
+    ) -> Self {
         let due = {
             let board = board.lock().unwrap_or_else(PoisonError::into_inner);
             Due::of(cut, &board)
@@ -114,6 +150,7 @@ impl FailingLink {
         Self {
             board,
             due,
+            outage,
             failure,
             received: Vec::new(),
         }
@@ -121,22 +158,39 @@ impl FailingLink {
 
     /// Runs for `duration`, with `wake` until the board has sent something, or until the cut.
     fn run(&mut self, duration: Duration, wake: bool) -> io::Result<()> {
-        let mut board = self.board.lock().unwrap_or_else(PoisonError::into_inner);
-        if self.failure.torn().is_some() {
-            return Err(io::ErrorKind::BrokenPipe.into());
+        let shared = Arc::clone(&self.board);
+        let mut board = shared.lock().unwrap_or_else(PoisonError::into_inner);
+        let goal = board.elapsed().saturating_add(duration);
+        loop {
+            if self.failure.torn().is_some() {
+                return Err(io::ErrorKind::BrokenPipe.into());
+            }
+            let limit = goal.saturating_sub(board.elapsed());
+            let limit = self.due.prepare(&board, limit);
+            let ran = match wake {
+                true => board.run_until_received(limit).map(drop),
+                false => board.run_for(limit),
+            };
+            ran.map_err(io::Error::other)?;
+            if self.due.has_come(&board) {
+                self.meet(&mut board).map_err(io::Error::other)?;
+                continue;
+            }
+            self.received.extend(board.read_serial());
+            let heard = wake && !self.received.is_empty();
+            if heard || board.elapsed() >= goal {
+                return Ok(());
+            }
         }
-        let limit = self.due.prepare(&board, duration);
-        let ran = match wake {
-            true => board.run_until_received(limit).map(drop),
-            false => board.run_for(limit),
-        };
-        ran.map_err(io::Error::other)?;
-        if self.due.has_come(&board) {
-            self.failure
-                .note(board.cut_power().map_err(io::Error::other)?);
-            return Err(io::ErrorKind::BrokenPipe.into());
+    }
+
+    /// The instant has come: the supply fails, or goes on to the next one.
+    fn meet(&mut self, board: &mut Emulator) -> Result<(), Fault> {
+        let mut outage = self.outage.lock().unwrap_or_else(PoisonError::into_inner);
+        match outage.come(board)? {
+            Next::Fail => self.failure.note(board.cut_power()?),
+            Next::GoOn(cut) => self.due = Due::of(cut, board),
         }
-        self.received.extend(board.read_serial());
         Ok(())
     }
 }

@@ -12,6 +12,7 @@ use calib_protocol::record::{self, RecordSummary, RunLabels, Sha256Sum};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Blocks of a point, in turn: every change of settings is one.
 const BLOCKS: [u16; 3] = [3, 4, 5];
@@ -38,9 +39,13 @@ pub enum Doing {
     Release,
 }
 
-/// Knowledge of the host.
-#[derive(Default)]
-pub(super) struct Told {
+/// Knowledge of the host, which whoever watches it may look at between two bytes on the line.
+#[derive(Clone, Default)]
+pub(super) struct Told(Arc<Mutex<Known>>);
+
+/// Everything a host was told.
+#[derive(Clone, Default)]
+pub(super) struct Known {
     pub(super) doing: Doing,
     /// Records compared so far.
     pub(super) compared: u64,
@@ -57,34 +62,7 @@ pub(super) struct Told {
     released: u32,
 }
 
-impl Told {
-    /// Everything told is there, and nothing is half there.
-    pub(super) fn look(&mut self, client: &mut Client, folder: &Path) -> Result<(), Fault> {
-        self.doing = Doing::Look;
-        client.info()?;
-        let found = client.settings()?;
-        let candidates = [&self.settings, &self.attempted];
-        let known = candidates
-            .iter()
-            .any(|known| known.as_ref() == Some(&found));
-        if self.settings.is_some() && !known {
-            return Err("the settings are neither the old nor the new ones".into());
-        }
-        (self.settings, self.attempted) = (Some(found), None);
-        let records = client.records()?;
-        self.compare(&records)?;
-        // What was stored before the cut, though nobody was told.
-        for record in &records {
-            self.records.insert(record.id, Some(record.sha256));
-        }
-        let newest = records.last().map(|record| record.id);
-        let oldest = records.first().map(|record| record.id);
-        for id in [newest, oldest].into_iter().flatten() {
-            self.fetch(client, id, folder)?;
-        }
-        Ok(())
-    }
-
+impl Known {
     fn compare(&mut self, records: &[RecordSummary]) -> Result<(), Fault> {
         for (id, sum) in &self.records {
             match records.iter().find(|record| record.id == *id) {
@@ -94,30 +72,96 @@ impl Told {
                 None => return Err(format!("record {id} is lost").into()),
             }
         }
-        // What has made room does not come back.
-        self.records
-            .retain(|id, _| records.iter().any(|record| record.id == *id));
+        // What has made room does not come back, and what was stored before the cut counts, though
+        // nobody was told.
+        self.records = records
+            .iter()
+            .map(|record| (record.id, Some(record.sha256)))
+            .collect();
         Ok(())
     }
 
-    /// Writes other settings, which somebody holds the button for.
-    pub(super) fn change_settings(&mut self, client: &mut Client) -> Result<(), Fault> {
+    /// The settings are those the host wrote last, or tried to.
+    fn accept(&mut self, found: Settings) -> Result<(), Fault> {
+        let candidates = [&self.settings, &self.attempted];
+        let known = candidates
+            .iter()
+            .any(|known| known.as_ref() == Some(&found));
+        if self.settings.is_some() && !known {
+            return Err("the settings are neither the old nor the new ones".into());
+        }
+        (self.settings, self.attempted) = (Some(found), None);
+        Ok(())
+    }
+
+    /// Settings other than those in force, as they are about to be written.
+    fn attempt_others(&mut self) -> Result<Settings, Fault> {
         let mut settings = self.settings.clone().ok_or("no settings were read")?;
         let place = BLOCKS.iter().position(|blocks| *blocks == settings.blocks);
         settings.blocks = BLOCKS[place.map_or(0, |place| place + 1) % BLOCKS.len()];
         self.attempted = Some(settings.clone());
+        Ok(settings)
+    }
+
+    fn newest(&self) -> Option<u32> {
+        self.records.last_key_value().map(|(id, _)| *id)
+    }
+
+    fn sum(&self, id: u32) -> Option<Sha256Sum> {
+        self.records.get(&id).copied().flatten()
+    }
+}
+
+impl Told {
+    /// A copy that goes its own way from here on.
+    pub(super) fn apart(&self) -> Self {
+        Self(Arc::new(Mutex::new(self.known().clone())))
+    }
+
+    /// What is known at this instant. No request may be made while it is held.
+    pub(super) fn known(&self) -> MutexGuard<'_, Known> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Notes what the host turns to.
+    pub(super) fn turn_to(&self, doing: Doing) {
+        self.known().doing = doing;
+    }
+
+    /// Everything told is there, and nothing is half there.
+    pub(super) fn look(&self, client: &mut Client, folder: &Path) -> Result<(), Fault> {
+        self.turn_to(Doing::Look);
+        client.info()?;
+        let found = client.settings()?;
+        self.known().accept(found)?;
+        let records = client.records()?;
+        self.known().compare(&records)?;
+        let newest = records.last().map(|record| record.id);
+        let oldest = records.first().map(|record| record.id);
+        for id in [newest, oldest].into_iter().flatten() {
+            self.fetch(client, id, folder)?;
+        }
+        Ok(())
+    }
+
+    /// Writes other settings, which somebody holds the button for.
+    pub(super) fn change_settings(&self, client: &mut Client) -> Result<(), Fault> {
+        let settings = self.known().attempt_others()?;
         client.write_settings(settings)?;
-        self.settings = self.attempted.take();
+        {
+            let mut known = self.known();
+            known.settings = known.attempted.take();
+        }
         // The log of it is a record.
         let records = client.records()?;
         let last = records.last().ok_or("a change of settings has no log")?;
-        self.records.insert(last.id, Some(last.sha256));
+        self.known().records.insert(last.id, Some(last.sha256));
         Ok(())
     }
 
     /// Measures a point; the record counts as told when the run is reported as finished.
-    pub(super) fn measure(&mut self, client: &mut Client) -> Result<(), Fault> {
-        self.doing = Doing::Measure;
+    pub(super) fn measure(&self, client: &mut Client) -> Result<(), Fault> {
+        self.turn_to(Doing::Measure);
         let list = [point(160.0, 10.0)];
         let outcome = session::run(client, &list, RunLabels::default(), |_| {
             ControlFlow::Continue(())
@@ -126,34 +170,39 @@ impl Told {
         if outcome.state != RunState::Finished || !outcome.points.iter().all(passed) {
             return Err(format!("a run ends {:?}: {:?}", outcome.state, outcome.points).into());
         }
-        self.stored += 1;
-        // From here on the host counts on it.
-        self.records.insert(outcome.record_id, None);
+        let id = outcome.record_id;
+        {
+            let mut known = self.known();
+            known.stored += 1;
+            // From here on the host counts on it.
+            known.records.insert(id, None);
+        }
         let records = client.records()?;
-        let last = records.last().filter(|last| last.id == outcome.record_id);
+        let last = records.last().filter(|last| last.id == id);
         let last = last.ok_or("the record of a finished run is not in the list")?;
-        self.records.insert(last.id, Some(last.sha256));
-        self.measured = Some(outcome);
+        let mut known = self.known();
+        known.records.insert(last.id, Some(last.sha256));
+        known.measured = Some(outcome);
         Ok(())
     }
 
     /// Downloads the newest record.
-    pub(super) fn download(&mut self, client: &mut Client, folder: &Path) -> Result<(), Fault> {
-        self.doing = Doing::Download;
-        let newest = self.records.last_key_value();
-        let (id, _) = newest.ok_or("nothing to download")?;
-        self.fetch(client, *id, folder)
+    pub(super) fn download(&self, client: &mut Client, folder: &Path) -> Result<(), Fault> {
+        self.turn_to(Doing::Download);
+        let newest = self.known().newest();
+        self.fetch(client, newest.ok_or("nothing to download")?, folder)
     }
 
     /// Releases what the host keeps, but for the newest.
-    pub(super) fn release(&mut self, client: &mut Client) -> Result<(), Fault> {
-        self.doing = Doing::Release;
-        let newest = self.records.last_key_value().map_or(0, |(id, _)| *id);
+    pub(super) fn release(&self, client: &mut Client) -> Result<(), Fault> {
+        self.turn_to(Doing::Release);
+        let newest = self.known().newest().unwrap_or(0);
         // Before it is said: the request may get through and its answer not.
-        self.released = newest.saturating_sub(LEFT);
+        let released = newest.saturating_sub(LEFT);
+        self.known().released = released;
         // Again and again: each writes, and so lets sectors fill and be erased.
         for _ in 0..RELEASES {
-            client.release(self.released)?;
+            client.release(released)?;
         }
         Ok(())
     }
@@ -163,16 +212,15 @@ impl Told {
         let fetched = session::fetch(client, id, folder, Existing::Keep, |_| ())?;
         let content = std::fs::read(&fetched.path)?;
         let sum = record::check(&content).map(|_| record::digest(&content));
-        let known = self.records.get(&id).copied().flatten();
-        if sum.ok() != known {
+        let known = self.known();
+        if sum.ok() != known.sum(id) {
             return Err(format!("record {id} has another content than its sum says").into());
         }
-        let before = id.checked_sub(1).and_then(|id| self.records.get(&id));
-        let before = before.copied().flatten();
+        let before = id.checked_sub(1).and_then(|id| known.sum(id));
         if before.is_some_and(|sum| sum != fetched.link.previous_sha256) {
             return Err(format!("record {id} does not follow the one before").into());
         }
-        let measured = self.measured.as_ref().filter(|run| run.record_id == id);
+        let measured = known.measured.as_ref().filter(|run| run.record_id == id);
         let Some(run) = measured else { return Ok(()) };
         match record::decode(&content)?.points.as_slice() == run.points.as_slice() {
             true => Ok(()),

@@ -5,9 +5,11 @@ use calib_core::settings::Settings;
 use calib_protocol::frame::{MAX_FRAME, encode};
 use calib_protocol::message::Request;
 use calib_tests::bench::{Bench, Fault};
-use calib_tests::supply::{Cut, Desk, Doing};
+use calib_tests::supply::{Cut, Desk, Doing, Survey};
+use calib_twin::board::SECTOR_BYTES;
 use calib_twin::rig_port::ShortedInputs;
-use calib_twin::runner::Torn;
+use calib_twin::runner::{Emulator, Firmware, Torn};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 /// Longest time from a request to its last flash operation: the frame on the line, two sector erases.
@@ -74,9 +76,38 @@ fn cut_while_writing(
     if !board.run_into_flash_operation(ordinal, fraction, BUSY)? {
         return Ok(None);
     }
-    let torn = board.cut_power()?;
+    let torn = cut_as_foreseen(&mut board)?;
     board.restore_power()?;
     Ok(Some(torn))
+}
+
+/// Cuts the supply; a second board that gets the flash such a cut leaves, taken just before, has the same.
+fn cut_as_foreseen(board: &mut Emulator) -> Result<Torn, Fault> {
+    let foreseen = board.flash_at_cut()?;
+    let torn = board.cut_power()?;
+    assert_eq!(torn, foreseen.torn());
+    let mut second = Emulator::power_on(&Firmware::shipping()?, Box::new(ShortedInputs))?;
+    second.cut_power()?;
+    second.fit_flash(&foreseen)?;
+    assert!(second.record_flash()? == board.record_flash()?, "{torn:?}");
+    let poisoned = [&second, &*board].map(|board| board.flash_watch().poisoned_words());
+    assert_eq!(poisoned[0], poisoned[1], "{torn:?}");
+    Ok(torn)
+}
+
+/// The same for a sector, half way through the erase of a start that mends it.
+#[test]
+fn a_flash_at_a_cut_is_what_the_cut_leaves() -> Result<(), Fault> {
+    let mut flash = vec![0xFF; 8 * SECTOR_BYTES as usize];
+    // Neither erased nor a mark: the erase of this sector was cut.
+    flash[3 * SECTOR_BYTES as usize] = 0x5A;
+    let firmware = Firmware::shipping()?;
+    let mut board = Emulator::power_on_with_flash(&firmware, Box::new(ShortedInputs), &flash)?;
+    assert!(board.run_into_flash_operation(1, 0.5, BUSY)?);
+    let torn = cut_as_foreseen(&mut board)?;
+    assert!(matches!(torn, Torn::Sector { .. }), "{torn:?}");
+    assert!(board.flash_watch().poisoned_words() > 0);
+    Ok(())
 }
 
 /// Flash operations of a change of settings: its log, and two copies of them.
@@ -87,7 +118,26 @@ fn operations_of_a_change() -> Result<u64, Fault> {
     Ok(operations)
 }
 
-/// A small `./run bench hard-power`: the host finds everything it was told, whatever it was doing.
+/// A small `./run bench hard-power`: cuts all along a session are seen on a second board, the last one
+/// comes, and the first board then starts to the same flash.
+#[test]
+fn a_session_that_goes_on_is_cut_on_a_second_board() -> Result<(), Fault> {
+    let folders = [tempfile::tempdir()?, tempfile::tempdir()?];
+    let mut desk = Desk::new(folders[0].path())?;
+    let survey = Survey::new(&desk, folders[1].path(), 12, 1)?;
+    let survey = Arc::new(Mutex::new(survey));
+    let met = desk.surveyed(&survey)?;
+    desk.end(&survey)?;
+    let survey = survey.lock().unwrap_or_else(PoisonError::into_inner);
+    let tally = survey.tally();
+    assert!(survey.is_done() && tally.cuts() >= 12, "{tally:?}");
+    assert_eq!(tally.came, 1, "{met:?}");
+    assert!(tally.rows.values().any(|row| row.words > 0), "{tally:?}");
+    assert!(tally.compared > 0, "{tally:?}");
+    Ok(())
+}
+
+/// The host finds everything it was told, whatever it was doing when the supply failed.
 #[test]
 fn nothing_told_is_lost_when_the_supply_fails_in_a_session() -> Result<(), Fault> {
     let folder = tempfile::tempdir()?;

@@ -24,8 +24,8 @@ pub(super) enum Met {
 }
 
 /// First addresses of the words whose check bits do not fit.
-#[derive(Debug, Default, Serialize, Deserialize)]
-pub(super) struct CheckBits {
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(crate) struct CheckBits {
     poisoned: BTreeSet<u64>,
     weak: BTreeSet<u64>,
     /// Met by a DMA controller, and not yet seen in the registers.

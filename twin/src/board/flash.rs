@@ -12,6 +12,7 @@
 
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
 
 use rigless::device::{Device, DeviceContext, RegisterFile};
 use rigless::snapshot::{self, Reader, Store, Writer};
@@ -124,6 +125,7 @@ impl Running {
 enum Trap {
     Ordinal(u64),
     Erase,
+    OrdinalOrErase(u64),
 }
 
 impl Trap {
@@ -131,6 +133,9 @@ impl Trap {
         match self {
             Self::Ordinal(wanted) => ordinal == wanted,
             Self::Erase => matches!(operation, Operation::Erase { .. }),
+            Self::OrdinalOrErase(wanted) => {
+                Self::Ordinal(wanted).is(operation, ordinal) || Self::Erase.is(operation, ordinal)
+            }
         }
     }
 }
@@ -251,6 +256,31 @@ impl FlashWatch {
     /// Sets the trap for the next erase.
     pub fn set_erase_trap(&self, fraction: f64) {
         self.lock().trap = Some((Trap::Erase, fraction));
+    }
+
+    /// Sets the trap for operation number `ordinal`, or for an erase that comes before it.
+    pub fn set_trap_or_erase(&self, ordinal: u64, fraction: f64) {
+        self.lock().trap = Some((Trap::OrdinalOrErase(ordinal), fraction));
+    }
+
+    /// The erase under way on the record flash: when it began, in virtual time, and how long it takes.
+    #[must_use]
+    pub fn erase_under_way(&self) -> Option<(Duration, Duration)> {
+        let running = self.lock().running[1]?;
+        let is_erase = matches!(running.operation, Operation::Erase { .. });
+        let [begun, lasts] = [running.started.0, running.lasts_ns].map(Duration::from_nanos);
+        is_erase.then_some((begun, lasts))
+    }
+
+    /// The check bits as they are.
+    pub(crate) fn check_bits(&self) -> CheckBits {
+        self.lock().check_bits.clone()
+    }
+
+    /// The check bits become those of another flash.
+    pub(crate) fn set_check_bits(&self, check_bits: CheckBits) {
+        self.lock().check_bits = check_bits;
+        self.has_changed.store(true, Ordering::Relaxed);
     }
 
     /// Check bits of the words in a range no longer fit.

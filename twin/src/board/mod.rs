@@ -61,6 +61,7 @@ use rigless::machine::{Board, Target};
 use rigless::mcu::Mcu;
 
 pub use analog::Analog;
+pub(crate) use check_bits::CheckBits;
 pub use cortex_m7::{INSTRUCTIONS_PER_S, instructions_per_s};
 pub use flash::{
     CutOff, FlashWatch, Operation, RECORD_FLASH, SECTOR_BYTES, SECTORS, WORD_BYTES, torn_sector,

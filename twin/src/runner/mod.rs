@@ -8,6 +8,7 @@
 //! - [`run_paced`]: the same board at the pace of the wall, with [`Door`]s for programs in other
 //!   processes: a TCP port ([`TcpDoor`]) and, where there are any, a pseudo terminal (`PtyDoor`).
 //! - [`Execution`]: fast, or plainly: the same run either way.
+//! - [`FlashAtCut`]: what a cut of the supply would leave, for another board to start with.
 //! - [`Mark`], [`Passages`]: how many instructions a program takes from here to there.
 //! - [`Log`]: what the firmware logs over RTT.
 
@@ -16,6 +17,7 @@ mod emulator;
 mod error;
 mod execution;
 mod firmware;
+mod flash_at_cut;
 mod keep;
 mod log;
 mod memory;
@@ -32,6 +34,7 @@ pub use emulator::{Emulator, Gap};
 pub use error::Error;
 pub use execution::Execution;
 pub use firmware::Firmware;
+pub use flash_at_cut::FlashAtCut;
 pub use log::Log;
 pub use paced::{Door, HostLine, Pace, run_paced};
 pub use passages::{Mark, Passages};

@@ -1,0 +1,41 @@
+//! What comes of a cut: the supply fails, or a second board is asked how it would have been.
+
+use super::link::Cut;
+use crate::bench::Fault;
+use calib_twin::runner::Emulator;
+
+/// What follows an instant at which the supply might fail.
+pub(super) enum Next {
+    /// It fails.
+    Fail,
+    /// It holds until then.
+    GoOn(Cut),
+}
+
+/// Decides about the cuts of a spell of power.
+pub(super) trait Outage: Send {
+    /// The instant of a cut has come; `board` stands at it.
+    ///
+    /// # Errors
+    /// What would have been lost.
+    fn come(&mut self, board: &mut Emulator) -> Result<Next, Fault>;
+
+    /// A start is done: the host has looked for everything it was told.
+    ///
+    /// # Errors
+    /// The start came to something else than it should have.
+    fn started(&mut self, board: &mut Emulator) -> Result<(), Fault>;
+}
+
+/// The supply fails the first time it may.
+pub(super) struct Fails;
+
+impl Outage for Fails {
+    fn come(&mut self, _board: &mut Emulator) -> Result<Next, Fault> {
+        Ok(Next::Fail)
+    }
+
+    fn started(&mut self, _board: &mut Emulator) -> Result<(), Fault> {
+        Ok(())
+    }
+}
