@@ -45,6 +45,9 @@ pub(super) struct FlashBus {
     flash: FlashWatch,
     /// First addresses of the pages that are sent over the bus.
     routed: BTreeSet<u64>,
+    /// What they follow from, since the last reset: banks that go there as a whole, and pages with poisoned
+    /// words.
+    followed: Option<([bool; 2], BTreeSet<u64>)>,
 }
 
 impl FlashBus {
@@ -53,16 +56,26 @@ impl FlashBus {
             core,
             flash,
             routed: BTreeSet::new(),
+            followed: None,
         }
     }
 
-    /// Sends the pages over the bus that must be, and no others.
+    /// Sends the pages over the bus that must be. Bank 2 stays there once it was at work, until the next
+    /// reset: its thousand pages would go there and back for every word that is programmed.
     fn route(&mut self, poisoned: &[u64]) {
         let page = self.core.page_size();
-        let busy = (0..2).filter(|bank| self.flash.is_busy(*bank));
-        let busy = busy.flat_map(|bank| bank_range(bank).step_by(page as usize));
-        let poisoned = poisoned.iter().map(|word| word & !(page - 1));
-        let wanted: BTreeSet<u64> = busy.chain(poisoned).collect();
+        let poisoned: BTreeSet<u64> = poisoned.iter().map(|word| word & !(page - 1)).collect();
+        let was_at_work = self.followed.as_ref().is_some_and(|(banks, _)| banks[1]);
+        let banks = [self.flash.is_busy(0), self.flash.is_busy(1) || was_at_work];
+        let from = Some((banks, poisoned));
+        if from == self.followed {
+            return;
+        }
+        self.followed = from;
+        let poisoned = self.followed.iter().flat_map(|(_, poisoned)| poisoned);
+        let whole = (0..2).filter(|bank| banks[*bank]);
+        let whole = whole.flat_map(|bank| bank_range(bank).step_by(page as usize));
+        let wanted: BTreeSet<u64> = whole.chain(poisoned.copied()).collect();
         for &page in wanted.difference(&self.routed) {
             self.core.ask(Queued::Route(page));
         }
@@ -195,6 +208,8 @@ impl Processor for FlashBus {
     }
 
     fn reset(&mut self) {
+        // It ends what is under way, which changes the flash: then the pages are looked at anew.
+        self.followed = None;
         self.core.reset();
     }
 
