@@ -82,9 +82,10 @@ impl Watch {
         if !self.is_full() {
             return None;
         }
+        let window = core::array::from_fn(hann);
         let families = [0, 1].map(|family| {
-            let beside_hz = self.beside_nominal_hz(family);
-            let (lines_peak, energy) = self.lines(family, beside_hz);
+            let beside_hz = self.beside_nominal_hz(&window, family);
+            let (lines_peak, energy) = self.lines(&window, family, beside_hz);
             let mains_hz = NOMINAL_HZ.get(family).copied().unwrap_or_default() + beside_hz;
             (
                 Hum {
@@ -101,7 +102,7 @@ impl Watch {
 
     /// Where the lines of a family together are largest.
     #[inline(never)]
-    fn beside_nominal_hz(&self, family: usize) -> f32 {
+    fn beside_nominal_hz(&self, window: &Window, family: usize) -> f32 {
         let mut centre_hz = 0.0;
         let mut reach_hz = FURTHEST_HZ;
         for step_hz in STEPS_HZ {
@@ -109,7 +110,7 @@ impl Watch {
             let mut best = (0.0, centre_hz);
             for step in -steps..=steps {
                 let at_hz = centre_hz + step as f32 * step_hz;
-                let energy = self.energy(family, at_hz);
+                let energy = self.energy(window, family, at_hz);
                 if energy > best.0 {
                     best = (energy, at_hz);
                 }
@@ -120,53 +121,51 @@ impl Watch {
         centre_hz
     }
 
-    fn energy(&self, family: usize, beside_hz: f32) -> f32 {
-        let channels = (0..LINES).flat_map(|line| [(line, 0), (line, 1)]);
-        channels
-            .map(|(line, channel)| self.mean(family, line, channel, beside_hz).norm_sqr())
+    fn energy(&self, window: &Window, family: usize, beside_hz: f32) -> f32 {
+        (0..LINES)
+            .flat_map(|line| self.means(window, family, line, beside_hz))
+            .map(|mean| mean.norm_sqr())
             .sum()
     }
 
-    /// Amplitude of a line of a mains frequency so far beside nominal.
+    /// Amplitudes, in both channels, of a line of a mains frequency so far beside nominal.
     ///
     /// # Equation
     /// `sum w_b X_b exp(-j 2 pi n d T b)`, `w` Hann's window over the blocks: what vibrates beside the
     /// mains has other phases from block to block and cancels.
     #[inline(never)]
-    fn mean(&self, family: usize, line: usize, channel: usize, beside_hz: f32) -> Complex32 {
-        let turn = Complex32::from_polar(1.0, -TAU * (line + 1) as f32 * beside_hz * BLOCK_S);
+    fn means(&self, window: &Window, family: usize, line: usize, beside_hz: f32) -> Pair {
+        let turn = turn(line, beside_hz);
         let mut phasor = Complex32::new(1.0, 0.0);
-        let mut sum = Complex32::new(0.0, 0.0);
-        for (index, value) in self.values(family, line, channel).enumerate() {
-            sum += value * phasor * window(index);
+        let mut sums = [Complex32::new(0.0, 0.0); 2];
+        for (pair, weight) in self.values(family, line).zip(window) {
+            for (sum, value) in sums.iter_mut().zip(pair) {
+                *sum += value * phasor * weight;
+            }
             phasor *= turn;
         }
-        sum
+        sums
     }
 
-    fn values(
-        &self,
-        family: usize,
-        line: usize,
-        channel: usize,
-    ) -> impl Iterator<Item = Complex32> + '_ {
+    /// A line in both channels, block by block.
+    fn values(&self, family: usize, line: usize) -> impl Iterator<Item = Pair> + '_ {
         self.blocks.iter().map(move |block| {
             let pair = block.get(family).and_then(|lines| lines.get(line));
-            pair.and_then(|pair| pair.get(channel))
-                .copied()
-                .unwrap_or_default()
+            pair.copied().unwrap_or_default()
         })
     }
 
     /// Amplitudes of the lines that are some, and the sum of their squares.
     #[inline(never)]
-    fn lines(&self, family: usize, beside_hz: f32) -> ([[f32; 2]; LINES], f32) {
+    fn lines(&self, window: &Window, family: usize, beside_hz: f32) -> ([[f32; 2]; LINES], f32) {
         let mut lines = [[0.0; 2]; LINES];
         let mut energy = 0.0;
-        for (line, pair) in lines.iter_mut().enumerate() {
-            for (channel, peak) in pair.iter_mut().enumerate() {
-                let square = self.mean(family, line, channel, beside_hz).norm_sqr();
-                if square > SIGNIFICANT * self.noise_square(family, line, channel, beside_hz) {
+        for (line, peaks) in lines.iter_mut().enumerate() {
+            let means = self.means(window, family, line, beside_hz);
+            let noise = self.noise_squares(window, family, line, beside_hz);
+            for ((peak, mean), noise_square) in peaks.iter_mut().zip(means).zip(noise) {
+                let square = mean.norm_sqr();
+                if square > SIGNIFICANT * noise_square {
                     *peak = libm::sqrtf(square);
                     energy += square;
                 }
@@ -175,22 +174,27 @@ impl Watch {
         (lines, energy)
     }
 
-    /// Variance of [`Self::mean`] by what differs from block to block.
+    /// Variances of [`Self::means`] by what differs from block to block.
     #[inline(never)]
-    fn noise_square(&self, family: usize, line: usize, channel: usize, beside_hz: f32) -> f32 {
-        let turn = Complex32::from_polar(1.0, -TAU * (line + 1) as f32 * beside_hz * BLOCK_S);
-        let (mut before, mut differences) = (None::<Complex32>, 0.0);
-        for value in self.values(family, line, channel) {
+    fn noise_squares(
+        &self,
+        window: &Window,
+        family: usize,
+        line: usize,
+        beside_hz: f32,
+    ) -> [f32; 2] {
+        let turn = turn(line, beside_hz);
+        let (mut before, mut differences) = (None::<Pair>, [0.0; 2]);
+        for pair in self.values(family, line) {
             if let Some(before) = before {
-                differences += (value * turn - before).norm_sqr();
+                for ((sum, value), before) in differences.iter_mut().zip(pair).zip(before) {
+                    *sum += (value * turn - before).norm_sqr();
+                }
             }
-            before = Some(value);
+            before = Some(pair);
         }
-        let of_block = differences / (2 * (WATCH_BLOCKS - 1)) as f32;
-        let squares: f32 = (0..WATCH_BLOCKS)
-            .map(|index| window(index) * window(index))
-            .sum();
-        of_block * squares
+        let squares: f32 = window.iter().map(|weight| weight * weight).sum();
+        differences.map(|sum: f32| sum / (2 * (WATCH_BLOCKS - 1)) as f32 * squares)
     }
 }
 
@@ -200,9 +204,16 @@ impl Default for Watch {
     }
 }
 
+/// How a line turns from block to block, taken back.
+fn turn(line: usize, beside_hz: f32) -> Complex32 {
+    Complex32::from_polar(1.0, -TAU * (line + 1) as f32 * beside_hz * BLOCK_S)
+}
+
+/// Weights of the blocks.
+type Window = [f32; WATCH_BLOCKS];
+
 /// Hann's window over the blocks, of sum 1.
-#[inline(never)]
-fn window(index: usize) -> f32 {
+fn hann(index: usize) -> f32 {
     let angle = PI * (index as f32 + 0.5) / WATCH_BLOCKS as f32;
     let sine = libm::sinf(angle);
     // The squares of so many sines sum up to half their number.
