@@ -29,6 +29,18 @@ impl PhaseWalk {
         }
     }
 
+    /// Starts at `halves` half samples of the tone; steps are whole samples all the same.
+    pub fn from_halves(tone: Tone, halves: u32) -> Self {
+        let period = 2 * u32::from(tone.period_samples).max(1);
+        let cycles = u32::from(tone.cycles) % period;
+        Self {
+            position: (cycles * (halves % period)) % period,
+            step: 2 * cycles % period,
+            period,
+            quarter_rad: core::f32::consts::FRAC_PI_2 / period as f32,
+        }
+    }
+
     /// Cosine and sine here; then moves on by one sample.
     #[inline]
     pub fn next_cos_sin(&mut self) -> (f32, f32) {
@@ -120,6 +132,19 @@ mod tests {
         let mut walk = PhaseWalk::new(tone, 1_000_003);
         for n in 1_000_003_u64..1_002_000 {
             let expected = cos_sin((47 * n % 373) as u32, 373);
+            assert_eq!(walk.next_cos_sin(), expected);
+        }
+    }
+
+    #[test]
+    fn half_samples_lie_between_samples() {
+        let tone = Tone {
+            cycles: 47,
+            period_samples: 373,
+        };
+        let mut walk = PhaseWalk::from_halves(tone, 2_000_007);
+        for halves in (2_000_007_u64..2_004_000).step_by(2) {
+            let expected = cos_sin((47 * halves % 746) as u32, 746);
             assert_eq!(walk.next_cos_sin(), expected);
         }
     }

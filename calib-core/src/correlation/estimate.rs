@@ -2,9 +2,9 @@
 
 use super::block::Block;
 use super::fold::{Energy, FoldSum, SQUARE_STRIDE};
+use super::mirror::Mirror;
 use super::sums::Sums;
 use crate::converter::{MID_SAMPLE, Width};
-use crate::phase::PhaseWalk;
 use crate::tone::Tone;
 use num_complex::Complex32;
 
@@ -101,7 +101,7 @@ const MIDDLE: i64 = MID_SAMPLE as i64;
 const SPIKE_FACTOR: f32 = 8.0;
 
 /// Complex amplitudes of harmonics 1 to 5.
-type Spectrum = [Complex32; HARMONICS];
+pub(super) type Spectrum = [Complex32; HARMONICS];
 
 /// Correlates a full fold.
 ///
@@ -119,15 +119,15 @@ pub(super) fn estimate(
     width: Width,
 ) -> PairEstimate {
     let means = [mean_code(fold, 0), mean_code(fold, 1)];
-    let walk = PhaseWalk::new(block.tone(), start_index);
-    let (spectra, offsets) = correlate(walk, fold, means, block);
-    let rests = rests(walk, fold, means, block, &spectra, offsets);
+    let mirror = Mirror::new(block, start_index, fold);
+    let fit = correlate(&mirror, means, block);
+    let rests = rests(&mirror, means, block.passes(), &fit);
     let channel = |index: usize| {
-        let [amplitude, harmonics @ ..] = spectra[index];
+        let [amplitude, harmonics @ ..] = mirror.from_start(&fit.spectra[index]);
         let within = spread_within_places(fold, index, energy, block.passes());
         ChannelEstimate {
             amplitude,
-            mean: mean_of_sample(means[index], block.passes()) + offsets[index],
+            mean: mean_of_sample(means[index], block.passes()) + fit.offsets[index],
             harmonics,
             residual_rms: libm::sqrtf((within + rests[index].energy) / block.samples() as f32),
             clipped: stays_at_an_end(fold, index, block.passes(), width)
@@ -176,47 +176,36 @@ fn centred(sum: FoldSum, means: [u32; 2], per_pass: f32) -> [f32; 2] {
     ]
 }
 
-/// exp(j h phase) for h = 1 to 5, by multiplication.
-#[inline]
-fn harmonic_phasors((cosine, sine): (f32, f32)) -> Spectrum {
-    let first = Complex32::new(cosine, sine);
-    let second = first * first;
-    let third = second * first;
-    [first, second, third, second * second, third * second]
-}
-
 /// Harmonics that lie below half the sample rate.
 fn usable_harmonics(tone: Tone) -> usize {
     let below = |h: &usize| 2 * h * usize::from(tone.cycles) < usize::from(tone.period_samples);
     (1..=HARMONICS).take_while(below).count().max(1)
 }
 
-/// Spectra of both channels, and what is left of their means.
-fn correlate(
-    mut walk: PhaseWalk,
-    fold: &[FoldSum],
-    means: [u32; 2],
-    block: Block,
-) -> ([Spectrum; 2], [f32; 2]) {
+/// What both averaged periods are made of.
+struct Fit {
+    /// Spectra of both channels, phases counted from the middle of the fold.
+    spectra: [Spectrum; 2],
+    /// What is left of their means.
+    offsets: [f32; 2],
+}
+
+/// Fits both channels.
+fn correlate(mirror: &Mirror<'_>, means: [u32; 2], block: Block) -> Fit {
     let per_pass = 1.0 / block.passes() as f32;
-    // Per channel: five cosine sums, five sine sums, one plain sum.
-    let mut sums = Sums::<22>::new();
-    let start = walk;
-    for &place in fold {
-        let phasors = harmonic_phasors(walk.next_cos_sin());
-        let values = centred(place, means, per_pass);
-        let mut terms = [0.0; 22];
-        for (value, half) in values.into_iter().zip(terms.as_chunks_mut::<11>().0) {
-            for (phasor, pair) in phasors.iter().zip(half.as_chunks_mut::<2>().0) {
-                pair[0] = value * phasor.re;
-                pair[1] = -value * phasor.im;
-            }
-            half[10] = value;
-        }
-        sums.add(terms);
+    let mut sums = Sums::new();
+    if let Some(centre) = mirror.centre() {
+        let here = [Complex32::new(1.0, 0.0); HARMONICS];
+        sums.add(terms(&here, centred(centre, means, per_pass), [0.0; 2]));
+    }
+    for (phasors, places) in mirror.pairs() {
+        let [before, behind] = places.map(|place| centred(place, means, per_pass));
+        let even = [behind[0] + before[0], behind[1] + before[1]];
+        let odd = [behind[0] - before[0], behind[1] - before[1]];
+        sums.add(terms(&phasors, even, odd));
     }
     let total = sums.total();
-    let scale = 2.0 / fold.len().max(1) as f32;
+    let scale = 2.0 / mirror.places();
     let usable = usable_harmonics(block.tone());
     let spectrum = |half: &[f32]| {
         let mut spectrum = [Complex32::new(0.0, 0.0); HARMONICS];
@@ -226,34 +215,40 @@ fn correlate(
         }
         spectrum
     };
-    let (reference, dut) = total.split_at(11);
-    let offsets = [0.5 * scale * reference[10], 0.5 * scale * dut[10]];
+    let (reference, dut) = total.split_at(TERMS / 2);
     let mut spectra = [spectrum(reference), spectrum(dut)];
     if !block.is_exact() {
-        let leakage = leakage(start, fold.len());
+        let leakage = mirror.leakage();
         spectra
             .iter_mut()
             .for_each(|s| s[0] = without_leakage(s[0], leakage));
     }
-    (spectra, offsets)
+    let offsets = [reference, dut].map(|half| 0.5 * scale * half[2 * HARMONICS]);
+    Fit { spectra, offsets }
 }
 
-/// Mean of `exp(-2j phase)` over `places`, by which the fundamental leaks into
-/// itself.
-fn leakage(mut walk: PhaseWalk, places: usize) -> Complex32 {
-    let mut sums = Sums::<2>::new();
-    for _ in 0..places {
-        let [_, second, ..] = harmonic_phasors(walk.next_cos_sin());
-        sums.add([second.re, -second.im]);
+/// Terms of the sums of a correlation: for each channel five cosine sums beside five sine sums, and a plain one.
+const TERMS: usize = 2 * (2 * HARMONICS + 1);
+
+/// What two places add to the sums, by the sum and the difference of their values.
+#[inline(always)]
+fn terms(phasors: &Spectrum, even: [f32; 2], odd: [f32; 2]) -> [f32; TERMS] {
+    let mut terms = [0.0; TERMS];
+    let halves = terms.as_chunks_mut::<{ TERMS / 2 }>().0;
+    for ((even, odd), half) in even.into_iter().zip(odd).zip(halves) {
+        for (phasor, pair) in phasors.iter().zip(half.as_chunks_mut::<2>().0) {
+            pair[0] = even * phasor.re;
+            pair[1] = -odd * phasor.im;
+        }
+        half[2 * HARMONICS] = even;
     }
-    let [re, im] = sums.total();
-    Complex32::new(re, im) / places.max(1) as f32
+    terms
 }
 
 /// The amplitude behind `seen = A + conj(A) leakage`: the normal equations of
 /// a single sine, solved.
-fn without_leakage(seen: Complex32, leakage: Complex32) -> Complex32 {
-    (seen - seen.conj() * leakage) / (1.0 - leakage.norm_sqr())
+fn without_leakage(seen: Complex32, leakage: f32) -> Complex32 {
+    Complex32::new(seen.re / (1.0 + leakage), seen.im / (1.0 - leakage))
 }
 
 /// Residual of the fit in a channel's averaged period.
@@ -286,39 +281,42 @@ impl Rest {
 }
 
 /// Residual of mean, fundamental and harmonics in both averaged periods.
-fn rests(
-    mut walk: PhaseWalk,
-    fold: &[FoldSum],
-    means: [u32; 2],
-    block: Block,
-    spectra: &[Spectrum; 2],
-    offsets: [f32; 2],
-) -> [Rest; 2] {
-    let per_pass = 1.0 / block.passes() as f32;
+fn rests(mirror: &Mirror<'_>, means: [u32; 2], passes: u32, fit: &Fit) -> [Rest; 2] {
+    let per_pass = 1.0 / passes as f32;
     let mut sums = Sums::<2>::new();
     // As bits: squares are never negative, and the bits of such numbers are in the
     // order of the numbers. What is not a number comes out largest of all.
     let mut largest = [0_u32; 2];
-    for &place in fold {
-        let phasors = harmonic_phasors(walk.next_cos_sin());
-        let values = centred(place, means, per_pass);
-        let square = |channel: usize| {
-            let fit = spectra[channel].iter().zip(&phasors);
-            let fitted: f32 = fit.map(|(a, p)| a.re * p.re - a.im * p.im).sum();
-            let rest = values[channel] - offsets[channel] - fitted;
-            rest * rest
-        };
-        let squares = [square(0), square(1)];
-        for (largest, square) in largest.iter_mut().zip(squares) {
-            *largest = (*largest).max(square.to_bits());
-        }
+    let mut square = |channel: usize, value: f32, fitted: f32| {
+        let rest = value - fit.offsets[channel] - fitted;
+        let square = rest * rest;
+        largest[channel] = largest[channel].max(square.to_bits());
+        square
+    };
+    if let Some(centre) = mirror.centre() {
+        let values = centred(centre, means, per_pass);
+        let fitted = |channel: usize| fit.spectra[channel].iter().map(|a| a.re).sum();
+        let squares = [0, 1].map(|channel| square(channel, values[channel], fitted(channel)));
+        sums.add(squares);
+    }
+    for (phasors, places) in mirror.pairs() {
+        let [before, behind] = places.map(|place| centred(place, means, per_pass));
+        let squares = [0, 1].map(|channel| {
+            let (mut even, mut odd) = (0.0, 0.0);
+            for (amplitude, phasor) in fit.spectra[channel].iter().zip(&phasors) {
+                even += amplitude.re * phasor.re;
+                odd += amplitude.im * phasor.im;
+            }
+            square(channel, before[channel], even + odd)
+                + square(channel, behind[channel], even - odd)
+        });
         sums.add(squares);
     }
     let total = sums.total();
     [0, 1].map(|channel| Rest {
-        energy: total[channel] * block.passes() as f32,
+        energy: total[channel] * passes as f32,
         largest_square: f32::from_bits(largest[channel]),
-        mean_square: total[channel] / fold.len().max(1) as f32,
+        mean_square: total[channel] / mirror.places(),
     })
 }
 

@@ -9,7 +9,8 @@
 //! A block holds whole periods of a [`Tone`](crate::tone::Tone). All samples at
 //! the same place of the period are summed in 32-bit integers, exactly; the
 //! sines are applied once to the at most 12 000 sums. No rounding happens
-//! before that, so a block of 10 s is as accurate as one of 10 ms.
+//! before that, so a block of 10 s is as accurate as one of 10 ms. Two places
+//! as far from the middle of the fold share their sines ([`mirror`]).
 //!
 //! # Why there is no leakage
 //! Over `N = m * period` samples every component at `h * cycles / period` of
@@ -21,6 +22,7 @@ pub mod block;
 pub mod correlator;
 pub mod estimate;
 pub mod fold;
+mod mirror;
 mod outline;
 mod sums;
 #[cfg(test)]

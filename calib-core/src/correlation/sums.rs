@@ -36,6 +36,7 @@ impl<const N: usize> Sums<N> {
         }
     }
 
+    #[inline(never)]
     fn carry(&mut self) {
         let sums = self.outer.iter_mut().zip(&mut self.lost);
         for ((outer, lost), inner) in sums.zip(&mut self.inner) {
