@@ -2,6 +2,7 @@
 
 use crate::head::{RecordHead, Sha256Sum};
 use crate::provenance::Provenance;
+use crate::signature::PublicKey;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use heapless::{String, Vec};
@@ -27,6 +28,8 @@ pub struct Record {
     pub points: Vec<PointResult, MAX_POINTS>,
     /// [Digest](crate::record::digest) of the bytes it was read from; none of a record that was not read.
     pub sha256: Option<Sha256Sum>,
+    /// Key that the bytes it was read from are said to be signed by; whether they are is for a host to verify.
+    pub signed_by: Option<PublicKey>,
 }
 
 impl Record {
@@ -39,5 +42,6 @@ impl Record {
         provenance: Provenance::UNKNOWN,
         points: Vec::new(),
         sha256: None,
+        signed_by: None,
     };
 }

@@ -31,6 +31,7 @@ pub use crate::kind::{RECORD_VERSION, RecordKind};
 use crate::provenance::Provenance;
 use crate::sections::{Fields, find, needed, section};
 use crate::settings_form::{self, InSections};
+use crate::signature;
 use crate::stored_point::{self, InColumns};
 use crate::text::tame;
 use calib_core::settings::{ReferenceChannel, Settings};
@@ -349,6 +350,7 @@ pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
     let mut record = Record {
         head: content.head()?,
         sha256: Some(digest(bytes)),
+        signed_by: signature::of(bytes)?.map(|(signature, _)| signature.key),
         ..Record::BLANK
     };
     content.read_run(&mut record)?;

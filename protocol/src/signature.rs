@@ -154,6 +154,7 @@ mod tests {
         let mut read = decode(&bytes).expect("whole");
         assert_eq!(read.sha256, Some(digest(&bytes)));
         read.sha256 = Some(digest(&plain));
+        assert_eq!(read.signed_by.take(), Some(KEY));
         assert_eq!(Ok(read), decode(&plain));
     }
 

@@ -12,6 +12,8 @@ const LONGEST: usize = 64 * 1024;
 /// States the record's sum and its place, before anything is said of
 /// conformity: of a record that cannot be trusted, nothing is.
 pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: Option<Standing>) {
+    // Who looks at the chain verifies the signature.
+    let is_verified = standing.is_some_and(|standing| standing != Standing::Broken);
     let standing = standing.unwrap_or(match record.head.id {
         1 => Standing::First,
         _ => Standing::NotAtHand,
@@ -34,8 +36,10 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: O
         let known = record.provenance != Provenance::UNKNOWN;
         let settings = known.then(|| Value::Text(hexadecimal(&record.provenance.sha256)));
         let settings = settings.map(|sum| entry("settings_sha256", sum));
+        let key = record.signed_by.filter(|_| is_verified);
+        let key = key.map(|key| entry("signed_by", Value::Text(hexadecimal(&key))));
         let entries = [entry("sha256", sum), entry("chain", said)];
-        let entries = entries.into_iter().chain(settings);
+        let entries = entries.into_iter().chain(key).chain(settings);
         section.entries.splice(at..at, entries);
     }
     certificate.chain = Some(standing);

@@ -118,6 +118,24 @@ fn an_altered_neighbour_breaks_the_chain_of_the_certificate() {
     assert_eq!(standing(&altered), Standing::Broken);
 }
 
+/// The key is stated where the signature was verified, and there alone.
+#[test]
+fn the_key_is_stated_of_a_signature_that_was_verified() {
+    let bytes = calib_record::sample::signed(&record(&[160.0]), &[5; 32]);
+    let signed = record::decode(&bytes).expect("a record");
+    let stated = |chain| {
+        let options = Options {
+            chain,
+            ..Options::default()
+        };
+        let html = prepare(&signed, &[Format::Html], &options).expect("rendered");
+        file(&html, Format::Html).contains("signed by the instrument")
+    };
+    assert!(stated(Some(Standing::Verified)));
+    assert!(!stated(Some(Standing::Broken)));
+    assert!(!stated(None));
+}
+
 /// Settings that differ from those the last change of the reference's calibration left are told with both
 /// changes; settings that are the same are not, whatever was changed in between.
 #[test]

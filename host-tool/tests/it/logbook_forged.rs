@@ -1,8 +1,12 @@
 //! The logbook attacked: bits that flip in the file, and hands that change it with another program.
 
 use crate::logbook::{later, logbook};
-use calib_logbook::{Issue, Logbook, Sensor};
-use calib_protocol::record::digest;
+use calib_logbook::{Filter, Issue, Logbook, Sensor, waiting};
+use calib_protocol::frame::CRC;
+use calib_protocol::record::{decode, digest};
+use calib_protocol::signature::DeviceKey;
+use calib_record::sample;
+use calib_record::signature::{Signed, signed};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use rusqlite::Connection;
@@ -132,4 +136,93 @@ fn what_another_program_changes_is_noticed() {
         drop(file);
         assert!(is_noticed(&path), "{change}");
     }
+}
+
+/// Seed of the instrument's key, and of a forger's.
+const SEEDS: [[u8; 32]; 2] = [[5; 32], [6; 32]];
+
+/// Record `id`, signed by the key of this seed.
+fn signed_record(id: u32, factor: f32, seed: &[u8; 32]) -> Vec<u8> {
+    let record = decode(&later(id, "S-1", 0, factor)).expect("a record");
+    sample::signed(&record, seed)
+}
+
+fn device_key(seed: &[u8; 32]) -> DeviceKey {
+    let bytes = signed_record(1, 1.0, seed);
+    let Ok(Signed::By(public)) = signed(&bytes) else {
+        panic!("it was signed");
+    };
+    DeviceKey { public, since: 2 }
+}
+
+/// Every way to hand in a record that the instrument never made, by what is said of it.
+fn forgeries() -> [(Vec<u8>, &'static str); 4] {
+    let [own, other] = &SEEDS;
+    let mut altered = signed_record(4, 1.0, own);
+    let end = altered.len() - 4;
+    let at = altered.windows(3).position(|bytes| bytes == b"S-1");
+    altered[at.expect("its sensor")] ^= 1;
+    let checksum = CRC.checksum(&altered[..end]).to_le_bytes();
+    altered[end..].copy_from_slice(&checksum);
+    [
+        (altered, "does not fit"),
+        (later(4, "S-1", 0, 1.05), "is not signed"),
+        (signed_record(4, 1.05, other), "is not the instrument's"),
+        (later(1, "S-1", 0, 1.05), "is there already"),
+    ]
+}
+
+#[test]
+fn a_record_the_instrument_never_made_is_refused_and_put_aside() {
+    let folder = tempfile::tempdir().expect("folder");
+    let [own, other] = &SEEDS;
+    let serial = decode(&later(1, "S-1", 0, 1.0)).expect("a record");
+    let serial = serial.head.instrument_serial.as_str().to_owned();
+    let mut logbook = logbook(folder.path());
+    let path = logbook.path().to_owned();
+    assert!(
+        logbook
+            .enter_key(&serial, &device_key(own))
+            .expect("entered")
+    );
+    assert!(!logbook.enter_key(&serial, &device_key(own)).expect("known"));
+    let another = logbook.enter_key(&serial, &device_key(other));
+    let said = another.expect_err("it has one").to_string();
+    assert!(said.contains("states the key"), "{said}");
+    logbook
+        .keep(&later(1, "S-1", 0, 1.0))
+        .expect("from before the key");
+    for (forged, words) in forgeries() {
+        let said = logbook.keep(&forged).expect_err(words).to_string();
+        assert!(said.contains(words), "{said}");
+    }
+    drop(logbook);
+    // Among those that wait the true ones get in, and the others are no hindrance afterwards.
+    let before = forgeries().map(|(forged, _)| waiting::put(&path, &forged).expect("put"));
+    let true_one = waiting::put(&path, &signed_record(5, 1.0, own)).expect("put");
+    let said = Logbook::enter_waiting(&path, &[])
+        .expect_err("refused")
+        .to_string();
+    assert!(said.contains(".refused"), "{said}");
+    assert!(!true_one.exists());
+    for place in before {
+        assert!(!place.exists() && place.with_extension("refused").exists());
+    }
+    assert_eq!(
+        Logbook::enter_waiting(&path, &[]).expect("nothing waits"),
+        []
+    );
+    let logbook = Logbook::open(&path).expect("opens");
+    let listed = logbook.records(&Filter::default()).expect("listed");
+    let mut numbers: Vec<u32> = listed.iter().map(|line| line.number).collect();
+    numbers.sort_unstable();
+    assert_eq!(numbers, [1, 5]);
+    assert_eq!(logbook.inspect().expect("read"), [""; 0]);
+    // A key that somebody else enters with another program is noticed.
+    drop(logbook);
+    let file = Connection::open(&path).expect("a database");
+    file.execute_batch("UPDATE keys SET since = 100")
+        .expect("updated");
+    drop(file);
+    assert!(is_noticed(&path));
 }
