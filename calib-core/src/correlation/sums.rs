@@ -25,7 +25,7 @@ impl<const N: usize> Sums<N> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn add(&mut self, terms: [f32; N]) {
         for (sum, term) in self.inner.iter_mut().zip(terms) {
             *sum += term;
