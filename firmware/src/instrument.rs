@@ -15,7 +15,7 @@ use calib_firmware::restarts::MINUTE_MS;
 use calib_firmware::session::LinkName;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
-use calib_protocol::health::{Deadline, Defect, Health, Work};
+use calib_protocol::health::{Defect, Health};
 use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, SettingsChange, Status};
 use calib_protocol::signature::DeviceKey;
 use core::sync::atomic::Ordering;
@@ -67,13 +67,8 @@ impl Instrument for Calibrator {
     fn health(&mut self) -> Health {
         // What was a minute ago has nothing to do with what is.
         let has_lived = Instant::now().as_millis() >= MINUTE_MS;
-        let deadlines = Work::ALL.into_iter().map(|work| Deadline {
-            work: work as u8,
-            longest_us: state::longest_us(work),
-            allowed_us: allowed_us(work),
-        });
         Health {
-            deadlines: deadlines.collect(),
+            deadlines: crate::timing::deadlines(),
             timebase_ppm: state::TIMEBASE_PPM.get(),
             option_bytes: Some(crate::board::option_bytes()),
             defects: state::defects(),
@@ -236,14 +231,4 @@ impl Instrument for Calibrator {
 fn take_settings(settings: &Settings) {
     state::take_settings(settings.clone());
     state::note_defect(Defect::Settings, false);
-}
-
-/// Time a piece of work may take, microseconds: a block lasts 10 ms. To take the samples or to make
-/// the drive, both above the evaluation, a tenth of it; to evaluate, the block and most of the one
-/// that is made up for meanwhile ([`crate::tasks::drive`]).
-fn allowed_us(work: Work) -> f32 {
-    match work {
-        Work::Acquire | Work::Drive => 1_000.0,
-        Work::Evaluate => 17_000.0,
-    }
 }

@@ -30,6 +30,8 @@ mod start;
 mod state;
 #[cfg(target_os = "none")]
 mod tasks;
+#[cfg(target_os = "none")]
+mod timing;
 
 #[cfg(target_os = "none")]
 use defmt_rtt as _;

@@ -7,10 +7,11 @@ use crate::state;
 use crate::tasks::acquire::Block;
 use crate::tasks::store::SharedArchive;
 use crate::tasks::{acquire, drive, link, measure, store, supervise, thermometer, timebase};
+use crate::timing::turns_of;
 use calib_core::self_test::BROWN_OUT_LEVEL;
 use calib_firmware::restarts::LeftOut;
 use calib_firmware::session::LinkName;
-use calib_protocol::health::Defect;
+use calib_protocol::health::{Defect, Work};
 use core::sync::atomic::Ordering;
 use embassy_executor::{InterruptExecutor, SendSpawner, Spawner};
 use embassy_stm32::interrupt::{self, InterruptExt, Priority};
@@ -78,17 +79,32 @@ pub(crate) async fn start(spawner: Spawner) {
     };
     // Note(unwrap): init; every task is spawned once.
     let serial = instrument(LinkName::Serial);
-    spawner.spawn(link::serial_link(board.port, board.port_buffers, serial).unwrap());
+    spawner.spawn(turns_of(
+        Work::SerialTask,
+        link::serial_link(board.port, board.port_buffers, serial).unwrap(),
+    ));
     if !left_out.has(LeftOut::USB) {
         let (device, port) = usb_port(board.usb, identity.serial.as_str());
         let usb = instrument(LinkName::Usb);
-        spawner.spawn(link::usb_link(device, port, usb).unwrap());
-        spawner.spawn(timebase::timebase().unwrap());
+        spawner.spawn(turns_of(
+            Work::UsbTask,
+            link::usb_link(device, port, usb).unwrap(),
+        ));
+        spawner.spawn(turns_of(Work::TimebaseTask, timebase::timebase().unwrap()));
     }
-    spawner.spawn(supervise::supervise(board.lamps, board.button, board.watchdog, serial).unwrap());
-    spawner.spawn(store::store(archive, board.flash, identity).unwrap());
+    spawner.spawn(turns_of(
+        Work::SuperviseTask,
+        supervise::supervise(board.lamps, board.button, board.watchdog, serial).unwrap(),
+    ));
+    spawner.spawn(turns_of(
+        Work::StoreTask,
+        store::store(archive, board.flash, identity).unwrap(),
+    ));
     if !left_out.has(LeftOut::CONVERTERS) {
-        spawner.spawn(thermometer::thermometer(board.sensor_converter).unwrap());
+        spawner.spawn(turns_of(
+            Work::SensorTask,
+            thermometer::thermometer(board.sensor_converter).unwrap(),
+        ));
     }
     match board.digitiser {
         Some(digitiser) => {
@@ -112,8 +128,11 @@ fn measure(digitiser: Digitiser, exciter: Exciter) {
     let converter: SendSpawner = CONVERTER.start(interrupt::UART4);
     let metrology: SendSpawner = METROLOGY.start(interrupt::UART5);
     // Note(unwrap): init; every task is spawned once.
-    converter.spawn(acquire::acquire(digitiser, sender).unwrap());
-    converter.spawn(drive::drive(exciter).unwrap());
+    converter.spawn(turns_of(
+        Work::AcquireTask,
+        acquire::acquire(digitiser, sender).unwrap(),
+    ));
+    converter.spawn(turns_of(Work::DriveTask, drive::drive(exciter).unwrap()));
     metrology.spawn(measure::measure(receiver).unwrap());
     state::MEASURES.store(true, Ordering::Relaxed);
 }

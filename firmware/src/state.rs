@@ -1,18 +1,17 @@
 //! State the tasks share: short copies under a critical section.
 
-use crate::board::{CONVERTERS, CORE_MHZ, promise};
+use crate::board::{CONVERTERS, promise};
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
 use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
 use calib_firmware::lease::Lease;
 use calib_firmware::session::Session;
-use calib_protocol::health::{Defect, Defects, Work};
+use calib_protocol::health::{Defect, Defects};
 use calib_protocol::message::{RunSpec, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
 use core::cell::{Cell, RefCell};
-use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use cortex_m::peripheral::DWT;
+use core::sync::atomic::{AtomicBool, AtomicU32};
 use embassy_sync::blocking_mutex::CriticalSectionMutex;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::channel::Channel;
@@ -195,27 +194,6 @@ pub(crate) static STORED_READ: AtomicBool = AtomicBool::new(false);
 
 /// A block is being evaluated.
 pub(crate) static EVALUATING: AtomicBool = AtomicBool::new(false);
-
-/// Longest time of each [`Work`] so far, cycles of the core.
-static LONGEST: [AtomicU32; Work::ALL.len()] = [const { AtomicU32::new(0) }; Work::ALL.len()];
-
-/// Does `act`, and notes how long it took.
-pub(crate) fn timed<T>(work: Work, act: impl FnOnce() -> T) -> T {
-    let begun = DWT::cycle_count();
-    let done = act();
-    let cycles = DWT::cycle_count().wrapping_sub(begun);
-    if let Some(longest) = LONGEST.get(work as usize) {
-        longest.fetch_max(cycles, Ordering::Relaxed);
-    }
-    done
-}
-
-/// Longest time of a piece of work since the start, microseconds.
-pub(crate) fn longest_us(work: Work) -> f32 {
-    let longest = LONGEST.get(work as usize);
-    let cycles = longest.map_or(0, |longest| longest.load(Ordering::Relaxed));
-    cycles as f32 / CORE_MHZ
-}
 
 /// The board is silent and about to restart: what stands still is meant to.
 pub(crate) static RESTARTING: AtomicBool = AtomicBool::new(false);

@@ -29,8 +29,8 @@ const DEADLINES: u8 = 3;
 const TIMEBASE: u8 = 4;
 const OPTION_BYTES: u8 = 5;
 
-/// Most deadlines that are told.
-pub const MAX_DEADLINES: usize = 8;
+/// Most deadlines that are told. Releases with fewer read the first 8.
+pub const MAX_DEADLINES: usize = 24;
 
 /// Difference between clock and USB frames from which one of them is wrong, ppm: a host may be off by
 /// 500 (USB 2.0, 7.1.11), a crystal by 50.
@@ -135,7 +135,7 @@ impl Defects {
     }
 }
 
-/// Work that must be done in time.
+/// Work that must be done in time: blocks, turns of tasks and interrupts, each with all that interrupts it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Work {
@@ -143,13 +143,53 @@ pub enum Work {
     Acquire = 0,
     /// A block of the drive is made.
     Drive = 1,
-    /// A block is evaluated, with all that interrupts it.
+    /// A block is evaluated.
     Evaluate = 2,
+    /// All the measuring task does about a block: orders, evaluation, the result of a point.
+    MeasureTask = 3,
+    /// A turn of the task that takes blocks from the DMA.
+    AcquireTask = 4,
+    /// A turn of the task that makes the drive.
+    DriveTask = 5,
+    /// A turn of the task of the serial port.
+    SerialTask = 6,
+    /// A turn of the task of the USB port.
+    UsbTask = 7,
+    /// A turn of the task that looks after button, lamps and watchdog.
+    SuperviseTask = 8,
+    /// A turn of the task that reads and writes records.
+    StoreTask = 9,
+    /// A turn of the task that reads temperature and supply.
+    SensorTask = 10,
+    /// A turn of the task that compares the clock with the USB host's.
+    TimebaseTask = 11,
+    /// Interrupt of a DMA stream.
+    DmaInterrupt = 12,
+    /// Interrupt of the USB port.
+    UsbInterrupt = 13,
+    /// Interrupt of the serial port.
+    UartInterrupt = 14,
 }
 
 impl Work {
     /// All of it, in the order of the numbers.
-    pub const ALL: [Self; 3] = [Self::Acquire, Self::Drive, Self::Evaluate];
+    pub const ALL: [Self; 15] = [
+        Self::Acquire,
+        Self::Drive,
+        Self::Evaluate,
+        Self::MeasureTask,
+        Self::AcquireTask,
+        Self::DriveTask,
+        Self::SerialTask,
+        Self::UsbTask,
+        Self::SuperviseTask,
+        Self::StoreTask,
+        Self::SensorTask,
+        Self::TimebaseTask,
+        Self::DmaInterrupt,
+        Self::UsbInterrupt,
+        Self::UartInterrupt,
+    ];
 }
 
 /// How long a piece of work took at most since the start, and how long it may take.
@@ -292,6 +332,14 @@ mod tests {
         assert_eq!(health.restarts, ill().restarts);
         assert!(health.defects.iter().eq([Defect::Archive, Defect::Clock]));
         assert_ne!(health.defects, ill().defects);
+    }
+
+    #[test]
+    fn all_work_stands_at_its_number_and_there_is_room_for_it() {
+        for (index, work) in Work::ALL.into_iter().enumerate() {
+            assert_eq!(work as usize, index);
+        }
+        assert!(Work::ALL.len() <= MAX_DEADLINES);
     }
 
     #[test]

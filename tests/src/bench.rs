@@ -222,6 +222,13 @@ impl Bench {
         })?)
     }
 
+    /// Lines of the image's log that tell of a drive that had no command in time, or was written late.
+    pub fn late_lines(&self, firmware: &Firmware) -> Vec<String> {
+        let mut lines = self.board().log().lines(firmware);
+        lines.retain(|line| line.contains("in time") || line.contains("late"));
+        lines
+    }
+
     /// Waits until the exciter is silent; fails when it is not within `limit`.
     ///
     /// # Errors

@@ -27,6 +27,7 @@
 use super::layout::MAX_ITEM;
 use super::{CheckedFlash, LastAccess};
 use core::ops::Range;
+use embassy_futures::yield_now;
 use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
 
 /// Longest word that is handled.
@@ -219,6 +220,8 @@ async fn is_blank<F: CheckedFlash>(
 ) -> Result<bool, F::Error> {
     let mut bytes = [0; 256];
     for start in range.step_by(bytes.len()) {
+        // A blank area is read whole at every start, and others have to run meanwhile.
+        yield_now().await;
         let read = flash.0.read(start, &mut bytes).await;
         if !is_readable::<F>(read)? || bytes.iter().any(|byte| *byte != 0xFF) {
             return Ok(false);

@@ -1,5 +1,6 @@
 //! From the table of pins in a board's file to the drivers.
 
+use calib_protocol::health::Work;
 use embassy_stm32::adc::{AdcChannel, AnyAdcChannel, Instance};
 use embassy_stm32::dac::{Channel, DacPin};
 use embassy_stm32::gpio::{self, AnyPin};
@@ -12,6 +13,11 @@ use embassy_stm32::{Peri, peripherals};
 
 /// Speed of the serial port, baud, 8N1.
 pub(crate) const LINK_BAUD: u32 = 115_200;
+
+/// Interrupts as work that is timed.
+pub(crate) const UART: usize = Work::UartInterrupt as usize;
+pub(crate) const USB: usize = Work::UsbInterrupt as usize;
+pub(crate) const DMA: usize = Work::DmaInterrupt as usize;
 
 /// The serial port.
 pub(crate) type Port = Uart<'static, Async>;
@@ -145,15 +151,18 @@ macro_rules! wiring {
         /// Channel of DAC1 that drives the exciter.
         pub(crate) type DriveChannel = embassy_stm32::dac::$channel;
 
+        use crate::board::wiring::{DMA, UART, USB};
+        use crate::timing::{Begin, End};
+
         embassy_stm32::bind_interrupts!(
             /// Interrupts the drivers of the HAL need.
             pub struct Irqs {
-                $serial => embassy_stm32::usart::InterruptHandler<embassy_stm32::peripherals::$serial>;
-                OTG_FS => embassy_stm32::usb::InterruptHandler<embassy_stm32::peripherals::USB_OTG_FS>;
-                DMA1_STREAM0 => embassy_stm32::dma::InterruptHandler<embassy_stm32::peripherals::DMA1_CH0>;
-                DMA1_STREAM1 => embassy_stm32::dma::InterruptHandler<embassy_stm32::peripherals::DMA1_CH1>;
-                DMA1_STREAM2 => embassy_stm32::dma::InterruptHandler<embassy_stm32::peripherals::DMA1_CH2>;
-                DMA1_STREAM3 => embassy_stm32::dma::InterruptHandler<embassy_stm32::peripherals::DMA1_CH3>;
+                $serial => Begin<UART>, embassy_stm32::usart::InterruptHandler<embassy_stm32::peripherals::$serial>, End<UART>;
+                OTG_FS => Begin<USB>, embassy_stm32::usb::InterruptHandler<embassy_stm32::peripherals::USB_OTG_FS>, End<USB>;
+                DMA1_STREAM0 => Begin<DMA>, embassy_stm32::dma::InterruptHandler<embassy_stm32::peripherals::DMA1_CH0>, End<DMA>;
+                DMA1_STREAM1 => Begin<DMA>, embassy_stm32::dma::InterruptHandler<embassy_stm32::peripherals::DMA1_CH1>, End<DMA>;
+                DMA1_STREAM2 => Begin<DMA>, embassy_stm32::dma::InterruptHandler<embassy_stm32::peripherals::DMA1_CH2>, End<DMA>;
+                DMA1_STREAM3 => Begin<DMA>, embassy_stm32::dma::InterruptHandler<embassy_stm32::peripherals::DMA1_CH3>, End<DMA>;
             }
         );
 

@@ -6,6 +6,7 @@ use crate::board::{BLOCK_PAIRS, Digitiser, axi_static};
 use crate::self_test::{self, Heard, LISTEN, TONE};
 use crate::state::{self, Order};
 use crate::tasks::drive::SILENCE;
+use crate::timing;
 use calib_core::alignment::{Alignment, judge};
 use calib_core::self_test::{AtRest, Loopback, at_rest, loopback};
 use calib_core::verdict::Reason;
@@ -56,7 +57,7 @@ pub(crate) async fn acquire(
             Ok(()) => {
                 block.gap = core::mem::take(&mut gap);
                 let first = state::status().samples;
-                state::timed(Work::Acquire, || {
+                timing::timed(Work::Acquire, || {
                     state::with_capture(|capture| capture.take(first, &block.pairs));
                 });
                 blocks.send_done();

@@ -9,7 +9,7 @@
 
 use crate::board::{BLOCK_PAIRS, CONVERTERS, Exciter, MID_SCALE, axi_static};
 use crate::self_test::TONE;
-use crate::state;
+use crate::{state, timing};
 use calib_core::broadband::PeriodMemory;
 use calib_core::output::{Command, Output};
 use calib_core::self_test::fill_tone;
@@ -92,7 +92,7 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
             patience = PACE;
         }
         state::DRIVE_ALIVE.fetch_add(1, Ordering::Relaxed);
-        state::timed(Work::Drive, || output.fill(&mut codes));
+        timing::timed(Work::Drive, || output.fill(&mut codes));
         match select(SILENCE.wait(), exciter.play(&codes)).await {
             Either::First(()) => silence(&mut exciter, &mut output),
             Either::Second(Ok(())) => {}

@@ -4,6 +4,7 @@ use crate::board::{APERTURE, BLOCK_PAIRS, CONVERTERS, SAMPLE_RATE_HZ, axi_static
 use crate::state::{self, Order};
 use crate::tasks::acquire::Block;
 use crate::tasks::drive::{COMMAND, DriveOrder, SILENCE};
+use crate::timing;
 use calib_core::broadband::SpectraMemory;
 use calib_core::correlation::FoldMemory;
 use calib_core::output::Command;
@@ -46,21 +47,11 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
     };
     loop {
         let block = blocks.receive().await;
-        while let Ok(order) = state::ORDERS.try_receive() {
-            runner.obey(order);
-        }
-        if block.gap {
-            runner.interrupt(Reason::Overrun);
-        }
-        state::EVALUATING.store(true, Ordering::Relaxed);
-        let result = state::timed(Work::Evaluate, || runner.feed(&block.pairs));
-        state::EVALUATING.store(false, Ordering::Relaxed);
+        timing::begin(Work::MeasureTask);
+        let result = runner.take(block);
         blocks.receive_done();
-        if let Some(result) = result {
-            runner.finish_point(result);
-        }
-        runner.command_drive();
-        runner.show();
+        runner.go_on(result);
+        timing::end(Work::MeasureTask);
         state::MEASURE_ALIVE.fetch_add(1, Ordering::Relaxed);
     }
 }
@@ -80,6 +71,29 @@ struct Runner {
 }
 
 impl Runner {
+    /// Obeys what was ordered, and works on a block.
+    fn take(&mut self, block: &Block) -> Option<PointResult> {
+        while let Ok(order) = state::ORDERS.try_receive() {
+            self.obey(order);
+        }
+        if block.gap {
+            self.interrupt(Reason::Overrun);
+        }
+        state::EVALUATING.store(true, Ordering::Relaxed);
+        let result = timing::timed(Work::Evaluate, || self.feed(&block.pairs));
+        state::EVALUATING.store(false, Ordering::Relaxed);
+        result
+    }
+
+    /// Tells what follows from the block.
+    fn go_on(&mut self, result: Option<PointResult>) {
+        if let Some(result) = result {
+            self.finish_point(result);
+        }
+        self.command_drive();
+        self.show();
+    }
+
     /// Tells the drive what the core wants; a mute also stops what is queued.
     fn command_drive(&mut self) {
         let command = self.command();

@@ -57,9 +57,11 @@ pub struct InfoView {
 /// How long a piece of work took at most since the start, and how long it may take.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DeadlineView {
-    /// `acquire`, `drive` or `evaluate`; `unknown` from a newer release.
+    /// A block: `acquire`, `drive`, `evaluate`. A turn of a task: `measure_task`, `acquire_task`, `drive_task`,
+    /// `serial_task`, `usb_task`, `supervise_task`, `store_task`, `sensor_task`, `timebase_task`. An
+    /// interrupt: `dma_interrupt`, `usb_interrupt`, `uart_interrupt`. `unknown` from a newer release.
     pub work: String,
-    /// Longest so far, s; 0 before it was done once.
+    /// Longest so far with all that interrupted it, s; 0 before it was done once.
     pub longest_s: f64,
     /// Time allowed, s.
     pub allowed_s: f64,

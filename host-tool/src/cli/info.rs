@@ -69,8 +69,8 @@ fn text(info: &DeviceInfo, view: &InfoView) -> String {
     }
     lines.extend(view.deadlines.iter().map(|deadline| {
         format!(
-            "{:<14} {:.2} ms at most, {:.1} allowed",
-            deadline.work,
+            "{:<14} {:.3} ms at most, {:.1} allowed",
+            deadline.work.replace('_', " "),
             1e3 * deadline.longest_s,
             1e3 * deadline.allowed_s
         )
