@@ -25,6 +25,10 @@ const CRATE: &str = "calib_core";
 /// it: the length of a name, and the name.
 const SILENCE: [&str; 2] = ["11silence_now", "4hush"];
 
+/// What the linker puts before the name of a function that is reached from afar, from tightly coupled memory
+/// or into it: a few instructions that load its address.
+const FROM_AFAR: &str = "__Thumbv7ABSLongThunk_";
+
 /// A function of the image.
 struct Function<'a> {
     name: &'a str,
@@ -92,7 +96,8 @@ fn way_to_panic<'a>(functions: &Functions<'a>, root: u32) -> Option<Vec<&'a str>
             }
             return Some(way);
         }
-        for target in branches(address, function.code) {
+        let near = branches(address, function.code).into_iter();
+        for target in near.chain(reached_from_afar(functions, function.name)) {
             if functions.contains_key(&target) && !came_from.contains_key(&target) {
                 came_from.insert(target, address);
                 open.push(target);
@@ -100,6 +105,14 @@ fn way_to_panic<'a>(functions: &Functions<'a>, root: u32) -> Option<Vec<&'a str>
         }
     }
     None
+}
+
+/// The function behind a long way to it.
+fn reached_from_afar(functions: &Functions<'_>, way: &str) -> Option<u32> {
+    let name = way.strip_prefix(FROM_AFAR)?;
+    let mut all = functions.iter();
+    all.find(|(_, function)| function.name == name)
+        .map(|(address, _)| *address)
 }
 
 /// Targets of `BL` and wide `B` in a function. A constant between instructions
@@ -180,6 +193,21 @@ mod tests {
         // B.W, and a load, which is no branch.
         assert_eq!(branch(0x100, 0xF000, 0xB802), Some(0x108));
         assert_eq!(branch(0x100, 0xF8DF, 0x0004), None);
+    }
+
+    /// From 0x100 by BL to the long way at 0x104, which leads to a function that panics.
+    #[test]
+    fn a_long_way_is_followed() {
+        let call = [0x00, 0xF0, 0x00, 0xF8];
+        let function = |name, code| Function { name, code };
+        let functions = Functions::from([
+            (0x100, function("_Rcaller", call.as_slice())),
+            (0x104, function("__Thumbv7ABSLongThunk__Rcallee", &[])),
+            (0x800_0100, function("_Rcallee", call.as_slice())),
+            (0x800_0104, function("_Rpanicking", &[])),
+        ]);
+        let way = way_to_panic(&functions, 0x100).map(|way| way.len());
+        assert_eq!(way, Some(4));
     }
 
     #[test]

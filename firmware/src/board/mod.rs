@@ -29,6 +29,7 @@ mod description;
 mod digitiser;
 mod dither;
 mod exciter;
+mod itcm;
 mod option_bytes;
 mod panel;
 mod random;
@@ -129,8 +130,11 @@ impl Board {
     ///
     /// A start that hangs is ended by the watchdog after [`BOOT_WATCHDOG_US`].
     pub(crate) async fn start(left_out: LeftOut) -> Self {
-        // Note(unsafe): the first thing that happens; every user comes later.
-        unsafe { axi_sram::clear() };
+        // Note(unsafe): the first things that happen; every user comes later.
+        unsafe {
+            axi_sram::clear();
+            itcm::load();
+        }
         watchdog::unleash(BOOT_WATCHDOG_US);
         let clocked = clocks::is_clocked();
         state::note_defect(Defect::Clock, !clocked);

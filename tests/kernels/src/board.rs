@@ -3,7 +3,7 @@
 use crate::lock_in::{LockIn, kernel_lock_in};
 use crate::shipping::{kernel_estimate, kernel_fold};
 use crate::table::{Table, kernel_table};
-use crate::{PAIRS, shipping};
+use crate::{PAIRS, itcm, shipping};
 use calib_core::converter::Width;
 use calib_core::correlation::{Block, Correlator, FoldMemory};
 use calib_core::phase::PhaseWalk;
@@ -29,7 +29,10 @@ fn main() -> ! {
     static TABLE: ConstStaticCell<Table> = ConstStaticCell::new(Table::EMPTY);
     // The start-up code leaves this memory alone.
     // Note(unsafe): nobody has used it yet, and its value is all zero.
-    unsafe { (&raw const FOLD).cast_mut().write_bytes(0, 1) };
+    unsafe {
+        (&raw const FOLD).cast_mut().write_bytes(0, 1);
+        itcm::load();
+    }
     let tone = shipping::TONE;
     let block = Block::measuring(tone, 10 * PAIRS as u32);
     // Note(unwrap): nothing else takes them.

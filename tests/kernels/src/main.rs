@@ -20,6 +20,9 @@
 #[cfg(target_os = "none")]
 mod board;
 #[cfg(target_os = "none")]
+#[path = "../../../firmware/src/board/itcm.rs"]
+mod itcm;
+#[cfg(target_os = "none")]
 mod lock_in;
 #[cfg(target_os = "none")]
 mod shipping;

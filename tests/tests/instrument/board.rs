@@ -58,6 +58,26 @@ fn what_lies_in_axi_sram_begins_as_zeros() -> Result<(), Fault> {
     Ok(())
 }
 
+/// What runs while samples come in is in ITCM (64 KiB from 0 on), where no fetch waits, and the board has it there:
+/// a name in `memory.x` that fits nothing any more would leave it in flash and show nowhere else.
+#[test]
+fn the_hot_path_runs_from_tightly_coupled_memory() -> Result<(), Fault> {
+    let firmware = Firmware::shipping()?;
+    for path in [
+        ["fold", "fold_run"],
+        ["dma_bdma", "on_irq"],
+        ["Watch", "means"],
+        ["Generator", "change_tone"],
+    ] {
+        let address = firmware.symbol_at_path(&path)?;
+        assert!(address < 0x1_0000, "{path:?} is at {address:#x}");
+    }
+    // The three tasks that work on blocks are the most of it.
+    let (bytes, _) = firmware.section(".itcm")?;
+    assert!((30_000..0x1_0000).contains(&bytes), "{bytes} bytes");
+    Ok(())
+}
+
 /// 50 kHz from a 480 MHz core is exact, so one second more is 50 000 pairs more.
 #[test]
 fn the_sample_clock_is_exact() -> Result<(), Fault> {

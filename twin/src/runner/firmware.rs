@@ -146,7 +146,11 @@ impl Firmware {
         let missing = || Error::NoSymbol(path.join("::"));
         let file = object::File::parse(self.image.bytes()).map_err(|_| missing())?;
         file.symbols()
-            .find(|symbol| symbol.name().is_ok_and(|name| name.ends_with(&ending)))
+            // What the linker adds to reach a function from afar has a name of its own before.
+            .find(|symbol| {
+                let named = |name: &str| name.starts_with("_R") && name.ends_with(&ending);
+                symbol.name().is_ok_and(named)
+            })
             .map(|symbol| code_address(symbol.address()))
             .ok_or_else(missing)
     }
