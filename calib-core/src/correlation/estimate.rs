@@ -123,7 +123,7 @@ pub(super) fn estimate(
     let fit = correlate(&mirror, means, block);
     let rests = rests(&mirror, means, block.passes(), &fit);
     let channel = |index: usize| {
-        let [amplitude, harmonics @ ..] = mirror.from_start(&fit.spectra[index]);
+        let [amplitude, harmonics @ ..] = mirror.since_start(&fit.spectra[index]);
         let within = spread_within_places(fold, index, energy, block.passes());
         ChannelEstimate {
             amplitude,

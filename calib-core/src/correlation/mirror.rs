@@ -65,7 +65,7 @@ impl<'f> Mirror<'f> {
     }
 
     /// Amplitudes with phases from sample 0 of the tone, of those with phases from the middle.
-    pub(super) fn from_start(&self, about_middle: &Spectrum) -> Spectrum {
+    pub(super) fn since_start(&self, about_middle: &Spectrum) -> Spectrum {
         let mut turned = *about_middle;
         for (amplitude, middle) in turned.iter_mut().zip(self.middle) {
             *amplitude *= middle.conj();

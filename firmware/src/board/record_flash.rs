@@ -18,6 +18,7 @@
 
 use core::arch::asm;
 use core::future::poll_fn;
+use core::slice;
 use core::task::Poll;
 
 use calib_core::self_test::WrongWords;
@@ -180,9 +181,10 @@ impl ReadNorFlash for RecordFlash {
                 return Err(FlashFailed::Poisoned);
             }
             let (part, behind) = rest.split_at_mut(length);
-            let loaded = words.iter().flat_map(|word| word.to_le_bytes());
-            for (place, byte) in part.iter_mut().zip(loaded.skip(skipped)) {
-                *place = byte;
+            // Note(unsafe): the words that were loaded, as the bytes they are.
+            let loaded = unsafe { slice::from_raw_parts(words.as_ptr().cast(), 4 * words.len()) };
+            if let Some(loaded) = loaded.get(skipped..skipped + length) {
+                part.copy_from_slice(loaded);
             }
             at += length as u32;
             rest = behind;
