@@ -5,7 +5,7 @@ use crate::bench::Fault;
 use calib_link::Transport;
 use calib_twin::runner::{Emulator, SharedEmulator, Torn};
 use std::io;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// When the supply fails.
@@ -165,6 +165,10 @@ impl FailingLink {
             if self.failure.torn().is_some() {
                 return Err(io::ErrorKind::BrokenPipe.into());
             }
+            if self.outage().is_due() {
+                self.meet(&mut board).map_err(io::Error::other)?;
+                continue;
+            }
             let limit = goal.saturating_sub(board.elapsed());
             let limit = self.due.prepare(&board, limit);
             let ran = match wake {
@@ -186,12 +190,16 @@ impl FailingLink {
 
     /// The instant has come: the supply fails, or goes on to the next one.
     fn meet(&mut self, board: &mut Emulator) -> Result<(), Fault> {
-        let mut outage = self.outage.lock().unwrap_or_else(PoisonError::into_inner);
-        match outage.come(board)? {
+        let next = self.outage().come(board)?;
+        match next {
             Next::Fail => self.failure.note(board.cut_power()?),
             Next::GoOn(cut) => self.due = Due::of(cut, board),
         }
         Ok(())
+    }
+
+    fn outage(&self) -> MutexGuard<'_, dyn Outage + 'static> {
+        self.outage.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

@@ -14,6 +14,11 @@ pub(super) enum Next {
 
 /// Decides about the cuts of a spell of power.
 pub(super) trait Outage: Send {
+    /// Whether one is to come now, whatever was planned: when the host has just been told something.
+    fn is_due(&self) -> bool {
+        false
+    }
+
     /// The instant of a cut has come; `board` stands at it.
     ///
     /// # Errors

@@ -19,6 +19,8 @@ pub struct Survey {
     told: Told,
     plan: Plan,
     tally: Tally,
+    /// What the first host was told by the last cut.
+    heard: u32,
     /// So many cuts end it, the last of which comes.
     wanted: u32,
     /// Flash of the second board after its start, when the first one's supply failed at the same instant.
@@ -52,6 +54,7 @@ impl Survey {
             told: desk.told.clone(),
             plan: Plan::new(seed),
             tally: Tally::default(),
+            heard: 0,
             wanted,
             expected: None,
         })
@@ -106,7 +109,13 @@ impl Survey {
 }
 
 impl Outage for Survey {
+    /// What is told from memory and not from flash is lost in the instants after.
+    fn is_due(&self) -> bool {
+        self.told.known().tells != self.heard
+    }
+
     fn come(&mut self, board: &mut Emulator) -> Result<Next, Fault> {
+        self.heard = self.told.known().tells;
         let flash = board.flash_at_cut()?;
         let (doing, torn) = (self.told.known().doing, flash.torn());
         let fate = self.plan.fate(matches!(torn, Torn::Sector { .. }));

@@ -51,6 +51,8 @@ pub(super) struct Known {
     pub(super) compared: u64,
     /// Runs reported as finished.
     pub(super) stored: u32,
+    /// How often the host was told that something is stored.
+    pub(super) tells: u32,
     /// Their sums, as far as they were listed.
     records: BTreeMap<u32, Option<Sha256Sum>>,
     /// Results of the newest run.
@@ -151,6 +153,7 @@ impl Told {
         {
             let mut known = self.known();
             known.settings = known.attempted.take();
+            known.tells += 1;
         }
         // The log of it is a record.
         let records = client.records()?;
@@ -174,6 +177,7 @@ impl Told {
         {
             let mut known = self.known();
             known.stored += 1;
+            known.tells += 1;
             // From here on the host counts on it.
             known.records.insert(id, None);
         }
