@@ -79,7 +79,7 @@ impl Plan {
         Fate {
             again: (0..again).map(|_| self.of_a_start()).collect(),
             works: self.number % WORK == 2,
-            comes: self.number % COMES == 0,
+            comes: self.number.is_multiple_of(COMES),
         }
     }
 
