@@ -69,7 +69,7 @@ pub fn common_drift(all: &[Series]) -> Option<CommonDrift> {
 }
 
 /// Times and logarithms from their means.
-fn centred(series: &Series) -> Vec<(f64, f64)> {
+fn centred(series: &[Measured]) -> Vec<(f64, f64)> {
     let of = |value: fn(&Measured) -> f64| series.iter().map(value).collect::<Vec<f64>>();
     let (t, y) = (of(|m| m.years), of(|m| m.sensitivity.ln()));
     let (middle_t, middle_y) = (mean(&t), mean(&y));

@@ -136,7 +136,8 @@ fn check_uncertainties(
         ));
     }
     let stated = std::iter::once(&chosen.magnitude).chain(&chosen.u_magnitude);
-    for (column, _) in stated.filter(|(_, meaning)| meaning.form == Form::Decibel) {
+    let mut in_db = stated.filter(|(_, meaning)| meaning.form == Form::Decibel);
+    if let Some((column, _)) = in_db.next() {
         return Err(table.source.at_line(
             table.header_line,
             format!("column '{}' is in dB", column.written),
