@@ -6,7 +6,9 @@
 //! A temperature beyond what the settings cover enlarges U in the same proportion
 //! as it does that of the recomputed budget.
 
-use super::deviation::{OfRatio, of_ratio, within_a_response, within_an_instrument};
+use super::deviation::{
+    OfRatio, of_ratio, within_a_response, within_a_substitution, within_an_instrument,
+};
 use super::model::{Budget, BudgetRow, Certificate, Remark, Severity, Value};
 use super::mountings::Mountings;
 use super::particulars::Particulars;
@@ -188,6 +190,17 @@ impl<'a> Basis<'a> {
             true => of_ratio(&now, &then, &within_an_instrument),
             false => of_ratio(&now, &then, &|_| 0.0),
         }
+    }
+
+    /// Uncertainty of the ratio of two devices' magnitudes, measured one after the other.
+    pub(super) fn of_substitution(
+        &self,
+        point: &PointResult,
+        before: &Self,
+        point_before: &PointResult,
+    ) -> Option<OfRatio> {
+        let (now, then) = (self.magnitude(point)?, before.magnitude(point_before)?);
+        of_ratio(&now, &then, &within_a_substitution)
     }
 
     /// One instrument, and one calibration of its reference, that is known by name.

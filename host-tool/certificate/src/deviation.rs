@@ -42,6 +42,14 @@ pub(super) fn within_an_instrument(row: u8) -> f64 {
     }
 }
 
+/// Between two devices, one after the other in one channel: the reference has not drifted in between.
+pub(super) fn within_a_substitution(row: u8) -> f64 {
+    match [1, 2, 3, 10].contains(&row) {
+        true => 1.0,
+        false => 0.0,
+    }
+}
+
 const STANDARD: Distribution = Distribution::Normal {
     coverage_factor: 1.0,
 };

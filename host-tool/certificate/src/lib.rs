@@ -11,6 +11,7 @@
 //! | `assurance` | check standards that speak against it |
 //! | `budget` | the budgets of the points, recomputed and compared |
 //! | `mountings` | several mountings of one device as one result |
+//! | `substitution` | a standard and then the device in one channel |
 //! | `deviation` | uncertainty of the deviation from the reference point |
 //! | `change` | uncertainty of the change since another calibration |
 //! | `temperature` | what the temperature told adds to row 11 |
@@ -53,6 +54,7 @@ pub mod rounding;
 mod sections;
 mod standing;
 mod stored;
+mod substitution;
 mod temperature;
 #[cfg(test)]
 mod tests;
@@ -85,6 +87,7 @@ pub use mountings::{MountingScatter, scatter as mounting_scatter};
 pub use particulars::{Known, Particulars};
 pub use present::Presented;
 pub use standing::digest;
+pub use substitution::{StandardPoint, Substituted, substitute};
 pub use units::SensitivityUnit;
 pub use verdict::Verdict;
 pub use words::{Language, REASONS};

@@ -45,6 +45,7 @@ mod settings;
 mod show;
 mod source;
 mod stop;
+mod substitute;
 mod text;
 mod time;
 mod version;

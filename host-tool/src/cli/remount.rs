@@ -42,19 +42,11 @@ impl Mountings {
         self.runs.len()
     }
 
-    /// Asks for the device to be mounted again; a line on standard input says that it is.
+    /// Asks for the device to be mounted again.
     pub(super) fn wait_for_the_next(&self, record_id: u32) -> Result<()> {
-        eprintln!(
-            "Record {record_id}. Take the device off and mount it again, as before; then press Enter."
-        );
-        let mut line = String::new();
-        match stdin().read_line(&mut line) {
-            Ok(1..) => Ok(()),
-            Ok(0) | Err(_) => Err(Error::usage(
-                "nobody says that the device is mounted again: what was measured is kept",
-                "measure the next with `calib run`, and name all with `calib certificate RECORD --remounted RECORD,...`",
-            )),
-        }
+        wait_for(&format!(
+            "Record {record_id}. Take the device off and mount it again, as before"
+        ))
     }
 
     /// None where it was mounted once.
@@ -72,6 +64,19 @@ impl Mountings {
         let language = particulars.language.unwrap_or(Language::En);
         let certificate = Certificate::from_records(first, others, particulars).ok()?;
         certificate.verdict(language)
+    }
+}
+
+/// Asks for something to be done by hand; a line on standard input says that it is.
+pub(super) fn wait_for(what: &str) -> Result<()> {
+    eprintln!("{what}; then press Enter.");
+    let mut line = String::new();
+    match stdin().read_line(&mut line) {
+        Ok(1..) => Ok(()),
+        Ok(0) | Err(_) => Err(Error::usage(
+            "nobody says that it is done: what was measured is kept",
+            "measure the next with `calib run`; `calib certificate RECORD --remounted RECORD,...` names all mountings",
+        )),
     }
 }
 

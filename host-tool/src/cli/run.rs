@@ -2,6 +2,7 @@
 
 use super::certificate::{Laboratory, passed};
 use super::remount::{self, Mountings, Remounting};
+use super::substitute::{self, Standard, Substitution};
 use super::{Context, logbook, number::positive, progress, progress::RunProgress, source, time};
 use calib_certificate::{Particulars, SensitivityUnit, Verdict};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
@@ -63,6 +64,14 @@ pub(crate) struct Run {
     /// scatter between mountings is evaluated (ISO 16063-21, 5.2). Each is a record of its own.
     #[arg(long, value_name = "N", default_value_t = 1, conflicts_with = "retry", value_parser = clap::value_parser!(u8).range(1..=20))]
     remount: u8,
+    /// Measures this standard first and then the device, both at the input of the device: S2 = S1 X2 / X1, in which
+    /// the instrument's reference, its gain and the ratio of its channels cancel (ISO 16063-21, 4.5).
+    #[arg(long, value_name = "CHECK", conflicts_with_all = ["retry", "remount", "excitation"])]
+    substitute: Option<String>,
+    /// Table of the standard's certificate (CSV: frequency_hz, sensitivity_mv, expanded_uncertainty_percent); else
+    /// what `calib assure` was told of it.
+    #[arg(long, value_name = "FILE", requires = "substitute")]
+    standard: Option<PathBuf>,
     /// Unit of the sensitivities shown: mV/(m/s2) or mV/g [default: that of the sensor].
     #[arg(long, value_name = "UNIT")]
     unit: Option<SensitivityUnit>,
@@ -108,6 +117,8 @@ pub(super) struct RunResult {
     refusals: Vec<Refused>,
     /// With `--remount`: every mounting's record, this one included, and their scatter.
     remounting: Option<Remounting>,
+    /// With `--substitute`: the device by the standard.
+    substitution: Option<Substitution>,
 }
 
 impl Run {
@@ -120,6 +131,7 @@ impl Run {
         // What cannot be judged afterwards is said before anything moves.
         let particulars = self.particulars(context, &labels)?;
         let unit = self.unit(&sensor)?;
+        let standard = self.standard(context)?;
         let mut client = context.connect()?;
         let info = client.info()?;
         let excitation = ExcitationKind::from(self.excitation);
@@ -138,8 +150,26 @@ impl Run {
             sample_rate_hz: info.sample_rate_hz,
             unit,
         };
+        let switch = switch_of_interrupts();
+        let before = match &standard {
+            Some(standard) => Some(self.measure_standard(
+                context,
+                &mut client,
+                &asked,
+                &labels,
+                (standard, &switch),
+            )?),
+            None => None,
+        };
         let (mountings, outcome, kept) =
-            self.measure_mountings(context, &mut client, &asked, labels)?;
+            self.measure_mountings(context, &mut client, &asked, labels, &switch)?;
+        let substitution = match standard.zip(before) {
+            Some((standard, before)) => {
+                let device = substitute::fetch(&mut client, outcome.record_id)?;
+                Some(standard.substituted(&before, &device)?)
+            }
+            None => None,
+        };
         let of_record = |_: &Kept| mountings.verdict(&particulars);
         let result = RunResult {
             record_id: outcome.record_id,
@@ -153,10 +183,45 @@ impl Run {
             verdict: kept.as_ref().and_then(of_record),
             refusals: refusals::of(&outcome.points),
             remounting: mountings.remounting(),
+            substitution,
         };
         progress::print_result(context, &result, || said(&result))?;
         judge(&outcome, points.len())?;
         passed(result.verdict.as_ref())
+    }
+
+    fn standard(&self, context: &Context) -> Result<Option<Standard>> {
+        let find = |serial: &String| Standard::find(context, serial, self.standard.as_deref());
+        self.substitute.as_ref().map(find).transpose()
+    }
+
+    /// Measures the standard at the input of the device, and asks for the device.
+    fn measure_standard(
+        &self,
+        context: &Context,
+        client: &mut Client,
+        asked: &Asked<'_>,
+        labels: &RunLabels,
+        (standard, switch): (&Standard, &StopSwitch),
+    ) -> Result<Record> {
+        remount::wait_for(&format!("Mount the standard {}", standard.serial))?;
+        let labels = RunLabels {
+            dut_serial: label("--substitute", &standard.serial)?,
+            dut_model: label("--substitute", "standard of a substitution")?,
+            ..labels.clone()
+        };
+        let progress = RunProgress::new(context, asked.sample_rate_hz, asked.unit);
+        let mut progress = progress.with_points_as_result();
+        let outcome = measure(client, asked, labels, switch, &mut progress)?;
+        progress.end(&outcome.points);
+        keep(context, client, &outcome)?;
+        judge(&outcome, asked.points.len())?;
+        let record = substitute::fetch(client, outcome.record_id)?;
+        remount::wait_for(&format!(
+            "Record {}. Mount the device in its place",
+            outcome.record_id
+        ))?;
+        Ok(record)
     }
 
     /// Measures, and once more for every mounting that is wanted.
@@ -166,13 +231,13 @@ impl Run {
         client: &mut Client,
         asked: &Asked<'_>,
         mut labels: RunLabels,
+        switch: &StopSwitch,
     ) -> Result<(Mountings, Outcome, Option<Kept>)> {
-        let switch = switch_of_interrupts();
         let mut mountings = Mountings::default();
         loop {
             let progress = RunProgress::new(context, asked.sample_rate_hz, asked.unit);
             let mut progress = progress.with_points_as_result();
-            let outcome = measure(client, asked, labels.clone(), &switch, &mut progress)?;
+            let outcome = measure(client, asked, labels.clone(), switch, &mut progress)?;
             progress.end(&outcome.points);
             let kept = keep(context, client, &outcome)?;
             mountings.add(&outcome, kept.as_ref());
@@ -304,6 +369,7 @@ fn said(result: &RunResult) -> String {
     let advice = |refused: &Refused| format!("{}\n  {}", frequencies(refused), refused.remedy);
     let mut lines: Vec<String> = result.refusals.iter().map(advice).collect();
     lines.extend(result.remounting.as_ref().map(remount::text));
+    lines.extend(result.substitution.as_ref().map(substitute::text));
     lines.extend(result.verdict.as_ref().map(terminal::verdict));
     let next = match result.logbook_record {
         Some(kept) => format!("kept in the logbook as record {kept}"),

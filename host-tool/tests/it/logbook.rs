@@ -715,6 +715,63 @@ fn a_run_that_is_mounted_again_evaluates_the_scatter_and_certifies_all_records()
     );
 }
 
+/// The standard reads 1.01 of 10 mV/(m/s2), the device in its place 1.02: S2 = 10.1 mV/(m/s2) times 1.02 / 1.01.
+#[test]
+fn a_device_is_calibrated_by_substitution_of_a_standard() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut device = Device::new();
+    device.remounting_rel = 0.01;
+    let (_, address) = serve(device);
+    let write = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(name), text).expect("written");
+    };
+    write("p.csv", "frequency_hz\n80\n160\n");
+    write(
+        "s.csv",
+        "frequency_hz,sensitivity_mv,expanded_uncertainty_percent\n160,10.1,0.4\n",
+    );
+    let run = |more: &str| {
+        let words = format!(
+            "run --serial D --points p.csv --temperature 23 --json --device {address}{more}"
+        );
+        let mut tool = std::process::Command::new(env!("CARGO_BIN_EXE_calib"));
+        tool.args(words.split(' ')).current_dir(folder.path());
+        tool.env("CALIB_LOGBOOK", folder.path().join("none.sqlite"));
+        tool.stdin(std::process::Stdio::piped());
+        tool.stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped());
+        let mut tool = tool.spawn().expect("calib starts");
+        let mut stdin = tool.stdin.take().expect("piped");
+        // It may have refused already.
+        let _ = std::io::Write::write_all(&mut stdin, b"\n\n");
+        drop(stdin);
+        tool.wait_with_output().expect("ends")
+    };
+    let unknown = run(" --substitute CHK");
+    assert_eq!(unknown.status.code(), Some(6));
+    assert!(
+        text(&unknown.stderr).contains("nobody stated"),
+        "{}",
+        text(&unknown.stderr)
+    );
+    let output = run(" --substitute CHK --standard s.csv");
+    let found = json(&output);
+    let substitution = &found["substitution"];
+    assert_eq!(substitution["standard_record_id"], 1);
+    assert_eq!(found["record_id"], 2);
+    let points = substitution["points"].as_array().expect("points");
+    assert_eq!(points.len(), 1, "80 Hz is not certified");
+    let number = |key: &str| points[0][key].as_f64().expect(key);
+    // Records keep 16 bits of a sensitivity.
+    let expected = 0.0101 * 1.02 / 1.01;
+    assert!(
+        (number("sensitivity_v_per_ms2") / expected - 1.0).abs() < 4e-5,
+        "{substitution}"
+    );
+    let whole = number("expanded_uncertainty_ratio_rel").hypot(0.004);
+    assert!((number("expanded_uncertainty_rel") / whole - 1.0).abs() < 1e-9);
+}
+
 #[test]
 fn a_virtual_teds_becomes_a_sensor() {
     let folder = tempfile::tempdir().expect("folder");

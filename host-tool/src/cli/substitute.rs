@@ -1,0 +1,133 @@
+//! `calib run --substitute CHECK`: a standard and then the device in the same channel.
+
+use super::Context;
+use calib_certificate::{StandardPoint, Substituted, substitute};
+use calib_host::{Error, Result};
+use calib_link::Client;
+use calib_link::session;
+use calib_metrology::input::{Column, Source, Table as Input};
+use calib_metrology::text::Table;
+use calib_protocol::record::Record;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::path::Path;
+
+/// What a substitution found.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Substitution {
+    /// Serial number of the standard.
+    standard_serial: String,
+    /// Running number of its record.
+    standard_record_id: u32,
+    /// Every point that both records have, and the standard's certificate.
+    points: Vec<Substituted>,
+}
+
+/// A standard with what its certificate says.
+pub(super) struct Standard {
+    pub(super) serial: String,
+    certified: Vec<StandardPoint>,
+}
+
+impl Standard {
+    /// The standard of this serial number: by the table of its certificate, else by what the logbook knows of a
+    /// check standard.
+    ///
+    /// # Errors
+    /// [`Error::Files`] when the table is none, or nobody stated what it is.
+    pub(super) fn find(context: &Context, serial: &str, table: Option<&Path>) -> Result<Self> {
+        let known = match context.logbook_if_there()? {
+            Some(logbook) => logbook.check_standard(serial)?,
+            None => None,
+        };
+        let of_logbook = || {
+            let known = known.as_ref()?;
+            let certified = known.certified?;
+            Some(vec![StandardPoint {
+                frequency_hz: known.frequency_hz,
+                sensitivity_v_per_ms2: certified.sensitivity_v_per_ms2,
+                expanded_uncertainty_rel: certified.expanded_uncertainty_rel,
+            }])
+        };
+        let certified = match table {
+            Some(path) => read(path)?,
+            None => of_logbook().ok_or_else(|| {
+                Error::input(
+                    format!("standard {serial}"),
+                    "nobody stated its sensitivity",
+                    "name the table of its certificate with --standard, or state it at one frequency: \
+                     `calib assure SERIAL --every DAYS --certified MV --certified-u PERCENT`",
+                )
+            })?,
+        };
+        Ok(Self {
+            serial: serial.to_owned(),
+            certified,
+        })
+    }
+
+    /// The device by this standard, from both records.
+    ///
+    /// # Errors
+    /// Those of [`substitute`].
+    pub(super) fn substituted(&self, standard: &Record, device: &Record) -> Result<Substitution> {
+        Ok(Substitution {
+            standard_serial: self.serial.clone(),
+            standard_record_id: standard.head.id,
+            points: substitute(standard, device, &self.certified)?,
+        })
+    }
+}
+
+/// The table of a certificate: frequency_hz, sensitivity_mv or sensitivity_v, expanded_uncertainty_percent.
+fn read(path: &Path) -> Result<Vec<StandardPoint>> {
+    let table = Input::parse(Source::read(path)?)?;
+    let frequency = table.require("the frequency", &["frequency_hz"])?;
+    let u = table.require("U (k = 2)", &["expanded_uncertainty_percent"])?;
+    let (sensitivity, scale) = match table.find(&["sensitivity_mv"])? {
+        Some(column) => (column, 1e-3),
+        None => (table.require("the sensitivity", &["sensitivity_v"])?, 1.0),
+    };
+    let positive = |row, column: &Column| match table.number(row, column)? {
+        value if value > 0.0 => Ok(value),
+        value => Err(table.source.at_line(
+            row.line,
+            format!("{} = {value} is not above zero", column.written),
+            "frequencies, sensitivities and uncertainties are positive",
+        )),
+    };
+    let points = table.rows.iter().map(|row| {
+        Ok(StandardPoint {
+            frequency_hz: positive(row, frequency)?,
+            sensitivity_v_per_ms2: scale * positive(row, sensitivity)?,
+            expanded_uncertainty_rel: positive(row, u)? / 100.0,
+        })
+    });
+    points.collect()
+}
+
+/// The record of this number, from the calibrator.
+pub(super) fn fetch(client: &mut Client, record_id: u32) -> Result<Record> {
+    let folder =
+        tempfile::tempdir().map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
+    let download = session::download(client, record_id, folder.path(), |_| ())?;
+    Ok(download.record)
+}
+
+/// Results as a table.
+pub(super) fn text(substitution: &Substitution) -> String {
+    let mut table = Table::new(&["f/Hz", "X2/X1", "U of it/%", "mV/(m/s2)", "U/%"]);
+    for point in &substitution.points {
+        table.row([
+            point.frequency_hz.to_string(),
+            format!("{:.5}", point.ratio),
+            format!("{:.2}", 100.0 * point.expanded_uncertainty_ratio_rel),
+            format!("{:.5}", 1000.0 * point.sensitivity_v_per_ms2),
+            format!("{:.2}", 100.0 * point.expanded_uncertainty_rel),
+        ]);
+    }
+    format!(
+        "\nby substitution of {} (record {}), S2 = S1 X2 / X1, k = 2\n{table}",
+        substitution.standard_serial, substitution.standard_record_id
+    )
+}
