@@ -132,7 +132,7 @@ impl Ratio {
             operator: label("--operator", self.hand.operator())?,
             ..RunLabels::default()
         };
-        let stop = super::run::stop_on_interrupt();
+        let stop = super::measure::stop_on_interrupt();
         let outcome = session::run(client, points, labels, |_| stop())?;
         let folder = tempfile::tempdir()
             .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;

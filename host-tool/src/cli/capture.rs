@@ -1,7 +1,7 @@
 //! `calib capture`: the waveforms of both channels.
 
+use super::measure::stop_on_interrupt;
 use super::number::positive;
-use super::run::stop_on_interrupt;
 use super::{Context, time};
 use calib_core::point::PointSpec;
 use calib_core::verdict::Verdict;

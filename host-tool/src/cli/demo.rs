@@ -1,6 +1,6 @@
 //! `calib demo`: a whole calibration without hardware.
 
-use super::{Context, progress, progress::RunProgress, run, time};
+use super::{Context, measure, progress, progress::RunProgress, time};
 use calib_certificate::SensitivityUnit;
 use calib_host::demo::{self, DemoReport, Event};
 use calib_host::{Error, Result};
@@ -21,7 +21,7 @@ pub(crate) struct Demo {
 impl Demo {
     /// Calibrates a simulated accelerometer and compares with its truth.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let stop = run::stop_on_interrupt();
+        let stop = measure::stop_on_interrupt();
         let mut shown = None;
         let report = demo::run(self.seed, &self.out, time::unix_time_s(), |event| {
             match event {

@@ -1,6 +1,6 @@
 //! `calib emulate`: an emulated calibrator that other programs use like hardware.
 
-use super::{Context, run};
+use super::{Context, measure};
 use calib_files::file;
 use calib_host::emulated::{EmulatedBoard, FlashFile, rig_file};
 use calib_host::{Error, Result};
@@ -132,7 +132,7 @@ fn serve(
     usb: Option<&UsbPort>,
     door: Box<dyn Door>,
 ) -> Result<()> {
-    let stop = run::stop_on_interrupt();
+    let stop = measure::stop_on_interrupt();
     let mut behind = Duration::ZERO;
     let serial = board.emulator().serial().clone();
     let line: &dyn HostLine = usb.map_or(&serial, |usb| usb);

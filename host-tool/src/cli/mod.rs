@@ -25,6 +25,7 @@ mod info;
 mod key;
 mod linking;
 mod logbook;
+mod measure;
 mod misuse;
 mod nomogram;
 mod number;

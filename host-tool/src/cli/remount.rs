@@ -1,6 +1,6 @@
 //! `calib run --remount N`: one device, mounted again for every record.
 
-use super::run::Kept;
+use super::measure::Kept;
 use calib_certificate::{
     Certificate, Language, MountingScatter, Particulars, Verdict, mounting_scatter,
 };

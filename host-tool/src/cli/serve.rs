@@ -1,6 +1,6 @@
 //! `calib serve`: the page for the bench laptop or a tablet.
 
-use super::{Context, certificate, run};
+use super::{Context, certificate, measure};
 use calib_certificate::Particulars;
 use calib_host::Result;
 use calib_host::serve::{Options, Server};
@@ -52,7 +52,7 @@ impl Serve {
             context.remark("open this address in a browser");
         }
         context.remark("Ctrl-C ends it and stops a run");
-        let stop = run::stop_on_interrupt();
+        let stop = measure::stop_on_interrupt();
         server.serve(|| stop().is_continue())
     }
 }

@@ -1,9 +1,9 @@
 //! `calib gap record`: a dataset from a calibrator.
 
 use super::super::Context;
+use super::super::measure::stop_on_interrupt;
 use super::super::number::positive;
 use super::super::progress::RunProgress;
-use super::super::run::stop_on_interrupt;
 use calib_certificate::SensitivityUnit;
 use calib_core::point::PointSpec;
 use calib_host::emulated::{self, EmulatedBoard};

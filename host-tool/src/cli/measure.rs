@@ -1,0 +1,135 @@
+//! A list measured once: followed with its progress, stopped by Ctrl-C, and kept.
+
+use super::{Context, progress::RunProgress, source};
+use calib_certificate::SensitivityUnit;
+use calib_core::point::{ExcitationKind, PointSpec};
+use calib_core::verdict::Verdict;
+use calib_host::refusals;
+use calib_host::{Error, Result};
+use calib_link::session::{self, Outcome};
+use calib_link::{Client, StopSwitch};
+use calib_logbook::{Logbook, waiting};
+use calib_protocol::message::RunState;
+use calib_protocol::record::{Record, RunLabels};
+use std::ops::ControlFlow;
+
+/// A record that is kept.
+pub(super) struct Kept {
+    /// Its number in the logbook; none while it waits for that.
+    pub(super) id: Option<i64>,
+    pub(super) record: Record,
+}
+
+/// Keeps the record in the logbook, if this user has one.
+pub(super) fn keep(
+    context: &Context,
+    client: &mut Client,
+    outcome: &Outcome,
+) -> Result<Option<Kept>> {
+    let path = context.logbook_path();
+    if outcome.state == RunState::Failed || !path.exists() {
+        return Ok(None);
+    }
+    let folder =
+        tempfile::tempdir().map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
+    let download = session::download(client, outcome.record_id, folder.path(), |_| ())?;
+    let bytes = std::fs::read(&download.path)
+        .map_err(|error| Error::file("read", &download.path, error))?;
+    // It is on disk before the logbook is asked for, which another program may hold.
+    let place = waiting::put(&path, &bytes)?;
+    let keys = session::stated_key(client)?;
+    let id = match Logbook::enter_waiting(&path, keys.as_slice()) {
+        Ok(entered) => entered
+            .iter()
+            .find(|(of, _)| *of == place)
+            .map(|(_, id)| *id),
+        Err(error) => {
+            let folder = waiting::folder(&path);
+            let until = format!("the record waits in {} until then", folder.display());
+            context.remark(&format!("{error}: {until}; the next run enters it"));
+            None
+        }
+    };
+    let record = source::read(&download.path)?;
+    Ok(Some(Kept { id, record }))
+}
+
+/// What is to be measured, and how it is shown.
+pub(super) struct Asked<'a> {
+    pub(super) points: &'a [PointSpec],
+    pub(super) excitation: ExcitationKind,
+    pub(super) sample_rate_hz: f32,
+    pub(super) unit: SensitivityUnit,
+}
+
+/// Runs a list with progress. Ctrl-C stops it and silences the exciter.
+pub(super) fn measure(
+    client: &mut Client,
+    asked: &Asked<'_>,
+    labels: RunLabels,
+    switch: &StopSwitch,
+    progress: &mut RunProgress<'_>,
+) -> Result<Outcome> {
+    // Ahead of any answer that is waited for; the look at each progress is a second way.
+    client.heed(switch.clone());
+    let (points, excitation) = (asked.points, asked.excitation);
+    let outcome = session::run_excited(client, points, excitation, labels, |state| {
+        progress.show(state, points);
+        match refusals::dead_from_the_start(state.points) {
+            Some(_) => ControlFlow::Break(()),
+            None => flow(switch),
+        }
+    });
+    Ok(outcome?)
+}
+
+/// From now on, Ctrl-C asks a run to stop instead of ending the tool.
+pub(super) fn stop_on_interrupt() -> impl Fn() -> ControlFlow<()> {
+    let switch = switch_of_interrupts();
+    move || flow(&switch)
+}
+
+/// From now on, Ctrl-C is a stop on this switch.
+pub(super) fn switch_of_interrupts() -> StopSwitch {
+    let switch = StopSwitch::default();
+    let pressed = switch.clone();
+    // Without the handler Ctrl-C still ends this tool; the calibrator goes on.
+    let _ = ctrlc::set_handler(move || {
+        pressed.ask();
+    });
+    switch
+}
+
+fn flow(switch: &StopSwitch) -> ControlFlow<()> {
+    match switch.is_asked() {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    }
+}
+
+/// Turns anything but a full pass into exit code 7.
+pub(super) fn judge(outcome: &Outcome, wanted: usize) -> Result<()> {
+    let refused = outcome
+        .points
+        .iter()
+        .filter(|point| point.verdict != Verdict::Pass)
+        .count();
+    match outcome.state {
+        RunState::Failed => Err(Error::NotPassed(
+            "the record could not be stored; the results above are all there is".to_owned(),
+        )),
+        RunState::Stopped if refusals::dead_from_the_start(&outcome.points).is_some() => {
+            Err(Error::NotPassed(format!(
+                "the device under test gives no signal: the other points of {wanted} were not tried"
+            )))
+        }
+        RunState::Stopped => Err(Error::NotPassed(format!(
+            "stopped after {} of {wanted} points; the exciter is silent",
+            outcome.points.len()
+        ))),
+        _ if refused > 0 => Err(Error::NotPassed(format!(
+            "{refused} of {wanted} points were refused"
+        ))),
+        _ => Ok(()),
+    }
+}
