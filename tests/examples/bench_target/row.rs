@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 /// A figure of the table.
 pub(crate) struct Row {
-    pub(crate) what: &'static str,
+    pub(crate) what: String,
     pub(crate) value: f64,
     pub(crate) unit: &'static str,
     /// Lower limit, or upper limit for a rate.
@@ -15,9 +15,9 @@ pub(crate) struct Row {
 
 impl Row {
     /// A figure without a limit.
-    pub(crate) fn new(what: &'static str, value: f64, unit: &'static str) -> Self {
+    pub(crate) fn new(what: impl Into<String>, value: f64, unit: &'static str) -> Self {
         Self {
-            what,
+            what: what.into(),
             value,
             unit,
             limit: None,

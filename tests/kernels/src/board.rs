@@ -2,6 +2,7 @@
 
 use crate::lock_in::{LockIn, kernel_lock_in};
 use crate::shipping::{kernel_estimate, kernel_fold};
+use crate::sines::{kernel_sines, kernel_sines_libm, kernel_sines_micromath};
 use crate::table::{Table, kernel_table};
 use crate::{PAIRS, itcm, shipping};
 use calib_core::converter::Width;
@@ -41,6 +42,12 @@ fn main() -> ! {
     table.fill(tone);
     let mut lock_in = LockIn::new(tone);
     let pairs = pairs(tone);
+    // Up to a turn, as `libm` and `micromath` are called.
+    let mut index = 0.0;
+    let angles = [(); PAIRS].map(|()| {
+        index += 1.0;
+        index * core::f32::consts::TAU / PAIRS as f32
+    });
     loop {
         correlator.start(block, 0);
         for _ in 0..10 {
@@ -52,6 +59,12 @@ fn main() -> ! {
         black_box(kernel_lock_in(&mut lock_in, black_box(&pairs)));
         kernel_done();
         black_box(kernel_table(table, black_box(&pairs)));
+        kernel_done();
+        black_box(kernel_sines(PhaseWalk::new(tone, 0)));
+        kernel_done();
+        black_box(kernel_sines_libm(black_box(&angles)));
+        kernel_done();
+        black_box(kernel_sines_micromath(black_box(&angles)));
         kernel_done();
     }
 }

@@ -11,6 +11,7 @@
 //! | `kernel_estimate` | its evaluation, once per block of 8 folds of 625 pairs |
 //! | `kernel_lock_in` | lock-in of crate `idsp`: oscillator, mixer, low-pass |
 //! | `kernel_table` | multiply-accumulate in f32 with a table of sines |
+//! | `kernel_sines` and its likes | cosine and sine alone: ours, `libm`, `micromath` |
 //!
 //! [`Correlator::push`]: calib_core::correlation::Correlator::push
 //! [`kernel_done`]: board::kernel_done
@@ -26,6 +27,8 @@ mod itcm;
 mod lock_in;
 #[cfg(target_os = "none")]
 mod shipping;
+#[cfg(target_os = "none")]
+mod sines;
 #[cfg(target_os = "none")]
 mod table;
 
