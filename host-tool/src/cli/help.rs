@@ -55,6 +55,13 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                 ["show 12", "show record-00012.calibrec --unit mV/g"],
             ),
             (
+                "verify",
+                [
+                    "verify record-00012.calibrec",
+                    "verify record-00012.calibrec --json",
+                ],
+            ),
+            (
                 "certificate",
                 [
                     "certificate 12 --particulars job.toml",

@@ -3,7 +3,7 @@
 use super::Context;
 use super::hand::Hand;
 use calib_host::Result;
-use calib_protocol::signature::DeviceKey;
+use calib_protocol::signature::{DeviceKey, PublicKey};
 use calib_record::signature::short;
 use clap::Args;
 use schemars::JsonSchema;
@@ -12,11 +12,11 @@ use serde::Serialize;
 /// `calib key`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The key is made once in the life of an instrument, by its own generator of random numbers, while the button on
-it is held; the half that signs never leaves it. From then on every record is signed, and the logbook refuses
-records of the instrument that are not. The public key enters the logbook, if there is one: compare its digits
-with those on the instrument's paper when another computer shows them. What it proves and what not:
-docs/safety.md.")]
+The key is made once in the life of an instrument, by its own generator of random numbers,
+while the button on it is held; the half that signs never leaves it. From then on every record
+is signed, and the logbook refuses records of the instrument that are not. The public key
+enters the logbook, if there is one: compare its digits with those on the instrument's paper
+when another computer shows them. What it proves and what not: docs/safety.md.")]
 pub(crate) struct Key {
     /// Makes the key of an instrument that has none.
     #[arg(long)]
@@ -84,4 +84,17 @@ impl KeyView {
             key.since
         )
     }
+}
+
+/// The key of 64 hexadecimal digits, as `calib key --json` prints them.
+pub(super) fn parse(digits: &str) -> std::result::Result<PublicKey, String> {
+    let wrong = || "a key is 64 hexadecimal digits, as `calib key --json` prints them".to_owned();
+    let digits: Vec<u8> = digits.bytes().filter(|byte| *byte != b' ').collect();
+    let digit = |byte: u8| char::from(byte).to_digit(16).ok_or_else(wrong);
+    let pairs = digits.chunks(2).map(|pair| match *pair {
+        [high, low] => Ok((digit(high)? * 16 + digit(low)?) as u8),
+        _ => Err(wrong()),
+    });
+    let bytes: Vec<u8> = pairs.collect::<std::result::Result<_, _>>()?;
+    bytes.try_into().map_err(|_| wrong())
 }

@@ -49,6 +49,7 @@ mod stop;
 mod substitute;
 mod text;
 mod time;
+mod verify;
 mod version;
 
 pub(crate) use context::{Context, GlobalOptions};
@@ -124,6 +125,8 @@ pub(crate) enum Command {
     Download(download::Download),
     /// Draws a record in the terminal: S over f with U.
     Show(show::Show),
+    /// Says whether a record is as its instrument signed it.
+    Verify(verify::Verify),
     /// Writes the certificate of a record.
     Certificate(certificate::CertificateVerb),
     /// An emulated calibrator that other programs use like hardware.
@@ -218,6 +221,7 @@ impl Command {
             Self::Doctor(verb) => verb.run(context),
             Self::Completions(verb) => verb.run(context, help::described(Arguments::command())),
             Self::Man(verb) => verb.run(context, help::described(Arguments::command())),
+            Self::Verify(verb) => verb.run(context),
             Self::Version(verb) => verb.run(context),
             Self::Schema(verb) => verb.run(context),
         }

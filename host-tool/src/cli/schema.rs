@@ -6,7 +6,8 @@ use super::{
     Context, adjust, capture, certificate, completions, convert, download, emulate, gap, logbook,
 };
 use super::{
-    identify, key, linking, phase, predict, release, risk, run, sensitivity, serve, stop, version,
+    identify, key, linking, phase, predict, release, risk, run, sensitivity, serve, stop, verify,
+    version,
 };
 use calib_certificate::Document;
 use calib_core::settings::Settings;
@@ -138,6 +139,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<Settings>("settings"),
         of::<Either<Document, ChangeView>>("show"),
         of::<stop::Stopped>("stop"),
+        of::<Vec<verify::Verified>>("verify"),
         of::<version::Versions>("version"),
     ]
 }

@@ -1,5 +1,6 @@
 //! The logbook attacked: bits that flip in the file, and hands that change it with another program.
 
+use crate::command_line::{calib, text};
 use crate::logbook::{later, logbook};
 use calib_logbook::{Filter, Issue, Logbook, Sensor, waiting};
 use calib_protocol::frame::CRC;
@@ -225,4 +226,37 @@ fn a_record_the_instrument_never_made_is_refused_and_put_aside() {
         .expect("updated");
     drop(file);
     assert!(is_noticed(&path));
+}
+
+/// No logbook and no instrument: exit code and words follow from file and key.
+#[test]
+fn a_record_is_verified_by_its_file_and_the_key_alone() {
+    let folder = tempfile::tempdir().expect("folder");
+    let digits = calib_output::hex(&device_key(&SEEDS[0]).public);
+    let whole = signed_record(4, 1.0, &SEEDS[0]);
+    let [(altered, _), (unsigned, _), (of_other, _), _] = forgeries();
+    let named = ["--key", digits.as_str()];
+    let spaced = digits
+        .as_bytes()
+        .chunks(4)
+        .map(|part| String::from_utf8_lossy(part));
+    let spaced = spaced.collect::<Vec<_>>().join(" ");
+    for (bytes, key, proof, code) in [
+        (&whole, &named[..], "proven", 0),
+        (&whole, &["--key", spaced.as_str()], "proven", 0),
+        (&whole, &[], "key_not_known", 7),
+        (&altered, &named, "altered", 7),
+        (&unsigned, &named, "not_signed", 7),
+        (&of_other, &named, "other_key", 7),
+    ] {
+        std::fs::write(folder.path().join("file"), bytes).expect("written");
+        let arguments = [&["verify", "file", "--json"], key].concat();
+        let output = calib(folder.path(), &arguments);
+        let said = text(&output.stdout);
+        assert_eq!(output.status.code(), Some(code), "{proof}: {said}");
+        let document: serde_json::Value = serde_json::from_str(&said).expect("JSON");
+        assert_eq!(document[0]["proof"], proof, "{said}");
+    }
+    let short_key = calib(folder.path(), &["verify", "file", "--key", "12ab"]);
+    assert_eq!(short_key.status.code(), Some(2));
 }
