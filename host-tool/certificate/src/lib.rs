@@ -88,6 +88,7 @@ pub use particulars::{Known, Particulars};
 pub use present::Presented;
 pub use standing::digest;
 pub use substitution::{StandardPoint, Substituted, substitute};
+pub use temperature::instrument_covers;
 pub use units::SensitivityUnit;
 pub use verdict::Verdict;
 pub use words::{Language, REASONS};

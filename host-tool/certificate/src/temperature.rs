@@ -29,6 +29,12 @@ const USUAL: Influence = Influence {
     distribution: Distribution::Rectangular,
 };
 
+/// Whether U as the instrument states it covers a transducer at this temperature, degrees Celsius. Where it does
+/// not, certificates state a larger one.
+pub fn instrument_covers(temperature_c: f64) -> bool {
+    (temperature_c - ROOM_C).abs() <= COVERED_K
+}
+
 /// How far from [`ROOM_C`] the transducers may have been.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Distance {
@@ -130,6 +136,13 @@ mod tests {
             (None, "", Distance::Unknown(10.0)),
         ] {
             assert_eq!(distance(device_centi_c, ambient), expected, "{ambient}");
+        }
+    }
+
+    #[test]
+    fn the_instrument_covers_3_k_to_either_side() {
+        for (temperature_c, covered) in [(19.9, false), (20.0, true), (26.0, true), (26.1, false)] {
+            assert_eq!(instrument_covers(temperature_c), covered, "{temperature_c}");
         }
     }
 

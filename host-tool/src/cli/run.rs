@@ -5,7 +5,7 @@ use super::measure::{Asked, Kept, judge, keep, measure, switch_of_interrupts};
 use super::remount::{self, Mountings, Remounting};
 use super::substitute::{self, Standard, Substitution};
 use super::{Context, logbook, number::positive, progress, progress::RunProgress, source, time};
-use calib_certificate::{Particulars, SensitivityUnit, Verdict};
+use calib_certificate::{Particulars, SensitivityUnit, Verdict, instrument_covers};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict as PointVerdict;
@@ -139,10 +139,8 @@ impl Run {
             points = session::on_lines(&points, info.sample_rate_hz)?;
         }
         possible(&points, &client.settings()?, info.sample_rate_hz)?;
-        if labels.temperature_centi_c.is_none() && !context.for_program() {
-            context.remark(
-                "no --temperature: certificates state U for all that ISO 16063-21, 4.2 allows",
-            );
+        if !context.for_program() {
+            remark_on_temperature(context, self.temperature);
         }
         let asked = Asked {
             points: &points,
@@ -377,4 +375,17 @@ fn said(result: &RunResult) -> String {
     };
     lines.push(format!("record {}: {next}", result.record_id));
     lines.join("\n")
+}
+
+/// Says where certificates will state a larger U than the instrument, which is printed.
+fn remark_on_temperature(context: &Context, told_c: Option<f64>) {
+    match told_c {
+        None => context.remark(
+            "no --temperature: certificates state U for all that ISO 16063-21, 4.2 allows",
+        ),
+        Some(told_c) if !instrument_covers(told_c) => context.remark(&format!(
+            "{told_c} degrees: certificates state a larger U than the instrument, which covers 20 to 26",
+        )),
+        Some(_) => {}
+    }
 }
