@@ -1,11 +1,10 @@
 //! A record's place in the chain, as certificates of every format state it.
 
 use super::{Certificate, Format, Options, Particulars, Prepared, digest, prepare};
-use calib_protocol::frame::CRC;
 use calib_protocol::provenance::{LoggedChange, Provenance};
 use calib_protocol::record::{self, Record};
 use calib_record::hash_chain::{Evidence, Standing};
-use calib_record::sample::{THIRD_OCTAVES_HZ, record};
+use calib_record::sample::{THIRD_OCTAVES_HZ, mend, record};
 
 /// Everything passes: the object is within 5 % of its nominal sensitivity.
 fn certificate(chain: Option<Standing>) -> Prepared {
@@ -112,9 +111,7 @@ fn an_altered_neighbour_breaks_the_chain_of_the_certificate() {
     altered[middle] ^= 1;
     // Damaged, it is no evidence; with its checksum mended it contradicts.
     assert_eq!(standing(&altered), Standing::NotAtHand);
-    let end = altered.len() - 4;
-    let checksum = CRC.checksum(&altered[..end]).to_le_bytes();
-    altered[end..].copy_from_slice(&checksum);
+    mend(&mut altered);
     assert_eq!(standing(&altered), Standing::Broken);
 }
 

@@ -1,9 +1,9 @@
 //! Check standards: sensors that are measured for no customer, to see that the calibrator still gives what it gave.
 
 use super::Logbook;
-use super::journal::{self, Subject};
+use super::journal::Subject;
 use calib_files::{Error, Result};
-use rusqlite::{OptionalExtension, Params, params};
+use rusqlite::{OptionalExtension, params};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -83,7 +83,7 @@ impl Logbook {
             certified.map(|c| c.sensitivity_v_per_ms2),
             certified.map(|c| c.expanded_uncertainty_rel),
         ];
-        self.enter_check_standard(&serial, &put, values)
+        self.change(Subject::CheckStandard, &serial, &put, values)
     }
 
     /// Takes the name of check standard from a sensor; its records stay.
@@ -99,17 +99,12 @@ impl Logbook {
             ));
         };
         let remove = "DELETE FROM check_standards WHERE serial = ?1";
-        self.enter_check_standard(&standard.serial, remove, [&standard.serial])
-    }
-
-    fn enter_check_standard(&self, serial: &str, sql: &str, values: impl Params) -> Result<()> {
-        let change = || {
-            let transaction = self.connection.unchecked_transaction()?;
-            transaction.execute(sql, values)?;
-            journal::enter(&transaction, Subject::CheckStandard, serial)?;
-            transaction.commit()
-        };
-        change().map_err(|error| self.failure(error))
+        self.change(
+            Subject::CheckStandard,
+            &standard.serial,
+            remove,
+            [&standard.serial],
+        )
     }
 
     /// The check standard of this serial number, if it is one; capitals do not matter.

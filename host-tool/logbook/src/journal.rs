@@ -5,8 +5,9 @@
 //! each. It has no key: who knows this file can write a journal of his own, or cut its end off. What it shows is
 //! damage, and the work of programs and hands that do not know it.
 
-use super::row;
-use rusqlite::{Connection, OptionalExtension, params};
+use super::{Logbook, row};
+use calib_files::Result;
+use rusqlite::{Connection, OptionalExtension, Params, params};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
@@ -70,6 +71,25 @@ pub(super) fn enter(connection: &Connection, subject: Subject, name: &str) -> ru
         .query_row([name], row::bytes)
         .optional()?;
     append(connection, subject, name, row.as_deref())
+}
+
+impl Logbook {
+    /// Changes the row of this name, and enters it in the journal.
+    pub(super) fn change(
+        &self,
+        subject: Subject,
+        name: &str,
+        sql: &str,
+        values: impl Params,
+    ) -> Result<()> {
+        let change = || {
+            let transaction = self.connection.unchecked_transaction()?;
+            transaction.execute(sql, values)?;
+            enter(&transaction, subject, name)?;
+            transaction.commit()
+        };
+        change().map_err(|error| self.failure(error))
+    }
 }
 
 /// Enters all there is: the first entries of a file from before there was a journal.

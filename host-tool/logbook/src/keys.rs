@@ -1,7 +1,7 @@
 //! Keys of instruments: what a record must be signed by to be kept.
 
 use super::Logbook;
-use super::journal::{self, Subject};
+use super::journal::Subject;
 use calib_files::{Error, Result};
 use calib_protocol::record::{self, Sha256Sum};
 use calib_protocol::signature::DeviceKey;
@@ -39,16 +39,12 @@ impl Logbook {
             }
             None => {}
         }
-        let change = || {
-            let transaction = self.connection.unchecked_transaction()?;
-            transaction.execute(
-                "INSERT INTO keys VALUES (?1, ?2, ?3)",
-                params![instrument, &key.public[..], key.since],
-            )?;
-            journal::enter(&transaction, Subject::Key, instrument)?;
-            transaction.commit()
-        };
-        change().map_err(|error| self.failure(error))?;
+        self.change(
+            Subject::Key,
+            instrument,
+            "INSERT INTO keys VALUES (?1, ?2, ?3)",
+            params![instrument, &key.public[..], key.since],
+        )?;
         Ok(true)
     }
 }

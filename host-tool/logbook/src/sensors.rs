@@ -1,11 +1,11 @@
 //! Sensors: what is known about a device under test, typed once.
 
 use super::Logbook;
-use super::journal::{self, Subject};
+use super::journal::Subject;
 use calib_certificate::decision::Tolerance;
 use calib_certificate::{Known, SensitivityUnit};
 use calib_files::{Error, Result};
-use rusqlite::{OptionalExtension, Params, params};
+use rusqlite::{OptionalExtension, params};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -156,7 +156,7 @@ impl Logbook {
         let put = format!(
             "INSERT OR REPLACE INTO sensors ({COLUMNS}) VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12)"
         );
-        self.enter(&sensor.serial, &put, values)
+        self.change(Subject::Sensor, &sensor.serial, &put, values)
     }
 
     /// Removes a sensor; its records and certificates stay.
@@ -166,19 +166,8 @@ impl Logbook {
     pub fn remove_sensor(&self, serial: &str) -> Result<Sensor> {
         let sensor = self.known_sensor(serial)?;
         let remove = "DELETE FROM sensors WHERE serial = ?1";
-        self.enter(&sensor.serial, remove, [&sensor.serial])?;
+        self.change(Subject::Sensor, &sensor.serial, remove, [&sensor.serial])?;
         Ok(sensor)
-    }
-
-    /// Changes the row of a sensor, and enters it in the journal.
-    fn enter(&self, serial: &str, sql: &str, values: impl Params) -> Result<()> {
-        let change = || {
-            let transaction = self.connection.unchecked_transaction()?;
-            transaction.execute(sql, values)?;
-            journal::enter(&transaction, Subject::Sensor, serial)?;
-            transaction.commit()
-        };
-        change().map_err(|error| self.failure(error))
     }
 
     /// The sensor of this serial number, if the logbook has it; capitals do not matter.

@@ -287,8 +287,7 @@ pub fn file_name(id: u32) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sample;
-    use calib_protocol::frame::CRC;
+    use crate::sample::{self, mend};
     use calib_protocol::record::{RecordKind, digest};
 
     const SERIAL: &str = "CAL-0042";
@@ -328,13 +327,6 @@ mod tests {
             evidence.bytes(id, bytes);
         }
         evidence
-    }
-
-    /// Corrects the checksum.
-    fn mend(bytes: &mut [u8]) {
-        let end = bytes.len() - 4;
-        let checksum = CRC.checksum(&bytes[..end]).to_le_bytes();
-        bytes[end..].copy_from_slice(&checksum);
     }
 
     #[test]

@@ -13,6 +13,7 @@ use calib_core::settings::{
 };
 use calib_core::tone::Tone;
 use calib_core::verdict::{Reason, Verdict};
+use calib_protocol::frame::CRC;
 use calib_protocol::record::{self, Record, RecordHead, RunLabels};
 use calib_protocol::signature::{self, Message, SIGNATURE_BYTES, Signature};
 use ed25519_dalek::{Signer, SigningKey};
@@ -108,6 +109,15 @@ pub fn signed(record: &Record, seed: &[u8; 32]) -> std::vec::Vec<u8> {
     };
     signature::append(&mut bytes, length, sign).expect("there is room");
     bytes
+}
+
+/// Makes the checksum of altered bytes right, as a forger does.
+///
+/// # Panics
+/// When they are too few.
+pub fn mend(bytes: &mut [u8]) {
+    let (content, checksum) = bytes.split_last_chunk_mut::<4>().expect("a record");
+    *checksum = CRC.checksum(content).to_le_bytes();
 }
 
 /// Words as a record holds them.

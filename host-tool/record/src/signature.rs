@@ -54,16 +54,8 @@ pub fn short(key: &PublicKey) -> String {
 mod tests {
     use super::*;
     use crate::sample;
-    use calib_protocol::frame::CRC;
 
     const SEED: [u8; 32] = [5; 32];
-
-    fn mended(mut bytes: Vec<u8>) -> Vec<u8> {
-        let end = bytes.len() - 4;
-        let checksum = CRC.checksum(&bytes[..end]).to_le_bytes();
-        bytes[end..].copy_from_slice(&checksum);
-        bytes
-    }
 
     #[test]
     fn a_record_that_was_signed_is_by_its_key() {
@@ -82,7 +74,8 @@ mod tests {
         for bit in 0..(bytes.len() - 4) * 8 {
             let mut flipped = bytes.clone();
             flipped[bit / 8] ^= 1 << (bit % 8);
-            let found = signed(&mended(flipped));
+            sample::mend(&mut flipped);
+            let found = signed(&flipped);
             assert!(found != own, "bit {bit}: {found:?}");
             assert!(!matches!(found, Ok(Signed::By(_))), "bit {bit}: {found:?}");
         }

@@ -1,6 +1,6 @@
 //! `calib adjust`: measures what parts of the instrument differ by, and takes it away.
 
-use super::hand::Hand;
+use super::hand::{Hand, done_by_hand};
 use super::number::positive;
 use super::{Context, source, time};
 use calib_core::channel_ratio::RATIO_FREQUENCIES_HZ;
@@ -158,13 +158,9 @@ fn read(context: &Context, path: &Path) -> Result<Box<Record>> {
 }
 
 fn wait_for(what: &str) -> Result<()> {
-    eprintln!("Connect: {what}. Then press Enter.");
-    let mut line = String::new();
-    match stdin().read_line(&mut line) {
-        Ok(1..) => Ok(()),
-        Ok(0) | Err(_) => Err(Error::usage(
-            "the operator has left: nothing was changed",
-            "call `calib adjust ratio` again",
-        )),
-    }
+    let left = Error::usage(
+        "the operator has left: nothing was changed",
+        "call `calib adjust ratio` again",
+    );
+    done_by_hand(&format!("Connect: {what}. Then press Enter."), left)
 }

@@ -1,12 +1,13 @@
-//! Settings that change only under a hand on the instrument.
+//! What only a hand at the instrument does: holding the button, and what else calib asks for.
 
 use super::Context;
 use calib_core::settings::Settings;
-use calib_host::Result;
+use calib_host::{Error, Result};
 use calib_link::Client;
 use calib_link::session;
 use calib_protocol::message::SettingsChange;
 use clap::Args;
+use std::io::stdin;
 use std::time::Duration;
 
 /// How often to ask again while the button is up.
@@ -79,5 +80,15 @@ impl Hand {
                 done => return Ok(done?),
             }
         }
+    }
+}
+
+/// Asks for something at the instrument; a line on standard input says that it is done, and its end that the
+/// operator has `left`.
+pub(super) fn done_by_hand(asked: &str, left: Error) -> Result<()> {
+    eprintln!("{asked}");
+    match stdin().read_line(&mut String::new()) {
+        Ok(1..) => Ok(()),
+        Ok(0) | Err(_) => Err(left),
     }
 }

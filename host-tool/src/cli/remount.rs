@@ -1,5 +1,6 @@
 //! `calib run --remount N`: one device, mounted again for every record.
 
+use super::hand::done_by_hand;
 use super::measure::Kept;
 use calib_certificate::{
     Certificate, Language, MountingScatter, Particulars, Verdict, mounting_scatter,
@@ -11,7 +12,6 @@ use calib_metrology::text::Table;
 use calib_protocol::record::Record;
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::io::stdin;
 
 /// Records of one device, mounted again for each, and what they show.
 #[derive(Serialize, JsonSchema)]
@@ -69,15 +69,11 @@ impl Mountings {
 
 /// Asks for something to be done by hand; a line on standard input says that it is.
 pub(super) fn wait_for(what: &str) -> Result<()> {
-    eprintln!("{what}; then press Enter.");
-    let mut line = String::new();
-    match stdin().read_line(&mut line) {
-        Ok(1..) => Ok(()),
-        Ok(0) | Err(_) => Err(Error::usage(
-            "nobody says that it is done: what was measured is kept",
-            "measure the next with `calib run`; `calib certificate RECORD --remounted RECORD,...` names all mountings",
-        )),
-    }
+    let left = Error::usage(
+        "nobody says that it is done: what was measured is kept",
+        "measure the next with `calib run`; `calib certificate RECORD --remounted RECORD,...` names all mountings",
+    );
+    done_by_hand(&format!("{what}; then press Enter."), left)
 }
 
 /// The scatter as a table, and how a certificate is made of all.

@@ -3,7 +3,6 @@
 use crate::command_line::{calib, text};
 use crate::logbook::{later, logbook};
 use calib_logbook::{Filter, Issue, Logbook, Sensor, waiting};
-use calib_protocol::frame::CRC;
 use calib_protocol::record::{decode, digest};
 use calib_protocol::signature::DeviceKey;
 use calib_record::sample;
@@ -160,11 +159,9 @@ fn device_key(seed: &[u8; 32]) -> DeviceKey {
 fn forgeries() -> [(Vec<u8>, &'static str); 4] {
     let [own, other] = &SEEDS;
     let mut altered = signed_record(4, 1.0, own);
-    let end = altered.len() - 4;
     let at = altered.windows(3).position(|bytes| bytes == b"S-1");
     altered[at.expect("its sensor")] ^= 1;
-    let checksum = CRC.checksum(&altered[..end]).to_le_bytes();
-    altered[end..].copy_from_slice(&checksum);
+    sample::mend(&mut altered);
     [
         (altered, "does not fit"),
         (later(4, "S-1", 0, 1.05), "is not signed"),

@@ -2,9 +2,9 @@
 
 use calib_link::{Error, session};
 use calib_logbook::{Kept, Logbook};
-use calib_protocol::frame::CRC;
 use calib_protocol::message::Refusal;
 use calib_protocol::record;
+use calib_record::sample::mend;
 use calib_record::signature::{Signed, signed};
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::rig::Rig;
@@ -28,9 +28,7 @@ fn measured(bench: &mut Bench) -> Result<Vec<u8>, Fault> {
 fn altered(bytes: &[u8], at: usize) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     bytes[at] ^= 1;
-    let end = bytes.len() - 4;
-    let checksum = CRC.checksum(&bytes[..end]).to_le_bytes();
-    bytes[end..].copy_from_slice(&checksum);
+    mend(&mut bytes);
     bytes
 }
 
