@@ -3,6 +3,7 @@
 //! Every verb is one file of `src/cli/`. Errors name the way out ([`Error`]).
 #![forbid(unsafe_code)]
 
+pub mod about_sensor;
 pub mod assurance;
 pub mod demo;
 mod device;

@@ -1,7 +1,7 @@
 //! Why a point was refused, and what to do about it: the one table that the tool, the page and
 //! docs/troubleshooting.md share. The names are those of [`Reason`], the words its own.
 
-use calib_certificate::REASONS;
+use calib_certificate::{Language, REASONS};
 use calib_core::control::limits::check_level;
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::settings::Settings;
@@ -27,9 +27,13 @@ pub struct Refused {
 
 impl Refused {
     fn new(reason: Reason) -> Self {
+        Self::in_words_of(Language::En, reason)
+    }
+
+    fn in_words_of(language: Language, reason: Reason) -> Self {
         Self {
             reason: code(&reason),
-            reason_text: reason.to_string(),
+            reason_text: language.word(&format!("reason.{reason:?}")).to_owned(),
             remedy: remedy(reason),
             frequencies_hz: Vec::new(),
         }
@@ -114,9 +118,11 @@ pub fn remedy(reason: Reason) -> &'static str {
     }
 }
 
-/// The whole table, for the page and the docs.
-pub fn table() -> Vec<Refused> {
-    REASONS.into_iter().map(Refused::new).collect()
+/// The whole table, for the page and the docs. The reasons are in the words of certificates of this language;
+/// the remedies are English.
+pub fn table(language: Language) -> Vec<Refused> {
+    let line = |reason| Refused::in_words_of(language, reason);
+    REASONS.into_iter().map(line).collect()
 }
 
 /// Refusals of a run by reason, in the order they came.
@@ -178,7 +184,7 @@ mod tests {
         let last = *REASONS.last().expect("reasons") as usize;
         assert_eq!(last + 1, REASONS.len());
         let docs = include_str!("../../docs/troubleshooting.md");
-        for line in table() {
+        for line in table(Language::En) {
             let row = format!(
                 "| `{}` | {} | {} |",
                 line.reason, line.reason_text, line.remedy

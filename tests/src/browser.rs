@@ -47,6 +47,29 @@ pub fn driver() -> Option<PathBuf> {
     driver
 }
 
+/// The script of axe-core, which `./run test` installs with the Python packages; `None`, after saying so, when
+/// it is not there. In CI that is a failure.
+pub fn axe() -> Option<PathBuf> {
+    let python = std::env::var_os("CALIB_PYTHON").map(PathBuf::from);
+    let library = python.and_then(|python| Some(python.parent()?.parent()?.join("lib")));
+    let versions = library
+        .into_iter()
+        .flat_map(std::fs::read_dir)
+        .flatten()
+        .flatten();
+    let script = versions
+        .map(|version| {
+            let packages = version.path().join("site-packages");
+            packages.join("axe_playwright_python/axe.min.js")
+        })
+        .find(|script| script.exists());
+    if script.is_none() {
+        assert!(std::env::var_os("CI").is_none(), "there is no axe-core");
+        println!("there is no axe-core: nobody looks whether the page can be used by everybody");
+    }
+    script
+}
+
 /// One browser with an empty profile; closed when it is dropped.
 pub struct Browser {
     runtime: Runtime,
@@ -116,6 +139,25 @@ impl Browser {
     pub fn protocol(&self, command: &str, parameters: Value) -> Result<Value, Fault> {
         let command = Protocol(json!({ "cmd": command, "params": parameters }));
         Ok(self.runtime.block_on(self.client.issue_cmd(command))?)
+    }
+
+    /// What is wrong on this page for those who use it by keyboard, by ear or with little sight: each rule of
+    /// axe-core that is broken, with the places.
+    ///
+    /// # Errors
+    /// axe-core, or the page, fails.
+    pub fn violations(&self, axe: &Path) -> Result<Vec<String>, Fault> {
+        let axe = std::fs::read_to_string(axe)?;
+        self.protocol("Runtime.evaluate", json!({ "expression": axe }))?;
+        let run = "axe.run(document).then((found) => found.violations.map((rule) => rule.id + ' (' + rule.impact + '): '
+            + rule.nodes.map((node) => node.target + ' ' + node.any.concat(node.all).map((one) => one.message)).join('; ')))";
+        let ran = self.protocol(
+            "Runtime.evaluate",
+            json!({ "expression": run, "awaitPromise": true, "returnByValue": true }),
+        )?;
+        let found = ran["result"]["value"].as_array();
+        let found = found.ok_or_else(|| format!("axe-core did not run: {ran}"))?;
+        Ok(found.iter().map(ToString::to_string).collect())
     }
 
     /// Opens an address.

@@ -9,17 +9,26 @@ use anyhow::Result;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+/// What is installed, and how: of the second list the packages alone, without the browsers they would drive.
+const LISTS: [(&str, &[&str]); 2] = [
+    ("requirements.txt", &[]),
+    ("requirements-alone.txt", &["--no-deps"]),
+];
+
 /// The interpreter tests are given, when one could be set up.
 pub(crate) fn interpreter() -> Result<Option<PathBuf>> {
     let folder = target_dir().join("python");
     let python = folder.join("bin").join("python3");
-    let list = root().join("tests").join("requirements.txt");
+    let lists = LISTS.map(|(name, arguments)| (root().join("tests").join(name), arguments));
     let stamp = folder.join("requirements.txt");
-    let wanted = std::fs::read(&list)?;
+    let mut wanted = Vec::new();
+    for (list, _) in &lists {
+        wanted.extend(std::fs::read(list)?);
+    }
     if std::fs::read(&stamp).is_ok_and(|have| have == wanted) {
         return Ok(Some(python));
     }
-    match install(&folder, &python, &list) {
+    match install(&folder, &python, &lists) {
         Ok(()) => {
             std::fs::write(&stamp, wanted)?;
             Ok(Some(python))
@@ -39,10 +48,14 @@ pub(crate) fn with(interpreter: &Path, packages: &str) -> Result<()> {
         .args(packages.split_whitespace()))
 }
 
-fn install(folder: &PathBuf, python: &PathBuf, list: &PathBuf) -> Result<()> {
+fn install(folder: &Path, python: &Path, lists: &[(PathBuf, &[&str])]) -> Result<()> {
     eprintln!("setting up the Python readers of the tests ...");
     run(Command::new("python3").args(["-m", "venv"]).arg(folder))?;
-    run(Command::new(python)
-        .args(["-m", "pip", "install", "--quiet", "--requirement"])
-        .arg(list))
+    for (list, arguments) in lists {
+        let mut pip = Command::new(python);
+        pip.args(["-m", "pip", "install", "--quiet"])
+            .args(*arguments);
+        run(pip.arg("--requirement").arg(list))?;
+    }
+    Ok(())
 }

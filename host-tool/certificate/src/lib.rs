@@ -84,7 +84,7 @@ pub use json::Document;
 pub use marks::Mark;
 pub use model::Certificate;
 pub use mountings::{MountingScatter, scatter as mounting_scatter};
-pub use particulars::{Known, Particulars};
+pub use particulars::{Adjustment, Known, Particulars};
 pub use present::Presented;
 pub use standing::digest;
 pub use substitution::{StandardPoint, Substituted, substitute};

@@ -284,7 +284,7 @@ impl Particulars {
             own.layout.check(path, columns)?;
             own.laboratory.check("laboratory", path)?;
             own.customer.check("customer", path)?;
-            own.plausible(path)?;
+            own.plausible(&path.display().to_string())?;
             // A laboratory may state its rule alone.
             let stated = own.decision.as_ref().filter(|request| !request.is_open());
             if let Some(Err(problem)) = stated.map(decision::Request::check) {
@@ -338,8 +338,12 @@ impl Particulars {
 }
 
 impl Particulars {
-    /// Conditions that can be: nobody calibrates at -300 degC or 400 % of humidity.
-    fn plausible(&self, path: &Path) -> Result<()> {
+    /// Checks that conditions can be: nobody calibrates at -300 degC or 400 % of humidity. `place` names
+    /// where they were stated.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with the item, its value and its range.
+    pub fn plausible(&self, place: &str) -> Result<()> {
         let (conditions, amplifier) = (&self.conditions, &self.amplifier);
         let ranges = [
             (
@@ -392,7 +396,7 @@ impl Particulars {
             {
                 let problem = format!("{item}: {value} is not between {least} and {most}");
                 let hint = "the unit is in the item's name";
-                return Err(Error::input(path.display().to_string(), problem, hint));
+                return Err(Error::input(place, problem, hint));
             }
         }
         Ok(())

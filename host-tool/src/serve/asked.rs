@@ -1,9 +1,11 @@
-//! Measurement a page asks for.
+//! What a page asks for: measurements, and sensors to be registered.
 
+use crate::about_sensor::{self, AboutSensor};
 use crate::{Error, Result};
 use calib_core::point::PointSpec;
 use calib_link::session::{self, label, temperature_centi_c};
 use calib_logbook::{Logbook, Sensor};
+use calib_metrology::teds;
 use calib_protocol::record::RunLabels;
 use serde::Deserialize;
 use std::path::Path;
@@ -82,6 +84,34 @@ impl Run {
             temperature_centi_c: temperature_centi_c("the temperature", self.temperature_c)?,
             mounting: label("mounting", &mounting)?,
         })
+    }
+}
+
+/// The body of `POST /api/sensors`.
+#[derive(Default, Deserialize)]
+#[serde(default)]
+pub(super) struct NewSensor {
+    serial: Option<String>,
+    /// Hexadecimal digits of a virtual TEDS.
+    teds: Option<String>,
+    #[serde(flatten)]
+    about: AboutSensor,
+}
+
+impl NewSensor {
+    /// Enters it in the logbook, which is made if there is none.
+    pub(super) fn register(self, logbook: &Path) -> Result<Sensor> {
+        let sensor = match (self.teds, self.serial) {
+            (Some(digits), serial) => {
+                let (read, bytes) = teds::parse("the TEDS", digits.into_bytes())?;
+                about_sensor::from_teds(&read, bytes, serial)
+            }
+            (None, Some(serial)) => about_sensor::of_serial(serial),
+            (None, None) => return Err(usage("a sensor has a serial number")),
+        };
+        let sensor = self.about.onto(sensor)?;
+        Logbook::open(logbook)?.add_sensor(&sensor)?;
+        Ok(sensor)
     }
 }
 

@@ -4,7 +4,9 @@
 use crate::{Error, Result, assurance, judged};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
-use calib_certificate::{self as certificate, Certificate, Format, Options, Particulars, Prepared};
+use calib_certificate::{
+    self as certificate, Adjustment, Certificate, Format, Language, Options, Particulars, Prepared,
+};
 use calib_logbook::{Issue, Logbook};
 use calib_protocol::record::{self, Record, RecordError};
 use serde::Deserialize;
@@ -19,6 +21,18 @@ const ALONE: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src '
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Stated {
+    /// Language of the page; that of a certificate where the laboratory's files state none.
+    pub language: Option<Language>,
+    /// For whom.
+    customer: String,
+    /// Ambient air temperature, degrees Celsius.
+    ambient_temperature_c: Option<f64>,
+    /// Relative humidity, %.
+    humidity_percent: Option<f64>,
+    /// Whether the object was adjusted.
+    adjustment: Option<Adjustment>,
+    /// Record of the logbook from before the adjustment.
+    as_found: Option<i64>,
     /// Day of issue, as 2026-11-22.
     issued: String,
     /// Who authorises it.
@@ -27,6 +41,16 @@ pub(super) struct Stated {
 
 impl Stated {
     fn complete(&self, particulars: &mut Particulars) -> Result<()> {
+        let (conditions, calibration) = (&mut particulars.conditions, &mut particulars.calibration);
+        let ambient = self.ambient_temperature_c;
+        conditions.ambient_temperature_c = ambient.or(conditions.ambient_temperature_c);
+        let humidity = self.humidity_percent;
+        conditions.humidity_percent = humidity.or(conditions.humidity_percent);
+        calibration.adjustment = self.adjustment.or(calibration.adjustment);
+        particulars.language = particulars.language.or(self.language);
+        if !self.customer.is_empty() {
+            particulars.customer.name = Some(self.customer.clone());
+        }
         if !self.issued.is_empty() {
             let day = self.issued.parse().map_err(|error: jiff::Error| {
                 Error::usage(format!("issued: {error}"), "a day is 2026-11-22")
@@ -36,7 +60,14 @@ impl Stated {
         if !self.approved_by.is_empty() {
             particulars.calibration.approved_by = Some(self.approved_by.clone());
         }
-        Ok(())
+        Ok(particulars.plausible("the page")?)
+    }
+
+    /// The record from before the adjustment.
+    fn found(&self, logbook: Option<&Logbook>) -> Result<Option<Record>> {
+        let pair = self.as_found.zip(logbook);
+        pair.map(|(id, logbook)| read(&logbook.record(id)?))
+            .transpose()
     }
 }
 
@@ -72,6 +103,7 @@ pub(super) fn certificate(
         particulars,
         chain: Some(judged::standing(&record.head, stored, logbook.as_ref())?),
         failed_checks: assurance::failed_checks(logbook.as_ref(), &record)?,
+        as_found: wanted.stated.found(logbook.as_ref())?,
         ..Options::default()
     };
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
@@ -92,14 +124,17 @@ pub(super) fn certificate(
 /// [`Error::Input`] when the record is damaged, or the laboratory states nonsense.
 pub(super) fn judged(
     stored: &[u8],
+    stated: &Stated,
     particulars: &[PathBuf],
     logbook: &Path,
 ) -> Result<certificate::Document> {
     let record = read(stored)?;
     let logbook = Logbook::open_if_there(logbook)?;
     let labels = &record.head.labels;
-    let particulars = judged::particulars(particulars, labels, logbook.as_ref())?;
-    let language = particulars.language.unwrap_or_default();
+    let mut particulars = judged::particulars(particulars, labels, logbook.as_ref())?;
+    stated.complete(&mut particulars)?;
+    // What the page shows is in its language, whatever that of the laboratory's certificates is.
+    let language = stated.language.or(particulars.language).unwrap_or_default();
     let certificate = Certificate::from_record(&record, &particulars);
     Ok(certificate::Document::new(&certificate, language))
 }

@@ -8,11 +8,12 @@
 //! | `GET /api/waveforms` | the latest waveforms and spectra of both inputs |
 //! | `GET /api/devices`, `/api/sensors`, `/api/records` | ports; the logbook |
 //! | `GET /api/history/SERIAL` | drift of a sensor at 160 Hz |
-//! | `GET /api/refusals` | every reason of a refusal in words, and what to do |
+//! | `GET /api/refusals?language=de` | every reason of a refusal in words, and what to do |
 //! | `GET /api/judged` | results of the last run with the verdict; no certificate is issued |
 //! | `GET /api/certificate/html`, `/api/records/ID/certificate/html` | certificate of the last run, or of a record of the logbook, to look at |
-//! | `POST` there, and to the other formats | the same issued: entered in the logbook; both take `?issued=DAY&approved_by=NAME` |
+//! | `POST` there, and to the other formats | the same issued: entered in the logbook; both take what [`Stated`] names |
 //! | `POST /api/connect` | `{"device"}` |
+//! | `POST /api/sensors` | what `calib sensors add` takes, or `{"teds"}` in hexadecimal: registers a sensor |
 //! | `POST /api/run` | `{"sensor" or "dut_model", "dut_serial"; "operator", "mounting", "set_acceleration_rms_ms2", "temperature_c", "frequencies_hz"}` |
 //! | `POST /api/stop`, here and on the port for stops | `{"run"}`: silences the exciter, and waits until the calibrator says so |
 //!
@@ -20,7 +21,7 @@
 //! request that a browser says comes from another site is refused ([`super::access`]).
 
 use super::access::{Access, Caller};
-use super::asked::Run;
+use super::asked::{NewSensor, Run};
 use super::documents::{self, Stated, Wanted};
 use super::handle::{Handle, Order};
 use super::options::Options;
@@ -51,13 +52,16 @@ struct App {
 
 pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router {
     let devices = || async { said(&calib_link::port::list()) };
-    let refusals = || async { said(&refusals::table()) };
+    let refusals = |Query(stated): Query<Stated>| async move {
+        let language = stated.language.unwrap_or_default();
+        said(&refusals::table(language))
+    };
     assets::add(Router::new())
         .route("/api/state", get(state))
         .route("/api/live", get(channel))
         .route("/api/waveforms", get(waveforms))
         .route("/api/devices", get(devices))
-        .route("/api/sensors", get(sensors))
+        .route("/api/sensors", get(sensors).post(register))
         .route("/api/records", get(records))
         .route("/api/history/{serial}", get(history))
         .route("/api/certificate/{format}", get(view_last).post(issue_last))
@@ -183,6 +187,10 @@ async fn sensors(State(app): State<App>) -> Result<Response, Failure> {
     .await
 }
 
+async fn register(State(app): State<App>, Json(new): Json<NewSensor>) -> Result<Response, Failure> {
+    aside(move || Ok(said(&new.register(&app.options.logbook)?))).await
+}
+
 async fn records(State(app): State<App>) -> Result<Response, Failure> {
     aside(move || {
         let logbook = Logbook::open_if_there(&app.options.logbook)?;
@@ -254,12 +262,12 @@ async fn last_certificate(app: App, wanted: Wanted) -> Result<Response, Failure>
     .await
 }
 
-async fn judged(State(app): State<App>) -> Result<Response, Failure> {
+async fn judged(State(app): State<App>, Query(stated): Query<Stated>) -> Result<Response, Failure> {
     aside(move || match app.handle.shared.record() {
         Some(stored) => {
             let options = &app.options;
-            let judged = documents::judged(&stored, &options.particulars, &options.logbook)?;
-            Ok(said(&judged))
+            let (files, logbook) = (&options.particulars, &options.logbook);
+            Ok(said(&documents::judged(&stored, &stated, files, logbook)?))
         }
         None => Ok((StatusCode::NOT_FOUND, "no run has ended yet").into_response()),
     })

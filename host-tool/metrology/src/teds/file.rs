@@ -15,13 +15,16 @@ const MAX_BYTES: usize = 512;
 /// [`Error::File`]; [`Error::Input`] when it is no TEDS of an accelerometer.
 pub fn read(path: &Path) -> Result<(Accelerometer, Vec<u8>)> {
     let content = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-    let wrong = |problem: String| {
-        Error::input(
-            path.display().to_string(),
-            problem,
-            "enter the sensor with `calib sensors add`",
-        )
-    };
+    parse(&path.display().to_string(), content)
+}
+
+/// The same of what is at hand already; `place` names it in errors.
+///
+/// # Errors
+/// [`Error::Input`] when it is no TEDS of an accelerometer.
+pub fn parse(place: &str, content: Vec<u8>) -> Result<(Accelerometer, Vec<u8>)> {
+    let hint = "state the sensor itself instead";
+    let wrong = |problem: String| Error::input(place, problem, hint);
     let bytes = hexadecimal(&content).unwrap_or(content);
     if bytes.len() > MAX_BYTES {
         return Err(wrong(format!(

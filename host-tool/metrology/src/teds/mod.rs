@@ -18,5 +18,5 @@ mod file;
 mod template25;
 
 pub use error::TedsError;
-pub use file::read;
+pub use file::{parse, read};
 pub use template25::{Accelerometer, Basic, decode};

@@ -1,8 +1,7 @@
 //! `calib sensors`: devices under test, typed once.
 
 use crate::cli::Context;
-use calib_certificate::SensitivityUnit;
-use calib_certificate::decision::Tolerance;
+use calib_host::about_sensor::{self, AboutSensor};
 use calib_host::{Error, Result};
 use calib_logbook::Sensor;
 use calib_metrology::teds;
@@ -36,14 +35,14 @@ enum What {
         #[arg(long)]
         serial: String,
         #[command(flatten)]
-        about: About,
+        about: AboutSensor,
     },
     /// Changes what is stated; the rest stays.
     Change {
         /// Serial number.
         serial: String,
         #[command(flatten)]
-        about: About,
+        about: AboutSensor,
     },
     /// Removes a sensor; its records and certificates stay.
     Remove {
@@ -59,68 +58,8 @@ enum What {
         #[arg(long)]
         serial: Option<String>,
         #[command(flatten)]
-        about: About,
+        about: AboutSensor,
     },
-}
-
-/// Statements about a sensor.
-#[derive(Debug, Args)]
-struct About {
-    /// Manufacturer.
-    #[arg(long, value_name = "TEXT")]
-    manufacturer: Option<String>,
-    /// Model.
-    #[arg(long, value_name = "TEXT")]
-    model: Option<String>,
-    /// Nominal sensitivity, in the unit of --unit.
-    #[arg(long, value_name = "NUMBER")]
-    sensitivity: Option<f64>,
-    /// Unit its sensitivity is specified in: mV/(m/s2) or mV/g [default: mV/(m/s2)].
-    #[arg(long, value_name = "UNIT")]
-    unit: Option<SensitivityUnit>,
-    /// Tolerance it is judged by: percent of nominal, such as 5; 5:nominal:reference (at the
-    /// reference point alone), 10:reference:20-5000 (of the reference point, 20 Hz to 5 kHz),
-    /// 2:last (of its last calibration), -5/+10:nominal; several after commas; or api670.
-    #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
-    tolerance: Option<Tolerance>,
-    /// Measuring range, m/s2 peak.
-    #[arg(long, value_name = "MS2")]
-    range: Option<f64>,
-    /// Whether it has IEPE electronics.
-    #[arg(long, value_name = "true|false")]
-    iepe: Option<bool>,
-    /// How it is mounted for calibration.
-    #[arg(long, value_name = "TEXT")]
-    mounting: Option<String>,
-    /// Who it belongs to.
-    #[arg(long, value_name = "NAME")]
-    owner: Option<String>,
-    /// Day the next calibration is due, such as 2027-11-20.
-    #[arg(long, value_name = "DAY")]
-    due: Option<String>,
-}
-
-impl About {
-    /// The sensor with what is stated here in place of what it had.
-    fn onto(self, sensor: Sensor) -> Result<Sensor> {
-        let unit = self.unit.unwrap_or(sensor.unit()?);
-        Ok(Sensor {
-            unit: Some(unit.name().to_owned()),
-            tolerance: self.tolerance.map(|t| t.to_string()).or(sensor.tolerance),
-            manufacturer: self.manufacturer.unwrap_or(sensor.manufacturer),
-            model: self.model.unwrap_or(sensor.model),
-            sensitivity_v_per_ms2: self
-                .sensitivity
-                .map(|stated| unit.to_v_per_ms2(stated))
-                .or(sensor.sensitivity_v_per_ms2),
-            range_ms2: self.range.or(sensor.range_ms2),
-            iepe: self.iepe.or(sensor.iepe),
-            mounting: self.mounting.or(sensor.mounting),
-            owner: self.owner.or(sensor.owner),
-            due_day: self.due.or(sensor.due_day),
-            ..sensor
-        })
-    }
 }
 
 impl Sensors {
@@ -137,7 +76,7 @@ impl Sensors {
             }
             What::Show { serial } => logbook.known_sensor(&serial)?,
             What::Add { serial, about } => {
-                let sensor = about.onto(with_serial(serial))?;
+                let sensor = about.onto(about_sensor::of_serial(serial))?;
                 logbook.add_sensor(&sensor)?;
                 sensor
             }
@@ -153,37 +92,12 @@ impl Sensors {
                 about,
             } => {
                 let (read, bytes) = teds::read(&teds)?;
-                let sensor = about.onto(from_teds(&read, bytes, serial))?;
+                let sensor = about.onto(about_sensor::from_teds(&read, bytes, serial))?;
                 logbook.add_sensor(&sensor)?;
                 sensor
             }
         };
         context.print(&sensor, || text(&sensor))
-    }
-}
-
-fn with_serial(serial: String) -> Sensor {
-    Sensor {
-        serial,
-        ..Sensor::default()
-    }
-}
-
-/// Numbers of maker and model stay numbers: their lists are not public.
-fn from_teds(read: &teds::Accelerometer, bytes: Vec<u8>, serial: Option<String>) -> Sensor {
-    let basic = &read.basic;
-    Sensor {
-        manufacturer: format!("IEEE 1451.4 manufacturer {}", basic.manufacturer_id),
-        model: format!(
-            "{} {}{}",
-            basic.model_number, basic.version_letter, basic.version_number
-        ),
-        sensitivity_v_per_ms2: read.sensitivity_v_per_ms2,
-        // Template 25 is for constant current supply alone.
-        iepe: Some(true),
-        due_day: read.due().map(|day| day.to_string()),
-        teds: Some(bytes),
-        ..with_serial(serial.unwrap_or_else(|| basic.serial_number.to_string()))
     }
 }
 

@@ -1,4 +1,6 @@
 // One kind of chart: axes, a band, bars with marks, traces. Drawn to the width there is.
+import { figures } from "./words.js";
+
 const margin = { left: 52, right: 12, top: 8, bottom: 34 };
 
 function ticks(axis) {
@@ -21,8 +23,8 @@ function ticks(axis) {
 
 function words(axis, value) {
   if (axis.text) return axis.text(value);
-  if (axis.log) return value >= 1000 ? value / 1000 + "k" : value < 0.01 ? value.toExponential(0) : String(+value.toPrecision(3));
-  return String(+value.toPrecision(4)).replace("-", "−");
+  if (axis.log) return value >= 1000 ? value / 1000 + "k" : value < 0.01 ? value.toExponential(0) : figures(value, 3);
+  return figures(value, 4).replace("-", "−");
 }
 
 /** Draws into `svg`; `x` and `y` are `{min, max, log, label, text}`. A series is

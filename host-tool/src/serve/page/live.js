@@ -1,6 +1,7 @@
 // The page's one channel to the server, and stops, which take two ways at once: that channel and a port
 // that does nothing else.
 import { url } from "./server.js";
+import { say } from "./words.js";
 
 const confirmed_within_ms = 500, silence_ms = 4000, again_ms = 500;
 let socket = null, heard_at = 0, stops = 0, stop_port = 0;
@@ -60,7 +61,7 @@ async function by_own_port(run) {
 /** Stops; returns nothing once the calibrator has confirmed it, else why nobody knows that it is silent. */
 export async function stop(run) {
   const late = new Promise((_, reject) =>
-    setTimeout(() => reject(new Error("no confirmation within " + confirmed_within_ms + " ms")), confirmed_within_ms));
+    setTimeout(() => reject(new Error(say("no confirmation within {0} ms", confirmed_within_ms))), confirmed_within_ms));
   const ways = Promise.any([by_channel(run), by_own_port(run)])
     .catch((all) => { throw all.errors.find((error) => /run/.test(error.message)) || all.errors[0]; });
   try {

@@ -1,16 +1,21 @@
 // The running or last run: where it stands, its points, its certificate.
 import { around, chart } from "./chart.js";
 import { certificate } from "./server.js";
+import { decimals, figures, say } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
-const frequency = { log: true, label: "frequency, Hz" };
+const frequency = () => ({ log: true, label: say("frequency, Hz") });
 
-export function row(cells, name) {
+/** A line of a table; `heads` name the cells where a narrow screen makes a card of the line. */
+export function row(cells, name, heads) {
   const line = document.createElement("tr");
-  for (const cell of cells) {
+  line.setAttribute("role", "row");
+  for (const [at, cell] of cells.entries()) {
     const place = line.appendChild(document.createElement("td"));
+    place.setAttribute("role", "cell");
     if (cell instanceof Node) place.append(cell);
     else place.textContent = cell;
+    place.dataset.head = heads[at];
   }
   if (name) line.className = name;
   return line;
@@ -47,7 +52,7 @@ function advice(run, running) {
   const codes = run && !running ? [...new Set(run.points.filter((p) => !valid(p)).map((p) => p.reason))] : [];
   const lines = codes.filter((reason) => reasons.has(reason)).map((reason) => {
     const line = document.createElement("p"), { reason_text, remedy } = reasons.get(reason);
-    line.textContent = reason_text + ": " + remedy;
+    line.textContent = reason_text + ": " + say(remedy);
     return line;
   });
   $("advice").replaceChildren(...lines);
@@ -60,22 +65,22 @@ export const refused = (run) => run.points.filter((p) => !valid(p)).map((p) => p
 
 const failed = (state) => state === "fail" || state === "conditional_fail";
 
-const state_words = { settling: "settling", measuring: "measuring", idle: "starting" };
+const state_words = { settling: "settling point {0} of {1}", measuring: "measuring point {0} of {1}", idle: "starting point {0} of {1}" };
 const valid = (point) => point.state === "valid";
 
 function heading(run, running) {
-  if (!run) return "ready";
-  if (!running) return run.ended;
+  if (!run) return say("ready");
+  if (!running) return say(run.ended);
   const status = run.status;
-  if (!status) return "starting";
+  if (!status) return say("starting");
   const point = Math.min(status.point + 1, run.list.length);
-  return (state_words[status.state] || "storing") + " point " + point + " of " + run.list.length;
+  return say(state_words[status.state] || "storing point {0} of {1}", point, run.list.length);
 }
 
 function left(run, running) {
   if (!running || run.left_s === null) return "";
   const seconds = Math.round(run.left_s);
-  return seconds >= 90 ? Math.round(seconds / 60) + " min left" : seconds + " s left";
+  return seconds >= 90 ? say("{0} min left", Math.round(seconds / 60)) : say("{0} s left", seconds);
 }
 
 /** The big numbers: what the calibrator says now, and the last point that was measured; of a run that
@@ -83,12 +88,12 @@ function left(run, running) {
 function tiles(run, running) {
   const document = of(run), reference = document && document.reference;
   const status = running && run.status, last = reference || (run && run.points.filter(valid).at(-1));
-  $("tile-at").textContent = reference ? "at " + reference.frequency_hz + " Hz" : "";
+  $("tile-at").textContent = reference ? say("at {0} Hz", figures(reference.frequency_hz, 5)) : "";
   const put = (id, value, digits) => {
-    $(id).textContent = value === undefined || value === false || value === null ? "–" : value.toFixed(digits);
+    $(id).textContent = value === undefined || value === false || value === null ? "–" : decimals(value, digits);
   };
   const working = status && status.frequency_hz > 0 ? status : null;
-  $("frequency").textContent = working ? String(+working.frequency_hz.toPrecision(5)) : "–";
+  $("frequency").textContent = working ? figures(working.frequency_hz, 5) : "–";
   put("target", working && working.set_acceleration_rms_ms2, 1);
   put("acceleration", working && working.acceleration_rms_ms2, 3);
   put("drive", working && working.drive_peak_v, 3);
@@ -99,11 +104,12 @@ function tiles(run, running) {
 }
 
 function table(run) {
+  const heads = ["Hz", "m/s²", "S, mV/(m/s²)", "U, %", say("phase, °"), say("settled, s"), ""];
   return (run ? run.points : []).map((p) => valid(p)
-    ? row([p.frequency_hz, p.acceleration_rms_ms2.toFixed(3), (1000 * p.sensitivity_v_per_ms2).toFixed(4),
-        (100 * p.expanded_uncertainty_rel).toFixed(2), p.phase_deg.toFixed(2), p.settling_s.toFixed(2),
-        stated(run, p).replaceAll("_", " ")], failed(stated(run, p)) ? "failed" : "")
-    : row([p.frequency_hz, "", "", "", "", "", "refused: " + in_words(p.reason)], "refused"));
+    ? row([figures(p.frequency_hz, 5), decimals(p.acceleration_rms_ms2, 3), decimals(1000 * p.sensitivity_v_per_ms2, 4),
+        decimals(100 * p.expanded_uncertainty_rel, 2), decimals(p.phase_deg, 2), decimals(p.settling_s, 2),
+        say(stated(run, p).replaceAll("_", " "))], failed(stated(run, p)) ? "failed" : "", heads)
+    : row([figures(p.frequency_hz, 5), "", "", "", "", "", say("refused: {0}", in_words(p.reason))], "refused", heads));
 }
 
 function certificates(run, running) {
@@ -111,7 +117,8 @@ function certificates(run, running) {
   $("certificates").hidden = !there;
   if (!there) return;
   const refused = run.points.filter((p) => !valid(p)).length;
-  $("judgement").textContent = run.points.length + " points, " + (refused ? refused + " refused" : "none refused");
+  $("judgement").textContent = refused ? say("{0} points, {1} refused", run.points.length, refused)
+    : say("{0} points, none refused", run.points.length);
   $("judgement").className = refused ? "exceeds" : "";
   const judged = of(run), verdict = judged && judged.verdict;
   $("verdict").hidden = !verdict;
@@ -120,7 +127,7 @@ function certificates(run, running) {
     $("verdict-title").textContent = verdict.title;
     $("verdict-because").textContent = verdict.because;
   }
-  $("kept").textContent = run.logbook_record === null ? "" : "kept in the logbook as record " + run.logbook_record;
+  $("kept").textContent = run.logbook_record === null ? "" : say("kept in the logbook as record {0}", run.logbook_record);
   for (const link of document.querySelectorAll("#certificates a")) {
     link.href = certificate("api/certificate/" + link.dataset.format);
   }
@@ -130,25 +137,26 @@ function certificates(run, running) {
 export function draw(run) {
   const points = (run ? run.points : []).filter(valid);
   const all = run && run.list.length ? run.list.map((p) => p.frequency_hz) : [20, 10000];
-  const x = { ...frequency, min: Math.min(...all) / 1.15, max: Math.max(...all) * 1.15 };
+  const x = { ...frequency(), min: Math.min(...all) / 1.15, max: Math.max(...all) * 1.15 };
   const reference = points.find((p) => p.frequency_hz === 160) || points[0];
   const marks = points.map((p) => {
     const ratio = p.sensitivity_v_per_ms2 / reference.sensitivity_v_per_ms2;
     const y = 100 * (ratio - 1), u = 100 * ratio * p.expanded_uncertainty_rel;
-    const title = p.frequency_hz + " Hz: S = " + (1000 * p.sensitivity_v_per_ms2).toFixed(4) + " mV/(m/s²), "
-      + y.toFixed(2) + " %, U = " + u.toFixed(2) + " %";
+    const title = figures(p.frequency_hz, 5) + " Hz: S = " + decimals(1000 * p.sensitivity_v_per_ms2, 4) + " mV/(m/s²), "
+      + decimals(y, 2) + " %, U = " + decimals(u, 2) + " %";
     return { x: p.frequency_hz, y, u, title, class: failed(stated(run, p)) ? "outside" : "" };
   });
   const top = 1.15 * Math.max(1, ...marks.map((m) => Math.abs(m.y) + m.u));
   chart($("plot"), x, { min: -top, max: top }, [{ kind: "marks", points: marks }]);
   const phases = points.map((p) => ({ x: p.frequency_hz, y: p.phase_deg, u: p.expanded_uncertainty_phase_deg,
-    title: p.frequency_hz + " Hz: " + p.phase_deg.toFixed(2) + "°" }));
+    title: figures(p.frequency_hz, 5) + " Hz: " + decimals(p.phase_deg, 2) + "°" }));
   const ends = phases.flatMap((p) => [p.y - p.u, p.y + p.u]);
   chart($("phase-plot"), x, around(ends.length ? ends : [0], 2), [{ kind: "marks", points: phases }]);
 }
 
 export function show(run) {
   const running = Boolean(run && run.running);
+  document.body.classList.toggle("measured", Boolean(run));
   document.body.classList.toggle("running", running);
   $("state").textContent = heading(run, running);
   $("state").dataset.state = running ? "running" : "idle";
@@ -156,6 +164,7 @@ export function show(run) {
   $("progress").value = run ? run.fraction : 0;
   tiles(run, running);
   $("points").replaceChildren(...table(run));
+  $("no-points").hidden = Boolean(run && run.points.length);
   certificates(run, running);
   advice(run, running);
   draw(run);

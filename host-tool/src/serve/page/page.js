@@ -2,8 +2,10 @@
 import * as live from "./live.js";
 import * as measurement from "./measurement.js";
 import { show_records } from "./records.js";
-import { load, post, save } from "./server.js";
+import { show_sensors, take_sensors } from "./sensors.js";
+import { certificate, load, load_at, post, save, stated } from "./server.js";
 import * as waveforms from "./waveforms.js";
+import { choose, current, say as word, translate } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
 let last = null, ended = "", refusal = "", answers = true;
@@ -11,19 +13,23 @@ let last = null, ended = "", refusal = "", answers = true;
 function say() {
   const lost = !answers ? "the server does not answer; it is being tried again. STOP cannot reach it: use the button on the instrument"
     : last && last.link === "lost" ? "STOP reaches the calibrator when the link is back: until then use the button on the instrument" : "";
-  const problem = [refusal, last && last.trouble, lost].filter(Boolean).join(". ");
+  const problem = [refusal, last && last.trouble, lost].filter(Boolean).map((text) => word(text)).join(". ");
   $("trouble").textContent = problem;
   $("trouble").hidden = !problem;
 }
 
-async function ask(path, body) {
-  refusal = await post(path, body);
+function refuse(why) {
+  refusal = why;
   say();
+}
+
+async function ask(path, body) {
+  refuse(await post(path, body));
 }
 
 /** Silence was asked for and nobody can say that it is there: nothing else matters on the screen. */
 function alarm(why) {
-  $("alarm-why").textContent = why;
+  $("alarm-why").textContent = word(why);
   $("alarm").hidden = !why;
   if (why) $("alarm-stop").focus();
 }
@@ -48,8 +54,7 @@ document.addEventListener("click", async (event) => {
   const link = event.target.closest("a[download]");
   if (!link || !link.href.startsWith(location.origin)) return;
   event.preventDefault();
-  refusal = await save(link);
-  say();
+  refuse(await save(link));
 });
 $("connect").addEventListener("submit", (event) => {
   event.preventDefault();
@@ -58,7 +63,8 @@ $("connect").addEventListener("submit", (event) => {
 
 function frequencies() {
   const chosen = $("list").value === "typed" ? $("frequencies").value : $("list").value;
-  return chosen.split(/[\s;,]+/).filter(Boolean).map(Number);
+  const plain = current() === "de" ? chosen.replaceAll(",", ".") : chosen;
+  return plain.split(/[\s;,]+/).filter(Boolean).map(Number);
 }
 
 /** Measures these frequencies; the rest as the form says. */
@@ -88,12 +94,29 @@ $("list").addEventListener("change", () => {
   $("typed-points").hidden = $("list").value !== "typed";
   $("frequencies").required = $("list").value === "typed";
 });
-for (const stated of ["issued", "approved_by"]) {
-  $(stated).addEventListener("change", () => {
+$("adjustment").addEventListener("change", () => {
+  $("found-before").hidden = $("adjustment").value !== "as_left";
+  if ($("found-before").hidden) $("as_found").value = "";
+});
+// What is stated on certificates is part of their addresses.
+for (const id of stated) {
+  $(id).addEventListener("change", () => {
     if (last) measurement.show(last.run);
     show_records();
   });
 }
+$("enlarge").addEventListener("click", () => {
+  const large = document.body.classList.toggle("large");
+  $("enlarge").setAttribute("aria-pressed", large);
+  redraw();
+});
+$("language").addEventListener("change", async () => {
+  choose($("language").value);
+  await show_lists();
+  if (!last) return;
+  show(last);
+  if (last.run && !last.run.running) judge(last.run.number);
+});
 const redraw = () => {
   if (last) measurement.draw(last.run);
   waveforms.draw();
@@ -101,14 +124,13 @@ const redraw = () => {
 addEventListener("resize", redraw);
 
 function show(view) {
-  const links = { none: view.device ? "no link to " + view.device : "not connected",
-    connected: "connected to " + view.device, lost: "link lost to " + view.device };
-  $("link").textContent = links[view.link];
+  const links = { none: view.device ? "no link to {0}" : "not connected", connected: "connected to {0}", lost: "link lost to {0}" };
+  $("link").textContent = word(links[view.link], view.device);
   $("link").dataset.link = view.link;
   $("info").textContent = view.info
-    ? "calibrator " + view.info.instrument_serial + ", firmware " + view.info.firmware_version : "";
+    ? word("calibrator {0}, firmware {1}", view.info.instrument_serial, view.info.firmware_version) : "";
   const defects = view.info ? view.info.defect_texts : [];
-  $("degraded").textContent = defects.length ? "Degraded, measures nothing: " + defects.join("; ") : "";
+  $("degraded").textContent = defects.length ? word("Degraded, measures nothing: {0}", defects.map((text) => word(text)).join("; ")) : "";
   $("degraded").hidden = !defects.length;
   if (!$("device").value) $("device").value = view.device;
   const running = Boolean(view.run && view.run.running);
@@ -121,21 +143,32 @@ function show(view) {
 
 /** The verdict is made in one place, by the server, once the record is there. */
 async function judge(number) {
-  const judged = await load("api/judged");
+  const judged = await load_at(certificate("api/judged"));
   if (last && last.run && last.run.number === number) measurement.judge(number, judged, last.run);
 }
 
-async function fill() {
-  measurement.know(await load("api/refusals"));
-  for (const port of (await load("api/devices")) || []) {
-    $("devices").appendChild(document.createElement("option")).value = port.name;
-  }
-  for (const sensor of (await load("api/sensors")) || []) {
-    $("sensor").add(new Option([sensor.serial, sensor.manufacturer, sensor.model].filter(Boolean).join(" "), sensor.serial));
-  }
+/** What the server has in words of the page's language, and lists with words of the page. */
+async function show_lists() {
+  measurement.know(await load_at(certificate("api/refusals")));
+  show_sensors();
   show_records();
 }
 
+async function fill() {
+  const ports = (await load("api/devices")) || [];
+  for (const port of ports) {
+    const option = $("devices").appendChild(document.createElement("option"));
+    option.value = port.name;
+    option.label = port.description;
+  }
+  // The likely ones come first.
+  if (ports.length && ports[0].likely && !$("device").value) $("device").value = ports[0].name;
+  show_lists();
+}
+
+translate();
+$("language").value = current();
+take_sensors(refuse);
 live.listen((view) => {
   last = view;
   answers = true;
@@ -150,7 +183,7 @@ live.listen((view) => {
   }
 }, () => {
   answers = false;
-  $("link").textContent = "the server does not answer";
+  $("link").textContent = word("the server does not answer");
   $("link").dataset.link = "lost";
   say();
 });

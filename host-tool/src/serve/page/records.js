@@ -2,15 +2,16 @@
 import { around, chart } from "./chart.js";
 import { row } from "./measurement.js";
 import { certificate, load } from "./server.js";
+import { decimals, figures, say } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
-const fixed = (value, digits) => value === null ? "" : value.toFixed(digits);
+const fixed = (value, digits) => value === null ? "" : decimals(value, digits);
 
 function links(record) {
   const place = document.createElement("span");
   for (const format of ["html", "pdf", "dcc"]) {
     const link = place.appendChild(document.createElement("a"));
-    link.textContent = { html: "view", pdf: "PDF", dcc: "DCC" }[format];
+    link.textContent = { html: say("view"), pdf: "PDF", dcc: "DCC" }[format];
     link.href = certificate("api/records/" + record.logbook_record + "/certificate/" + format);
     if (format === "html") link.target = "_blank";
     else link.download = "";
@@ -19,22 +20,36 @@ function links(record) {
   return place;
 }
 
+const day = (record) => record.unix_time_s
+  ? new Date(1000 * record.unix_time_s).toISOString().slice(0, 16).replace("T", " ") + "Z" : say("not stated");
+
 function line(record) {
   const sensor = document.createElement("button");
-  sensor.textContent = record.dut_serial || "not stated";
+  sensor.textContent = record.dut_serial || say("not stated");
   sensor.addEventListener("click", () => show_history(record.dut_serial));
-  const day = record.unix_time_s ? new Date(1000 * record.unix_time_s).toISOString().slice(0, 16).replace("T", " ") + "Z" : "not stated";
-  const cells = row([day, sensor, fixed(record.sensitivity_v_per_ms2 && 1000 * record.sensitivity_v_per_ms2, 4),
-    fixed(record.expanded_uncertainty_rel && 100 * record.expanded_uncertainty_rel, 2), record.refused, links(record)]);
+  const cells = row([day(record), sensor, fixed(record.sensitivity_v_per_ms2 && 1000 * record.sensitivity_v_per_ms2, 4),
+    fixed(record.expanded_uncertainty_rel && 100 * record.expanded_uncertainty_rel, 2), record.refused, links(record)], "",
+  [say("measured"), say("sensor"), "S, mV/(m/s²)", "U, %", say("refused"), say("certificate")]);
   for (const place of [0, 1]) cells.children[place].className = "text";
   return cells;
+}
+
+/** Records of the sensor that was measured last: one of them was made before its adjustment. */
+function show_found(records) {
+  const [last] = records, before = records.filter((r) => r !== last && last.dut_serial && r.dut_serial === last.dut_serial);
+  const kept = $("as_found").value;
+  $("as_found").replaceChildren(new Option(say("not stated"), ""), ...before.map((r) => new Option(
+    say("record {0}, {1}", r.logbook_record, day(r)), r.logbook_record)));
+  $("as_found").value = before.some((r) => String(r.logbook_record) === kept) ? kept : "";
 }
 
 export async function show_records() {
   const wanted = $("search").value.trim().toLowerCase();
   const records = (await load("api/records")) || [];
+  show_found(records);
   const found = records.filter((r) => (r.dut_serial + " " + r.dut_model).toLowerCase().includes(wanted));
   $("records").replaceChildren(...found.slice(0, 50).map(line));
+  $("no-records").hidden = records.length > 0;
 }
 
 async function show_history(serial) {
@@ -43,16 +58,16 @@ async function show_history(serial) {
   $("history").hidden = !results.length;
   if (!results.length) return;
   const last = results.at(-1), year = (r) => 1970 + r.unix_time_s / 31557600;
-  const words = last.drift_rel === null ? "calibrated once"
-    : "last change " + (100 * last.drift_rel).toFixed(2) + " %" + " (U " + (100 * last.expanded_uncertainty_drift_rel).toFixed(2) + " %)"
-      + (last.e_n === null ? "" : ", E_n " + last.e_n.toFixed(2)) + (last.drift_exceeds_uncertainty ? ": changed" : "");
-  $("drift").textContent = serial + " at " + history.frequency_hz + " Hz: " + words;
+  const words = last.drift_rel === null ? say("calibrated once")
+    : say("last change {0} % (U {1} %)", decimals(100 * last.drift_rel, 2), decimals(100 * last.expanded_uncertainty_drift_rel, 2))
+      + (last.e_n === null ? "" : ", E_n " + decimals(last.e_n, 2)) + (last.drift_exceeds_uncertainty ? say(": changed") : "");
+  $("drift").textContent = say("{0} at {1} Hz: {2}", serial, figures(history.frequency_hz, 5), words);
   $("drift").className = last.drift_exceeds_uncertainty ? "exceeds" : "";
   const points = results.map((r) => ({ x: year(r), y: 1000 * r.sensitivity_v_per_ms2,
     u: 1000 * r.sensitivity_v_per_ms2 * r.expanded_uncertainty_rel, class: r.drift_exceeds_uncertainty ? "outside" : "",
-    title: new Date(1000 * r.unix_time_s).toISOString().slice(0, 10) + ": " + (1000 * r.sensitivity_v_per_ms2).toFixed(4) + " mV/(m/s²)" }));
-  const x = { ...around(points.map((p) => p.x), 0.2), label: "year; S in mV/(m/s²) with U", spacing: 60,
-    text: (value) => value.toFixed(points.at(-1).x - points[0].x > 3 ? 0 : 2) };
+    title: new Date(1000 * r.unix_time_s).toISOString().slice(0, 10) + ": " + decimals(1000 * r.sensitivity_v_per_ms2, 4) + " mV/(m/s²)" }));
+  const x = { ...around(points.map((p) => p.x), 0.2), label: say("day; S in mV/(m/s²) with U"), spacing: 80,
+    text: (value) => new Date(31557600000 * (value - 1970)).toISOString().slice(0, points.at(-1).x - points[0].x > 1 ? 7 : 10) };
   chart($("history-plot"), x, around(points.flatMap((p) => [p.y - p.u, p.y + p.u]), 0), [{ kind: "marks", points }]);
 }
 

@@ -1,12 +1,19 @@
 // Requests to the server that this page came from, with the token it was opened by.
+import { current, say } from "./words.js";
+
 const token = new URLSearchParams(location.search).get("token");
 export const url = (path) => path + (token ? "?token=" + encodeURIComponent(token) : "");
 
-/** Address of a certificate, with the day of issue and the name that the form states. */
+/** What the form states on certificates, by the names the server knows. */
+export const stated = ["customer", "ambient_temperature_c", "humidity_percent", "adjustment", "as_found", "issued", "approved_by"];
+
+/** Address of a certificate, or of results, with what the form states on it and the language of the page. The
+ *  record from before an adjustment belongs to the last run alone. */
 export function certificate(path) {
-  const stated = ["issued", "approved_by"].map((id) => [id, document.getElementById(id).value.trim()]);
-  const query = new URLSearchParams([["token", token], ...stated].filter(([, value]) => value)).toString();
-  return path + (query ? "?" + query : "");
+  const is_last = !path.startsWith("api/records");
+  const values = stated.filter((id) => is_last || id !== "as_found").map((id) => [id, document.getElementById(id).value.trim()]);
+  const query = new URLSearchParams([["token", token], ["language", current()], ...values].filter(([, value]) => value));
+  return path + "?" + query;
 }
 
 /** Sends JSON; returns what went wrong, or nothing. */
@@ -19,14 +26,19 @@ export async function post(path, body) {
     });
     return answer.ok ? "" : await answer.text();
   } catch (error) {
-    return "the server does not answer: " + error.message;
+    return say("the server does not answer: {0}", error.message);
   }
 }
 
 /** A JSON answer; nothing when there is none. */
 export async function load(path) {
+  return load_at(url(path));
+}
+
+/** The same from a whole address. */
+export async function load_at(address) {
   try {
-    const answer = await fetch(url(path));
+    const answer = await fetch(address);
     return answer.ok ? await answer.json() : null;
   } catch {
     return null;
@@ -46,6 +58,6 @@ export async function save(link) {
     setTimeout(() => URL.revokeObjectURL(file.href), 60000);
     return "";
   } catch (error) {
-    return "the server does not answer: " + error.message;
+    return say("the server does not answer: {0}", error.message);
   }
 }

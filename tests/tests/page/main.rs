@@ -1,6 +1,9 @@
 //! The page of `calib serve` in a browser, with the shipping image behind it.
 #![cfg(unix)]
 
+mod everybody;
+mod sensors;
+
 use calib_tests::bench::Fault;
 use calib_tests::browser::{Browser, Tab, driver};
 use calib_tests::live::Live;
@@ -124,13 +127,15 @@ fn a_calibration_from_the_first_look_to_the_certificate() -> Result<(), Fault> {
     // The transducer of this rig is 7 % below the nominal value that the laboratory wants within 5 %.
     page.wait_for_text("#verdict", "FAIL")?;
     page.wait_for_text("#points .failed", "160")?;
+    everybody::can_use_it(page)?;
     inputs_are_drawn(page)?;
     let measured = sensitivity_at_160(page)?;
     page.wait_for_text("#kept", "kept in the logbook as record 1")?;
     page.wait_for_text("#records", "D'1 ⚡")?;
     certificates_hold(&setup, measured)?;
     history_is_drawn(page)?;
-    fits_a_phone(&setup)
+    everybody::fits_a_phone(&setup)?;
+    everybody::speaks_german(&setup)
 }
 
 /// Waveforms and spectra of both inputs, as the last of them shows them.
@@ -217,37 +222,6 @@ fn history_is_drawn(page: &Browser) -> Result<(), Fault> {
         page.value("document.querySelectorAll('#history-plot .point').length")?,
         1
     );
-    Ok(())
-}
-
-/// On a phone nothing is wider than the screen, and STOP is under the thumb
-/// wherever the page is scrolled to.
-fn fits_a_phone(setup: &Setup) -> Result<(), Fault> {
-    let page = &setup.browser;
-    page.screen(360, 640, 2.0, true)?;
-    page.open(&setup.server.url)?;
-    page.wait_for_text("#state", "finished")?;
-    for part in ["documentElement", "getElementById('content')"] {
-        assert_eq!(
-            page.value(&format!("document.{part}.scrollWidth <= 360"))?,
-            true,
-            "{part}"
-        );
-    }
-    let stop_is_there =
-        "(() => { const r = document.getElementById('stop').getBoundingClientRect();
-        const at = document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2);
-        return at.closest('#stop') !== null && r.top >= 0 && r.bottom <= innerHeight
-            && r.height >= 48 && r.width >= 300; })()";
-    let height = page.value("document.getElementById('content').scrollHeight")?;
-    let height = height.as_u64().ok_or("no height")?;
-    assert!(height > 640, "there is something to scroll: {height}");
-    for place in [0, height / 2, height] {
-        page.value(&format!(
-            "document.getElementById('content').scrollTo(0, {place})"
-        ))?;
-        assert_eq!(page.value(stop_is_there)?, true, "scrolled to {place}");
-    }
     Ok(())
 }
 

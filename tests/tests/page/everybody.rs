@@ -1,0 +1,105 @@
+//! The page for everybody: by thumb, by keyboard, by ear, in German.
+
+use super::Setup;
+use calib_tests::bench::Fault;
+use calib_tests::browser::{Browser, axe};
+use serde_json::json;
+
+/// No rule of axe-core is broken, by day and by night.
+pub(crate) fn can_use_it(page: &Browser) -> Result<(), Fault> {
+    let Some(axe) = axe() else {
+        return Ok(());
+    };
+    for scheme in ["light", "dark"] {
+        let scheme = json!([{ "name": "prefers-color-scheme", "value": scheme }]);
+        page.protocol("Emulation.setEmulatedMedia", json!({ "features": scheme }))?;
+        let found = page.violations(&axe)?;
+        assert!(found.is_empty(), "{scheme}: {found:#?}");
+    }
+    page.protocol("Emulation.setEmulatedMedia", json!({ "features": [] }))?;
+    Ok(())
+}
+
+/// On a phone nothing is wider than the screen, and STOP is under the thumb
+/// wherever the page is scrolled to.
+pub(crate) fn fits_a_phone(setup: &Setup) -> Result<(), Fault> {
+    let page = &setup.browser;
+    page.screen(360, 640, 2.0, true)?;
+    page.open(&setup.server.url)?;
+    page.wait_for_text("#state", "finished")?;
+    for part in ["documentElement", "getElementById('content')"] {
+        assert_eq!(
+            page.value(&format!("document.{part}.scrollWidth <= 360"))?,
+            true,
+            "{part}"
+        );
+    }
+    let stop_is_there =
+        "(() => { const r = document.getElementById('stop').getBoundingClientRect();
+        const at = document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2);
+        return at.closest('#stop') !== null && r.top >= 0 && r.bottom <= innerHeight
+            && r.height >= 48 && r.width >= 300; })()";
+    let height = page.value("document.getElementById('content').scrollHeight")?;
+    let height = height.as_u64().ok_or("no height")?;
+    assert!(height > 640, "there is something to scroll: {height}");
+    for place in [0, height / 2, height] {
+        page.value(&format!(
+            "document.getElementById('content').scrollTo(0, {place})"
+        ))?;
+        assert_eq!(page.value(stop_is_there)?, true, "scrolled to {place}");
+    }
+    points_are_cards(page)?;
+    controls_are_large(page)?;
+    can_use_it(page)?;
+    page.screen(1280, 1000, 1.0, false)
+}
+
+/// Result above the form, each point with its verdict in sight, nothing to move sideways.
+fn points_are_cards(page: &Browser) -> Result<(), Fault> {
+    let top = |id| format!("document.getElementById('{id}').getBoundingClientRect().top");
+    let above = page.value(&format!("{} < {}", top("now"), top("run")))?;
+    assert_eq!(above, true, "the result is above the form");
+    let sideways = "[...document.querySelectorAll('.scroll')].filter((place) => place.scrollWidth > place.clientWidth).length";
+    assert_eq!(page.value(sideways)?, 0);
+    let cards = "[...document.querySelectorAll('#points tr')].map((card) => {
+        const verdict = card.lastElementChild.getBoundingClientRect(), all = card.getBoundingClientRect();
+        return verdict.width > 0 && verdict.left >= 0 && verdict.right <= innerWidth && verdict.top - all.top < 40; })";
+    assert_eq!(page.value(cards)?, json!([true, true, true]));
+    Ok(())
+}
+
+/// Whatever is touched is 44 px high at least (WCAG 2.2, 2.5.5).
+fn controls_are_large(page: &Browser) -> Result<(), Fault> {
+    let small = "[...document.querySelectorAll('button, input, select, summary, a')]
+        .filter((one) => one.checkVisibility() && one.getBoundingClientRect().height < 43.9)
+        .map((one) => one.outerHTML)";
+    assert_eq!(page.value(small)?, json!([]));
+    Ok(())
+}
+
+/// In the browser's language, and in the one that is chosen; numbers too.
+pub(crate) fn speaks_german(setup: &Setup) -> Result<(), Fault> {
+    let page = &setup.browser;
+    let agent = page.value("navigator.userAgent")?;
+    page.protocol(
+        "Emulation.setUserAgentOverride",
+        json!({ "userAgent": agent, "acceptLanguage": "de-DE" }),
+    )?;
+    page.open(&setup.server.url)?;
+    page.wait_for_text("#start", "Starten")?;
+    page.wait_for_text("#state", "fertig")?;
+    // The verdict comes from the server, and the laboratory's file states no language.
+    page.wait_for_text("#verdict", "NICHT ERFÜLLT")?;
+    page.wait_for_text("#points", "nicht erfüllt")?;
+    page.wait_for_text("#sensitivity", ",")?;
+    assert_eq!(page.value("document.documentElement.lang")?, "de");
+    can_use_it(page)?;
+    page.choose("#language", "en")?;
+    page.wait_for_text("#start", "Start")?;
+    page.wait_for_text("#verdict", "FAIL")?;
+    page.open(&setup.server.url)?;
+    page.wait_for_text("#state", "finished")?;
+    page.choose("#language", "de")?;
+    page.wait_for_text("#start", "Starten")?;
+    page.choose("#language", "en")
+}
