@@ -28,7 +28,7 @@ pub(crate) fn driver() -> Result<Option<PathBuf>> {
     }
 }
 
-/// `./run screenshots`: the pictures of the page in `docs/images`.
+/// `./run screenshots`: the pictures in `docs/images`.
 pub(crate) fn screenshots() -> Result<()> {
     let driver = driver()?.with_context(|| format!("screenshots need a browser: {INSTALL}"))?;
     let image = elf::build()?;

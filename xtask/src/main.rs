@@ -38,7 +38,7 @@ usage: ./run <command>
                     image inside; --check installs and uses it in an empty Debian
   brown-out         set the brown-out level of the board at the ST-LINK, once in its life
   hitl [ratio]      tests on the board at the ST-LINK, exciter unplugged; `hitl emulated` without one
-  screenshots       pictures of the page for docs/images (needs Chromium)
+  screenshots       every picture of docs/images, the moving one too (needs Chromium)
   size [BOARD]      flash and RAM used by the image
   setup             build everything and run nothing
 ";

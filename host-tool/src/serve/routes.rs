@@ -377,7 +377,8 @@ impl IntoResponse for Failure {
             }
             _ => StatusCode::INTERNAL_SERVER_ERROR,
         };
-        let hint = self.0.hint().unwrap_or_default();
-        (status, format!("{} {hint}", self.0)).into_response()
+        let hint = self.0.hint().filter(|hint| !hint.is_empty());
+        let hint = hint.map_or(String::new(), |hint| format!(": {hint}"));
+        (status, format!("{}{hint}", self.0)).into_response()
     }
 }
