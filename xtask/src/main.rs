@@ -20,6 +20,7 @@ mod python;
 mod shell;
 mod test;
 mod tshark;
+mod xmlsec;
 
 use anyhow::{Result, bail};
 

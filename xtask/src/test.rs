@@ -1,7 +1,7 @@
 //! Every test there is, in the order that fails soonest.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{browser, demo, deny, elf, ngspice, no_panic, python, tshark};
+use crate::{browser, demo, deny, elf, ngspice, no_panic, python, tshark, xmlsec};
 use anyhow::{Context, Result, bail};
 
 /// Format, lints, images, tool, tests. With a filter: only tests of that name.
@@ -35,6 +35,9 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     }
     if let Some(ngspice) = ngspice::program()? {
         tests.env("CALIB_NGSPICE", ngspice);
+    }
+    if let Some(xmlsec) = xmlsec::program()? {
+        tests.env("CALIB_XMLSEC1", xmlsec);
     }
     if let Some(driver) = browser::driver()? {
         tests.env("CALIB_CHROMEDRIVER", driver);

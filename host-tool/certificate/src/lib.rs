@@ -93,10 +93,13 @@ pub use units::SensitivityUnit;
 pub use verdict::Verdict;
 pub use words::{Language, REASONS};
 
-use calib_files::{Result, set};
+use calib_files::{Error, Result, set};
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
+use calib_signing::{Kind, LaboratoryKey};
+use jiff::Timestamp;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A form of the certificate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -174,6 +177,27 @@ pub struct Options {
     pub remounted: Vec<Record>,
     /// Check standards that speak against it: without an override in writing it is refused.
     pub failed_checks: Vec<FailedCheck>,
+    /// What PDF and DCC are signed with.
+    pub seal: Option<Seal>,
+}
+
+/// The laboratory's key, and when it signs.
+#[derive(Clone, Debug)]
+pub struct Seal {
+    /// Key with its certificates.
+    pub key: Arc<LaboratoryKey>,
+    /// Time of the signature, as a PDF states it.
+    pub at: Timestamp,
+}
+
+impl Seal {
+    fn on(&self, kind: Kind, content: &[u8]) -> Result<Vec<u8>> {
+        let signed = calib_signing::sign(kind, content, &self.key, self.at);
+        signed.map_err(|problem| {
+            let hint = "sign without a [layout] template of your own; if that fails, report it";
+            Error::input("certificate", problem.to_string(), hint)
+        })
+    }
 }
 
 /// Writes the certificate of `record` in `formats` into `out_dir`.
@@ -233,11 +257,30 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
     }
     standing::attach(&mut certificate, record, options.chain);
     let language = options.particulars.language.unwrap_or_default();
+    let seal = |kind, content: Vec<u8>| match &options.seal {
+        Some(seal) => seal.on(kind, &content),
+        None => Ok(content),
+    };
+    // Made once: an elliptic curve signs the same thing differently each time, and the DCC within the PDF
+    // is the one beside it. Without date or country there is none, and the certificate says what is missing.
+    let dcc = match dcc::render(&certificate, language) {
+        Ok(dcc) => Some(seal(Kind::Dcc, dcc)?),
+        Err(_) => None,
+    };
     let file = |format: &Format| {
+        let content = match (format, &dcc) {
+            (Format::Dcc, Some(dcc)) => dcc.clone(),
+            (Format::Pdf, dcc) => {
+                let presented = Presented::new(&certificate, language);
+                let page = pdf::render(&certificate, &presented, dcc.as_deref())?;
+                seal(Kind::Pdf, page)?
+            }
+            (format, _) => render(&certificate, *format, language)?,
+        };
         Ok(File {
             format: *format,
             name: file_name(&certificate, *format),
-            content: render(&certificate, *format, language)?,
+            content,
         })
     };
     let files: Result<Vec<File>> = formats.iter().map(file).collect();
@@ -346,7 +389,8 @@ pub fn render(certificate: &Certificate, format: Format, language: Language) -> 
         Format::Pdf => pdf::render(
             certificate,
             &Presented::new(certificate, language),
-            language,
+            // Without date or country there is no DCC; the certificate says what is missing.
+            dcc::render(certificate, language).ok().as_deref(),
         ),
         Format::Uff => Ok(uff::render(certificate)),
     }

@@ -2,7 +2,6 @@
 
 use super::model::Certificate;
 use super::present::Presented;
-use super::words::Language;
 use calib_certificate_pdf::{File, printable};
 use calib_files::{Error, Result, text};
 use serde_json::{Value, json};
@@ -16,7 +15,8 @@ const MARKS: &str = "#set page(foreground: { let marks = json(\"certificate.json
     if marks.len() > 0 { rotate(-50deg, text(size: 74pt, weight: \"bold\", \
     fill: rgb(179, 38, 30, 45), marks.map(mark => mark.at(0)).join(linebreak()))) } })\n";
 
-/// The certificate as PDF/A-3b, by the laboratory's template or the built-in.
+/// The certificate as PDF/A-3b, by the laboratory's template or the built-in, with the DCC inside where there
+/// is one.
 ///
 /// One certificate always gives equal bytes: no clock is read, no font of the
 /// system is used.
@@ -27,15 +27,13 @@ const MARKS: &str = "#set page(foreground: { let marks = json(\"certificate.json
 pub(super) fn render(
     certificate: &Certificate,
     presented: &Presented,
-    language: Language,
+    dcc: Option<&[u8]>,
 ) -> Result<Vec<u8>> {
     let layout = &certificate.particulars.layout;
     let own = layout.template.as_deref();
     let template = own.map_or_else(|| Ok(TEMPLATE.to_owned()), read_text)?;
     let template = format!("{MARKS}{template}");
     let logo = layout.logo.as_deref().map(logo).transpose()?;
-    // Without date or country there is no DCC; the certificate says what is missing.
-    let dcc = super::dcc::render(certificate, language).ok();
     let data = data(
         certificate,
         presented,
@@ -61,7 +59,7 @@ pub(super) fn render(
     if let Some((name, bytes)) = &logo {
         files.push(File { name, bytes });
     }
-    if let Some(dcc) = &dcc {
+    if let Some(dcc) = dcc {
         files.push(File {
             name: "certificate.dcc.xml",
             bytes: dcc,

@@ -2,9 +2,13 @@
 
 use super::model::Certificate;
 use super::python::{python, shared};
-use super::{Format, Language, Particulars, render};
+use super::{Format, Language, Options, Particulars, Seal, prepare, render};
 use calib_core::verdict::{Reason, Verdict};
 use calib_record::sample::{THIRD_OCTAVES_HZ, record, text};
+use calib_signing::LaboratoryKey;
+use jiff::Timestamp;
+use std::path::Path;
+use std::sync::Arc;
 
 fn xml(certificate: &Certificate, language: Language) -> Vec<u8> {
     render(certificate, Format::Dcc, language).expect("renders")
@@ -35,7 +39,30 @@ fn variants() -> Vec<Vec<u8>> {
         xml(&of(&hostile, &bare), Language::En),
         xml(&of(&partly, &full), Language::En),
         xml(&of(&none, &full), Language::De),
+        signed(),
     ]
+}
+
+/// The key of a laboratory that does not exist.
+pub(super) fn seal() -> Seal {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../signing/test-keys/p256.p12");
+    let at = Timestamp::from_second(1_795_392_000).expect("23 November 2026");
+    let key = LaboratoryKey::open(&path, "test", at).expect("opens");
+    Seal {
+        key: Arc::new(key),
+        at,
+    }
+}
+
+fn signed() -> Vec<u8> {
+    let options = Options {
+        particulars: toml::from_str(FULL).expect("TOML"),
+        seal: Some(seal()),
+        ..Options::default()
+    };
+    let record = record(&THIRD_OCTAVES_HZ);
+    let prepared = prepare(&record, &[Format::Dcc], &options).expect("prepared");
+    prepared.files[0].content.clone()
 }
 
 /// Every item stated.

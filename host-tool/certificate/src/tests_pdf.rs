@@ -2,8 +2,8 @@
 
 use super::model::Certificate;
 use super::python::python;
-use super::tests_dcc::FULL;
-use super::{Format, Language, Particulars, render};
+use super::tests_dcc::{FULL, seal};
+use super::{Format, Language, Options, Particulars, prepare, render};
 use calib_record::sample::{THIRD_OCTAVES_HZ, record, text};
 use std::ffi::OsStr;
 
@@ -60,9 +60,30 @@ print(json.dumps({'pages': [p.extract_text() for p in pdf.pages],
 fn a_reader_of_others_finds_number_pages_fonts_and_the_same_dcc() {
     let certificate = Certificate::from_record(&record(&THIRD_OCTAVES_HZ), &full());
     let dcc = render(&certificate, Format::Dcc, Language::De).expect("renders");
+    let pdf = render(&certificate, Format::Pdf, Language::De).expect("renders");
+    is_read_by_others(&certificate, &pdf, &dcc);
+}
+
+/// A signature is appended: what was PDF/A stays so, and all that was there is found again.
+#[test]
+fn a_signed_one_is_read_like_any_other() {
+    let record = record(&THIRD_OCTAVES_HZ);
+    let certificate = Certificate::from_record(&record, &full());
+    let options = Options {
+        particulars: full(),
+        seal: Some(seal()),
+        ..Options::default()
+    };
+    let prepared = prepare(&record, &[Format::Pdf, Format::Dcc], &options).expect("prepared");
+    let [pdf, dcc] = &prepared.files[..] else {
+        panic!("two files");
+    };
+    is_read_by_others(&certificate, &pdf.content, &dcc.content);
+}
+
+fn is_read_by_others(certificate: &Certificate, pdf: &[u8], dcc: &[u8]) {
     let folder = tempfile::tempdir().expect("folder");
     let (path, attached) = (folder.path().join("c.pdf"), folder.path().join("dcc.xml"));
-    let pdf = render(&certificate, Format::Pdf, Language::De).expect("renders");
     std::fs::write(&path, pdf).expect("written");
     let arguments = [
         OsStr::new("-c"),

@@ -1,18 +1,21 @@
 //! `calib certificate RECORD`: the certificate of a downloaded or stored record.
 
+use super::laboratory_key::Password;
 use super::{Context, source, time};
 use calib_certificate::decision::Stated;
 use calib_certificate::{
-    self as certificate, Existing, Format, Language, Mark, Options, Prepared, Verdict,
+    self as certificate, Existing, Format, Language, Mark, Options, Prepared, Seal, Verdict,
 };
 use calib_host::{Error, Result, assurance, judged, terminal};
 use calib_logbook::{Issue, Logbook};
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
 use clap::Args;
+use jiff::Timestamp;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// `calib certificate RECORD`.
 #[derive(Debug, Args)]
@@ -55,6 +58,11 @@ pub(crate) struct CertificateVerb {
     /// Refuses a certificate that is not complete, instead of marking it DRAFT.
     #[arg(long)]
     strict: bool,
+    /// Signs PDF and DCC with the laboratory's key, a PKCS#12 file.
+    #[arg(long, value_name = "FILE")]
+    sign: Option<PathBuf>,
+    #[command(flatten)]
+    password: Password,
     /// Writes the built-in page as certificate.typ into a directory, to begin one's
     /// own with, and no certificate.
     #[arg(
@@ -101,6 +109,7 @@ impl CertificateVerb {
             chain: Some(found.standing),
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
             remounted: self.remounted(context)?,
+            seal: self.seal()?,
             ..self.options(record, logbook.as_ref())?
         };
         let formats = match self.format.is_empty() {
@@ -137,6 +146,15 @@ impl CertificateVerb {
         }
         print(context, files)?;
         passed(prepared.verdict.as_ref())
+    }
+
+    fn seal(&self) -> Result<Option<Seal>> {
+        let Some(path) = &self.sign else {
+            return Ok(None);
+        };
+        let at = Timestamp::now();
+        let key = Arc::new(self.password.open(path, at)?);
+        Ok(Some(Seal { key, at }))
     }
 
     fn remounted(&self, context: &Context) -> Result<Vec<Record>> {

@@ -58,14 +58,21 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                 "verify",
                 [
                     "verify record-00012.calibrec",
-                    "verify record-00012.calibrec --json",
+                    "verify certificate-17.pdf certificate-17.dcc.xml --certificate laboratory.pem",
+                ],
+            ),
+            (
+                "sign",
+                [
+                    "sign certificate-17.pdf certificate-17.dcc.xml --key laboratory.p12",
+                    "sign certificate-17.pdf --key laboratory.p12 --password-file password",
                 ],
             ),
             (
                 "certificate",
                 [
                     "certificate 12 --particulars job.toml",
-                    "certificate --sensor LW12345 --language de --format pdf",
+                    "certificate --sensor LW12345 --language de --sign laboratory.p12",
                 ],
             ),
             (

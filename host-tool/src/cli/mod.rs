@@ -23,6 +23,7 @@ mod help;
 mod identify;
 mod info;
 mod key;
+mod laboratory_key;
 mod linking;
 mod logbook;
 mod measure;
@@ -44,6 +45,7 @@ mod sensitivity;
 mod serve;
 mod settings;
 mod show;
+mod sign;
 mod source;
 mod stop;
 mod substitute;
@@ -125,8 +127,10 @@ pub(crate) enum Command {
     Download(download::Download),
     /// Draws a record in the terminal: S over f with U.
     Show(show::Show),
-    /// Says whether a record is as its instrument signed it.
+    /// Says what the signature of a record or a certificate proves.
     Verify(verify::Verify),
+    /// Signs certificates with the laboratory's key.
+    Sign(sign::Sign),
     /// Writes the certificate of a record.
     Certificate(certificate::CertificateVerb),
     /// An emulated calibrator that other programs use like hardware.
@@ -222,6 +226,7 @@ impl Command {
             Self::Completions(verb) => verb.run(context, help::described(Arguments::command())),
             Self::Man(verb) => verb.run(context, help::described(Arguments::command())),
             Self::Verify(verb) => verb.run(context),
+            Self::Sign(verb) => verb.run(context),
             Self::Version(verb) => verb.run(context),
             Self::Schema(verb) => verb.run(context),
         }

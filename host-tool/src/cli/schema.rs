@@ -6,8 +6,8 @@ use super::{
     Context, adjust, capture, certificate, completions, convert, download, emulate, gap, logbook,
 };
 use super::{
-    identify, key, linking, phase, predict, release, risk, run, sensitivity, serve, stop, verify,
-    version,
+    identify, key, linking, phase, predict, release, risk, run, sensitivity, serve, sign, stop,
+    verify, version,
 };
 use calib_certificate::Document;
 use calib_core::settings::Settings;
@@ -140,6 +140,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<Either<Document, ChangeView>>("show"),
         of::<stop::Stopped>("stop"),
         of::<Vec<verify::Verified>>("verify"),
+        of::<sign::Signed>("sign"),
         of::<version::Versions>("version"),
     ]
 }

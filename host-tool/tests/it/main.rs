@@ -21,3 +21,4 @@ mod refusals;
 mod run;
 mod schema;
 mod serve;
+mod signed;

@@ -1,0 +1,126 @@
+//! `calib verify FILE...`: what the signature of a record or a certificate proves.
+
+mod document;
+mod record;
+
+use super::{Context, key};
+use calib_host::{Error, Result};
+use calib_protocol::signature::PublicKey;
+use calib_signing::{Certificate, Kind};
+use clap::Args;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// `calib verify FILE...`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Nothing but the file and what is public is needed: no instrument and no logbook. Of a record that
+is the key of its instrument, which `calib key --json` prints; without --key the logbook is asked
+for it. Of a certificate, PDF or DCC, it is the certificate of the laboratory's key, or that of the
+authority that issued it.
+Exit code 7 where a file is not proven to be theirs: it is not signed, was altered, or nobody
+here knows its key.
+
+What a signature proves: no byte was altered since the owner of the key signed. What not: that
+it was measured well; that time, operator and sensor are true, which a host stated; and when it
+was signed, which the signer stated. docs/safety.md says more.")]
+pub(crate) struct Verify {
+    /// Downloaded records, certificates as PDF or DCC.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Public key of the instrument: 64 hexadecimal digits, spaces allowed.
+    #[arg(long, value_name = "DIGITS", value_parser = key::parse)]
+    key: Option<PublicKey>,
+    /// Certificate of the laboratory, or of the authority that issued it, PEM or DER; may be given again.
+    #[arg(long, value_name = "FILE")]
+    certificate: Vec<PathBuf>,
+}
+
+/// What is known of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Proof {
+    /// Every byte is as the key of its instrument or laboratory signed it.
+    Proven,
+    /// Every byte is as some key signed it, which nobody here knows.
+    KeyNotKnown,
+    /// Every byte is as a key signed it that is not the instrument's.
+    OtherKey,
+    /// Every byte is as a known key signed it, whose certificate was not in force.
+    NotInForce,
+    /// It carries no signature.
+    NotSigned,
+    /// It carries a signature that does not fit.
+    Altered,
+}
+
+/// What a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum What {
+    /// A record of an instrument.
+    Record,
+    /// A certificate as PDF.
+    Pdf,
+    /// A digital calibration certificate.
+    Dcc,
+}
+
+/// A file and what is known of it.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Verified {
+    file: PathBuf,
+    kind: What,
+    /// Of a record: its number.
+    record_id: Option<u32>,
+    /// Of a record: its instrument.
+    instrument_serial: Option<String>,
+    proof: Proof,
+    /// Public key it is signed by, in hexadecimal digits; of a certificate the subject of that key's certificate.
+    signed_by: Option<String>,
+    /// SHA-256 of the certificate it is signed with.
+    signer_certificate_sha256: Option<String>,
+    /// When it was signed, as the signer says, s since 1970-01-01 UTC.
+    signed_unix_time_s: Option<i64>,
+    /// The same in words.
+    words: String,
+}
+
+impl Verify {
+    /// Prints what is known of each file.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let known: Result<Vec<_>> = self.certificate.iter().map(|p| read(p)).collect();
+        let known = known?.concat();
+        let files = self.files.iter();
+        let verified = files.map(|file| self.verify(context, file, &known));
+        let verified: Vec<_> = verified.collect::<Result<_>>()?;
+        context.print(&verified, || verified.iter().map(Verified::text).collect())?;
+        let open = verified.iter().filter(|one| one.proof != Proof::Proven);
+        match open.count() {
+            0 => Ok(()),
+            count => Err(Error::NotPassed(format!(
+                "{count} of {} files are not proven to be what they say",
+                verified.len()
+            ))),
+        }
+    }
+
+    fn verify(&self, context: &Context, file: &Path, known: &[Certificate]) -> Result<Verified> {
+        let bytes = std::fs::read(file).map_err(|error| Error::file("read", file, error))?;
+        match Kind::of(&bytes) {
+            Some(kind) => Ok(document::verify(file, kind, &bytes, known)),
+            None => record::verify(context, file, &bytes, self.key),
+        }
+    }
+}
+
+fn read(path: &Path) -> Result<Vec<Certificate>> {
+    Ok(Certificate::read(path)?)
+}
+
+impl Verified {
+    fn text(&self) -> String {
+        format!("{}: {}\n", self.file.display(), self.words)
+    }
+}

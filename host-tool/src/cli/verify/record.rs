@@ -1,0 +1,75 @@
+//! A record, by the key of its instrument.
+
+use super::{Proof, Verified, What};
+use crate::cli::Context;
+use calib_host::{Error, Result};
+use calib_protocol::record;
+use calib_protocol::signature::PublicKey;
+use calib_record::signature::{Signed, short, signed};
+use std::path::Path;
+
+/// What is known of a record.
+pub(super) fn verify(
+    context: &Context,
+    file: &Path,
+    bytes: &[u8],
+    key: Option<PublicKey>,
+) -> Result<Verified> {
+    let unusable = |error: record::RecordError| {
+        let hint = "download it again with `calib download ID`";
+        Error::input(file.display().to_string(), error.to_string(), hint)
+    };
+    let link = record::link(bytes).map_err(unusable)?;
+    let serial = link.instrument_serial.as_str();
+    let known = match (key, context.logbook_if_there()) {
+        (Some(key), _) => Some(key),
+        (None, logbook) => match logbook? {
+            Some(logbook) => logbook.key(serial)?.map(|key| key.public),
+            None => None,
+        },
+    };
+    let signed = signed(bytes).map_err(unusable)?;
+    let proof = proof(signed, known);
+    let by = match signed {
+        Signed::By(key) => Some(key),
+        _ => None,
+    };
+    let words = words(proof, by.map(|key| short(&key)).unwrap_or_default());
+    Ok(Verified {
+        file: file.to_owned(),
+        kind: What::Record,
+        record_id: Some(link.id),
+        instrument_serial: Some(serial.to_owned()),
+        proof,
+        signed_by: by.map(|key| calib_output::hex(&key)),
+        signer_certificate_sha256: None,
+        signed_unix_time_s: None,
+        words: format!("record {} of {serial}: {words}", link.id),
+    })
+}
+
+fn proof(signed: Signed, known: Option<PublicKey>) -> Proof {
+    match (signed, known) {
+        (Signed::No, _) => Proof::NotSigned,
+        (Signed::Falsely, _) => Proof::Altered,
+        (Signed::By(_), None) => Proof::KeyNotKnown,
+        (Signed::By(key), Some(known)) if key == known => Proof::Proven,
+        (Signed::By(_), Some(_)) => Proof::OtherKey,
+    }
+}
+
+fn words(proof: Proof, key: String) -> String {
+    match proof {
+        Proof::Proven => {
+            format!("proven: every byte is as the instrument signed it, with its key {key}")
+        }
+        Proof::KeyNotKnown => format!(
+            "signed by the key {key}, which nobody here knows: compare it with the instrument's paper, \
+             then name it with --key"
+        ),
+        Proof::OtherKey => format!("NOT THE INSTRUMENT'S: signed by another key, {key}"),
+        Proof::NotSigned => "not signed: nothing is proven".to_owned(),
+        // A key without certificate is in force for ever.
+        Proof::Altered | Proof::NotInForce => "ALTERED: its signature does not fit".to_owned(),
+    }
+}

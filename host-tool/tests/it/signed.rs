@@ -1,0 +1,371 @@
+//! Certificates a laboratory signed, as verifiers see them that are not ours: pyHanko and xmlsec1.
+
+use crate::command_line::{schemas, text};
+use crate::python;
+use calib_output::conforms::check_output;
+use calib_record::sample;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const STEM: &str = "certificate-CAL-0042-000017";
+
+fn key(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("signing/test-keys")
+        .join(name)
+}
+
+fn calib(folder: &Path, password: &str, arguments: &[&str]) -> Output {
+    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
+        .args(arguments)
+        .current_dir(folder)
+        .env("NO_COLOR", "1")
+        .env("XDG_CONFIG_HOME", folder.join("config"))
+        .env("CALIB_LOGBOOK", folder.join("no-logbook.sqlite"))
+        .env("CALIB_KEY_PASSWORD", password)
+        .output()
+        .expect("calib starts");
+    if output.status.success() || arguments[0] == "verify" {
+        check_output(&schemas(), arguments, &output.stdout).expect("as in its schema");
+    }
+    output
+}
+
+/// A folder with a record, and what a DCC cannot be without.
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("folder");
+    let record = sample::bytes(&sample::record(&sample::THIRD_OCTAVES_HZ));
+    std::fs::write(folder.path().join("record.bin"), record).expect("written");
+    let house = "[laboratory]\ncountry = 'DE'\nname = 'Käse & Söhne'\n";
+    std::fs::write(folder.path().join("house.toml"), house).expect("written");
+    folder
+}
+
+/// PDF and DCC signed by this key as they were made.
+fn certificates(folder: &Path, name: &str) -> [PathBuf; 2] {
+    let key = key(name);
+    let arguments = [
+        "certificate",
+        "record.bin",
+        "--format",
+        "pdf,dcc",
+        "--particulars",
+        "house.toml",
+        "--sign",
+        key.to_str().expect("UTF-8"),
+    ];
+    let output = calib(folder, "test", &arguments);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    ["pdf", "dcc.xml"].map(|extension| folder.join(format!("{STEM}.{extension}")))
+}
+
+/// Verdict of pyHanko on a PDF and on copies of it with one bit turned; the DCC inside goes to a file.
+const PYHANKO: &str = "\
+import sys, io, json, logging, pypdf
+from pyhanko.keys import load_cert_from_pemder
+from pyhanko.pdf_utils.reader import PdfFileReader
+from pyhanko.sign.validation import validate_pdf_signature
+from pyhanko_certvalidator import ValidationContext
+logging.disable(logging.CRITICAL)
+pdf, root, turned, attached = sys.argv[1:]
+root = load_cert_from_pemder(root)
+def status(file):
+    reader = PdfFileReader(io.BytesIO(file))
+    signature, = reader.embedded_signatures
+    return signature, validate_pdf_signature(signature, ValidationContext(trust_roots=[root]))
+def accepts(file):
+    try:
+        return status(file)[1].bottom_line
+    except Exception:
+        return False
+whole = open(pdf, 'rb').read()
+signature, found = status(whole)
+open(attached, 'wb').write(pypdf.PdfReader(pdf).attachments['certificate.dcc.xml'][0])
+taken = []
+for bit in json.load(open(turned)):
+    altered = bytearray(whole)
+    altered[bit // 8] ^= 1 << bit % 8
+    if accepts(bytes(altered)):
+        taken.append(bit)
+print(json.dumps({'good': found.bottom_line, 'coverage': found.coverage.name,
+  'filter': str(signature.sig_object['/SubFilter']), 'signed': [a['type'].native for a in signature.signer_info['signed_attrs']],
+  'unchanged': accepts(whole), 'taken': taken}))
+";
+
+/// Bits of the file from its seed, `count` of them, outside of these bytes.
+fn bits(length: usize, count: usize, without: std::ops::Range<usize>) -> Vec<usize> {
+    let mut generator = ChaCha8Rng::seed_from_u64(18);
+    let any = std::iter::repeat_with(|| generator.next_u64() as usize % (8 * length));
+    any.filter(|bit| !without.contains(&(bit / 8)))
+        .take(count)
+        .collect()
+}
+
+/// The digits of the signature of a PDF, with their brackets.
+fn digits(pdf: &[u8]) -> std::ops::Range<usize> {
+    let start = pdf
+        .windows(10)
+        .rposition(|found| found == b"/Contents<")
+        .expect("signed")
+        + 9;
+    let end = pdf[start..]
+        .iter()
+        .position(|byte| *byte == b'>')
+        .expect("end");
+    start..start + end + 1
+}
+
+fn proof(folder: &Path, file: &Path, certificate: Option<&str>) -> (Option<i32>, String) {
+    let certificate = certificate.map(key);
+    let mut arguments = vec!["verify", file.to_str().expect("UTF-8"), "--json"];
+    if let Some(certificate) = &certificate {
+        arguments.extend(["--certificate", certificate.to_str().expect("UTF-8")]);
+    }
+    let output = calib(folder, "", &arguments);
+    let said: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let proof = said[0]["proof"].as_str().expect("a proof").to_owned();
+    (output.status.code(), proof)
+}
+
+/// Each key: pyHanko takes the PDF as valid and whole, and none of 150 copies with one bit turned.
+#[test]
+fn pyhanko_takes_a_signed_pdf_and_no_altered_one() {
+    for (name, root) in [
+        ("p256.p12", "p256.pem"),
+        ("rsa.p12", "rsa.pem"),
+        ("issued.p12", "authority.pem"),
+    ] {
+        let folder = folder();
+        let [pdf, dcc] = certificates(folder.path(), name);
+        let (turned, attached) = (folder.path().join("bits"), folder.path().join("inside.xml"));
+        let whole = std::fs::read(&pdf).expect("PDF");
+        let bits = bits(whole.len(), 150, digits(&whole));
+        std::fs::write(&turned, serde_json::to_vec(&bits).expect("JSON")).expect("written");
+        let Some(output) = python::run(PYHANKO, &[&pdf, &key(root), &turned, &attached]) else {
+            return;
+        };
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let found: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!(found["good"], true, "{name}: {found}");
+        assert_eq!(found["coverage"], "ENTIRE_FILE");
+        assert_eq!(found["filter"], "/ETSI.CAdES.detached");
+        let signed = ["content_type", "message_digest", "signing_certificate_v2"];
+        assert_eq!(found["signed"], serde_json::json!(signed));
+        assert_eq!(found["taken"], serde_json::json!([]), "{name}");
+        // The DCC inside is the signed one beside it.
+        let inside = std::fs::read(attached).expect("attached");
+        assert!(inside == std::fs::read(dcc).expect("DCC"), "{name}");
+    }
+}
+
+/// xmlsec1's verdict; `None`, after saying so, where it is not installed. In CI that is a failure.
+fn xmlsec(root: &str, file: &Path) -> Option<bool> {
+    let Some(program) = std::env::var_os("CALIB_XMLSEC1") else {
+        assert!(std::env::var_os("CI").is_none(), "CALIB_XMLSEC1 is not set");
+        println!("CALIB_XMLSEC1 is not set: not verified by another program");
+        return None;
+    };
+    let output = Command::new(program)
+        .args(["--verify", "--enabled-key-data", "x509", "--trusted-pem"])
+        .args([&key(root), file])
+        .output()
+        .expect("xmlsec1 starts");
+    Some(output.status.success())
+}
+
+/// Bits of a signed DCC that its signature is over: every byte of what the object is, and others anywhere.
+fn signed_bits(dcc: &str) -> Vec<usize> {
+    let place = |what: &str| dcc.find(what).expect(what);
+    let items = place("<dcc:items>")..place("</dcc:items>");
+    let every_byte = items.map(|byte| 8 * byte + byte % 8);
+    let root = place("<dcc:digital");
+    let stated = place("<ds:SignedInfo>")..place("</ds:SignedInfo>");
+    let value = stated.end..place("</ds:Signature>") + 1;
+    let covered = |bit: &usize| bit / 8 >= root && !value.contains(&(bit / 8));
+    let anywhere = bits(dcc.trim_end().len(), 300, 0..root);
+    let in_stated = stated.map(|byte| 8 * byte + byte % 7);
+    every_byte
+        .chain(anywhere)
+        .chain(in_stated)
+        .filter(covered)
+        .collect()
+}
+
+/// Each key: xmlsec1 takes the DCC, and none with one bit turned; no more does `calib verify`.
+#[test]
+fn xmlsec_takes_a_signed_dcc_and_no_altered_one() {
+    for (name, root, every) in [
+        ("p256.p12", "p256.pem", 1),
+        ("issued.p12", "authority.pem", 16),
+    ] {
+        let folder = folder();
+        let [_, path] = certificates(folder.path(), name);
+        let dcc = std::fs::read_to_string(&path).expect("DCC");
+        let known = calib_signing::Certificate::read(&key(root)).expect("certificate");
+        let altered_path = folder.path().join("altered.xml");
+        match xmlsec(root, &path) {
+            Some(taken) => assert!(taken, "{name}"),
+            None => return,
+        }
+        let bits = signed_bits(&dcc);
+        assert!(bits.len() > 1000, "{}", bits.len());
+        for bit in bits.into_iter().step_by(every) {
+            let mut altered = dcc.clone().into_bytes();
+            altered[bit / 8] ^= 1 << (bit % 8);
+            std::fs::write(&altered_path, &altered).expect("written");
+            assert_eq!(
+                xmlsec(root, &altered_path),
+                Some(false),
+                "{name}: bit {bit}"
+            );
+            let ours = calib_signing::verify(calib_signing::Kind::Dcc, &altered);
+            let now = jiff::Timestamp::now();
+            assert!(
+                !ours.is_ok_and(|one| one.is_of(&known, now)),
+                "{name}: bit {bit}"
+            );
+        }
+    }
+}
+
+/// What the tool itself says, without another program: of the certificate, of none, of another, and of what was
+/// altered, added to, cut off or never signed.
+#[test]
+fn the_tool_says_what_is_proven_and_what_is_not() {
+    let folder = folder();
+    let at = folder.path();
+    let files = certificates(at, "issued.p12");
+    for file in &files {
+        let of = |certificate| proof(at, file, certificate);
+        assert_eq!(of(Some("authority.pem")), (Some(0), "proven".into()));
+        assert_eq!(of(None), (Some(7), "key_not_known".into()));
+        assert_eq!(of(Some("p256.pem")), (Some(7), "key_not_known".into()));
+        let whole = std::fs::read(file).expect("file");
+        let altered = at.join("altered");
+        let half = whole.len() / 2;
+        let more = [&whole[..], b"\n% more"].concat();
+        for (content, is_pdf) in [
+            (&whole[..half], true),
+            (&more, true),
+            (&whole[..half], false),
+        ] {
+            std::fs::write(&altered, content).expect("written");
+            let (code, proof) = proof(at, &altered, Some("authority.pem"));
+            assert!(code == Some(7) && proof != "proven", "{proof} {is_pdf}");
+        }
+        for bit in bits(whole.len(), 20, 0..60) {
+            let mut turned = whole.clone();
+            turned[bit / 8] ^= 1 << (bit % 8);
+            std::fs::write(&altered, turned).expect("written");
+            let (code, proof) = proof(at, &altered, Some("authority.pem"));
+            assert!(code == Some(7) && proof != "proven", "bit {bit}: {proof}");
+        }
+    }
+    let words = calib(at, "", &["verify", files[0].to_str().expect("UTF-8")]);
+    let words = text(&words.stdout);
+    assert!(
+        words.contains("nobody here knows") && words.contains("SHA-256"),
+        "{words}"
+    );
+}
+
+/// Both kinds as they are given out today, signed afterwards, once.
+#[test]
+fn what_was_issued_is_signed_afterwards_once() {
+    let folder = folder();
+    let at = folder.path();
+    let usual = ["certificate", "record.bin", "--format", "pdf,dcc,csv"];
+    let made = calib(
+        at,
+        "",
+        &[&usual[..], &["--particulars", "house.toml"]].concat(),
+    );
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    let (pdf, dcc) = (format!("{STEM}.pdf"), format!("{STEM}.dcc.xml"));
+    let key = key("p256.p12");
+    let key = key.to_str().expect("UTF-8");
+    let before = std::fs::read(at.join(&pdf)).expect("PDF");
+    let both = ["sign", &pdf, &dcc, "--key", key];
+    let signed = calib(at, "test", &both);
+    assert!(signed.status.success(), "{}", text(&signed.stderr));
+    assert!(
+        std::fs::read(at.join(&pdf)).expect("PDF") == before,
+        "stays"
+    );
+    let signed_pdf = at.join(format!("{STEM}.signed.pdf"));
+    // Appended: every byte of before is still there.
+    assert!(
+        std::fs::read(&signed_pdf)
+            .expect("signed")
+            .starts_with(&before)
+    );
+    for file in [signed_pdf, at.join(format!("{STEM}.signed.dcc.xml"))] {
+        assert_eq!(
+            proof(at, &file, Some("p256.pem")),
+            (Some(0), "proven".into())
+        );
+    }
+    assert_eq!(
+        proof(at, &at.join(&pdf), None),
+        (Some(7), "not_signed".into())
+    );
+    for (arguments, password, code, said) in [
+        (
+            ["sign", &format!("{STEM}.signed.pdf"), "--key", key],
+            "test",
+            6,
+            "signed already",
+        ),
+        (
+            ["sign", &format!("{STEM}.csv"), "--key", key],
+            "test",
+            6,
+            "neither PDF nor DCC",
+        ),
+        (["sign", &pdf, "--key", key], "wrong", 6, "password"),
+        (["sign", &pdf, "--key", "none.p12"], "test", 1, "none.p12"),
+    ] {
+        let refused = calib(at, password, &arguments);
+        assert_eq!(
+            refused.status.code(),
+            Some(code),
+            "{}",
+            text(&refused.stderr)
+        );
+        assert!(
+            text(&refused.stderr).contains(said),
+            "{}",
+            text(&refused.stderr)
+        );
+    }
+}
+
+/// The password comes from a file too; without one and without a terminal nobody is asked.
+#[test]
+fn a_password_is_never_an_argument() {
+    let folder = folder();
+    let at = folder.path();
+    std::fs::write(at.join("password"), "test\n").expect("written");
+    let key = key("rsa.p12");
+    let usual = ["certificate", "record.bin", "--format", "pdf"];
+    let sign = ["--sign", key.to_str().expect("UTF-8")];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_calib"));
+    let nobody = command.args(usual).args(sign).current_dir(at);
+    let nobody = nobody
+        .env("XDG_CONFIG_HOME", at)
+        .env_remove("CALIB_KEY_PASSWORD");
+    let nobody = nobody
+        .stdin(std::process::Stdio::null())
+        .output()
+        .expect("starts");
+    assert_eq!(nobody.status.code(), Some(2));
+    assert!(
+        text(&nobody.stderr).contains("--password-file"),
+        "{nobody:?}"
+    );
+    let file = ["--password-file", "password"];
+    let signed = calib(at, "wrong", &[&usual[..], &sign, &file].concat());
+    assert!(signed.status.success(), "{}", text(&signed.stderr));
+}
