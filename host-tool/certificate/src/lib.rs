@@ -20,6 +20,7 @@
 //! | `conformity` | judgement of the results by a decision rule |
 //! | `rounding` | two digits of U, the value to the same digit |
 //! | `present` | [`Certificate`] to strings in a language |
+//! | `square` | number, sum and where to verify, for a telephone |
 //! | `plot`, `band` | frequency response and tolerance as SVG |
 //! | `csv`, `json`, `html`, `pdf`, `dcc`, `uff` | one format each |
 //! | [`decision`] | tolerances, decision rules and their risks |
@@ -52,6 +53,7 @@ pub(crate) mod python;
 mod refused;
 pub mod rounding;
 mod sections;
+mod square;
 mod standing;
 mod stored;
 mod substitution;

@@ -78,6 +78,9 @@ pub struct Contact {
     pub phone: Option<String>,
     /// Accreditation or code of the laboratory.
     pub accreditation: Option<String>,
+    /// Where the laboratory answers whether a certificate is true, an address; it stands in the square of the
+    /// printed certificate.
+    pub verify_at: Option<String>,
 }
 
 /// The object of calibration, beside what the record states.

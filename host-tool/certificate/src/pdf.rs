@@ -42,10 +42,15 @@ pub(super) fn render(
     );
     let data = serde_json::to_vec(&data)
         .map_err(|e| Error::input("PDF", e.to_string(), "report this as a defect"))?;
+    let square = super::square::draw(&super::square::text(certificate))?;
     let mut files = vec![
         File {
             name: "certificate.json",
             bytes: &data,
+        },
+        File {
+            name: "verify.svg",
+            bytes: square.as_bytes(),
         },
         File {
             name: "sensitivity.svg",

@@ -179,6 +179,52 @@ fn a_logo_that_is_no_picture_is_refused() {
     assert!(error.to_string().contains("logo.docx"), "{error}");
 }
 
+/// Sets the first page as a printer would, 150 dots to the inch, and reads its square.
+const SQUARE: &str = "\
+import sys, pypdfium2, zxingcpp
+page = pypdfium2.PdfDocument(sys.argv[1])[0].render(scale=150 / 72).to_pil()
+codes = zxingcpp.read_barcodes(page)
+print('\\n--\\n'.join(f'{c.format.name}\\n{c.text}' for c in codes), end='')
+";
+
+#[test]
+fn a_reader_of_others_finds_number_sum_and_place_in_the_square() {
+    let folder = tempfile::tempdir().expect("folder");
+    let path = folder.path().join("c.pdf");
+    let record = record(&THIRD_OCTAVES_HZ);
+    let sum = super::digest(&record);
+    let sum: String = sum.iter().map(|byte| format!("{byte:02x}")).collect();
+    let mut stated = full();
+    let long = format!("https://labor.example.org/prüfen?{}", "x".repeat(200));
+    for place in [None, Some("https://labor.example.org/verify"), Some(&long)] {
+        stated.laboratory.verify_at = place.map(str::to_owned);
+        let options = Options {
+            particulars: stated.clone(),
+            ..Options::default()
+        };
+        let prepared = prepare(&record, &[Format::Pdf], &options).expect("prepared");
+        std::fs::write(&path, &prepared.files[0].content).expect("written");
+        let arguments = [OsStr::new("-c"), OsStr::new(SQUARE), path.as_os_str()];
+        let Some(output) = python("zxingcpp", &arguments) else {
+            return;
+        };
+        let number = &prepared.number;
+        let place = place.unwrap_or("calib verify");
+        let expected =
+            format!("QRCode\nCERTIFICATE {number}\nRECORD SHA-256 {sum}\nVERIFY {place}");
+        let found = String::from_utf8_lossy(&output.stdout);
+        assert_eq!(
+            found,
+            expected,
+            "{}",
+            String::from_utf8_lossy(&output.stderr)
+        );
+    }
+    stated.laboratory.verify_at = Some("x".repeat(3000));
+    let error = pdf(&record, &stated).expect_err("no square is as large");
+    assert!(error.to_string().contains("square"), "{error}");
+}
+
 /// Text of each page.
 const PAGES: &str = "\
 import sys, json, pypdf
