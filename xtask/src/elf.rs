@@ -1,5 +1,6 @@
 //! The firmware images, one for each board: built once, tested and shipped as they are.
 
+use crate::origin::{self, Place};
 use crate::shell::{cargo, root, run, target_dir};
 use anyhow::{Context, Result, bail};
 use object::elf::{SHF_ALLOC, SHF_WRITE};
@@ -7,9 +8,9 @@ use object::{Object, ObjectSection, SectionFlags};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const TARGET: &str = "thumbv7em-none-eabihf";
+pub(crate) const TARGET: &str = "thumbv7em-none-eabihf";
 const PROFILE: &str = "firmware";
-const PACKAGE: &str = "calib-firmware";
+pub(crate) const PACKAGE: &str = "calib-firmware";
 /// The board of the image without a name.
 const DEFAULT_BOARD: &str = "nucleo-h743zi2";
 
@@ -83,22 +84,29 @@ pub(crate) fn build_on_target_tests() -> Result<PathBuf> {
 
 /// Builds a program for the board as the image is built, and returns its path.
 pub(crate) fn build_package(package: &str, features: &[&str]) -> Result<PathBuf> {
-    let mut command = if std::env::var("CALIB_ELF_TOOLCHAIN").as_deref() == Ok("debian") {
-        debian_cargo()
-    } else {
-        cargo("build")
-    };
-    command.args([
-        "--package",
-        package,
-        "--profile",
-        PROFILE,
-        "--target",
-        TARGET,
-    ]);
-    command.args(features);
-    run(&mut command)?;
+    let mut build = build_at(&Place::here()?, package);
+    run(build.args(features))?;
     Ok(path(package))
+}
+
+/// Builds the image of the default board at another place and returns its path.
+pub(crate) fn build_elsewhere(place: &Place) -> Result<PathBuf> {
+    run(&mut build_at(place, PACKAGE))?;
+    Ok(place.target.join(TARGET).join(PROFILE).join(PACKAGE))
+}
+
+/// Cargo, told to build for the board what lies at `place`.
+fn build_at(place: &Place, package: &str) -> Command {
+    let mut command = cargo_for_board("build");
+    command
+        .current_dir(&place.workspace)
+        .env("CARGO_HOME", &place.cargo_home)
+        .env("CARGO_TARGET_DIR", &place.target)
+        .env("CALIB_GIT_HASH", origin::git_hash())
+        .args(["--package", package, "--profile", PROFILE])
+        .args(["--target", TARGET, "--config"])
+        .arg(place.flags(TARGET));
+    command
 }
 
 /// Where a program for the board lies once it is built.
@@ -106,13 +114,20 @@ fn path(package: &str) -> PathBuf {
     target_dir().join(TARGET).join(PROFILE).join(package)
 }
 
-/// Debian's compiler has no library for the board: it builds core from source
+/// Cargo with the compiler for the board.
+///
+/// Where rustup has none it is Debian's, which has no library for the board: it builds core from source
 /// and links with LLVM's own linker.
-fn debian_cargo() -> Command {
+pub(crate) fn cargo_for_board(subcommand: &str) -> Command {
+    if std::env::var("CALIB_ELF_TOOLCHAIN").as_deref() != Ok("debian") {
+        return cargo(subcommand);
+    }
     let mut command = Command::new("/usr/bin/cargo");
+    command.current_dir(root()).arg(subcommand);
+    if subcommand == "build" {
+        command.args(["--ignore-rust-version", "-Zbuild-std=core"]);
+    }
     command
-        .current_dir(root())
-        .args(["build", "--ignore-rust-version", "-Zbuild-std=core"])
         .env_remove("RUSTUP_TOOLCHAIN")
         .env("RUSTC", "/usr/bin/rustc")
         .env("RUSTC_BOOTSTRAP", "1")

@@ -13,10 +13,12 @@ mod hitl;
 mod ngspice;
 mod no_panic;
 mod option_writes;
+mod origin;
 mod package;
 mod packages;
 mod program;
 mod python;
+mod sbom;
 mod shell;
 mod test;
 mod tshark;
@@ -31,12 +33,14 @@ usage: ./run <command>
                     (options go to `calib demo`: --out DIR, --seed N, --json)
   test [FILTER]     format, lints and every test there is
   bench [NAME]      benchmark tables, also written to target/bench/NAME.json
-  deny              licences, sources and known weaknesses of every dependency (fetches a list)
+  deny              licences, sources and known weaknesses of every dependency
   elf [BOARD]       build the firmware image, for one of firmware/boards
+  reproduce         build the image a second time, in other folders, and compare every byte
   no-panic [BOARD]  look for panics in what calib-core became in the image
   program [BOARD]   build the image and put it on the board at the ST-LINK (needs probe-rs)
   package [--check] what a user installs, into dist/: a Debian package and a tar, with the
-                    image inside; --check installs and uses it in an empty Debian
+                    image inside; --check also reproduces the image, and installs and uses the
+                    package in an empty Debian
   brown-out         set the brown-out level of the board at the ST-LINK, once in its life
   hitl [ratio]      tests on the board at the ST-LINK, exciter unplugged; `hitl emulated` without one
   screenshots       every picture of docs/images, the moving one too (needs Chromium)
@@ -55,7 +59,7 @@ fn main() -> Result<()> {
         "demo" => demo::run(rest),
         "test" | "ci" => test::run(rest),
         "bench" => bench::run(rest),
-        "deny" => deny::check_all(),
+        "deny" => deny::run_alone(),
         "elf" => elf::build_for(board).map(|path| println!("{}", path.display())),
         "program" => program::run(board),
         "hitl" => hitl::run(rest),
@@ -63,6 +67,7 @@ fn main() -> Result<()> {
         "no-panic" => elf::build_for(board).and_then(|image| no_panic::check(&image)),
         "package" => package::build(rest),
         "screenshots" => browser::screenshots(),
+        "reproduce" => elf::build().and_then(|image| origin::check(&image)),
         "size" => elf::print_size(board),
         "setup" => demo::build_all().map(|_| ()),
         "help" | "--help" | "-h" => {

@@ -1,8 +1,9 @@
 //! One file to install: the tool with the image inside, as a Debian package and as a tar.
 
 use crate::packages::{self, as_root};
-use crate::shell::{cargo, root, run, target_dir};
-use crate::{demo, elf};
+use crate::sbom::{self, Product};
+use crate::shell::{cargo, root, run, said, target_dir};
+use crate::{demo, elf, origin};
 use anyhow::{Context, Result, bail};
 use std::ffi::OsStr;
 use std::fs;
@@ -13,7 +14,8 @@ const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// Largest file to download, bytes.
 const LARGEST: u64 = 40_000_000;
 
-/// Builds `dist/`; with `--check`, also installs and uses the package in an empty Debian.
+/// Builds `dist/`; with `--check`, also builds the image twice, and installs and uses
+/// the package in an empty Debian.
 pub(crate) fn build(arguments: &[String]) -> Result<()> {
     let check = match arguments {
         [] => false,
@@ -22,12 +24,18 @@ pub(crate) fn build(arguments: &[String]) -> Result<()> {
     };
     needs("dpkg-deb", "dpkg")?;
     needs("dpkg-shlibdeps", "dpkg-dev")?;
-    let tool = tool_with_image()?;
+    let image = elf::build()?;
+    if check {
+        origin::check(&image)?;
+    }
+    let tool = tool_with(&image)?;
     let stage = target_dir().join("package");
     lay_out(&tool, &stage)?;
     let dist = root().join("dist");
     empty(&dist)?;
-    let files = [debian_package(&stage, &dist)?, tar(&stage, &dist)?];
+    let [of_tool, of_image] = materials(&stage, &image, &dist)?;
+    let package = debian_package(&stage, &dist)?;
+    let files = [package, tar(&stage, &dist)?, of_tool, of_image];
     list(&dist, &files)?;
     if check {
         used_in_an_empty_root(&files[0])?;
@@ -46,8 +54,7 @@ fn needs(program: &str, package: &str) -> Result<()> {
     bail!("{program} is missing: packages are made on Debian, with `apt-get install {package}`")
 }
 
-fn tool_with_image() -> Result<PathBuf> {
-    let image = elf::build()?;
+fn tool_with(image: &Path) -> Result<PathBuf> {
     eprintln!("building the host tool with the image inside ...");
     let mut build = cargo("build");
     build.args(["--release", "--workspace", "--bin", "calib"]);
@@ -158,6 +165,31 @@ fn tar(stage: &Path, dist: &Path) -> Result<PathBuf> {
     Ok(file)
 }
 
+/// What the program and the image are made of.
+fn materials(stage: &Path, image: &Path, dist: &Path) -> Result<[PathBuf; 2]> {
+    let compiler = said(Command::new("rustc").arg("-vV"))?;
+    let host = compiler
+        .lines()
+        .find_map(|line| line.strip_prefix("host: "));
+    let tool = Product {
+        name: "calib",
+        kind: "application",
+        package: "calib-host",
+        target: host.context("rustc names no host")?,
+        alone: false,
+        file: &stage.join("usr/bin/calib"),
+    };
+    let firmware = Product {
+        name: elf::PACKAGE,
+        kind: "firmware",
+        package: elf::PACKAGE,
+        target: elf::TARGET,
+        alone: true,
+        file: image,
+    };
+    Ok([sbom::write(&tool, dist)?, sbom::write(&firmware, dist)?])
+}
+
 /// `SHA256SUMS`, and the sizes.
 fn list(dist: &Path, files: &[PathBuf]) -> Result<()> {
     let names: Vec<&OsStr> = files.iter().filter_map(|file| file.file_name()).collect();
@@ -214,18 +246,6 @@ fn used_in_an_empty_root(package: &Path) -> Result<()> {
     }
     println!("installed, used and removed in an empty Debian");
     Ok(())
-}
-
-/// What a program prints.
-fn said(command: &mut Command) -> Result<String> {
-    let name = command.get_program().to_string_lossy().into_owned();
-    let output = command
-        .output()
-        .with_context(|| format!("cannot start {name}"))?;
-    if !output.status.success() {
-        bail!("{name} failed: {}", String::from_utf8_lossy(&output.stderr));
-    }
-    Ok(String::from_utf8_lossy(output.stdout.trim_ascii()).into_owned())
 }
 
 fn empty(folder: &Path) -> Result<()> {

@@ -25,7 +25,7 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         .env("CALIB_TOOL", demo::tool());
     let interpreter = python::interpreter()?;
     if filter.is_empty() {
-        deny::check_offline(interpreter.as_deref())?;
+        deny::check(interpreter.as_deref())?;
     }
     if let Some(interpreter) = interpreter {
         tests.env("CALIB_PYTHON", interpreter);

@@ -21,6 +21,7 @@ mod healthy_rigs;
 mod hitl;
 mod hostile_hosts;
 mod hum;
+mod image;
 mod lease;
 mod power_cut;
 mod reality;
