@@ -31,9 +31,7 @@ impl Logbook {
         let mut wrong = self.all("PRAGMA integrity_check", [], |row| row.get::<_, String>(0))?;
         wrong.retain(|line| line != "ok");
         let mut again = Self::in_memory()?;
-        for instrument in self.all("SELECT instrument FROM keys", [], |row| {
-            row.get::<_, String>(0)
-        })? {
+        for instrument in self.keyed_instruments()? {
             if let Some(key) = self.key(&instrument)? {
                 again.enter_key(&instrument, &key)?;
             }

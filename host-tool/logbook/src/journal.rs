@@ -2,8 +2,9 @@
 //!
 //! Lists, points, operators and instruments are made of the records' bytes and can be made again; sensors and
 //! certificates cannot, and a record could be taken away with all that is made of it. The journal has a sum of
-//! each. It has no key: who knows this file can write a journal of his own, or cut its end off. What it shows is
-//! damage, and the work of programs and hands that do not know it.
+//! each. It has no key: who knows this file can write a journal of his own, or cut its end off. What it shows by
+//! itself is damage, and the work of programs and hands that do not know it; what is signed (see seals.rs) nobody
+//! writes anew.
 
 use super::{Logbook, row};
 use calib_files::Result;

@@ -18,6 +18,15 @@ impl Logbook {
         key_of(&self.connection, instrument).map_err(|error| self.failure(error))
     }
 
+    /// Instruments that have a key.
+    pub(super) fn keyed_instruments(&self) -> Result<Vec<String>> {
+        self.all(
+            "SELECT instrument FROM keys ORDER BY instrument",
+            [],
+            |row| row.get(0),
+        )
+    }
+
     /// Enters the key that an instrument states; whether it is new. An instrument has one key in its life.
     ///
     /// # Errors

@@ -14,6 +14,8 @@
 //! | `waiting` | records that wait while another program holds the file |
 //! | `keys` | keys of instruments, and what speaks against a new record |
 //! | `journal` | sums of what was entered, chained |
+//! | `seals` | the laboratory's signatures on them |
+//! | `merge` | copies, and two logbooks made one |
 //! | `inspect` | every sum and number checked again |
 //! | `row` | a row of any table as bytes |
 //! | `table`, `parquet` | the whole logbook for other programs |
@@ -24,10 +26,12 @@ mod history;
 mod inspect;
 mod journal;
 mod keys;
+mod merge;
 mod parquet;
 mod people;
 mod records;
 mod row;
+mod seals;
 mod sensors;
 mod store;
 mod table;
@@ -36,8 +40,10 @@ pub mod waiting;
 pub use certificates::{Issue, Issued};
 pub use check_standards::{Certified, CheckStandard};
 pub use history::{History, Result as HistoryResult};
+pub use merge::Merged;
 pub use parquet::export;
 pub use people::{Instrument, Operator};
 pub use records::{Filter, Kept, Listed};
+pub use seals::Seal;
 pub use sensors::Sensor;
 pub use store::{Logbook, default_path};

@@ -8,12 +8,13 @@ use std::time::Duration;
 
 /// Steps that make each form of the tables of the one before, from an empty file on. A form that was ever
 /// released stays here as it is: files of every form are opened.
-const STEPS: [&str; 5] = [
+const STEPS: [&str; 6] = [
     include_str!("schema.sql"),
     include_str!("form2.sql"),
     include_str!("form3.sql"),
     include_str!("form4.sql"),
     include_str!("form5.sql"),
+    include_str!("form6.sql"),
 ];
 /// Form of the tables, in SQLite's `user_version`.
 const VERSION: i64 = STEPS.len() as i64;
@@ -214,7 +215,7 @@ impl Logbook {
 /// Makes the file, for its user alone: it names customers. One that is there keeps the rights it was given;
 /// SQLite makes its journal with those of the file.
 #[cfg(unix)]
-fn create_private(path: &Path) -> Result<()> {
+pub(super) fn create_private(path: &Path) -> Result<()> {
     use std::os::unix::fs::OpenOptionsExt;
     let mut options = std::fs::OpenOptions::new();
     let made = options.write(true).create_new(true).mode(0o600).open(path);
@@ -228,7 +229,7 @@ fn create_private(path: &Path) -> Result<()> {
 
 /// Files are for their user alone in the places this system has for them.
 #[cfg(not(unix))]
-fn create_private(_: &Path) -> Result<()> {
+pub(super) fn create_private(_: &Path) -> Result<()> {
     Ok(())
 }
 

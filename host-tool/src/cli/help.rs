@@ -105,7 +105,13 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                     "assure CHECK-1 --certified 10.02 --certified-u 0.5",
                 ],
             ),
-            ("logbook", ["logbook records", "logbook check"]),
+            (
+                "logbook",
+                [
+                    "logbook records",
+                    "logbook check --certificate laboratory.pem",
+                ],
+            ),
             (
                 "export",
                 ["export --parquet data", "export --parquet data --json"],

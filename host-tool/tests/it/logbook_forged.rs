@@ -2,6 +2,7 @@
 
 use crate::command_line::{calib, text};
 use crate::logbook::{later, logbook};
+use crate::logbook_sealed::{key, now};
 use calib_logbook::{Filter, Issue, Logbook, Sensor, waiting};
 use calib_protocol::record::{decode, digest};
 use calib_protocol::signature::DeviceKey;
@@ -39,6 +40,8 @@ fn kept(folder: &Path) -> PathBuf {
         let both = [issue("pdf"), issue("csv")];
         logbook.issue(&both, 1_700_000_000).expect("issued");
     }
+    // RSA: the same signature in every run.
+    logbook.seal(&key("rsa.p12"), now(), "").expect("signed");
     logbook.path().to_owned()
 }
 
@@ -70,9 +73,13 @@ fn content(path: &Path) -> Option<Vec<Vec<Value>>> {
 }
 
 fn is_noticed(path: &Path) -> bool {
-    Logbook::open(path)
-        .and_then(|logbook| logbook.inspect())
-        .map_or(true, |wrong| !wrong.is_empty())
+    let check = |logbook: Logbook| {
+        let mut wrong = logbook.inspect()?;
+        wrong.extend(logbook.inspect_seals(&[])?);
+        Ok(wrong)
+    };
+    let wrong = Logbook::open(path).and_then(check);
+    wrong.map_or(true, |wrong| !wrong.is_empty())
 }
 
 #[test]

@@ -14,6 +14,7 @@ mod hostile;
 mod link;
 mod logbook;
 mod logbook_forged;
+mod logbook_sealed;
 mod memory_link;
 mod odd_use;
 mod python;

@@ -1,6 +1,7 @@
 //! `calib logbook`: what is kept, and whether it is whole.
 
 use super::sensors::cut;
+use super::upkeep::{self, Signing};
 use crate::cli::{Context, time};
 use calib_files::file;
 use calib_host::{Error, Result};
@@ -54,8 +55,25 @@ enum What {
     Instruments,
     /// Who is named on records.
     Operators,
-    /// Checks every sum and number again.
-    Check,
+    /// Checks every sum, number and signature again.
+    Check {
+        /// Certificate of the laboratory's key, or of the authority that issued it; may be given again, for
+        /// those of former keys.
+        #[arg(long, value_name = "FILE")]
+        certificate: Vec<PathBuf>,
+    },
+    /// Signs all that was entered until now with the laboratory's key.
+    Sign(Signing),
+    /// Copies the logbook into a new file.
+    Backup {
+        /// The file.
+        file: PathBuf,
+    },
+    /// Takes over what another logbook has and this one has not.
+    Merge {
+        /// The other logbook; it stays as it is.
+        file: PathBuf,
+    },
 }
 
 #[derive(Serialize, JsonSchema)]
@@ -65,13 +83,6 @@ pub(in crate::cli) struct Added {
     logbook_record: i64,
     /// False when it was there already.
     new: bool,
-}
-
-/// Something that is not as it was entered.
-#[derive(Serialize, JsonSchema)]
-pub(in crate::cli) struct Problem<'a> {
-    /// Kind, in words.
-    problem: &'a str,
 }
 
 #[derive(Serialize, JsonSchema)]
@@ -117,7 +128,10 @@ impl LogbookVerb {
                 let operators = logbook.operators()?;
                 context.print(&operators, || operator_table(&operators))
             }
-            What::Check => check(context, &logbook),
+            What::Check { certificate } => upkeep::check(context, &logbook, &certificate),
+            What::Sign(signing) => signing.run(context, &logbook),
+            What::Backup { file } => upkeep::backup(context, &logbook, &file),
+            What::Merge { file } => upkeep::merge(context, logbook, &file),
         }
     }
 }
@@ -155,19 +169,6 @@ fn add(context: &Context, mut logbook: Logbook, files: Vec<PathBuf>) -> Result<(
         };
         added.iter().map(line).collect()
     })
-}
-
-fn check(context: &Context, logbook: &Logbook) -> Result<()> {
-    let wrong = logbook.inspect()?;
-    let problems: Vec<Problem<'_>> = wrong.iter().map(|problem| Problem { problem }).collect();
-    context.print(&problems, || match wrong.is_empty() {
-        true => "every record and number is as it was entered".to_owned(),
-        false => wrong.join("\n"),
-    })?;
-    match wrong.len() {
-        0 => Ok(()),
-        count => Err(Error::NotPassed(format!("{count} entries are damaged"))),
-    }
 }
 
 fn when(unix_time_s: i64) -> String {

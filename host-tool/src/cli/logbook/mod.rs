@@ -5,15 +5,17 @@ mod entries;
 mod export;
 mod history;
 mod sensors;
+mod upkeep;
 
 pub(super) use assure::Assurance;
 pub(crate) use assure::Assure;
 pub(crate) use entries::LogbookVerb;
-pub(super) use entries::{Added, Problem, Written};
+pub(super) use entries::{Added, Written};
 pub(crate) use export::Export;
 pub(super) use export::Exported;
 pub(crate) use history::History;
 pub(crate) use sensors::{Sensors, find as find_sensor};
+pub(super) use upkeep::{Backup, Problem};
 
 use super::Context;
 use calib_files::Result;

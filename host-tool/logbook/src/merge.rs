@@ -1,0 +1,174 @@
+//! A logbook copied as it is, and what another one has taken over.
+
+use super::journal::{self, Subject};
+use super::store::create_private;
+use super::{CheckStandard, Filter, Issued, Kept, Logbook, Sensor};
+use calib_files::{Error, Result};
+use rusqlite::{OptionalExtension, params};
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::path::Path;
+
+/// What was taken over, and what was not.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct Merged {
+    /// Records that are new here.
+    pub records: u32,
+    /// Sensors and check standards that are new here.
+    pub sensors: u32,
+    /// Certificates that are new here.
+    pub certificates: u32,
+    /// What both had alike.
+    pub known: u32,
+    /// What the other has otherwise, or what speaks against it, in words: it stays there alone.
+    pub conflicts: Vec<String>,
+}
+
+impl Merged {
+    fn count(&mut self, what: fn(&mut Self) -> &mut u32, done: Result<bool>) -> Result<()> {
+        match done {
+            Ok(true) => *what(self) += 1,
+            Ok(false) => self.known += 1,
+            // The file of the other or our own cannot be used: no conflict of contents.
+            Err(error @ Error::File { .. }) => return Err(error),
+            Err(error) => self.conflicts.push(error.to_string()),
+        }
+        Ok(())
+    }
+}
+
+impl Logbook {
+    /// Copies the logbook, as it is at one moment, into a new file for its user alone. Returns what is wrong with
+    /// the copy, in words: nothing when all is well.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when there is a file of this name, [`Error::File`] when it cannot be written.
+    pub fn backup(&self, path: &Path) -> Result<Vec<String>> {
+        let place = || path.display().to_string();
+        if path.exists() {
+            let hint = "name another: a backup is never overwritten";
+            return Err(Error::input(place(), "is there already", hint));
+        }
+        create_private(path)?;
+        let name = path.to_str().ok_or_else(|| {
+            Error::input(place(), "has a name that is no text", "name it otherwise")
+        })?;
+        let copy = self.connection.execute("VACUUM INTO ?1", [name]);
+        copy.map_err(|error| self.failure(error))?;
+        let copy = std::fs::File::open(path).and_then(|file| file.sync_all());
+        copy.map_err(|error| Error::file("write", path, error))?;
+        let copy = Self::open_existing(path)?;
+        let mut wrong = copy.inspect()?;
+        wrong.extend(copy.inspect_seals(&[])?);
+        Ok(wrong)
+    }
+
+    /// Takes over what `other` has and this one has not. What both have in different ways is named; both stay as
+    /// they are there. The same twice changes nothing.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when something in `other` is not as it was entered, or it is this one; those of the files.
+    pub fn merge(&mut self, other: &Self) -> Result<Merged> {
+        let same = |a: &Path, b: &Path| a.canonicalize().ok() == b.canonicalize().ok();
+        let place = || other.path.display().to_string();
+        if same(&self.path, &other.path) {
+            return Err(Error::input(
+                place(),
+                "is this logbook",
+                "name the other one",
+            ));
+        }
+        if let Some(problem) = other.inspect()?.first() {
+            let hint = "`calib logbook check --logbook FILE` names all of it; mend it first";
+            return Err(Error::input(place(), problem.as_str(), hint));
+        }
+        let mut merged = Merged::default();
+        for instrument in other.keyed_instruments()? {
+            if let Some(key) = other.key(&instrument)? {
+                let entered = self.enter_key(&instrument, &key).map(|_| false);
+                merged.count(|merged| &mut merged.known, entered)?;
+            }
+        }
+        self.merge_records(other, &mut merged)?;
+        for sensor in other.sensors("")? {
+            merged.count(|merged| &mut merged.sensors, self.take_sensor(&sensor))?;
+        }
+        for standard in other.check_standards()? {
+            merged.count(|merged| &mut merged.sensors, self.take_standard(&standard))?;
+        }
+        for issued in other.certificates()? {
+            merged.count(
+                |merged| &mut merged.certificates,
+                self.take_certificate(&issued),
+            )?;
+        }
+        Ok(merged)
+    }
+
+    /// Oldest first, as they were entered.
+    fn merge_records(&mut self, other: &Self, merged: &mut Merged) -> Result<()> {
+        for line in other.records(&Filter::default())?.iter().rev() {
+            let kept = self.keep(&other.record(line.id)?);
+            let taken = kept.map(|kept| matches!(kept, Kept::Added(_)));
+            merged.count(|merged| &mut merged.records, taken)?;
+        }
+        Ok(())
+    }
+
+    fn take_sensor(&self, theirs: &Sensor) -> Result<bool> {
+        match self.sensor(&theirs.serial)? {
+            None => self.put_sensor(theirs).map(|()| true),
+            Some(ours) if ours == *theirs => Ok(false),
+            Some(_) => Err(differs(&format!("sensor {}", theirs.serial))),
+        }
+    }
+
+    fn take_standard(&self, theirs: &CheckStandard) -> Result<bool> {
+        match self.check_standard(&theirs.serial)? {
+            None => self.put_check_standard(theirs).map(|()| true),
+            Some(ours) if ours == *theirs => Ok(false),
+            Some(_) => Err(differs(&format!("check standard {}", theirs.serial))),
+        }
+    }
+
+    fn take_certificate(&self, theirs: &Issued) -> Result<bool> {
+        let place = format!("certificate {} as {}", theirs.certificate, theirs.format);
+        let put = || {
+            let transaction = self.connection.unchecked_transaction()?;
+            let ours = "SELECT lower(hex(sha256)), lower(hex(record_sha256)) FROM certificates
+                        WHERE certificate = ?1 AND format = ?2";
+            let ours = transaction.query_row(ours, [&theirs.certificate, &theirs.format], |row| {
+                Ok((row.get::<_, String>(0)?, row.get::<_, String>(1)?))
+            });
+            if let Some((sum, record)) = ours.optional()? {
+                return Ok(Some(sum == theirs.sha256 && record == theirs.record_sha256));
+            }
+            transaction.execute(
+                "INSERT INTO certificates (certificate, format, record_sha256, issued_s, file, sha256)
+                 VALUES (?1, ?2, unhex(?3), ?4, ?5, unhex(?6))",
+                params![
+                    theirs.certificate,
+                    theirs.format,
+                    theirs.record_sha256,
+                    theirs.issued_s,
+                    theirs.file,
+                    theirs.sha256
+                ],
+            )?;
+            let number = transaction.last_insert_rowid().to_string();
+            journal::enter(&transaction, Subject::Certificate, &number)?;
+            transaction.commit()?;
+            Ok(None)
+        };
+        match put().map_err(|error| self.failure(error))? {
+            None => Ok(true),
+            Some(true) => Ok(false),
+            Some(false) => Err(differs(&place)),
+        }
+    }
+}
+
+fn differs(place: &str) -> Error {
+    let hint = "look at both, and change the one that is wrong";
+    Error::input(place, "is another in the other logbook", hint)
+}
