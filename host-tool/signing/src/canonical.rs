@@ -22,7 +22,7 @@ pub(crate) enum Part {
 }
 
 /// Namespaces by their prefixes; the empty one is the default.
-type Bound = BTreeMap<String, String>;
+pub(crate) type Bound = BTreeMap<String, String>;
 
 /// An element on its way to its end.
 struct Open {
@@ -31,6 +31,8 @@ struct Open {
     /// Of these, what is written already.
     rendered: Bound,
     written: bool,
+    /// A signature right below the root.
+    is_signature: bool,
 }
 
 /// The part in canonical form, UTF-8.
@@ -137,7 +139,16 @@ impl Writer {
         let outer = self.open.last();
         let bound = outer.map(|open| open.bound.clone()).unwrap_or_default();
         let (bound, attributes) = read_attributes(start, bound)?;
-        let written = self.is_written(&name, &bound)?;
+        let (prefix, local) = split(&name);
+        let of_signature = namespace(&bound, prefix)? == SIGNATURE;
+        let is_signature = self.open.len() == 1 && of_signature && local == "Signature";
+        let written = match self.part {
+            Part::Enveloping => outer.is_none_or(|open| open.written) && !is_signature,
+            // Of the signature itself: one that was moved elsewhere states nothing.
+            Part::SignedInfo => outer.is_some_and(|open| {
+                open.written || (open.is_signature && of_signature && local == "SignedInfo")
+            }),
+        };
         let outer = outer.filter(|open| open.written);
         let rendered = outer.map(|open| open.rendered.clone()).unwrap_or_default();
         let mut open = Open {
@@ -145,29 +156,13 @@ impl Writer {
             bound,
             rendered,
             written,
+            is_signature,
         };
         if written {
             write_start(&mut self.text, &mut open, attributes)?;
         }
         self.open.push(open);
         Ok(())
-    }
-
-    /// Whether an element of this name, within those that are open, belongs to the part.
-    fn is_written(&self, name: &str, bound: &Bound) -> Result<bool, Problem> {
-        let (prefix, local) = split(name);
-        let of_signature = namespace(bound, prefix)? == SIGNATURE;
-        let outer = self.open.last();
-        Ok(match self.part {
-            Part::Enveloping => {
-                let is_signature = self.open.len() == 1 && of_signature && local == "Signature";
-                outer.is_none_or(|open| open.written) && !is_signature
-            }
-            Part::SignedInfo => {
-                let begins = self.open.len() == 2 && of_signature && local == "SignedInfo";
-                begins || outer.is_some_and(|open| open.written)
-            }
-        })
     }
 
     fn end(&mut self) {
@@ -189,7 +184,7 @@ impl Writer {
 }
 
 /// What is bound within an element, and its other attributes.
-fn read_attributes(
+pub(crate) fn read_attributes(
     start: &BytesStart<'_>,
     mut bound: Bound,
 ) -> Result<(Bound, Vec<(String, String)>), Problem> {
@@ -211,7 +206,7 @@ pub(crate) fn split(name: &str) -> (&str, &str) {
     name.split_once(':').unwrap_or(("", name))
 }
 
-fn namespace<'a>(bound: &'a Bound, prefix: &str) -> Result<&'a str, Problem> {
+pub(crate) fn namespace<'a>(bound: &'a Bound, prefix: &str) -> Result<&'a str, Problem> {
     match (bound.get(prefix), prefix) {
         (Some(uri), _) => Ok(uri),
         (None, "") => Ok(""),

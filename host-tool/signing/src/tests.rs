@@ -146,6 +146,40 @@ fn what_is_put_into_a_signed_document_is_noticed() {
     }
 }
 
+/// What the laboratory signed is moved to another place, and what is read in its own place is the forger's: of
+/// another namespace, so that the canonical form of the one is not that of the other.
+#[test]
+fn nothing_is_wrapped_around_what_was_signed() {
+    let signed = sign(Kind::Dcc, DCC.as_bytes(), &key("p256.p12"), now()).expect("signs");
+    let signed = String::from_utf8(signed).expect("UTF-8");
+    let part = |from: &str, to: &str| {
+        let (start, end) = (signed.find(from).expect(from), signed.find(to).expect(to));
+        &signed[start..end + to.len()]
+    };
+    let genuine = part("<ds:SignedInfo>", "</ds:SignedInfo>");
+    let forged_text = DCC.replace("10.017", "99.999");
+    let dsig = "xmlns:ds=\"http://www.w3.org/2000/09/xmldsig#\"";
+    for (place, name) in [
+        ("dcc:moved", "x:SignedInfo"),
+        ("ds:Signature2", "x:SignedInfo"),
+    ] {
+        let wrapped = format!("<{place} {dsig}>{genuine}</{place}></dcc:c>");
+        let document = forged_text.replace("</dcc:c>", &wrapped);
+        let form = crate::canonical::canonical(&document, crate::canonical::Part::Enveloping);
+        let sum = <sha2::Sha256 as sha2::Digest>::digest(form.expect("canonical"));
+        let digest = base64::Engine::encode(&base64::engine::general_purpose::STANDARD, sum);
+        let own = part("<ds:DigestValue>", "</ds:DigestValue>");
+        let forged = genuine.replace(own, &format!("<ds:DigestValue>{digest}</ds:DigestValue>"));
+        let forged = forged
+            .replace("ds:SignedInfo>", &format!("{name}>"))
+            .replacen('>', " xmlns:x=\"urn:forger\">", 1);
+        let signature = part("<ds:Signature ", "</ds:Signature>").replace(genuine, &forged);
+        let document = document.replace("</dcc:c>", &format!("{signature}</dcc:c>"));
+        let found = verify(Kind::Dcc, document.as_bytes());
+        assert!(found.is_err(), "{document}");
+    }
+}
+
 #[test]
 fn what_is_neither_pdf_nor_xml_is_refused_without_a_panic() {
     let key = key("p256.p12");

@@ -4,13 +4,15 @@
 //! The check takes this one form. It refers to the whole and to no part by a name, so that nothing can be
 //! wrapped around what was signed.
 
-use crate::canonical::{Part, SIGNATURE, attribute, canonical, malformed, split};
+use crate::canonical::{
+    Bound, Part, SIGNATURE, canonical, malformed, namespace, read_attributes, split,
+};
 use crate::certificate::{RSA_SHA256, Scheme};
 use crate::{Certificate, LaboratoryKey, Problem};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use quick_xml::Reader;
-use quick_xml::events::{BytesStart, Event};
+use quick_xml::events::Event;
 use sha2::{Digest, Sha256};
 
 const EXCLUSIVE: &str = "http://www.w3.org/2001/10/xml-exc-c14n#";
@@ -19,9 +21,9 @@ const SHA256: &str = "http://www.w3.org/2001/04/xmlenc#sha256";
 const BY_RSA: &str = "http://www.w3.org/2001/04/xmldsig-more#rsa-sha256";
 const BY_ECDSA: &str = "http://www.w3.org/2001/04/xmldsig-more#ecdsa-sha256";
 
-/// Whether a signature is in it.
+/// Whether a signature is in it; of what is no XML, whether one is named.
 pub(crate) fn is_signed(xml: &str) -> bool {
-    elements(xml).is_ok_and(|found| !found.is_empty())
+    elements(xml).map_or_else(|_| xml.contains(SIGNATURE), |found| !found.is_empty())
 }
 
 /// Signs a document.
@@ -71,22 +73,37 @@ struct Element {
     text: String,
 }
 
-/// The elements of all signatures right below the root, in their order.
+/// The elements of all signatures right below the root, in their order; each is of the namespace of signatures,
+/// as what is put into canonical form is.
 fn elements(xml: &str) -> Result<Vec<Element>, Problem> {
     let mut reader = Reader::from_str(xml);
     reader.config_mut().expand_empty_elements = true;
     let mut found: Vec<Element> = Vec::new();
-    let mut open: Vec<String> = Vec::new();
+    let mut open: Vec<(String, Bound)> = Vec::new();
+    let mut within = false;
     loop {
         match reader.read_event().map_err(malformed)? {
             Event::Start(start) => {
-                open.push(split(start.name().0).1.to_owned());
-                if is_signature(&open) {
-                    found.push(Element::new(&open[1..], &start)?);
+                let bound = open.last().map(|(_, bound)| bound.clone());
+                let (bound, attributes) = read_attributes(&start, bound.unwrap_or_default())?;
+                let (prefix, local) = split(start.name().0);
+                let of_signature = namespace(&bound, prefix)? == SIGNATURE;
+                within |= open.len() == 1 && of_signature && local == "Signature";
+                open.push((local.to_owned(), bound));
+                if within && !of_signature {
+                    return Err(Problem::new(
+                        "something of another kind is in its signature",
+                    ));
+                }
+                if within {
+                    found.push(Element::new(&open[1..], attributes));
                 }
             }
-            Event::End(_) => drop(open.pop()),
-            Event::Text(text) if is_signature(&open) => {
+            Event::End(_) => {
+                drop(open.pop());
+                within &= open.len() > 1;
+            }
+            Event::Text(text) if within => {
                 if let Some(last) = found.last_mut() {
                     last.text += &text;
                 }
@@ -97,21 +114,14 @@ fn elements(xml: &str) -> Result<Vec<Element>, Problem> {
     }
 }
 
-fn is_signature(open: &[String]) -> bool {
-    open.get(1).is_some_and(|name| name == "Signature")
-}
-
 impl Element {
-    fn new(path: &[String], start: &BytesStart<'_>) -> Result<Self, Problem> {
-        let attributes = start.attributes().map(|one| {
-            let one = one.map_err(malformed)?;
-            Ok((one.key.0.to_owned(), attribute(&one.value)?))
-        });
-        Ok(Self {
-            path: path.join("/"),
-            attributes: attributes.collect::<Result<_, Problem>>()?,
+    fn new(path: &[(String, Bound)], attributes: Vec<(String, String)>) -> Self {
+        let names: Vec<&str> = path.iter().map(|(name, _)| name.as_str()).collect();
+        Self {
+            path: names.join("/"),
+            attributes,
             text: String::new(),
-        })
+        }
     }
 }
 
@@ -141,7 +151,6 @@ impl Form {
     fn next(&mut self, path: &str, attribute: Option<(&str, &[&str])>) -> Result<Element, Problem> {
         let one = self.0.next().unwrap_or_default();
         let given = one.attributes.iter();
-        let given = given.filter(|(name, _)| name != "xmlns" && !name.starts_with("xmlns:"));
         let given: Vec<_> = given
             .map(|(name, value)| (name.as_str(), value.as_str()))
             .collect();
