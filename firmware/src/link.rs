@@ -129,6 +129,16 @@ impl Link {
         }
     }
 
+    /// The answer to a line that waited for the end of a run, or its beginning, once there is one.
+    pub async fn poll(
+        &mut self,
+        console: &mut Console,
+        instrument: &mut impl Instrument,
+    ) -> Option<&[u8]> {
+        let length = console.poll(instrument, &mut self.answer).await?;
+        self.answer.get(..length)
+    }
+
     /// Puts a byte where it belongs, and says what it ended.
     fn take(&mut self, byte: u8, console: &mut Console) -> End {
         if self.begun == Begun::Nothing {

@@ -1,17 +1,14 @@
 //! One link's lines of text: collected, carried out, answered.
 
-use super::session::{Answer, Session, is_running};
+use super::MAX_LINE;
+use super::session::{Answer, Session};
 use crate::command::Instrument;
-
-/// Longest line, in bytes.
-const MAX_LINE: usize = 256;
 
 /// The line being received, and what its sender has configured.
 pub struct Console {
     line: heapless::String<MAX_LINE>,
     overlong: bool,
     session: Session,
-    awaits_end: bool,
 }
 
 impl Default for Console {
@@ -27,7 +24,6 @@ impl Console {
             line: heapless::String::new(),
             overlong: false,
             session: Session::new(),
-            awaits_end: false,
         }
     }
 
@@ -55,26 +51,24 @@ impl Console {
             return None;
         }
         let mut out = Text { buffer, length: 0 };
-        match self.session.line(&line, instrument, &mut out).await {
-            Answer::None => None,
-            Answer::Now => Some(out.length),
-            Answer::OnceComplete => {
-                self.awaits_end = true;
-                None
-            }
-        }
+        let answer = self.session.line(&line, instrument, &mut out).await;
+        out.to_be_sent(answer)
     }
 
-    /// True while a `*OPC?` waits for the end of a run: call [`Self::poll`] now and then.
+    /// True while a line waits for the end of a run: call [`Self::poll`] now and then.
     pub fn awaits_end(&self) -> bool {
-        self.awaits_end
+        self.session.waits()
     }
 
-    /// The answer to a waiting `*OPC?`, once the run is over.
-    pub fn poll(&mut self, instrument: &mut impl Instrument) -> Option<&'static [u8]> {
-        let over = self.awaits_end && !is_running(instrument);
-        self.awaits_end &= !over;
-        over.then_some(b"1\n")
+    /// Goes on with a line that waits, once the run is over, and returns the length of the answer in `buffer`.
+    pub(crate) async fn poll(
+        &mut self,
+        instrument: &mut impl Instrument,
+        buffer: &mut [u8],
+    ) -> Option<usize> {
+        let mut out = Text { buffer, length: 0 };
+        let answer = self.session.resume(instrument, &mut out).await;
+        out.to_be_sent(answer)
     }
 }
 
@@ -82,6 +76,13 @@ impl Console {
 struct Text<'a> {
     buffer: &'a mut [u8],
     length: usize,
+}
+
+impl Text<'_> {
+    /// Bytes of an answer or of its beginning.
+    fn to_be_sent(&self, answer: Answer) -> Option<usize> {
+        (answer != Answer::None && self.length > 0).then_some(self.length)
+    }
 }
 
 impl core::fmt::Write for Text<'_> {

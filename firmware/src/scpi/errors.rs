@@ -38,6 +38,8 @@ pub enum ScpiError {
     QueueOverflow = -350,
     /// A line longer than the buffer.
     InputOverrun = -363,
+    /// A line that waited for the end of a run gave way to another that waits.
+    Interrupted = -410,
 }
 
 impl ScpiError {
@@ -65,15 +67,17 @@ impl ScpiError {
             Self::OutOfMemory => "Out of memory;release downloaded records",
             Self::QueueOverflow => "Queue overflow",
             Self::InputOverrun => "Input buffer overrun",
+            Self::Interrupted => "Query INTERRUPTED",
         }
     }
 
-    /// Its bit of the standard event register: command, execution, device.
+    /// Its bit of the standard event register: command, execution, device, query.
     fn event(self) -> u8 {
         match self.code() {
             -199..=-100 => 32,
             -299..=-200 => 16,
             -399..=-300 => 8,
+            -499..=-400 => 4,
             _ => 0,
         }
     }
@@ -83,11 +87,20 @@ impl ScpiError {
 const POWER_ON: u8 = 128;
 /// Bit of the event register: the operation is complete.
 const COMPLETE: u8 = 1;
+/// Bit of the status byte (SCPI-99): there is an error to be asked for.
+const ERROR_WAITS: u8 = 4;
+/// Bit of the status byte: an event that its mask lets through.
+const EVENT: u8 = 32;
+/// Bit of the status byte: one of the others that its mask lets through. It has no mask of its own.
+const SUMMARY: u8 = 64;
 
 /// Errors not yet asked for, and the events since they were last asked for.
 pub(super) struct Status {
     errors: Deque<ScpiError, 8>,
     events: u8,
+    /// Events that the status byte tells of: `*ESE`.
+    pub(super) event_mask: u8,
+    service_mask: u8,
 }
 
 impl Status {
@@ -95,6 +108,8 @@ impl Status {
         Self {
             errors: Deque::new(),
             events: POWER_ON,
+            event_mask: 0,
+            service_mask: 0,
         }
     }
 
@@ -119,6 +134,29 @@ impl Status {
     /// The event register, which is empty afterwards.
     pub(super) fn take_events(&mut self) -> u8 {
         core::mem::take(&mut self.events)
+    }
+
+    /// Errors not yet asked for.
+    pub(super) fn count(&self) -> u8 {
+        // At most eight.
+        self.errors.len() as u8
+    }
+
+    /// Bits of the status byte that its summary tells of: `*SRE`.
+    pub(super) fn service_mask(&self) -> u8 {
+        self.service_mask
+    }
+
+    pub(super) fn set_service_mask(&mut self, mask: u8) {
+        self.service_mask = mask & !SUMMARY;
+    }
+
+    /// The status byte. An answer is sent at once, so that none ever waits (bit 4).
+    pub(super) fn byte(&self) -> u8 {
+        let told = |bit: u8, is: bool| if is { bit } else { 0 };
+        let byte = told(ERROR_WAITS, !self.errors.is_empty())
+            | told(EVENT, self.events & self.event_mask != 0);
+        byte | told(SUMMARY, byte & self.service_mask != 0)
     }
 
     pub(super) fn clear(&mut self) {

@@ -1,45 +1,85 @@
 //! Headers: which command a line means.
 
+/// A quantity of the result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Quantity {
+    /// All of them, in this order.
+    All,
+    Sensitivity,
+    Phase,
+    Uncertainty,
+    Verdict,
+}
+
+impl Quantity {
+    /// The question that fetches it.
+    pub(super) fn fetch(self) -> &'static str {
+        match self {
+            Self::All => "FETC?",
+            Self::Sensitivity => "FETC:SENS?",
+            Self::Phase => "FETC:PHAS?",
+            Self::Uncertainty => "FETC:UNC?",
+            Self::Verdict => "FETC:VERD?",
+        }
+    }
+}
+
 /// A command of this instrument.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Command {
     Identify,
     Reset,
     ClearStatus,
+    EventMask,
+    EventMaskIs,
     Events,
+    ServiceMask,
+    ServiceMaskIs,
+    StatusByte,
     Complete,
     IsComplete,
+    Wait,
     SelfTest,
     NextError,
+    ErrorCount,
     Version,
+    Key,
     Frequency,
     FrequencyIs,
     Acceleration,
     AccelerationIs,
     Initiate,
     Abort,
-    Sensitivity,
-    Phase,
-    Uncertainty,
-    Verdict,
+    Fetch(Quantity),
+    Read(Quantity),
+    Measure(Quantity),
     Catalog,
     Defects,
 }
 
 use Command::*;
+use Quantity::*;
 
 /// Headers as SCPI documents them: the short form is in capitals.
 const HEADERS: &[(&str, Command)] = &[
     ("*IDN?", Identify),
     ("*RST", Reset),
     ("*CLS", ClearStatus),
+    ("*ESE", EventMask),
+    ("*ESE?", EventMaskIs),
     ("*ESR?", Events),
+    ("*SRE", ServiceMask),
+    ("*SRE?", ServiceMaskIs),
+    ("*STB?", StatusByte),
     ("*OPC", Complete),
     ("*OPC?", IsComplete),
+    ("*WAI", Wait),
     ("*TST?", SelfTest),
     ("SYSTem:ERRor?", NextError),
     ("SYSTem:ERRor:NEXT?", NextError),
+    ("SYSTem:ERRor:COUNt?", ErrorCount),
     ("SYSTem:VERSion?", Version),
+    ("SYSTem:KEY?", Key),
     ("CONFigure:FREQuency", Frequency),
     ("CONFigure:FREQuency?", FrequencyIs),
     ("CONFigure:ACCeleration", Acceleration),
@@ -47,10 +87,21 @@ const HEADERS: &[(&str, Command)] = &[
     ("INITiate", Initiate),
     ("INITiate:IMMediate", Initiate),
     ("ABORt", Abort),
-    ("FETCh:SENSitivity?", Sensitivity),
-    ("FETCh:PHASe?", Phase),
-    ("FETCh:UNCertainty?", Uncertainty),
-    ("FETCh:VERDict?", Verdict),
+    ("FETCh?", Fetch(All)),
+    ("FETCh:SENSitivity?", Fetch(Sensitivity)),
+    ("FETCh:PHASe?", Fetch(Phase)),
+    ("FETCh:UNCertainty?", Fetch(Uncertainty)),
+    ("FETCh:VERDict?", Fetch(Verdict)),
+    ("READ?", Read(All)),
+    ("READ:SENSitivity?", Read(Sensitivity)),
+    ("READ:PHASe?", Read(Phase)),
+    ("READ:UNCertainty?", Read(Uncertainty)),
+    ("READ:VERDict?", Read(Verdict)),
+    ("MEASure?", Measure(All)),
+    ("MEASure:SENSitivity?", Measure(Sensitivity)),
+    ("MEASure:PHASe?", Measure(Phase)),
+    ("MEASure:UNCertainty?", Measure(Uncertainty)),
+    ("MEASure:VERDict?", Measure(Verdict)),
     ("MMEMory:CATalog?", Catalog),
     ("DIAGnostic:DEFects?", Defects),
 ];
@@ -107,12 +158,12 @@ mod unit {
             ":FETCh:sens?",
             "Fetc:SENSITIVITY?",
         ] {
-            assert_eq!(find(header), Some(Sensitivity), "{header}");
+            assert_eq!(find(header), Some(Fetch(Sensitivity)), "{header}");
         }
         for header in [
             "FETC:SENS",
             "FETC:SENSI?",
-            "FETC?",
+            "FET?",
             "FETC:SENS:X?",
             "",
             ":",
@@ -121,6 +172,9 @@ mod unit {
             "IDN?",
         ] {
             assert_eq!(find(header), None, "{header}");
+        }
+        for quantity in [All, Sensitivity, Phase, Uncertainty, Verdict] {
+            assert_eq!(find(quantity.fetch()), Some(Fetch(quantity)));
         }
     }
 }

@@ -1,25 +1,8 @@
 //! A small SCPI: the calibrator as other instruments are spoken to.
 //!
-//! Lines of ASCII ended by LF, as on every serial instrument. One point at a
-//! time: configure, initiate, wait with `*OPC?`, fetch. Lists, settings and
-//! records are the business of the binary protocol on the same link.
-//!
-//! | command | answer |
-//! |---|---|
-//! | `*IDN?` | maker, model, serial number, firmware |
-//! | `*RST` | stops a run; 160 Hz, 10 m/s2 |
-//! | `*CLS`, `*ESR?`, `SYSTem:ERRor?` | status and errors of IEEE 488.2 and SCPI-99 |
-//! | `*OPC`, `*OPC?` | when no run is going on |
-//! | `*TST?` | 0, or the number of the first line of the self-test that failed, or -1 if it was not carried out |
-//! | `SYSTem:VERSion?` | 1999.0 |
-//! | `CONFigure:FREQuency`, `CONFigure:ACCeleration`, and both with `?` | Hz; m/s2 r.m.s. |
-//! | `INITiate` | begins the run |
-//! | `ABORt` | ends it; the exciter is silent |
-//! | `FETCh:SENSitivity?` | V/(m/s2); 9.91E37 when there is none |
-//! | `FETCh:PHASe?` | degrees |
-//! | `FETCh:UNCertainty?` | expanded uncertainty of the sensitivity, V/(m/s2) |
-//! | `FETCh:VERDict?` | `PASS`, or `REFUSED` and the reason |
-//! | `MMEMory:CATalog?` | bytes used, 0, and of each record number, kind, bytes |
+//! Lines of ASCII ended by LF, as on every serial instrument; docs/scpi.md lists the commands. One point at a
+//! time: configure, initiate, wait, fetch, or all of it in one question. Lists, settings and records are the
+//! business of the binary protocol on the same link.
 //!
 //! # Source
 //! Command set and number forms of SCPI-99 and IEEE 488.2 as instruments of many
@@ -28,6 +11,9 @@
 mod console;
 mod errors;
 mod header;
+mod inquiry;
+mod measurement;
+mod number;
 mod session;
 #[cfg(test)]
 mod tests;
@@ -35,3 +21,6 @@ mod tests;
 pub use console::Console;
 pub use errors::ScpiError;
 pub use session::{Answer, Session};
+
+/// Longest line, in bytes.
+const MAX_LINE: usize = 256;

@@ -1,21 +1,13 @@
-//! Session of a SCPI controller: its configuration, and the effect of its lines.
+//! Session of a SCPI controller: the effect of its lines.
 
 use super::errors::{ScpiError, Status};
 use super::header::{self, Command};
-use crate::command::{self, Instrument};
-use calib_core::point::{ExcitationKind, PointResult, PointSpec};
-use calib_core::verdict::Verdict;
-use calib_protocol::message::{Refusal, Request, Response, RunSpec};
-use calib_protocol::record::RunLabels;
+use super::measurement::{Measurement, is_running};
+use super::number::{mask, put};
+use super::{MAX_LINE, inquiry};
+use crate::command::Instrument;
 use core::fmt::Write;
-
-/// SCPI's "not a number".
-const NOT_A_NUMBER: f32 = 9.91e37;
-/// After `*RST`: the reference point of ISO 16063-21, 5.3.
-const AFTER_RESET: PointSpec = PointSpec {
-    frequency_hz: 160.0,
-    acceleration_rms_ms2: 10.0,
-};
+use heapless::String;
 
 /// Answer a line left to be sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,18 +16,28 @@ pub enum Answer {
     None,
     /// The bytes that were written.
     Now,
-    /// `1` once no run is going on: `*OPC?` waits.
-    OnceComplete,
+    /// The bytes that were written, if any; the rest of the line, and with it the end of the answer, once no
+    /// run is going on.
+    Later,
+}
+
+/// The rest of a line that waits for the end of a run.
+struct Waiting {
+    /// Longer by the question that a `READ?` became.
+    rest: String<{ MAX_LINE + 16 }>,
+    /// The header before it.
+    before: String<64>,
+    /// Something of the line was answered.
+    answered: bool,
 }
 
 /// One controller's settings, errors and events.
 pub struct Session {
-    point: PointSpec,
+    measurement: Measurement,
     status: Status,
-    /// A run was begun here, and nothing configured since.
-    initiated: bool,
-    /// `*OPC` waits for its end.
+    /// `*OPC` waits for the end of a run.
     reports_end: bool,
+    waiting: Option<Waiting>,
 }
 
 impl Default for Session {
@@ -44,16 +46,14 @@ impl Default for Session {
     }
 }
 
-type Done = Result<(), ScpiError>;
-
 impl Session {
     /// As after power on.
     pub const fn new() -> Self {
         Self {
-            point: AFTER_RESET,
+            measurement: Measurement::AFTER_RESET,
             status: Status::new(),
-            initiated: false,
             reports_end: false,
+            waiting: None,
         }
     }
 
@@ -62,22 +62,59 @@ impl Session {
         self.status.push(ScpiError::InputOverrun);
     }
 
-    /// Carries out a line of one or more commands, with answers into `out`:
-    /// separated by semicolons, ended by LF. After `*OPC?` nothing more of a line
-    /// is looked at.
+    /// True while the rest of a line waits for the end of a run.
+    pub fn waits(&self) -> bool {
+        self.waiting.is_some()
+    }
+
+    /// Carries out a line of one or more commands, with answers into `out`: separated by semicolons, ended
+    /// by LF. What follows a command that waits for the end of a run waits with it, for [`Self::resume`];
+    /// meanwhile other lines are carried out.
     pub async fn line(
         &mut self,
         line: &str,
         instrument: &mut impl Instrument,
         out: &mut impl Write,
     ) -> Answer {
-        let (mut answered, mut before) = (false, "");
-        for text in line
-            .split(';')
-            .map(str::trim)
-            .filter(|text| !text.is_empty())
-        {
-            let (header, parameter) = text.split_once([' ', '\t']).unwrap_or((text, ""));
+        self.units(line, "", false, instrument, out).await
+    }
+
+    /// Goes on with a line that waited, once no run is going on.
+    pub async fn resume(
+        &mut self,
+        instrument: &mut impl Instrument,
+        out: &mut impl Write,
+    ) -> Answer {
+        let over = self.waits() && !is_running(instrument);
+        match self.waiting.take_if(|_| over) {
+            Some(Waiting {
+                rest,
+                before,
+                answered,
+            }) => self.units(&rest, &before, answered, instrument, out).await,
+            None => Answer::None,
+        }
+    }
+
+    async fn units<'a>(
+        &mut self,
+        line: &'a str,
+        mut before: &'a str,
+        mut answered: bool,
+        instrument: &mut impl Instrument,
+        out: &mut impl Write,
+    ) -> Answer {
+        let mut rest = line;
+        while !rest.is_empty() {
+            let (unit, after) = rest.split_once(';').unwrap_or((rest, ""));
+            rest = after;
+            let (header, parameter) = unit
+                .trim()
+                .split_once([' ', '\t'])
+                .unwrap_or((unit.trim(), ""));
+            if header.is_empty() {
+                continue;
+            }
             let Some(command) = header::find_after(before, header) else {
                 self.status.push(ScpiError::UndefinedHeader);
                 continue;
@@ -87,18 +124,19 @@ impl Session {
             } else {
                 header
             };
-            if command == Command::IsComplete && is_running(instrument) {
-                return Answer::OnceComplete;
+            let waits = self.waits_for(command, parameter.trim(), instrument).await;
+            if let Some(first) = waits {
+                self.put_off(first, rest, before, answered);
+                return Answer::Later;
             }
             if header.ends_with('?') {
-                let separator = if answered { ";" } else { "" };
-                let _ = out.write_str(separator);
+                let _ = out.write_str(if answered { ";" } else { "" });
                 answered = true;
             }
-            let done = self.carry_out(command, parameter.trim(), instrument, out);
-            if let Err(error) = done.await {
-                self.status.push(error);
-            }
+            let done = self
+                .carry_out(command, parameter.trim(), instrument, out)
+                .await;
+            let _ = self.noted(done);
         }
         if !answered {
             return Answer::None;
@@ -107,118 +145,125 @@ impl Session {
         Answer::Now
     }
 
+    /// For a command that waits for the end of a run, which a measuring one begins: what is to be asked then.
+    async fn waits_for(
+        &mut self,
+        command: Command,
+        parameter: &str,
+        instrument: &mut impl Instrument,
+    ) -> Option<&'static str> {
+        match command {
+            Command::IsComplete => is_running(instrument).then_some("*OPC?"),
+            Command::Wait => is_running(instrument).then_some(""),
+            Command::Read(quantity) if parameter.is_empty() => {
+                let begun = self.measurement.initiate(instrument).await;
+                self.noted(begun).map(|()| quantity.fetch())
+            }
+            Command::Measure(quantity) => {
+                let set = self.measurement.set(parameter, instrument);
+                self.noted(set)?;
+                let begun = self.measurement.initiate(instrument).await;
+                self.noted(begun).map(|()| quantity.fetch())
+            }
+            _ => None,
+        }
+    }
+
+    /// What was done, or none with its error in the queue.
+    fn noted<T>(&mut self, done: Result<T, ScpiError>) -> Option<T> {
+        done.map_err(|error| self.status.push(error)).ok()
+    }
+
+    /// One line waits at a time, as IEEE 488.2 has it: a second takes its place.
+    fn put_off(&mut self, first: &str, rest: &str, before: &str, answered: bool) {
+        if self.waiting.is_some() {
+            self.status.push(ScpiError::Interrupted);
+        }
+        let mut waiting = Waiting {
+            rest: String::new(),
+            before: String::new(),
+            answered,
+        };
+        // A line and a question have room; of a header without, what follows is no command.
+        let _ = write!(waiting.rest, "{first};{rest}");
+        let _ = waiting.before.push_str(before);
+        self.waiting = Some(waiting);
+    }
+
     async fn carry_out(
         &mut self,
         command: Command,
         parameter: &str,
         instrument: &mut impl Instrument,
         out: &mut impl Write,
-    ) -> Done {
-        let takes_number = matches!(command, Command::Frequency | Command::Acceleration);
-        if !takes_number && !parameter.is_empty() {
+    ) -> Result<(), ScpiError> {
+        if !takes_number(command) && !parameter.is_empty() {
             return Err(ScpiError::ParameterNotAllowed);
         }
         match command {
-            Command::Identify => identify(instrument, out),
+            Command::Identify => inquiry::identify(instrument, out),
             Command::Reset => {
                 instrument.stop().await;
-                (self.point, self.initiated) = (AFTER_RESET, false);
+                self.measurement = Measurement::AFTER_RESET;
             }
-            Command::ClearStatus => {
-                self.status.clear();
-                self.reports_end = false;
-            }
-            Command::Events => {
-                self.note_end(instrument);
-                let _ = write!(out, "{}", self.status.take_events());
-            }
-            Command::Complete => self.reports_end = true,
-            Command::IsComplete => drop(out.write_str("1")),
-            Command::SelfTest => self_test(instrument, out).await?,
-            Command::NextError => {
-                let error = self.status.pop();
-                let _ = write!(out, "{},\"{}\"", error.code(), error.text());
-            }
+            Command::SelfTest => inquiry::self_test(instrument, out).await?,
             Command::Version => drop(out.write_str("1999.0")),
-            Command::Frequency => {
-                self.point.frequency_hz = number(parameter, &[("HZ", 1.0), ("KHZ", 1e3)])?;
-                self.initiated = false;
-            }
-            Command::Acceleration => {
-                self.point.acceleration_rms_ms2 = number(parameter, &[("M/S2", 1.0)])?;
-                self.initiated = false;
-            }
-            Command::FrequencyIs => put(out, self.point.frequency_hz),
-            Command::AccelerationIs => put(out, self.point.acceleration_rms_ms2),
-            Command::Initiate => self.initiate(instrument).await?,
+            Command::Key => inquiry::key(instrument, out).await?,
+            Command::Frequency => self.measurement.set_frequency(parameter, instrument)?,
+            Command::Acceleration => self.measurement.set_acceleration(parameter, instrument)?,
+            Command::FrequencyIs => put(out, self.measurement.point.frequency_hz),
+            Command::AccelerationIs => put(out, self.measurement.point.acceleration_rms_ms2),
+            Command::Initiate => self.measurement.initiate(instrument).await?,
             Command::Abort => instrument.stop().await,
-            Command::Verdict => self.verdict(instrument, out)?,
-            Command::Catalog => catalog(instrument, out).await?,
-            Command::Defects => defects(instrument, out),
-            Command::Sensitivity | Command::Phase | Command::Uncertainty => {
-                let fetched = self.fetch(command, instrument);
-                put(out, fetched.unwrap_or(NOT_A_NUMBER));
-                fetched?;
+            Command::Catalog => inquiry::catalog(instrument, out).await?,
+            Command::Defects => inquiry::defects(instrument, out),
+            Command::Fetch(quantity) | Command::Read(quantity) | Command::Measure(quantity) => {
+                self.measurement.fetch(quantity, instrument, out)?;
             }
+            _ => self.status_command(command, parameter, instrument, out)?,
         }
         Ok(())
     }
 
-    async fn initiate(&mut self, instrument: &mut impl Instrument) -> Done {
-        if is_running(instrument) {
-            return Err(ScpiError::InitIgnored);
-        }
-        let spec = RunSpec {
-            points: core::iter::once(self.point).collect(),
-            excitation: ExcitationKind::SingleSine,
-            labels: RunLabels::default(),
+    /// The commands of IEEE 488.2 about status and errors.
+    fn status_command(
+        &mut self,
+        command: Command,
+        parameter: &str,
+        instrument: &mut impl Instrument,
+        out: &mut impl Write,
+    ) -> Result<(), ScpiError> {
+        self.note_end(instrument);
+        let answer = match command {
+            Command::ClearStatus => {
+                self.status.clear();
+                self.reports_end = false;
+                return Ok(());
+            }
+            Command::EventMask => return mask(parameter).map(|mask| self.status.event_mask = mask),
+            Command::ServiceMask => {
+                return mask(parameter).map(|mask| self.status.set_service_mask(mask));
+            }
+            Command::Complete => {
+                self.reports_end = true;
+                return Ok(());
+            }
+            Command::NextError => {
+                let error = self.status.pop();
+                let _ = write!(out, "{},\"{}\"", error.code(), error.text());
+                return Ok(());
+            }
+            // The end of a run was waited for.
+            Command::Wait => return Ok(()),
+            Command::IsComplete => 1,
+            Command::EventMaskIs => self.status.event_mask,
+            Command::ServiceMaskIs => self.status.service_mask(),
+            Command::Events => self.status.take_events(),
+            Command::StatusByte => self.status.byte(),
+            _ => self.status.count(),
         };
-        // The same road a frame takes, with the same rule who may start.
-        let response = command::answer(Request::Start(spec), instrument).await;
-        self.initiated = matches!(response, Response::Started { .. });
-        let Response::Refused(refusal) = response else {
-            return Ok(());
-        };
-        Err(match refusal {
-            Refusal::Busy => ScpiError::InitIgnored,
-            Refusal::OtherHost => ScpiError::OtherHost,
-            Refusal::StorageFull => ScpiError::OutOfMemory,
-            Refusal::PointList => ScpiError::DataOutOfRange,
-            Refusal::Degraded(_) => ScpiError::Hardware,
-            _ => ScpiError::StorageFault,
-        })
-    }
-
-    /// The result of the run that was initiated here, once it is over.
-    fn result(&self, instrument: &mut impl Instrument) -> Result<PointResult, ScpiError> {
-        let over = self.initiated && !is_running(instrument);
-        let result = if over { instrument.point(0) } else { None };
-        // Another host may have run a list of its own since.
-        result
-            .filter(|result| result.spec == self.point)
-            .ok_or(ScpiError::DataStale)
-    }
-
-    fn fetch(&self, what: Command, instrument: &mut impl Instrument) -> Result<f32, ScpiError> {
-        let result = self.result(instrument)?;
-        if result.verdict != Verdict::Pass {
-            return Err(ScpiError::PointRefused);
-        }
-        Ok(match what {
-            Command::Phase => result.phase_rad.to_degrees(),
-            Command::Uncertainty => result.expanded_uncertainty_rel * result.sensitivity_v_per_ms2,
-            _ => result.sensitivity_v_per_ms2,
-        })
-    }
-
-    fn verdict(&self, instrument: &mut impl Instrument, out: &mut impl Write) -> Done {
-        let result = self.result(instrument);
-        let _ = match result.map(|result| result.verdict) {
-            Ok(Verdict::Pass) => out.write_str("VALID"),
-            Ok(Verdict::Refused(reason)) => write!(out, "REFUSED,{reason:?}"),
-            Err(_) => out.write_str("NONE"),
-        };
-        result.map(drop)
+        let _ = write!(out, "{answer}");
+        Ok(())
     }
 
     /// `*OPC` asked for a bit once the run is over.
@@ -230,113 +275,14 @@ impl Session {
     }
 }
 
-/// True while a run is going on.
-pub(super) fn is_running(instrument: &mut impl Instrument) -> bool {
-    instrument.status().state.is_running()
-}
-
-fn identify(instrument: &mut impl Instrument, out: &mut impl Write) {
-    let info = instrument.info();
-    let _ = write!(
-        out,
-        "calib,Field Vibration Calibrator,{},{}",
-        info.serial, info.firmware_version
-    );
-}
-
-/// 0, or the number of the first line that failed, from 1; -1 where the test was not carried out.
-async fn self_test(instrument: &mut impl Instrument, out: &mut impl Write) -> Done {
-    // The same road a frame takes, with the same rule who may test.
-    let response = command::answer(Request::SelfTest, instrument).await;
-    let refused = match response {
-        Response::SelfTest { lines } => {
-            let failed = lines.iter().find(|line| !line.passed());
-            let number = failed.map_or(0, |line| line.check as u8 + 1);
-            let _ = write!(out, "{number}");
-            return Ok(());
-        }
-        Response::Refused(Refusal::OtherHost) => ScpiError::OtherHost,
-        _ => ScpiError::InitIgnored,
-    };
-    let _ = out.write_str("-1");
-    Err(refused)
-}
-
-/// Names of what does not work, as strings; an empty one when all is well.
-fn defects(instrument: &mut impl Instrument, out: &mut impl Write) {
-    let defects = instrument.health().defects;
-    let _ = out.write_str("\"");
-    for (index, defect) in defects.iter().enumerate() {
-        let separator = if index == 0 { "" } else { "," };
-        let _ = write!(out, "{separator}{defect:?}");
-    }
-    let _ = out.write_str("\"");
-}
-
-/// A positive number with one of these units, or with none.
-fn number(text: &str, units: &[(&str, f32)]) -> Result<f32, ScpiError> {
-    if text.is_empty() {
-        return Err(ScpiError::MissingParameter);
-    }
-    let upper = |unit: &str| {
-        let start = text.len().checked_sub(unit.len())?;
-        let tail = text.get(start..)?;
-        tail.eq_ignore_ascii_case(unit).then(|| text.get(..start))?
-    };
-    // The longest unit that fits: KHZ ends in HZ.
-    let found = units
-        .iter()
-        .rev()
-        .find_map(|(unit, factor)| Some((upper(unit)?, *factor)));
-    let (digits, factor) = found.unwrap_or((text, 1.0));
-    let value: f32 = digits.trim().parse().map_err(|_| ScpiError::DataType)?;
-    let value = value * factor;
-    match value.is_finite() && value > 0.0 {
-        true => Ok(value),
-        false => Err(ScpiError::DataOutOfRange),
-    }
-}
-
-/// A number in SCPI's NR3 form.
-fn put(out: &mut impl Write, value: f32) {
-    let _ = write!(out, "{value:E}");
-}
-
-/// Bytes used, bytes free (not known: 0), and every record. What does not fit is left out, and
-/// an error says so.
-async fn catalog(instrument: &mut impl Instrument, out: &mut impl Write) -> Done {
-    let (mut used, mut from) = (0_u32, 0);
-    let mut page = page_of(instrument, from).await?;
-    // Twice through the list: its sum comes before its lines.
-    loop {
-        let bytes = page.records.iter().map(|record| record.bytes);
-        used = bytes.fold(used, u32::saturating_add);
-        match (page.more, page.records.last()) {
-            (true, Some(last)) => from = last.id.saturating_add(1),
-            _ => break,
-        }
-        page = page_of(instrument, from).await?;
-    }
-    let _ = write!(out, "{used},0");
-    from = 0;
-    loop {
-        page = page_of(instrument, from).await?;
-        for record in &page.records {
-            let mut entry = heapless::String::<48>::new();
-            let _ = write!(entry, ",\"{},BIN,{}\"", record.id, record.bytes);
-            out.write_str(&entry).map_err(|_| ScpiError::TooMuchData)?;
-        }
-        match (page.more, page.records.last()) {
-            (true, Some(last)) => from = last.id.saturating_add(1),
-            _ => return Ok(()),
-        }
-    }
-}
-
-async fn page_of(
-    instrument: &mut impl Instrument,
-    from: u32,
-) -> Result<crate::command::RecordPage, ScpiError> {
-    let page = instrument.records(from).await;
-    page.map_err(|_| ScpiError::StorageFault)
+/// Of a measuring command that was not begun, what it was to measure is no parameter too many.
+fn takes_number(command: Command) -> bool {
+    matches!(
+        command,
+        Command::Frequency
+            | Command::Acceleration
+            | Command::Measure(_)
+            | Command::EventMask
+            | Command::ServiceMask
+    )
 }

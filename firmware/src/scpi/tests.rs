@@ -47,6 +47,7 @@ struct Bench {
     defects: Defects,
     /// The drive is not heard on the chip.
     deaf: bool,
+    key: Option<DeviceKey>,
 }
 
 impl Instrument for Bench {
@@ -163,7 +164,7 @@ impl Instrument for Bench {
         true
     }
     async fn key(&mut self) -> Result<Option<DeviceKey>, Refusal> {
-        Ok(None)
+        Ok(self.key)
     }
     async fn make_key(&mut self) -> Result<(), Refusal> {
         unreachable!("no line asks for that")
@@ -196,6 +197,17 @@ fn send(link: &mut Link, bench: &mut Bench, bytes: &[u8]) -> Vec<u8> {
 fn line(link: &mut Link, bench: &mut Bench, line: &str) -> String {
     let heard = send(link, bench, format!("{line}\n").as_bytes());
     String::from_utf8(heard).expect("text")
+}
+
+/// What comes once the run is over, or before it.
+fn waited(link: &mut Link, bench: &mut Bench) -> String {
+    let future = pin!(link.link.poll(&mut link.console, bench));
+    match future.poll(&mut Context::from_waker(Waker::noop())) {
+        Poll::Ready(answer) => {
+            String::from_utf8(answer.unwrap_or_default().to_vec()).expect("text")
+        }
+        Poll::Pending => panic!("nothing here waits"),
+    }
 }
 
 fn frame_of(request: &Request, sequence: u16) -> Vec<u8> {
@@ -280,19 +292,120 @@ fn the_end_of_a_run_is_waited_for_and_stop_gets_through() {
     let (mut link, mut bench) = (Link::new(), Bench::default());
     assert_eq!(line(&mut link, &mut bench, "INIT;*OPC?"), "");
     assert!(link.console.awaits_end());
-    assert_eq!(link.console.poll(&mut bench), None);
+    assert_eq!(waited(&mut link, &mut bench), "");
     line(&mut link, &mut bench, "ABOR");
     assert!(!bench.running);
-    assert_eq!(link.console.poll(&mut bench), Some(&b"1\n"[..]));
-    assert_eq!(
-        (link.console.awaits_end(), link.console.poll(&mut bench)),
-        (false, None)
-    );
+    assert_eq!(waited(&mut link, &mut bench), "1\n");
+    assert!(!link.console.awaits_end());
+    assert_eq!(waited(&mut link, &mut bench), "");
     // Without a question only the register knows.
     line(&mut link, &mut bench, "*CLS;INIT;*OPC");
     assert_eq!(line(&mut link, &mut bench, "*ESR?"), "0\n");
     bench.running = false;
     assert_eq!(line(&mut link, &mut bench, "*ESR?"), "1\n");
+}
+
+#[test]
+fn what_follows_a_wait_is_answered_after_it() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    for (text, at_once, then) in [
+        // Before, what followed a question that waited was lost.
+        ("INIT;*OPC?;FETC:SENS?", "", "1;1E-2\n"),
+        ("INIT;*WAI;FETC:PHAS?", "", "9E1\n"),
+        ("READ:SENS?", "", "1E-2\n"),
+        ("MEAS:PHAS? 0.25 kHz, 50", "", "9E1\n"),
+        ("MEAS:VERD? ,10", "", "VALID\n"),
+        (
+            "SYST:VERS?;MEAS:SENS?;PHAS?;:CONF:FREQ?",
+            "1999.0",
+            ";1E-2;9E1;2.5E2\n",
+        ),
+        ("CONF:ACC 20;INIT;*WAI;:CONF:ACC?", "", "2E1\n"),
+        ("INIT;*WAI", "", ""),
+    ] {
+        assert_eq!(line(&mut link, &mut bench, text), at_once, "{text}");
+        assert!(bench.running, "{text}");
+        assert_eq!(waited(&mut link, &mut bench), "", "{text}");
+        bench.running = false;
+        assert_eq!(waited(&mut link, &mut bench), then, "{text}");
+    }
+    let spec = bench.spec.clone().expect("a run");
+    assert_eq!(spec.points[0].frequency_hz, 250.0);
+    assert_eq!(line(&mut link, &mut bench, "READ?"), "");
+    bench.running = false;
+    let all = waited(&mut link, &mut bench);
+    let words: Vec<&str> = all.trim().split(',').collect();
+    assert_eq!((words[0], words[1], words[3]), ("1E-2", "9E1", "VALID"));
+    assert_eq!(line(&mut link, &mut bench, "SYST:ERR:COUN?"), "0\n");
+    // A line at a time waits.
+    line(&mut link, &mut bench, "READ:SENS?");
+    line(&mut link, &mut bench, "*OPC?");
+    bench.running = false;
+    assert_eq!(waited(&mut link, &mut bench), "1\n");
+    assert!(line(&mut link, &mut bench, "SYST:ERR?").starts_with("-410,"));
+}
+
+#[test]
+fn a_measurement_that_cannot_begin_is_answered_at_once() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    for (text, code) in [
+        ("MEAS:SENS? 30 kHz", "-222"),
+        ("MEAS:SENS? 250,2000", "-222"),
+        ("MEAS:SENS? 160,10,5", "-108"),
+    ] {
+        assert_eq!(line(&mut link, &mut bench, text), "9.91E37\n", "{text}");
+        assert!(bench.spec.is_none(), "{text}");
+        let errors = line(&mut link, &mut bench, "SYST:ERR?;ERR?");
+        assert!(errors.starts_with(&format!("{code},")), "{errors}");
+        assert!(errors.contains("-230,"), "{errors}");
+        assert_eq!(
+            line(&mut link, &mut bench, "CONF:FREQ?"),
+            "1.6E2\n",
+            "{text}"
+        );
+    }
+    line(&mut link, &mut bench, "INIT");
+    let answer = line(&mut link, &mut bench, "READ?;SYST:ERR?");
+    assert!(
+        answer.starts_with("9.91E37,9.91E37,9.91E37,NONE;-213,"),
+        "{answer}"
+    );
+    bench.running = false;
+    bench.other_host = true;
+    let answer = line(&mut link, &mut bench, "*CLS;READ:VERD?;SYST:ERR?");
+    assert!(answer.starts_with("NONE;-203,"), "{answer}");
+}
+
+#[test]
+fn the_status_byte_sums_up_what_its_masks_let_through() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let mut say = |text: &str| line(&mut link, &mut bench, text);
+    assert_eq!(say("*STB?;*ESE?;*SRE?;*ESR?"), "0;0;0;128\n", "power on");
+    // Bit 6 has no mask; what is no whole number is rounded.
+    assert_eq!(say("*SRE 255;*SRE?;*ESE 3.6;*ESE?"), "191;4\n");
+    assert_eq!(say("*SRE 32;*ESE 32;*STB?"), "0\n");
+    // Unknown questions are answered by the queue alone, and hold up nobody.
+    assert_eq!(say("NO:SUCH?"), "");
+    // Error waits (4), event (32), and the summary (64).
+    assert_eq!(say("*STB?;SYST:ERR:COUN?"), "100;1\n");
+    assert!(say("SYST:ERR?").starts_with("-113,"));
+    assert_eq!(say("*STB?"), "96\n");
+    assert_eq!(say("*ESR?;*STB?;SYST:ERR:COUN?"), "32;0;0\n");
+    say("NO:SUCH?");
+    assert_eq!(say("*CLS;*STB?;*ESE?;*SRE?"), "0;32;32\n", "masks stay");
+}
+
+#[test]
+fn the_key_is_told_as_people_and_as_programs_compare_it() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    assert_eq!(line(&mut link, &mut bench, "SYST:KEY?"), "\"\",\"\",0\n");
+    let public = core::array::from_fn(|index| index as u8);
+    bench.key = Some(DeviceKey { public, since: 7 });
+    let whole = "000102030405060708090a0b0c0d0e0f101112131415161718191a1b1c1d1e1f";
+    assert_eq!(
+        line(&mut link, &mut bench, "SYST:KEY?"),
+        format!("\"0001 0203 0405 0607\",\"{whole}\",7\n")
+    );
 }
 
 #[test]
@@ -305,11 +418,20 @@ fn numbers_that_are_none_are_refused_and_change_nothing() {
         ("CONF:FREQ -5", "-222"),
         ("CONF:FREQ 1E99", "-222"),
         ("CONF:ACC NAN", "-222"),
+        // Above 0.45 of 50 kS/s; a period of more than 12 000 samples; above 200 m/s2 peak, the limit.
+        ("CONF:FREQ 30 kHz", "-222"),
+        ("CONF:FREQ 1", "-222"),
+        ("CONF:ACC 150", "-222"),
+        ("*ESE", "-109"),
+        ("*ESE 256", "-222"),
+        ("*ESE -1", "-222"),
+        ("*SRE X", "-104"),
+        ("READ? 5", "-108"),
         ("CONF:ACC 1 KHZ", "-104"),
         ("INIT 5", "-108"),
         ("NONSENSE", "-113"),
     ] {
-        assert_eq!(line(&mut link, &mut bench, text), "");
+        assert_eq!(line(&mut link, &mut bench, text).trim(), "");
         let error = line(&mut link, &mut bench, "SYST:ERR?");
         assert!(error.starts_with(&format!("{code},")), "{text}: {error}");
     }

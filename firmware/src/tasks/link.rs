@@ -112,9 +112,11 @@ impl Conversation {
 
     /// Nothing came: answers what was waited for, or gives up what was begun.
     async fn wait(&mut self, output: &mut impl Output) {
-        if let Some(answer) = self.console.poll(&mut self.instrument) {
+        let waited = self.console.awaits_end();
+        let answer = self.link.poll(&mut self.console, &mut self.instrument);
+        if let Some(answer) = answer.await {
             output.send(answer).await;
-        } else if !self.console.awaits_end() {
+        } else if !waited {
             self.forget();
         }
     }

@@ -48,7 +48,8 @@ pub fn commands(data: &[u8]) {
         assert!(instrument.stops <= stopping, "a stop nobody asked for");
         if holder == LinkName::Serial {
             let asked_for = |number| count(&asked, number);
-            assert!(changes.starts <= asked_for(START) + words(&lines, b"INIT"));
+            let by_lines = ["INIT", "READ", "MEAS"].map(|word| words(&lines, word.as_bytes()));
+            assert!(changes.starts <= asked_for(START) + by_lines.iter().sum::<usize>());
             assert_eq!(
                 (changes.writes, changes.keys),
                 (0, 0),
