@@ -1,21 +1,24 @@
-//! Puts the linker's memory map in reach, stamps the image with its origin, and
-//! refuses one that is for no board or for two.
+//! Names the slot the image is linked for, stamps the image with its origin, and refuses one that is for no
+//! board or for two.
 //!
-//! `memory.x` lives at the top of the workspace, where everyone looks for it,
-//! and cortex-m-rt's `link.x` includes it by name from the search path.
+//! `memory.x` lies at the top of the workspace, where everyone looks for it, and where the linker runs.
 
-use std::{env, error::Error, fs, path::PathBuf};
+use std::{env, error::Error};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let boards = env::vars().filter(|(name, _)| name.starts_with("CARGO_FEATURE_BOARD_"));
-    if boards.count() != 1 {
-        let choose = "--no-default-features --features board-NAME";
-        return Err(format!("an image is for one folder of firmware/boards: {choose}").into());
+    let features = env::vars().map(|(name, _)| name);
+    let boards =
+        features.filter_map(|name| Some(name.strip_prefix("CARGO_FEATURE_BOARD_")?.to_owned()));
+    let [board] = boards.collect::<Vec<String>>().try_into().map_err(|_| {
+        "an image is for one folder of firmware/boards: --no-default-features --features board-NAME"
+    })?;
+    println!(
+        "cargo:rustc-env=CALIB_BOARD={}",
+        board.to_lowercase().replace('_', "-")
+    );
+    if env::var_os("CARGO_FEATURE_SLOT_B").is_some() {
+        println!("cargo:rustc-link-arg-bins=--defsym=_slot_b=1");
     }
-    let workspace = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?).join("..");
-    let out = PathBuf::from(env::var("OUT_DIR")?);
-    fs::copy(workspace.join("memory.x"), out.join("memory.x"))?;
-    println!("cargo:rustc-link-search={}", out.display());
     println!("cargo:rerun-if-changed=../memory.x");
     println!("cargo:rerun-if-changed=build.rs");
 

@@ -11,8 +11,9 @@ use std::process::Command;
 pub(crate) const TARGET: &str = "thumbv7em-none-eabihf";
 const PROFILE: &str = "firmware";
 pub(crate) const PACKAGE: &str = "calib-firmware";
+const LOADER: &str = "calib-loader";
 /// The board of the image without a name.
-const DEFAULT_BOARD: &str = "nucleo-h743zi2";
+pub(crate) const DEFAULT_BOARD: &str = "nucleo-h743zi2";
 
 /// Builds the image of the default board and returns its path.
 pub(crate) fn build() -> Result<PathBuf> {
@@ -64,9 +65,34 @@ fn build_other(board: &str) -> Result<PathBuf> {
     eprintln!("building the firmware image for {board} ...");
     let features = format!("board-{board}");
     let image = build_package(PACKAGE, &["--no-default-features", "--features", &features])?;
-    let kept = image.with_file_name("boards").join(board);
-    std::fs::create_dir_all(image.with_file_name("boards"))?;
-    std::fs::copy(&image, &kept).with_context(|| format!("cannot write {}", kept.display()))?;
+    keep(&image, "boards", board)
+}
+
+/// Builds the image of a board as it is linked for slot B, and returns its path.
+pub(crate) fn build_for_slot_b(board: Option<&str>) -> Result<PathBuf> {
+    let board = board.unwrap_or(DEFAULT_BOARD);
+    eprintln!("building the firmware image for slot B of {board} ...");
+    let features = format!("board-{board},slot-b");
+    let image = build_package(PACKAGE, &["--no-default-features", "--features", &features])?;
+    let kept = keep(&image, "slot-b", board)?;
+    // Cargo puts every image in one place, where the default one belongs.
+    build()?;
+    Ok(kept)
+}
+
+/// Builds the loader that trusts a key, 64 hexadecimal digits, and returns its path.
+pub(crate) fn build_loader(key: &str) -> Result<PathBuf> {
+    eprintln!("building the loader ...");
+    run(build_at(&Place::here()?, LOADER).env("CALIB_TRUSTED_KEY", key))?;
+    Ok(path(LOADER))
+}
+
+/// Copies an image to where the next does not replace it.
+fn keep(image: &Path, folder: &str, name: &str) -> Result<PathBuf> {
+    let folder = image.with_file_name(folder);
+    std::fs::create_dir_all(&folder)?;
+    let kept = folder.join(name);
+    std::fs::copy(image, &kept).with_context(|| format!("cannot write {}", kept.display()))?;
     Ok(kept)
 }
 
@@ -74,9 +100,7 @@ fn build_other(board: &str) -> Result<PathBuf> {
 pub(crate) fn build_on_target_tests() -> Result<PathBuf> {
     eprintln!("building the tests on the target ...");
     let image = build_package(PACKAGE, &["--features", "hitl"])?;
-    let kept = image.with_file_name("hitl").join("calib-hitl");
-    std::fs::create_dir_all(image.with_file_name("hitl"))?;
-    std::fs::copy(&image, &kept).with_context(|| format!("cannot write {}", kept.display()))?;
+    let kept = keep(&image, "hitl", "calib-hitl")?;
     // Cargo puts every image in one place, where the shipping one belongs.
     build()?;
     Ok(kept)

@@ -22,6 +22,7 @@ mod sbom;
 mod shell;
 mod test;
 mod tshark;
+mod update;
 mod xmlsec;
 
 use anyhow::{Result, bail};
@@ -38,6 +39,9 @@ usage: ./run <command>
   reproduce         build the image a second time, in other folders, and compare every byte
   no-panic [BOARD]  look for panics in what calib-core became in the image
   program [BOARD]   build the image and put it on the board at the ST-LINK (needs probe-rs)
+  update [BOARD]    build the update of the image, signed with CALIB_RELEASE_KEY or the development key
+  loader            build the loader that starts images signed with the same key
+  commission [BOARD]  put loader and image on the board at the ST-LINK, once in its life
   package [--check] what a user installs, into dist/: a Debian package and a tar, with the
                     image inside; --check also reproduces the image, and installs and uses the
                     package in an empty Debian
@@ -61,6 +65,9 @@ fn main() -> Result<()> {
         "bench" => bench::run(rest),
         "deny" => deny::run_alone(),
         "elf" => elf::build_for(board).map(|path| println!("{}", path.display())),
+        "update" => update::build(board).map(|path| println!("{}", path.display())),
+        "loader" => update::build_loader().map(|path| println!("{}", path.display())),
+        "commission" => update::commission(board),
         "program" => program::run(board),
         "hitl" => hitl::run(rest),
         "brown-out" => program::brown_out(),

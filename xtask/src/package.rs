@@ -3,7 +3,7 @@
 use crate::packages::{self, as_root};
 use crate::sbom::{self, Product};
 use crate::shell::{cargo, root, run, said, target_dir};
-use crate::{demo, elf, origin};
+use crate::{demo, elf, origin, update};
 use anyhow::{Context, Result, bail};
 use std::ffi::OsStr;
 use std::fs;
@@ -35,7 +35,13 @@ pub(crate) fn build(arguments: &[String]) -> Result<()> {
     empty(&dist)?;
     let [of_tool, of_image] = materials(&stage, &image, &dist)?;
     let package = debian_package(&stage, &dist)?;
-    let files = [package, tar(&stage, &dist)?, of_tool, of_image];
+    let files = [
+        package,
+        tar(&stage, &dist)?,
+        firmware(&dist)?,
+        of_tool,
+        of_image,
+    ];
     list(&dist, &files)?;
     if check {
         used_in_an_empty_root(&files[0])?;
@@ -188,6 +194,14 @@ fn materials(stage: &Path, image: &Path, dist: &Path) -> Result<[PathBuf; 2]> {
         file: image,
     };
     Ok([sbom::write(&tool, dist)?, sbom::write(&firmware, dist)?])
+}
+
+/// The update of the firmware.
+fn firmware(dist: &Path) -> Result<PathBuf> {
+    let built = update::build(None)?;
+    let file = dist.join(built.file_name().unwrap_or_default());
+    fs::copy(&built, &file).with_context(|| format!("cannot write {}", file.display()))?;
+    Ok(file)
 }
 
 /// `SHA256SUMS`, and the sizes.

@@ -6,7 +6,7 @@
 use crate::option_writes::{CURRENT, is_set, writes};
 use crate::{elf, shell};
 use anyhow::{Context, Result, bail};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -40,6 +40,18 @@ fn download(image: &Path) -> Result<()> {
     let image = image.to_str().context("a path without UTF-8")?;
     probe_rs("download", &[CHIP[0], CHIP[1], image])?;
     probe_rs("reset", &CHIP)
+}
+
+/// Puts a loader on the board that is plugged in, and what it is to start at these addresses.
+pub(crate) fn commission(loader: &Path, parts: &[(PathBuf, u32)]) -> Result<()> {
+    probe_rs("--version", &[])?;
+    for (part, address) in parts {
+        let (part, address) = (part.to_str(), format!("{address:#x}"));
+        let part = part.context("a path without UTF-8")?;
+        let place = ["--binary-format", "bin", "--base-address", &address];
+        probe_rs("download", &[&CHIP[..], &place[..], &[part]].concat())?;
+    }
+    download(loader)
 }
 
 /// Gives the board that is plugged in its brown-out level, if it has another.

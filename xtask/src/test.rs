@@ -1,7 +1,7 @@
 //! Every test there is, in the order that fails soonest.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{browser, demo, deny, elf, ngspice, no_panic, python, tshark, xmlsec};
+use crate::{browser, demo, deny, elf, ngspice, no_panic, python, tshark, update, xmlsec};
 use anyhow::{Context, Result, bail};
 
 /// Format, lints, images, tool, tests. With a filter: only tests of that name.
@@ -15,6 +15,8 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         images.iter().try_for_each(|image| no_panic::check(image))?;
     }
     let image = images.last().context("no board")?;
+    update::build_loader()?;
+    update::build(None)?;
     // The tests of the tool need it, so cargo builds and places it with them.
     let mut tests = cargo("test");
     // The programs of the benches are left to the lints: each would be linked here and never run.

@@ -15,6 +15,7 @@
 //! | host link | OTG FS: PA11 (D-), PA12 (D+), PA9 (VBUS) | |
 //! | lamps, button | GPIO | |
 //! | records | FLASH bank 2 | |
+//! | updates | FLASH bank 1 | |
 //! | key | RNG | |
 //! | time | TIM2 | |
 //! | watchdog | IWDG1 | |
@@ -23,6 +24,7 @@
 mod axi_sram;
 mod cache;
 mod clocks;
+mod code_flash;
 mod common_signal;
 mod converter;
 mod description;
@@ -45,6 +47,7 @@ mod wiring;
 
 pub(crate) use axi_sram::{AllZero, Promise, axi_static, promise};
 pub(crate) use clocks::CORE_MHZ;
+pub(crate) use code_flash::{CodeFlash, running_slot};
 pub(crate) use converter::NotReady;
 pub(crate) use description::{Clocks, Panel, Silicon};
 pub(crate) use digitiser::{APERTURE, BLOCK_PAIRS, Digitiser};

@@ -1,11 +1,6 @@
 //! Flash bank 2, where the records are: reads that survive a torn word, words, sectors.
 //!
-//! A word whose programming or erase was cut has check bits that do not fit, and
-//! a plain load of it is a bus fault (RM0433 Rev 9, 4.7.8). A *checked read* has
-//! the core ignore bus faults meanwhile (FAULTMASK with BFHFNMIGN: PM0253, CCR)
-//! and asks the flash afterwards whether it met two wrong bits (`DBECCERR`). The
-//! failing address in `FLASH_ECC_FA2R` is not used: revisions Y and W may not
-//! update it (ES0392 2.2.7).
+//! Reads are checked reads ([`calib_boot::part`]), which the loader makes as well.
 //!
 //! A word with one wrong bit is mended by the part and read like any other; the self-test counts those.
 //!
@@ -16,15 +11,16 @@
 //! bank (field report: FOME 685). All loads are aligned, as such memory needs.
 //! Should a torn word get the blame all the same, the read is repeated.
 
-use core::arch::asm;
 use core::future::poll_fn;
 use core::slice;
 use core::task::Poll;
 
+use calib_boot::layout::SLOT_BYTES;
+use calib_boot::part::{Fit, load};
 use calib_core::self_test::WrongWords;
 use calib_firmware::archive::CheckedFlash;
 use cortex_m::asm::{delay, dsb, isb};
-use cortex_m::peripheral::{MPU, SCB};
+use cortex_m::peripheral::MPU;
 use embassy_futures::yield_now;
 use embassy_stm32::interrupt::{self, InterruptExt};
 use embassy_stm32::pac::flash::{Bank, regs};
@@ -37,10 +33,6 @@ use embedded_storage_async::nor_flash::{
 
 /// The record area: all of bank 2, as offsets in flash (see `memory.x`).
 pub(crate) const RECORD_AREA: core::ops::Range<u32> = 0x10_0000..0x20_0000;
-/// The image, likewise: slot A.
-const IMAGE: core::ops::Range<u32> = 0x02_0000..0x08_0000;
-/// Bytes of a bank.
-const BANK: u32 = 0x10_0000;
 /// Address of offset 0.
 const FLASH_START: u32 = 0x0800_0000;
 /// Bytes programmed at once, with check bits of their own.
@@ -57,9 +49,6 @@ const LONGEST: Duration = Duration::from_secs(10);
 const LOADED_AT_ONCE: usize = 64;
 /// How often a word is read before it is called poisoned.
 const TRIES: usize = 3;
-/// `CCR.BFHFNMIGN`, and the bits of a bus fault that was ignored in `CFSR`.
-const IGNORE_BUS_FAULTS: u32 = 1 << 8;
-const PRECISE_BUS_FAULT: u32 = 1 << 9 | 1 << 15;
 
 /// Region of the MPU, the one with the last word, and its attributes (PM0253, MPU): device memory,
 /// full access, never executed, 2 to the power of 20 bytes.
@@ -238,49 +227,6 @@ pub(crate) fn finish_word() {
     }
 }
 
-/// How the check bits of what was loaded fit.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Fit {
-    Good,
-    /// A bit was wrong, and is mended.
-    Corrected,
-    /// Two were: what was loaded means nothing.
-    Poisoned,
-}
-
-/// Loads words of the core from flash, all of one bank.
-fn load(address: u32, words: &mut [u32]) -> Fit {
-    let bank = pac::FLASH.bank(((address - FLASH_START) / BANK) as usize);
-    // Note(unsafe): the registers exist and no other code looks at the fault bits while faults are
-    // masked; whole aligned words of the flash.
-    unsafe {
-        let core = &*SCB::PTR;
-        asm!("cpsid f", options(nostack));
-        let before = core.ccr.read();
-        core.ccr.write(before | IGNORE_BUS_FAULTS);
-        clear_flags(bank);
-        barrier();
-        for (place, at) in words.iter_mut().zip((address..).step_by(4)) {
-            *place = (at as *const u32).read_volatile();
-        }
-        dsb();
-        let status = bank.sr().read();
-        let fit = match (status.dbeccerr(), status.sneccerr1()) {
-            (true, _) => Fit::Poisoned,
-            (false, true) => Fit::Corrected,
-            (false, false) => Fit::Good,
-        };
-        clear_flags(bank);
-        if fit == Fit::Poisoned {
-            core.cfsr.write(PRECISE_BUS_FAULT);
-        }
-        core.ccr.write(before);
-        barrier();
-        asm!("cpsie f", options(nostack));
-        fit
-    }
-}
-
 /// Reads all of the image, or of the record area, and counts the words whose check bits do not fit. The
 /// record area must not be written or erased meanwhile.
 ///
@@ -307,7 +253,8 @@ async fn wrong_words(range: core::ops::Range<u32>) -> WrongWords {
 
 /// Words of the image whose check bits do not fit.
 pub(crate) async fn wrong_words_of_image() -> WrongWords {
-    wrong_words(IMAGE).await
+    let start = super::running_slot().start() - FLASH_START;
+    wrong_words(start..start + SLOT_BYTES).await
 }
 
 /// The same of the record area, which must be at rest.
