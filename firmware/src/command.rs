@@ -13,6 +13,7 @@ use calib_protocol::message::{
 };
 use calib_protocol::record::{RecordSummary, RunLabels};
 use calib_protocol::signature::DeviceKey;
+use calib_protocol::update::{RunningImage, UpdateStep};
 use heapless::Vec;
 
 /// Part of a stored record.
@@ -82,6 +83,10 @@ pub trait Instrument {
     async fn make_key(&mut self) -> Result<(), Refusal>;
     /// Logs new settings and takes them into force.
     async fn change_settings(&mut self, change: &SettingsChange) -> Result<(), Refusal>;
+    /// The image that runs; none where no loader has checked it.
+    fn image(&mut self) -> Option<RunningImage>;
+    /// Carries out a step of an update; `older_allowed` where a hand allows an image that is older.
+    fn update(&mut self, step: &UpdateStep, older_allowed: bool) -> Result<(), Refusal>;
 }
 
 /// Carries out `request`; a reset is left to the caller, who answers first.
@@ -157,6 +162,11 @@ async fn carry_out(
             make_key(instrument).await?;
             Response::Key(instrument.key().await?)
         }
+        Request::Image => Response::Image(instrument.image()),
+        Request::Update(step) => {
+            update(&step, instrument)?;
+            Response::Done
+        }
     })
 }
 
@@ -171,6 +181,17 @@ async fn make_key(instrument: &mut impl Instrument) -> Result<(), Refusal> {
         true => instrument.make_key().await,
         false => Err(Refusal::ButtonNotHeld),
     }
+}
+
+/// The exciter rests during an update, which holds the core up. A hand is asked for where an update begins:
+/// its press is then no tap.
+fn update(step: &UpdateStep, instrument: &mut impl Instrument) -> Result<(), Refusal> {
+    if instrument.status().state.is_running() {
+        return Err(Refusal::Busy);
+    }
+    let begins = matches!(step, UpdateStep::Begin { .. });
+    let older_allowed = begins && instrument.button_held();
+    instrument.update(step, older_allowed)
 }
 
 /// There is no setting that shapes neither a result, nor its uncertainty, nor a

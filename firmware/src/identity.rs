@@ -3,6 +3,7 @@
 use calib_firmware::restarts::{LeftOut, Reason};
 use calib_protocol::health::MAX_RESTARTS;
 use calib_protocol::message::ResetCause;
+use calib_protocol::update::ImageOrigin;
 use core::fmt::Write;
 use embassy_stm32::pac::{self, rcc::regs::Rsr};
 use heapless::{String, Vec};
@@ -17,6 +18,8 @@ pub(crate) struct Identity {
     pub(crate) serial: String<32>,
     pub(crate) version: String<16>,
     pub(crate) git_hash: String<24>,
+    /// The image, as the loader found it.
+    pub(crate) image: ImageOrigin,
     pub(crate) reset_cause: ResetCause,
     pub(crate) last_panic: Option<Reason>,
     /// Why it restarted, each time within a minute of the one before.
@@ -39,6 +42,7 @@ impl Identity {
             serial: fitting(embassy_stm32::uid::uid_hex()),
             version: fitting(VERSION),
             git_hash: fitting(GIT_HASH),
+            image: crate::update::origin(),
             reset_cause,
             last_panic,
             restarts: history.reasons().clone(),

@@ -4,6 +4,7 @@ use crate::identity::Identity;
 use crate::self_test::{self, SelfTest};
 use crate::state::{self, Order};
 use crate::tasks::store::SharedArchive;
+use crate::update;
 use calib_core::point::PointResult;
 use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
@@ -18,6 +19,7 @@ use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::health::{Defect, Health};
 use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, SettingsChange, Status};
 use calib_protocol::signature::DeviceKey;
+use calib_protocol::update::{RunningImage, UpdateStep};
 use core::sync::atomic::Ordering;
 use embassy_time::{Duration, Instant, Timer, with_timeout};
 use heapless::Vec;
@@ -212,6 +214,14 @@ impl Instrument for Calibrator {
         self.archive.log_change(self.identity, change).await?;
         take_settings(&change.settings);
         Ok(())
+    }
+
+    fn image(&mut self) -> Option<RunningImage> {
+        update::image(self.identity.image)
+    }
+
+    fn update(&mut self, step: &UpdateStep, older_allowed: bool) -> Result<(), Refusal> {
+        update::carry_out(step, older_allowed)
     }
 
     fn capture(&mut self, pairs: u16) -> Result<(), Refusal> {

@@ -223,6 +223,7 @@ mod tests {
     use calib_protocol::message::{Info, RunSpec, SettingsChange, Status};
     use calib_protocol::record::RunLabels;
     use calib_protocol::signature::DeviceKey;
+    use calib_protocol::update::{RunningImage, UpdateStep};
     use core::future::Future;
     use core::pin::pin;
     use core::task::{Context, Poll, Waker};
@@ -293,6 +294,12 @@ mod tests {
         }
         async fn change_settings(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
             unreachable!("nobody holds the button")
+        }
+        fn image(&mut self) -> Option<RunningImage> {
+            None
+        }
+        fn update(&mut self, _: &UpdateStep, _: bool) -> Result<(), Refusal> {
+            Err(Refusal::NoLoader)
         }
     }
 

@@ -32,6 +32,8 @@ mod state;
 mod tasks;
 #[cfg(target_os = "none")]
 mod timing;
+#[cfg(target_os = "none")]
+mod update;
 
 #[cfg(target_os = "none")]
 use defmt_rtt as _;

@@ -2,9 +2,9 @@
 //!
 //! | request | from the holder | from the other link |
 //! |---|---|---|
-//! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`, `ReadCapture`, `Health`, `Key`) | answered | answered |
+//! | reading (`Info`, `Status`, `Point`, `Records`, `ReadRecord`, `SettingsRead`, `ReadCapture`, `Health`, `Key`, `Image`) | answered | answered |
 //! | `Stop`, `StopRun` | carried out | carried out: anyone may silence the exciter |
-//! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`, `Capture`, `SelfTest`, `MakeKey`) | carried out | refused |
+//! | changing (`Start`, `SettingsWrite`, `Reset`, `Release`, `Capture`, `SelfTest`, `MakeKey`, `Update`) | carried out | refused |
 //!
 //! The first link that asks for a change takes the session. It keeps it while
 //! it goes on asking for anything, and loses it after [`PATIENCE_MS`] of quiet
@@ -71,7 +71,8 @@ fn changes(request: &Request) -> bool {
         | Request::Release { .. }
         | Request::Capture { .. }
         | Request::SelfTest
-        | Request::MakeKey => true,
+        | Request::MakeKey
+        | Request::Update(_) => true,
         Request::Info
         | Request::Status
         | Request::Point { .. }
@@ -82,7 +83,8 @@ fn changes(request: &Request) -> bool {
         | Request::SettingsRead
         | Request::ReadCapture { .. }
         | Request::Health
-        | Request::Key => false,
+        | Request::Key
+        | Request::Image => false,
     }
 }
 
@@ -117,6 +119,7 @@ mod tests {
             Request::SettingsRead,
             Request::ReadCapture { offset: 0 },
             Request::Health,
+            Request::Image,
             Request::Stop,
             Request::StopRun { record_id: 7 },
         ] {

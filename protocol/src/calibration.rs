@@ -3,6 +3,7 @@
 use crate::head::{RecordHead, Sha256Sum};
 use crate::provenance::Provenance;
 use crate::signature::PublicKey;
+use crate::update::ImageOrigin;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use heapless::{String, Vec};
@@ -24,6 +25,8 @@ pub struct Record {
     pub complete: bool,
     /// Digest of the settings, and since when they are those.
     pub provenance: Provenance,
+    /// The image that measured, as its loader found it.
+    pub image: ImageOrigin,
     /// Results in the order measured.
     pub points: Vec<PointResult, MAX_POINTS>,
     /// [Digest](crate::record::digest) of the bytes it was read from; none of a record that was not read.
@@ -40,6 +43,7 @@ impl Record {
         incident: None,
         complete: false,
         provenance: Provenance::UNKNOWN,
+        image: ImageOrigin::UNKNOWN,
         points: Vec::new(),
         sha256: None,
         signed_by: None,

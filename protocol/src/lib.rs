@@ -29,3 +29,4 @@ pub mod signature;
 pub mod stored;
 pub mod stored_point;
 pub mod text;
+pub mod update;

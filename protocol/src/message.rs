@@ -20,11 +20,14 @@
 //! | `StopRun` | `Done` | run/stop |
 //! | `Key` | `Key` or `Refused` | key/get |
 //! | `MakeKey` | `Key` or `Refused` | key/make |
+//! | `Image` | `Image` | image/get |
+//! | `Update` | `Done` or `Refused` | image/update |
 
 use crate::capture::CapturePart;
 use crate::health::{Defects, Health};
 use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
 use crate::signature::DeviceKey;
+use crate::update::{RunningImage, UpdateStep};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
@@ -108,6 +111,11 @@ pub enum Request {
     /// Make the key of the instrument, which signs every record from then on. It needs the button held, and
     /// an instrument has one key in its life.
     MakeKey,
+    /// The image that runs.
+    Image,
+    /// A step of an update. Not while a run goes on; an image older than the one that runs needs the
+    /// button held at `Begin`.
+    Update(UpdateStep),
 }
 
 /// Answer of the calibrator.
@@ -167,6 +175,8 @@ pub enum Response {
     },
     /// Answer to `Key` and `MakeKey`; none: the instrument signs nothing.
     Key(Option<DeviceKey>),
+    /// Answer to `Image`; none: no loader has checked it.
+    Image(Option<RunningImage>),
 }
 
 /// Protocol version in an `Info` answer of any version, from its message bytes.
@@ -231,6 +241,20 @@ pub enum Refusal {
     KeyExists,
     /// The generator of random numbers gives none: no key was made.
     NoRandomness,
+    /// The instrument has no loader: it is updated by a debug probe.
+    NoLoader,
+    /// The manifest is none, was changed, or is not signed with the key the instrument trusts.
+    ImageSignature,
+    /// The image is for another board, or for the slot that is in use.
+    ImageNotForHere,
+    /// The image is older than the one that runs, and the button on the instrument is not held.
+    ImageOlder,
+    /// The image that runs was not confirmed: the other slot holds what it may fall back to.
+    ImageOnTrial,
+    /// No update was begun, or this block is not the next.
+    UpdateOrder,
+    /// What was written is not the image of the manifest.
+    ImageDamaged,
 }
 
 /// New settings, and what the log of a change says of it.

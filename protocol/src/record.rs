@@ -17,6 +17,7 @@
 //! | 5 | before | channel of the reference before a change: [`crate::change`] |
 //! | 6 | all before | all settings before a change |
 //! | 7 | provenance | [`Provenance`] of the settings |
+//! | 9 | image | [`ImageOrigin`]: digest and signer, where a loader has checked it |
 //! | 8 | signature | [`crate::signature::Signature`] of the instrument, the last of all |
 //!
 //! The head comes first. Records of version 1 had no sections: they are read, and written no more.
@@ -34,6 +35,7 @@ use crate::settings_form::{self, InSections};
 use crate::signature;
 use crate::stored_point::{self, InColumns};
 use crate::text::tame;
+use crate::update::ImageOrigin;
 use calib_core::settings::{ReferenceChannel, Settings};
 use core::ops::Range;
 use heapless::String;
@@ -47,6 +49,7 @@ const POINTS: u8 = 4;
 const BEFORE: u8 = 5;
 const ALL_BEFORE: u8 = 6;
 const PROVENANCE: u8 = 7;
+const IMAGE: u8 = 9;
 
 /// One line of the record list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -103,6 +106,7 @@ pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> 
         section(RUN, (&record.incident, record.complete)),
         section(POINTS, InColumns(&record.points)),
         Origin(&record.provenance),
+        Image(&record.image),
     );
     seal(RecordKind::Calibration, &content, buffer)
 }
@@ -134,6 +138,18 @@ impl Serialize for Origin<'_> {
         match *self.0 == Provenance::UNKNOWN {
             true => ().serialize(serializer),
             false => section(PROVENANCE, self.0).serialize(serializer),
+        }
+    }
+}
+
+/// The section of the image; none where no loader has checked it.
+struct Image<'a>(&'a ImageOrigin);
+
+impl Serialize for Image<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match *self.0 == ImageOrigin::UNKNOWN {
+            true => ().serialize(serializer),
+            false => section(IMAGE, self.0).serialize(serializer),
         }
     }
 }
@@ -220,6 +236,10 @@ impl<'a> Content<'a> {
         record.incident = run.take()?;
         record.complete = run.take()?;
         record.provenance = self.provenance()?;
+        record.image = match find(self.bytes, IMAGE, 1)? {
+            Some((_, content)) => Fields(content).take()?,
+            None => ImageOrigin::UNKNOWN,
+        };
         stored_point::read(needed(self.bytes, POINTS)?, &mut record.points)
     }
 
@@ -366,6 +386,7 @@ pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::update::ImageSigner;
     use calib_core::point::{PointResult, PointSpec};
     use calib_core::verdict::{Reason, Verdict};
 
@@ -423,6 +444,23 @@ mod tests {
             ..record()
         };
         assert_eq!(decode(&bytes), Ok(read));
+    }
+
+    /// 32 bytes of digest, the signer, and what says that it is a section: 3.
+    #[test]
+    fn the_image_that_measured_is_told_and_a_record_without_is_read() {
+        let mut record = record();
+        record.image = ImageOrigin {
+            sha256: [5; 32],
+            signer: ImageSigner::Development,
+        };
+        let mut bytes = vec![0; 1024];
+        let length = encode(&record, &mut bytes).expect("fits");
+        assert_eq!(length, stored().len() + 32 + 1 + 3);
+        let read = decode(&bytes[..length]).expect("whole");
+        assert_eq!(read.image, record.image);
+        let before = decode(&stored()).expect("whole");
+        assert_eq!(before.image, ImageOrigin::UNKNOWN);
     }
 
     #[test]

@@ -9,6 +9,7 @@ use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, Status,
 };
 use calib_protocol::record::{MAX_POINTS, RECORD_VERSION, RunLabels};
+use calib_protocol::update::{UPDATE_CHUNK, UpdateStep};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -100,6 +101,8 @@ fn the_table_lists_every_request_with_its_number() {
         Request::StopRun { record_id: 0 },
         Request::Key,
         Request::MakeKey,
+        Request::Image,
+        Request::Update(UpdateStep::Finish),
     ];
     assert_eq!(rows("request"), requests.each_ref().map(variant));
     expect_no_more::<Request>(requests.len());
@@ -140,6 +143,7 @@ fn the_table_lists_every_answer_with_its_number() {
             lines: heapless::Vec::new(),
         },
         Response::Key(None),
+        Response::Image(None),
     ];
     assert_eq!(rows("answer"), answers.each_ref().map(variant));
     expect_no_more::<Response>(answers.len());
@@ -167,6 +171,13 @@ fn the_table_lists_every_reason_with_its_number() {
         Refusal::Conditions,
         Refusal::KeyExists,
         Refusal::NoRandomness,
+        Refusal::NoLoader,
+        Refusal::ImageSignature,
+        Refusal::ImageNotForHere,
+        Refusal::ImageOlder,
+        Refusal::ImageOnTrial,
+        Refusal::UpdateOrder,
+        Refusal::ImageDamaged,
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     expect_no_more::<Refusal>(reasons.len());
@@ -208,6 +219,7 @@ fn the_limits_and_versions_are_those_of_the_code() {
             CAPTURE_CHUNK_PAIRS.to_string(),
         ),
         ("bytes of a record in one answer", RECORD_CHUNK.to_string()),
+        ("bytes of an image in one block", UPDATE_CHUNK.to_string()),
         (
             "rows of the reference's table",
             MAX_REFERENCE_POINTS.to_string(),

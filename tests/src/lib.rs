@@ -18,4 +18,5 @@ pub mod served;
 pub mod siege;
 pub mod supply;
 pub mod turns;
+pub mod two_slots;
 pub mod witness;

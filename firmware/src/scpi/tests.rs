@@ -15,6 +15,7 @@ use calib_protocol::message::{
 };
 use calib_protocol::record::{RecordKind, RecordSummary};
 use calib_protocol::signature::DeviceKey;
+use calib_protocol::update::{RunningImage, UpdateStep};
 use core::pin::pin;
 use core::task::{Context, Poll, Waker};
 
@@ -170,6 +171,12 @@ impl Instrument for Bench {
         unreachable!("no line asks for that")
     }
     async fn change_settings(&mut self, _: &SettingsChange) -> Result<(), Refusal> {
+        unreachable!("no line asks for that")
+    }
+    fn image(&mut self) -> Option<RunningImage> {
+        None
+    }
+    fn update(&mut self, _: &UpdateStep, _: bool) -> Result<(), Refusal> {
         unreachable!("no line asks for that")
     }
     fn capture(&mut self, _: u16) -> Result<(), Refusal> {

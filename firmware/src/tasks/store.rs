@@ -215,5 +215,6 @@ pub(crate) async fn store(
 fn name(record: &mut Record, identity: &Identity) {
     record.head.instrument_serial.clone_from(&identity.serial);
     record.head.firmware = identity.firmware();
+    record.image = identity.image;
     record.head.sample_rate_hz = crate::board::SAMPLE_RATE_HZ as f32;
 }

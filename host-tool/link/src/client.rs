@@ -14,6 +14,7 @@ use calib_protocol::message::{Info, Refusal, Request, Response, RunSpec, Setting
 use calib_protocol::record::RecordSummary;
 use calib_protocol::signature::DeviceKey;
 use calib_protocol::text::tame;
+use calib_protocol::update::{RunningImage, UpdateStep};
 use std::time::Duration;
 
 /// More records than any flash holds: a device that lists more goes on for ever.
@@ -325,6 +326,32 @@ impl Client {
             Response::Key(Some(key)) => Ok(key),
             _ => Err(unexpected("to make its key")),
         }
+    }
+
+    /// The image that runs; none where no loader has checked it, be it because its release knows of none.
+    pub fn image(&mut self) -> Result<Option<RunningImage>> {
+        match self.ask("its image", &Request::Image) {
+            Ok(Response::Image(image)) => Ok(image),
+            Ok(_) => Err(unexpected("its image")),
+            Err(Error::Refused(refused)) if refused.refusal == Refusal::Unknown => Ok(None),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// [`Self::image`] of an instrument that is to be updated.
+    pub fn running_image(&mut self) -> Result<RunningImage> {
+        let no_loader = Error::Refused(Refused {
+            request: "an update",
+            refusal: Refusal::NoLoader,
+        });
+        self.image()?.ok_or(no_loader)
+    }
+
+    /// Carries out a step of an update; [`crate::session::update`] does all of it.
+    pub fn update(&mut self, step: &UpdateStep) -> Result<()> {
+        let request = Request::Update(step.clone());
+        // A block may wait for the erase of its sector.
+        self.done("an update", &request, self.policy.flash_timeout)
     }
 
     /// Resets the board. It answers before it does.

@@ -216,6 +216,15 @@ fn reason(refusal: Refusal) -> String {
         Refusal::Conditions => "the temperature stated for the run cannot be true",
         Refusal::KeyExists => "it has a key, and keeps it",
         Refusal::NoRandomness => "its generator of random numbers gives none",
+        Refusal::NoLoader => "it has no loader, which would start the new image",
+        Refusal::ImageSignature => "the image was changed, or is not signed with the key it trusts",
+        Refusal::ImageNotForHere => "the image is for another board",
+        Refusal::ImageOlder => {
+            "the image is older than the one that runs, and its button is not held"
+        }
+        Refusal::ImageOnTrial => "the image that runs is on trial and was not confirmed",
+        Refusal::UpdateOrder => "the blocks of the image came out of order",
+        Refusal::ImageDamaged => "what was written is not the image that was signed",
         _ => "for a reason this tool does not know",
     };
     known.to_owned()
@@ -238,7 +247,7 @@ impl Refused {
 
     /// True when a hand on the button is all that is missing.
     pub fn wants_button(&self) -> bool {
-        self.refusal == Refusal::ButtonNotHeld
+        matches!(self.refusal, Refusal::ButtonNotHeld | Refusal::ImageOlder)
     }
 
     /// Remedy.
@@ -248,6 +257,20 @@ impl Refused {
                 "hold the button on the instrument and repeat meanwhile; a press counts for a minute. \
                  The change is logged as a record"
             }
+            Refusal::ImageOlder => "hold the button on the instrument and repeat meanwhile",
+            Refusal::NoLoader => {
+                "`./run commission` in the source tree puts one on the instrument, by its debug probe"
+            }
+            Refusal::ImageSignature => {
+                "use the file as its maker released it; an instrument with a loader of the source tree \
+                 takes images signed with the development key alone"
+            }
+            Refusal::ImageNotForHere => "use the file for its board",
+            Refusal::ImageOnTrial => {
+                "the same update again confirms it; switched on three times without, the instrument \
+                 returns to the one before"
+            }
+            Refusal::UpdateOrder | Refusal::ImageDamaged => "update again; what ran runs on",
             Refusal::TemperatureOutOfRange => {
                 "`calib info` shows its temperature: let it cool down or warm up, and repeat"
             }

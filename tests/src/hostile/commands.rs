@@ -17,6 +17,7 @@ use calib_protocol::message::{
     Info, Refusal, Request, ResetCause, Response, RunSpec, SettingsChange, Status,
 };
 use calib_protocol::signature::DeviceKey;
+use calib_protocol::update::{RunningImage, UpdateStep};
 use std::future::Future;
 use std::pin::pin;
 use std::task::{Context, Poll, Waker};
@@ -28,6 +29,7 @@ const STOP_RUN: u32 = 15;
 const RESET: u32 = 9;
 const RELEASE: u32 = 10;
 const CAPTURE: u32 = 11;
+const UPDATE: u32 = 19;
 
 /// Feeds `data` to a link whose host holds the session, and to one whose host
 /// does not.
@@ -58,6 +60,7 @@ pub fn commands(data: &[u8]) {
             assert!(changes.resets <= asked_for(RESET));
             assert!(changes.releases <= asked_for(RELEASE));
             assert!(changes.captures <= asked_for(CAPTURE));
+            assert!(changes.updates <= asked_for(UPDATE));
         } else {
             assert_eq!(
                 changes,
@@ -150,6 +153,7 @@ struct Changes {
     resets: usize,
     releases: usize,
     captures: usize,
+    updates: usize,
 }
 
 /// An instrument that does nothing and notes everything.
@@ -329,6 +333,16 @@ impl Instrument for Notes {
         Ok(())
     }
 
+    fn image(&mut self) -> Option<RunningImage> {
+        None
+    }
+
+    fn update(&mut self, _: &UpdateStep, older_allowed: bool) -> Result<(), Refusal> {
+        assert!(self.hand_on_button || !older_allowed, "without a hand");
+        self.changes.updates += 1;
+        Ok(())
+    }
+
     fn capture(&mut self, pairs: u16) -> Result<(), Refusal> {
         self.capture.arm(pairs)?;
         self.capture.take(0, &[0x8000_8000; 500]);
@@ -360,7 +374,7 @@ mod tests {
         instrument.hand_on_button = true;
         // The seed changes a setting.
         instrument.settings.blocks += 1;
-        assert_eq!(instrument.hear(&all).len(), 17);
+        assert_eq!(instrument.hear(&all).len(), 19);
         let once = Changes {
             starts: 1,
             writes: 1,
@@ -368,6 +382,7 @@ mod tests {
             resets: 1,
             releases: 1,
             captures: 1,
+            updates: 1,
         };
         assert_eq!(instrument.changes, once);
     }

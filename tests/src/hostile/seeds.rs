@@ -7,6 +7,7 @@ use calib_core::verdict::Reason;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::message::{Refusal, Request, Response, RunSpec};
 use calib_protocol::record::{self, Record, RecordHead, RunLabels};
+use calib_protocol::update::UpdateStep;
 use serde::Serialize;
 
 /// A seed of a fuzz target.
@@ -92,6 +93,11 @@ fn requests() -> Vec<Request> {
         Request::StopRun { record_id: 1 },
         Request::Key,
         Request::MakeKey,
+        Request::Image,
+        Request::Update(UpdateStep::Block {
+            offset: 1024,
+            data: heapless::Vec::from_slice(&[0x5A; 64]).unwrap_or_default(),
+        }),
     ]
 }
 

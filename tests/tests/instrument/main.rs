@@ -31,5 +31,6 @@ mod settings_hand;
 mod signature;
 mod site_faults;
 mod torn_flash;
+mod update;
 mod usb;
 mod verdicts;

@@ -24,7 +24,7 @@ use rigless::time::{EventId, VirtualNanos};
 use super::check_bits::{CheckBits, Met};
 
 /// Flash bank 1: boot loader and image (`memory.x`).
-const CODE_FLASH: u64 = 0x0800_0000;
+pub const CODE_FLASH: u64 = 0x0800_0000;
 /// Flash bank 2: records and settings (`memory.x`).
 pub const RECORD_FLASH: u64 = 0x0810_0000;
 /// First address behind the flash.
@@ -126,11 +126,16 @@ enum Trap {
     Ordinal(u64),
     Erase,
     OrdinalOrErase(u64),
+    /// By its number among those of the bank of the code.
+    Code(u64),
 }
 
 impl Trap {
     fn is(self, operation: Operation, ordinal: u64) -> bool {
+        let of_code = operation.address() < RECORD_FLASH;
         match self {
+            Self::Code(wanted) => of_code && ordinal == wanted,
+            _ if of_code => false,
             Self::Ordinal(wanted) => ordinal == wanted,
             Self::Erase => matches!(operation, Operation::Erase { .. }),
             Self::OrdinalOrErase(wanted) => {
@@ -143,7 +148,8 @@ impl Trap {
 #[derive(Debug, Default)]
 struct State {
     running: [Option<Running>; BANKS],
-    started: u64,
+    /// Operations begun, of each bank.
+    begun: [u64; BANKS],
     erases: [u64; SECTORS],
     check_bits: CheckBits,
     poisoned_loads: u64,
@@ -160,7 +166,7 @@ struct State {
 rigless::store!(State {
     values: [
         running,
-        started,
+        begun,
         erases,
         check_bits,
         poisoned_loads,
@@ -214,7 +220,13 @@ impl FlashWatch {
     /// Operations started on the record flash since the first power-on.
     #[must_use]
     pub fn operations(&self) -> u64 {
-        self.lock().started
+        self.lock().begun[1]
+    }
+
+    /// Operations started on the flash the code is in since the first power-on.
+    #[must_use]
+    pub fn code_operations(&self) -> u64 {
+        self.lock().begun[0]
     }
 
     /// Erases started of each sector of the record flash.
@@ -248,9 +260,22 @@ impl FlashWatch {
         Some((running.operation, running.progress(now)))
     }
 
+    /// The operation under way on either bank; no two of them are worked on at once here.
+    #[must_use]
+    pub(super) fn any_under_way(&self, now: VirtualNanos) -> Option<(Operation, f64)> {
+        let running = self.lock().running;
+        let running = running.into_iter().flatten().next()?;
+        Some((running.operation, running.progress(now)))
+    }
+
     /// Asks for a stop at `fraction` (0 to 1) of operation number `ordinal`, counted from 1.
     pub fn set_trap(&self, ordinal: u64, fraction: f64) {
         self.lock().trap = Some((Trap::Ordinal(ordinal), fraction));
+    }
+
+    /// Asks for a stop at `fraction` (0 to 1) of operation number `ordinal` on the flash the code is in.
+    pub fn set_code_trap(&self, ordinal: u64, fraction: f64) {
+        self.lock().trap = Some((Trap::Code(ordinal), fraction));
     }
 
     /// Sets the trap for the next erase.
@@ -398,10 +423,9 @@ impl FlashWatch {
             }
             Operation::Erase { .. } => {}
         }
-        if address >= RECORD_FLASH {
-            state.started += 1;
-            state.spring(operation, started, lasts_ns);
-        }
+        state.begun[bank] += 1;
+        let ordinal = state.begun[bank];
+        state.spring(operation, ordinal, started, lasts_ns);
         self.has_news.store(true, Ordering::Relaxed);
         self.publish(&state);
     }
@@ -445,8 +469,8 @@ impl FlashWatch {
 
 impl State {
     /// Springs the trap if it is set for this operation.
-    fn spring(&mut self, operation: Operation, started: VirtualNanos, lasts_ns: u64) {
-        let is = |(trap, _): &(Trap, f64)| trap.is(operation, self.started);
+    fn spring(&mut self, operation: Operation, ordinal: u64, started: VirtualNanos, lasts_ns: u64) {
+        let is = |(trap, _): &(Trap, f64)| trap.is(operation, ordinal);
         if let Some((_, fraction)) = self.trap.filter(is) {
             self.trap = None;
             let into_ns = (fraction.clamp(0.0, 1.0) * lasts_ns as f64) as u64;

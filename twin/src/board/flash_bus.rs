@@ -10,7 +10,7 @@
 //! the emulator by itself lets pass: a stack that overflows is noticed at once, as on the part.
 //!
 //! Loads of DMA controllers are not held up, and fetches are asked about between stretches of at most
-//! [`LOOK`] instructions.
+//! [`LOOK`] instructions, of code outside of the flash [`LOOK_ELSEWHERE`].
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -25,8 +25,10 @@ use rigless::time::VirtualNanos;
 
 use super::flash::{FlashWatch, bank_of, bank_range};
 
-/// Instructions between two looks at where the core fetches from, while bank 1 is at work.
+/// Instructions between two looks at where the core fetches from, while bank 1 is at work: of code in flash,
+/// and of code elsewhere, which may go so far into flash before it is held up.
 const LOOK: u32 = 64;
+const LOOK_ELSEWHERE: u32 = 4096;
 
 /// First address behind the areas of code and SRAM (ARMv7-M, B3.1): below there are memories alone.
 const PERIPHERALS: u64 = 0x4000_0000;
@@ -61,12 +63,17 @@ impl FlashBus {
     }
 
     /// Sends the pages over the bus that must be. Bank 2 stays there once it was at work, until the next
-    /// reset: its thousand pages would go there and back for every word that is programmed.
+    /// reset: its thousand pages would go there and back for every word that is programmed. Bank 1 goes there
+    /// only while the core runs from elsewhere: from there, it is held up before it can load anything.
     fn route(&mut self, poisoned: &[u64]) {
         let page = self.core.page_size();
         let poisoned: BTreeSet<u64> = poisoned.iter().map(|word| word & !(page - 1)).collect();
         let was_at_work = self.followed.as_ref().is_some_and(|(banks, _)| banks[1]);
-        let banks = [self.flash.is_busy(0), self.flash.is_busy(1) || was_at_work];
+        let runs_from_1 = bank_of(self.core.pc()) == Some(0);
+        let banks = [
+            self.flash.is_busy(0) && !runs_from_1,
+            self.flash.is_busy(1) || was_at_work,
+        ];
         let from = Some((banks, poisoned));
         if from == self.followed {
             return;
@@ -162,7 +169,8 @@ impl Processor for FlashBus {
             return (Exit::Waiting, 0);
         }
         let budget = match self.flash.is_busy(0) {
-            true => budget.min(LOOK),
+            true if bank_of(self.core.pc()).is_some() => budget.min(LOOK),
+            true => budget.min(LOOK_ELSEWHERE),
             false => budget,
         };
         let mut bus = Looked {

@@ -64,8 +64,8 @@ pub use analog::Analog;
 pub(crate) use check_bits::CheckBits;
 pub use cortex_m7::{INSTRUCTIONS_PER_S, instructions_per_s};
 pub use flash::{
-    CutOff, FlashWatch, Operation, RECORD_FLASH, SECTOR_BYTES, SECTORS, WORD_BYTES, torn_sector,
-    torn_word,
+    CODE_FLASH, CutOff, FlashWatch, Operation, RECORD_FLASH, SECTOR_BYTES, SECTORS, WORD_BYTES,
+    torn_sector, torn_word,
 };
 pub use flaws::{Flaw, Flawed};
 pub use front_panel::Leds;

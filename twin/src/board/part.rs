@@ -357,7 +357,7 @@ impl Part {
 
     /// The operation on the record flash that a cut at `at` would cut.
     pub(crate) fn flash_under_way(&self, at: VirtualNanos) -> Option<CutOff> {
-        let (operation, progress) = self.pins.flash.under_way(at)?;
+        let (operation, progress) = self.pins.flash.any_under_way(at)?;
         Some(CutOff {
             operation,
             progress,

@@ -258,6 +258,19 @@ impl Emulator {
             .map_err(|error| Error::Ended(error.to_string()))
     }
 
+    /// Puts `bytes` into flash at `address`, a multiple of 8, as a debug probe on the bench does.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails or there is no flash at `address`.
+    pub fn load_flash(&mut self, address: u64, bytes: &[u8]) -> Result<(), Error> {
+        let mut bytes = bytes.to_vec();
+        bytes.resize(bytes.len().next_multiple_of(8), 0xFF);
+        self.core
+            .act(move |_, host, _| memory::program(host, address, &bytes))?
+            .map_err(|error| Error::Ended(error.to_string()))
+    }
+
     /// Address of a function or variable of the image.
     ///
     /// # Errors

@@ -10,6 +10,9 @@ use crate::board::{SECTOR_BYTES, SECTORS, WriteBuffer};
 /// Size of the record flash.
 pub(super) const RECORD_FLASH_BYTES: usize = SECTORS * SECTOR_BYTES as usize;
 
+/// Size of the bank the code is in.
+pub(super) const BANK_BYTES: usize = 8 * SECTOR_BYTES as usize;
+
 /// The memories that lose their content with the supply: DTCM, AXI SRAM, SRAM1 to SRAM4.
 const VOLATILE: [(u64, u64); 5] = [
     (0x2000_0000, 128 << 10),

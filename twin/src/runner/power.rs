@@ -71,6 +71,23 @@ impl Emulator {
         })
     }
 
+    /// As [`Emulator::run_into_flash_operation`], of operations on the flash the code is in.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Ended`] when the emulator fails.
+    pub fn run_into_code_operation(
+        &mut self,
+        ordinal: u64,
+        fraction: f64,
+        limit: Duration,
+    ) -> Result<bool, Error> {
+        self.pins.flash.set_code_trap(ordinal, fraction);
+        let goal = self.elapsed() + limit;
+        self.run_for(limit)?;
+        Ok(self.elapsed() < goal)
+    }
+
     /// Runs until operation number `ordinal` on the record flash, counted from 1 at the first
     /// power-on, is at `fraction` (0 to 1) of its time, at most for `limit`; answers whether it is.
     ///

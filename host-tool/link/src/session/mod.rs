@@ -5,6 +5,7 @@ mod download;
 mod labels;
 mod points;
 mod run;
+pub mod update;
 
 pub use broadband::on_lines;
 pub use download::{
