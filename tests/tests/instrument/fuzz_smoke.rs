@@ -56,6 +56,7 @@ fn files_of_any_content_are_read_or_refused() {
     smoke("rig", 5_000, files::rig);
     smoke("dataset", 300, files::dataset);
     smoke("logbook", 200, files::logbook);
+    smoke("signed", 3_000, files::signed);
     smoke("metrology", 4_000, files::metrology);
 }
 

@@ -6,11 +6,13 @@ mod dataset;
 mod logbook;
 mod metrology;
 mod seeds;
+mod signed;
 mod texts;
 
 pub use dataset::{dataset, rig};
 pub use logbook::logbook;
 pub use metrology::metrology;
+pub use signed::signed;
 pub use texts::{particulars, points, settings, teds};
 
 pub(super) use seeds::seeds;

@@ -37,6 +37,9 @@ pub(in crate::hostile) fn seeds() -> Vec<Seed> {
         "damage",
         vec![0, 0, 16, 1, 0, 32, 0, 0x80, 0, 0x60, 7, 0xFF],
     );
+    for (name, bytes) in super::signed::seeds() {
+        add("signed", name, bytes);
+    }
     for (kind, (name, text)) in METROLOGY.into_iter().enumerate() {
         add("metrology", name, led_by(kind as u8, text));
     }
