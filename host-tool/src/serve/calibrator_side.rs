@@ -16,6 +16,7 @@ use calib_link::{Client, StopSwitch};
 use calib_output::{InfoView, PointView, StatusView};
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
+use calib_record::signature::short;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -125,6 +126,7 @@ impl Worker {
         self.shared.change(|snapshot| {
             snapshot.device = device;
             snapshot.info = None;
+            snapshot.key = None;
             snapshot.link = Link::None;
         });
         if let Err(error) = self.open() {
@@ -140,11 +142,12 @@ impl Worker {
         // has begun meanwhile.
         let followed = snapshot.run.filter(|run| run.running);
         client.stop_for(followed.and_then(|run| run.record_id));
-        let (info, health) = (client.info()?, client.health()?);
+        let (info, health, key) = (client.info()?, client.health()?, client.key()?);
         client.stop_for(None);
         self.client = Some(client);
         self.shared.change(|snapshot| {
             snapshot.info = Some(InfoView::new(&info, health.as_ref()));
+            snapshot.key = key.map(|key| short(&key.public));
             snapshot.link = Link::Connected;
             snapshot.trouble = None;
         });

@@ -58,6 +58,8 @@ pub struct Snapshot {
     pub device: String,
     /// Who it is.
     pub info: Option<InfoView>,
+    /// The first 64 bits of its public key, as people compare them; none where its records are not signed.
+    pub key: Option<String>,
     /// Last error, with the way out.
     pub trouble: Option<String>,
     /// The running or last run.

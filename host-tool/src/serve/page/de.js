@@ -94,6 +94,8 @@ export const german = {
   "Sensitivity over the years, with U": "Empfindlichkeit über die Jahre, mit U",
   "Silence": "Stille",
   "calibrator {0}, firmware {1}": "Kalibrator {0}, Firmware {1}",
+  "key {0}": "Schlüssel {0}",
+  "no key: its records are not signed": "ohne Schlüssel: seine Messungen sind nicht signiert",
   "Degraded, measures nothing: {0}": "Eingeschränkt, misst nicht: {0}",
   "the server does not answer": "der Server antwortet nicht",
   "the server does not answer: {0}": "der Server antwortet nicht: {0}",

@@ -128,7 +128,8 @@ function show(view) {
   $("link").textContent = word(links[view.link], view.device);
   $("link").dataset.link = view.link;
   $("info").textContent = view.info
-    ? word("calibrator {0}, firmware {1}", view.info.instrument_serial, view.info.firmware_version) : "";
+    ? word("calibrator {0}, firmware {1}", view.info.instrument_serial, view.info.firmware_version) + ", "
+      + (view.key ? word("key {0}", view.key) : word("no key: its records are not signed")) : "";
   const defects = view.info ? view.info.defect_texts : [];
   $("degraded").textContent = defects.length ? word("Degraded, measures nothing: {0}", defects.map((text) => word(text)).join("; ")) : "";
   $("degraded").hidden = !defects.length;
