@@ -20,6 +20,7 @@
 //! | `conformity` | judgement of the results by a decision rule |
 //! | `rounding` | two digits of U, the value to the same digit |
 //! | `present` | [`Certificate`] to strings in a language |
+//! | `seal` | PDF and DCC signed with the laboratory's key |
 //! | `square` | number, sum and where to verify, for a telephone |
 //! | `plot`, `band` | frequency response and tolerance as SVG |
 //! | `csv`, `json`, `html`, `pdf`, `dcc`, `uff` | one format each |
@@ -52,6 +53,7 @@ mod present;
 pub(crate) mod python;
 mod refused;
 pub mod rounding;
+mod seal;
 mod sections;
 mod square;
 mod standing;
@@ -88,6 +90,7 @@ pub use model::Certificate;
 pub use mountings::{MountingScatter, scatter as mounting_scatter};
 pub use particulars::{Adjustment, Known, Particulars};
 pub use present::Presented;
+pub use seal::Seal;
 pub use standing::digest;
 pub use substitution::{StandardPoint, Substituted, substitute};
 pub use temperature::instrument_covers;
@@ -95,13 +98,11 @@ pub use units::SensitivityUnit;
 pub use verdict::Verdict;
 pub use words::{Language, REASONS};
 
-use calib_files::{Error, Result, set};
+use calib_files::{Result, set};
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
-use calib_signing::{Kind, LaboratoryKey};
-use jiff::Timestamp;
+use calib_signing::Kind;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// A form of the certificate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -183,25 +184,6 @@ pub struct Options {
     pub seal: Option<Seal>,
 }
 
-/// The laboratory's key, and when it signs.
-#[derive(Clone, Debug)]
-pub struct Seal {
-    /// Key with its certificates.
-    pub key: Arc<LaboratoryKey>,
-    /// Time of the signature, as a PDF states it.
-    pub at: Timestamp,
-}
-
-impl Seal {
-    fn on(&self, kind: Kind, content: &[u8]) -> Result<Vec<u8>> {
-        let signed = calib_signing::sign(kind, content, &self.key, self.at);
-        signed.map_err(|problem| {
-            let hint = "sign without a [layout] template of your own; if that fails, report it";
-            Error::input("certificate", problem.to_string(), hint)
-        })
-    }
-}
-
 /// Writes the certificate of `record` in `formats` into `out_dir`.
 ///
 /// Files are named after the certificate number. Either all of them appear,
@@ -259,23 +241,14 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
     }
     standing::attach(&mut certificate, record, options.chain);
     let language = options.particulars.language.unwrap_or_default();
-    let seal = |kind, content: Vec<u8>| match &options.seal {
-        Some(seal) => seal.on(kind, &content),
-        None => Ok(content),
-    };
-    // Made once: an elliptic curve signs the same thing differently each time, and the DCC within the PDF
-    // is the one beside it. Without date or country there is none, and the certificate says what is missing.
-    let dcc = match dcc::render(&certificate, language) {
-        Ok(dcc) => Some(seal(Kind::Dcc, dcc)?),
-        Err(_) => None,
-    };
+    let dcc = seal::dcc(&certificate, language, options.seal.as_ref())?;
     let file = |format: &Format| {
         let content = match (format, &dcc) {
             (Format::Dcc, Some(dcc)) => dcc.clone(),
             (Format::Pdf, dcc) => {
                 let presented = Presented::new(&certificate, language);
                 let page = pdf::render(&certificate, &presented, dcc.as_deref())?;
-                seal(Kind::Pdf, page)?
+                seal::sealed(Kind::Pdf, page, options.seal.as_ref())?
             }
             (format, _) => render(&certificate, *format, language)?,
         };
