@@ -21,6 +21,9 @@ pub(crate) enum Part {
     SignedInfo,
 }
 
+/// Each element has a copy of those around it: a document made to take hours is refused.
+const MOST_PREFIXES: usize = 100;
+
 /// Namespaces by their prefixes; the empty one is the default.
 pub(crate) type Bound = BTreeMap<String, String>;
 
@@ -198,7 +201,10 @@ pub(crate) fn read_attributes(
             None => attributes.push((key.to_owned(), value)),
         }
     }
-    Ok((bound, attributes))
+    match bound.len() <= MOST_PREFIXES {
+        true => Ok((bound, attributes)),
+        false => Err(malformed("more namespaces than any certificate has")),
+    }
 }
 
 /// Prefix and local part of a name.
@@ -324,6 +330,8 @@ mod tests {
 
     #[test]
     fn what_no_signature_covers_is_refused() {
+        let many: String = (0..101).map(|n| format!(" xmlns:p{n}='u'")).collect();
+        let many = format!("<a{many}/>");
         for xml in [
             "<a>10.0<!-- -->17</a>",
             "<a><?php?></a>",
@@ -336,6 +344,7 @@ mod tests {
             "<a b='1' b='2'/>",
             "<a b=1/>",
             "",
+            &many,
         ] {
             assert!(canonical(xml, Part::Enveloping).is_err(), "{xml}");
         }
