@@ -5,6 +5,7 @@
 
 pub mod about_sensor;
 pub mod assurance;
+pub mod config;
 pub mod demo;
 mod device;
 pub mod doctor;

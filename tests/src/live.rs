@@ -9,7 +9,10 @@ use std::io;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, mpsc};
 use std::thread::JoinHandle;
-use std::time::Duration;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+/// Long enough to be no zero crossing of a tone.
+const REST: Duration = Duration::from_millis(5);
 
 /// State shared by the board's thread and its user.
 #[derive(Default)]
@@ -18,6 +21,35 @@ struct Shared {
     unplugged: AtomicBool,
     /// Virtual time for which the drive output has rested, ms.
     silent_ms: AtomicU64,
+    /// When that began, by the wall, us since 1970; 0 while it moves.
+    rest_began_us: AtomicU64,
+    /// How far the board was behind the wall then, us.
+    behind_us: AtomicU64,
+}
+
+impl Shared {
+    /// `behind`: how far the board is behind the wall.
+    fn look(&self, silent: Duration, behind: Duration) {
+        self.silent_ms
+            .store(whole(silent.as_millis()), Ordering::SeqCst);
+        let began = self.rest_began_us.load(Ordering::SeqCst);
+        if silent < REST {
+            self.rest_began_us.store(0, Ordering::SeqCst);
+        } else if began == 0 {
+            let now = SystemTime::now()
+                .duration_since(UNIX_EPOCH)
+                .unwrap_or_default();
+            let began = now.saturating_sub(silent);
+            self.behind_us
+                .store(whole(behind.as_micros()), Ordering::SeqCst);
+            self.rest_began_us
+                .store(whole(began.as_micros()), Ordering::SeqCst);
+        }
+    }
+}
+
+fn whole(count: u128) -> u64 {
+    u64::try_from(count).unwrap_or(u64::MAX)
 }
 
 /// The calibrator; switched off when it is dropped.
@@ -60,6 +92,20 @@ impl Live {
     pub fn silent_for(&self) -> Duration {
         Duration::from_millis(self.shared.silent_ms.load(Ordering::SeqCst))
     }
+
+    /// Since when, as time since 1970, the drive output has rested; `None` while it moves.
+    ///
+    /// Seen within milliseconds where the computer keeps the board at pace; where it does not, later by
+    /// what [`Self::behind_at_rest`] says, and never earlier than it was.
+    pub fn at_rest_since(&self) -> Option<Duration> {
+        let began = self.shared.rest_began_us.load(Ordering::SeqCst);
+        (began != 0).then_some(Duration::from_micros(began))
+    }
+
+    /// How far this computer was behind with the board when that rest began; a board of its own never is.
+    pub fn behind_at_rest(&self) -> Duration {
+        Duration::from_micros(self.shared.behind_us.load(Ordering::SeqCst))
+    }
 }
 
 impl Drop for Live {
@@ -78,15 +124,24 @@ fn run(
 ) -> Result<(), Fault> {
     let board = EmulatedBoard::power_on_calibrated(rig, None)?;
     let socket = Socket::new(Arc::clone(shared))?;
+    let silent = board.emulator().silent_for();
+    shared.look(silent.unwrap_or_default(), Duration::ZERO);
     ready.send(Ok(socket.address()))?;
     let line = board.emulator().serial().clone();
     let mut doors: [Box<dyn Door>; 1] = [Box::new(socket)];
-    run_paced(&mut board.emulator(), &line, &mut doors, |emulator, _| {
-        let silent = emulator.silent_for().unwrap_or_default();
-        let silent_ms = u64::try_from(silent.as_millis()).unwrap_or(u64::MAX);
-        shared.silent_ms.store(silent_ms, Ordering::SeqCst);
-        !shared.ended.load(Ordering::SeqCst)
-    })?;
+    // What was given up as lost since the last look was behind before.
+    let mut lost = Duration::ZERO;
+    run_paced(
+        &mut board.emulator(),
+        &line,
+        &mut doors,
+        |emulator, pace| {
+            let behind = pace.wall_time.saturating_sub(pace.virtual_time + lost);
+            lost = pace.lost;
+            shared.look(emulator.silent_for().unwrap_or_default(), behind);
+            !shared.ended.load(Ordering::SeqCst)
+        },
+    )?;
     Ok(())
 }
 

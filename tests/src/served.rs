@@ -38,6 +38,7 @@ impl Served {
             .current_dir(folder)
             .env_remove("CALIB_DEVICE")
             .env_remove("CALIB_LABORATORY")
+            .env("CALIB_CONFIG", folder.join("config.toml"))
             .env("CALIB_LOGBOOK", folder.join("logbook.sqlite"))
             .stdout(Stdio::piped())
             .spawn()?;

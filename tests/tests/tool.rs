@@ -6,10 +6,12 @@ mod documents;
 
 use calib_output::conforms::check_output;
 use calib_tests::capture;
+use calib_tests::live::Live;
+use calib_twin::rig::Rig;
 use serde_json::Value;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStdout, Command, Output, Stdio};
+use std::process::{Child, ChildStderr, ChildStdout, Command, Output, Stdio};
 use std::time::Duration;
 
 /// The program: what the environment names, else the one beside this test.
@@ -29,6 +31,7 @@ fn calib(folder: &Path, arguments: &[&str]) -> Command {
         .current_dir(folder)
         .env_remove("CALIB_DEVICE")
         .env("CALIB_LOGBOOK", folder.join("no-logbook.sqlite"))
+        .env("CALIB_CONFIG", folder.join("config.toml"))
         .env("CALIB_STATE_DIR", folder.join("state"))
         .env("NO_COLOR", "1");
     command
@@ -308,6 +311,86 @@ fn interrupting_a_run_stops_it_and_keeps_what_was_measured() {
     assert_eq!(json(folder.path(), &next)["record_id"], 3);
 }
 
+/// A run whose link is cut at its first point, with what it says on the way.
+struct Cut {
+    live: Live,
+    run: Child,
+    said: BufReader<ChildStderr>,
+}
+
+impl Cut {
+    fn begin(folder: &Path) -> Self {
+        let live = Live::power_on(Rig::draw(2)).expect("a board");
+        let list = ["run", "--points", "two.csv", "-d", &live.address, "--json"];
+        let mut run = calib(folder, &list)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("calib starts");
+        let said = BufReader::new(run.stderr.take().expect("piped"));
+        while live.at_rest_since().is_some() {
+            assert!(run.try_wait().expect("a process").is_none(), "it ended");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        live.unplug(true);
+        let mut cut = Self { live, run, said };
+        cut.wait_to_hear("the run goes on");
+        cut
+    }
+
+    fn wait_to_hear(&mut self, words: &str) {
+        let mut heard = String::new();
+        while !heard.contains(words) {
+            let read = self.said.read_line(&mut heard).expect("a line");
+            assert!(read > 0, "never said '{words}' but '{heard}'");
+        }
+    }
+
+    /// With the link there again: how it ended, and the document.
+    fn end(self) -> (Live, Output) {
+        self.live.unplug(false);
+        (self.live, self.run.wait_with_output().expect("ends"))
+    }
+}
+
+#[test]
+fn a_run_outlives_its_link_and_what_the_logbook_lacks_is_fetched() {
+    let folder = folder();
+    let (live, ended) = Cut::begin(folder.path()).end();
+    assert_eq!(ended.status.code(), Some(0));
+    let run: Value = serde_json::from_slice(&ended.stdout).expect("one JSON document");
+    assert_eq!(run["points"].as_array().expect("points").len(), 2);
+    assert_eq!(run["record_id"], 2);
+    // There was no logbook: sync makes one, of the run and of the settings before it.
+    let sync = || json(folder.path(), &["sync", "-d", &live.address])[0].clone();
+    let first = sync();
+    assert_eq!(first["fetched"], serde_json::json!([1, 2]));
+    assert_eq!(
+        (&first["known"], &first["waiting"]),
+        (&0.into(), &Value::Null)
+    );
+    let second = sync();
+    assert_eq!(
+        (&second["fetched"], &second["known"]),
+        (&serde_json::json!([]), &2.into())
+    );
+    json(folder.path(), &["logbook", "check"]);
+    let records = json(folder.path(), &["logbook", "records"]);
+    assert!(!records.as_array().expect("records").is_empty());
+}
+
+#[test]
+fn a_stop_over_a_link_that_is_lost_is_told_as_none_and_goes_first_when_it_is_back() {
+    let folder = folder();
+    let mut cut = Cut::begin(folder.path());
+    interrupt(&cut.run);
+    cut.wait_to_hear("NOT STOPPED");
+    let (_live, ended) = cut.end();
+    assert_eq!(ended.status.code(), Some(7));
+    let run: Value = serde_json::from_slice(&ended.stdout).expect("one JSON document");
+    assert_eq!(run["state"], "stopped");
+}
+
 #[test]
 fn the_emulated_calibrator_of_a_user_remembers() {
     let folder = folder();
@@ -388,6 +471,14 @@ calibrator.write('NO:SUCH:THING')
 heard['mistake'] = calibrator.query('SYST:ERR?')
 heard['self_test'] = calibrator.query('*TST?')
 heard['version'] = calibrator.query('SYST:VERS?')
+heard['before'] = calibrator.query('*CLS;*ESE 32;*SRE 32;*STB?;*ESE?;*SRE?')
+calibrator.write('NO:SUCH?')
+calibrator.write('CONF:FREQ 30 kHz')
+heard['after'] = calibrator.query('*STB?;SYST:ERR:COUN?')
+heard['range'] = calibrator.query('SYST:ERR?;:SYST:ERR?;*ESR?')
+heard['key'] = calibrator.query('SYST:KEY?')
+heard['all'] = calibrator.query('MEAS? 160 Hz,10')
+heard['again'] = calibrator.query('INIT;*WAI;FETC:VERD?')
 print(json.dumps(heard))
 "#;
 
@@ -428,6 +519,31 @@ fn scpi_agrees_with_the_record(arguments: &[&str], resource: impl Fn(&str) -> St
     assert_eq!(
         (words("self_test"), words("version")),
         ("0".into(), "1999.0".into())
+    );
+    // A question that is none leaves an error (4) and an event (32, summary 64).
+    assert_eq!(words("before"), "0;32;32", "{heard}");
+    assert_eq!(words("after"), "100;2", "{heard}");
+    let range = words("range");
+    assert!(
+        range.starts_with("-113,") && range.contains(";-222,"),
+        "{heard}"
+    );
+    // Command error (32) and execution error (16).
+    assert!(range.ends_with(";48"), "{heard}");
+    assert_eq!(words("key"), "\"\",\"\",0");
+    assert_eq!(words("again"), "VALID");
+    let all = words("all");
+    let measured: f64 = all
+        .split(',')
+        .next()
+        .and_then(|s| s.parse().ok())
+        .expect("S");
+    assert!(all.ends_with(",VALID"), "{heard}");
+    // Twice the same point: within U, which both state.
+    let difference = (measured - heard["sensitivity"].as_f64().expect("S")).abs();
+    assert!(
+        difference < heard["uncertainty"].as_f64().expect("U"),
+        "{heard}"
     );
     let download = json(folder.path(), &["download", "2", "-d", &device]);
     let file = folder

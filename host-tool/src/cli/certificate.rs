@@ -110,7 +110,7 @@ impl CertificateVerb {
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
             remounted: self.remounted(context)?,
             seal: self.seal()?,
-            ..self.options(record, logbook.as_ref())?
+            ..self.options(context, record, logbook.as_ref())?
         };
         let formats = match self.format.is_empty() {
             true => certificate::possible(record, &USUAL, &options.particulars),
@@ -165,10 +165,16 @@ impl CertificateVerb {
         self.remounted.iter().map(read).collect()
     }
 
-    fn options(&self, record: &Record, logbook: Option<&Logbook>) -> Result<Options> {
+    fn options(
+        &self,
+        context: &Context,
+        record: &Record,
+        logbook: Option<&Logbook>,
+    ) -> Result<Options> {
         let files = self.laboratory.before(&self.particulars);
         let mut particulars = judged::particulars(&files, &record.head.labels, logbook)?;
-        particulars.language = self.language.or(particulars.language);
+        let stated = self.language.or(particulars.language);
+        particulars.language = stated.or(context.defaults.language);
         Ok(Options {
             particulars,
             existing: Existing::Keep,

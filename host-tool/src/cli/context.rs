@@ -1,5 +1,6 @@
 //! Context of every verb: output switches and the address of the device.
 
+use calib_host::config::Config;
 use calib_host::emulated::KeptBoard;
 use calib_host::{Device, Error, Result};
 use calib_link::{Client, LinkError, port};
@@ -62,13 +63,15 @@ pub(crate) struct Context {
     pub(crate) device: Option<String>,
     /// `--logbook`, or `CALIB_LOGBOOK`.
     pub(crate) logbook: Option<PathBuf>,
+    /// What this user need not say each time.
+    pub(crate) defaults: Config,
     /// Colour and moving progress are welcome on standard error.
     pub(crate) color: bool,
 }
 
 impl Context {
     /// From the command line and the environment (`NO_COLOR`, <https://no-color.org>).
-    pub(crate) fn new(options: &GlobalOptions) -> Self {
+    pub(crate) fn new(options: &GlobalOptions, defaults: Config) -> Self {
         let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
         Self {
             form: match (options.json, options.json_lines) {
@@ -77,20 +80,38 @@ impl Context {
                 (false, false) => Form::Text,
             },
             quiet: options.quiet,
-            device: options.device.clone(),
+            device: options.device.clone().or(defaults.device.clone()),
             logbook: options.logbook.clone(),
+            defaults,
             color: !no_color && std::io::stderr().is_terminal(),
         }
     }
 
     /// Opens the link to the calibrator: the given one, or the only likely port.
     pub(crate) fn connect(&self) -> Result<Client> {
-        let address = match &self.device {
-            Some(device) => device.clone(),
-            None => only_likely_port()?,
-        };
+        match &self.device {
+            Some(device) => self.connect_to(device),
+            None => self.connect_to(&only_likely_port()?),
+        }
+    }
+
+    /// Opens the link to the calibrator at this address.
+    pub(crate) fn connect_to(&self, address: &str) -> Result<Client> {
         let Ok(address) = address.parse::<Device>();
         Ok(Client::new(address.open()?))
+    }
+
+    /// The address that was given, or every likely port.
+    pub(crate) fn devices(&self) -> Result<Vec<String>> {
+        if let Some(device) = &self.device {
+            return Ok(vec![device.clone()]);
+        }
+        let likely = port::list().into_iter().filter(|port| port.likely);
+        let names: Vec<String> = likely.map(|port| port.name).collect();
+        match names.is_empty() {
+            true => Err(none_found()),
+            false => Ok(names),
+        }
     }
 
     /// Connects with a hand on the button, where this computer has one.

@@ -105,6 +105,7 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                     "assure CHECK-1 --certified 10.02 --certified-u 0.5",
                 ],
             ),
+            ("sync", ["sync", "sync --device /dev/ttyACM0"]),
             (
                 "logbook",
                 [
@@ -188,6 +189,10 @@ const GROUPS: [(&str, &[Verb]); 6] = [
         "Instrument and service",
         &[
             ("devices", ["devices", "devices --json"]),
+            (
+                "config",
+                ["config operator \"N. N.\"", "config --unset level"],
+            ),
             ("doctor", ["doctor", "--device /dev/ttyACM0 doctor"]),
             ("info", ["info", "--device tcp:192.0.2.7:5025 info"]),
             ("selftest", ["selftest", "--device emulated selftest"]),

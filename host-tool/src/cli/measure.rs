@@ -1,5 +1,6 @@
 //! A list measured once: followed with its progress, stopped by Ctrl-C, and kept.
 
+use super::again::Followed;
 use super::{Context, progress::RunProgress, source};
 use calib_certificate::SensitivityUnit;
 use calib_core::point::{ExcitationKind, PointSpec};
@@ -12,6 +13,7 @@ use calib_logbook::{Logbook, waiting};
 use calib_protocol::message::RunState;
 use calib_protocol::record::{Record, RunLabels};
 use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
 
 /// A record that is kept.
 pub(super) struct Kept {
@@ -38,20 +40,28 @@ pub(super) fn keep(
     // It is on disk before the logbook is asked for, which another program may hold.
     let place = waiting::put(&path, &bytes)?;
     let keys = session::stated_key(client)?;
-    let id = match Logbook::enter_waiting(&path, keys.as_slice()) {
-        Ok(entered) => entered
-            .iter()
-            .find(|(of, _)| *of == place)
-            .map(|(_, id)| *id),
-        Err(error) => {
-            let folder = waiting::folder(&path);
-            let until = format!("the record waits in {} until then", folder.display());
-            context.remark(&format!("{error}: {until}; the next run enters it"));
-            None
-        }
-    };
+    let id = enter(context, &path, keys.as_slice())
+        .ok()
+        .and_then(|entered| {
+            let of_run = |(of, _): &&(PathBuf, i64)| *of == place;
+            entered.iter().find(of_run).map(|(_, id)| *id)
+        });
     let record = source::read(&download.path)?;
     Ok(Some(Kept { id, record }))
+}
+
+/// Enters the records that wait for the logbook; why it takes them later, in words that were told.
+pub(super) fn enter(
+    context: &Context,
+    path: &Path,
+    keys: &[waiting::Stated],
+) -> Result<Vec<(PathBuf, i64)>, String> {
+    Logbook::enter_waiting(path, keys).map_err(|error| {
+        let folder = waiting::folder(path);
+        let until = format!("the record waits in {} until then", folder.display());
+        context.remark(&format!("{error}: {until}; the next run enters it"));
+        error.to_string()
+    })
 }
 
 /// What is to be measured, and how it is shown.
@@ -62,25 +72,33 @@ pub(super) struct Asked<'a> {
     pub(super) unit: SensitivityUnit,
 }
 
-/// Runs a list with progress. Ctrl-C stops it and silences the exciter.
+/// Runs a list with progress, over another link if this one breaks. Ctrl-C stops it and silences the exciter.
 pub(super) fn measure(
+    context: &Context,
     client: &mut Client,
     asked: &Asked<'_>,
     labels: RunLabels,
     switch: &StopSwitch,
     progress: &mut RunProgress<'_>,
 ) -> Result<Outcome> {
+    let serial = client.info()?.serial;
     // Ahead of any answer that is waited for; the look at each progress is a second way.
     client.heed(switch.clone());
-    let (points, excitation) = (asked.points, asked.excitation);
-    let outcome = session::run_excited(client, points, excitation, labels, |state| {
+    let points = asked.points;
+    let followed = Followed {
+        context,
+        asked,
+        switch,
+        record_id: session::begin(client, points, asked.excitation, labels)?,
+        serial: &serial,
+    };
+    followed.to_its_end(client, |state| {
         progress.show(state, points);
         match refusals::dead_from_the_start(state.points) {
             Some(_) => ControlFlow::Break(()),
             None => flow(switch),
         }
-    });
-    Ok(outcome?)
+    })
 }
 
 /// From now on, Ctrl-C asks a run to stop instead of ending the tool.

@@ -5,11 +5,13 @@
 //! or JSON with `--json` and `--json-lines`), everything else to standard error.
 
 mod adjust;
+mod again;
 mod budget;
 mod capture;
 mod certificate;
 mod check;
 mod completions;
+mod config;
 mod context;
 mod convert;
 mod demo;
@@ -49,6 +51,7 @@ mod sign;
 mod source;
 mod stop;
 mod substitute;
+mod sync;
 mod text;
 mod time;
 mod verify;
@@ -58,6 +61,7 @@ pub(crate) use context::{Context, GlobalOptions};
 pub(crate) use misuse::tell;
 
 use calib_host::Result;
+use calib_host::config::Config;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 /// Exit codes, printed at the end of `calib --help`.
@@ -89,8 +93,9 @@ impl Arguments {
     ///
     /// # Errors
     /// What there is to say instead: help, the version, or what is wrong.
-    pub(crate) fn read() -> Result<Self, clap::Error> {
-        let mut calib = number::signed(help::described(Self::command()));
+    pub(crate) fn read(defaults: &Config) -> Result<Self, clap::Error> {
+        let calib = number::signed(help::described(Self::command()));
+        let mut calib = config::with_defaults(calib, defaults);
         let matches = calib.try_get_matches_from_mut(std::env::args_os())?;
         Self::from_arg_matches(&matches).map_err(|error| error.format(&mut calib))
     }
@@ -125,6 +130,8 @@ pub(crate) enum Command {
     Release(release::Release),
     /// Downloads a stored record into a file.
     Download(download::Download),
+    /// Fetches what the logbook lacks from every calibrator that is connected.
+    Sync(sync::Sync),
     /// Draws a record in the terminal: S over f with U.
     Show(show::Show),
     /// Says what the signature of a record or a certificate proves.
@@ -173,6 +180,8 @@ pub(crate) enum Command {
     Serve(serve::Serve),
     /// Finds what keeps this computer from talking to a calibrator.
     Doctor(doctor::Doctor),
+    /// Shows or sets what need not be said each time: device, level, operator ...
+    Config(config::ConfigVerb),
     /// Prints the completion script of a shell.
     Completions(completions::Completions),
     /// Writes the man pages.
@@ -201,6 +210,8 @@ impl Command {
             Self::Records(verb) => verb.run(context),
             Self::Release(verb) => verb.run(context),
             Self::Download(verb) => verb.run(context),
+            Self::Sync(verb) => verb.run(context),
+            Self::Config(verb) => verb.run(context),
             Self::Show(verb) => verb.run(context),
             Self::Certificate(verb) => verb.run(context),
             Self::Emulate(verb) => verb.run(context),

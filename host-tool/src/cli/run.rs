@@ -210,7 +210,7 @@ impl Run {
         };
         let progress = RunProgress::new(context, asked.sample_rate_hz, asked.unit);
         let mut progress = progress.with_points_as_result();
-        let outcome = measure(client, asked, labels, switch, &mut progress)?;
+        let outcome = measure(context, client, asked, labels, switch, &mut progress)?;
         progress.end(&outcome.points);
         keep(context, client, &outcome)?;
         judge(&outcome, asked.points.len())?;
@@ -235,7 +235,14 @@ impl Run {
         loop {
             let progress = RunProgress::new(context, asked.sample_rate_hz, asked.unit);
             let mut progress = progress.with_points_as_result();
-            let outcome = measure(client, asked, labels.clone(), switch, &mut progress)?;
+            let outcome = measure(
+                context,
+                client,
+                asked,
+                labels.clone(),
+                switch,
+                &mut progress,
+            )?;
             progress.end(&outcome.points);
             let kept = keep(context, client, &outcome)?;
             mountings.add(&outcome, kept.as_ref());

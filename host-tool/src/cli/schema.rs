@@ -3,11 +3,12 @@
 use super::context::Failure;
 use super::progress::RunEvent;
 use super::{
-    Context, adjust, capture, certificate, completions, convert, download, emulate, gap, logbook,
+    Context, adjust, capture, certificate, completions, config, convert, download, emulate, gap,
+    logbook,
 };
 use super::{
     identify, key, linking, phase, predict, release, risk, run, sensitivity, serve, sign, stop,
-    verify, version,
+    sync, verify, version,
 };
 use calib_certificate::Document;
 use calib_core::settings::Settings;
@@ -91,6 +92,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<Document>("certificate-file"),
         of::<Check>("check"),
         of::<completions::Script>("completions"),
+        of::<config::ConfigView>("config"),
         of::<convert::Output>("convert"),
         of::<DemoReport>("demo"),
         of::<RunEvent<'_, DemoReport>>("demo-lines"),
@@ -142,6 +144,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<Settings>("settings"),
         of::<Either<Document, ChangeView>>("show"),
         of::<stop::Stopped>("stop"),
+        of::<Vec<sync::Synced>>("sync"),
         of::<Vec<verify::Verified>>("verify"),
         of::<sign::Signed>("sign"),
         of::<version::Versions>("version"),

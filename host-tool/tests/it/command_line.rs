@@ -37,6 +37,7 @@ pub(crate) fn calib(directory: &Path, arguments: &[&str]) -> Output {
         .env_remove("CALIB_DEVICE")
         // No test touches the logbook of who runs it.
         .env("CALIB_LOGBOOK", directory.join("no-logbook.sqlite"))
+        .env("CALIB_CONFIG", directory.join("config.toml"))
         .env("NO_COLOR", "1")
         .output()
         .expect("calib starts");
@@ -384,4 +385,45 @@ fn risks_of_rules_over_many_sensors_are_those_published() {
     ] {
         assert_eq!(risk(wrong).status.code(), Some(2));
     }
+}
+
+#[test]
+fn what_a_user_need_not_say_each_time_is_in_a_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let calib = |arguments: &[&str]| calib(folder.path(), arguments);
+    assert!(text(&calib(&["config"]).stdout).contains("nothing is set"));
+    for (key, value) in [
+        ("operator", "N. N."),
+        ("level", "5"),
+        ("tolerance", "-5/+10:nominal"),
+        ("device", "tcp:127.0.0.1:1"),
+    ] {
+        assert!(calib(&["config", key, value]).status.success(), "{key}");
+    }
+    let shown = calib(&["config", "--json"]);
+    let shown: serde_json::Value = serde_json::from_slice(&shown.stdout).expect("JSON");
+    assert_eq!(shown["set"]["operator"], "N. N.");
+    assert_eq!(shown["set"]["tolerance"], "-5/+10:nominal");
+    // Help shows what is in force, and the calibrator that is set is the one asked: nobody is there.
+    let help = text(&calib(&["run", "--help"]).stdout).to_owned();
+    assert!(
+        help.contains("[default: 5]") && help.contains("N. N."),
+        "{help}"
+    );
+    let info = calib(&["info"]);
+    assert_eq!(info.status.code(), Some(3));
+    assert!(text(&info.stderr).contains("127.0.0.1:1"));
+    let elsewhere = calib(&["info", "--device", "tcp:127.0.0.1:2"]);
+    assert!(text(&elsewhere.stderr).contains("127.0.0.1:2"));
+    assert_eq!(calib(&["config", "level", "0"]).status.code(), Some(6));
+    assert!(calib(&["config", "--unset", "device"]).status.success());
+    // A file that is none is named, by every verb.
+    std::fs::write(folder.path().join("config.toml"), "level = 5\nlevle = 5\n").expect("written");
+    let wrong = calib(&["devices", "--json"]);
+    assert_eq!(wrong.status.code(), Some(6));
+    assert!(
+        text(&wrong.stderr).contains("config.toml:2"),
+        "{}",
+        text(&wrong.stderr)
+    );
 }

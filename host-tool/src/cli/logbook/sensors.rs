@@ -76,7 +76,8 @@ impl Sensors {
             }
             What::Show { serial } => logbook.known_sensor(&serial)?,
             What::Add { serial, about } => {
-                let sensor = about.onto(about_sensor::of_serial(serial))?;
+                let mut sensor = about.onto(about_sensor::of_serial(serial))?;
+                sensor.tolerance = sensor.tolerance.or(context.defaults.tolerance.clone());
                 logbook.add_sensor(&sensor)?;
                 sensor
             }

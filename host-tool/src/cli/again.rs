@@ -1,0 +1,87 @@
+//! A run whose link breaks goes on in the calibrator: it is followed on once the link is there again.
+
+use super::Context;
+use super::measure::Asked;
+use calib_host::{Device, Result};
+use calib_link::session::{self, Outcome, Progress};
+use calib_link::{Client, Error, StopSwitch};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// How long a broken link is tried again: to find the cable, or for a computer that slept.
+const PATIENCE: Duration = Duration::from_secs(60);
+/// Between two tries.
+const PAUSE: Duration = Duration::from_millis(500);
+
+/// A run that goes on in a calibrator.
+pub(super) struct Followed<'a> {
+    pub(super) context: &'a Context,
+    pub(super) asked: &'a Asked<'a>,
+    pub(super) switch: &'a StopSwitch,
+    pub(super) record_id: u32,
+    /// Of the calibrator: another at the same port is not taken for it.
+    pub(super) serial: &'a str,
+}
+
+impl Followed<'_> {
+    /// Follows it to its end, over as many links as that takes.
+    pub(super) fn to_its_end(
+        &self,
+        client: &mut Client,
+        mut observe: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
+    ) -> Result<Outcome> {
+        loop {
+            match session::follow(client, self.record_id, self.asked.points, &mut observe) {
+                Err(broken @ Error::Link(_)) => *client = self.found_again(broken)?,
+                done => return Ok(done?),
+            }
+        }
+    }
+
+    /// The same calibrator over a new link; the one that broke says what is wrong if there is none.
+    fn found_again(&self, broken: Error) -> Result<Client> {
+        let id = self.record_id;
+        if !self.can_be_found() {
+            return Err(broken.into());
+        }
+        self.context.remark(&format!(
+            "{broken}: the run goes on, and is followed when the link is there again"
+        ));
+        let begun = Instant::now();
+        let mut alarmed = false;
+        while begun.elapsed() < PATIENCE {
+            if let Some(client) = self.look() {
+                return Ok(client);
+            }
+            if self.switch.is_asked() && !alarmed {
+                alarmed = true;
+                // Not for --quiet to hide.
+                eprintln!(
+                    "NOT STOPPED: there is no link. Use the button on the instrument or the mute"
+                );
+            }
+            std::thread::sleep(PAUSE);
+        }
+        self.context.remark(&format!(
+            "the calibrator stores the run as record {id}: `calib sync` fetches it once the link is there"
+        ));
+        Err(broken.into())
+    }
+
+    /// A board that this program itself emulates has no link that could come back.
+    fn can_be_found(&self) -> bool {
+        let address = self.context.device.as_deref().unwrap_or_default();
+        matches!(address.parse(), Ok(Device::At(_)))
+    }
+
+    fn look(&self) -> Option<Client> {
+        let mut client = self.context.connect().ok()?;
+        // Asked before a stop is passed on, which is for this calibrator alone.
+        let info = client.info().ok()?;
+        if info.serial != *self.serial {
+            return None;
+        }
+        client.heed(self.switch.clone());
+        Some(client)
+    }
+}
