@@ -1,7 +1,7 @@
 //! Benchmarks: programs that print a table and write `target/bench/NAME.json`.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{demo, elf, fuzz, ngspice, python};
+use crate::{browser, demo, elf, fuzz, ngspice, python};
 use anyhow::{Result, bail};
 use std::path::PathBuf;
 use std::process::Command;
@@ -103,7 +103,7 @@ const BENCHES: &[Bench] = &[
     Bench {
         name: "stop",
         example: "bench_stop",
-        what: "from STOP to the calibrator's link, by what is in the way, and to a drive at rest: [TRIES]",
+        what: "from STOP to the calibrator's link, by what is in the way, and from a click to a drive at rest: [TRIES [PART]]",
     },
     Bench {
         name: "target",
@@ -210,6 +210,11 @@ impl Prepared {
         }
         if bench.name == "front-end" {
             command.env("CALIB_NGSPICE", ngspice::installed()?);
+        }
+        if bench.name == "stop"
+            && let Some(driver) = browser::driver()?
+        {
+            command.env("CALIB_CHROMEDRIVER", driver);
         }
         if let Some(interpreter) = &self.interpreter {
             if bench.name == "gap-speed" && python::with(interpreter, PEER_OF_GAP).is_err() {

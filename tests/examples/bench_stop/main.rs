@@ -1,9 +1,11 @@
-//! `./run bench stop [TRIES]`: how long a stop takes from the request of a page to the calibrator's link, by
-//! what is in its way, and from there to a drive at rest.
+//! `./run bench stop [TRIES [PART]]`: how long a stop takes from the request of a page to the calibrator's
+//! link, by what is in its way, from there to a drive at rest, and all the way from a click in a browser.
 //!
-//! The first part is measured by the clock of this computer, the program as it ships with a calibrator of
-//! this bench behind a TCP port; the second in virtual time, with the shipping image.
+//! The first part, `links`, is measured by the clock of this computer, the program as it ships with a
+//! calibrator of this bench behind a TCP port; the second, `instrument`, in virtual time, with the shipping
+//! image; the third, `browser`, by the clock of this computer with that image kept at its pace.
 
+mod browser;
 mod device;
 mod host;
 mod instrument;
@@ -21,6 +23,11 @@ const TRIES: usize = 100;
 /// Longest wait for a run to begin.
 const PATIENCE: Duration = Duration::from_secs(30);
 
+/// Longest time on a link that works, without an alarm.
+const PROMISED: Duration = Duration::from_millis(200);
+/// Longest on one that does not.
+const PROMISED_BAD: Duration = Duration::from_millis(500);
+
 /// What is in the way of a stop.
 struct Situation {
     name: &'static str,
@@ -31,10 +38,10 @@ struct Situation {
 impl Situation {
     /// Longest time to the link without an alarm.
     fn promised(&self) -> Duration {
-        Duration::from_millis(match self.way {
-            Way::Plain => 200,
-            Way::Drip | Way::OldFrames => 500,
-        })
+        match self.way {
+            Way::Plain => PROMISED,
+            Way::Drip | Way::OldFrames => PROMISED_BAD,
+        }
     }
 }
 
@@ -106,24 +113,67 @@ struct Times {
 fn main() -> Result<(), Fault> {
     let tries = std::env::args().nth(1).map(|text| text.parse());
     let tries = tries.transpose()?.unwrap_or(TRIES);
-    println!(
-        "{tries} stops each, ms\n\n{:<28}{:>9}{:>9}{:>11}{:>9}{:>11}{:>8}",
-        "in the way", "median", "worst", "told in", "worst", "confirmed", "alarms"
-    );
+    let part = std::env::args().nth(2);
+    let wanted = |name| part.as_deref().is_none_or(|part| part == name);
+    println!("{tries} stops each, ms\n");
     let mut rows = Vec::new();
-    for situation in &SITUATIONS {
-        let times = measure(situation, tries)?;
-        rows.push(row(situation, times)?);
+    if wanted("links") {
+        rows.extend(links(tries)?);
     }
-    let [median, worst] = spread(&mut instrument::times(tries)?);
-    println!("\nfrom the line to a drive at rest: median {median:.1} ms, worst {worst:.1} ms");
-    rows.push(serde_json::json!({
-        "situation": "instrument", "median_ms": median, "worst_ms": worst,
-    }));
+    if wanted("instrument") {
+        rows.push(instrument(tries)?);
+    }
+    if wanted("browser") {
+        rows.extend(browser(tries)?);
+    }
     if let Some(path) = std::env::var_os("CALIB_BENCH_JSON") {
         std::fs::write(path, serde_json::to_string_pretty(&rows)?)?;
     }
     Ok(())
+}
+
+/// From the request of a page to the calibrator's link, situation by situation.
+fn links(tries: usize) -> Result<Vec<serde_json::Value>, Fault> {
+    println!(
+        "{:<28}{:>9}{:>9}{:>11}{:>9}{:>11}{:>8}",
+        "in the way", "median", "worst", "told in", "worst", "confirmed", "alarms"
+    );
+    let rows = SITUATIONS
+        .iter()
+        .map(|situation| row(situation, measure(situation, tries)?));
+    rows.collect()
+}
+
+/// From there to a drive at rest.
+fn instrument(tries: usize) -> Result<serde_json::Value, Fault> {
+    let [median, worst] = spread(&mut instrument::times(tries)?);
+    println!("\nfrom the line to a drive at rest: median {median:.1} ms, worst {worst:.1} ms");
+    Ok(serde_json::json!({
+        "situation": "instrument", "median_ms": median, "worst_ms": worst,
+    }))
+}
+
+/// From a click to a drive at rest; nothing without a browser.
+fn browser(tries: usize) -> Result<Option<serde_json::Value>, Fault> {
+    let Some(driver) = calib_tests::browser::driver() else {
+        return Ok(None);
+    };
+    let mut clicks = browser::clicks(&driver, tries, PROMISED)?;
+    let [median, worst] = spread(&mut clicks.times);
+    let [_, lagging] = spread(&mut clicks.with_lag);
+    println!(
+        "\nfrom a click, ten tabs open, to a drive at rest: median {median:.1} ms, worst {worst:.1} ms, \
+         {} alarms; {lagging:.1} ms with what the emulated board was behind",
+        clicks.alarms
+    );
+    if clicks.silent_failures > 0 {
+        let late = clicks.silent_failures;
+        return Err(format!("{late} clicks came later than {PROMISED:?} without an alarm").into());
+    }
+    Ok(Some(serde_json::json!({
+        "situation": "browser", "median_ms": median, "worst_ms": worst, "alarms": clicks.alarms,
+        "worst_with_lag_ms": lagging,
+    })))
 }
 
 fn measure(situation: &Situation, tries: usize) -> Result<Times, Fault> {
