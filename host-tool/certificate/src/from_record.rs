@@ -16,6 +16,7 @@ use calib_output::PointView;
 use calib_output::number::decimal;
 use calib_protocol::provenance::{LoggedChange, Provenance};
 use calib_protocol::record::Record;
+use calib_protocol::update::ImageSigner;
 use calib_record::origin::is_emulated;
 use jiff::civil::Date;
 
@@ -244,6 +245,9 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
     }
     if record.provenance.differs_from_reference() {
         say(Severity::Warning, "settings_changed", changes(record));
+    }
+    if record.image.signer == ImageSigner::Development {
+        say(Severity::Warning, "development_image", Vec::new());
     }
     for (name, due) in other_due_days(&certificate.particulars) {
         if run_day(record).is_some_and(|run| due < run) {

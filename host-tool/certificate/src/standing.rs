@@ -3,6 +3,7 @@
 use super::model::{Certificate, Entry, Remark, Severity, Value};
 use calib_protocol::provenance::Provenance;
 use calib_protocol::record::{self, Record, Sha256Sum};
+use calib_protocol::update::ImageOrigin;
 use calib_record::hash_chain::Standing;
 use std::fmt::Write;
 
@@ -36,10 +37,13 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: O
         let known = record.provenance != Provenance::UNKNOWN;
         let settings = known.then(|| Value::Text(hexadecimal(&record.provenance.sha256)));
         let settings = settings.map(|sum| entry("settings_sha256", sum));
+        let known = record.image != ImageOrigin::UNKNOWN;
+        let image = known.then(|| Value::Text(hexadecimal(&record.image.sha256)));
+        let image = image.map(|sum| entry("image_sha256", sum));
         let key = record.signed_by.filter(|_| is_verified);
         let key = key.map(|key| entry("signed_by", Value::Text(hexadecimal(&key))));
         let entries = [entry("sha256", sum), entry("chain", said)];
-        let entries = entries.into_iter().chain(key).chain(settings);
+        let entries = entries.into_iter().chain(key).chain(settings).chain(image);
         section.entries.splice(at..at, entries);
     }
     certificate.chain = Some(standing);

@@ -3,6 +3,7 @@
 use super::{Certificate, Format, Options, Particulars, Prepared, digest, prepare};
 use calib_protocol::provenance::{LoggedChange, Provenance};
 use calib_protocol::record::{self, Record};
+use calib_protocol::update::{ImageOrigin, ImageSigner};
 use calib_record::hash_chain::{Evidence, Standing};
 use calib_record::sample::{THIRD_OCTAVES_HZ, mend, record};
 
@@ -167,4 +168,26 @@ fn settings_changed_since_the_reference_was_calibrated_are_told() {
     assert_eq!(untold.provenance, Provenance::UNKNOWN);
     let html = prepare(&untold, &[Format::Html], &Options::default()).expect("rendered");
     assert!(!file(&html, Format::Html).contains("settings have changed"));
+}
+
+/// The image that measured is told by its sum, and one that anybody may have signed is told as that.
+#[test]
+fn the_image_that_measured_is_told_and_one_under_development() {
+    let told = |signer| {
+        let mut record = record(&[160.0]);
+        record.image = ImageOrigin {
+            sha256: [0xA5; 32],
+            signer,
+        };
+        let html = prepare(&record, &[Format::Html], &Options::default()).expect("rendered");
+        file(&html, Format::Html)
+    };
+    let [development, release] = [ImageSigner::Development, ImageSigner::Release].map(told);
+    for html in [&development, &release] {
+        assert!(html.contains("SHA-256 of the firmware") && html.contains("a5a5"));
+    }
+    assert!(development.contains("DEVELOPMENT") && !release.contains("DEVELOPMENT"));
+    let untold = prepare(&record(&[160.0]), &[Format::Html], &Options::default());
+    let untold = untold.expect("rendered");
+    assert!(!file(&untold, Format::Html).contains("SHA-256 of the firmware"));
 }

@@ -7,6 +7,7 @@ use calib_protocol::change::ReferenceChange;
 use calib_protocol::health::{Deadline, Defect, Health, Work};
 use calib_protocol::message::{Info, Status};
 use calib_protocol::record::{RecordKind, RecordSummary};
+use calib_protocol::update::RunningImage;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -52,6 +53,52 @@ pub struct InfoView {
     pub brown_out_level: Option<u8>,
     /// Other option bytes that are not as delivered, in words.
     pub option_byte_texts: Vec<String>,
+    /// The image that runs; none where no loader has checked it, or from a release that does not say.
+    pub image: Option<ImageView>,
+}
+
+/// The image that an instrument runs.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct ImageView {
+    /// SHA-256 of the image, in hexadecimal digits.
+    pub sha256: String,
+    /// Who signed it: `development` is anybody, for that key is public; `release` whoever holds the secret half
+    /// of the key its loader trusts.
+    pub signer: String,
+    /// Slot of the flash it runs from: `a` or `b`.
+    pub slot: String,
+    /// It is an update on trial, and not confirmed.
+    pub on_trial: bool,
+    /// The other slot holds an update that was tried and not confirmed.
+    pub rolled_back: bool,
+}
+
+impl From<&RunningImage> for ImageView {
+    fn from(image: &RunningImage) -> Self {
+        Self {
+            sha256: hex(&image.origin.sha256),
+            signer: code(&image.origin.signer),
+            slot: code(&image.slot),
+            on_trial: image.on_trial,
+            rolled_back: image.rolled_back,
+        }
+    }
+}
+
+impl ImageView {
+    /// In words, on one line.
+    pub fn text(&self) -> String {
+        let signer = match self.signer.as_str() {
+            "development" => "DEVELOPMENT: signed with the key everybody has",
+            _ => "signed with the key its loader trusts",
+        };
+        let standing = match (self.on_trial, self.rolled_back) {
+            (true, _) => "; on trial, not confirmed",
+            (false, true) => "; an update was tried and not confirmed",
+            (false, false) => "",
+        };
+        format!("{signer}, SHA-256 {}{standing}", self.sha256)
+    }
 }
 
 /// How long a piece of work took at most since the start, and how long it may take.
@@ -80,7 +127,7 @@ impl From<&Deadline> for DeadlineView {
 
 impl InfoView {
     /// What a calibrator answered; a release that does not know its health has none.
-    pub fn new(info: &Info, health: Option<&Health>) -> Self {
+    pub fn new(info: &Info, health: Option<&Health>, image: Option<&RunningImage>) -> Self {
         let defects = || health.into_iter().flat_map(|health| health.defects.iter());
         let text = |defect: Defect| format!("{}: {}", defect.text(), defect.remedy());
         let deadlines = health.into_iter().flat_map(|health| &health.deadlines);
@@ -110,6 +157,7 @@ impl InfoView {
                 .flat_map(OptionBytes::deviations)
                 .map(|deviation| deviation.text().to_owned())
                 .collect(),
+            image: image.map(ImageView::from),
         }
     }
 }

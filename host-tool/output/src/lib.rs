@@ -19,7 +19,7 @@ pub mod number;
 pub mod point;
 pub mod self_test;
 
-pub use instrument::{ChangeView, InfoView, RecordView, StatusView};
+pub use instrument::{ChangeView, ImageView, InfoView, RecordView, StatusView};
 pub use point::{PointState, PointView, SetPoint};
 pub use self_test::{LineView, SelfTestView};
 

@@ -205,6 +205,13 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                 ["adjust ratio", "adjust ratio --write --operator N."],
             ),
             ("key", ["key", "key --make"]),
+            (
+                "update",
+                [
+                    "update calib-0.1.0-nucleo-h743zi2.update",
+                    "update older.update --wait 60",
+                ],
+            ),
             ("emulate", ["emulate", "emulate --pty --flash flash.bin"]),
             ("completions", ["completions bash", "completions fish"]),
             ("man", ["man", "man --out pages"]),

@@ -16,7 +16,8 @@ impl Info {
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let mut client = context.connect()?;
         let (info, health) = (client.info()?, client.health()?);
-        let view = InfoView::new(&info, health.as_ref());
+        let image = client.image()?;
+        let view = InfoView::new(&info, health.as_ref(), image.as_ref());
         context.print(&view, || text(&info, &view))
     }
 }
@@ -40,6 +41,13 @@ fn brown_out(level: u8) -> String {
     }
 }
 
+fn image(view: &InfoView) -> String {
+    match &view.image {
+        Some(image) => format!("slot {}, {}", image.slot, image.text()),
+        None => "not checked by a loader".to_owned(),
+    }
+}
+
 fn text(info: &DeviceInfo, view: &InfoView) -> String {
     let mut lines = vec![
         format!("serial number  {}", info.serial),
@@ -47,6 +55,7 @@ fn text(info: &DeviceInfo, view: &InfoView) -> String {
             "firmware       {} ({})",
             info.firmware_version, info.git_hash
         ),
+        format!("image          {}", image(view)),
         format!("protocol       {}", info.protocol_version),
         format!("sample rate    {} Hz per channel", info.sample_rate_hz),
         format!("records        {}", info.records),

@@ -54,6 +54,7 @@ mod substitute;
 mod sync;
 mod text;
 mod time;
+mod update;
 mod verify;
 mod version;
 
@@ -114,6 +115,8 @@ pub(crate) enum Command {
     Selftest(selftest::SelfTest),
     /// The key the calibrator signs its records with.
     Key(key::Key),
+    /// Other firmware for the calibrator: sent, tried, confirmed.
+    Update(update::Update),
     /// Measures a point list.
     Run(run::Run),
     /// Prints or replaces the calibrator's settings.
@@ -202,6 +205,7 @@ impl Command {
             Self::Info(verb) => verb.run(context),
             Self::Selftest(verb) => verb.run(context),
             Self::Key(verb) => verb.run(context),
+            Self::Update(verb) => verb.run(context),
             Self::Run(verb) => verb.run(context),
             Self::Settings(verb) => verb.run(context),
             Self::Adjust(verb) => verb.run(context),

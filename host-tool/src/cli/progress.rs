@@ -20,6 +20,11 @@ pub(crate) fn bytes(context: &Context) -> ProgressBar {
     bar(context, "downloading [{bar:32}] {bytes}/{total_bytes}")
 }
 
+/// A bar for the bytes of an update.
+pub(crate) fn update(context: &Context) -> ProgressBar {
+    bar(context, "sending [{bar:32}] {bytes}/{total_bytes}")
+}
+
 fn bar(context: &Context, template: &str) -> ProgressBar {
     let bar = ProgressBar::new(STEPS).with_style(style(template));
     if context.quiet || context.for_program() {

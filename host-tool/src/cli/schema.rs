@@ -8,7 +8,7 @@ use super::{
 };
 use super::{
     identify, key, linking, phase, predict, release, risk, run, sensitivity, serve, sign, stop,
-    sync, verify, version,
+    sync, update, verify, version,
 };
 use calib_certificate::Document;
 use calib_core::settings::Settings;
@@ -145,6 +145,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<Either<Document, ChangeView>>("show"),
         of::<stop::Stopped>("stop"),
         of::<Vec<sync::Synced>>("sync"),
+        of::<update::UpdateView>("update"),
         of::<Vec<verify::Verified>>("verify"),
         of::<sign::Signed>("sign"),
         of::<version::Versions>("version"),

@@ -143,10 +143,11 @@ impl Worker {
         let followed = snapshot.run.filter(|run| run.running);
         client.stop_for(followed.and_then(|run| run.record_id));
         let (info, health, key) = (client.info()?, client.health()?, client.key()?);
+        let image = client.image()?;
         client.stop_for(None);
         self.client = Some(client);
         self.shared.change(|snapshot| {
-            snapshot.info = Some(InfoView::new(&info, health.as_ref()));
+            snapshot.info = Some(InfoView::new(&info, health.as_ref(), image.as_ref()));
             snapshot.key = key.map(|key| short(&key.public));
             snapshot.link = Link::Connected;
             snapshot.trouble = None;
