@@ -187,8 +187,9 @@ pub fn public_key(seed: &Seed) -> PublicKey {
 pub fn stored(flash: &mut impl BootFlash, slot: Slot) -> Option<[u8; MANIFEST_BYTES]> {
     let mut bytes = [0; MANIFEST_BYTES];
     let addresses = (slot.manifest()..).step_by(WORD);
-    for (place, address) in bytes.chunks_exact_mut(WORD).zip(addresses) {
-        place.copy_from_slice(&flash.read(address)?);
+    let (words, _) = bytes.as_chunks_mut::<WORD>();
+    for (place, address) in words.iter_mut().zip(addresses) {
+        *place = flash.read(address)?;
     }
     Some(bytes)
 }

@@ -172,6 +172,9 @@ impl Device {
                 lines: self.self_test(),
             },
             Request::Key | Request::MakeKey => Response::Key(self.key),
+            // As an instrument without a loader.
+            Request::Image => Response::Image(None),
+            Request::Update(_) => Response::Refused(Refusal::NoLoader),
         }
     }
 
