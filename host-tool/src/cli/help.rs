@@ -322,7 +322,8 @@ mod tests {
     fn every_example_is_understood_and_shown() {
         for (name, examples) in verbs() {
             for example in examples {
-                let words = ["calib"].into_iter().chain(example.split(' '));
+                let words =
+                    shlex::split(&format!("calib {example}")).expect("quoted as a shell reads it");
                 let read = described(Arguments::command()).try_get_matches_from(words);
                 match read {
                     Ok(matches) => assert_eq!(matches.subcommand_name(), Some(*name), "{example}"),
