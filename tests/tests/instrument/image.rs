@@ -12,7 +12,7 @@ fn folders_of_the_builder() -> Vec<PathBuf> {
     folders.extend(workspace.map(Path::to_owned));
     // A home of `/` is in every path.
     folders.retain(|folder| folder.components().count() > 1);
-    folders.extend(["/root/", "/home/", "/Users/"].map(PathBuf::from));
+    folders.extend(["root", "home", "Users"].map(|folder| PathBuf::from(format!("/{folder}/"))));
     folders
 }
 
