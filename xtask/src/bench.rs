@@ -1,7 +1,7 @@
 //! Benchmarks: programs that print a table and write `target/bench/NAME.json`.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{browser, demo, elf, fuzz, ngspice, python};
+use crate::{browser, demo, elf, fuzz, packages, python};
 use anyhow::{Result, bail};
 use std::path::PathBuf;
 use std::process::Command;
@@ -209,7 +209,7 @@ impl Prepared {
             command.env("CALIB_EMULATOR", "plain");
         }
         if bench.name == "front-end" {
-            command.env("CALIB_NGSPICE", ngspice::installed()?);
+            command.env("CALIB_NGSPICE", packages::installed("ngspice")?);
         }
         if bench.name == "stop"
             && let Some(driver) = browser::driver()?

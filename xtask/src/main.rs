@@ -10,7 +10,6 @@ mod deny;
 mod elf;
 mod fuzz;
 mod hitl;
-mod ngspice;
 mod no_panic;
 mod option_writes;
 mod origin;
@@ -21,9 +20,7 @@ mod python;
 mod sbom;
 mod shell;
 mod test;
-mod tshark;
 mod update;
-mod xmlsec;
 
 use anyhow::{Result, bail};
 

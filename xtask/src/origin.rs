@@ -9,6 +9,7 @@ use anyhow::{Context, Result, bail};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::OnceLock;
 
 /// What the workspace is called: debuggers that are started there find the sources.
 const WORKSPACE: &str = ".";
@@ -81,8 +82,14 @@ pub(crate) fn cargo_home() -> Result<PathBuf> {
     Ok(PathBuf::from(home).join(".cargo"))
 }
 
-/// The commit the sources are of, short, `-dirty` when tracked files differ; "unknown" without git.
-pub(crate) fn git_hash() -> String {
+/// The commit the sources are of, short, `-dirty` when tracked files differ; "unknown" without git. Asked once: two
+/// builds that are compared are of one.
+pub(crate) fn git_hash() -> &'static str {
+    static COMMIT: OnceLock<String> = OnceLock::new();
+    COMMIT.get_or_init(ask_git)
+}
+
+fn ask_git() -> String {
     let mut describe = Command::new("git");
     describe.current_dir(root()).args([
         "describe",

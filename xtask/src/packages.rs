@@ -3,7 +3,7 @@
 //! CI installs them; on a person's computer nothing is installed unasked.
 
 use crate::shell;
-use anyhow::Result;
+use anyhow::{Context, Result};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -12,6 +12,24 @@ pub(crate) fn find(program: &str) -> Option<PathBuf> {
     let path = std::env::var_os("PATH")?;
     let candidates = std::env::split_paths(&path).map(|folder| folder.join(program));
     candidates.into_iter().find(|file| file.is_file())
+}
+
+/// A program that tests need, of the package of its name; `None`, after saying what is not tested, where it is
+/// missing on a person's computer.
+pub(crate) fn for_tests(program: &str, tests: &str) -> Result<Option<PathBuf>> {
+    if find(program).is_none() && std::env::var_os("CI").is_none() {
+        eprintln!("no {program}: tests of {tests} say so and pass (apt-get install {program})");
+        return Ok(None);
+    }
+    installed(program).map(Some)
+}
+
+/// The same for who asked for it by name: what is nothing without it installs it.
+pub(crate) fn installed(program: &str) -> Result<PathBuf> {
+    if find(program).is_none() {
+        install(&[program])?;
+    }
+    find(program).with_context(|| format!("{program} is not there after it was installed"))
 }
 
 /// Installs Debian packages.

@@ -1,8 +1,16 @@
 //! Every test there is, in the order that fails soonest.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{browser, demo, deny, elf, ngspice, no_panic, python, tshark, update, xmlsec};
+use crate::{browser, demo, deny, elf, no_panic, packages, python, update};
 use anyhow::{Context, Result, bail};
+
+/// Programs that are not ours and judge what we make: the variable that names one to the tests, its name, and what
+/// it judges.
+const JUDGES: [(&str, &str, &str); 3] = [
+    ("CALIB_TSHARK", "tshark", "the USB capture"),
+    ("CALIB_NGSPICE", "ngspice", "the front end"),
+    ("CALIB_XMLSEC1", "xmlsec1", "the DCC's signature"),
+];
 
 /// Format, lints, images, tool, tests. With a filter: only tests of that name.
 pub(crate) fn run(filter: &[String]) -> Result<()> {
@@ -32,14 +40,10 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     if let Some(interpreter) = interpreter {
         tests.env("CALIB_PYTHON", interpreter);
     }
-    if let Some(tshark) = tshark::program()? {
-        tests.env("CALIB_TSHARK", tshark);
-    }
-    if let Some(ngspice) = ngspice::program()? {
-        tests.env("CALIB_NGSPICE", ngspice);
-    }
-    if let Some(xmlsec) = xmlsec::program()? {
-        tests.env("CALIB_XMLSEC1", xmlsec);
+    for (variable, program, about) in JUDGES {
+        if let Some(program) = packages::for_tests(program, about)? {
+            tests.env(variable, program);
+        }
     }
     if let Some(driver) = browser::driver()? {
         tests.env("CALIB_CHROMEDRIVER", driver);
