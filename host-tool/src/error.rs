@@ -68,6 +68,14 @@ impl Error {
         }
     }
 
+    /// Message and remedy in one line, for a page.
+    pub(crate) fn with_hint(&self) -> String {
+        match self.hint() {
+            Some(hint) => format!("{self}: {hint}"),
+            None => self.to_string(),
+        }
+    }
+
     /// Exit code of the process, per the table above.
     pub fn exit_code(&self) -> u8 {
         match self {

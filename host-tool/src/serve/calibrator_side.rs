@@ -299,11 +299,8 @@ impl Worker {
     }
 
     fn trouble(&self, error: &Error) {
-        let hint = error
-            .hint()
-            .map_or(String::new(), |hint| format!(": {hint}"));
         self.shared
-            .change(|snapshot| snapshot.trouble = Some(format!("{error}{hint}")));
+            .change(|snapshot| snapshot.trouble = Some(error.with_hint()));
     }
 }
 

@@ -377,8 +377,6 @@ impl IntoResponse for Failure {
             }
             _ => StatusCode::INTERNAL_SERVER_ERROR,
         };
-        let hint = self.0.hint().filter(|hint| !hint.is_empty());
-        let hint = hint.map_or(String::new(), |hint| format!(": {hint}"));
-        (status, format!("{}{hint}", self.0)).into_response()
+        (status, self.0.with_hint()).into_response()
     }
 }

@@ -83,9 +83,7 @@ impl Emulator {
         limit: Duration,
     ) -> Result<bool, Error> {
         self.pins.flash.set_code_trap(ordinal, fraction);
-        let goal = self.elapsed() + limit;
-        self.run_for(limit)?;
-        Ok(self.elapsed() < goal)
+        self.stops_within(limit)
     }
 
     /// Runs until operation number `ordinal` on the record flash, counted from 1 at the first
@@ -101,6 +99,11 @@ impl Emulator {
         limit: Duration,
     ) -> Result<bool, Error> {
         self.pins.flash.set_trap(ordinal, fraction);
+        self.stops_within(limit)
+    }
+
+    /// Runs for `limit`; answers whether a trap ended it before.
+    fn stops_within(&mut self, limit: Duration) -> Result<bool, Error> {
         let goal = self.elapsed() + limit;
         self.run_for(limit)?;
         Ok(self.elapsed() < goal)
