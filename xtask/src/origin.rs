@@ -109,7 +109,8 @@ fn ask_git() -> String {
 /// Builds `image` once more, from a copy of the sources in other folders, and compares every byte.
 pub(crate) fn check(image: &Path) -> Result<()> {
     let elsewhere = std::env::temp_dir().join(format!("calib-elsewhere-{}", std::process::id()));
-    let second = build_elsewhere(&elsewhere)?;
+    let built = build_elsewhere(&elsewhere);
+    let second = built.inspect_err(|_| drop(fs::remove_dir_all(&elsewhere)))?;
     // Where they differ both are kept, to be looked at.
     same_bytes(image, &second)?;
     Ok(fs::remove_dir_all(&elsewhere)?)
