@@ -197,7 +197,7 @@ impl Cpu {
 }
 
 /// The order of a value's bytes in memory.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize, Hash)]
 pub enum Endian {
     /// The least significant byte at the lowest address.
     #[default]

@@ -48,6 +48,8 @@ mod itm;
 #[cfg(not(emulator_absent))]
 mod mpu;
 #[cfg(not(emulator_absent))]
+mod shared;
+#[cfg(not(emulator_absent))]
 mod spaces;
 #[cfg_attr(
     emulator_absent,

@@ -24,7 +24,7 @@ use std::marker::PhantomData;
 use cranelift_codegen::ir::{self, InstBuilder, MemFlagsData, Value, condcodes::IntCC, types};
 use cranelift_frontend::{FunctionBuilder, Variable};
 
-use crate::emulator::core::{Fma, host_convention};
+use crate::emulator::core::{Fma, Place, host_convention};
 use crate::soc::Endian;
 use float::Fpu;
 
@@ -224,7 +224,7 @@ type Written = u32;
 const FLAG_BIT: u32 = 16;
 
 /// What a core implements past its architecture's base that its instructions depend on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Features {
     /// The DSP extension.
     pub(crate) dsp: bool,
@@ -334,7 +334,7 @@ pub(crate) trait Profile: Sized {
         pc: u32,
         it: u32,
         left: Value,
-        cell: usize,
+        cell: Place,
     ) -> bool {
         let _ = (e, pc, it, left, cell);
         false
@@ -430,9 +430,8 @@ struct Exit {
     status: u32,
 }
 
-/// A new link cell for an exit to the block at an address with an `ITSTATE`: its number and the
-/// address the exit reads it at.
-pub(crate) type Cells<'a> = &'a mut dyn FnMut(u32, u32) -> (u32, usize);
+/// A new link cell for an exit to the block at an address with an `ITSTATE`: where the exit reads it.
+pub(crate) type Cells<'a> = &'a mut dyn FnMut(u32, u32) -> Place;
 
 /// What a block needs to chain an exit to the block after it.
 pub(crate) struct Chain<'a> {
@@ -441,7 +440,7 @@ pub(crate) struct Chain<'a> {
     pub(crate) signature: ir::SigRef,
     /// The core's cache of recent lookups, where an exit to a computed address finds the next
     /// block.
-    pub(crate) recent: usize,
+    pub(crate) recent: Place,
     /// What every key of a block this one chains to has beside where that starts.
     pub(crate) space: u64,
 }
@@ -989,7 +988,7 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
     }
 
     /// The arguments of a jump to the leave block.
-    fn leaving(&mut self, pc: Value, exit: Exit, cell: Option<(u32, usize)>) -> Vec<ir::BlockArg> {
+    fn leaving(&mut self, pc: Value, exit: Exit, cell: Option<Place>) -> Vec<ir::BlockArg> {
         if exit.retired > self.index {
             self.commit();
         } else {
@@ -999,12 +998,8 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
             );
             self.store(self.pending);
         }
-        let address = cell.map_or(0, |(_, address)| address);
         let packed = self.constant(exit.it | exit.retired << 8 | exit.status << 16);
-        let address = self
-            .b
-            .ins()
-            .iconst(self.pointer, i64::try_from(address).expect("an address"));
+        let address = cell.unwrap_or(Place::At(0)).emit(self.b, self.pointer);
         [pc, packed, address]
             .into_iter()
             .map(ir::BlockArg::from)
@@ -1026,13 +1021,13 @@ impl<'a, 'b, F: Profile> Emitter<'a, 'b, F> {
         }
         let cell = self.chain.as_mut().map(|chain| (chain.cells)(target, it));
         if self.in_hand
-            && let Some((_, address)) = cell
+            && let Some(cell) = cell
         {
             self.commit();
             let budget = self.b.use_var(self.budget);
             let retired = i64::from(self.index + 1);
             let left = self.b.ins().iadd_imm_s(budget, -retired);
-            if F::hand_over(self, target, it, left, address) {
+            if F::hand_over(self, target, it, left, cell) {
                 self.ended = true;
                 return;
             }

@@ -22,6 +22,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ptr::NonNull;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -34,6 +35,7 @@ use super::registers::{
 };
 use super::scs::{Masks, SCS_BASE, SCS_SIZE, Scs};
 use super::semihosting;
+use super::shared::{self, Translation, Wanted};
 use super::spaces::{Space, Spaces};
 use super::state::State;
 use super::translate::{self, LONGEST_BLOCK, Start, block_key};
@@ -42,7 +44,7 @@ use crate::cpu::armv7;
 pub(crate) use crate::cpu::armv7::access::Request;
 use crate::cpu::armv7::access::{read_host, write_host};
 use crate::cpu::armv7::registers::{self, is_set, set};
-use crate::cpu::armv7::translate::{Attributes, Cells, Fault, Size, it_advance, status};
+use crate::cpu::armv7::translate::{Attributes, Fault, Size, it_advance, status};
 use crate::device::Level;
 use crate::emulator::core::{Blocks, Jit, Pages, Tier};
 use crate::emulator::core::{PAGE_BITS, PAGE_SIZE};
@@ -342,7 +344,7 @@ enum Master {
 
 /// What a core implements past ARMv7-M's base, A1.3, which its variant and the machine's
 /// configuration say.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Features {
     /// The core, whose own manual gives what the architecture leaves to it.
     pub(crate) variant: Variant,
@@ -1129,19 +1131,19 @@ impl Family {
         // A block's exits lead to blocks of its own space.
         let chains = self.features.isa.shortcuts || !self.mpu.enabled();
         let space = self.space.key;
-        let counter = (tier == Tier::Quick && !start.checked).then(|| self.blocks.new_counter());
-        let recent = self.blocks.recent();
-        let features = self.features;
+        let wanted = Wanted {
+            start,
+            features: self.features,
+            tier,
+            space: chains.then_some(space),
+        };
         let Self {
             jit,
             pages,
             breakpoints,
             mpu,
-            blocks,
-            stepped,
             ..
         } = self;
-        stepped.clear();
         let mut fetch = |address: u32| {
             let (host, _) = pages.host(u64::from(address))?;
             if address & 1 != 0
@@ -1154,28 +1156,39 @@ impl Family {
             Some(u16::from_le_bytes(unsafe { host.cast::<[u8; 2]>().read() }))
         };
         let stop_before = |address: u32| breakpoints.contains_key(&u64::from(address));
-        let mut cells = |pc: u32, it: u32| {
-            blocks.new_cell(block_key(Start {
+        let known = wanted.features.isa.shortcuts;
+        let known = known.then(|| shared::find(&wanted, &mut fetch, &stop_before));
+        if let Some(translation) = known.flatten() {
+            return self.place(&wanted, &translation);
+        }
+        let translation = translate::translate(jit, wanted, &mut fetch, &stop_before)?;
+        let translation = Arc::new(translation);
+        if wanted.features.isa.shortcuts {
+            shared::keep(wanted, Arc::clone(&translation));
+        }
+        self.place(&wanted, &translation)
+    }
+
+    /// Puts a translation, which may be another core's, where this core runs it.
+    fn place(&mut self, wanted: &Wanted, translation: &Translation) -> Result<Translated, Error> {
+        self.stepped.clone_from(&translation.steps);
+        let counter = wanted.counts().then(|| self.blocks.new_counter());
+        let mut own = vec![self.blocks.recent(), counter.unwrap_or(0)];
+        for &(pc, it) in &translation.exits {
+            let next = Start {
                 pc,
                 it,
                 longest: LONGEST_BLOCK,
                 checked: false,
-            }) | space)
-        };
-        // Without spaces, the next block's key holds the context it runs in while the MPU is on,
-        // which an exit can't know, so nothing chains.
-        let cells: Option<(Cells<'_>, usize, u64)> = chains.then_some((&mut cells, recent, space));
-        translate::translate(
-            jit,
-            features,
-            start,
-            &mut fetch,
-            &stop_before,
-            cells,
-            tier,
-            counter,
-            stepped,
-        )
+            };
+            let key = block_key(next) | wanted.space.unwrap_or(0);
+            own.push(self.blocks.new_cell(key).1);
+        }
+        let code = &translation.code;
+        let block = self
+            .jit
+            .place(wanted.tier, code, |number| own[number as usize])?;
+        Ok((block, translation.range, translation.looped))
     }
 
     /// Links the last block's exit to `block`, keyed `key`, if it led there and nothing came

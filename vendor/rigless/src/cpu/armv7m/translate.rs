@@ -16,15 +16,18 @@ mod profile;
 #[cfg(any(test, fuzzing))]
 pub(crate) mod testing;
 
+use std::cell::RefCell;
+
 use cranelift_codegen::ir::{InstBuilder, JumpTableData, MemFlagsData, condcodes::IntCC, types};
 
-use super::family::{Family, Features, offsets};
+use super::family::{Family, offsets};
+use super::shared::{self, Asked, Translation, Wanted};
 use crate::cpu::armv7::translate::{
-    ALWAYS, Cells, Chain, Emitter, Fault, Head, InstructionSet, Profile, Translated, Undefined,
-    bits, compare_branch, it_advance, status, thumb16, thumb32,
+    ALWAYS, Chain, Emitter, Fault, Head, InstructionSet, Profile, Translated, Undefined, bits,
+    compare_branch, it_advance, status, thumb16, thumb32,
 };
 use crate::emulator::Error;
-use crate::emulator::core::{Block, Jit, Tier};
+use crate::emulator::core::{Jit, Place, Tier};
 
 /// How many runs make a quickly translated block worth translating again.
 pub(crate) const HOT_RUNS: i64 = 256;
@@ -75,7 +78,7 @@ impl Instruction {
 
 /// What a block is translated from: where it starts, the `ITSTATE` there, and the most
 /// instructions it may hold.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Start {
     pub(crate) pc: u32,
     pub(crate) it: u32,
@@ -100,30 +103,44 @@ const CHECKED: u32 = 51;
 
 /// Translates one block from `start` for a core with `features`, fetching halfwords with `fetch`,
 /// and ending before any address `stop_before` names but the first. A checked block starts at the
-/// instruction [`Family`]'s step says, and `steps` gets the address and `ITSTATE` of each. Answers the block, the first
-/// and last byte it came from, and whether it loops back to its first instruction inside itself,
-/// which only one that doesn't start at a breakpoint does.
-#[expect(
-    clippy::too_many_arguments,
-    reason = "a block's start, its bytes, where it stops, how it chains and how hard to compile it are each the caller's"
-)]
+/// instruction [`Family`]'s step says. It may loop back to its first instruction inside itself, which
+/// only one that doesn't start at a breakpoint does.
 pub(crate) fn translate(
     jit: &mut Jit,
-    features: Features,
-    start: Start,
+    wanted: Wanted,
     fetch: &mut dyn FnMut(u32) -> Option<u16>,
     stop_before: &dyn Fn(u32) -> bool,
-    cells: Option<(Cells<'_>, usize, u64)>,
-    tier: Tier,
-    counter: Option<usize>,
-    steps: &mut Vec<(u32, u32)>,
-) -> Result<(Block, (u32, u32), bool), Error> {
+) -> Result<Translation, Error> {
+    let Wanted {
+        start,
+        features,
+        tier,
+        space,
+    } = wanted;
     let pointer = jit.pointer();
     let fma = jit.fma();
+    let mut fetched = Vec::new();
+    let mut fetch = |address: u32| {
+        let answer = fetch(address);
+        fetched.push((address, answer));
+        answer
+    };
+    let stops = RefCell::new(Vec::new());
+    let stop_before = |address: u32| {
+        let answer = stop_before(address);
+        stops.borrow_mut().push((address, answer));
+        answer
+    };
+    let mut exits = Vec::new();
+    let mut cells = |pc: u32, it: u32| {
+        exits.push((pc, it));
+        Place::Own(shared::CELLS + u32::try_from(exits.len() - 1).expect("few exits"))
+    };
+    let mut steps = Vec::new();
     // The first and last byte the block came from.
     let mut range = (start.pc, start.pc);
     let mut looped = false;
-    let block = jit.compile(tier, |builder, core, signature| {
+    let code = jit.code(tier, |builder, core, signature| {
         let entry = builder.current_block().expect("in the entry block");
         // The builder lays a block out when it first holds an instruction, and the body fills
         // before the entry does, so the entry goes first now.
@@ -136,10 +153,10 @@ pub(crate) fn translate(
         // A block that's translated again runs often, and mostly with budget to spare.
         let whole = features.isa.shortcuts && tier == Tier::Best && !start.checked;
         (e.in_hand, e.checked_on_entry) = (whole, whole);
-        e.chain = cells.map(|(cells, recent, space)| Chain {
-            cells,
+        e.chain = space.map(|space| Chain {
+            cells: &mut cells,
             signature,
-            recent,
+            recent: Place::Own(shared::RECENT),
             space,
         });
         // The registers, the flags and the budget are read in `body`, and each pass round the
@@ -173,7 +190,7 @@ pub(crate) fn translate(
                 }
                 break;
             }
-            let Some(instruction) = fetch_one(fetch, pc) else {
+            let Some(instruction) = fetch_one(&mut fetch, pc) else {
                 // A wide instruction's first halfword was fetched, and a change to it drops this
                 // block too.
                 if fetch(pc).is_some() {
@@ -227,16 +244,14 @@ pub(crate) fn translate(
             e.b.ins()
                 .icmp_imm_s(IntCC::UnsignedLessThan, budget, i64::from(needed));
         let refuse = e.b.create_block();
-        if let Some(address) = counter {
+        if wanted.counts() {
             // A quick translation counts its runs, and hands back untouched once they make it
             // worth translating again.
             let count = e.b.create_block();
             e.b.ins().brif(short, refuse, &[], count, &[]);
             e.b.seal_block(count);
             e.b.switch_to_block(count);
-            let counter =
-                e.b.ins()
-                    .iconst(pointer, i64::try_from(address).expect("an address"));
+            let counter = Place::Own(shared::COUNTER).emit(e.b, pointer);
             let runs = e.b.ins().load(pointer, MemFlagsData::trusted(), counter, 0);
             let runs = e.b.ins().iadd_imm_s(runs, 1);
             e.b.ins().store(MemFlagsData::trusted(), runs, counter, 0);
@@ -273,7 +288,17 @@ pub(crate) fn translate(
         let answer = e.constant(status::SHORT);
         e.b.ins().return_(&[answer]);
     })?;
-    Ok((block, range, looped))
+    Ok(Translation {
+        code,
+        exits,
+        range,
+        looped,
+        steps,
+        asked: Asked {
+            fetched,
+            stops: stops.into_inner(),
+        },
+    })
 }
 
 fn fetch_one(fetch: &mut dyn FnMut(u32) -> Option<u16>, pc: u32) -> Option<Instruction> {

@@ -31,7 +31,7 @@ use crate::cpu::armv7::registers::{get, is_set, mask, set};
 use crate::cpu::armv7::translate::float::Fpu;
 use crate::cpu::armv7::translate::{Attributes, Cells, Fault, InstructionSet, Size, bits, status};
 use crate::device::Level;
-use crate::emulator::core::{Block, Blocks, Jit, PAGE_BITS, PAGE_SIZE, Pages, Tier};
+use crate::emulator::core::{Block, Blocks, Jit, PAGE_BITS, PAGE_SIZE, Pages, Place, Tier};
 use crate::emulator::memory::{from_target, to_target};
 use crate::emulator::{
     Access, AccessKind, CheckBits, CoreBus, DataModel, Error, Exit, InterruptLine, Processor,
@@ -754,7 +754,7 @@ impl Family {
     /// byte order and privilege as this one.
     fn compile(&mut self, start: Start, tier: Tier) -> Result<Translated, Error> {
         let counter = (tier == Tier::Quick).then(|| self.blocks.new_counter());
-        let recent = self.blocks.recent();
+        let recent = Place::At(self.blocks.recent());
         let order = self.instruction_endian();
         let Self {
             jit,
@@ -777,16 +777,17 @@ impl Family {
             Some(unsafe { read_host(host, size, order) })
         };
         let mut cells = |pc: u32, it: u32| {
-            blocks.new_cell(block_key(Start {
+            let next = block_key(Start {
                 pc,
                 it,
                 longest: LONGEST_BLOCK,
                 ..start
-            }))
+            });
+            Place::At(blocks.new_cell(next).1)
         };
         // With the MPU on every block comes back to the run loop, which checks its fetches, and so
         // does one translated from the words the bus answered, which runs once.
-        let cells: Option<(Cells<'_>, usize)> =
+        let cells: Option<(Cells<'_>, Place)> =
             (!start.mpu && corrected.is_empty()).then_some((&mut cells, recent));
         let stop_before = |address: u32| {
             breakpoints.contains_key(&u64::from(address))
@@ -2110,7 +2111,7 @@ mod tests {
         context: u64,
         lower: impl FnOnce(&mut Emitter<'_, '_, Family>),
     ) -> u32 {
-        let recent = core.blocks.recent();
+        let recent = Place::At(core.blocks.recent());
         helpers::run_built(core, |builder, pointer, signature| {
             let pointer = builder.func.dfg.value_type(pointer);
             let features = Features {
@@ -2120,7 +2121,7 @@ mod tests {
                 shortcuts: true,
             };
             let signature = builder.import_signature(signature.clone());
-            let mut cells = |_: u32, _: u32| (0, 0);
+            let mut cells = |_: u32, _: u32| Place::At(0);
             let mut e = Emitter::new(builder, pointer, features, InstructionSet::Arm);
             e.chain = Some(Chain {
                 cells: &mut cells,

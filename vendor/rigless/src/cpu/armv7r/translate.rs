@@ -35,7 +35,7 @@ use crate::cpu::armv7::translate::{
     Translated, bits, it_advance, status, thumb16, thumb32,
 };
 use crate::emulator::Error;
-use crate::emulator::core::{Block, Jit, Tier};
+use crate::emulator::core::{Block, Jit, Place, Tier};
 use crate::soc::Endian;
 
 /// How many runs make a quickly translated block worth translating again.
@@ -119,7 +119,7 @@ pub(crate) fn translate(
     start: Start,
     fetch: &mut dyn FnMut(u32, Size) -> Option<u32>,
     stop_before: &dyn Fn(u32) -> bool,
-    cells: Option<(Cells<'_>, usize)>,
+    cells: Option<(Cells<'_>, Place)>,
     tier: Tier,
     counter: Option<usize>,
 ) -> Result<(Block, (u32, u32)), Error> {

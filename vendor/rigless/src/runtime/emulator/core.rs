@@ -18,14 +18,18 @@ use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
+use cranelift_codegen::binemit::Reloc;
+use cranelift_codegen::control::ControlPlane;
 use cranelift_codegen::ir::{
-    self, AbiParam, Endianness, InstBuilder, MemFlagsData, Signature, Value, types,
+    self, AbiParam, Endianness, ExternalName, GlobalValueData, InstBuilder, MemFlagsData,
+    Signature, UserExternalName, Value, types,
 };
 use cranelift_codegen::isa::CallConv;
 use cranelift_codegen::settings::{self, Configurable};
+use cranelift_codegen::{FinalizedMachReloc, FinalizedRelocTarget};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{BranchProtection, JITBuilder, JITMemoryKind, JITMemoryProvider, JITModule};
-use cranelift_module::{Linkage, Module, ModuleError};
+use cranelift_module::{Linkage, Module, ModuleError, ModuleReloc, ModuleRelocTarget};
 
 use super::{DataModel, Error};
 use crate::soc::Endian;
@@ -684,8 +688,89 @@ impl JITMemoryProvider for Packed {
     }
 }
 
-/// How hard the code generator works on a block.
+/// Where in the host something a block reads is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// At this address.
+    At(usize),
+    /// Wherever the core that runs the block has its own, by a number the block's translation gives
+    /// it. [`Jit::place`] puts the address in.
+    Own(u32),
+}
+
+impl Place {
+    /// Emits the address, of type `pointer`.
+    pub(crate) fn emit(self, builder: &mut FunctionBuilder<'_>, pointer: ir::Type) -> Value {
+        let number = match self {
+            Self::At(address) => {
+                let address = i64::try_from(address).expect("an address");
+                return builder.ins().iconst(pointer, address);
+            }
+            Self::Own(number) => number,
+        };
+        let name = UserExternalName::new(0, number);
+        let name = builder.func.declare_imported_user_function(name);
+        let symbol = builder.create_global_value(GlobalValueData::Symbol {
+            name: ExternalName::user(name),
+            offset: 0.into(),
+            colocated: false,
+            tls: false,
+        });
+        builder.ins().symbol_value(pointer, symbol)
+    }
+}
+
+/// A block's code before it's placed: the same for every core that would translate the same block.
+pub(crate) struct Code {
+    bytes: Vec<u8>,
+    alignment: u64,
+    /// Where the addresses of [`Place::Own`] go, with its number.
+    own: Vec<(usize, u32)>,
+    /// What the code calls by name.
+    calls: Vec<ModuleReloc>,
+}
+
+impl Code {
+    /// What the code generator just made.
+    fn of(context: &cranelift_codegen::Context) -> Option<Self> {
+        let compiled = context.compiled_code()?;
+        let mut code = Self {
+            bytes: compiled.code_buffer().to_vec(),
+            alignment: u64::from(compiled.buffer.alignment),
+            own: Vec::new(),
+            calls: Vec::new(),
+        };
+        for reloc in compiled.buffer.relocs() {
+            code.relocate(reloc, &context.func)?;
+        }
+        Some(code)
+    }
+
+    fn relocate(&mut self, reloc: &FinalizedMachReloc, func: &ir::Function) -> Option<()> {
+        let at = usize::try_from(reloc.offset).ok()?;
+        match &reloc.target {
+            FinalizedRelocTarget::ExternalName(ExternalName::User(name))
+                if reloc.kind == Reloc::Abs8 && reloc.addend == 0 =>
+            {
+                self.own
+                    .push((at, func.params.user_named_funcs()[*name].index));
+            }
+            FinalizedRelocTarget::ExternalName(ExternalName::LibCall(call)) => {
+                self.calls.push(ModuleReloc {
+                    offset: reloc.offset,
+                    kind: reloc.kind,
+                    name: ModuleRelocTarget::LibCall(*call),
+                    addend: reloc.addend,
+                });
+            }
+            _ => return None,
+        }
+        Some(())
+    }
+}
+
+/// How hard the code generator works on a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Tier {
     /// Quick to make, for a block's first translation, since most blocks run only a few times.
     Quick,
@@ -900,18 +985,36 @@ impl Jit {
         }
     }
 
-    /// Makes one block. `build` gets a builder in the entry block, already holding the core's
-    /// pointer as its parameter, and the signature every block has, for a tail call to the next.
-    /// It ends every path with a return or a tail call.
+    /// Makes one block that has no [`Place::Own`], as [`Jit::code`] does, and places it.
     pub(crate) fn compile(
         &mut self,
         tier: Tier,
         build: impl FnOnce(&mut FunctionBuilder<'_>, Value, &Signature),
     ) -> Result<Block, Error> {
-        self.out_of_room = false;
-        let module = match tier {
+        let code = self.code(tier, build)?;
+        self.place(tier, &code, |_| 0)
+    }
+
+    /// The code generator of `tier`.
+    fn module_of(&mut self, tier: Tier) -> &mut JITModule {
+        match tier {
             Tier::Quick => &mut self.quick,
             Tier::Best => &mut self.module,
+        }
+    }
+
+    /// Makes the code of one block. `build` gets a builder in the entry block, already holding the
+    /// core's pointer as its parameter, and the signature every block has, for a tail call to the
+    /// next. It ends every path with a return or a tail call.
+    pub(crate) fn code(
+        &mut self,
+        tier: Tier,
+        build: impl FnOnce(&mut FunctionBuilder<'_>, Value, &Signature),
+    ) -> Result<Code, Error> {
+        self.out_of_room = false;
+        let module = match tier {
+            Tier::Quick => &self.quick,
+            Tier::Best => &self.module,
         };
         module.clear_context(&mut self.context);
         self.context.func.signature = self.signature.clone();
@@ -928,17 +1031,40 @@ impl Jit {
             builder.finalize(config);
         }
         drop_unused(&mut self.context.func);
+        self.context
+            .compile(module.isa(), &mut ControlPlane::default())
+            .map_err(|error| failed(&error.inner))?;
+        Code::of(&self.context).ok_or_else(|| failed(&"it names what no block may"))
+    }
+
+    /// Puts `code`, which [`Jit::code`] made at `tier` on this host, into this core's code space, with
+    /// the address `own` gives for each of its [`Place::Own`].
+    pub(crate) fn place(
+        &mut self,
+        tier: Tier,
+        code: &Code,
+        own: impl Fn(u32) -> usize,
+    ) -> Result<Block, Error> {
+        self.out_of_room = false;
         self.made += 1;
+        let name = format!("b{}", self.made);
+        let signature = self.signature.clone();
+        let mut bytes = code.bytes.clone();
+        for &(at, number) in &code.own {
+            let address = own(number).to_le_bytes();
+            bytes[at..at + address.len()].copy_from_slice(&address);
+        }
+        let module = self.module_of(tier);
         let id = module
-            .declare_function(&format!("b{}", self.made), Linkage::Local, &self.signature)
+            .declare_function(&name, Linkage::Local, &signature)
             .map_err(|error| failed(&error))?;
-        module
-            .define_function(id, &mut self.context)
-            .map_err(|error| {
-                self.out_of_room = matches!(&error, ModuleError::Allocation { err }
-                    if err.kind() == std::io::ErrorKind::OutOfMemory);
-                failed(&error)
-            })?;
+        let defined = module.define_function_bytes(id, code.alignment, &bytes, &code.calls);
+        if let Err(error) = defined {
+            self.out_of_room = matches!(&error, ModuleError::Allocation { err }
+                if err.kind() == std::io::ErrorKind::OutOfMemory);
+            return Err(failed(&error));
+        }
+        let module = self.module_of(tier);
         module
             .finalize_definitions()
             .map_err(|error| failed(&error))?;
@@ -1099,7 +1225,7 @@ fn slot(key: u64) -> usize {
 pub(crate) fn emit_find(
     builder: &mut FunctionBuilder<'_>,
     pointer: ir::Type,
-    recent: usize,
+    recent: Place,
     key: Value,
 ) -> Value {
     let low = builder.ins().ushr_imm_u(key, 1);
@@ -1111,9 +1237,7 @@ pub(crate) fn emit_find(
     let offset = builder
         .ins()
         .imul_imm_u(slot, i64::try_from(size_of::<Recent>()).expect("a size"));
-    let base = builder
-        .ins()
-        .iconst(pointer, i64::try_from(recent).expect("an address"));
+    let base = recent.emit(builder, pointer);
     let entry = builder.ins().iadd(base, offset);
     let flags = MemFlagsData::trusted();
     let cached = builder.ins().load(

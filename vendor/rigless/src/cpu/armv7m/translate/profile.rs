@@ -19,7 +19,7 @@ use crate::cpu::armv7::registers::{is_set, mask};
 use crate::cpu::armv7::translate::{
     Attributes, Emitter, FAULTED, FIND, Fault, KEEP_PC, Profile, Size, status,
 };
-use crate::emulator::core::{Lookup, emit_find, emit_lookup, load_guest, store_guest};
+use crate::emulator::core::{Lookup, Place, emit_find, emit_lookup, load_guest, store_guest};
 
 impl Profile for Family {
     const STATE: usize = offsets::STATE;
@@ -250,7 +250,7 @@ impl Profile for Family {
         pc: u32,
         it: u32,
         left: Value,
-        cell: usize,
+        cell: Place,
     ) -> bool {
         let Some(signature) = e.chain.as_ref().map(|chain| chain.signature) else {
             return false;
@@ -262,9 +262,7 @@ impl Profile for Family {
         let core = e.core();
         let trusted = MemFlagsData::trusted();
         e.b.ins().store(trusted, left, core, offsets::BUDGET);
-        let cell =
-            e.b.ins()
-                .iconst(e.pointer, i64::try_from(cell).expect("an address"));
+        let cell = cell.emit(e.b, e.pointer);
         let next = e.b.ins().load(e.pointer, trusted, cell, 0);
         let returning =
             e.b.ins()
