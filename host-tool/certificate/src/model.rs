@@ -290,7 +290,8 @@ impl Deviation {
         });
         Self {
             percent: 100.0 * (ratio - 1.0),
-            db: 20.0 * ratio.log10(),
+            // Every platform has a logarithm of its own: this one prints the same digits on all.
+            db: 20.0 * libm::log10(ratio),
             uncertainty: stated.map(|(stated, _)| stated),
             decimals: stated.map_or(decimals, |(_, decimals)| decimals),
         }

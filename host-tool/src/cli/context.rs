@@ -216,11 +216,19 @@ pub(crate) struct Failure {
 /// Writes to standard output; `calib ... | head` is not a failure.
 fn write(output: &str) -> Result<()> {
     match std::io::stdout().write_all(output.as_bytes()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+        Err(error) if !nobody_reads(&error) => {
             Err(Error::file("write", "standard output".as_ref(), error))
         }
         _ => Ok(()),
     }
+}
+
+/// Whether writing failed because the reader has gone, which Windows tells in a way of its own too.
+pub(crate) fn nobody_reads(error: &std::io::Error) -> bool {
+    /// `ERROR_PIPE_NOT_CONNECTED`.
+    const NOT_CONNECTED: i32 = 233;
+    error.kind() == std::io::ErrorKind::BrokenPipe
+        || cfg!(windows) && error.raw_os_error() == Some(NOT_CONNECTED)
 }
 
 pub(crate) fn defect(error: serde_json::Error) -> Error {

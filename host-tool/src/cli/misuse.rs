@@ -1,9 +1,9 @@
 //! Messages of the command-line reader: help, the version, or what is wrong.
 
-use super::context::Failure;
+use super::context::{Failure, nobody_reads};
 use calib_output::json;
 use clap::error::{ContextKind, ContextValue};
-use std::io::{ErrorKind, Write};
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Exit codes as in [`calib_host::Error`].
@@ -15,7 +15,7 @@ pub(crate) fn tell(mut said: clap::Error) -> ExitCode {
     name_the_logbook(&mut said);
     if !said.use_stderr() {
         return match said.print() {
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(error) if !nobody_reads(&error) => {
                 let _ = writeln!(
                     std::io::stderr(),
                     "error: cannot write standard output: {error}"
