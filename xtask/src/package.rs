@@ -1,21 +1,21 @@
-//! One file to install: the tool with the image inside, as a Debian package and as a tar.
+//! One file to install: the tool with the image inside, as a Debian package, as a tar, and for Windows.
 
 use crate::packages::{self, as_root};
 use crate::sbom::{self, Product};
 use crate::shell::{cargo, root, run, said, target_dir};
-use crate::{demo, elf, origin, update};
+use crate::{demo, elf, origin, update, windows, wine};
 use anyhow::{Context, Result, bail};
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// Largest file to download, bytes.
 const LARGEST: u64 = 40_000_000;
 
-/// Builds `dist/`; with `--check`, also builds the image twice, and installs and uses
-/// the package in an empty Debian.
+/// Builds `dist/`; with `--check`, also builds the image twice, installs and uses the package in an
+/// empty Debian, and uses the program for Windows under wine.
 pub(crate) fn build(arguments: &[String]) -> Result<()> {
     let check = match arguments {
         [] => false,
@@ -28,6 +28,7 @@ pub(crate) fn build(arguments: &[String]) -> Result<()> {
     if check {
         origin::check(&image)?;
     }
+    let for_windows = windows::build(&image)?;
     let tool = tool_with(&image)?;
     let stage = target_dir().join("package");
     lay_out(&tool, &stage)?;
@@ -35,22 +36,21 @@ pub(crate) fn build(arguments: &[String]) -> Result<()> {
     empty(&dist)?;
     let [of_tool, of_image] = materials(&stage, &image, &dist)?;
     let package = debian_package(&stage, &dist)?;
-    let files = [
-        package,
-        tar(&stage, &dist)?,
-        firmware(&dist)?,
-        of_tool,
-        of_image,
-    ];
+    let tar = tar(&stage, &dist)?;
+    let mut files = vec![package, tar, firmware(&dist)?, of_tool, of_image];
+    if let Some(folder) = &for_windows {
+        files.push(windows::archive(folder, &dist)?);
+    }
     list(&dist, &files)?;
     if check {
         used_in_an_empty_root(&files[0])?;
+        for_windows.map_or(Ok(()), |folder| wine::check(&folder, &tool))?;
     }
     Ok(())
 }
 
 /// A program of the system, by the name of its Debian package; elsewhere there is no package to make.
-fn needs(program: &str, package: &str) -> Result<()> {
+pub(crate) fn needs(program: &str, package: &str) -> Result<()> {
     if packages::find(program).is_some() {
         return Ok(());
     }
@@ -262,7 +262,8 @@ fn used_in_an_empty_root(package: &Path) -> Result<()> {
     Ok(())
 }
 
-fn empty(folder: &Path) -> Result<()> {
+/// A folder with nothing in it.
+pub(crate) fn empty(folder: &Path) -> Result<()> {
     if folder.exists() {
         fs::remove_dir_all(folder)?;
     }
