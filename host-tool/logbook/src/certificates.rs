@@ -68,12 +68,11 @@ impl Logbook {
     /// # Errors
     /// As [`Self::may_issue`].
     pub fn issue(&mut self, issues: &[Issue<'_>], issued_s: i64) -> Result<()> {
+        let failed = |error| self.failure(error);
+        let transaction = self.writing().map_err(failed)?;
         for issue in issues {
             self.may_issue(issue)?;
         }
-        let path = self.path.clone();
-        let failed = |error| super::store::failure(&path, error);
-        let transaction = self.connection.transaction().map_err(failed)?;
         for issue in issues {
             // A row that is ignored would use up a number; one that is not made does not.
             let enter = "INSERT INTO certificates

@@ -18,8 +18,11 @@ const MADE: [&str; 4] = [
     "SELECT 'operator ' || name, * FROM operators",
     "SELECT 'instrument ' || serial, * FROM instruments",
 ];
-/// Tables, indexes and triggers themselves.
-const FORM: &str = "SELECT type || ' ' || name, tbl_name, sql FROM sqlite_schema";
+/// Tables, indexes and triggers themselves, every part with its type: SQLite takes a name that is no text.
+const FORM: &str = "SELECT type || ' ' || name, type, name, tbl_name, sql FROM sqlite_schema";
+/// Where the next certificate would not get the number after the last.
+const GAP: &str = "SELECT count(*) FROM sqlite_sequence
+    WHERE name <> 'certificates' OR seq IS NOT (SELECT max(number) FROM certificates)";
 
 impl Logbook {
     /// Looks at the file, at every record, at every number made of one, and at what the journal has of the
@@ -28,6 +31,9 @@ impl Logbook {
     /// # Errors
     /// Those of a file that cannot be read at all.
     pub fn inspect(&self) -> Result<Vec<String>> {
+        // All of one moment, whatever other programs enter meanwhile.
+        let moment = self.connection.unchecked_transaction();
+        let _moment = moment.map_err(|error| self.failure(error))?;
         let mut wrong = self.all("PRAGMA integrity_check", [], |row| row.get::<_, String>(0))?;
         wrong.retain(|line| line != "ok");
         let mut again = Self::in_memory()?;
@@ -42,6 +48,9 @@ impl Logbook {
         }
         for sql in MADE.into_iter().chain([FORM]) {
             wrong.extend(self.differences(&again, sql)?);
+        }
+        if self.one::<i64>(GAP, [])? != 0 {
+            wrong.push("certificates: the next number would leave a gap".to_owned());
         }
         let journal = journal::check(&self.connection);
         wrong.extend(journal.map_err(|error| self.failure(error))?);

@@ -84,7 +84,7 @@ impl Logbook {
         values: impl Params,
     ) -> Result<()> {
         let change = || {
-            let transaction = self.connection.unchecked_transaction()?;
+            let transaction = self.writing()?;
             transaction.execute(sql, values)?;
             enter(&transaction, subject, name)?;
             transaction.commit()

@@ -134,7 +134,7 @@ impl Logbook {
     fn take_certificate(&self, theirs: &Issued) -> Result<bool> {
         let place = format!("certificate {} as {}", theirs.certificate, theirs.format);
         let put = || {
-            let transaction = self.connection.unchecked_transaction()?;
+            let transaction = self.writing()?;
             let ours = "SELECT lower(hex(sha256)), lower(hex(record_sha256)) FROM certificates
                         WHERE certificate = ?1 AND format = ?2";
             let ours = transaction.query_row(ours, [&theirs.certificate, &theirs.format], |row| {

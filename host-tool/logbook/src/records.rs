@@ -105,7 +105,7 @@ impl Logbook {
     pub fn keep_all<'a>(&mut self, all: impl IntoIterator<Item = &'a [u8]>) -> Result<Vec<Kept>> {
         let path = self.path.clone();
         let failed = |error| super::store::failure(&path, error);
-        let transaction = self.connection.transaction().map_err(failed)?;
+        let transaction = self.writing().map_err(failed)?;
         let mut kept = Vec::new();
         for bytes in all {
             let content = Content::of(bytes).map_err(|error| {

@@ -133,7 +133,7 @@ impl Logbook {
         at: Timestamp,
         statement: String,
     ) -> rusqlite::Result<std::result::Result<Kept, String>> {
-        let transaction = self.connection.unchecked_transaction()?;
+        let transaction = self.writing()?;
         let last = "SELECT number, chain FROM journal ORDER BY number DESC LIMIT 1";
         let last = transaction.query_row(last, [], |row| Ok((row.get(0)?, row.get(1)?)));
         let Some((entry, chain)): Option<(i64, Vec<u8>)> = last.optional()? else {

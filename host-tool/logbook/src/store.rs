@@ -162,8 +162,7 @@ impl Logbook {
             return Ok(());
         }
         let failed = |error| self.failure(error);
-        let alone = TransactionBehavior::Immediate;
-        let transaction = Transaction::new_unchecked(&self.connection, alone).map_err(failed)?;
+        let transaction = self.writing().map_err(failed)?;
         let steps = self.steps_from(self.form()?)?.join("\n");
         let script = format!(
             "{steps}\nPRAGMA application_id = {APPLICATION};\nPRAGMA user_version = {VERSION};"
@@ -174,6 +173,11 @@ impl Logbook {
             journal::begin(&transaction).map_err(failed)?;
         }
         transaction.commit().map_err(failed)
+    }
+
+    /// Begins to write, and waits for its turn until others have: who had read first could not wait any more.
+    pub(super) fn writing(&self) -> rusqlite::Result<Transaction<'_>> {
+        Transaction::new_unchecked(&self.connection, TransactionBehavior::Immediate)
     }
 
     /// The file.

@@ -119,6 +119,7 @@ fn what_another_program_changes_is_noticed() {
     for change in [
         "UPDATE records SET sensitivity_v_per_ms2 = 0.02 WHERE id = 2",
         "UPDATE records SET expanded_uncertainty_rel = 0.001",
+        "UPDATE sqlite_sequence SET seq = 9",
         "UPDATE records SET refused = 0, operator = 'Somebody' WHERE id = 1",
         "UPDATE points SET verdict = 'refused: Noise' WHERE record = 1",
         "UPDATE points SET expanded_uncertainty_rel = 0.001",

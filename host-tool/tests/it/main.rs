@@ -13,6 +13,7 @@ mod gap;
 mod hostile;
 mod link;
 mod logbook;
+mod logbook_cut;
 mod logbook_forged;
 mod logbook_sealed;
 mod memory_link;
