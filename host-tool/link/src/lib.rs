@@ -31,6 +31,6 @@ pub use address::Address;
 pub use client::{Chunk, Client, RetryPolicy};
 pub use error::{Error, LinkError, ProtocolError, Refused, Result};
 pub use serial::SerialTransport;
-pub use stop_switch::StopSwitch;
+pub use stop_switch::{STOP_ALARM, StopSwitch};
 pub use tcp::TcpTransport;
 pub use transport::{Transport, pause_as_nothing, since_start};

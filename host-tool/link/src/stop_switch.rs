@@ -2,6 +2,11 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+
+/// A stop that is not confirmed so long after it was asked for is an alarm: somebody has to use the button. One that
+/// is confirmed later takes the alarm back.
+pub const STOP_ALARM: Duration = Duration::from_millis(200);
 
 /// Asks a [`Client`](crate::Client) of another thread for silence. Stops are counted from 1, so that each can
 /// be told from the one before; a client passes on the latest and confirms all of them with it.

@@ -48,17 +48,9 @@ impl Followed<'_> {
             "{broken}: the run goes on, and is followed when the link is there again"
         ));
         let begun = Instant::now();
-        let mut alarmed = false;
         while begun.elapsed() < PATIENCE {
             if let Some(client) = self.look() {
                 return Ok(client);
-            }
-            if self.switch.is_asked() && !alarmed {
-                alarmed = true;
-                // Not for --quiet to hide.
-                eprintln!(
-                    "NOT STOPPED: there is no link. Use the button on the instrument or the mute"
-                );
             }
             std::thread::sleep(PAUSE);
         }

@@ -1,7 +1,7 @@
 //! A list measured once: followed with its progress, stopped by Ctrl-C, and kept.
 
 use super::again::Followed;
-use super::{Context, progress::RunProgress, source};
+use super::{Context, alarm, progress::RunProgress, source};
 use calib_certificate::SensitivityUnit;
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::verdict::Verdict;
@@ -103,17 +103,24 @@ pub(super) fn measure(
 
 /// From now on, Ctrl-C asks a run to stop instead of ending the tool.
 pub(super) fn stop_on_interrupt() -> impl Fn() -> ControlFlow<()> {
-    let switch = switch_of_interrupts();
-    move || flow(&switch)
-}
-
-/// From now on, Ctrl-C is a stop on this switch.
-pub(super) fn switch_of_interrupts() -> StopSwitch {
     let switch = StopSwitch::default();
     let pressed = switch.clone();
     // Without the handler Ctrl-C still ends this tool; the calibrator goes on.
     let _ = ctrlc::set_handler(move || {
         pressed.ask();
+    });
+    move || flow(&switch)
+}
+
+/// From now on, Ctrl-C is a stop on this switch, which a client heeds; one that is not confirmed in time is an
+/// alarm.
+pub(super) fn switch_of_interrupts() -> StopSwitch {
+    let switch = StopSwitch::default();
+    let pressed = switch.clone();
+    let _ = ctrlc::set_handler(move || {
+        let (number, confirmed) = (pressed.ask(), pressed.clone());
+        // It ends with its stop, or with this tool.
+        drop(alarm::watch(move || confirmed.is_confirmed(number)));
     });
     switch
 }

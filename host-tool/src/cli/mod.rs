@@ -6,6 +6,7 @@
 
 mod adjust;
 mod again;
+mod alarm;
 mod budget;
 mod capture;
 mod certificate;

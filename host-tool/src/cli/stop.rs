@@ -1,10 +1,12 @@
 //! `calib stop`: ends a run, from any terminal.
 
-use super::Context;
+use super::{Context, alarm};
 use calib_host::Result;
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// `calib stop`.
 #[derive(Debug, Args)]
@@ -18,7 +20,13 @@ pub(super) struct Stopped {
 impl Stop {
     /// Silences the exciter and ends the run, if there is one.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let confirmed = Arc::new(AtomicBool::new(false));
+        let seen = Arc::clone(&confirmed);
+        let watch = alarm::watch(move || seen.load(Ordering::SeqCst));
         context.connect()?.stop()?;
+        confirmed.store(true, Ordering::SeqCst);
+        // What it says, it says before this does.
+        let _ = watch.join();
         let stopped = Stopped { stopped: true };
         context.print(&stopped, || "the exciter is silent".to_owned())
     }

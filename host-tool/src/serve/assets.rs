@@ -153,7 +153,7 @@ mod tests {
                 "fail",
             ];
             let known = sources.contains(&english) || sent.contains(&english);
-            let made = english.ends_with("within 500 ms") || states.contains(&english.as_str());
+            let made = english.ends_with("within 200 ms") || states.contains(&english.as_str());
             assert!(known || made, "nobody says '{english}' any more");
             for place in ["{0}", "{1}", "{2}"] {
                 let (asked, kept) = (english.contains(place), german.contains(place));

@@ -6,22 +6,22 @@
 //! | a run that has ended | nothing runs | the same: silence is silence |
 //! | a run that has ended | the next one runs | refused: it came late, and would end another run |
 //!
-//! Confirmed means: the calibrator answered the stop. What it did not answer within
-//! [`CONFIRMED_WITHIN`] has failed as far as anybody can know, and the page says so.
+//! Confirmed means: the calibrator answered the stop. What it did not answer within [`STOP_ALARM`] has failed as
+//! far as anybody can know, and the page says so, full screen. An answer that comes later takes that back, and
+//! says how late it was.
 
 use super::handle::Handle;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
+use calib_link::STOP_ALARM;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
 
-/// Longest wait for the calibrator's confirmation.
-const CONFIRMED_WITHIN: Duration = Duration::from_millis(500);
 /// Time between two looks at it.
 const LOOK: Duration = Duration::from_millis(5);
 /// Time between two looks at one that is late.
-const LATE_LOOK: Duration = Duration::from_millis(100);
+const LATE_LOOK: Duration = Duration::from_millis(20);
 
 /// What a page sends.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
@@ -73,7 +73,7 @@ impl NotStopped {
                 format!("the stop was for run {of}; run {running} has begun since: STOP again")
             }
             Self::Unconfirmed => {
-                let limit_ms = CONFIRMED_WITHIN.as_millis();
+                let limit_ms = STOP_ALARM.as_millis();
                 format!("the calibrator did not confirm the stop within {limit_ms} ms")
             }
         }
@@ -102,7 +102,7 @@ pub(super) async fn stop(handle: Handle, asked: Asked) -> Result<(), NotStopped>
 
 async fn watch(handle: Handle, number: u64) -> bool {
     let begun = Instant::now();
-    while begun.elapsed() < CONFIRMED_WITHIN {
+    while begun.elapsed() < STOP_ALARM {
         if handle.note_if_confirmed(number, begun) {
             return true;
         }

@@ -173,5 +173,6 @@ export const german = {
   "Restart the instrument; if it happens again, have it serviced.": "Das Gerät neu starten; geschieht es wieder, in die Wartung geben.",
   "Move the frequency by 3 Hz or more from the mains and its multiples, raise the level, or find where the hum gets in: cable, ground loop.": "Die Frequenz um mindestens 3 Hz vom Netz und seinen Vielfachen entfernen, den Pegel erhöhen, oder suchen, wo das Brummen hereinkommt: Kabel, Erdschleife.",
   "Is the computer asleep, or its cable out? Start again; `lease_s` in the settings says how long it may be silent.": "Schläft der Rechner, ist sein Kabel gezogen? Neu starten; `lease_s` in den Einstellungen sagt, wie lange er schweigen darf.",
-  "the calibrator did not confirm the stop within 500 ms": "der Kalibrator hat den Stopp nicht innerhalb von 500 ms bestätigt"
+  "stopped late, after {0} s": "spät gestoppt, nach {0} s",
+  "the calibrator did not confirm the stop within 200 ms": "der Kalibrator hat den Stopp nicht innerhalb von 200 ms bestätigt"
 };

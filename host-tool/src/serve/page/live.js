@@ -3,7 +3,9 @@
 import { url } from "./server.js";
 import { say } from "./words.js";
 
-const confirmed_within_ms = 500, silence_ms = 4000, again_ms = 500;
+/** A stop that is not confirmed by then is an alarm; the server and the tool have the same limit. */
+export const alarm_after_ms = 200;
+const silence_ms = 4000, again_ms = 500;
 let socket = null, heard_at = 0, stops = 0, stop_port = 0;
 const waiting = new Map();
 
@@ -58,16 +60,16 @@ async function by_own_port(run) {
   if (!answer.ok) throw new Error(await answer.text());
 }
 
-/** Stops; returns nothing once the calibrator has confirmed it, else why nobody knows that it is silent. */
-export async function stop(run) {
-  const late = new Promise((_, reject) =>
-    setTimeout(() => reject(new Error(say("no confirmation within {0} ms", confirmed_within_ms))), confirmed_within_ms));
-  const ways = Promise.any([by_channel(run), by_own_port(run)])
-    .catch((all) => { throw all.errors.find((error) => /run/.test(error.message)) || all.errors[0]; });
-  try {
-    await Promise.race([ways, late]);
-    return "";
-  } catch (error) {
-    return error.message;
-  }
+/** Stops what was asked to at this time of the page's clock. `told` hears nothing once the calibrator has
+ *  confirmed it, and why nobody knows that it is silent when that takes too long or fails; and how long it was. */
+export function stop(run, asked_at, told) {
+  const after_ms = () => performance.now() - asked_at;
+  const late = setTimeout(() => told(say("no confirmation within {0} ms", alarm_after_ms), after_ms()),
+    Math.max(0, alarm_after_ms - after_ms()));
+  const settled = (why) => {
+    clearTimeout(late);
+    told(why, after_ms());
+  };
+  Promise.any([by_channel(run), by_own_port(run)]).then(() => settled(""),
+    (all) => settled((all.errors.find((error) => /run/.test(error.message)) || all.errors[0]).message));
 }

@@ -34,20 +34,34 @@ function alarm(why) {
   if (why) $("alarm-stop").focus();
 }
 
-// The number of the run tells a stop that is late from one that is meant for what goes on now.
-async function stop() {
+/** The exciter is silent, and was not in time: said though it is over. */
+function stopped_late(after_s) {
+  alarm("");
+  $("late").hidden = false;
+  $("late").textContent = word("stopped late, after {0} s", after_s.toFixed(2));
+}
+
+// The number of the run tells a stop that is late from one that is meant for what goes on now; the browser's own
+// time of the click or key is when it was asked for.
+let stops = 0;
+function stop(event) {
+  const own = ++stops;
   $("stop").classList.add("sent");
-  const why = await live.stop(last ? (last.run ? last.run.number : 0) : null);
-  $("stop").classList.remove("sent");
-  const nothing_there = answers && last && last.link === "none" && !(last.run && last.run.running);
-  alarm(nothing_there ? "" : why);
+  $("late").hidden = true;
+  live.stop(last ? (last.run ? last.run.number : 0) : null, event.timeStamp, (why, after_ms) => {
+    if (own !== stops) return;
+    $("stop").classList.remove("sent");
+    const nothing_there = answers && last && last.link === "none" && !(last.run && last.run.running);
+    if (!why && after_ms > live.alarm_after_ms) stopped_late(after_ms / 1000);
+    else alarm(nothing_there ? "" : why);
+  });
 }
 
 $("alarm-stop").addEventListener("click", stop);
 $("alarm-close").addEventListener("click", () => alarm(""));
 $("stop").addEventListener("click", stop);
 document.addEventListener("keydown", (event) => {
-  if (event.key === "Escape") stop();
+  if (event.key === "Escape") stop(event);
 });
 // A certificate that cannot be had is said here, not on an empty page.
 document.addEventListener("click", async (event) => {
@@ -69,6 +83,7 @@ function frequencies() {
 
 /** Measures these frequencies; the rest as the form says. */
 function measure(frequencies_hz) {
+  $("late").hidden = true;
   const typed = (id) => $(id).value.trim();
   ask("api/run", {
     sensor: $("sensor").value,
@@ -174,7 +189,7 @@ live.listen((view) => {
   last = view;
   answers = true;
   // A confirmation that came late ends the alarm.
-  if (view.stop && view.stop.state === "confirmed" && !$("alarm").hidden && !(view.run && view.run.running)) alarm("");
+  if (view.stop && view.stop.state === "confirmed" && !$("alarm").hidden && !(view.run && view.run.running)) stopped_late(view.stop.after_s);
   show(view);
   const run = view.run, kept = run && !run.running ? run.number + " " + run.logbook_record : "";
   if (kept && kept !== ended) {
