@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 /// What may be set, for messages.
-const KEYS: &str = "device, level, tolerance, operator and language may be set";
+const KEYS: &str = "device, level, tolerance, operator, language and key may be set";
 
 /// Defaults of a user.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -28,6 +28,8 @@ pub struct Config {
     pub operator: Option<String>,
     /// Language of certificates.
     pub language: Option<Language>,
+    /// The laboratory's key, a PKCS#12 file: what is given out is signed.
+    pub key: Option<PathBuf>,
 }
 
 /// Where it is: `CALIB_CONFIG`, else `calib/config.toml` in the user's folder of settings.
@@ -83,7 +85,7 @@ impl Config {
 pub fn set(path: &Path, key: &str, value: Option<&str>) -> Result<()> {
     let mut table = table(path)?;
     match value {
-        Some(value) => table.insert(key.to_owned(), typed(key, value)),
+        Some(value) => table.insert(key.to_owned(), typed(key, value)?),
         None => table.remove(key),
     };
     let after = table.to_string();
@@ -117,12 +119,17 @@ pub fn shown(path: &Path) -> Result<BTreeMap<String, String>> {
         .collect())
 }
 
-/// A level is a number; what is none is left to be complained of as text.
-fn typed(key: &str, value: &str) -> toml::Value {
-    match value.parse() {
-        Ok(number) if key == "level" => toml::Value::Float(number),
+/// A level is a number, a key a file wherever one works; what is none is left to be complained of as text.
+fn typed(key: &str, value: &str) -> Result<toml::Value> {
+    Ok(match (key, value.parse()) {
+        ("level", Ok(number)) => toml::Value::Float(number),
+        ("key", _) => {
+            let path = Path::new(value);
+            let whole = std::path::absolute(path).map_err(|e| Error::file("find", path, e))?;
+            toml::Value::String(whole.to_string_lossy().into_owned())
+        }
         _ => toml::Value::String(value.to_owned()),
-    }
+    })
 }
 
 #[cfg(test)]
@@ -140,6 +147,7 @@ mod tests {
             ("tolerance", "-5/+10:nominal"),
             ("operator", "N. \"N.\" N."),
             ("language", "de"),
+            ("key", "/keys/seal.p12"),
         ] {
             set(&path, key, Some(value))?;
         }
@@ -149,6 +157,7 @@ mod tests {
             tolerance: Some("-5/+10:nominal".into()),
             operator: Some("N. \"N.\" N.".into()),
             language: Some(Language::De),
+            key: Some("/keys/seal.p12".into()),
         };
         assert_eq!(Config::load(&path)?, all);
         for (key, value) in [

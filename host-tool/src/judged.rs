@@ -33,18 +33,25 @@ pub fn particulars(
 /// Those of the logbook.
 pub fn standing(head: &RecordHead, stored: &[u8], logbook: Option<&Logbook>) -> Result<Standing> {
     let mut evidence = Evidence::of(&head.instrument_serial);
-    if let Some(logbook) = logbook {
-        evidence.key(logbook.key(&head.instrument_serial)?);
-    }
     evidence.bytes(head.id, stored);
-    let neighbours = [head.id.checked_sub(1), head.id.checked_add(1)];
-    for id in neighbours.into_iter().flatten() {
-        let Some(logbook) = logbook else { break };
-        if let Some(bytes) = logbook.numbered(&head.instrument_serial, id)? {
+    if let Some(logbook) = logbook {
+        ask(logbook, &head.instrument_serial, head.id, &mut evidence)?;
+    }
+    Ok(evidence.standing(head.id))
+}
+
+/// Adds what the logbook knows of an instrument's record: the key, and the records on both sides.
+///
+/// # Errors
+/// Those of the logbook.
+pub fn ask(logbook: &Logbook, instrument: &str, id: u32, evidence: &mut Evidence) -> Result<()> {
+    evidence.key(logbook.key(instrument)?);
+    for id in [id.checked_sub(1), id.checked_add(1)].into_iter().flatten() {
+        if let Some(bytes) = logbook.numbered(instrument, id)? {
             evidence.bytes(id, &bytes);
         }
     }
-    Ok(evidence.standing(head.id))
+    Ok(())
 }
 
 /// The verdict on a record, if a tolerance was stated.

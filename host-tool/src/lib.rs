@@ -12,6 +12,7 @@ pub mod doctor;
 pub mod emulated;
 mod error;
 pub mod gap;
+pub mod issuing;
 pub mod judged;
 pub mod refusals;
 pub mod serve;

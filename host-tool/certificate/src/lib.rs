@@ -101,7 +101,7 @@ pub use words::{Language, REASONS};
 use calib_files::{Result, set};
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
-use calib_signing::Kind;
+use seal::Sealed;
 use std::path::{Path, PathBuf};
 
 /// A form of the certificate.
@@ -224,6 +224,8 @@ pub struct File {
     pub name: String,
     /// Its content.
     pub content: Vec<u8>,
+    /// The same without any signature, where it has one: what stays the same however often it is signed.
+    pub unsigned: Option<Vec<u8>>,
 }
 
 /// Makes the files of a certificate in memory.
@@ -243,19 +245,20 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
     let language = options.particulars.language.unwrap_or_default();
     let dcc = seal::dcc(&certificate, language, options.seal.as_ref())?;
     let file = |format: &Format| {
-        let content = match (format, &dcc) {
+        let Sealed { content, unsigned } = match (format, &dcc) {
             (Format::Dcc, Some(dcc)) => dcc.clone(),
             (Format::Pdf, dcc) => {
                 let presented = Presented::new(&certificate, language);
-                let page = pdf::render(&certificate, &presented, dcc.as_deref())?;
-                seal::sealed(Kind::Pdf, page, options.seal.as_ref())?
+                let page = |dcc: Option<&[u8]>| pdf::render(&certificate, &presented, dcc);
+                seal::pdf(dcc.as_ref(), options.seal.as_ref(), page)?
             }
-            (format, _) => render(&certificate, *format, language)?,
+            (format, _) => Sealed::plain(render(&certificate, *format, language)?),
         };
         Ok(File {
             format: *format,
             name: file_name(&certificate, *format),
             content,
+            unsigned,
         })
     };
     let files: Result<Vec<File>> = formats.iter().map(file).collect();

@@ -17,15 +17,29 @@ pub struct Seal {
     pub at: Timestamp,
 }
 
-/// The content, signed where there is a key.
-///
-/// # Errors
-/// [`Error::Input`] when a page of the laboratory's own became a PDF of another form.
-pub(super) fn sealed(kind: Kind, content: Vec<u8>, seal: Option<&Seal>) -> Result<Vec<u8>> {
-    let Some(seal) = seal else {
-        return Ok(content);
-    };
-    let signed = calib_signing::sign(kind, &content, &seal.key, seal.at);
+/// A file as it is given out, and without its signature.
+#[derive(Clone, Debug)]
+pub(super) struct Sealed {
+    pub(super) content: Vec<u8>,
+    /// None where it has no signature.
+    pub(super) unsigned: Option<Vec<u8>>,
+}
+
+impl Sealed {
+    /// What carries no signature.
+    pub(super) fn plain(content: Vec<u8>) -> Self {
+        let unsigned = None;
+        Self { content, unsigned }
+    }
+
+    fn unsigned(&self) -> &[u8] {
+        self.unsigned.as_ref().unwrap_or(&self.content)
+    }
+}
+
+/// The content, signed.
+fn signed(kind: Kind, content: &[u8], seal: &Seal) -> Result<Vec<u8>> {
+    let signed = calib_signing::sign(kind, content, &seal.key, seal.at);
     signed.map_err(|problem| {
         let hint = "sign without a [layout] template of your own; if that fails, report it";
         Error::input("certificate", problem.to_string(), hint)
@@ -36,12 +50,39 @@ pub(super) fn sealed(kind: Kind, content: Vec<u8>, seal: Option<&Seal>) -> Resul
 /// PDF is the one beside it. Without date or country there is none, and the certificate says what is missing.
 ///
 /// # Errors
-/// As [`sealed`].
+/// As [`pdf`].
 pub(super) fn dcc(
     certificate: &Certificate,
     language: Language,
     seal: Option<&Seal>,
-) -> Result<Option<Vec<u8>>> {
+) -> Result<Option<Sealed>> {
+    let sealed = |dcc: Vec<u8>| match seal {
+        None => Ok(Sealed::plain(dcc)),
+        Some(seal) => Ok(Sealed {
+            content: signed(Kind::Dcc, &dcc, seal)?,
+            unsigned: Some(dcc),
+        }),
+    };
     let dcc = dcc::render(certificate, language).ok();
-    dcc.map(|dcc| sealed(Kind::Dcc, dcc, seal)).transpose()
+    dcc.map(sealed).transpose()
+}
+
+/// The PDF that `render` makes with a DCC inside. One that is signed is rendered twice: as it is without any
+/// signature, it is the same however often it is signed.
+///
+/// # Errors
+/// [`Error::Input`] when a page of the laboratory's own became a PDF of another form; those of `render`.
+pub(super) fn pdf(
+    dcc: Option<&Sealed>,
+    seal: Option<&Seal>,
+    render: impl Fn(Option<&[u8]>) -> Result<Vec<u8>>,
+) -> Result<Sealed> {
+    let page = render(dcc.map(|dcc| &dcc.content[..]))?;
+    let Some(seal) = seal else {
+        return Ok(Sealed::plain(page));
+    };
+    Ok(Sealed {
+        content: signed(Kind::Pdf, &page, seal)?,
+        unsigned: Some(render(dcc.map(Sealed::unsigned))?),
+    })
 }

@@ -2,9 +2,10 @@
 
 use super::Logbook;
 use super::journal::{self, Subject};
+use super::signed_files::{self, Signed, SignedFile};
 use calib_files::{Error, Result};
 use calib_protocol::record::Sha256Sum;
-use rusqlite::{OptionalExtension, params};
+use rusqlite::{OptionalExtension, Params, params};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -23,10 +24,12 @@ pub struct Issued {
     pub issued_s: i64,
     /// File it was written to.
     pub file: String,
-    /// SHA-256 of the file, hexadecimal.
+    /// SHA-256 of the file without a signature, hexadecimal.
     pub sha256: String,
     /// SHA-256 of the record it is made of, hexadecimal.
     pub record_sha256: String,
+    /// The same signed, and by whom.
+    pub signed: Vec<SignedFile>,
 }
 
 /// A certificate about to be entered.
@@ -38,8 +41,10 @@ pub struct Issue<'a> {
     pub format: &'a str,
     /// File it was written to.
     pub file: &'a str,
-    /// Content of the file.
+    /// Content of the file, without a signature: what is issued under a number.
     pub content: &'a [u8],
+    /// The file that is given out, where it is signed.
+    pub signed: Option<Signed<'a>>,
     /// Sum of the record it is made of.
     pub record: Sha256Sum,
 }
@@ -92,6 +97,11 @@ impl Logbook {
                 let number = transaction.last_insert_rowid().to_string();
                 journal::enter(&transaction, Subject::Certificate, &number).map_err(failed)?;
             }
+            if let Some(signed) = &issue.signed {
+                let file = SignedFile::of(signed, issued_s);
+                signed_files::enter(&transaction, issue.certificate, issue.format, &file)
+                    .map_err(failed)?;
+            }
         }
         transaction.commit().map_err(failed)
     }
@@ -109,13 +119,26 @@ impl Logbook {
     /// # Errors
     /// Those of the file.
     pub fn certificates(&self) -> Result<Vec<Issued>> {
-        let sql = "SELECT number, certificate, format, issued_s, file, lower(hex(sha256)),
-                   lower(hex(record_sha256)) FROM certificates ORDER BY number";
-        self.all(sql, [], |row| {
+        self.certificates_where("1", [])
+    }
+
+    /// Those of which this is true.
+    pub(super) fn certificates_where(
+        &self,
+        what: &str,
+        values: impl Params,
+    ) -> Result<Vec<Issued>> {
+        let sql = format!(
+            "SELECT number, certificate, format, issued_s, file, lower(hex(sha256)),
+             lower(hex(record_sha256)) FROM certificates WHERE {what} ORDER BY number"
+        );
+        self.all(&sql, values, |row| {
+            let (certificate, format): (String, String) = (row.get(1)?, row.get(2)?);
             Ok(Issued {
                 number: row.get(0)?,
-                certificate: row.get(1)?,
-                format: row.get(2)?,
+                signed: signed_files::of(&self.connection, &certificate, &format)?,
+                certificate,
+                format,
                 issued_s: row.get(3)?,
                 file: row.get(4)?,
                 sha256: row.get(5)?,

@@ -20,15 +20,17 @@ pub(super) enum Subject {
     Certificate,
     CheckStandard,
     Key,
+    SignedFile,
 }
 
 impl Subject {
-    const ALL: [Self; 5] = [
+    const ALL: [Self; 6] = [
         Self::Sensor,
         Self::Record,
         Self::Certificate,
         Self::CheckStandard,
         Self::Key,
+        Self::SignedFile,
     ];
 
     fn word(self) -> &'static str {
@@ -37,6 +39,7 @@ impl Subject {
             Self::Record => "record",
             Self::Certificate => "certificate",
             Self::Key => "key",
+            Self::SignedFile => "signed file",
             Self::CheckStandard => "check standard",
         }
     }
@@ -48,6 +51,7 @@ impl Subject {
             Self::Record => "SELECT CAST(id AS TEXT), sha256 FROM records",
             Self::Certificate => "SELECT CAST(number AS TEXT), * FROM certificates",
             Self::Key => "SELECT instrument, * FROM keys",
+            Self::SignedFile => "SELECT lower(hex(sha256)), * FROM signed_files",
             Self::CheckStandard => "SELECT serial, * FROM check_standards",
         }
     }
@@ -59,6 +63,7 @@ impl Subject {
             Self::Record => "WHERE id = CAST(?1 AS INTEGER)",
             Self::Certificate => "WHERE number = CAST(?1 AS INTEGER)",
             Self::Key => "WHERE instrument = ?1",
+            Self::SignedFile => "WHERE sha256 = unhex(?1)",
         }
     }
 }

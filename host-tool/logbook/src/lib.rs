@@ -8,6 +8,7 @@
 //! | `sensors` | devices under test: what nobody wants to type twice |
 //! | `records` | records as downloaded, with what lists and drift need |
 //! | `certificates` | what was issued: numbered, never changed |
+//! | `signed_files` | signed files of them, and who signed |
 //! | `check_standards` | sensors that are measured to watch the calibrator |
 //! | `people` | operators and instruments, as records name them |
 //! | `history` | drift of one sensor with its uncertainty |
@@ -33,6 +34,7 @@ mod records;
 mod row;
 mod seals;
 mod sensors;
+mod signed_files;
 mod store;
 mod table;
 pub mod waiting;
@@ -46,4 +48,5 @@ pub use people::{Instrument, Operator};
 pub use records::{Filter, Kept, Listed};
 pub use seals::Seal;
 pub use sensors::Sensor;
+pub use signed_files::{Signed, SignedFile};
 pub use store::{Logbook, default_path};

@@ -1,10 +1,11 @@
 //! A logbook copied as it is, and what another one has taken over.
 
 use super::journal::{self, Subject};
+use super::signed_files;
 use super::store::create_private;
 use super::{CheckStandard, Filter, Issued, Kept, Logbook, Sensor};
 use calib_files::{Error, Result};
-use rusqlite::{OptionalExtension, params};
+use rusqlite::{Connection, OptionalExtension, params};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::Path;
@@ -16,7 +17,7 @@ pub struct Merged {
     pub records: u32,
     /// Sensors and check standards that are new here.
     pub sensors: u32,
-    /// Certificates that are new here.
+    /// Certificates that are new here, or signed files of one.
     pub certificates: u32,
     /// What both had alike.
     pub known: u32,
@@ -141,7 +142,13 @@ impl Logbook {
                 Ok((row.get::<_, String>(0)?, row.get::<_, String>(1)?))
             });
             if let Some((sum, record)) = ours.optional()? {
-                return Ok(Some(sum == theirs.sha256 && record == theirs.record_sha256));
+                let alike = sum == theirs.sha256 && record == theirs.record_sha256;
+                let is_new = alike && take_signed(&transaction, theirs)?;
+                transaction.commit()?;
+                return Ok(match is_new {
+                    true => None,
+                    false => Some(alike),
+                });
             }
             transaction.execute(
                 "INSERT INTO certificates (certificate, format, record_sha256, issued_s, file, sha256)
@@ -157,6 +164,7 @@ impl Logbook {
             )?;
             let number = transaction.last_insert_rowid().to_string();
             journal::enter(&transaction, Subject::Certificate, &number)?;
+            take_signed(&transaction, theirs)?;
             transaction.commit()?;
             Ok(None)
         };
@@ -166,6 +174,15 @@ impl Logbook {
             Some(false) => Err(differs(&place)),
         }
     }
+}
+
+/// Takes over the signed files of a certificate; whether one is new.
+fn take_signed(connection: &Connection, theirs: &Issued) -> rusqlite::Result<bool> {
+    let mut is_new = false;
+    for file in &theirs.signed {
+        is_new |= signed_files::enter(connection, &theirs.certificate, &theirs.format, file)?;
+    }
+    Ok(is_new)
 }
 
 fn differs(place: &str) -> Error {

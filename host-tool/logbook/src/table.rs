@@ -112,6 +112,21 @@ pub(super) const TABLES: &[Table] = &[
                  FROM certificates ORDER BY 1, number",
     },
     Table {
+        name: "signed_files",
+        columns: &[
+            ("sha256", Text),
+            ("certificate", Text),
+            ("format", Text),
+            ("signed_by", Text),
+            ("signer_certificate_sha256", Text),
+            ("entered", Time),
+        ],
+        select:
+            "SELECT CAST(strftime('%Y', entered_s, 'unixepoch') AS INTEGER), lower(hex(sha256)),
+                 certificate, format, signed_by, lower(hex(signer_sha256)), 1000 * entered_s
+                 FROM signed_files ORDER BY 1, entered_s, sha256",
+    },
+    Table {
         name: "sensors",
         columns: &[
             ("serial", Text),

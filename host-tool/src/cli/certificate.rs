@@ -1,13 +1,13 @@
 //! `calib certificate RECORD`: the certificate of a downloaded or stored record.
 
-use super::laboratory_key::Password;
+use super::laboratory_key::{self, Password};
 use super::{Context, source, time};
 use calib_certificate::decision::Stated;
 use calib_certificate::{
     self as certificate, Existing, Format, Language, Mark, Options, Prepared, Seal, Verdict,
 };
-use calib_host::{Error, Result, assurance, judged, terminal};
-use calib_logbook::{Issue, Logbook};
+use calib_host::{Error, Result, assurance, issuing, judged, terminal};
+use calib_logbook::Logbook;
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
 use clap::Args;
@@ -58,8 +58,9 @@ pub(crate) struct CertificateVerb {
     /// Refuses a certificate that is not complete, instead of marking it DRAFT.
     #[arg(long)]
     strict: bool,
-    /// Signs PDF and DCC with the laboratory's key, a PKCS#12 file.
-    #[arg(long, value_name = "FILE")]
+    /// Signs PDF and DCC, and the logbook's journal, with the laboratory's key, a PKCS#12 file [default: that
+    /// of `calib config key`].
+    #[arg(long, env = "CALIB_LABORATORY_KEY", value_name = "FILE")]
     sign: Option<PathBuf>,
     #[command(flatten)]
     password: Password,
@@ -109,7 +110,7 @@ impl CertificateVerb {
             chain: Some(found.standing),
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
             remounted: self.remounted(context)?,
-            seal: self.seal()?,
+            seal: self.seal(context)?,
             ..self.options(context, record, logbook.as_ref())?
         };
         let formats = match self.format.is_empty() {
@@ -120,17 +121,21 @@ impl CertificateVerb {
         if self.strict {
             complete(&prepared)?;
         }
+        let (digest, seal) = (certificate::digest(record), options.seal.as_ref());
+        let key = seal.map(|seal| &*seal.key);
         if let Some(logbook) = &logbook {
             let files = prepared.paths(&self.out);
-            for issue in issues(&prepared, record, &files) {
+            for issue in issuing::issues(&prepared, &files, digest, key) {
                 logbook.may_issue(&issue)?;
             }
         }
         // What was issued is never overwritten.
         let files = prepared.write(&self.out, Existing::Keep)?;
+        let mut journal = None;
         if let Some(logbook) = &mut logbook {
             let now = i64::try_from(time::unix_time_s()).unwrap_or(0);
-            logbook.issue(&issues(&prepared, record, &files), now)?;
+            logbook.issue(&issuing::issues(&prepared, &files, digest, key), now)?;
+            journal = issuing::sign_journal(logbook, seal)?.remark();
         }
         if found.standing == Standing::Broken {
             context.remark("the chain of records is broken: the certificate says so in red");
@@ -144,16 +149,19 @@ impl CertificateVerb {
         if let Some(verdict) = &prepared.verdict {
             context.remark(&terminal::verdict(verdict));
         }
+        if let Some(journal) = journal {
+            context.remark(&journal);
+        }
         print(context, files)?;
         passed(prepared.verdict.as_ref())
     }
 
-    fn seal(&self) -> Result<Option<Seal>> {
-        let Some(path) = &self.sign else {
+    fn seal(&self, context: &Context) -> Result<Option<Seal>> {
+        let Some(path) = laboratory_key::file(self.sign.as_deref(), context) else {
             return Ok(None);
         };
         let at = Timestamp::now();
-        let key = Arc::new(self.password.open(path, at)?);
+        let key = Arc::new(self.password.open(&path, at)?);
         Ok(Some(Seal { key, at }))
     }
 
@@ -240,17 +248,4 @@ pub(super) fn passed(verdict: Option<&Verdict>) -> Result<()> {
         ))),
         _ => Ok(()),
     }
-}
-
-/// Entry for the logbook.
-fn issues<'a>(prepared: &'a Prepared, record: &Record, paths: &'a [PathBuf]) -> Vec<Issue<'a>> {
-    let record = certificate::digest(record);
-    let issue = |(file, path): (&'a certificate::File, &'a PathBuf)| Issue {
-        certificate: &prepared.number,
-        format: file.format.name(),
-        file: path.to_str().unwrap_or_default(),
-        content: &file.content,
-        record,
-    };
-    prepared.files.iter().zip(paths).map(issue).collect()
 }

@@ -17,9 +17,10 @@ level      m/s2 r.m.s. of points that state none, for run and adjust
 tolerance  of sensors that are added, as --tolerance takes it
 operator   as --operator takes it
 language   en or de, of certificates
+key        the laboratory's key, a PKCS#12 file: what is given out is signed
 
 Whatever is said otherwise goes before it: on the command line, in the environment
-(CALIB_DEVICE, CALIB_OPERATOR), in a file of the job. CALIB_CONFIG names another file.")]
+(CALIB_DEVICE, CALIB_OPERATOR, CALIB_LABORATORY_KEY), in a file of the job. CALIB_CONFIG names another file.")]
 pub(crate) struct ConfigVerb {
     /// What is set; without it everything is shown.
     #[arg(requires = "value")]

@@ -1,5 +1,6 @@
 //! The laboratory's key on the command line: its file, and the password that is never an argument.
 
+use super::Context;
 use calib_host::{Error, Result};
 use calib_signing::LaboratoryKey;
 use clap::Args;
@@ -9,6 +10,26 @@ use std::path::{Path, PathBuf};
 
 /// Where a password is that is not asked for.
 const VARIABLE: &str = "CALIB_KEY_PASSWORD";
+
+/// The file of the key: the one that is named, else that of `calib config`.
+pub(super) fn file(named: Option<&Path>, context: &Context) -> Option<PathBuf> {
+    named
+        .or(context.defaults.key.as_deref())
+        .map(Path::to_owned)
+}
+
+/// The same for verbs that do nothing without one.
+///
+/// # Errors
+/// [`Error::Files`] when there is none.
+pub(super) fn required(named: Option<&Path>, context: &Context) -> Result<PathBuf> {
+    file(named, context).ok_or_else(|| {
+        Error::usage(
+            "no key of the laboratory is named",
+            "--key FILE names it, CALIB_LABORATORY_KEY, or once and for all `calib config key FILE`",
+        )
+    })
+}
 
 /// The file of the password.
 #[derive(Debug, Args)]

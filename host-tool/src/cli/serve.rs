@@ -1,15 +1,18 @@
 //! `calib serve`: the page for the bench laptop or a tablet.
 
+use super::laboratory_key::{self, Password};
 use super::{Context, certificate, measure};
 use calib_certificate::Particulars;
 use calib_host::Result;
 use calib_host::serve::{Options, Server};
 use clap::Args;
+use jiff::Timestamp;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::IsTerminal;
 use std::net::SocketAddr;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// `calib serve`.
 #[derive(Debug, Args)]
@@ -22,6 +25,12 @@ pub(crate) struct Serve {
     /// calib/laboratory.toml in the user's configuration directory, if there].
     #[arg(long, env = "CALIB_LABORATORY", value_name = "FILE")]
     laboratory: Option<PathBuf>,
+    /// Signs the PDF and DCC that the page gives out, and the logbook's journal, with the laboratory's key, a
+    /// PKCS#12 file [default: that of `calib config key`].
+    #[arg(long, env = "CALIB_LABORATORY_KEY", value_name = "FILE")]
+    sign: Option<PathBuf>,
+    #[command(flatten)]
+    password: Password,
     /// Leaves the browser alone; it is opened when a person started this in a terminal.
     #[arg(long)]
     no_browser: bool,
@@ -39,11 +48,14 @@ impl Serve {
         let particulars = Vec::from_iter(laboratory);
         // A mistake in it is told now, not when a certificate is wanted.
         Particulars::read(&particulars)?;
+        let key = laboratory_key::file(self.sign.as_deref(), context)
+            .map(|path| self.password.open(&path, Timestamp::now()).map(Arc::new));
         let server = Server::listen(Options {
             listen: self.listen,
             device: context.device.clone(),
             logbook: context.logbook_path(),
             particulars,
+            key: key.transpose()?,
         })?;
         let listening = Listening { url: server.url() };
         context.print(&listening, || listening.url.clone())?;

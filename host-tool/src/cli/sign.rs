@@ -1,29 +1,32 @@
 //! `calib sign FILE...`: the laboratory's signature on certificates.
 
 use super::Context;
-use super::laboratory_key::Password;
+use super::laboratory_key::{self, Password};
+use calib_certificate::Seal;
 use calib_files::file::{self, Existing};
-use calib_host::{Error, Result};
+use calib_host::{Error, Result, issuing};
 use calib_signing::{Kind, LaboratoryKey};
 use clap::Args;
 use jiff::Timestamp;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// `calib sign FILE...`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 FILE.pdf gets a signature of PAdES (level B-B) as FILE.signed.pdf, FILE.dcc.xml an XML signature as
 FILE.signed.dcc.xml; FILE itself stays. `calib certificate --sign` does it as the certificate is
-made. How a laboratory makes its key: docs/certificate.md.")]
+made. Where the logbook has FILE as it was issued, the signed file and its signer are entered, and the
+journal is signed too. How a laboratory makes its key: docs/certificate.md.")]
 pub(crate) struct Sign {
     /// Certificates: PDF or DCC.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// The laboratory's key with its certificate: a PKCS#12 file.
+    /// The laboratory's key with its certificate: a PKCS#12 file [default: that of `calib config key`].
     #[arg(long, env = "CALIB_LABORATORY_KEY", value_name = "FILE")]
-    key: PathBuf,
+    key: Option<PathBuf>,
     #[command(flatten)]
     password: Password,
 }
@@ -39,16 +42,19 @@ pub(super) struct Signed {
 impl Sign {
     /// Signs every file, or none when one of them cannot be.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let now = Timestamp::now();
-        let key = self.password.open(&self.key, now)?;
-        let made = self.files.iter().map(|path| signed(path, &key, now));
+        let at = Timestamp::now();
+        let key = laboratory_key::required(self.key.as_deref(), context)?;
+        let key = Arc::new(self.password.open(&key, at)?);
+        let made = self.files.iter().map(|path| Made::of(path, &key, at));
         let made: Vec<_> = made.collect::<Result<_>>()?;
-        for (path, content) in &made {
-            file::write(path, content, Existing::Keep)?;
+        for file in &made {
+            file::write(&file.path, &file.signed, Existing::Keep)?;
         }
+        let signed_by = key.certificate().subject();
+        enter(context, &made, &Seal { key, at })?;
         let signed = Signed {
-            files: made.into_iter().map(|(path, _)| path).collect(),
-            signed_by: key.certificate().subject(),
+            files: made.into_iter().map(|file| file.path).collect(),
+            signed_by,
         };
         context.print(&signed, || {
             let line = |file: &PathBuf| format!("{}\n", file.display());
@@ -57,17 +63,55 @@ impl Sign {
     }
 }
 
-/// Where the signed file will be, and its content.
-fn signed(path: &Path, key: &LaboratoryKey, now: Timestamp) -> Result<(PathBuf, Vec<u8>)> {
-    let content = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-    let refused = |problem: String| {
-        let hint = "PDF and DCC as `calib certificate` wrote them can be signed, once";
-        Error::input(path.display().to_string(), problem, hint)
+/// A signed file, and what it was made of.
+struct Made {
+    path: PathBuf,
+    unsigned: Vec<u8>,
+    signed: Vec<u8>,
+}
+
+impl Made {
+    fn of(path: &Path, key: &LaboratoryKey, at: Timestamp) -> Result<Self> {
+        let unsigned = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
+        let refused = |problem: String| {
+            let hint = "PDF and DCC as `calib certificate` wrote them can be signed, once";
+            Error::input(path.display().to_string(), problem, hint)
+        };
+        let kind = Kind::of(&unsigned).ok_or_else(|| refused("is neither PDF nor DCC".into()))?;
+        let signed = calib_signing::sign(kind, &unsigned, key, at);
+        Ok(Self {
+            path: beside(path, kind),
+            signed: signed.map_err(|problem| refused(problem.to_string()))?,
+            unsigned,
+        })
+    }
+}
+
+/// Enters what was signed, where the logbook knows what it was made of; then its journal is signed too.
+fn enter(context: &Context, made: &[Made], seal: &Seal) -> Result<()> {
+    let Some(logbook) = context.logbook_if_there()? else {
+        return Ok(());
     };
-    let kind = Kind::of(&content).ok_or_else(|| refused("is neither PDF nor DCC".into()))?;
-    let signed = calib_signing::sign(kind, &content, key, now);
-    let signed = signed.map_err(|problem| refused(problem.to_string()))?;
-    Ok((beside(path, kind), signed))
+    let mut is_any = false;
+    for file in made {
+        let signed = calib_logbook::Signed {
+            content: &file.signed,
+            by: seal.key.certificate(),
+        };
+        let of = logbook.enter_signed(&file.unsigned, &signed, seal.at.as_second())?;
+        is_any |= of.is_some();
+        if of.is_none() {
+            let name = file.path.display();
+            context.remark(&format!(
+                "{name}: not entered, the logbook issued nothing of this content"
+            ));
+        }
+    }
+    let journal = is_any.then(|| issuing::sign_journal(&logbook, Some(seal)));
+    if let Some(remark) = journal.transpose()?.and_then(|journal| journal.remark()) {
+        context.remark(&remark);
+    }
+    Ok(())
 }
 
 /// `NAME.signed.pdf`, `NAME.signed.dcc.xml`.

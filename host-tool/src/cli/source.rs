@@ -56,7 +56,7 @@ pub(super) fn find(context: &Context, path: &Path, out: &Path) -> Result<Found> 
                 standing: evidence.standing(id),
             })
         }
-        _ => from_file(path),
+        _ => from_file(context, path),
     }
 }
 
@@ -87,14 +87,18 @@ pub(super) fn latest(context: &Context, serial: &str) -> Result<Found> {
     })
 }
 
-/// A downloaded record, with what lies beside it.
-fn from_file(path: &Path) -> Result<Found> {
+/// A downloaded record, with what lies beside it, and what the logbook knows of it.
+fn from_file(context: &Context, path: &Path) -> Result<Found> {
     let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
     let content = content(path, &bytes)?;
     let link = record::link(&bytes).map_err(|error| unusable(path, error))?;
     let mut evidence = Evidence::of(&link.instrument_serial);
     evidence.bytes(link.id, &bytes);
     evidence.neighbours(link.id, path.parent().unwrap_or(Path::new("")));
+    // A record can be looked at beside a logbook that cannot be read.
+    if let Ok(Some(logbook)) = context.logbook_if_there() {
+        judged::ask(&logbook, &link.instrument_serial, link.id, &mut evidence)?;
+    }
     Ok(Found {
         content,
         standing: evidence.standing(link.id),

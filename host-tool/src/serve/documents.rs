@@ -1,16 +1,21 @@
-//! Certificates of records, as answers. One that `issues` is entered in the logbook; one that is looked at is
-//! not.
+//! Certificates of records, as answers. One that `issues` is signed where there is a key, and entered in the
+//! logbook; one that is looked at is not.
 
+use super::options::Options as House;
+use super::view::Shared;
+use crate::issuing::{self, Journal};
 use crate::{Error, Result, assurance, judged};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
 use calib_certificate::{
     self as certificate, Adjustment, Certificate, Format, Language, Options, Particulars, Prepared,
+    Seal,
 };
-use calib_logbook::{Issue, Logbook};
+use calib_logbook::Logbook;
 use calib_protocol::record::{self, Record, RecordError};
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A certificate is a page of its own with script and style inside, and talks to
 /// nobody: not to the instrument, whatever a sensor is called.
@@ -85,37 +90,60 @@ pub(super) struct Wanted {
 ///
 /// # Errors
 /// [`Error::Usage`] for a format or a day there is not, [`Error::Input`] when the record is
-/// damaged, the laboratory states nonsense, or another content was issued under
+/// damaged, the laboratory states nonsense, its key is out of date, or another content was issued under
 /// this number.
 pub(super) fn certificate(
     stored: &[u8],
     wanted: &Wanted,
-    particulars: &[PathBuf],
-    logbook: &Path,
+    house: &House,
+    shared: &Shared,
 ) -> Result<Response> {
     let unknown = |problem: String| Error::usage(problem, "");
     let format: Format = wanted.format.parse().map_err(unknown)?;
     let record = read(stored)?;
-    let logbook = Logbook::open_if_there(logbook)?;
-    let mut particulars = judged::particulars(particulars, &record.head.labels, logbook.as_ref())?;
+    let logbook = Logbook::open_if_there(&house.logbook)?;
+    let labels = &record.head.labels;
+    let mut particulars = judged::particulars(&house.particulars, labels, logbook.as_ref())?;
     wanted.stated.complete(&mut particulars)?;
     let options = Options {
         particulars,
         chain: Some(judged::standing(&record.head, stored, logbook.as_ref())?),
         failed_checks: assurance::failed_checks(logbook.as_ref(), &record)?,
         as_found: wanted.stated.found(logbook.as_ref())?,
+        seal: seal(house, wanted.issues)?,
         ..Options::default()
     };
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
     if let Some(logbook) = logbook
         && wanted.issues
     {
-        enter(&prepared, stored, logbook)?;
+        let journal = enter(&prepared, stored, logbook, options.seal.as_ref())?;
+        tell(&journal, shared);
     }
     let Some(file) = prepared.files.pop() else {
         return Err(Error::input("certificate", "is empty", "report this"));
     };
     Ok(answer(file))
+}
+
+/// What a certificate that is given out is signed with, if anything.
+fn seal(house: &House, issues: bool) -> Result<Option<Seal>> {
+    let Some(key) = house.key.as_ref().filter(|_| issues) else {
+        return Ok(None);
+    };
+    let at = jiff::Timestamp::now();
+    match key.certificate().is_in_force(at) {
+        true => Ok(Some(Seal {
+            key: Arc::clone(key),
+            at,
+        })),
+        // It was in force when the server began.
+        false => Err(Error::input(
+            "key of the laboratory",
+            "its certificate is out of date",
+            "renew it, and start `calib serve --sign` with the new one",
+        )),
+    }
 }
 
 /// A record's results with the verdict on its sensor, as the certificate states them.
@@ -144,20 +172,31 @@ fn read(stored: &[u8]) -> Result<Record> {
     record::decode(stored).map_err(damaged)
 }
 
-fn enter(prepared: &Prepared, stored: &[u8], mut logbook: Logbook) -> Result<()> {
-    let issue = |file| issue(prepared, file, stored);
-    let issues: Vec<_> = prepared.files.iter().map(issue).collect();
-    Ok(logbook.issue(&issues, jiff::Timestamp::now().as_second())?)
+/// Enters what is given out, and signs the journal.
+fn enter(
+    prepared: &Prepared,
+    stored: &[u8],
+    mut logbook: Logbook,
+    seal: Option<&Seal>,
+) -> Result<Journal> {
+    let names: Vec<PathBuf> = prepared.files.iter().map(|f| (&f.name).into()).collect();
+    let key = seal.map(|seal| &*seal.key);
+    let issues = issuing::issues(prepared, &names, record::digest(stored), key);
+    logbook.issue(&issues, jiff::Timestamp::now().as_second())?;
+    issuing::sign_journal(&logbook, seal)
 }
 
-fn issue<'a>(prepared: &'a Prepared, file: &'a certificate::File, stored: &[u8]) -> Issue<'a> {
-    Issue {
-        certificate: &prepared.number,
-        format: file.format.name(),
-        file: &file.name,
-        content: &file.content,
-        record: record::digest(stored),
-    }
+fn tell(journal: &Journal, shared: &Shared) {
+    shared.change(|view| {
+        view.unsigned_entries = match journal {
+            Journal::Signed => Some(0),
+            Journal::Waits(count) => Some(*count),
+            Journal::Refused(_) => view.unsigned_entries,
+        };
+        if let Journal::Refused(_) = journal {
+            view.trouble = journal.remark();
+        }
+    });
 }
 
 fn answer(file: certificate::File) -> Response {

@@ -99,7 +99,12 @@ impl Server {
         let side = CalibratorSide::start(self.options.logbook.clone());
         let handle = side.handle();
         let stop_port = self.access.stop_port();
-        handle.shared.change(|view| view.stop_port = stop_port);
+        let key = self.options.key.as_ref();
+        let signer = key.map(|key| key.certificate().subject());
+        handle.shared.change(|view| {
+            view.stop_port = stop_port;
+            view.signer = signer;
+        });
         if let Some(device) = self.options.device.clone() {
             side.order(Order::Connect { device });
         }

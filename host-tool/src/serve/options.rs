@@ -1,7 +1,9 @@
 //! How the page is served.
 
+use calib_signing::LaboratoryKey;
 use std::net::SocketAddr;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// How the page is served.
 #[derive(Clone, Debug)]
@@ -14,4 +16,6 @@ pub struct Options {
     pub logbook: PathBuf,
     /// Statements of laboratory and job for certificates, as TOML files.
     pub particulars: Vec<PathBuf>,
+    /// The laboratory's key: certificates that are given out, and the logbook's journal, are signed.
+    pub key: Option<Arc<LaboratoryKey>>,
 }

@@ -289,8 +289,7 @@ fn document(app: &App, stored: &[u8], wanted: &Wanted) -> Result<Response, Error
         let why = "this is given out by POST, and entered in the logbook";
         return Ok((StatusCode::METHOD_NOT_ALLOWED, why).into_response());
     }
-    let options = &app.options;
-    documents::certificate(stored, wanted, &options.particulars, &options.logbook)
+    documents::certificate(stored, wanted, &app.options, &app.handle.shared)
 }
 
 /// Does what takes its time beside the thread that answers: a stop never waits

@@ -68,6 +68,10 @@ pub struct Snapshot {
     pub waveforms: u32,
     /// The latest stop.
     pub stop: Option<StopView>,
+    /// Who signs the certificates that are given out; none where nobody does.
+    pub signer: Option<String>,
+    /// Entries of the logbook that nobody has signed, as of the last certificate.
+    pub unsigned_entries: Option<i64>,
     /// Port on which this server takes nothing but stops.
     pub stop_port: u16,
 }

@@ -174,6 +174,7 @@ fn an_issued_certificate_is_never_changed() {
         file: "c.csv",
         content,
         record: digest(b"record"),
+        signed: None,
     };
     logbook.issue(&[issue(b"one", "csv")], 10).expect("issued");
     logbook

@@ -131,6 +131,7 @@ fn issue(logbook: &mut Logbook, number: &str, record: &[u8], issued_s: i64) {
         file: "certificate.pdf",
         content: number.as_bytes(),
         record: digest(record),
+        signed: None,
     };
     logbook.issue(&[issue], issued_s).expect("issued");
 }

@@ -36,6 +36,7 @@ fn kept(folder: &Path) -> PathBuf {
             file: "certificate",
             content: number.as_bytes(),
             record: digest(&record),
+            signed: None,
         };
         let both = [issue("pdf"), issue("csv")];
         logbook.issue(&both, 1_700_000_000).expect("issued");

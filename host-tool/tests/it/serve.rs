@@ -82,6 +82,14 @@ impl Server {
         self.ask(&format!("POST {path}"), &headers, "{}")
     }
 
+    /// A file that is given out.
+    fn issued(&self, path: &str) -> Vec<u8> {
+        let headers = format!("Host: {}\r\nContent-Type: application/json\r\n", self.host);
+        let (status, body) = exchange_bytes(&self.host, &format!("POST {path}"), &headers, "{}");
+        assert_eq!(status, 200, "{}", text(&body));
+        body
+    }
+
     fn state(&self) -> Value {
         let (status, body) = self.get("/api/state");
         assert_eq!(status, 200, "{body}");
@@ -131,6 +139,12 @@ impl Server {
 
 /// One request over a connection of its own.
 fn exchange(host: &str, line: &str, headers: &str, body: &str) -> (u16, String) {
+    let (status, body) = exchange_bytes(host, line, headers, body);
+    (status, text(&body))
+}
+
+/// The same, whatever the answer is.
+fn exchange_bytes(host: &str, line: &str, headers: &str, body: &str) -> (u16, Vec<u8>) {
     let mut stream = TcpStream::connect(host).expect("it listens");
     stream
         .set_read_timeout(Some(Duration::from_secs(20)))
@@ -142,10 +156,11 @@ fn exchange(host: &str, line: &str, headers: &str, body: &str) -> (u16, String) 
     stream.write_all(request.as_bytes()).expect("sent");
     let mut answer = Vec::new();
     stream.read_to_end(&mut answer).expect("an answer");
-    let answer = text(&answer);
-    let status = answer.split(' ').nth(1).expect("a status");
-    let (_, body) = answer.split_once("\r\n\r\n").expect("a body");
-    (status.parse().expect("a number"), body.to_owned())
+    let end = answer.windows(4).position(|four| four == b"\r\n\r\n");
+    let (head, body) = answer.split_at(end.expect("a body") + 4);
+    let head = text(head);
+    let status = head.split(' ').nth(1).expect("a status");
+    (status.parse().expect("a number"), body.to_vec())
 }
 
 type Page = tungstenite::WebSocket<TcpStream>;
@@ -267,6 +282,20 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     next_view(&mut one, |view| view["run"]["logbook_record"] == 2);
     let (_, json) = server.issue("/api/records/2/certificate/json");
     assert_eq!(chain(&json), "verified");
+    // The tool asks the same of the same logbook, though nothing lies beside the file. Before, it said nothing of a
+    // record whose neighbours only the logbook has.
+    let tool = |arguments: &[&str]| {
+        let output = calib(
+            folder.path(),
+            &[arguments, &["--logbook", "logbook.sqlite"]].concat(),
+        );
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    tool(&["logbook", "get", "2", "--out", "alone/two.calibrec"]);
+    let file = tool(&["certificate", "alone/two.calibrec", "--format", "json"]);
+    let written = std::fs::read_to_string(folder.path().join(file.trim())).expect("written");
+    assert_eq!(written, json);
 }
 
 #[test]
@@ -560,6 +589,80 @@ fn a_stop_that_is_confirmed_late_is_an_alarm_first_and_taken_back() {
     let alarm = said.find("NOT STOPPED: no confirmation within 200 ms");
     assert!(alarm < said.find("stopped after 0."), "{said}");
     assert!(alarm.is_some(), "{said}");
+}
+
+fn key(name: &str) -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("signing/test-keys")
+        .join(name)
+}
+
+/// Before, a certificate of the page was never signed, and left an entry that nobody had signed.
+#[test]
+fn what_the_page_gives_out_is_signed_and_so_is_the_journal() {
+    let folder = tempfile::tempdir().expect("folder");
+    let at = folder.path();
+    std::fs::write(at.join("password"), "test\n").expect("written");
+    std::fs::write(at.join("house.toml"), "[laboratory]\ncountry = 'DE'\n").expect("written");
+    let (_, address) = serve_device(Device::new());
+    let usual = ["--device", &address, "--laboratory", "house.toml"];
+    let seal = key("p256.p12");
+    let seal = [
+        "--sign",
+        seal.to_str().expect("UTF-8"),
+        "--password-file",
+        "password",
+    ];
+    let server = Server::start(at, LOOPBACK, &[&usual[..], &seal].concat());
+    server.connected();
+    assert_eq!(
+        server.state()["signer"],
+        "CN=Test seal P-256,O=Beispiel Kalibrierung GmbH,C=DE"
+    );
+    assert_eq!(
+        server.post("/api/run", &json!({ "frequencies_hz": [160] })),
+        202
+    );
+    server.until("kept", |view| view["run"]["logbook_record"] == 1);
+    let known = calib_signing::Certificate::read(&key("p256.pem")).expect("certificate");
+    let now = jiff::Timestamp::now();
+    let logbook = || calib_logbook::Logbook::open(&at.join("logbook.sqlite")).expect("a logbook");
+    // Twice: an elliptic curve signs the same thing differently each time, and the certificate is the same.
+    for path in [
+        "certificate/pdf",
+        "certificate/dcc",
+        "records/1/certificate/pdf",
+    ] {
+        let file = server.issued(&format!("/api/{path}"));
+        let kind = calib_signing::Kind::of(&file).expect("PDF or DCC");
+        let signature = calib_signing::verify(kind, &file).expect(path);
+        assert!(signature.is_of(&known, now), "{path}");
+        let issued = logbook().issued_as(&file).expect("read").expect("entered");
+        assert_eq!(
+            issued.signed.last().expect("one").signed_by,
+            signature.by.subject()
+        );
+        assert_eq!(server.state()["unsigned_entries"], 0, "{path}");
+    }
+    let forms: Vec<_> = logbook().certificates().expect("read");
+    let forms: Vec<_> = forms.iter().map(|c| (&*c.format, c.signed.len())).collect();
+    assert_eq!(forms, [("pdf", 2), ("dcc", 1)]);
+    let problems = [logbook().inspect(), logbook().inspect_seals(&known)];
+    assert!(
+        problems
+            .iter()
+            .all(|found| found.as_ref().is_ok_and(Vec::is_empty)),
+        "{problems:?}"
+    );
+    let (all, signed) = logbook().signed_entries().expect("read");
+    assert!(all == signed && all > 0, "{signed} of {all}");
+
+    // Without a key it says so, and how much waits.
+    drop(server);
+    let server = Server::start(at, LOOPBACK, &usual);
+    assert_eq!(server.state()["signer"], Value::Null);
+    server.issued("/api/records/1/certificate/json");
+    assert_eq!(server.state()["unsigned_entries"], 1);
 }
 
 /// A server that is connected, and whose logbook another program holds until the second is dropped.

@@ -369,3 +369,126 @@ fn a_password_is_never_an_argument() {
     let signed = calib(at, "wrong", &[&usual[..], &sign, &file].concat());
     assert!(signed.status.success(), "{}", text(&signed.stderr));
 }
+
+/// What `verify` says of a file, with the laboratory's certificate known: exit code, and the one line.
+fn verified(folder: &Path, file: &Path) -> (Option<i32>, serde_json::Value) {
+    let (file, known) = (file.to_str().expect("UTF-8"), key("p256.pem"));
+    let known = known.to_str().expect("UTF-8");
+    let output = calib(
+        folder,
+        "",
+        &["verify", file, "--json", "--certificate", known],
+    );
+    let said: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    (output.status.code(), said[0].clone())
+}
+
+/// What the check of the logbook remarks, with the laboratory's certificate known.
+fn checked(folder: &Path) -> String {
+    let known = key("p256.pem");
+    let known = known.to_str().expect("UTF-8");
+    let output = calib(folder, "", &["logbook", "check", "--certificate", known]);
+    let said = text(&output.stderr);
+    assert!(output.status.success(), "{said}{}", text(&output.stdout));
+    said
+}
+
+/// A certificate of this number, as PDF alone, by what else is said.
+fn issued(folder: &Path, number: &str, more: &[&str]) -> (PathBuf, String) {
+    let house = format!("[laboratory]\ncountry = 'DE'\n[calibration]\nnumber = '{number}'\n");
+    std::fs::write(folder.join("job.toml"), house).expect("written");
+    let usual = [
+        "certificate",
+        "record.bin",
+        "--format",
+        "pdf",
+        "--particulars",
+        "job.toml",
+    ];
+    let output = calib(folder, "test", &[&usual[..], more].concat());
+    let said = text(&output.stderr);
+    assert!(output.status.success(), "{said}");
+    (folder.join(format!("certificate-{number}.pdf")), said)
+}
+
+/// A signed file is entered with its signer and found again, and the journal is signed with it; without a key it
+/// is told how much waits; what is signed afterwards is entered too. Before, `verify` said nothing of a logbook and
+/// each certificate left an entry that nobody had signed.
+#[test]
+fn what_is_signed_is_entered_with_its_signer_and_the_journal_is_signed_too() {
+    let folder = folder();
+    let at = folder.path();
+    assert!(
+        calib(at, "", &["logbook", "add", "record.bin"])
+            .status
+            .success()
+    );
+    let [pdf, dcc] = certificates(at, "p256.p12");
+    for (file, format) in [(&pdf, "pdf"), (&dcc, "dcc")] {
+        let (code, said) = verified(at, file);
+        assert_eq!(
+            (code, &said["proof"]),
+            (Some(0), &"proven".into()),
+            "{said}"
+        );
+        assert_eq!(said["issued"]["format"], format);
+        let of = &said["issued"]["signed"][0];
+        assert_eq!(
+            of["signer_certificate_sha256"],
+            said["signer_certificate_sha256"]
+        );
+        assert_eq!(of["signed_by"], said["signed_by"]);
+    }
+    assert!(checked(at).contains("; 0 entries since"), "{}", checked(at));
+
+    // Without a key.
+    let (unsigned, said) = issued(at, "C-2", &[]);
+    assert!(
+        said.contains("1 entry of the logbook is not signed"),
+        "{said}"
+    );
+    let (code, said) = verified(at, &unsigned);
+    assert_eq!((code, &said["proof"]), (Some(7), &"not_signed".into()));
+    assert_eq!(said["issued"]["certificate"], "C-2");
+    assert_eq!(said["issued"]["signed"], serde_json::json!([]));
+    // Signed afterwards: the same certificate, and nothing waits any more.
+    let key = key("p256.p12");
+    let key = key.to_str().expect("UTF-8");
+    let sign = ["sign", unsigned.to_str().expect("UTF-8"), "--key", key];
+    assert!(calib(at, "test", &sign).status.success());
+    let (code, said) = verified(at, &at.join("certificate-C-2.signed.pdf"));
+    assert_eq!(
+        (code, &said["issued"]["certificate"]),
+        (Some(0), &"C-2".into()),
+        "{said}"
+    );
+    assert!(checked(at).contains("; 0 entries since"), "{}", checked(at));
+
+    // What nobody issued is told, though it is signed by the laboratory.
+    let elsewhere = ["--logbook", "another.sqlite"];
+    let (stranger, _) = issued(at, "C-3", &[&elsewhere[..], &["--sign", key]].concat());
+    let (code, said) = verified(at, &stranger);
+    assert_eq!((code, &said["issued"]), (Some(0), &serde_json::Value::Null));
+    assert!(
+        said["words"]
+            .as_str()
+            .expect("words")
+            .contains("no such file"),
+        "{said}"
+    );
+
+    // Named once and for all.
+    assert!(calib(at, "", &["config", "key", key]).status.success());
+    let (signed, _) = issued(at, "C-4", &[]);
+    assert_eq!(verified(at, &signed).1["issued"]["certificate"], "C-4");
+    let sums = calib(at, "", &["logbook", "certificates", "--json"]);
+    let sums: serde_json::Value = serde_json::from_slice(&sums.stdout).expect("JSON");
+    let signatures = |row: &serde_json::Value| row["signed"].as_array().map(Vec::len);
+    let counts: Vec<_> = sums
+        .as_array()
+        .expect("rows")
+        .iter()
+        .map(signatures)
+        .collect();
+    assert_eq!(counts, [Some(1); 4], "{sums}");
+}

@@ -4,6 +4,7 @@
 mod everybody;
 mod sensors;
 
+use calib_signing::Kind;
 use calib_tests::bench::Fault;
 use calib_tests::browser::{Browser, Tab, driver};
 use calib_tests::live::Live;
@@ -22,6 +23,19 @@ fn laboratory(folder: &Path) -> Result<String, Fault> {
     let lines: Vec<_> = example.lines().filter(stated).collect();
     let path = folder.join("laboratory.toml");
     std::fs::write(&path, lines.join("\n"))?;
+    Ok(path.to_str().ok_or("no text")?.to_owned())
+}
+
+/// The laboratory's key, of the tests.
+const SEAL: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../host-tool/signing/test-keys/p256.p12"
+);
+
+/// The file of its password.
+fn password(folder: &Path) -> Result<String, Fault> {
+    let path = folder.join("password");
+    std::fs::write(&path, "test\n")?;
     Ok(path.to_str().ok_or("no text")?.to_owned())
 }
 
@@ -49,7 +63,12 @@ impl Setup {
             live: Live::power_on(Rig::draw(2))?,
             server: Served::start(
                 folder.path(),
-                &["--laboratory", &laboratory(folder.path())?],
+                &[
+                    ["--laboratory", &laboratory(folder.path())?],
+                    ["--sign", SEAL],
+                    ["--password-file", &password(folder.path())?],
+                ]
+                .concat(),
             )?,
             browser: Browser::start(&driver)?,
             folder,
@@ -189,6 +208,10 @@ fn certificates_hold(setup: &Setup, measured: String) -> Result<(), Fault> {
         let content = downloaded(&page.downloads(), ending)?;
         assert!(content.len() > 500, "{ending}");
         assert!(content.starts_with(begins.as_bytes()), "{ending}");
+        if let Some(kind) = Kind::of(&content) {
+            let signature = calib_signing::verify(kind, &content)?;
+            page.wait_for_text("#signer", &signature.by.subject())?;
+        }
     }
     Ok(())
 }

@@ -210,7 +210,14 @@ fn record_table(records: &[Listed]) -> String {
 }
 
 fn certificate_table(issued: &[Issued]) -> String {
-    let mut table = Table::new(&["no.", "issued", "certificate", "form", "SHA-256"]);
+    let mut table = Table::new(&[
+        "no.",
+        "issued",
+        "certificate",
+        "form",
+        "SHA-256",
+        "signed by",
+    ]);
     for certificate in issued {
         table.row([
             certificate.number.to_string(),
@@ -218,6 +225,10 @@ fn certificate_table(issued: &[Issued]) -> String {
             cut(&certificate.certificate, 32),
             certificate.format.clone(),
             certificate.sha256.chars().take(12).collect(),
+            certificate
+                .signed
+                .last()
+                .map_or(String::new(), |file| cut(&file.signed_by, 32)),
         ]);
     }
     table.to_string()

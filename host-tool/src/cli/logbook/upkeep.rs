@@ -1,6 +1,6 @@
 //! `calib logbook check`, `sign`, `backup`, `merge`: that nothing in it is lost or forged.
 
-use crate::cli::laboratory_key::Password;
+use crate::cli::laboratory_key::{self, Password};
 use crate::cli::{Context, time};
 use calib_host::{Error, Result};
 use calib_logbook::{Logbook, Seal};
@@ -27,9 +27,9 @@ pub(in crate::cli) struct Backup {
 /// The laboratory's key, for the journal.
 #[derive(Debug, Args)]
 pub(super) struct Signing {
-    /// The laboratory's key with its certificate: a PKCS#12 file.
+    /// The laboratory's key with its certificate: a PKCS#12 file [default: that of `calib config key`].
     #[arg(long, env = "CALIB_LABORATORY_KEY", value_name = "FILE")]
-    key: PathBuf,
+    key: Option<PathBuf>,
     /// Why the key is another than before, such as `the old one was lost`; it is signed with the rest.
     #[arg(long, value_name = "TEXT", default_value = "")]
     new_key: String,
@@ -40,7 +40,8 @@ pub(super) struct Signing {
 impl Signing {
     pub(super) fn run(self, context: &Context, logbook: &Logbook) -> Result<()> {
         let now = Timestamp::now();
-        let key = self.password.open(&self.key, now)?;
+        let key = laboratory_key::required(self.key.as_deref(), context)?;
+        let key = self.password.open(&key, now)?;
         let seal = logbook.seal(&key, now, &self.new_key)?;
         context.print(&seal, || line(&seal))
     }

@@ -33,6 +33,7 @@ pub(super) fn verify(file: &Path, kind: Kind, bytes: &[u8], known: &[Certificate
         signed_by: signer.map(Certificate::subject),
         signer_certificate_sha256: signer.map(|by| calib_output::hex(&by.fingerprint())),
         signed_unix_time_s: signature.and_then(|one| one.at).map(Timestamp::as_second),
+        issued: None,
         words,
     }
 }

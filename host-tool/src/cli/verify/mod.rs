@@ -3,8 +3,9 @@
 mod document;
 mod record;
 
-use super::{Context, key};
+use super::{Context, key, time};
 use calib_host::{Error, Result};
+use calib_logbook::Issued;
 use calib_protocol::signature::PublicKey;
 use calib_signing::{Certificate, Kind};
 use clap::Args;
@@ -15,7 +16,8 @@ use std::path::{Path, PathBuf};
 /// `calib verify FILE...`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Nothing but the file and what is public is needed: no instrument and no logbook. Of a record that
+Nothing but the file and what is public is needed: no instrument and no logbook. Where there is a
+logbook, it says besides whether a certificate is one that was issued, signed or not. Of a record that
 is the key of its instrument, which `calib key --json` prints; without --key the logbook is asked
 for it. Of a certificate, PDF or DCC, it is the certificate of the laboratory's key, or that of the
 authority that issued it.
@@ -83,6 +85,8 @@ pub(super) struct Verified {
     signer_certificate_sha256: Option<String>,
     /// When it was signed, as the signer says, s since 1970-01-01 UTC.
     signed_unix_time_s: Option<i64>,
+    /// The certificate of the logbook that this file is, if there is a logbook and it has one.
+    issued: Option<Issued>,
     /// The same in words.
     words: String,
 }
@@ -109,7 +113,10 @@ impl Verify {
     fn verify(&self, context: &Context, file: &Path, known: &[Certificate]) -> Result<Verified> {
         let bytes = std::fs::read(file).map_err(|error| Error::file("read", file, error))?;
         match Kind::of(&bytes) {
-            Some(kind) => Ok(document::verify(file, kind, &bytes, known)),
+            Some(kind) => {
+                let verified = document::verify(file, kind, &bytes, known);
+                Ok(verified.known_to(context, &bytes))
+            }
             None => record::verify(context, file, &bytes, self.key),
         }
     }
@@ -120,6 +127,28 @@ fn read(path: &Path) -> Result<Vec<Certificate>> {
 }
 
 impl Verified {
+    /// Adds what the logbook says of a certificate. That it cannot be read speaks against no file.
+    fn known_to(mut self, context: &Context, bytes: &[u8]) -> Self {
+        let found = context.logbook_if_there();
+        let found = found.and_then(|logbook| match logbook {
+            Some(logbook) => Ok(Some(logbook.issued_as(bytes)?)),
+            None => Ok(None),
+        });
+        match found {
+            Ok(None) => {}
+            Ok(Some(None)) => self.words.push_str("; the logbook has no such file"),
+            Ok(Some(Some(issued))) => {
+                let when = time::date_and_minute(u64::try_from(issued.issued_s).unwrap_or(0));
+                let (number, format) = (&issued.certificate, &issued.format);
+                let words = format!("; in the logbook as {format} of certificate {number}, {when}");
+                self.words.push_str(&words);
+                self.issued = Some(issued);
+            }
+            Err(error) => context.remark(&format!("the logbook was not asked: {error}")),
+        }
+        self
+    }
+
     fn text(&self) -> String {
         format!("{}: {}\n", self.file.display(), self.words)
     }

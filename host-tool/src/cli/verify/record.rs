@@ -44,6 +44,7 @@ pub(super) fn verify(
         signed_by: by.map(|key| calib_output::hex(&key)),
         signer_certificate_sha256: None,
         signed_unix_time_s: None,
+        issued: None,
         words: format!("record {} of {serial}: {words}", link.id),
     })
 }

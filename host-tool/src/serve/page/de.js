@@ -174,5 +174,8 @@ export const german = {
   "Move the frequency by 3 Hz or more from the mains and its multiples, raise the level, or find where the hum gets in: cable, ground loop.": "Die Frequenz um mindestens 3 Hz vom Netz und seinen Vielfachen entfernen, den Pegel erhöhen, oder suchen, wo das Brummen hereinkommt: Kabel, Erdschleife.",
   "Is the computer asleep, or its cable out? Start again; `lease_s` in the settings says how long it may be silent.": "Schläft der Rechner, ist sein Kabel gezogen? Neu starten; `lease_s` in den Einstellungen sagt, wie lange er schweigen darf.",
   "stopped late, after {0} s": "spät gestoppt, nach {0} s",
+  "PDF and DCC are signed by {0}": "PDF und DCC werden signiert von {0}",
+  "not signed: the server has no key of the laboratory": "nicht signiert: der Server hat keinen Schlüssel des Labors",
+  "; entries of the logbook that nobody has signed: {0}": "; Einträge des Logbuchs, die niemand signiert hat: {0}",
   "the calibrator did not confirm the stop within 200 ms": "der Kalibrator hat den Stopp nicht innerhalb von 200 ms bestätigt"
 };

@@ -133,6 +133,13 @@ function certificates(run, running) {
   }
 }
 
+/** Who signs, and what nobody has signed. */
+export function signer({ signer, unsigned_entries }) {
+  const who = signer ? say("PDF and DCC are signed by {0}", signer) : say("not signed: the server has no key of the laboratory");
+  const waits = unsigned_entries ? say("; entries of the logbook that nobody has signed: {0}", unsigned_entries) : "";
+  $("signer").textContent = who + waits;
+}
+
 /** Deviation from 160 Hz (else from the first point) and phase, over log f. */
 export function draw(run) {
   const points = (run ? run.points : []).filter(valid);

@@ -153,6 +153,7 @@ function show(view) {
   $("start").disabled = running || view.link !== "connected" || defects.length > 0;
   for (const control of $("connect").elements) control.disabled = running;
   measurement.show(view.run);
+  measurement.signer(view);
   waveforms.show(view.waveforms);
   say();
 }

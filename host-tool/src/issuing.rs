@@ -1,0 +1,82 @@
+//! Certificates given out: entered in the logbook with who signed them, whose journal the same key signs. The
+//! verbs and the page ask here.
+
+use crate::Result;
+use calib_certificate::{File, Prepared, Seal};
+use calib_logbook::{Issue, Logbook, Signed};
+use calib_protocol::record::Sha256Sum;
+use calib_signing::LaboratoryKey;
+use std::path::PathBuf;
+
+/// What the logbook is told of the files of a certificate, which lie at `paths`.
+pub fn issues<'a>(
+    prepared: &'a Prepared,
+    paths: &'a [PathBuf],
+    record: Sha256Sum,
+    key: Option<&'a LaboratoryKey>,
+) -> Vec<Issue<'a>> {
+    let signed = |file: &'a File| {
+        let by = key.filter(|_| file.unsigned.is_some())?.certificate();
+        let content = &file.content[..];
+        Some(Signed { content, by })
+    };
+    let issue = |(file, path): (&'a File, &'a PathBuf)| Issue {
+        certificate: &prepared.number,
+        format: file.format.name(),
+        file: path.to_str().unwrap_or_default(),
+        content: file.unsigned.as_ref().unwrap_or(&file.content),
+        signed: signed(file),
+        record,
+    };
+    prepared.files.iter().zip(paths).map(issue).collect()
+}
+
+/// How the journal stands after something was given out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Journal {
+    /// Every entry is signed.
+    Signed,
+    /// So many entries wait for a signature.
+    Waits(i64),
+    /// There was a key, and it could not sign; why, with the way out.
+    Refused(String),
+}
+
+/// Signs the journal where there is a key, so that nothing waits unsigned. A journal that cannot be signed
+/// takes back nothing that was given out.
+///
+/// # Errors
+/// Those of the logbook's file.
+pub fn sign_journal(logbook: &Logbook, seal: Option<&Seal>) -> Result<Journal> {
+    let Some(seal) = seal else {
+        let (all, signed) = logbook.signed_entries()?;
+        return Ok(match all - signed {
+            0 => Journal::Signed,
+            waiting => Journal::Waits(waiting),
+        });
+    };
+    Ok(match logbook.seal(&seal.key, seal.at, "") {
+        Ok(_) => Journal::Signed,
+        Err(error) => Journal::Refused(crate::Error::from(error).with_hint()),
+    })
+}
+
+impl Journal {
+    /// What is to be said of it; nothing of one that is signed.
+    pub fn remark(&self) -> Option<String> {
+        match self {
+            Self::Signed => None,
+            Self::Waits(1) => Some(
+                "1 entry of the logbook is not signed: `calib logbook sign`, or give certificates out with --sign"
+                    .to_owned(),
+            ),
+            Self::Waits(count) => Some(format!(
+                "{count} entries of the logbook are not signed: `calib logbook sign`, or give certificates out \
+                 with --sign"
+            )),
+            Self::Refused(why) => Some(format!(
+                "given out and entered, but the logbook was not signed: {why}"
+            )),
+        }
+    }
+}
