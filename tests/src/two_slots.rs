@@ -5,6 +5,7 @@ use calib_boot::file::{self, Part};
 use calib_boot::layout::Slot;
 use calib_boot::manifest::{Manifest, Seed, Version, sign};
 use calib_boot::trusted::DEVELOPMENT_SEED;
+use calib_twin::board::Schematic;
 use calib_twin::rig_port::RigPort;
 use calib_twin::runner::{Emulator, Firmware};
 use std::path::Path;
@@ -51,8 +52,21 @@ impl TwoSlots {
     /// # Errors
     /// The board cannot run it.
     pub fn commissioned(&self, port: Box<dyn RigPort>) -> Result<Emulator, Fault> {
-        let part = self.part(Slot::A).ok_or("no part for slot A")?;
-        let mut board = Emulator::power_on(&self.loader, port)?;
+        self.commissioned_with(&self.update, Schematic::nucleo_h743zi2(), port)
+    }
+
+    /// The same with slot A of another update, on the board of this schematic.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn commissioned_with(
+        &self,
+        update: &[u8],
+        schematic: Schematic,
+        port: Box<dyn RigPort>,
+    ) -> Result<Emulator, Fault> {
+        let [part, _] = file::parts(update).ok_or("no part for slot A")?;
+        let mut board = Emulator::power_on(&self.loader.clone().on(schematic), port)?;
         board.load_flash(u64::from(Slot::A.start()), part.image)?;
         board.load_flash(u64::from(Slot::A.manifest()), part.manifest)?;
         Ok(board)

@@ -3,6 +3,8 @@
 
 #[path = "tool/documents.rs"]
 mod documents;
+#[path = "tool/updates.rs"]
+mod updates;
 
 use calib_output::conforms::check_output;
 use calib_tests::capture;

@@ -2,13 +2,20 @@
 //! of the shipping image is what all other tests are on.
 
 use super::board::unmodelled;
+use calib_boot::layout::{LONGEST_IMAGE, Slot, WORD};
+use calib_boot::trusted::DEVELOPMENT_SEED;
 use calib_core::verdict::Verdict;
-use calib_protocol::message::RunState;
+use calib_link::session::update::send;
+use calib_protocol::message::{Refusal, RunState};
+use calib_protocol::record::digest;
+use calib_protocol::update::{ImageSigner, ImageSlot};
 use calib_tests::bench::{Bench, Fault, point, true_certificate};
 use calib_tests::judge::deviation;
+use calib_tests::two_slots::{TwoSlots, VERSION, release};
 use calib_twin::board::{Leds, Schematic};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
+use calib_twin::rig_port::ShortedInputs;
 use calib_twin::runner::{Emulator, Firmware};
 use std::path::Path;
 use std::time::Duration;
@@ -120,4 +127,46 @@ fn an_image_on_a_board_it_is_not_for_answers_nothing() -> Result<(), Fault> {
     let rig = Box::new(Plant::new(&Rig::standard()));
     assert!(Bench::with_image(&firmware, rig).is_err());
     Ok(())
+}
+
+/// The loader takes no pin, no clock and no part of a board: the one there is starts every board's image, from the
+/// slot, whole and signed. What is for another board is refused.
+#[test]
+fn one_loader_starts_the_image_of_every_board() -> Result<(), Fault> {
+    let slots = TwoSlots::read()?;
+    for board in boards()? {
+        let image = flashed(&board)?;
+        let update = |board: &str, image: &[u8]| {
+            let images = [image.to_vec(), image.to_vec()];
+            release(&images, VERSION, board, &DEVELOPMENT_SEED)
+        };
+        let own = update(&board, &image);
+        let on = schematic(&board)?;
+        let device = slots.commissioned_with(&own, on, Box::new(ShortedInputs))?;
+        let mut bench = Bench::of(device);
+        // The loader reads an image first.
+        bench.client.wait(Duration::from_millis(600))?;
+        let running = bench.client.running_image()?;
+        assert_eq!(running.slot, ImageSlot::A, "{board}");
+        assert_eq!(running.origin.signer, ImageSigner::Development, "{board}");
+        assert_eq!(running.origin.sha256, digest(&image), "{board}");
+        let other = [&image[..], &[0xFF; WORD]].concat();
+        let refused = send(&mut bench.client, &update(SHIPPING, &other), |_| ());
+        let error = refused.expect_err("for another board");
+        assert!(
+            matches!(&error, calib_link::Error::Refused(refused) if refused.refusal == Refusal::ImageNotForHere),
+            "{board}: {error}"
+        );
+    }
+    Ok(())
+}
+
+/// What the image of a board has in slot A, up to its last word that is not as erased.
+fn flashed(board: &str) -> Result<Vec<u8>, Fault> {
+    let firmware = image(board)?.on(schematic(board)?);
+    let mut device = Emulator::power_on(&firmware, Box::new(ShortedInputs))?;
+    let slot = device.read_memory(u64::from(Slot::A.start()), LONGEST_IMAGE as usize)?;
+    let last = slot.iter().rposition(|byte| *byte != 0xFF);
+    let words = last.ok_or("the slot is empty")? / WORD + 1;
+    Ok(slot[..words * WORD].to_vec())
 }

@@ -2,8 +2,9 @@
 
 use calib_boot::layout::Slot;
 use calib_boot::trusted::DEVELOPMENT_SEED;
-use calib_link::Error;
+use calib_host::emulated::EmulatedUsbTransport;
 use calib_link::session::update::{confirm, send, wait_for_start};
+use calib_link::{Client, Error};
 use calib_protocol::frame::{Frame, MAX_FRAME, encode};
 use calib_protocol::message::{Refusal, Request, ResetCause, Response};
 use calib_protocol::update::{ImageSigner, ImageSlot, RunningImage, UpdateStep};
@@ -49,7 +50,9 @@ fn an_update_runs_from_the_other_slot_and_is_confirmed() -> Result<(), Fault> {
     assert!(!before.on_trial && !before.rolled_back);
     let update = slots.another();
     let mut written = 0;
-    let sent = send(&mut bench.client, &update, |progress| {
+    // Over USB, which is faster; the serial line is another test's (tests/tests/tool/updates.rs).
+    let usb = EmulatedUsbTransport::plug_in(bench.shared())?;
+    let sent = send(&mut Client::new(Box::new(usb)), &update, |progress| {
         written = progress.written
     })?;
     assert_eq!(
