@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::measure::Asked;
-use calib_host::{Device, Result};
+use calib_host::Result;
 use calib_link::session::{self, Outcome, Progress};
 use calib_link::{Client, Error, StopSwitch};
 use std::ops::ControlFlow;
@@ -41,7 +41,8 @@ impl Followed<'_> {
     /// The same calibrator over a new link; the one that broke says what is wrong if there is none.
     fn found_again(&self, broken: Error) -> Result<Client> {
         let id = self.record_id;
-        if !self.can_be_found() {
+        // A board that this program itself emulates has no link that could come back.
+        if !self.context.is_outside() {
             return Err(broken.into());
         }
         self.context.remark(&format!(
@@ -58,12 +59,6 @@ impl Followed<'_> {
             "the calibrator stores the run as record {id}: `calib sync` fetches it once the link is there"
         ));
         Err(broken.into())
-    }
-
-    /// A board that this program itself emulates has no link that could come back.
-    fn can_be_found(&self) -> bool {
-        let address = self.context.device.as_deref().unwrap_or_default();
-        matches!(address.parse(), Ok(Device::At(_)))
     }
 
     fn look(&self) -> Option<Client> {

@@ -101,6 +101,12 @@ impl Context {
         Ok(Client::new(address.open()?))
     }
 
+    /// The calibrator is no board that this program itself emulates: it has an exciter, and a link that can break.
+    pub(crate) fn is_outside(&self) -> bool {
+        let address = self.device.as_deref().unwrap_or_default();
+        matches!(address.parse(), Ok(Device::At(_)))
+    }
+
     /// The address that was given, or every likely port.
     pub(crate) fn devices(&self) -> Result<Vec<String>> {
         if let Some(device) = &self.device {

@@ -113,14 +113,16 @@ pub(super) fn stop_on_interrupt() -> impl Fn() -> ControlFlow<()> {
 }
 
 /// From now on, Ctrl-C is a stop on this switch, which a client heeds; one that is not confirmed in time is an
-/// alarm.
-pub(super) fn switch_of_interrupts() -> StopSwitch {
-    let switch = StopSwitch::default();
+/// alarm, where there is an exciter.
+pub(super) fn switch_of_interrupts(context: &Context) -> StopSwitch {
+    let (switch, emulated) = (StopSwitch::default(), !context.is_outside());
     let pressed = switch.clone();
     let _ = ctrlc::set_handler(move || {
         let (number, confirmed) = (pressed.ask(), pressed.clone());
         // It ends with its stop, or with this tool.
-        drop(alarm::watch(move || confirmed.is_confirmed(number)));
+        drop(alarm::watch(move || {
+            confirmed.is_confirmed(number) || emulated
+        }));
     });
     switch
 }

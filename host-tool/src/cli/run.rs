@@ -148,7 +148,7 @@ impl Run {
             sample_rate_hz: info.sample_rate_hz,
             unit,
         };
-        let switch = switch_of_interrupts();
+        let switch = switch_of_interrupts(context);
         let before = match &standard {
             Some(standard) => Some(self.measure_standard(
                 context,

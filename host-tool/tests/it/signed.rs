@@ -355,6 +355,7 @@ fn a_password_is_never_an_argument() {
     let nobody = command.args(usual).args(sign).current_dir(at);
     let nobody = nobody
         .env("XDG_CONFIG_HOME", at)
+        .env("CALIB_LOGBOOK", at.join("no-logbook.sqlite"))
         .env_remove("CALIB_KEY_PASSWORD");
     let nobody = nobody
         .stdin(std::process::Stdio::null())
