@@ -12,6 +12,7 @@ pub mod coverage;
 pub mod front_end;
 pub mod hostile;
 pub mod judge;
+pub mod keyboard;
 pub mod live;
 pub mod reality;
 pub mod served;

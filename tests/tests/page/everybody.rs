@@ -1,6 +1,6 @@
 //! The page for everybody: by thumb, by keyboard, by ear, in German.
 
-use super::Setup;
+use super::{SERIAL, Setup};
 use calib_tests::bench::Fault;
 use calib_tests::browser::{Browser, axe};
 use serde_json::json;
@@ -17,6 +17,34 @@ pub(crate) fn can_use_it(page: &Browser) -> Result<(), Fault> {
         assert!(found.is_empty(), "{scheme}: {found:#?}");
     }
     page.protocol("Emulation.setEmulatedMedia", json!({ "features": [] }))?;
+    Ok(())
+}
+
+/// Connects, types a list and a serial number, and starts, by the keys of the keyboard.
+pub(crate) fn begins_by_keyboard(setup: &Setup, frequencies: &str) -> Result<(), Fault> {
+    let page = &setup.browser;
+    page.open(&setup.server.url)?;
+    page.wait_for_text("#link", "not connected")?;
+    page.tab_to("#device")?;
+    page.type_text(&setup.live.address)?;
+    page.press("Enter")?;
+    page.wait_for_text("#link", "connected to tcp:")?;
+    page.tab_to("#serial")?;
+    page.type_text(SERIAL)?;
+    page.tab_to("#list")?;
+    // The last of the lists is the one that is typed.
+    page.press("End")?;
+    page.tab_to("#frequencies")?;
+    page.type_text(frequencies)?;
+    page.tab_to("#start")?;
+    page.press("Enter")
+}
+
+/// What can be done with a finished calibration is reached by Tab, and so is STOP.
+pub(crate) fn ends_by_keyboard(page: &Browser) -> Result<(), Fault> {
+    for place in ["[data-format=html]", "[data-format=pdf]", "#stop", "#start"] {
+        page.tab_to(place)?;
+    }
     Ok(())
 }
 

@@ -39,6 +39,9 @@ fn password(folder: &Path) -> Result<String, Fault> {
     Ok(path.to_str().ok_or("no text")?.to_owned())
 }
 
+/// A serial number that no form may mistake for anything else.
+const SERIAL: &str = "D'1 ⚡";
+
 /// A board that keeps real time and a browser are all that two cores carry: one test after the other.
 static TURN: Mutex<()> = Mutex::new(());
 
@@ -89,7 +92,7 @@ impl Setup {
     fn start(&self, frequencies: &str) -> Result<(), Fault> {
         self.browser.choose("#list", "typed")?;
         self.browser.fill("#frequencies", frequencies)?;
-        self.browser.fill("#serial", "D'1 ⚡")?;
+        self.browser.fill("#serial", SERIAL)?;
         self.browser.click("#start")
     }
 
@@ -120,9 +123,8 @@ fn a_calibration_from_the_first_look_to_the_certificate() -> Result<(), Fault> {
         return Ok(());
     };
     let page = &setup.browser;
-    setup.connect()?;
+    everybody::begins_by_keyboard(&setup, "80 160 1000")?;
     assert!(page.text("#info")?.contains("firmware"));
-    setup.start("80 160 1000")?;
     page.wait_for_text("#state", "point 1 of 3")?;
     page.wait_for_text("#target", "10.0")?;
     // Points appear one by one, on the plot as in the table.
@@ -147,6 +149,7 @@ fn a_calibration_from_the_first_look_to_the_certificate() -> Result<(), Fault> {
     page.wait_for_text("#verdict", "FAIL")?;
     page.wait_for_text("#points .failed", "160")?;
     everybody::can_use_it(page)?;
+    everybody::ends_by_keyboard(page)?;
     inputs_are_drawn(page)?;
     let measured = sensitivity_at_160(page)?;
     page.wait_for_text("#kept", "kept in the logbook as record 1")?;
