@@ -2,33 +2,62 @@
 //! verbs and the page ask here.
 
 use crate::Result;
-use calib_certificate::{File, Prepared, Seal};
-use calib_logbook::{Issue, Logbook, Signed};
-use calib_protocol::record::Sha256Sum;
+use calib_certificate::{Amendment, File, Options, Prepared, Seal};
+use calib_logbook::{Issue, Joined, Logbook, Role, Signed};
+use calib_protocol::record::{Record, Sha256Sum};
 use calib_signing::LaboratoryKey;
 use std::path::PathBuf;
 
-/// What the logbook is told of the files of a certificate, which lie at `paths`.
-pub fn issues<'a>(
-    prepared: &'a Prepared,
-    paths: &'a [PathBuf],
+/// What the logbook enters with every file of a certificate.
+#[derive(Debug)]
+pub struct Entries {
     record: Sha256Sum,
-    key: Option<&'a LaboratoryKey>,
-) -> Vec<Issue<'a>> {
-    let signed = |file: &'a File| {
-        let by = key.filter(|_| file.unsigned.is_some())?.certificate();
-        let content = &file.content[..];
-        Some(Signed { content, by })
-    };
-    let issue = |(file, path): (&'a File, &'a PathBuf)| Issue {
-        certificate: &prepared.number,
-        format: file.format.name(),
-        file: path.to_str().unwrap_or_default(),
-        content: file.unsigned.as_ref().unwrap_or(&file.content),
-        signed: signed(file),
-        record,
-    };
-    prepared.files.iter().zip(paths).map(issue).collect()
+    joined: Vec<Joined>,
+    replaces: Option<Amendment>,
+}
+
+impl Entries {
+    /// Of the certificate of a record.
+    pub fn of(record: &Record, options: &Options) -> Self {
+        let joined = |role| {
+            move |record: &Record| Joined {
+                role,
+                record: calib_certificate::digest(record),
+            }
+        };
+        let found = options.as_found.iter().map(joined(Role::AsFound));
+        let remounted = options.remounted.iter().map(joined(Role::Remounted));
+        Self {
+            record: calib_certificate::digest(record),
+            joined: found.chain(remounted).collect(),
+            replaces: options.particulars.calibration.replaces.clone(),
+        }
+    }
+
+    /// One entry a file; `paths` are where they will be, `key` is what they are signed with.
+    pub fn issues<'a>(
+        &'a self,
+        prepared: &'a Prepared,
+        paths: &'a [PathBuf],
+        key: Option<&'a LaboratoryKey>,
+    ) -> Vec<Issue<'a>> {
+        let signed = |file: &'a File| {
+            let by = key.filter(|_| file.unsigned.is_some())?.certificate();
+            let content = &file.content[..];
+            Some(Signed { content, by })
+        };
+        let issue = |(file, path): (&'a File, &'a PathBuf)| Issue {
+            certificate: &prepared.number,
+            format: file.format.name(),
+            file: path.to_str().unwrap_or_default(),
+            content: file.unsigned.as_ref().unwrap_or(&file.content),
+            signed: signed(file),
+            record: self.record,
+            joined: &self.joined,
+            replaces: self.replaces.as_ref(),
+        };
+        prepared.files.iter().zip(paths).map(issue).collect()
+    }
 }
 
 /// How the journal stands after something was given out.

@@ -4,6 +4,7 @@
 #![forbid(unsafe_code)]
 
 pub mod about_sensor;
+pub mod amendment;
 pub mod assurance;
 pub mod config;
 pub mod demo;

@@ -35,7 +35,11 @@ pub(super) fn attach(certificate: &mut Certificate, left: &Record, found: &Recor
         let problem = format!("was made after record {}", left.head.id);
         return Err(Error::input(name, problem, "exchange the two records"));
     }
-    let found = Certificate::from_record(found, &certificate.particulars);
+    // A number that was stated is that of the whole, and not of what was found.
+    let mut particulars = certificate.particulars.clone();
+    particulars.calibration.number = None;
+    particulars.calibration.replaces = None;
+    let found = Certificate::from_record(found, &particulars);
     certificate.as_found = Some(Box::new(found));
     state(certificate);
     Ok(())

@@ -35,7 +35,7 @@ const RESULT: [&str; 17] = [
 ];
 
 /// Headings of the columns behind it.
-const JUDGEMENT: [&str; 15] = [
+const JUDGEMENT: [&str; 17] = [
     "blocks",
     "state",
     "reason",
@@ -51,6 +51,8 @@ const JUDGEMENT: [&str; 15] = [
     "overrides",
     "marks",
     "record_chain",
+    "replaces",
+    "replaced_because",
 ];
 
 /// Headings of all columns: scripts can rely on these names.
@@ -95,6 +97,7 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
                 .chain
                 .map_or_else(String::new, |chain| super::standing::name(chain).to_owned()),
         );
+        row.extend(replaces(certificate));
         writer
             .write_record(row)
             .map_err(|e| broken(e.to_string()))?;
@@ -174,6 +177,14 @@ fn as_found(left: &Point, found: Option<&Point>, language: Language) -> [String;
         fixed(uncertainty, decimals),
         change.map(|c| fixed(c, decimals)).unwrap_or_default(),
     ]
+}
+
+/// The certificate that this one replaces, and why.
+fn replaces(certificate: &Certificate) -> [String; 2] {
+    let amended = certificate.particulars.calibration.replaces.as_ref();
+    amended.map_or_else(Default::default, |amended| {
+        [&amended.certificate, &amended.reason].map(|words| harmless(words.clone()))
+    })
 }
 
 /// Results as printed: what is on paper and what is in the file is one number.

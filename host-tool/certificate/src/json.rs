@@ -1,13 +1,14 @@
 //! JSON: every number of the certificate, not rounded, in the keys of every output.
 //!
 //! ```text
-//! { "certificate", "marks", "missing", "language", "item": {..}, "calibration": {..}, ..., "inverted",
+//! { "certificate", "marks", "missing", "replaces", "language", "item": {..}, "calibration": {..}, ..., "inverted",
 //!   "reference": {point}, "points": [{point}], "conformity", "verdict", "budget": {..},
 //!   "as_found": {..}, "record_chain", "remarks": [..] }
 //! ```
 
 use super::marks::Mark;
 use super::model::{self, Certificate, Point, Section, Severity};
+use super::particulars::Amendment;
 use super::rounding::Rounded;
 use super::verdict::Verdict;
 use super::words::Language;
@@ -41,6 +42,8 @@ pub struct Document {
     marks: Vec<Mark>,
     /// What a draft lacks, in words.
     missing: Vec<String>,
+    /// The certificate that this one replaces, and why; none when it replaces none.
+    replaces: Option<Amendment>,
     /// Language of the statements, ISO 639-1.
     language: &'static str,
     /// Statements by section.
@@ -79,6 +82,7 @@ impl Document {
                 .iter()
                 .map(|key| language.word(key).to_owned())
                 .collect(),
+            replaces: certificate.particulars.calibration.replaces.clone(),
             language: language.code(),
             sections: sections
                 .map(|section| (section.key, statements(section, language)))

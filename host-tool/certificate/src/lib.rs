@@ -88,7 +88,7 @@ pub use json::Document;
 pub use marks::Mark;
 pub use model::Certificate;
 pub use mountings::{MountingScatter, scatter as mounting_scatter};
-pub use particulars::{Adjustment, Known, Particulars};
+pub use particulars::{Adjustment, Amendment, Known, Particulars};
 pub use present::Presented;
 pub use seal::Seal;
 pub use standing::digest;

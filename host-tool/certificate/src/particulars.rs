@@ -23,7 +23,8 @@ use super::words::Language;
 use crate::decision;
 use calib_files::{Error, Result, text};
 use jiff::civil::Date;
-use serde::Deserialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// Everything a TOML file can state.
@@ -133,6 +134,18 @@ pub struct Calibration {
     pub reference_correlation: Option<f64>,
     /// Whether the object was adjusted (7.8.4.1 d).
     pub adjustment: Option<Adjustment>,
+    /// The certificate that this one takes the place of (7.8.8.3).
+    pub replaces: Option<Amendment>,
+}
+
+/// A certificate that is replaced as a whole, with the reason (7.8.8).
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Amendment {
+    /// Number of the certificate that is replaced.
+    pub certificate: String,
+    /// What was wrong with it.
+    pub reason: String,
 }
 
 /// What the sensitivity is one of.

@@ -1,6 +1,7 @@
 //! What no certificate may say: refused before a file is written.
 
 use super::model::Certificate;
+use super::particulars::Amendment;
 use super::stored::{day, run_day};
 use calib_files::{Error, Result};
 use calib_protocol::record::Record;
@@ -9,7 +10,7 @@ use calib_protocol::record::Record;
 ///
 /// # Errors
 /// [`Error::Input`] when it would be issued before the calibration, states another day of
-/// calibration than the record, or rests on a reference that was overdue and nobody said in
+/// calibration than the record, replaces itself or another without a reason, or rests on a reference that was overdue and nobody said in
 /// writing why it was used.
 pub(super) fn check(certificate: &Certificate, record: &Record) -> Result<()> {
     let stated = &certificate.particulars.calibration;
@@ -17,6 +18,9 @@ pub(super) fn check(certificate: &Certificate, record: &Record) -> Result<()> {
         let place = format!("certificate {}", certificate.number);
         Err(Error::input(place, problem, hint))
     };
+    if let Some((problem, hint)) = stated.replaces.as_ref().and_then(|a| wrong(a, certificate)) {
+        return refuse(problem.to_owned(), hint);
+    }
     let run = run_day(record);
     if let (Some(run), Some(date)) = (run, stated.date)
         && run != date
@@ -46,4 +50,22 @@ pub(super) fn check(certificate: &Certificate, record: &Record) -> Result<()> {
         );
     }
     Ok(())
+}
+
+/// What is wrong with an amendment, and the way out.
+fn wrong(amended: &Amendment, certificate: &Certificate) -> Option<(&'static str, &'static str)> {
+    if amended.certificate.trim() == certificate.number.trim() {
+        return Some((
+            "would replace itself",
+            "give the new one a `number` of its own under [calibration]",
+        ));
+    }
+    let stated = [&amended.certificate, &amended.reason];
+    stated
+        .iter()
+        .any(|words| words.trim().is_empty())
+        .then_some((
+            "replaces another, and its number or the reason is not stated",
+            "state both: replaces = { certificate = \"...\", reason = \"...\" }",
+        ))
 }

@@ -2,7 +2,7 @@
 
 use super::model::Certificate;
 use super::python::{python, shared};
-use super::{Format, Language, Options, Particulars, Seal, prepare, render};
+use super::{Amendment, Format, Language, Options, Particulars, Seal, prepare, render};
 use calib_core::verdict::{Reason, Verdict};
 use calib_record::sample::{THIRD_OCTAVES_HZ, record, text};
 use calib_signing::LaboratoryKey;
@@ -28,6 +28,11 @@ fn variants() -> Vec<Vec<u8>> {
     // A DCC cannot be without the country of the laboratory.
     let bare: Particulars = toml::from_str("[laboratory]\ncountry = 'DE'").expect("TOML");
     let of = Certificate::from_record;
+    let mut amended = full.clone();
+    amended.calibration.replaces = Some(Amendment {
+        certificate: "K-2026-0117".to_owned(),
+        reason: "name of the customer".to_owned(),
+    });
     let mut left = of(&record(&[160.0, 16_000.0]), &full);
     left.as_found = Some(Box::new(of(&record(&[160.0]), &full)));
     vec![
@@ -39,6 +44,7 @@ fn variants() -> Vec<Vec<u8>> {
         xml(&of(&hostile, &bare), Language::En),
         xml(&of(&partly, &full), Language::En),
         xml(&of(&none, &full), Language::De),
+        xml(&of(&record(&[160.0]), &amended), Language::En),
         signed(),
     ]
 }

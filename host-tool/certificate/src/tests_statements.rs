@@ -26,7 +26,8 @@ fn particulars(language: &str) -> Particulars {
         .replace("[conditions]", overdue)
         .replace("language = \"de\"", &format!("language = \"{language}\""))
         .replace("approved_by = \"Dr. A. Prüferin\"\n", "");
-    toml::from_str(&text).expect("TOML")
+    let amended = "replaces = { certificate = \"K-2026-0117\", reason = \"Name des Kunden <GmbH>\" }\n[conditions]";
+    toml::from_str(&text.replace("[conditions]", amended)).expect("TOML")
 }
 
 struct Written {
@@ -267,6 +268,17 @@ fn every_statement_in_words_is_the_same_in_every_format() {
             everywhere(mark, true);
         }
         assert_eq!(written.csv[0]["marks"], "simulated draft");
+        let replaces = written.json["calibration"]["replaces"]
+            .as_str()
+            .expect("words");
+        everywhere(replaces, true);
+        for (key, column) in [("certificate", "replaces"), ("reason", "replaced_because")] {
+            let stated = written.json["replaces"][key].as_str().expect("stated");
+            assert!(written.csv.iter().all(|row| row[column] == stated));
+            assert!(replaces.contains(stated), "{replaces}");
+        }
+        let element = "<dcc:replacedUniqueIdentifier>K-2026-0117</";
+        assert!(written.dcc.contains(element), "{}", written.dcc);
         let verdict = &written.json["verdict"];
         for key in ["title", "because"] {
             everywhere(verdict[key].as_str().expect("words"), false);

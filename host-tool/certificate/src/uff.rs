@@ -94,9 +94,13 @@ fn identification(certificate: &Certificate) -> [String; 5] {
         marks if marks.is_empty() => object,
         marks => format!("{marks}: {object}"),
     };
+    let amended = certificate.particulars.calibration.replaces.as_ref();
+    let replaces = amended.map_or_else(String::new, |amended| {
+        format!(", replaces {}", amended.certificate)
+    });
     let lines = [
         object,
-        format!("certificate {}{warning}", certificate.number),
+        format!("certificate {}{warning}{replaces}", certificate.number),
         said("calibration", "date"),
         said("calibration", "method"),
         last,

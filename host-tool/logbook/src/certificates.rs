@@ -1,8 +1,10 @@
 //! Certificates that were issued: numbered, with their sums, never changed.
 
 use super::Logbook;
+use super::amendments::{self, Joined};
 use super::journal::{self, Subject};
 use super::signed_files::{self, Signed, SignedFile};
+use calib_certificate::Amendment;
 use calib_files::{Error, Result};
 use calib_protocol::record::Sha256Sum;
 use rusqlite::{OptionalExtension, Params, params};
@@ -30,6 +32,12 @@ pub struct Issued {
     pub record_sha256: String,
     /// The same signed, and by whom.
     pub signed: Vec<SignedFile>,
+    /// Number of the certificate whose place it took.
+    pub replaces: Option<String>,
+    /// Number of the certificate that took its place: it is no longer valid.
+    pub replaced_by: Option<String>,
+    /// Why it was replaced.
+    pub replaced_because: Option<String>,
 }
 
 /// A certificate about to be entered.
@@ -47,21 +55,31 @@ pub struct Issue<'a> {
     pub signed: Option<Signed<'a>>,
     /// Sum of the record it is made of.
     pub record: Sha256Sum,
+    /// Records it is made of beside that one.
+    pub joined: &'a [Joined],
+    /// The certificate whose place it takes, and why.
+    pub replaces: Option<&'a Amendment>,
 }
 
 impl Logbook {
     /// Says whether a certificate may be issued: not if one of the same number
-    /// and form, with other content, was.
+    /// and form, with other content, was; not if it was replaced; and in place of
+    /// another only if that is made of the same records and was not replaced yet.
     ///
     /// # Errors
     /// [`Error::Input`] when it may not.
     pub fn may_issue(&self, issue: &Issue<'_>) -> Result<()> {
-        match self.issued_sum(issue)? {
+        let issued = self.issued_sum(issue)?;
+        self.may_replace(issue, issued.is_some())?;
+        match issued {
             Some(sum) if sum[..] != Sha256::digest(issue.content)[..] => Err(Error::input(
                 format!("certificate {}", issue.certificate),
                 format!("was issued as {} with another content", issue.format),
-                "give the new one a number of its own: number = \"...\" under [calibration] \
-                 in a file of particulars",
+                format!(
+                    "`calib certificate --amend {} --reason TEXT` makes one that says what it replaces; \
+                     or give this one a number of its own: `number` under [calibration]",
+                    issue.certificate
+                ),
             )),
             _ => Ok(()),
         }
@@ -102,6 +120,7 @@ impl Logbook {
                 signed_files::enter(&transaction, issue.certificate, issue.format, &file)
                     .map_err(failed)?;
             }
+            amendments::enter(&transaction, issue).map_err(failed)?;
         }
         transaction.commit().map_err(failed)
     }
@@ -129,8 +148,12 @@ impl Logbook {
         values: impl Params,
     ) -> Result<Vec<Issued>> {
         let sql = format!(
-            "SELECT number, certificate, format, issued_s, file, lower(hex(sha256)),
-             lower(hex(record_sha256)) FROM certificates WHERE {what} ORDER BY number"
+            "SELECT number, issued.certificate, format, issued_s, file, lower(hex(sha256)),
+             lower(hex(record_sha256)), old.replaces, new.certificate, new.reason
+             FROM certificates issued
+             LEFT JOIN amendments old ON old.certificate = issued.certificate
+             LEFT JOIN amendments new ON new.replaces = issued.certificate
+             WHERE {what} ORDER BY number"
         );
         self.all(&sql, values, |row| {
             let (certificate, format): (String, String) = (row.get(1)?, row.get(2)?);
@@ -143,6 +166,9 @@ impl Logbook {
                 file: row.get(4)?,
                 sha256: row.get(5)?,
                 record_sha256: row.get(6)?,
+                replaces: row.get(7)?,
+                replaced_by: row.get(8)?,
+                replaced_because: row.get(9)?,
             })
         })
     }

@@ -21,16 +21,20 @@ pub(super) enum Subject {
     CheckStandard,
     Key,
     SignedFile,
+    Amendment,
+    Joined,
 }
 
 impl Subject {
-    const ALL: [Self; 6] = [
+    const ALL: [Self; 8] = [
         Self::Sensor,
         Self::Record,
         Self::Certificate,
         Self::CheckStandard,
         Self::Key,
         Self::SignedFile,
+        Self::Amendment,
+        Self::Joined,
     ];
 
     fn word(self) -> &'static str {
@@ -41,6 +45,8 @@ impl Subject {
             Self::Key => "key",
             Self::SignedFile => "signed file",
             Self::CheckStandard => "check standard",
+            Self::Amendment => "amendment",
+            Self::Joined => "record of certificate",
         }
     }
 
@@ -53,6 +59,10 @@ impl Subject {
             Self::Key => "SELECT instrument, * FROM keys",
             Self::SignedFile => "SELECT lower(hex(sha256)), * FROM signed_files",
             Self::CheckStandard => "SELECT serial, * FROM check_standards",
+            Self::Amendment => "SELECT certificate, * FROM amendments",
+            Self::Joined => {
+                "SELECT certificate || ' ' || role || ' ' || lower(hex(record_sha256)), * FROM joined"
+            }
         }
     }
 
@@ -64,6 +74,10 @@ impl Subject {
             Self::Certificate => "WHERE number = CAST(?1 AS INTEGER)",
             Self::Key => "WHERE instrument = ?1",
             Self::SignedFile => "WHERE sha256 = unhex(?1)",
+            Self::Amendment => "WHERE certificate = ?1",
+            Self::Joined => {
+                "WHERE certificate || ' ' || role || ' ' || lower(hex(record_sha256)) = ?1"
+            }
         }
     }
 }

@@ -9,6 +9,7 @@
 //! | `records` | records as downloaded, with what lists and drift need |
 //! | `certificates` | what was issued: numbered, never changed |
 //! | `signed_files` | signed files of them, and who signed |
+//! | `amendments` | which certificate took the place of which, and of what records they are |
 //! | `check_standards` | sensors that are measured to watch the calibrator |
 //! | `people` | operators and instruments, as records name them |
 //! | `history` | drift of one sensor with its uncertainty |
@@ -21,6 +22,7 @@
 //! | `row` | a row of any table as bytes |
 //! | `table`, `parquet` | the whole logbook for other programs |
 
+mod amendments;
 mod certificates;
 mod check_standards;
 mod history;
@@ -39,6 +41,7 @@ mod store;
 mod table;
 pub mod waiting;
 
+pub use amendments::{Joined, Role, Sources};
 pub use certificates::{Issue, Issued};
 pub use check_standards::{Certified, CheckStandard};
 pub use history::{History, Result as HistoryResult};

@@ -103,6 +103,11 @@ impl Logbook {
                 self.take_certificate(&issued),
             )?;
         }
+        for (certificate, amended) in other.amendments()? {
+            let taken = self.take_amendment(&certificate, &amended);
+            merged.count(|merged| &mut merged.known, taken.map(|()| false))?;
+        }
+        self.take_joined(other)?;
         Ok(merged)
     }
 

@@ -1,12 +1,15 @@
 //! `calib certificate RECORD`: the certificate of a downloaded or stored record.
 
 use super::laboratory_key::{self, Password};
-use super::{Context, source, time};
+use super::source::{self, Found};
+use super::{Context, time};
 use calib_certificate::decision::Stated;
 use calib_certificate::{
     self as certificate, Existing, Format, Language, Mark, Options, Prepared, Seal, Verdict,
 };
-use calib_host::{Error, Result, assurance, issuing, judged, terminal};
+use calib_host::amendment::Amended;
+use calib_host::issuing::{self, Entries};
+use calib_host::{Error, Result, assurance, judged, terminal};
 use calib_logbook::Logbook;
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
@@ -22,11 +25,26 @@ use std::sync::Arc;
 pub(crate) struct CertificateVerb {
     /// File of a downloaded record, or the running number of one that is still
     /// in the calibrator (it is downloaded first).
-    #[arg(required_unless_present_any = ["write_template", "sensor"])]
+    #[arg(required_unless_present_any = ["write_template", "sensor", "amend"])]
     record: Option<PathBuf>,
     /// The latest record of this sensor in the logbook, instead of RECORD.
     #[arg(long, value_name = "SERIAL", conflicts_with = "record")]
     sensor: Option<String>,
+    /// Number of an issued certificate that this one takes the place of: made of its records, under a number
+    /// of its own, such as 17-A1 for 17.
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        requires = "reason",
+        conflicts_with = "sensor"
+    )]
+    amend: Option<String>,
+    /// What was wrong with it; the new one prints it.
+    #[arg(long, value_name = "TEXT", requires = "amend")]
+    reason: Option<String>,
+    /// Customer, in place of the one in the files of particulars.
+    #[arg(long, value_name = "NAME")]
+    customer: Option<String>,
     /// Directory for the files.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
@@ -96,23 +114,22 @@ impl CertificateVerb {
         if let Some(folder) = &self.write_template {
             return template(context, folder);
         }
-        let found = match (&self.sensor, &self.record) {
-            (Some(serial), _) => source::latest(context, serial)?,
-            // Required by the command line where no sensor is named.
-            (None, record) => {
-                let name = record.as_deref().unwrap_or(Path::new(""));
-                source::find(context, name, &self.out)?
-            }
-        };
-        let record = found.calibration()?;
         let mut logbook = context.logbook_if_there()?;
-        let options = Options {
+        let amended = self.amended(logbook.as_ref())?;
+        let found = self.found(context, logbook.as_ref().zip(amended.as_ref()))?;
+        let record = found.calibration()?;
+        let mut options = Options {
             chain: Some(found.standing),
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
             remounted: self.remounted(context)?,
             seal: self.seal(context)?,
             ..self.options(context, record, logbook.as_ref())?
         };
+        if let (Some(amended), Some(logbook)) = (&amended, &logbook) {
+            amended.state(&mut options.particulars);
+            amended.join(&mut options, logbook)?;
+        }
+        let entries = Entries::of(record, &options);
         let formats = match self.format.is_empty() {
             true => certificate::possible(record, &USUAL, &options.particulars),
             false => self.format,
@@ -121,11 +138,11 @@ impl CertificateVerb {
         if self.strict {
             complete(&prepared)?;
         }
-        let (digest, seal) = (certificate::digest(record), options.seal.as_ref());
+        let seal = options.seal.as_ref();
         let key = seal.map(|seal| &*seal.key);
         if let Some(logbook) = &logbook {
             let files = prepared.paths(&self.out);
-            for issue in issuing::issues(&prepared, &files, digest, key) {
+            for issue in entries.issues(&prepared, &files, key) {
                 logbook.may_issue(&issue)?;
             }
         }
@@ -134,7 +151,7 @@ impl CertificateVerb {
         let mut journal = None;
         if let Some(logbook) = &mut logbook {
             let now = i64::try_from(time::unix_time_s()).unwrap_or(0);
-            logbook.issue(&issuing::issues(&prepared, &files, digest, key), now)?;
+            logbook.issue(&entries.issues(&prepared, &files, key), now)?;
             journal = issuing::sign_journal(logbook, seal)?.remark();
         }
         if found.standing == Standing::Broken {
@@ -154,6 +171,31 @@ impl CertificateVerb {
         }
         print(context, files)?;
         passed(prepared.verdict.as_ref())
+    }
+
+    /// What is to be replaced.
+    fn amended(&self, logbook: Option<&Logbook>) -> Result<Option<Amended>> {
+        let (Some(number), Some(reason)) = (&self.amend, &self.reason) else {
+            return Ok(None);
+        };
+        let none = || {
+            let hint = "name the one it was issued from with --logbook or CALIB_LOGBOOK";
+            Error::input(format!("certificate {number}"), "there is no logbook", hint)
+        };
+        Amended::find(logbook.ok_or_else(none)?, number, reason).map(Some)
+    }
+
+    /// The record, by whatever names it.
+    fn found(&self, context: &Context, amended: Option<(&Logbook, &Amended)>) -> Result<Found> {
+        match (&self.sensor, &self.record, amended) {
+            (Some(serial), _, _) => source::latest(context, serial),
+            (None, Some(name), _) => source::find(context, name, &self.out),
+            (None, None, Some((logbook, amended))) => {
+                source::of_logbook(logbook, &amended.record(logbook)?)
+            }
+            // The command line asks for one of them.
+            (None, None, None) => source::find(context, Path::new(""), &self.out),
+        }
     }
 
     fn seal(&self, context: &Context) -> Result<Option<Seal>> {
@@ -183,6 +225,9 @@ impl CertificateVerb {
         let mut particulars = judged::particulars(&files, &record.head.labels, logbook)?;
         let stated = self.language.or(particulars.language);
         particulars.language = stated.or(context.defaults.language);
+        if let Some(customer) = &self.customer {
+            particulars.customer.name = Some(customer.clone());
+        }
         Ok(Options {
             particulars,
             existing: Existing::Keep,

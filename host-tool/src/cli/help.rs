@@ -72,7 +72,7 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                 "certificate",
                 [
                     "certificate 12 --particulars job.toml",
-                    "certificate --sensor LW12345 --language de --sign laboratory.p12",
+                    "certificate --amend 17 --reason \"name of the customer\" --customer \"B. Ltd\"",
                 ],
             ),
             (

@@ -4,7 +4,7 @@ use super::Context;
 use calib_files::file::Existing;
 use calib_host::{Error, Result, judged};
 use calib_link::session;
-use calib_logbook::Filter;
+use calib_logbook::{Filter, Logbook};
 use calib_protocol::change::{self, ReferenceChange};
 use calib_protocol::record::{self, Record, RecordError, RecordKind};
 use calib_record::hash_chain::{Evidence, Standing};
@@ -75,14 +75,18 @@ pub(super) fn latest(context: &Context, serial: &str) -> Result<Found> {
         ..Filter::default()
     };
     let newest = logbook.records(&of_sensor)?.into_iter().next();
-    let bytes = logbook.record(newest.ok_or_else(none)?.id)?;
-    let content = content(Path::new("record of the logbook"), &bytes)?;
+    of_logbook(&logbook, &logbook.record(newest.ok_or_else(none)?.id)?)
+}
+
+/// A record of the logbook, with those beside it there.
+pub(super) fn of_logbook(logbook: &Logbook, bytes: &[u8]) -> Result<Found> {
+    let content = content(Path::new("record of the logbook"), bytes)?;
     let head = match &content {
         Content::Calibration(record) => &record.head,
-        Content::ReferenceChange(_) => return Err(none()),
+        Content::ReferenceChange(change) => &change.head,
     };
     Ok(Found {
-        standing: judged::standing(head, &bytes, Some(&logbook))?,
+        standing: judged::standing(head, bytes, Some(logbook))?,
         content,
     })
 }

@@ -3,13 +3,13 @@
 
 use super::options::Options as House;
 use super::view::Shared;
-use crate::issuing::{self, Journal};
+use crate::amendment::Amended;
+use crate::issuing::{self, Entries, Journal};
 use crate::{Error, Result, assurance, judged};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
 use calib_certificate::{
-    self as certificate, Adjustment, Certificate, Format, Language, Options, Particulars, Prepared,
-    Seal,
+    self as certificate, Adjustment, Certificate, Format, Language, Options, Particulars, Seal,
 };
 use calib_logbook::Logbook;
 use calib_protocol::record::{self, Record, RecordError};
@@ -42,6 +42,10 @@ pub(super) struct Stated {
     issued: String,
     /// Who authorises it.
     approved_by: String,
+    /// Number of the issued certificate that this one takes the place of.
+    replaces: String,
+    /// What was wrong with that one.
+    reason: String,
 }
 
 impl Stated {
@@ -86,6 +90,13 @@ pub(super) struct Wanted {
     pub issues: bool,
 }
 
+impl Wanted {
+    /// Whether the logbook says so of what is given: what is looked at is a page.
+    pub(super) fn may_be_given(&self) -> bool {
+        self.issues || self.format == "html"
+    }
+}
+
 /// The certificate of a record's stored form.
 ///
 /// # Errors
@@ -98,27 +109,65 @@ pub(super) fn certificate(
     house: &House,
     shared: &Shared,
 ) -> Result<Response> {
+    let logbook = Logbook::open_if_there(&house.logbook)?;
+    made(stored, wanted, (house, shared), logbook, None)
+}
+
+/// A certificate in place of the one that is stated, from its records.
+///
+/// # Errors
+/// As [`certificate`], and [`Error::Input`] when that one was never issued or was replaced already.
+pub(super) fn amended(wanted: &Wanted, house: &House, shared: &Shared) -> Result<Response> {
+    let logbook = Logbook::open_existing(&house.logbook)?;
+    let Stated {
+        replaces, reason, ..
+    } = &wanted.stated;
+    let amended = Amended::find(&logbook, replaces, reason)?;
+    let stored = amended.record(&logbook)?;
+    made(
+        &stored,
+        wanted,
+        (house, shared),
+        Some(logbook),
+        Some(&amended),
+    )
+}
+
+fn made(
+    stored: &[u8],
+    wanted: &Wanted,
+    (house, shared): (&House, &Shared),
+    mut logbook: Option<Logbook>,
+    amended: Option<&Amended>,
+) -> Result<Response> {
     let unknown = |problem: String| Error::usage(problem, "");
     let format: Format = wanted.format.parse().map_err(unknown)?;
     let record = read(stored)?;
-    let logbook = Logbook::open_if_there(&house.logbook)?;
+    let kept = logbook.as_ref();
     let labels = &record.head.labels;
-    let mut particulars = judged::particulars(&house.particulars, labels, logbook.as_ref())?;
+    let mut particulars = judged::particulars(&house.particulars, labels, kept)?;
     wanted.stated.complete(&mut particulars)?;
-    let options = Options {
+    let mut options = Options {
         particulars,
-        chain: Some(judged::standing(&record.head, stored, logbook.as_ref())?),
-        failed_checks: assurance::failed_checks(logbook.as_ref(), &record)?,
-        as_found: wanted.stated.found(logbook.as_ref())?,
+        chain: Some(judged::standing(&record.head, stored, kept)?),
+        failed_checks: assurance::failed_checks(kept, &record)?,
+        as_found: wanted.stated.found(kept)?,
         seal: seal(house, wanted.issues)?,
         ..Options::default()
     };
+    if let (Some(amended), Some(logbook)) = (amended, kept) {
+        amended.state(&mut options.particulars);
+        amended.join(&mut options, logbook)?;
+    }
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
-    if let Some(logbook) = logbook
+    if let Some(logbook) = &mut logbook
         && wanted.issues
     {
-        let journal = enter(&prepared, stored, logbook, options.seal.as_ref())?;
-        tell(&journal, shared);
+        let paths = prepared.paths(Path::new(""));
+        let (entries, seal) = (Entries::of(&record, &options), options.seal.as_ref());
+        let issues = entries.issues(&prepared, &paths, seal.map(|seal| &*seal.key));
+        logbook.issue(&issues, jiff::Timestamp::now().as_second())?;
+        tell(&issuing::sign_journal(logbook, seal)?, shared);
     }
     let Some(file) = prepared.files.pop() else {
         return Err(Error::input("certificate", "is empty", "report this"));
@@ -170,20 +219,6 @@ pub(super) fn judged(
 fn read(stored: &[u8]) -> Result<Record> {
     let damaged = |error: RecordError| Error::input("record", error.to_string(), "run once more");
     record::decode(stored).map_err(damaged)
-}
-
-/// Enters what is given out, and signs the journal.
-fn enter(
-    prepared: &Prepared,
-    stored: &[u8],
-    mut logbook: Logbook,
-    seal: Option<&Seal>,
-) -> Result<Journal> {
-    let names: Vec<PathBuf> = prepared.files.iter().map(|f| (&f.name).into()).collect();
-    let key = seal.map(|seal| &*seal.key);
-    let issues = issuing::issues(prepared, &names, record::digest(stored), key);
-    logbook.issue(&issues, jiff::Timestamp::now().as_second())?;
-    issuing::sign_journal(&logbook, seal)
 }
 
 fn tell(journal: &Journal, shared: &Shared) {

@@ -11,6 +11,8 @@
 //! | `GET /api/refusals?language=de` | every reason of a refusal in words, and what to do |
 //! | `GET /api/judged` | results of the last run with the verdict; no certificate is issued |
 //! | `GET /api/certificate/html`, `/api/records/ID/certificate/html` | certificate of the last run, or of a record of the logbook, to look at |
+//! | `GET /api/certificates` | certificates that were issued, and which of them were replaced |
+//! | `GET /api/amended/html?replaces=NUMBER&reason=TEXT` | what would take the place of an issued certificate, to look at |
 //! | `POST` there, and to the other formats | the same issued: entered in the logbook; both take what [`Stated`] names |
 //! | `POST /api/connect` | `{"device"}` |
 //! | `POST /api/sensors` | what `calib sensors add` takes, or `{"teds"}` in hexadecimal: registers a sensor |
@@ -70,6 +72,11 @@ pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router
         .route(
             "/api/records/{id}/certificate/{format}",
             get(view).post(issue),
+        )
+        .route("/api/certificates", get(certificates))
+        .route(
+            "/api/amended/{format}",
+            get(view_amended).post(issue_amended),
         )
         .route("/api/connect", post(connect))
         .route("/api/run", post(run))
@@ -254,6 +261,43 @@ async fn issue(
     certificate(app, id, wanted(format, stated, true)).await
 }
 
+async fn certificates(State(app): State<App>) -> Result<Response, Failure> {
+    aside(move || {
+        let logbook = Logbook::open_if_there(&app.options.logbook)?;
+        let issued = logbook.map(|logbook| logbook.certificates()).transpose()?;
+        Ok(said(&issued.unwrap_or_default()))
+    })
+    .await
+}
+
+async fn view_amended(
+    State(app): State<App>,
+    Path(format): Path<String>,
+    Query(stated): Query<Stated>,
+) -> Result<Response, Failure> {
+    amended(app, wanted(format, stated, false)).await
+}
+
+async fn issue_amended(
+    State(app): State<App>,
+    Path(format): Path<String>,
+    Query(stated): Query<Stated>,
+    Json(_): Json<serde_json::Value>,
+) -> Result<Response, Failure> {
+    amended(app, wanted(format, stated, true)).await
+}
+
+async fn amended(app: App, wanted: Wanted) -> Result<Response, Failure> {
+    aside(move || match wanted.may_be_given() {
+        true => {
+            let options = &app.options;
+            documents::amended(&wanted, options, &app.handle.shared)
+        }
+        false => Ok(only_posted()),
+    })
+    .await
+}
+
 async fn last_certificate(app: App, wanted: Wanted) -> Result<Response, Failure> {
     aside(move || match app.handle.shared.record() {
         Some(stored) => document(&app, &stored, &wanted),
@@ -285,11 +329,15 @@ async fn certificate(app: App, id: i64, wanted: Wanted) -> Result<Response, Fail
 }
 
 fn document(app: &App, stored: &[u8], wanted: &Wanted) -> Result<Response, Error> {
-    if !wanted.issues && wanted.format != "html" {
-        let why = "this is given out by POST, and entered in the logbook";
-        return Ok((StatusCode::METHOD_NOT_ALLOWED, why).into_response());
+    if !wanted.may_be_given() {
+        return Ok(only_posted());
     }
     documents::certificate(stored, wanted, &app.options, &app.handle.shared)
+}
+
+fn only_posted() -> Response {
+    let why = "this is given out by POST, and entered in the logbook";
+    (StatusCode::METHOD_NOT_ALLOWED, why).into_response()
 }
 
 /// Does what takes its time beside the thread that answers: a stop never waits

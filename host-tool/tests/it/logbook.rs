@@ -24,7 +24,7 @@ pub(crate) fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
 }
 
 /// The same, days later.
-fn on_day(id: u32, sensor: &str, days: u64, factor: f32) -> Vec<u8> {
+pub(crate) fn on_day(id: u32, sensor: &str, days: u64, factor: f32) -> Vec<u8> {
     after(id, sensor, days * 86_400, factor)
 }
 
@@ -175,6 +175,8 @@ fn an_issued_certificate_is_never_changed() {
         content,
         record: digest(b"record"),
         signed: None,
+        joined: &[],
+        replaces: None,
     };
     logbook.issue(&[issue(b"one", "csv")], 10).expect("issued");
     logbook

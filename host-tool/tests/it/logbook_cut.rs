@@ -132,6 +132,8 @@ fn issue(logbook: &mut Logbook, number: &str, record: &[u8], issued_s: i64) {
         content: number.as_bytes(),
         record: digest(record),
         signed: None,
+        joined: &[],
+        replaces: None,
     };
     logbook.issue(&[issue], issued_s).expect("issued");
 }

@@ -37,6 +37,8 @@ fn kept(folder: &Path) -> PathBuf {
             content: number.as_bytes(),
             record: digest(&record),
             signed: None,
+            joined: &[],
+            replaces: None,
         };
         let both = [issue("pdf"), issue("csv")];
         logbook.issue(&both, 1_700_000_000).expect("issued");

@@ -48,6 +48,8 @@ fn issue(logbook: &mut Logbook, number: &str, content: &str, record: &[u8]) {
         content: content.as_bytes(),
         record: digest(record),
         signed: None,
+        joined: &[],
+        replaces: None,
     };
     logbook.issue(&[issue], 1_700_000_000).expect("issued");
 }

@@ -1,6 +1,7 @@
 //! The host tool against a calibrator in memory: a device that speaks the real
 //! protocol over a link that can damage, lose and add any byte.
 
+mod amended;
 mod bad_input;
 mod capture;
 mod certificate;

@@ -266,6 +266,7 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
         json["record_chain"].clone()
     };
     assert_eq!(chain(&json), "first");
+    amended_once(&server);
     assert_eq!(server.issue("/api/records/2/certificate/json").0, 400);
     let (status, why) = server.issue("/api/certificate/dcc");
     assert!(status == 400 && why.contains("country"), "{why}");
@@ -296,6 +297,28 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     let file = tool(&["certificate", "alone/two.calibrec", "--format", "json"]);
     let written = std::fs::read_to_string(folder.path().join(file.trim())).expect("written");
     assert_eq!(written, json);
+}
+
+/// What was wrong with an issued certificate is put right on the page: looked at, then issued under another number.
+fn amended_once(server: &Server) {
+    let issued = |server: &Server| -> Value {
+        serde_json::from_str(&server.get("/api/certificates").1).expect("JSON")
+    };
+    let old = issued(server)[0]["certificate"].clone();
+    let old = old.as_str().expect("a number");
+    let query = format!("replaces={old}&reason=customer&customer=B.%20Ltd");
+    let (status, page) = server.get(&format!("/api/amended/html?{query}"));
+    assert!(status == 200 && page.contains("B. Ltd"), "{status} {page}");
+    assert_eq!(server.get(&format!("/api/amended/json?{query}")).0, 405);
+    assert_eq!(issued(server)[0]["replaced_by"], Value::Null);
+    let (status, new) = server.issue(&format!("/api/amended/json?{query}"));
+    assert_eq!(status, 200, "{new}");
+    let new: Value = serde_json::from_str(&new).expect("JSON");
+    assert_eq!(new["certificate"], format!("{old}-A1"));
+    assert_eq!(new["replaces"]["certificate"], old);
+    assert_eq!(issued(server)[0]["replaced_by"], new["certificate"]);
+    let (status, why) = server.issue(&format!("/api/amended/json?replaces={old}&reason="));
+    assert!(status == 400 && why.contains("reason"), "{why}");
 }
 
 #[test]

@@ -99,6 +99,14 @@ fn core_data(xml: &mut Xml, certificate: &Certificate, needs: Needs<'_>, languag
         if let Some(issued) = particulars.calibration.issued {
             xml.leaf("dcc:issueDate", &issued.to_string());
         }
+        if let Some(amended) = &particulars.calibration.replaces {
+            // A whole new one in place of the old, which is withdrawn (7.8.8.3); the reason has no
+            // element of its own and is a statement.
+            xml.element("dcc:reportAmendedSubstituted", |xml| {
+                xml.leaf("dcc:typeOfChange", "substituted");
+                xml.leaf("dcc:replacedUniqueIdentifier", amended.certificate.trim());
+            });
+        }
     });
 }
 
@@ -208,6 +216,10 @@ fn statements(xml: &mut Xml, certificate: &Certificate, language: Language) {
                 &present::value(value, language),
                 language,
             );
+        }
+        if let Some(value) = of("replaces") {
+            let said = present::value(value, language);
+            statement(xml, None, "7.8.8", &said, language);
         }
         if let Some(value) = of("deviations") {
             statement(

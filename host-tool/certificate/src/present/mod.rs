@@ -27,6 +27,8 @@ pub struct Presented {
     pub number: String,
     /// DRAFT, SIMULATED, each with its reason.
     pub marks: Vec<(String, String)>,
+    /// Which certificate it replaces, and why.
+    pub amendment: Option<String>,
     /// Fixed words by their message key, dots replaced by underscores.
     pub words: BTreeMap<String, String>,
     /// Result at the reference point.
@@ -93,6 +95,9 @@ impl Presented {
             language: language.code(),
             number: certificate.number.clone(),
             marks: certificate.marks_in_words(language),
+            amendment: certificate
+                .statement("calibration", "replaces")
+                .map(|said| value(said, language)),
             words: language.words(),
             headline: headline::headline(certificate, language),
             sections: certificate

@@ -10,8 +10,16 @@ use calib_protocol::record::Record;
 
 pub(super) fn calibration(record: &Record, particulars: &Particulars) -> Section {
     let statement = statement(record, particulars);
-    let measurement = measurement(record);
-    Section::new("calibration", statement.into_iter().chain(measurement))
+    let lines = replaces(particulars).into_iter().chain(statement);
+    Section::new("calibration", lines.chain(measurement(record)))
+}
+
+/// Which certificate this one replaces, and why; one that replaces none lacks nothing.
+fn replaces(particulars: &Particulars) -> Option<Line> {
+    let amended = particulars.calibration.replaces.as_ref()?;
+    let values = [amended.certificate.clone(), amended.reason.clone()];
+    let said = phrase("replaces.value", &values);
+    Some(("replaces", clause::AMENDMENT, said))
 }
 
 /// Method, days, place and people.

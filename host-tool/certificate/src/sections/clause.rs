@@ -18,6 +18,8 @@ pub(super) const DAY: &str = "ISO/IEC 17025 7.8.2.1 i";
 pub(super) const ISSUED: &str = "ISO/IEC 17025 7.8.2.1 j";
 /// Deviations from the method.
 pub(super) const DEVIATIONS: &str = "ISO/IEC 17025 7.8.2.1 n";
+/// Which certificate it replaces, and why.
+pub(super) const AMENDMENT: &str = "ISO/IEC 17025 7.8.8";
 /// Who authorises the certificate.
 pub(super) const APPROVED: &str = "ISO/IEC 17025 7.8.2.1 o";
 /// Conditions that influence the results.

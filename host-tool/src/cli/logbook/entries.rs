@@ -222,7 +222,7 @@ fn certificate_table(issued: &[Issued]) -> String {
         table.row([
             certificate.number.to_string(),
             when(certificate.issued_s),
-            cut(&certificate.certificate, 32),
+            cut(&certificate.certificate, 34),
             certificate.format.clone(),
             certificate.sha256.chars().take(12).collect(),
             certificate
@@ -231,7 +231,20 @@ fn certificate_table(issued: &[Issued]) -> String {
                 .map_or(String::new(), |file| cut(&file.signed_by, 32)),
         ]);
     }
-    table.to_string()
+    let mut text = table.to_string();
+    for old in issued {
+        let line = replaced(old).unwrap_or_default();
+        if !text.contains(&line) {
+            text.push_str(&line);
+        }
+    }
+    text
+}
+
+/// That a certificate is no longer valid.
+fn replaced(old: &Issued) -> Option<String> {
+    let (by, why) = (old.replaced_by.as_ref()?, old.replaced_because.as_ref()?);
+    Some(format!("{} was replaced by {by}: {why}\n", old.certificate))
 }
 
 fn instrument_table(instruments: &[Instrument]) -> String {

@@ -101,7 +101,13 @@ impl Verify {
         let verified: Vec<_> = verified.collect::<Result<_>>()?;
         context.print(&verified, || verified.iter().map(Verified::text).collect())?;
         let open = verified.iter().filter(|one| one.proof != Proof::Proven);
+        let replaced = verified.iter().filter(|one| one.replaced_by().is_some());
         match open.count() {
+            0 if replaced.clone().count() > 0 => Err(Error::NotPassed(format!(
+                "{} of {} certificates were replaced and are no longer valid",
+                replaced.count(),
+                verified.len()
+            ))),
             0 => Ok(()),
             count => Err(Error::NotPassed(format!(
                 "{count} of {} files are not proven to be what they say",
@@ -142,11 +148,20 @@ impl Verified {
                 let (number, format) = (&issued.certificate, &issued.format);
                 let words = format!("; in the logbook as {format} of certificate {number}, {when}");
                 self.words.push_str(&words);
+                if let Some(by) = &issued.replaced_by {
+                    let no_more = format!("REPLACED by certificate No. {by}, not valid any more; ");
+                    self.words.insert_str(0, &no_more);
+                }
                 self.issued = Some(issued);
             }
             Err(error) => context.remark(&format!("the logbook was not asked: {error}")),
         }
         self
+    }
+
+    /// Number of the certificate that took the place of this one.
+    fn replaced_by(&self) -> Option<&str> {
+        self.issued.as_ref()?.replaced_by.as_deref()
     }
 
     fn text(&self) -> String {

@@ -1,4 +1,5 @@
 // The page shows what the server says and keeps nothing: every message is the whole view.
+import { show_amendment, show_issued } from "./issued.js";
 import * as live from "./live.js";
 import * as measurement from "./measurement.js";
 import { show_records } from "./records.js";
@@ -69,6 +70,7 @@ document.addEventListener("click", async (event) => {
   if (!link || !link.href.startsWith(location.origin)) return;
   event.preventDefault();
   refuse(await save(link));
+  show_issued();
 });
 $("connect").addEventListener("submit", (event) => {
   event.preventDefault();
@@ -118,6 +120,7 @@ for (const id of stated) {
   $(id).addEventListener("change", () => {
     if (last) measurement.show(last.run);
     show_records();
+    show_amendment();
   });
 }
 $("enlarge").addEventListener("click", () => {
@@ -169,6 +172,7 @@ async function show_lists() {
   measurement.know(await load_at(certificate("api/refusals")));
   show_sensors();
   show_records();
+  show_issued();
 }
 
 async function fill() {

@@ -7,12 +7,12 @@ export const url = (path) => path + (token ? "?token=" + encodeURIComponent(toke
 /** What the form states on certificates, by the names the server knows. */
 export const stated = ["customer", "ambient_temperature_c", "humidity_percent", "adjustment", "as_found", "issued", "approved_by"];
 
-/** Address of a certificate, or of results, with what the form states on it and the language of the page. The
+/** Address of a certificate, or of results, with what the form and `more` state on it and the language of the page. The
  *  record from before an adjustment belongs to the last run alone. */
-export function certificate(path) {
-  const is_last = !path.startsWith("api/records");
+export function certificate(path, more = {}) {
+  const is_last = !/^api\/(records|amended)/.test(path);
   const values = stated.filter((id) => is_last || id !== "as_found").map((id) => [id, document.getElementById(id).value.trim()]);
-  const query = new URLSearchParams([["token", token], ["language", current()], ...values].filter(([, value]) => value));
+  const query = new URLSearchParams([["token", token], ["language", current()], ...values, ...Object.entries(more)].filter(([, value]) => value));
   return path + "?" + query;
 }
 
