@@ -1,8 +1,8 @@
 //! Judges the results of a certificate by specification and rule.
 
-use super::model::{Certificate, Line, Remark, Section, Severity, Value};
+use super::model::{Certificate, Line, PointValues, Remark, Section, Severity, Value};
 use crate::decision::specification::Name;
-use crate::decision::{Assessment, Decision, Place, Rule, Specification, assess};
+use crate::decision::{Assessment, Base, Decision, Place, Rule, Specification, assess};
 use crate::units::STANDARD_GRAVITY_MS2;
 
 /// Judges every point that has a result, if a decision is asked for, and adds
@@ -39,27 +39,54 @@ fn judge(certificate: &mut Certificate, decision: &Decision) {
     let index_of_reference = certificate.reference;
     let Some(reference) = reference else { return };
     for (index, point) in certificate.points.iter_mut().enumerate() {
-        let at_reference = Some(index) == index_of_reference;
-        let limits = decision.specification.limits(Place {
+        let place = Place {
             frequency_hz: point.nominal_frequency_hz,
-            at_reference_point: at_reference,
+            at_reference_point: Some(index) == index_of_reference,
             reference_v_per_ms2: reference,
-        });
-        let (Some(limits), Ok(values)) = (limits, point.outcome.as_mut()) else {
-            continue;
         };
-        let value = values.sensitivity_v_per_ms2;
-        let expanded = value * values.expanded_uncertainty_percent / 100.0;
-        let judged = assess(
-            decision.rule,
-            limits,
-            value,
-            expanded,
-            values.coverage_factor,
-        );
-        values.assessment = Some(judged);
+        if let Ok(values) = point.outcome.as_mut() {
+            values.assessment = judged(decision, place, values);
+        }
     }
 }
+
+/// Judges by every base of the tolerance with the uncertainty of what is compared: of a deviation from the reference
+/// point that of the deviation, in which what both points share cancels; else that of the sensitivity. The worse
+/// statement counts.
+fn judged(decision: &Decision, place: Place, values: &PointValues) -> Option<Assessment> {
+    let specification = &decision.specification;
+    let value = values.sensitivity_v_per_ms2;
+    let by = |limits, percent_v_per_ms2: f64, percent: f64, factor| {
+        let expanded = percent_v_per_ms2 * percent / 100.0;
+        assess(decision.rule, limits, value, expanded, factor)
+    };
+    let own = (values.expanded_uncertainty_percent, values.coverage_factor);
+    let others = specification.limits_of(place, |base| base != Base::Reference);
+    let others = others.map(|limits| by(limits, value, own.0, own.1));
+    let deviation = values.deviation.and_then(|deviation| deviation.uncertainty);
+    let of_deviation = match deviation {
+        // The reference point deviates by nothing from itself, whatever its U.
+        _ if place.at_reference_point => (place.reference_v_per_ms2, CERTAIN_PERCENT, 2.0),
+        Some(u) => (
+            place.reference_v_per_ms2,
+            u.expanded_percent,
+            u.coverage_factor,
+        ),
+        None => (value, own.0, own.1),
+    };
+    let relative = specification.limits_of(place, |base| base == Base::Reference);
+    let relative =
+        relative.map(|limits| by(limits, of_deviation.0, of_deviation.1, of_deviation.2));
+    let tolerance = specification.limits(place)?;
+    let worse = match (others, relative) {
+        (Some(one), Some(other)) => one.and(other),
+        (one, other) => one.or(other)?,
+    };
+    Some(Assessment { tolerance, ..worse })
+}
+
+/// U of what is certain, %: above zero, which a distribution needs.
+const CERTAIN_PERCENT: f64 = 1e-9;
 
 fn statement(certificate: &Certificate, decision: &Decision) -> Section {
     let judged: Vec<Assessment> = certificate

@@ -146,3 +146,57 @@ fn the_deviation_has_an_uncertainty_without_what_is_common() {
         "{careful}"
     );
 }
+
+/// What both points share cancels in a deviation: judged by U of S, a sensor well within its response was not passed.
+#[test]
+fn a_response_is_judged_by_the_uncertainty_of_the_deviation() {
+    let mut two = record(&[160.0, 1000.0]);
+    two.points[1].sensitivity_v_per_ms2 = two.points[0].sensitivity_v_per_ms2 * 1.01;
+    let stated = |decision: &str| {
+        json(
+            &two,
+            particulars(&format!("[decision]\nrule = 'guard_band'\n{decision}")),
+        )
+    };
+    let point = &stated("specification = 'relative'\ntolerance_percent = 90")["points"][1];
+    let number = |key: &str| 100.0 * point[key].as_f64().expect(key);
+    let (u, u_deviation) = (
+        number("expanded_uncertainty_rel"),
+        number("expanded_uncertainty_deviation_rel"),
+    );
+    assert!(u_deviation < 0.8 * u, "{u_deviation} {u}");
+    // The guard band of U of the deviation is kept, that of U of S is not.
+    let between = number("deviation_rel") + 0.5 * (u + u_deviation);
+    let relative = stated(&format!(
+        "specification = 'relative'\ntolerance_percent = {between}"
+    ));
+    assert_eq!(relative["points"][1]["conformity"], "pass");
+    assert_eq!(
+        relative["points"][0]["conformity"], "pass",
+        "the reference point is no deviation"
+    );
+    // Of the nominal sensitivity it is U of S that counts.
+    let nominal = 1e3
+        * relative["points"][0]["sensitivity_v_per_ms2"]
+            .as_f64()
+            .expect("S");
+    let nominal = stated(&format!(
+        "specification = 'nominal'\ntolerance_percent = {between}\nnominal_mv_per_ms2 = {nominal}"
+    ));
+    assert_eq!(nominal["points"][1]["conformity"], "conditional_pass");
+    // Both at once: the worse.
+    let both = stated(&format!(
+        "specification = 'both'\nnominal_mv_per_ms2 = {0}\n[[decision.band]]\nfrom_hz = 1\nto_hz = 1e4\nbase = 'nominal'\n\
+         lower_percent = -{between}\nupper_percent = {between}\n[[decision.band]]\nfrom_hz = 1\nto_hz = 1e4\n\
+         base = 'reference'\nlower_percent = -{between}\nupper_percent = {between}",
+        1e3 * relative["points"][0]["sensitivity_v_per_ms2"]
+            .as_f64()
+            .expect("S")
+    ));
+    assert_eq!(both["points"][1]["conformity"], "conditional_pass");
+    let because = relative["verdict"]["because"].as_str().expect("words");
+    assert!(
+        because.contains("of the reference point") || because.contains("reference"),
+        "{because}"
+    );
+}

@@ -132,7 +132,14 @@ impl Decisive<'_> {
 
     fn words(&self, language: Language) -> String {
         let at = language.shortest(self.point.nominal_frequency_hz);
-        let (uncertainty, decimals) = self.values.printed_uncertainty_percent;
+        let deviation = self
+            .values
+            .deviation
+            .filter(|_| self.band.base == Base::Reference);
+        let of_deviation =
+            deviation.and_then(|d| Some((d.uncertainty?.printed_percent, d.decimals)));
+        let (uncertainty, decimals) =
+            of_deviation.unwrap_or(self.values.printed_uncertainty_percent);
         let uncertainty = language.number(uncertainty, decimals);
         let limit = limit(self.band, language);
         let of = language.word(base(self.band.base));

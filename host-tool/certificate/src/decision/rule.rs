@@ -138,6 +138,27 @@ pub struct Assessment {
     pub false_reject: Option<f64>,
 }
 
+impl Assessment {
+    /// Both at once: the worse statement. Accepted is what both accept, wrongly at most as often as both together;
+    /// rejected is what one rejects, wrongly at most as often as each.
+    pub(crate) fn and(self, other: Self) -> Self {
+        let conformity = self.conformity.max(other.conformity);
+        let accepted = self.false_accept.zip(other.false_accept);
+        let rejected = [self.false_reject, other.false_reject];
+        let judged = conformity != Conformity::NotJudgeable;
+        Self {
+            conformity,
+            false_accept: accepted.map(|(one, two)| (one + two).min(1.0)),
+            false_reject: rejected
+                .into_iter()
+                .flatten()
+                .filter(|_| judged)
+                .reduce(f64::min),
+            ..self
+        }
+    }
+}
+
 /// Judges `value` with expanded uncertainty `expanded` and its factor.
 ///
 /// Where U is so large that the rule could accept no result at all, nothing is

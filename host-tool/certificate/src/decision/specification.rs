@@ -109,7 +109,13 @@ impl Specification {
     /// Limits of the sensitivity, V/(m/s2), at a frequency; `None` where
     /// nothing is specified. Of a base that is not known no limit is a number.
     pub fn limits(&self, place: Place) -> Option<Limits> {
-        let limits = self.bands_at(place).map(|(band, base)| band.around(base));
+        self.limits_of(place, |_| true)
+    }
+
+    /// The same, of bands with these bases alone.
+    pub fn limits_of(&self, place: Place, wanted: impl Fn(Base) -> bool) -> Option<Limits> {
+        let bands = self.bands_at(place).filter(|(band, _)| wanted(band.base));
+        let limits = bands.map(|(band, base)| band.around(base));
         limits.reduce(|a, b| Limits {
             // Not a number stays none.
             lower: if a.lower > b.lower || a.lower.is_nan() {
