@@ -5,6 +5,7 @@ use crate::bench::Fault;
 use calib_host::emulated::EmulatedBoard;
 use calib_twin::rig::Rig;
 use calib_twin::runner::{Door, HostLine, TcpDoor, run_paced};
+use std::collections::VecDeque;
 use std::io;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, mpsc};
@@ -27,23 +28,37 @@ struct Shared {
     behind_us: AtomicU64,
 }
 
+/// Steps of the board that are remembered: more than [`REST`] has.
+const REMEMBERED: usize = 64;
+
+/// When a step of the board was over.
+#[derive(Clone, Copy)]
+struct Step {
+    virtual_time: Duration,
+    /// By the wall, since 1970.
+    at: Duration,
+    /// How far the board was behind the wall.
+    behind: Duration,
+}
+
 impl Shared {
-    /// `behind`: how far the board is behind the wall.
-    fn look(&self, silent: Duration, behind: Duration) {
+    /// After the last of these steps the drive has rested for `silent`. The rest began in one of them: a computer
+    /// that is busy may take long from there to this look.
+    fn look(&self, silent: Duration, steps: &VecDeque<Step>) {
         self.silent_ms
             .store(whole(silent.as_millis()), Ordering::SeqCst);
-        let began = self.rest_began_us.load(Ordering::SeqCst);
-        if silent < REST {
+        let Some(last) = steps.back().filter(|_| silent >= REST) else {
             self.rest_began_us.store(0, Ordering::SeqCst);
-        } else if began == 0 {
-            let now = SystemTime::now()
-                .duration_since(UNIX_EPOCH)
-                .unwrap_or_default();
-            let began = now.saturating_sub(silent);
+            return;
+        };
+        if self.rest_began_us.load(Ordering::SeqCst) == 0 {
+            let began = last.virtual_time.saturating_sub(silent);
+            let in_it = |step: &&Step| step.virtual_time >= began;
+            let first = steps.iter().find(in_it).unwrap_or(last);
             self.behind_us
-                .store(whole(behind.as_micros()), Ordering::SeqCst);
+                .store(whole(first.behind.as_micros()), Ordering::SeqCst);
             self.rest_began_us
-                .store(whole(began.as_micros()), Ordering::SeqCst);
+                .store(whole(first.at.as_micros()), Ordering::SeqCst);
         }
     }
 }
@@ -95,8 +110,8 @@ impl Live {
 
     /// Since when, as time since 1970, the drive output has rested; `None` while it moves.
     ///
-    /// Seen within milliseconds where the computer keeps the board at pace; where it does not, later by
-    /// what [`Self::behind_at_rest`] says, and never earlier than it was.
+    /// The end of the step of the board in which it began, a millisecond; where the computer does not keep the board
+    /// at pace, later by what [`Self::behind_at_rest`] says, and never earlier than it was.
     pub fn at_rest_since(&self) -> Option<Duration> {
         let began = self.shared.rest_began_us.load(Ordering::SeqCst);
         (began != 0).then_some(Duration::from_micros(began))
@@ -125,12 +140,19 @@ fn run(
     let board = EmulatedBoard::power_on_calibrated(rig, None)?;
     let socket = Socket::new(Arc::clone(shared))?;
     let silent = board.emulator().silent_for();
-    shared.look(silent.unwrap_or_default(), Duration::ZERO);
+    let now = || SystemTime::now().duration_since(UNIX_EPOCH);
+    let mut steps = VecDeque::from([Step {
+        virtual_time: Duration::ZERO,
+        at: now()?,
+        behind: Duration::ZERO,
+    }]);
+    shared.look(silent.unwrap_or_default(), &steps);
     ready.send(Ok(socket.address()))?;
     let line = board.emulator().serial().clone();
     let mut doors: [Box<dyn Door>; 1] = [Box::new(socket)];
     // What was given up as lost since the last look was behind before.
     let mut lost = Duration::ZERO;
+    let begun = now()?;
     run_paced(
         &mut board.emulator(),
         &line,
@@ -138,7 +160,15 @@ fn run(
         |emulator, pace| {
             let behind = pace.wall_time.saturating_sub(pace.virtual_time + lost);
             lost = pace.lost;
-            shared.look(emulator.silent_for().unwrap_or_default(), behind);
+            steps.push_back(Step {
+                virtual_time: pace.virtual_time,
+                at: begun + pace.wall_time,
+                behind,
+            });
+            if steps.len() > REMEMBERED {
+                steps.pop_front();
+            }
+            shared.look(emulator.silent_for().unwrap_or_default(), &steps);
             !shared.ended.load(Ordering::SeqCst)
         },
     )?;

@@ -108,6 +108,14 @@ fn begin(page: &Browser, live: &Live) -> Result<(), Fault> {
 fn stop(page: &Browser, live: &Live) -> Result<Duration, Fault> {
     page.click("#stop")?;
     page.wait_for_text("#state", "stopped")?;
+    // That it is stopped comes by the page's channel; what the page says of its own click may come after it.
+    let begun = Instant::now();
+    while page.value("document.getElementById('stop').classList.contains('sent')")? == true {
+        if begun.elapsed() > PATIENCE {
+            return Err("the page never says what became of the click".into());
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
     let clicked_ms = page.value("window.clicked_ms")?.as_f64();
     let clicked = Duration::from_secs_f64(clicked_ms.ok_or("no click")? / 1e3);
     let rest = live.at_rest_since().ok_or("told as stopped, and moves")?;
