@@ -18,6 +18,7 @@
 //! | [`control_chart`], [`common_drift`] | check standards, alone and together | ISO 7870-2, ILAC-G24 |
 //! | [`channel_ratio`] | ratio of the two channels, with one source at both | ISO 16063-21 clause 6 |
 //! | [`check`] | a record against Tables 1 to 6 and clause 7 | ISO 16063-21 |
+//! | [`reference`] | a certificate of the reference: DCC or CSV | DCC 3.x, D-SI |
 //! | [`teds`] | what an accelerometer says about itself | IEEE 1451.4 |
 //! | [`statistics`] | quantiles | |
 //!
@@ -44,6 +45,7 @@ pub mod oscillator;
 pub mod phase5347;
 pub mod predict;
 pub mod record;
+pub mod reference;
 pub mod sensitivity;
 pub mod shock;
 pub mod statistics;

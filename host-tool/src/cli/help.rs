@@ -201,6 +201,13 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                 ["settings", "settings --write settings.toml --operator N."],
             ),
             (
+                "reference",
+                [
+                    "reference K-2026-17.dcc.xml --due 2028-05-04",
+                    "reference table.csv --write --operator N.",
+                ],
+            ),
+            (
                 "adjust",
                 ["adjust ratio", "adjust ratio --write --operator N."],
             ),

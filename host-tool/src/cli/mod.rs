@@ -38,6 +38,7 @@ mod points;
 mod predict;
 mod progress;
 mod records;
+mod reference;
 mod release;
 mod remount;
 mod risk;
@@ -122,6 +123,8 @@ pub(crate) enum Command {
     Run(run::Run),
     /// Prints or replaces the calibrator's settings.
     Settings(settings::Settings),
+    /// Reads the certificate of the reference: shows it beside what is in force, and stores it.
+    Reference(reference::Reference),
     /// Measures what the channels differ by, and takes it away.
     Adjust(adjust::Adjust),
     /// Waveforms of both channels: d.c., harmonics, noise, spectrum.
@@ -209,6 +212,7 @@ impl Command {
             Self::Update(verb) => verb.run(context),
             Self::Run(verb) => verb.run(context),
             Self::Settings(verb) => verb.run(context),
+            Self::Reference(verb) => verb.run(context),
             Self::Adjust(verb) => verb.run(context),
             Self::Capture(verb) => verb.run(context),
             Self::Stop(verb) => verb.run(context),

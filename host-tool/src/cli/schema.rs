@@ -7,8 +7,8 @@ use super::{
     logbook,
 };
 use super::{
-    identify, key, linking, phase, predict, release, risk, run, sensitivity, serve, sign, stop,
-    sync, update, verify, version,
+    identify, key, linking, phase, predict, reference, release, risk, run, sensitivity, serve,
+    sign, stop, sync, update, verify, version,
 };
 use calib_certificate::Document;
 use calib_core::settings::Settings;
@@ -132,6 +132,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<Vec<ListPoint>>("points"),
         of::<predict::Output>("predict"),
         of::<Vec<RecordView>>("records"),
+        of::<reference::Output>("reference"),
         of::<release::Released>("release"),
         of::<Vec<risk::Row>>("risk"),
         of::<run::RunResult>("run"),

@@ -4,10 +4,12 @@ mod capture;
 mod change;
 mod history;
 mod record;
+mod reference;
 mod verdict;
 
 pub use capture::show as show_capture;
 pub use change::show_change;
 pub use history::show as show_history;
 pub use record::show;
+pub use reference::show as reference;
 pub use verdict::show as verdict;

@@ -20,6 +20,7 @@ mod logbook_sealed;
 mod memory_link;
 mod odd_use;
 mod python;
+mod reference;
 mod refusals;
 mod run;
 mod schema;
