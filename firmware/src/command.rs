@@ -8,6 +8,7 @@ use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::health::{Defect, Health};
+use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, Response, RunSpec, SettingsChange, Status,
 };
@@ -87,6 +88,10 @@ pub trait Instrument {
     fn image(&mut self) -> Option<RunningImage>;
     /// Carries out a step of an update; `older_allowed` where a hand allows an image that is older.
     fn update(&mut self, step: &UpdateStep, older_allowed: bool) -> Result<(), Refusal>;
+    /// The list at this place, from 0.
+    async fn list(&mut self, place: u8) -> Result<Option<KeptList>, Refusal>;
+    /// Changes the lists, if they are not so already; `held` where a hand allows it.
+    async fn change_lists(&mut self, change: &ListChange, held: bool) -> Result<(), Refusal>;
 }
 
 /// Carries out `request`; a reset is left to the caller, who answers first.
@@ -167,6 +172,14 @@ async fn carry_out(
             update(&step, instrument)?;
             Response::Done
         }
+        Request::List { place } => {
+            instrument.ready().await?;
+            Response::List(instrument.list(place).await?)
+        }
+        Request::ChangeLists(change) => {
+            change_lists(&change, instrument).await?;
+            Response::Done
+        }
     })
 }
 
@@ -192,6 +205,19 @@ fn update(step: &UpdateStep, instrument: &mut impl Instrument) -> Result<(), Ref
     let begins = matches!(step, UpdateStep::Begin { .. });
     let older_allowed = begins && instrument.button_held();
     instrument.update(step, older_allowed)
+}
+
+/// What the lamps say rests on a list: it changes only under a hand, as settings do.
+pub async fn change_lists(
+    change: &ListChange,
+    instrument: &mut impl Instrument,
+) -> Result<(), Refusal> {
+    if !change.is_usable() {
+        return Err(Refusal::List);
+    }
+    // Asked first: a short press for what is so already is no tap either.
+    let held = instrument.button_held();
+    instrument.change_lists(change, held).await
 }
 
 /// There is no setting that shapes neither a result, nor its uncertainty, nor a

@@ -17,6 +17,7 @@ use calib_firmware::session::LinkName;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::health::{Defect, Health};
+use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, SettingsChange, Status};
 use calib_protocol::signature::DeviceKey;
 use calib_protocol::update::{RunningImage, UpdateStep};
@@ -222,6 +223,17 @@ impl Instrument for Calibrator {
 
     fn update(&mut self, step: &UpdateStep, older_allowed: bool) -> Result<(), Refusal> {
         update::carry_out(step, older_allowed)
+    }
+
+    async fn list(&mut self, place: u8) -> Result<Option<KeptList>, Refusal> {
+        self.archive.list(place)
+    }
+
+    async fn change_lists(&mut self, change: &ListChange, held: bool) -> Result<(), Refusal> {
+        if state::status().state.is_running() {
+            return Err(Refusal::Busy);
+        }
+        self.archive.change_lists(change, held).await
     }
 
     fn capture(&mut self, pairs: u16) -> Result<(), Refusal> {

@@ -220,6 +220,7 @@ mod tests {
     use calib_core::settings::Settings;
     use calib_protocol::capture::CapturePart;
     use calib_protocol::health::Health;
+    use calib_protocol::lists::{KeptList, ListChange};
     use calib_protocol::message::{Info, RunSpec, SettingsChange, Status};
     use calib_protocol::record::RunLabels;
     use calib_protocol::signature::DeviceKey;
@@ -300,6 +301,12 @@ mod tests {
         }
         fn update(&mut self, _: &UpdateStep, _: bool) -> Result<(), Refusal> {
             Err(Refusal::NoLoader)
+        }
+        async fn list(&mut self, _: u8) -> Result<Option<KeptList>, Refusal> {
+            Ok(None)
+        }
+        async fn change_lists(&mut self, _: &ListChange, _: bool) -> Result<(), Refusal> {
+            unreachable!("nobody holds the button")
         }
     }
 

@@ -72,7 +72,8 @@ fn changes(request: &Request) -> bool {
         | Request::Capture { .. }
         | Request::SelfTest
         | Request::MakeKey
-        | Request::Update(_) => true,
+        | Request::Update(_)
+        | Request::ChangeLists(_) => true,
         Request::Info
         | Request::Status
         | Request::Point { .. }
@@ -84,7 +85,8 @@ fn changes(request: &Request) -> bool {
         | Request::ReadCapture { .. }
         | Request::Health
         | Request::Key
-        | Request::Image => false,
+        | Request::Image
+        | Request::List { .. } => false,
     }
 }
 
@@ -120,6 +122,7 @@ mod tests {
             Request::ReadCapture { offset: 0 },
             Request::Health,
             Request::Image,
+            Request::List { place: 0 },
             Request::Stop,
             Request::StopRun { record_id: 7 },
         ] {

@@ -20,6 +20,7 @@ pub mod frame;
 pub mod head;
 pub mod health;
 pub mod kind;
+pub mod lists;
 pub mod message;
 pub mod provenance;
 pub mod record;

@@ -22,9 +22,12 @@
 //! | `MakeKey` | `Key` or `Refused` | key/make |
 //! | `Image` | `Image` | image/get |
 //! | `Update` | `Done` or `Refused` | image/update |
+//! | `List` | `List` or `Refused` | list/get |
+//! | `ChangeLists` | `Done` or `Refused` | list/set |
 
 use crate::capture::CapturePart;
 use crate::health::{Defects, Health};
+use crate::lists::{KeptList, ListChange};
 use crate::record::{MAX_POINTS, RecordSummary, RunLabels};
 use crate::signature::DeviceKey;
 use crate::update::{RunningImage, UpdateStep};
@@ -116,6 +119,13 @@ pub enum Request {
     /// A step of an update. Not while a run goes on; an image older than the one that runs needs the
     /// button held at `Begin`.
     Update(UpdateStep),
+    /// A list kept on the instrument.
+    List {
+        /// Its place, from 0.
+        place: u8,
+    },
+    /// Store, remove or choose a list. It needs the button held: a list decides what the lamps say.
+    ChangeLists(ListChange),
 }
 
 /// Answer of the calibrator.
@@ -177,6 +187,8 @@ pub enum Response {
     Key(Option<DeviceKey>),
     /// Answer to `Image`; none: no loader has checked it.
     Image(Option<RunningImage>),
+    /// Answer to `List`; none: no list has this place.
+    List(Option<KeptList>),
 }
 
 /// Protocol version in an `Info` answer of any version, from its message bytes.
@@ -255,6 +267,13 @@ pub enum Refusal {
     UpdateOrder,
     /// What was written is not the image of the manifest.
     ImageDamaged,
+    /// The list cannot be measured or judged: a value is out of its range, a name, a point or a tolerance is
+    /// missing, or a nominal sensitivity that a tolerance is stated of.
+    List,
+    /// There is no room for another list.
+    ListsFull,
+    /// There is no list of this name.
+    ListUnknown,
 }
 
 /// New settings, and what the log of a change says of it.

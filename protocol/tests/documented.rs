@@ -2,9 +2,11 @@
 
 use calib_core::point::ExcitationKind;
 use calib_core::settings::{MAX_INFLUENCES, MAX_REFERENCE_POINTS, Settings};
+use calib_core::stored_list::{MAX_BANDS, MAX_LIST_POINTS, MAX_LISTS};
 use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, MAX_FRAME, MAX_MESSAGE, PROTOCOL_VERSION, encode};
 use calib_protocol::health::{Defects, Health};
+use calib_protocol::lists::ListChange;
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, Status,
 };
@@ -103,6 +105,10 @@ fn the_table_lists_every_request_with_its_number() {
         Request::MakeKey,
         Request::Image,
         Request::Update(UpdateStep::Finish),
+        Request::List { place: 0 },
+        Request::ChangeLists(ListChange::Choose {
+            name: heapless::String::new(),
+        }),
     ];
     assert_eq!(rows("request"), requests.each_ref().map(variant));
     expect_no_more::<Request>(requests.len());
@@ -144,6 +150,7 @@ fn the_table_lists_every_answer_with_its_number() {
         },
         Response::Key(None),
         Response::Image(None),
+        Response::List(None),
     ];
     assert_eq!(rows("answer"), answers.each_ref().map(variant));
     expect_no_more::<Response>(answers.len());
@@ -178,6 +185,9 @@ fn the_table_lists_every_reason_with_its_number() {
         Refusal::ImageOnTrial,
         Refusal::UpdateOrder,
         Refusal::ImageDamaged,
+        Refusal::List,
+        Refusal::ListsFull,
+        Refusal::ListUnknown,
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     expect_no_more::<Refusal>(reasons.len());
@@ -225,6 +235,9 @@ fn the_limits_and_versions_are_those_of_the_code() {
             MAX_REFERENCE_POINTS.to_string(),
         ),
         ("influence quantities", MAX_INFLUENCES.to_string()),
+        ("lists kept", MAX_LISTS.to_string()),
+        ("points of a list that is kept", MAX_LIST_POINTS.to_string()),
+        ("bands of its tolerance", MAX_BANDS.to_string()),
     ] {
         let row = format!("| {what} | {limit} |");
         assert!(PAGE.contains(&row), "{row}");

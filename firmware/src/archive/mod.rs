@@ -39,6 +39,8 @@ pub use state::State;
 
 use crate::device_key::DeviceKey;
 use calib_core::settings::Settings;
+use calib_core::stored_list::StoredLists;
+use calib_protocol::lists::{self, KeptList};
 use calib_protocol::message::Refusal;
 use calib_protocol::provenance::LoggedChange;
 use calib_protocol::record::{Record, RecordKind};
@@ -80,6 +82,10 @@ pub struct Memory<'m> {
     pub scratch: &'m mut [u8; MAX_ITEM],
     /// The record to be stored.
     pub record: &'m mut Record,
+    /// The lists a tap of the button may measure.
+    pub lists: &'m mut StoredLists,
+    /// Those before a change that may fail.
+    pub lists_before: &'m mut StoredLists,
     /// Where the flash was used last.
     pub last_access: &'m LastAccess,
     /// Settings of an instrument that was never told any.
@@ -192,6 +198,7 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
 
     async fn scan(&mut self) -> Result<(), ArchiveError> {
         self.memory.directory.clear();
+        self.memory.lists.clear();
         let mut items = self.queue.iter().await?;
         while let Some(item) = items.next(self.memory.scratch).await? {
             // To read the whole area takes longer than others can wait.
@@ -249,6 +256,11 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
                         continue;
                     };
                     self.settings_unreadable = false;
+                    if let Some(content) = state::lists_in(form, body)
+                        && lists::read(content, self.memory.lists).is_err()
+                    {
+                        self.memory.lists.clear();
+                    }
                     let Some(settings) = body.get(range.clone()) else {
                         continue;
                     };
@@ -284,6 +296,20 @@ impl<'m, F: CheckedFlash> Archive<'m, F> {
         Some(PublicDeviceKey {
             public: key.public(),
             since: secret.since,
+        })
+    }
+
+    /// The lists a tap of the button may measure.
+    pub fn lists(&self) -> &StoredLists {
+        self.memory.lists
+    }
+
+    /// The list at this place, from 0.
+    pub fn list(&self, place: u8) -> Option<KeptList> {
+        let list = self.lists().all().get(usize::from(place))?;
+        Some(KeptList {
+            list: list.clone(),
+            chosen: self.lists().chosen() == Some(list),
         })
     }
 

@@ -2,7 +2,9 @@
 
 use crate::device_key::Secret;
 use calib_core::settings::Settings;
+use calib_core::stored_list::StoredLists;
 use calib_protocol::form1;
+use calib_protocol::lists;
 use calib_protocol::provenance::{LoggedChange, Provenance, settings_digest};
 use calib_protocol::record::{RecordError, Sha256Sum};
 use calib_protocol::sections::{Fields, find, needed, section};
@@ -33,13 +35,15 @@ const COUNTERS: u8 = 1;
 const SETTINGS: u8 = 2;
 const PROVENANCE: u8 = 3;
 const SECRET: u8 = 4;
+const LISTS: u8 = 5;
 
 /// How a state item is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     /// Version 1: [`Counters`], then settings of version 1. Read, and written no more.
     Plain,
-    /// Version 2: sections 1, [`Counters`], 2, settings, 3, [`Provenance`], and 4, [`Secret`], where there is one.
+    /// Version 2: sections 1, [`Counters`], 2, settings, 3, [`Provenance`], 4, [`Secret`], where there is one,
+    /// and 5, [`lists`].
     Sections,
 }
 
@@ -168,8 +172,12 @@ impl State {
         Ok((state, range))
     }
 
-    /// Writes an item of version 2; where its settings lie, and its length.
-    pub(super) fn write(&self, buffer: &mut [u8]) -> Option<(Range<usize>, usize)> {
+    /// Writes an item of version 2, with these lists; where its settings lie, and its length.
+    pub(super) fn write(
+        &self,
+        lists: &StoredLists,
+        buffer: &mut [u8],
+    ) -> Option<(Range<usize>, usize)> {
         let settings = InSections(self.settings.as_ref()?);
         let counters: Counters = (self.released, self.last_id, self.last_sha256);
         let content = (
@@ -177,10 +185,20 @@ impl State {
             section(SETTINGS, settings),
             section(PROVENANCE, self.provenance),
             OfKey(self.secret.as_ref()),
+            // Also where there are none: none may be left.
+            section(LISTS, lists::InSections(lists)),
         );
         let written = postcard::to_slice(&content, buffer).ok()?;
         let (at, settings) = find(written, SETTINGS, 1).ok()??;
         Some((at..at + settings.len(), written.len()))
+    }
+}
+
+/// The lists in an item; none in one of a release that knew of none.
+pub(super) fn lists_in(form: Form, bytes: &[u8]) -> Option<&[u8]> {
+    match form {
+        Form::Plain => None,
+        Form::Sections => Some(find(bytes, LISTS, 1).ok()??.1),
     }
 }
 

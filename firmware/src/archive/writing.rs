@@ -5,7 +5,10 @@ use super::layout::{BODY_AT, LONGEST_HEAD, RECORD_ITEM, STATE_ITEM};
 use super::{Archive, ArchiveError, CheckedFlash, Entry, Memory, end_of, insert, read, sector_of};
 use crate::device_key::{DeviceKey, RANDOM_BYTES, Secret};
 use calib_core::settings::Settings;
+use calib_core::stored_list::NoPlace;
 use calib_protocol::change;
+use calib_protocol::lists::ListChange;
+use calib_protocol::message::Refusal;
 use calib_protocol::provenance::LoggedChange;
 use calib_protocol::record::{self, Record, RecordError};
 use calib_protocol::settings_form::LONGEST_SETTINGS;
@@ -162,6 +165,36 @@ impl<F: CheckedFlash> Archive<'_, F> {
         Ok(())
     }
 
+    /// Changes the lists and stores them, twice.
+    ///
+    /// # Errors
+    /// [`Refusal::ListUnknown`], [`Refusal::ListsFull`], and those of the storage; the lists are then as before.
+    pub async fn change_lists(&mut self, change: &ListChange) -> Result<(), Refusal> {
+        let Memory {
+            lists,
+            lists_before,
+            ..
+        } = &mut self.memory;
+        lists_before.clone_from(lists);
+        change.carry_out(lists).map_err(|why| match why {
+            NoPlace::Unknown => Refusal::ListUnknown,
+            NoPlace::Full => Refusal::ListsFull,
+        })?;
+        self.have_settings();
+        if let Err(error) = self.push_state().await {
+            let Memory {
+                lists,
+                lists_before,
+                ..
+            } = &mut self.memory;
+            lists.clone_from(lists_before);
+            return Err(error.into());
+        }
+        // There is one in flash, and every sector gets its own.
+        let _ = self.push_state().await;
+        Ok(())
+    }
+
     /// A state is stored with settings: those of an instrument that was told none.
     fn have_settings(&mut self) {
         if self.state.settings().is_none() {
@@ -194,7 +227,10 @@ impl<F: CheckedFlash> Archive<'_, F> {
         self.unpacked = None;
         let (kind, body) = self.memory.scratch.split_at_mut(2);
         kind.copy_from_slice(&STATE_ITEM.to_le_bytes());
-        let (range, length) = self.state.write(body).ok_or(ArchiveError::TooLong)?;
+        let (range, length) = self
+            .state
+            .write(self.memory.lists, body)
+            .ok_or(ArchiveError::TooLong)?;
         let settings = body.get(range.clone()).ok_or(ArchiveError::TooLong)?;
         let mark = settings_mark(settings);
         let address = self.push(0..2 + length).await?;

@@ -10,6 +10,7 @@ use super::description::Silicon;
 use super::selected::CLOCKS;
 use calib_core::broadband::{PeriodMemory, SpectraMemory};
 use calib_core::correlation::FoldMemory;
+use calib_core::stored_list::StoredLists;
 use calib_firmware::archive::Directory;
 use calib_firmware::link::Link;
 use calib_protocol::record::Record;
@@ -55,7 +56,7 @@ pub(crate) unsafe trait AllZero {
 }
 
 // Note(unsafe): numbers; sums of zero; a vector of length zero; a link on which
-// nothing came; a record of empty texts and lists, first variants and zeros.
+// nothing came; a record of empty texts and lists, first variants and zeros; no lists.
 unsafe impl<const N: usize> AllZero for [u8; N] {
     const ZERO: Self = [0; N];
 }
@@ -79,6 +80,9 @@ unsafe impl AllZero for Directory {
 }
 unsafe impl AllZero for Link {
     const ZERO: Self = Link::new();
+}
+unsafe impl AllZero for StoredLists {
+    const ZERO: Self = StoredLists::NONE;
 }
 unsafe impl AllZero for Record {
     const ZERO: Self = Record::BLANK;

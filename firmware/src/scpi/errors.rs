@@ -20,8 +20,12 @@ pub enum ScpiError {
     OtherHost = -203,
     /// A run is going on.
     InitIgnored = -213,
+    /// The button on the instrument is not held.
+    HandMissing = -221,
     /// A number outside its range.
     DataOutOfRange = -222,
+    /// A name that nothing has.
+    IllegalParameter = -224,
     /// The answer has no room.
     TooMuchData = -223,
     /// Something of the instrument does not work.
@@ -58,7 +62,9 @@ impl ScpiError {
             Self::UndefinedHeader => "Undefined header",
             Self::OtherHost => "Command protected;a host at the other link holds the session",
             Self::InitIgnored => "Init ignored;a run is going on",
+            Self::HandMissing => "Settings conflict;hold the button on the instrument",
             Self::DataOutOfRange => "Data out of range",
+            Self::IllegalParameter => "Illegal parameter value;see LIST:CAT?",
             Self::TooMuchData => "Too much data",
             Self::Hardware => "Hardware error;see DIAG:DEF?",
             Self::DataStale => "Data corrupt or stale;INIT, then wait with *OPC?",

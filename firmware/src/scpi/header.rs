@@ -55,6 +55,9 @@ pub(super) enum Command {
     Measure(Quantity),
     Catalog,
     Defects,
+    Lists,
+    ChooseList,
+    ChosenList,
 }
 
 use Command::*;
@@ -104,6 +107,9 @@ const HEADERS: &[(&str, Command)] = &[
     ("MEASure:VERDict?", Measure(Verdict)),
     ("MMEMory:CATalog?", Catalog),
     ("DIAGnostic:DEFects?", Defects),
+    ("LIST:CATalog?", Lists),
+    ("LIST:CHOose", ChooseList),
+    ("LIST:CHOose?", ChosenList),
 ];
 
 /// The command of a header, in its short or long form, in any case.

@@ -12,6 +12,7 @@ mod console;
 mod errors;
 mod header;
 mod inquiry;
+mod lists;
 mod measurement;
 mod number;
 mod session;

@@ -4,7 +4,7 @@ use super::errors::{ScpiError, Status};
 use super::header::{self, Command};
 use super::measurement::{Measurement, is_running};
 use super::number::{mask, put};
-use super::{MAX_LINE, inquiry};
+use super::{MAX_LINE, inquiry, lists};
 use crate::command::Instrument;
 use core::fmt::Write;
 use heapless::String;
@@ -217,6 +217,9 @@ impl Session {
             Command::Abort => instrument.stop().await,
             Command::Catalog => inquiry::catalog(instrument, out).await?,
             Command::Defects => inquiry::defects(instrument, out),
+            Command::Lists => lists::catalog(instrument, out).await?,
+            Command::ChosenList => lists::chosen(instrument, out).await?,
+            Command::ChooseList => lists::choose(parameter, instrument).await?,
             Command::Fetch(quantity) | Command::Read(quantity) | Command::Measure(quantity) => {
                 self.measurement.fetch(quantity, instrument, out)?;
             }
@@ -282,6 +285,7 @@ fn takes_number(command: Command) -> bool {
         Command::Frequency
             | Command::Acceleration
             | Command::Measure(_)
+            | Command::ChooseList
             | Command::EventMask
             | Command::ServiceMask
     )

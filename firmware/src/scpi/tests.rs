@@ -6,10 +6,12 @@ use crate::link;
 use calib_core::point::PointResult;
 use calib_core::self_test::{Check, Line, MAX_LINES};
 use calib_core::settings::Settings;
+use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList, StoredLists};
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{self, Frame, MAX_FRAME};
 use calib_protocol::health::{Defect, Defects, Health};
+use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{
     Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, SettingsChange, Status,
 };
@@ -49,6 +51,8 @@ struct Bench {
     /// The drive is not heard on the chip.
     deaf: bool,
     key: Option<DeviceKey>,
+    lists: StoredLists,
+    hand_gone: bool,
 }
 
 impl Instrument for Bench {
@@ -162,7 +166,7 @@ impl Instrument for Bench {
             .collect())
     }
     fn button_held(&mut self) -> bool {
-        true
+        !self.hand_gone
     }
     async fn key(&mut self) -> Result<Option<DeviceKey>, Refusal> {
         Ok(self.key)
@@ -178,6 +182,21 @@ impl Instrument for Bench {
     }
     fn update(&mut self, _: &UpdateStep, _: bool) -> Result<(), Refusal> {
         unreachable!("no line asks for that")
+    }
+    async fn list(&mut self, place: u8) -> Result<Option<KeptList>, Refusal> {
+        let list = self.lists.all().get(usize::from(place));
+        Ok(list.map(|list| KeptList {
+            list: list.clone(),
+            chosen: self.lists.chosen() == Some(list),
+        }))
+    }
+    async fn change_lists(&mut self, change: &ListChange, held: bool) -> Result<(), Refusal> {
+        match held {
+            true => change
+                .carry_out(&mut self.lists)
+                .map_err(|_| Refusal::ListUnknown),
+            false => Err(Refusal::ButtonNotHeld),
+        }
     }
     fn capture(&mut self, _: u16) -> Result<(), Refusal> {
         Ok(())
@@ -537,4 +556,50 @@ fn a_degraded_instrument_says_what_does_not_work_and_measures_nothing() {
         line(&mut link, &mut bench, "INIT;SYST:ERR?"),
         "-240,\"Hardware error;see DIAG:DEF?\"\n"
     );
+}
+
+#[test]
+fn lists_are_named_and_chosen_under_a_hand_alone() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let mut ask = |bench: &mut Bench, text: &str| line(&mut link, bench, text);
+    assert_eq!(ask(&mut bench, "LIST:CAT?;CHO?"), "\"\";\"\"\n");
+    for name in ["pump 3", "field"] {
+        let band = Band {
+            from_hz: 0.0,
+            to_hz: f32::MAX,
+            base: Base::Reference,
+            lower_rel: -0.05,
+            upper_rel: 0.05,
+            reference_point_only: false,
+        };
+        let list = StoredList {
+            terms: ListTerms {
+                name: name.try_into().expect("short"),
+                rule: Rule::Simple,
+                bands: [band].into_iter().collect(),
+                ..ListTerms::NONE
+            },
+            points: heapless::Vec::new(),
+        };
+        bench.lists.store(&list).expect("room");
+    }
+    assert_eq!(ask(&mut bench, "LIST:CATalog?"), "\"pump 3\",\"field\"\n");
+    assert_eq!(ask(&mut bench, "LIST:CHOose \"field\""), "");
+    assert_eq!(ask(&mut bench, "list:choose?"), "\"field\"\n");
+    bench.hand_gone = true;
+    for (wrong, code) in [
+        ("LIST:CHO 'pump 3'", "-221,"),
+        ("LIST:CHO", "-109,"),
+        ("LIST:CHO field", "-104,"),
+        ("LIST:CHO 'a name that is longer than any'", "-224,"),
+    ] {
+        assert_eq!(ask(&mut bench, wrong), "", "{wrong}");
+        let error = ask(&mut bench, "SYST:ERR?");
+        assert!(error.starts_with(code), "{wrong}: {error}");
+    }
+    bench.hand_gone = false;
+    assert_eq!(ask(&mut bench, "LIST:CHO 'pump'"), "");
+    assert!(ask(&mut bench, "SYST:ERR?").starts_with("-224,"));
+    assert_eq!(ask(&mut bench, "LIST:CHO?"), "\"field\"\n");
+    assert_eq!(ask(&mut bench, "LIST:CHO '';CHO?"), "\"\"\n");
 }

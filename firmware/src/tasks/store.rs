@@ -4,10 +4,12 @@ use crate::board::{RECORD_AREA, RandomSource, RecordFlash, axi_static, wrong_wor
 use crate::identity::Identity;
 use crate::{retained, state};
 use calib_core::self_test::WrongWords;
+use calib_core::stored_list::StoredLists;
 use calib_firmware::archive::{Archive, Directory, LastAccess, MAX_ITEM, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
 use calib_firmware::restarts::{LeftOut, Stage};
 use calib_protocol::health::Defect;
+use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{Refusal, RunState, SettingsChange};
 use calib_protocol::record::{Record, RunLabels};
 use calib_protocol::signature::DeviceKey;
@@ -98,6 +100,27 @@ impl SharedArchive {
         Ok(archive.log_change().await?)
     }
 
+    /// The list at this place, from 0.
+    pub(crate) fn list(&self, place: u8) -> Result<Option<KeptList>, Refusal> {
+        let mut archive = self.lock()?;
+        Ok(archive.get()?.list(place))
+    }
+
+    /// See [`Archive::change_lists`].
+    pub(crate) async fn change_lists(
+        &self,
+        change: &ListChange,
+        held: bool,
+    ) -> Result<(), Refusal> {
+        let mut archive = self.lock()?;
+        let archive = archive.get()?;
+        match (change.is_done_in(archive.lists()), held) {
+            (true, _) => Ok(()),
+            (false, true) => archive.change_lists(change).await,
+            (false, false) => Err(Refusal::ButtonNotHeld),
+        }
+    }
+
     /// Stored records that cannot be read, and words of the record area whose check bits do not fit.
     pub(crate) async fn look_through(&self) -> Result<(u32, WrongWords), Refusal> {
         let mut archive = self.lock()?;
@@ -133,11 +156,15 @@ async fn open(shared: &'static SharedArchive, flash: RecordFlash) {
     axi_static!(DIRECTORY: Directory);
     axi_static!(SCRATCH: [u8; MAX_ITEM]);
     axi_static!(RECORD: Record);
+    axi_static!(LISTS: StoredLists);
+    axi_static!(LISTS_BEFORE: StoredLists);
     static LAST_ACCESS: LastAccess = LastAccess::new();
     let memory = Memory {
         directory: DIRECTORY.take(),
         scratch: SCRATCH.take(),
         record: RECORD.take(),
+        lists: LISTS.take(),
+        lists_before: LISTS_BEFORE.take(),
         last_access: &LAST_ACCESS,
         factory: state::factory_settings,
     };

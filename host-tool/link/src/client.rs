@@ -7,9 +7,11 @@ use crate::{Error, Result};
 use calib_core::point::PointResult;
 use calib_core::self_test::Line;
 use calib_core::settings::Settings;
+use calib_core::stored_list::MAX_LISTS;
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::health::Health;
+use calib_protocol::lists::{KeptList, ListChange, tame_terms};
 use calib_protocol::message::{Info, Refusal, Request, Response, RunSpec, SettingsChange, Status};
 use calib_protocol::record::RecordSummary;
 use calib_protocol::signature::DeviceKey;
@@ -352,6 +354,28 @@ impl Client {
         let request = Request::Update(step.clone());
         // A block may wait for the erase of its sector.
         self.done("an update", &request, self.policy.flash_timeout)
+    }
+
+    /// The lists kept on the instrument, in its order.
+    pub fn lists(&mut self) -> Result<Vec<KeptList>> {
+        let mut lists = Vec::new();
+        for place in 0..MAX_LISTS as u8 {
+            match self.ask("its lists", &Request::List { place })? {
+                Response::List(Some(mut kept)) => {
+                    tame_terms(&mut kept.list.terms);
+                    lists.push(kept);
+                }
+                Response::List(None) => break,
+                _ => return Err(unexpected("its lists")),
+            }
+        }
+        Ok(lists)
+    }
+
+    /// Stores, removes or chooses a list, which needs the button held on the instrument.
+    pub fn change_lists(&mut self, change: &ListChange) -> Result<()> {
+        let request = Request::ChangeLists(change.clone());
+        self.done("to change its lists", &request, self.policy.flash_timeout)
     }
 
     /// Resets the board. It answers before it does.

@@ -225,6 +225,9 @@ fn reason(refusal: Refusal) -> String {
         Refusal::ImageOnTrial => "the image that runs is on trial and was not confirmed",
         Refusal::UpdateOrder => "the blocks of the image came out of order",
         Refusal::ImageDamaged => "what was written is not the image that was signed",
+        Refusal::List => "the list cannot be measured or judged",
+        Refusal::ListsFull => "there is no room for another list",
+        Refusal::ListUnknown => "it has no list of this name",
         _ => "for a reason this tool does not know",
     };
     known.to_owned()
@@ -305,6 +308,12 @@ impl Refused {
             Refusal::CaptureLength => "a capture has 1 to 16384 sample pairs",
             Refusal::NotCaptured => "was it reset? capture again",
             Refusal::CaptureBroken => "capture again",
+            Refusal::List => {
+                "it needs a name, points, a tolerance, and the nominal sensitivity it is stated of; a name \
+                 has neither quotes nor semicolons"
+            }
+            Refusal::ListsFull => "remove one: `calib lists remove NAME`",
+            Refusal::ListUnknown => "`calib lists` shows them",
             Refusal::OtherHost => {
                 "end the program that uses the other port, wait five seconds and repeat"
             }

@@ -213,6 +213,13 @@ const GROUPS: [(&str, &[Verb]); 6] = [
             ),
             ("key", ["key", "key --make"]),
             (
+                "lists",
+                [
+                    "lists store pump.csv --sensitivity 100 --unit mV/g --tolerance 5",
+                    "lists choose pump",
+                ],
+            ),
+            (
                 "update",
                 [
                     "update calib-0.1.0-nucleo-h743zi2.update",

@@ -28,6 +28,7 @@ mod info;
 mod key;
 mod laboratory_key;
 mod linking;
+mod lists;
 mod logbook;
 mod measure;
 mod misuse;
@@ -117,6 +118,8 @@ pub(crate) enum Command {
     Selftest(selftest::SelfTest),
     /// The key the calibrator signs its records with.
     Key(key::Key),
+    /// Lists the calibrator keeps: a tap of its button measures the chosen one.
+    Lists(lists::Lists),
     /// Other firmware for the calibrator: sent, tried, confirmed.
     Update(update::Update),
     /// Measures a point list.
@@ -209,6 +212,7 @@ impl Command {
             Self::Info(verb) => verb.run(context),
             Self::Selftest(verb) => verb.run(context),
             Self::Key(verb) => verb.run(context),
+            Self::Lists(verb) => verb.run(context),
             Self::Update(verb) => verb.run(context),
             Self::Run(verb) => verb.run(context),
             Self::Settings(verb) => verb.run(context),

@@ -7,8 +7,8 @@ use super::{
     logbook,
 };
 use super::{
-    identify, key, linking, phase, predict, reference, release, risk, run, sensitivity, serve,
-    sign, stop, sync, update, verify, version,
+    identify, key, linking, lists, phase, predict, reference, release, risk, run, sensitivity,
+    serve, sign, stop, sync, update, verify, version,
 };
 use calib_certificate::Document;
 use calib_core::settings::Settings;
@@ -114,6 +114,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<InfoView>("info"),
         of::<key::KeyView>("key"),
         of::<Either<linking::Output, linking::DoeOutput>>("link"),
+        of::<Vec<lists::ListView>>("lists"),
         of::<Vec<logbook::Added>>("logbook-add"),
         of::<Vec<Issued>>("logbook-certificates"),
         of::<Vec<logbook::Problem>>("logbook-check"),
@@ -174,9 +175,9 @@ mod tests {
     fn every_verb_has_a_schema() {
         let mut found = Vec::new();
         verbs(&Arguments::command(), "", &mut found);
-        // Both lists, and all verbs about sensors, print one form.
+        // Both lists, and all verbs about sensors and kept lists, print one form.
         let one_form = |name: &str| match name.split_once('-') {
-            Some((verb @ ("points" | "sensors"), _)) => verb.to_owned(),
+            Some((verb @ ("points" | "sensors" | "lists"), _)) => verb.to_owned(),
             _ => name.to_owned(),
         };
         let known: Vec<_> = all().into_iter().map(|(name, _)| name).collect();

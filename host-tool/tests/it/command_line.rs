@@ -427,3 +427,62 @@ fn what_a_user_need_not_say_each_time_is_in_a_file() {
         text(&wrong.stderr)
     );
 }
+
+#[test]
+fn lists_are_stored_chosen_and_removed_and_what_cannot_be_judged_is_not_sent() {
+    let directory = tempfile::tempdir().expect("directory");
+    std::fs::write(
+        directory.path().join("pump.csv"),
+        "frequency_hz\n160\n1000\n",
+    )
+    .expect("list");
+    let (device, address) = serve(Device::new());
+    let go = |words: &[&str]| {
+        let arguments = [&["lists"], words, &["-d", &address]].concat();
+        calib(directory.path(), &arguments)
+    };
+    let store = |more: &[&str]| go(&[&["store", "pump.csv"], more].concat());
+    let nominal = ["--sensitivity", "100", "--unit", "mV/g"];
+    for (wrong, said) in [
+        (vec![], "--tolerance"),
+        (vec!["--tolerance", "5"], "nominal"),
+        (
+            [&nominal[..], &["--tolerance", "2:last"]].concat(),
+            "last calibration",
+        ),
+    ] {
+        let refused = store(&wrong);
+        assert_eq!(refused.status.code(), Some(2), "{wrong:?}");
+        let words = text(&refused.stderr);
+        assert!(words.contains(said), "{words}");
+    }
+    assert!(device.lock().expect("device").lists.all().is_empty());
+    let stored = store(&[&nominal[..], &["--tolerance", "5", "--rule", "simple"]].concat());
+    assert_eq!(stored.status.code(), Some(0), "{}", text(&stored.stderr));
+    let chosen = json(&go(&["choose", "pump", "--json"]));
+    let list = &chosen[0];
+    assert_eq!(
+        (&list["name"], &list["chosen"]),
+        (&"pump".into(), &true.into())
+    );
+    assert_eq!(
+        (&list["tolerance"], &list["rule"]),
+        (&"5:nominal".into(), &"simple".into())
+    );
+    assert_eq!(list["points"][1]["frequency_hz"], 1000.0);
+    // 100 / 9.80665 = 10.19716 mV/(m/s2).
+    let nominal = list["nominal_sensitivity_v_per_ms2"]
+        .as_f64()
+        .expect("a number");
+    assert!((nominal - 0.010_197_16).abs() < 5e-9, "{nominal}");
+    let shown = text(&go(&["show"]).stdout);
+    assert!(
+        shown.contains("100.00000 mV/g") && shown.contains("->"),
+        "{shown}"
+    );
+    let unknown = go(&["choose", "fan"]);
+    assert_eq!(unknown.status.code(), Some(5));
+    assert_eq!(go(&["choose", "--none"]).status.code(), Some(0));
+    let gone = json(&go(&["remove", "pump", "--json"]));
+    assert_eq!(gone, serde_json::json!([]));
+}

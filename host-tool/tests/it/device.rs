@@ -7,11 +7,13 @@ use calib_core::settings::{
     Example, InputScale, Limits, Method, PointInfluences, ReferenceCalibration, ReferencePoint,
     Settings,
 };
+use calib_core::stored_list::{NoPlace, StoredLists};
 use calib_core::tone::Tone;
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, FrameError, MAX_FRAME, PROTOCOL_VERSION, Receiver, encode};
 use calib_protocol::health::Health;
+use calib_protocol::lists::KeptList;
 use calib_protocol::message::{
     Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, Status,
 };
@@ -52,6 +54,8 @@ pub(crate) struct Device {
     pub(crate) clock_stands: bool,
     /// What signs its records, as it says.
     pub(crate) key: Option<DeviceKey>,
+    /// The lists it keeps, with a hand always on its button.
+    pub(crate) lists: StoredLists,
 }
 
 /// Looks before a capture is whole.
@@ -92,6 +96,7 @@ impl Device {
             other_capture_at_look: None,
             clock_stands: false,
             key: None,
+            lists: StoredLists::NONE,
         }
     }
 
@@ -175,7 +180,21 @@ impl Device {
             // As an instrument without a loader.
             Request::Image => Response::Image(None),
             Request::Update(_) => Response::Refused(Refusal::NoLoader),
+            Request::List { place } => Response::List(self.list_at(place)),
+            Request::ChangeLists(change) => match change.carry_out(&mut self.lists) {
+                Ok(()) => Response::Done,
+                Err(NoPlace::Unknown) => Response::Refused(Refusal::ListUnknown),
+                Err(NoPlace::Full) => Response::Refused(Refusal::ListsFull),
+            },
         }
+    }
+
+    fn list_at(&self, place: u8) -> Option<KeptList> {
+        let list = self.lists.all().get(usize::from(place))?;
+        Some(KeptList {
+            list: list.clone(),
+            chosen: self.lists.chosen() == Some(list),
+        })
     }
 
     fn self_test(&self) -> heapless::Vec<Line, MAX_LINES> {

@@ -13,6 +13,7 @@ use calib_firmware::session::{LinkName, Session};
 use calib_protocol::capture::CapturePart;
 use calib_protocol::frame::{Frame, PROTOCOL_VERSION};
 use calib_protocol::health::Health;
+use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{
     Info, Refusal, Request, ResetCause, Response, RunSpec, SettingsChange, Status,
 };
@@ -53,8 +54,8 @@ pub fn commands(data: &[u8]) {
             let by_lines = ["INIT", "READ", "MEAS"].map(|word| words(&lines, word.as_bytes()));
             assert!(changes.starts <= asked_for(START) + by_lines.iter().sum::<usize>());
             assert_eq!(
-                (changes.writes, changes.keys),
-                (0, 0),
+                (changes.writes, changes.keys, changes.lists),
+                (0, 0, 0),
                 "nobody holds the button"
             );
             assert!(changes.resets <= asked_for(RESET));
@@ -154,6 +155,7 @@ struct Changes {
     releases: usize,
     captures: usize,
     updates: usize,
+    lists: usize,
 }
 
 /// An instrument that does nothing and notes everything.
@@ -343,6 +345,20 @@ impl Instrument for Notes {
         Ok(())
     }
 
+    async fn list(&mut self, _: u8) -> Result<Option<KeptList>, Refusal> {
+        Ok(None)
+    }
+
+    async fn change_lists(&mut self, change: &ListChange, held: bool) -> Result<(), Refusal> {
+        assert!(change.is_usable());
+        assert_eq!(held, self.hand_on_button);
+        match held {
+            true => self.changes.lists += 1,
+            false => return Err(Refusal::ButtonNotHeld),
+        }
+        Ok(())
+    }
+
     fn capture(&mut self, pairs: u16) -> Result<(), Refusal> {
         self.capture.arm(pairs)?;
         self.capture.take(0, &[0x8000_8000; 500]);
@@ -374,7 +390,7 @@ mod tests {
         instrument.hand_on_button = true;
         // The seed changes a setting.
         instrument.settings.blocks += 1;
-        assert_eq!(instrument.hear(&all).len(), 19);
+        assert_eq!(instrument.hear(&all).len(), 21);
         let once = Changes {
             starts: 1,
             writes: 1,
@@ -383,6 +399,7 @@ mod tests {
             releases: 1,
             captures: 1,
             updates: 1,
+            lists: 1,
         };
         assert_eq!(instrument.changes, once);
     }

@@ -3,8 +3,10 @@
 use super::frames::{Whole, framed};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
+use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList};
 use calib_core::verdict::Reason;
 use calib_protocol::capture::CapturePart;
+use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{Refusal, Request, Response, RunSpec};
 use calib_protocol::record::{self, Record, RecordHead, RunLabels};
 use calib_protocol::update::UpdateStep;
@@ -98,7 +100,31 @@ fn requests() -> Vec<Request> {
             offset: 1024,
             data: heapless::Vec::from_slice(&[0x5A; 64]).unwrap_or_default(),
         }),
+        Request::List { place: 0 },
+        Request::ChangeLists(ListChange::Store(list())),
     ]
+}
+
+/// A list of one point with its tolerance.
+pub(super) fn list() -> StoredList {
+    let band = Band {
+        from_hz: 0.0,
+        to_hz: f32::MAX,
+        base: Base::Nominal,
+        lower_rel: -0.05,
+        upper_rel: 0.05,
+        reference_point_only: false,
+    };
+    StoredList {
+        terms: ListTerms {
+            name: "field".try_into().unwrap_or_default(),
+            nominal_v_per_ms2: 0.0102,
+            unit: "mV/g".try_into().unwrap_or_default(),
+            rule: Rule::GuardBand,
+            bands: [band].into_iter().collect(),
+        },
+        points: [spec()].into_iter().collect(),
+    }
 }
 
 fn answers() -> Vec<Response> {
@@ -134,6 +160,10 @@ fn answers() -> Vec<Response> {
             offset: 1,
             data: [0, 0x80, 1, 0x80, 0, 0x80, 2, 0x80].into_iter().collect(),
         }),
+        Response::List(Some(KeptList {
+            list: list(),
+            chosen: true,
+        })),
     ]
 }
 

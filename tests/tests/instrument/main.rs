@@ -23,6 +23,7 @@ mod hostile_hosts;
 mod hum;
 mod image;
 mod lease;
+mod lone;
 mod power_cut;
 mod reality;
 mod reference_change;

@@ -5,6 +5,7 @@ use super::flash::MockFlash;
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::points::PREFERRED_HZ;
 use calib_core::settings::Settings;
+use calib_core::stored_list::StoredLists;
 use calib_core::tone::Tone;
 use calib_core::verdict::{Reason, Verdict};
 use calib_firmware::archive::{
@@ -21,6 +22,7 @@ pub(crate) struct Desk {
     directory: Box<Directory>,
     scratch: Box<[u8; MAX_ITEM]>,
     record: Box<Record>,
+    lists: Box<[StoredLists; 2]>,
     last_access: LastAccess,
 }
 
@@ -30,6 +32,7 @@ impl Desk {
             directory: Box::default(),
             scratch: Box::new([0; MAX_ITEM]),
             record: Box::new(blank()),
+            lists: Box::default(),
             last_access: LastAccess::new(),
         }
     }
@@ -39,10 +42,13 @@ impl Desk {
         &mut self,
         flash: &MockFlash<SECTOR>,
     ) -> Result<Archive<'_, MockFlash<SECTOR>>, ArchiveError> {
+        let [lists, lists_before] = &mut *self.lists;
         let memory = Memory {
             directory: &mut self.directory,
             scratch: &mut self.scratch,
             record: &mut self.record,
+            lists,
+            lists_before,
             last_access: &self.last_access,
             factory: Settings::field_calibrator,
         };

@@ -3,15 +3,19 @@
 
 use super::desk;
 use super::flash::MockFlash;
+use calib_core::point::PointSpec;
 use calib_core::settings::Settings;
+use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList, StoredLists};
 use calib_firmware::archive::{Archive, ArchiveError};
 use calib_firmware::device_key::RANDOM_BYTES;
+use calib_protocol::lists::ListChange;
+use calib_protocol::message::Refusal;
 use calib_protocol::record::{self, RecordKind};
 use calib_protocol::signature::DeviceKey;
 use embassy_futures::block_on;
 use std::collections::BTreeMap;
 
-/// Everything a host was told: records stored, settings in force, records released, the key.
+/// Everything a host was told: records stored, settings in force, records released, the key, the lists.
 #[derive(Clone, Default)]
 pub(crate) struct Told {
     pub(crate) records: BTreeMap<u32, Vec<u8>>,
@@ -22,6 +26,9 @@ pub(crate) struct Told {
     key: Option<DeviceKey>,
     /// A key that was begun may or may not have come through.
     attempted_key: bool,
+    lists: StoredLists,
+    /// As they would be after a change that may or may not have come through.
+    attempted_lists: Option<StoredLists>,
 }
 
 /// One step of a session; `Err` when the power failed.
@@ -49,6 +56,18 @@ pub(crate) fn step<const SECTOR: usize>(
             told.records.insert(id, bytes);
             told.settings = Some(settings);
         }
+        7 => {
+            let change = list_change(number / 8);
+            let mut after = told.lists.clone();
+            // What is not there is neither removed nor chosen, here as there.
+            let expected = change.carry_out(&mut after).is_ok();
+            told.attempted_lists = Some(after.clone());
+            match block_on(archive.change_lists(&change)) {
+                Ok(()) if expected => told.lists = after,
+                Err(Refusal::ListUnknown) if !expected => {}
+                _ => return Err(ArchiveError::Flash),
+            }
+        }
         6 => {
             // What may be gone after a cut is what the host has let go.
             told.released = archive.next_id() - 1;
@@ -61,6 +80,41 @@ pub(crate) fn step<const SECTOR: usize>(
         }
     }
     Ok(())
+}
+
+/// Lists come, are chosen, change and go.
+fn list_change(number: u32) -> ListChange {
+    let name = heapless::String::try_from(["a", "b"][number as usize / 4 % 2]).unwrap_or_default();
+    match number % 4 {
+        0 | 2 => ListChange::Store(list(name, number)),
+        1 => ListChange::Choose { name },
+        _ => ListChange::Remove { name },
+    }
+}
+
+fn list(name: heapless::String<24>, number: u32) -> StoredList {
+    let band = Band {
+        from_hz: 0.0,
+        to_hz: f32::MAX,
+        base: Base::Nominal,
+        lower_rel: -0.05,
+        upper_rel: 0.05,
+        reference_point_only: false,
+    };
+    let point = PointSpec {
+        frequency_hz: 160.0,
+        acceleration_rms_ms2: 1.0 + number as f32,
+    };
+    StoredList {
+        terms: ListTerms {
+            name,
+            nominal_v_per_ms2: 0.01,
+            rule: Rule::GuardBand,
+            bands: [band].into_iter().collect(),
+            ..ListTerms::NONE
+        },
+        points: core::iter::repeat_n(point, 1 + number as usize % 30).collect(),
+    }
 }
 
 impl Told {
@@ -98,6 +152,10 @@ impl Told {
         if key != self.key && (self.key.is_some() || !self.attempted_key) {
             return Err("the key is another".into());
         }
+        if *archive.lists() != self.lists && Some(archive.lists()) != self.attempted_lists.as_ref()
+        {
+            return Err("the lists are others".into());
+        }
         if let (Some(kept), Some(logged)) = (kept, &logged)
             && *kept != logged.settings
         {
@@ -105,6 +163,7 @@ impl Told {
         }
         // What came through is in force from here on, and what is gone is gone.
         self.settings = kept.cloned();
+        self.lists = archive.lists().clone();
         self.key = key;
         self.records.retain(|id, _| found(id));
         Ok(listed.len() as u64)

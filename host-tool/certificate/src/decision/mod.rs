@@ -6,6 +6,7 @@
 //! | [`specification`] | what is tolerated, over frequency |
 //! | [`rule`] | how a result with its uncertainty is judged |
 //! | `tolerance` | that of a sensor, as text |
+//! | `stored` | that of a list kept on an instrument |
 //! | [`risk`] | probabilities of false acceptance and rejection |
 //!
 //! ISO/IEC 17025 7.8.6 wants three things said: which results, which
@@ -16,6 +17,7 @@ mod request;
 pub mod risk;
 pub mod rule;
 pub mod specification;
+mod stored;
 mod tolerance;
 
 pub use limits::{Band, Base, Limits};

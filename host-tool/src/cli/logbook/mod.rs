@@ -23,7 +23,7 @@ use calib_logbook::{Logbook, default_path};
 
 impl Context {
     /// The logbook to look into.
-    fn logbook(&self) -> Result<Logbook> {
+    pub(super) fn logbook(&self) -> Result<Logbook> {
         Logbook::open_existing(&self.logbook_path())
     }
 

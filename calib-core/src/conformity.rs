@@ -1,0 +1,306 @@
+//! Whether results conform to the tolerance of a list: what the lamps say of a run without a host.
+//!
+//! The same statements as a certificate makes of the same record, in f32: a test compares the two on random
+//! runs (`tests/src/lone.rs`).
+//!
+//! # Source
+//! ILAC-G8:09/2019, 4.2; ISO/IEC 17025:2017, 7.8.6; reference point by ISO 16063-21:2003, 5.3.
+
+use crate::point::{PointResult, PointSpec};
+use crate::points::{REFERENCE_HZ, REFERENCE_MS2};
+use crate::stored_list::{Base, ListTerms, Rule};
+use crate::verdict::Verdict;
+
+/// A hundredth of an octave, as a ratio: omega = 1000 rad/s and 500 rad/s count as 160 Hz and 80 Hz.
+const NEAR: f32 = 1.006_955_6;
+/// Levels within 1 % of a preferred one count as it.
+const SAME_LEVEL: f32 = 0.01;
+
+/// Statement about results, the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Conformity {
+    /// Accepted.
+    Pass,
+    /// Inside the tolerance, but not by the guard band.
+    ConditionalPass,
+    /// Outside the tolerance, but not by the guard band.
+    ConditionalFail,
+    /// No statement: the uncertainty is too large for the tolerance, a point was refused, or none has a
+    /// tolerance.
+    NotJudgeable,
+    /// Rejected.
+    Fail,
+}
+
+/// Statement about a run: that about the worst of its points.
+///
+/// A point that was refused leaves nothing to be accepted; what another point fails by is rejected all the
+/// same.
+pub fn judge(terms: &ListTerms, points: &[PointResult]) -> Conformity {
+    let Some(reference) = reference_point(points) else {
+        return Conformity::NotJudgeable;
+    };
+    let judged = points.iter().filter(|point| is_result(point));
+    let worst = judged
+        .filter_map(|point| judge_point(terms, point, reference))
+        .max();
+    match worst {
+        Some(Conformity::Fail) => Conformity::Fail,
+        Some(worst) if points.iter().all(is_result) => worst,
+        _ => Conformity::NotJudgeable,
+    }
+}
+
+/// Whether something can be said of the point: it is valid, and magnitude, uncertainty and factor are numbers
+/// above zero.
+fn is_result(point: &PointResult) -> bool {
+    let positive = |value: f32| value.is_finite() && value > 0.0;
+    point.verdict == Verdict::Pass
+        && point.has_result()
+        && positive(point.sensitivity_v_per_ms2)
+        && positive(point.expanded_uncertainty_rel)
+        && positive(point.coverage_factor)
+}
+
+/// Limits of a sensitivity, V/(m/s2).
+#[derive(Clone, Copy)]
+struct Limits {
+    lower: f32,
+    upper: f32,
+}
+
+/// Statement about a point with a result; none where no band says anything.
+fn judge_point(
+    terms: &ListTerms,
+    point: &PointResult,
+    reference: &PointResult,
+) -> Option<Conformity> {
+    let at_reference = core::ptr::eq(point, reference);
+    let bands = terms.bands.iter();
+    let applying = bands.filter(|band| band.applies(point.spec.frequency_hz, at_reference));
+    let limits = applying
+        .map(|band| {
+            let base = match band.base {
+                Base::Nominal => terms.nominal_v_per_ms2,
+                Base::Reference => reference.sensitivity_v_per_ms2,
+            };
+            Limits {
+                lower: base * (1.0 + band.lower_rel),
+                upper: base * (1.0 + band.upper_rel),
+            }
+        })
+        .reduce(|a, b| Limits {
+            lower: a.lower.max(b.lower),
+            upper: a.upper.min(b.upper),
+        })?;
+    let value = point.sensitivity_v_per_ms2;
+    Some(assess(
+        terms.rule,
+        limits,
+        value,
+        value * point.expanded_uncertainty_rel,
+    ))
+}
+
+/// Judges a value with its expanded uncertainty. Where U is so large that no value could be accepted, that is
+/// half the width of the tolerance, nothing is judged, unless it lies outside by more than U.
+fn assess(rule: Rule, limits: Limits, value: f32, expanded: f32) -> Conformity {
+    let within = |margin: f32| value >= limits.lower + margin && value <= limits.upper - margin;
+    let can_accept = limits.lower + expanded <= limits.upper - expanded;
+    if !within(-expanded) {
+        return Conformity::Fail;
+    }
+    if !can_accept {
+        return Conformity::NotJudgeable;
+    }
+    match rule {
+        Rule::Simple if within(0.0) => Conformity::Pass,
+        Rule::Simple => Conformity::Fail,
+        Rule::GuardBand if within(expanded) => Conformity::Pass,
+        Rule::GuardBand if within(0.0) => Conformity::ConditionalPass,
+        Rule::GuardBand => Conformity::ConditionalFail,
+    }
+}
+
+/// The reference point of 5.3 among the results: 160 Hz, else 80 Hz, else what is nearest to 160 Hz on the
+/// logarithmic axis; there 100 m/s2, else 10, 20, 50 m/s2, else any level.
+fn reference_point(points: &[PointResult]) -> Option<&PointResult> {
+    let before = |a: &PointSpec, b: &PointSpec| {
+        let key = |spec: &PointSpec| {
+            let (frequency, level) = rank(spec);
+            (
+                frequency,
+                level,
+                spec.frequency_hz,
+                spec.acceleration_rms_ms2,
+            )
+        };
+        key(a) < key(b)
+    };
+    let results = points.iter().filter(|point| is_result(point));
+    results.reduce(|best, point| match before(&point.spec, &best.spec) {
+        true => point,
+        false => best,
+    })
+}
+
+/// How far a point is from the reference point: the less the better.
+fn rank(spec: &PointSpec) -> (f32, usize) {
+    let ratio = |hz: f32| {
+        let ratio = spec.frequency_hz / hz;
+        ratio.max(1.0 / ratio)
+    };
+    let [first, second] = REFERENCE_HZ.map(ratio);
+    let frequency = match (first < NEAR, second < NEAR) {
+        (true, _) => 0.0,
+        // Below every other ratio.
+        (false, true) => 1.0,
+        (false, false) => first,
+    };
+    let is = |level: &f32| (spec.acceleration_rms_ms2 / level - 1.0).abs() < SAME_LEVEL;
+    let level = REFERENCE_MS2.iter().position(is);
+    (frequency, level.unwrap_or(REFERENCE_MS2.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stored_list::Band;
+    use crate::verdict::Reason;
+
+    /// A valid point of S in V/(m/s2) with U = 1 %.
+    fn valid(frequency_hz: f32, sensitivity: f32) -> PointResult {
+        let spec = PointSpec {
+            frequency_hz,
+            acceleration_rms_ms2: 10.0,
+        };
+        PointResult {
+            verdict: Verdict::Pass,
+            sensitivity_v_per_ms2: sensitivity,
+            expanded_uncertainty_rel: 0.01,
+            coverage_factor: 2.0,
+            ..PointResult::refused(spec, None, Reason::Stopped)
+        }
+    }
+
+    fn refused(frequency_hz: f32) -> PointResult {
+        PointResult {
+            verdict: Verdict::Refused(Reason::Clipped),
+            ..valid(frequency_hz, 1.0)
+        }
+    }
+
+    fn band(base: Base, percent: f32) -> Band {
+        Band {
+            from_hz: 0.0,
+            to_hz: f32::MAX,
+            base,
+            lower_rel: -percent / 100.0,
+            upper_rel: percent / 100.0,
+            reference_point_only: false,
+        }
+    }
+
+    fn terms(rule: Rule, bands: &[Band]) -> ListTerms {
+        ListTerms {
+            name: "a".try_into().expect("short"),
+            nominal_v_per_ms2: 1.0,
+            unit: "mV/g".try_into().expect("short"),
+            rule,
+            bands: bands.iter().copied().collect(),
+        }
+    }
+
+    #[test]
+    fn a_guard_band_of_u_has_four_statements_and_simple_acceptance_two() {
+        // Limits 0.95 and 1.05; U = 1 % of the value.
+        let guarded = terms(Rule::GuardBand, &[band(Base::Nominal, 5.0)]);
+        let simple = terms(Rule::Simple, &[band(Base::Nominal, 5.0)]);
+        for (value, with_guard, without) in [
+            (1.0, Conformity::Pass, Conformity::Pass),
+            (1.039, Conformity::Pass, Conformity::Pass),
+            (1.041, Conformity::ConditionalPass, Conformity::Pass),
+            (1.059, Conformity::ConditionalFail, Conformity::Fail),
+            (1.062, Conformity::Fail, Conformity::Fail),
+            (0.958, Conformity::ConditionalPass, Conformity::Pass),
+            (0.93, Conformity::Fail, Conformity::Fail),
+        ] {
+            let points = [valid(160.0, value)];
+            assert_eq!(judge(&guarded, &points), with_guard, "{value}");
+            assert_eq!(judge(&simple, &points), without, "{value}");
+        }
+    }
+
+    #[test]
+    fn what_no_result_could_meet_is_not_judged_unless_it_is_far_outside() {
+        for rule in [Rule::Simple, Rule::GuardBand] {
+            let tight = terms(rule, &[band(Base::Nominal, 0.9)]);
+            let judged = |value| judge(&tight, &[valid(160.0, value)]);
+            assert_eq!(judged(1.0), Conformity::NotJudgeable);
+            assert_eq!(judged(1.018), Conformity::NotJudgeable);
+            assert_eq!(judged(1.02), Conformity::Fail);
+        }
+    }
+
+    #[test]
+    fn a_refused_point_leaves_nothing_to_be_accepted() {
+        let terms = terms(Rule::Simple, &[band(Base::Nominal, 5.0)]);
+        let good = valid(160.0, 1.0);
+        assert_eq!(judge(&terms, &[good]), Conformity::Pass);
+        assert_eq!(
+            judge(&terms, &[good, refused(80.0)]),
+            Conformity::NotJudgeable
+        );
+        assert_eq!(judge(&terms, &[refused(80.0)]), Conformity::NotJudgeable);
+        assert_eq!(judge(&terms, &[]), Conformity::NotJudgeable);
+        let bad = valid(500.0, 1.2);
+        assert_eq!(judge(&terms, &[good, refused(80.0), bad]), Conformity::Fail);
+        let without_u = PointResult {
+            expanded_uncertainty_rel: 0.0,
+            ..good
+        };
+        assert_eq!(judge(&terms, &[without_u]), Conformity::NotJudgeable);
+    }
+
+    #[test]
+    fn bands_are_of_their_frequencies_their_base_and_the_reference_point() {
+        let mut at_reference = band(Base::Nominal, 5.0);
+        at_reference.reference_point_only = true;
+        let mut response = band(Base::Reference, 20.0);
+        (response.from_hz, response.to_hz) = (10.0, 1000.0);
+        let terms = terms(Rule::Simple, &[at_reference, response]);
+        // 15 % above nominal and 11 % above the reference point; beyond 1 kHz nothing is said.
+        let points = [valid(500.0, 1.15), valid(160.0, 1.04), valid(5000.0, 9.0)];
+        assert_eq!(judge(&terms, &points), Conformity::Pass);
+        assert_eq!(judge(&terms, &points[..1]), Conformity::Fail, "it is alone");
+        assert_eq!(judge(&terms, &points[2..]), Conformity::Fail, "of nominal");
+        let outside = [valid(160.0, 1.0), valid(500.0, 1.25)];
+        assert_eq!(judge(&terms, &outside), Conformity::Fail);
+        let mut nowhere = terms.clone();
+        nowhere.bands.retain(|band| !band.reference_point_only);
+        assert_eq!(judge(&nowhere, &points[2..]), Conformity::NotJudgeable);
+    }
+
+    #[test]
+    fn the_reference_point_is_that_of_5_3() {
+        let found = |list: &[(f32, f32)]| {
+            let points: std::vec::Vec<PointResult> = list
+                .iter()
+                .map(|(hz, level)| {
+                    let mut point = valid(*hz, 1.0);
+                    point.spec.acceleration_rms_ms2 = *level;
+                    point
+                })
+                .collect();
+            reference_point(&points).map(|p| (p.spec.frequency_hz, p.spec.acceleration_rms_ms2))
+        };
+        assert_eq!(
+            found(&[(80.0, 100.0), (160.0, 10.0), (159.155, 100.0)]),
+            Some((159.155, 100.0))
+        );
+        assert_eq!(found(&[(100.0, 10.0), (80.0, 1.0)]), Some((80.0, 1.0)));
+        assert_eq!(found(&[(1000.0, 5.0), (315.0, 5.0)]), Some((315.0, 5.0)));
+        assert_eq!(found(&[]), None);
+    }
+}
