@@ -2,12 +2,15 @@
 
 use crate::identity::Identity;
 use crate::self_test::{self, SelfTest};
-use crate::state::{self, Order};
+use crate::state::{self, Order, Run};
 use crate::tasks::store::SharedArchive;
 use crate::update;
-use calib_core::point::PointResult;
+use calib_core::conformity::Conformity;
+use calib_core::point::{ExcitationKind, PointResult};
+use calib_core::points::default_points;
 use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
+use calib_core::stored_list::StoredList;
 use calib_core::thermometer::may_work_at;
 use calib_core::verdict::Reason;
 use calib_firmware::command::{Instrument, RecordPage, RecordPart};
@@ -19,6 +22,7 @@ use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::health::{Defect, Health};
 use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{Info, Refusal, Request, RunSpec, RunState, SettingsChange, Status};
+use calib_protocol::record::RunLabels;
 use calib_protocol::signature::DeviceKey;
 use calib_protocol::update::{RunningImage, UpdateStep};
 use core::sync::atomic::Ordering;
@@ -42,6 +46,87 @@ impl Calibrator {
     pub(crate) fn leave(&self) {
         state::with_session(|session| session.leave(self.link));
     }
+
+    /// A tap of the button: measures the chosen list, or the default list where none is.
+    pub(crate) async fn tap(&mut self) {
+        let Err(refusal) = self.start_alone().await else {
+            return;
+        };
+        defmt::warn!("button: {}", defmt::Debug2Format(&refusal));
+        let is_chosen = self.archive.chosen(|list| list.is_some()) == Ok(true);
+        let stale = is_chosen || state::conformity().is_some();
+        if stale && !state::status().state.is_running() {
+            // What the lamps said before was of another device.
+            state::set_conformity(Some(Conformity::NotJudgeable));
+        }
+    }
+
+    async fn start_alone(&mut self) -> Result<(), Refusal> {
+        let points = self.archive.chosen(|list| match list {
+            Some(list) => list.points.len(),
+            None => default_points().len(),
+        })?;
+        let record_id = self.may_start(points).await?;
+        // No await from here on.
+        self.archive.chosen(|list| {
+            state::RUN.lock(|run| fill(&mut run.borrow_mut(), record_id, list));
+        })?;
+        // Whoever pressed it is there.
+        state::with_lease(|lease, _| *lease = Lease::NONE);
+        go()
+    }
+
+    /// Whether a run of so many points may begin, and the running number of its record.
+    async fn may_start(&self, points: usize) -> Result<u32, Refusal> {
+        let defects = state::defects();
+        if !defects.is_none() {
+            return Err(Refusal::Degraded(defects));
+        }
+        let record_id = self.archive.prepare(points).await?;
+        if state::status().state.is_running() || self_test::is_under_way() {
+            return Err(Refusal::Busy);
+        }
+        if state::TEMPERATURE_C
+            .get()
+            .is_some_and(|value| !may_work_at(value))
+        {
+            return Err(Refusal::TemperatureOutOfRange);
+        }
+        match state::ALIGNED.load(Ordering::Relaxed) {
+            true => Ok(record_id),
+            false => Err(Refusal::ChannelsNotAligned),
+        }
+    }
+}
+
+/// The run of a tap.
+fn fill(run: &mut Run, record_id: u32, list: Option<&StoredList>) {
+    run.begin(record_id);
+    run.spec.excitation = ExcitationKind::SingleSine;
+    run.spec.labels = RunLabels::BLANK;
+    run.spec.points.clear();
+    // A run has room for more points than either list.
+    let _ = match list {
+        Some(list) => {
+            run.list.clone_from(&list.terms);
+            run.spec.points.extend_from_slice(&list.points)
+        }
+        None => run.spec.points.extend_from_slice(&default_points()),
+    };
+}
+
+/// Has the run begin that was put down.
+fn go() -> Result<(), Refusal> {
+    let points = state::RUN.lock(|run| run.borrow().spec.points.len() as u16);
+    state::set_conformity(None);
+    state::update_status(|status| {
+        status.state = RunState::Settling;
+        status.point = 0;
+        status.points = points;
+    });
+    state::ORDERS
+        .try_send(Order::Start)
+        .map_err(|_| Refusal::Busy)
 }
 
 impl Instrument for Calibrator {
@@ -91,42 +176,16 @@ impl Instrument for Calibrator {
     }
 
     async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal> {
-        let defects = state::defects();
-        if !defects.is_none() {
-            return Err(Refusal::Degraded(defects));
-        }
-        let record_id = self.archive.prepare(spec.points.len()).await?;
+        let record_id = self.may_start(spec.points.len()).await?;
         // No await from here on: the other link cannot come in between.
-        if state::status().state.is_running() || self_test::is_under_way() {
-            return Err(Refusal::Busy);
-        }
-        if state::TEMPERATURE_C
-            .get()
-            .is_some_and(|value| !may_work_at(value))
-        {
-            return Err(Refusal::TemperatureOutOfRange);
-        }
-        if !state::ALIGNED.load(Ordering::Relaxed) {
-            return Err(Refusal::ChannelsNotAligned);
-        }
-        let points = spec.points.len() as u16;
         state::RUN.lock(|run| {
             let mut run = run.borrow_mut();
-            run.results.clear();
-            run.complete = false;
-            run.record_id = record_id;
+            run.begin(record_id);
             run.spec = spec;
         });
         let lease_s = state::settings().lease_s;
         state::with_lease(|lease, now_ms| *lease = Lease::begin(lease_s, now_ms));
-        state::update_status(|status| {
-            status.state = RunState::Settling;
-            status.point = 0;
-            status.points = points;
-        });
-        state::ORDERS
-            .try_send(Order::Start)
-            .map_err(|_| Refusal::Busy)?;
+        go()?;
         Ok(record_id)
     }
 

@@ -1,8 +1,10 @@
 //! State the tasks share: short copies under a critical section.
 
 use crate::board::{CONVERTERS, promise};
+use calib_core::conformity::Conformity;
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
+use calib_core::stored_list::ListTerms;
 use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
 use calib_firmware::lease::Lease;
@@ -58,6 +60,19 @@ pub(crate) fn note_defect(defect: Defect, is_there: bool) {
     });
 }
 
+static CONFORMITY: CriticalSectionMutex<Cell<Option<Conformity>>> =
+    CriticalSectionMutex::new(Cell::new(None));
+
+/// What the chosen list came to, since a tap of the button measured it; none for any other run.
+pub(crate) fn conformity() -> Option<Conformity> {
+    CONFORMITY.lock(Cell::get)
+}
+
+/// Another run begins, or one was judged.
+pub(crate) fn set_conformity(conformity: Option<Conformity>) {
+    CONFORMITY.lock(|cell| cell.set(conformity));
+}
+
 static LEASE: CriticalSectionMutex<Cell<Lease>> = CriticalSectionMutex::new(Cell::new(Lease::NONE));
 
 /// Looks at the lease of the run in work, and changes it; `now_ms` counts from the start.
@@ -94,6 +109,8 @@ pub(crate) struct Run {
     pub(crate) complete: bool,
     /// Running number its record has or will have.
     pub(crate) record_id: u32,
+    /// The list a tap of the button chose; none where a host began it.
+    pub(crate) list: ListTerms,
 }
 
 impl Run {
@@ -107,7 +124,16 @@ impl Run {
         results: Vec::new(),
         complete: false,
         record_id: 0,
+        list: ListTerms::NONE,
     };
+
+    /// Begins anew, with points and list still to come.
+    pub(crate) fn begin(&mut self, record_id: u32) {
+        self.results.clear();
+        self.complete = false;
+        self.record_id = record_id;
+        self.list = ListTerms::NONE;
+    }
 }
 
 /// The running or last run.

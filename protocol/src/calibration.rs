@@ -6,6 +6,7 @@ use crate::signature::PublicKey;
 use crate::update::ImageOrigin;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
+use calib_core::stored_list::ListTerms;
 use heapless::{String, Vec};
 
 /// Most points of one run.
@@ -27,6 +28,8 @@ pub struct Record {
     pub provenance: Provenance,
     /// The image that measured, as its loader found it.
     pub image: ImageOrigin,
+    /// The list that a tap of the button chose, and what it is judged by; none where a host began the run.
+    pub list: ListTerms,
     /// Results in the order measured.
     pub points: Vec<PointResult, MAX_POINTS>,
     /// [Digest](crate::record::digest) of the bytes it was read from; none of a record that was not read.
@@ -44,6 +47,7 @@ impl Record {
         complete: false,
         provenance: Provenance::UNKNOWN,
         image: ImageOrigin::UNKNOWN,
+        list: ListTerms::NONE,
         points: Vec::new(),
         sha256: None,
         signed_by: None,

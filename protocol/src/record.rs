@@ -18,6 +18,7 @@
 //! | 6 | all before | all settings before a change |
 //! | 7 | provenance | [`Provenance`] of the settings |
 //! | 9 | image | [`ImageOrigin`]: digest and signer, where a loader has checked it |
+//! | 10 | list | [`ListTerms`] of the list a tap of the button chose |
 //! | 8 | signature | [`crate::signature::Signature`] of the instrument, the last of all |
 //!
 //! The head comes first. Records of version 1 had no sections: they are read, and written no more.
@@ -29,6 +30,7 @@ use crate::frame::CRC;
 pub use crate::head::{RecordHead, RunLabels, Sha256Sum};
 use crate::kind::{Form, kind_of};
 pub use crate::kind::{RECORD_VERSION, RecordKind};
+use crate::lists::tame_terms;
 use crate::provenance::Provenance;
 use crate::sections::{Fields, find, needed, section};
 use crate::settings_form::{self, InSections};
@@ -37,6 +39,7 @@ use crate::stored_point::{self, InColumns};
 use crate::text::tame;
 use crate::update::ImageOrigin;
 use calib_core::settings::{ReferenceChannel, Settings};
+use calib_core::stored_list::ListTerms;
 use core::ops::Range;
 use heapless::String;
 use serde::{Deserialize, Serialize, Serializer};
@@ -50,6 +53,7 @@ const BEFORE: u8 = 5;
 const ALL_BEFORE: u8 = 6;
 const PROVENANCE: u8 = 7;
 const IMAGE: u8 = 9;
+const LIST: u8 = 10;
 
 /// One line of the record list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -107,6 +111,7 @@ pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> 
         section(POINTS, InColumns(&record.points)),
         Origin(&record.provenance),
         Image(&record.image),
+        List(&record.list),
     );
     seal(RecordKind::Calibration, &content, buffer)
 }
@@ -150,6 +155,18 @@ impl Serialize for Image<'_> {
         match *self.0 == ImageOrigin::UNKNOWN {
             true => ().serialize(serializer),
             false => section(IMAGE, self.0).serialize(serializer),
+        }
+    }
+}
+
+/// The section of the list; none where a host began the run.
+struct List<'a>(&'a ListTerms);
+
+impl Serialize for List<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0.is_none() {
+            true => ().serialize(serializer),
+            false => section(LIST, self.0).serialize(serializer),
         }
     }
 }
@@ -240,6 +257,9 @@ impl<'a> Content<'a> {
             Some((_, content)) => Fields(content).take()?,
             None => ImageOrigin::UNKNOWN,
         };
+        if let Some((_, content)) = find(self.bytes, LIST, 1)? {
+            record.list = Fields(content).take()?;
+        }
         stored_point::read(needed(self.bytes, POINTS)?, &mut record.points)
     }
 
@@ -377,6 +397,7 @@ pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
     record.head.tame();
     tame_settings(&mut record.settings);
     record.incident.iter_mut().for_each(tame);
+    tame_terms(&mut record.list);
     for point in &mut record.points {
         point.refuse_without_result();
     }
@@ -388,6 +409,7 @@ mod tests {
     use super::*;
     use crate::update::ImageSigner;
     use calib_core::point::{PointResult, PointSpec};
+    use calib_core::stored_list::{Band, Base, Rule};
     use calib_core::verdict::{Reason, Verdict};
 
     fn record() -> Record {
@@ -461,6 +483,34 @@ mod tests {
         assert_eq!(read.image, record.image);
         let before = decode(&stored()).expect("whole");
         assert_eq!(before.image, ImageOrigin::UNKNOWN);
+    }
+
+    /// Name 6 bytes, nominal 4, unit 5, rule 1, count of bands 1, a band 4 + 4 + 1 + 4 + 4 + 1, and what says
+    /// that it is a section: 3.
+    #[test]
+    fn the_list_and_its_limits_are_told_and_a_record_without_is_read() {
+        let band = Band {
+            from_hz: 0.0,
+            to_hz: f32::MAX,
+            base: Base::Nominal,
+            lower_rel: -0.05,
+            upper_rel: 0.05,
+            reference_point_only: false,
+        };
+        let mut record = record();
+        record.list = ListTerms {
+            name: "field".try_into().expect("short"),
+            nominal_v_per_ms2: 0.0102,
+            unit: "mV/g".try_into().expect("short"),
+            rule: Rule::GuardBand,
+            bands: [band].into_iter().collect(),
+        };
+        let mut bytes = vec![0; 1024];
+        let length = encode(&record, &mut bytes).expect("fits");
+        assert_eq!(length, stored().len() + 6 + 4 + 5 + 1 + 1 + 18 + 3);
+        let read = decode(&bytes[..length]).expect("whole");
+        assert_eq!(read.list, record.list);
+        assert!(decode(&stored()).expect("whole").list.is_none());
     }
 
     #[test]

@@ -14,6 +14,8 @@ pub mod hostile;
 pub mod judge;
 pub mod keyboard;
 pub mod live;
+#[cfg(test)]
+mod lone;
 pub mod reality;
 pub mod served;
 pub mod siege;

@@ -23,7 +23,7 @@ pub(super) const STATE_ITEM_1: u16 = 0x8001;
 /// Where the body of a record is put together: behind mark and head.
 pub(super) const BODY_AT: usize = 2 + stored::MAX_HEAD;
 /// Bytes of a record that are neither points nor settings, at most.
-pub(super) const LONGEST_HEAD: usize = 760 + LONGEST_HEADINGS;
+pub(super) const LONGEST_HEAD: usize = 960 + LONGEST_HEADINGS;
 /// Bytes of an item that hold what the list says of a record, at most: mark, stored head, version and
 /// head of the record.
 pub(super) const LONGEST_LISTED: usize = 2 + stored::MAX_HEAD + 2 + 400;

@@ -25,11 +25,11 @@ fn level(lit: bool) -> Level {
 
 /// Lamps of the board.
 pub(crate) struct Lamps {
-    /// Ready, or the last run passed.
+    /// Winks: ready. Lit: PASS.
     pub(crate) green: Lamp,
-    /// Measuring; of another colour on some boards.
+    /// Lit: measuring. Of another colour on some boards.
     pub(crate) yellow: Lamp,
-    /// Fault, or the last run holds a refused point.
+    /// Refused, FAIL with yellow in turn, or a fault.
     pub(crate) red: Lamp,
 }
 

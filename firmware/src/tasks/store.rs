@@ -3,8 +3,9 @@
 use crate::board::{RECORD_AREA, RandomSource, RecordFlash, axi_static, wrong_words_of_records};
 use crate::identity::Identity;
 use crate::{retained, state};
+use calib_core::conformity::judge;
 use calib_core::self_test::WrongWords;
-use calib_core::stored_list::StoredLists;
+use calib_core::stored_list::{StoredList, StoredLists};
 use calib_firmware::archive::{Archive, Directory, LastAccess, MAX_ITEM, Memory};
 use calib_firmware::command::{RecordPage, RecordPart};
 use calib_firmware::restarts::{LeftOut, Stage};
@@ -104,6 +105,15 @@ impl SharedArchive {
     pub(crate) fn list(&self, place: u8) -> Result<Option<KeptList>, Refusal> {
         let mut archive = self.lock()?;
         Ok(archive.get()?.list(place))
+    }
+
+    /// Looks at the list that a tap of the button measures.
+    pub(crate) fn chosen<T>(
+        &self,
+        look: impl FnOnce(Option<&StoredList>) -> T,
+    ) -> Result<T, Refusal> {
+        let mut archive = self.lock()?;
+        Ok(look(archive.get()?.lists().chosen()))
     }
 
     /// See [`Archive::change_lists`].
@@ -214,15 +224,18 @@ pub(crate) async fn store(
             let run = run.borrow();
             record.head.labels.clone_from(&run.spec.labels);
             record.complete = run.complete;
+            record.list.clone_from(&run.list);
             record.points.clear();
             // The same capacity: all of them fit.
             let _ = record.points.extend_from_slice(&run.results);
         });
         let complete = record.complete;
+        let judged = (!record.list.is_none()).then(|| judge(&record.list, &record.points));
         let stored = archive.store().await;
         let ended = match stored {
             Ok(()) => {
                 incident = None;
+                state::set_conformity(judged);
                 if complete {
                     RunState::Finished
                 } else {

@@ -4,17 +4,13 @@ use crate::board::{Lamps, PushButton, Watchdog, silence_now, unused_stack_bytes}
 use crate::instrument::Calibrator;
 use crate::retained;
 use crate::state::{self, Order};
-use calib_core::point::ExcitationKind;
-use calib_core::points::default_points;
 use calib_core::verdict::{Reason, Verdict};
 use calib_firmware::button::{Button, PERIOD_MS, Press};
-use calib_firmware::command::Instrument;
-use calib_firmware::lamps::is_red_lit;
+use calib_firmware::lamps::{Lit, Shown};
 use calib_firmware::lease::Lease;
 use calib_firmware::restarts::{MINUTE_MS, Reason as Why, Way};
 use calib_protocol::health::Defect;
-use calib_protocol::message::{RunSpec, RunState};
-use calib_protocol::record::RunLabels;
+use calib_protocol::message::RunState;
 use core::sync::atomic::Ordering;
 use embassy_time::{Duration, Timer};
 
@@ -121,23 +117,10 @@ async fn look(button: &mut Button, is_down: bool, instrument: &mut Calibrator) {
             button.consume();
             state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
         }
-        Press::Tap => start_default_list(instrument).await,
+        Press::Tap => instrument.tap().await,
         Press::Down | Press::Nothing => {}
     }
     state::BUTTON_HELD.store(button.is_held(), Ordering::Relaxed);
-}
-
-async fn start_default_list(instrument: &mut Calibrator) {
-    let run = RunSpec {
-        points: default_points().into_iter().collect(),
-        excitation: ExcitationKind::SingleSine,
-        labels: RunLabels::default(),
-    };
-    match instrument.start(run).await {
-        // Whoever pressed it is there.
-        Ok(_) => state::with_lease(|lease, _| *lease = Lease::NONE),
-        Err(refusal) => defmt::warn!("button: {}", defmt::Debug2Format(&refusal)),
-    }
 }
 
 /// Ends a run whose host has been silent for longer than its lease grants.
@@ -163,21 +146,32 @@ fn try_again() -> ! {
 }
 
 fn show(lamps: &mut Lamps, state: RunState, periods: u32) {
+    let Lit { green, yellow, red } = shown(state).lit(periods);
+    lamps.green.set(green);
+    lamps.yellow.set(yellow);
+    lamps.red.set(red);
+}
+
+/// What there is to be said, what matters most first.
+fn shown(state: RunState) -> Shown {
     let defects = state::defects();
     if !defects.is_none() {
-        lamps.green.set(false);
-        lamps.red.set(is_red_lit(defects, periods));
-        return lamps.yellow.set(state.is_running());
+        return Shown::Degraded(defects, state.is_running());
     }
-    let busy = state.is_running();
+    if state.is_running() {
+        return Shown::Running;
+    }
+    if let Some(conformity) = state::conformity() {
+        return Shown::Judged(conformity);
+    }
     let refused = state::RUN.lock(|run| {
         let run = run.borrow();
         run.results
             .iter()
             .any(|point| point.verdict != Verdict::Pass)
     });
-    let bad = state == RunState::Failed || refused;
-    lamps.yellow.set(busy);
-    lamps.red.set(bad);
-    lamps.green.set(!busy && !bad);
+    match state == RunState::Failed || refused {
+        true => Shown::Refused,
+        false => Shown::Ready,
+    }
 }

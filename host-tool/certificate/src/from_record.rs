@@ -2,6 +2,7 @@
 
 use super::budget::{self, Basis};
 use super::conformity;
+use super::decision::Request;
 use super::model::{Certificate, Refusal, Remark, Severity, Value};
 use super::model::{Deviation, Point, PointValues};
 use super::mountings::Mountings;
@@ -51,6 +52,7 @@ impl Certificate {
             let (a, b) = (key(a), key(b));
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
+        let particulars = &judging(record, particulars);
         let basis = Basis::new(record, particulars, mountings);
         let mut points: Vec<Point> = measured.iter().map(|p| point(p, &basis, record)).collect();
         let reference = reference_point(&points);
@@ -81,6 +83,16 @@ impl Certificate {
         }
         certificate
     }
+}
+
+/// What was judged at the instrument is judged by the limits in the record, unless a tolerance is stated.
+fn judging(record: &Record, particulars: &Particulars) -> Particulars {
+    let mut particulars = particulars.clone();
+    let stated = particulars.decision.as_ref();
+    if stated.is_none_or(Request::is_open) && !record.list.is_none() {
+        particulars.decision = Some(Request::of_terms(&record.list));
+    }
+    particulars
 }
 
 fn number(record: &Record, particulars: &Particulars) -> String {

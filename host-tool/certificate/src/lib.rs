@@ -65,6 +65,8 @@ mod tests;
 #[cfg(test)]
 mod tests_dcc;
 #[cfg(test)]
+mod tests_lone;
+#[cfg(test)]
 mod tests_marks;
 #[cfg(test)]
 mod tests_pdf;

@@ -1,11 +1,14 @@
-//! Lists kept on the instrument.
+//! A run without a host: a list kept on the instrument, measured by a tap, judged at the lamps.
 
+use calib_core::conformity::{Conformity, judge};
 use calib_core::point::PointSpec;
 use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList};
-use calib_link::Error;
+use calib_link::{Error, session};
 use calib_protocol::lists::{KeptList, ListChange};
-use calib_protocol::message::Refusal;
+use calib_protocol::message::{Refusal, RunState};
+use calib_protocol::record::Record;
 use calib_tests::bench::{Bench, Fault, point};
+use calib_twin::board::Leds;
 use calib_twin::rig::Rig;
 use std::time::Duration;
 
@@ -85,5 +88,124 @@ fn lists_change_under_a_hand_alone_and_are_kept_through_a_power_cut() -> Result<
     bench.board().power_cycle()?;
     bench.client.wait(Duration::from_secs(1))?;
     assert_eq!(bench.client.lists()?, expected);
+    Ok(())
+}
+
+/// How often a lamp is lit, of ten looks, and how often it changes; in two seconds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Seen {
+    lit: u32,
+    changes: u32,
+}
+
+/// Green, yellow, red, as somebody sees them who looks for two seconds.
+fn seen(bench: &mut Bench) -> Result<[Seen; 3], Fault> {
+    let lamps = |Leds { green, yellow, red }| [green, yellow, red];
+    let (mut seen, mut before) = ([(0, 0); 3], lamps(bench.board().leds()?));
+    for _ in 0..100 {
+        bench.client.wait(Duration::from_millis(20))?;
+        let now = lamps(bench.board().leds()?);
+        for (index, seen) in seen.iter_mut().enumerate() {
+            seen.0 += u32::from(now[index]);
+            seen.1 += u32::from(now[index] != before[index]);
+        }
+        before = now;
+    }
+    Ok(seen.map(|(lit, changes)| Seen {
+        lit: (lit + 5) / 10,
+        changes,
+    }))
+}
+
+const DARK: Seen = Seen { lit: 0, changes: 0 };
+const LIT: Seen = Seen {
+    lit: 10,
+    changes: 0,
+};
+/// Ready: green for a twentieth of the time.
+const READY: [Seen; 3] = [Seen { lit: 1, changes: 2 }, DARK, DARK];
+const PASS: [Seen; 3] = [LIT, DARK, DARK];
+const NOT_JUDGEABLE: [Seen; 3] = [DARK, Seen { lit: 5, changes: 2 }, DARK];
+
+fn expect_fail(seen: [Seen; 3]) {
+    let [green, yellow, red] = seen;
+    assert_eq!(green, DARK);
+    // They take turns, eight changes a second.
+    assert_eq!(yellow.lit + red.lit, 10, "{seen:?}");
+    assert!((15..=18).contains(&red.changes), "{seen:?}");
+    assert_eq!(red.changes, yellow.changes);
+}
+
+/// Stores the list, has it chosen, and measures it by a tap; its record.
+fn tapped(bench: &mut Bench, list: &StoredList) -> Result<Record, Fault> {
+    bench.under_a_hand(|client| {
+        client.change_lists(&ListChange::Store(list.clone()))?;
+        Ok(client.change_lists(&choice(&list.terms.name))?)
+    })?;
+    let before = bench.client.records()?.len();
+    // Down for 60 ms and up again.
+    bench.under_a_hand(|_| Ok(()))?;
+    let running = bench.client.status()?;
+    assert!(running.state.is_running(), "{running:?}");
+    assert_eq!(
+        usize::from(running.points),
+        list.points.len(),
+        "not the chosen list"
+    );
+    while bench.client.status()?.state.is_running() {
+        bench.client.wait(Duration::from_millis(50))?;
+    }
+    let records = bench.client.records()?;
+    assert_eq!(records.len(), before + 1);
+    let last = records.last().ok_or("no record")?.id;
+    let folder = tempfile::tempdir()?;
+    Ok(session::download(&mut bench.client, last, folder.path(), |_| ())?.record)
+}
+
+#[test]
+fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.adjust(|settings| settings.blocks = 3)?;
+    assert_eq!(seen(&mut bench)?, READY);
+    let points = [point(160.0, 10.0), point(1_000.0, 10.0)];
+    // The device is off by +5.9 %, by nothing, and by nothing with a tolerance below its U of 0.8 %.
+    for (name, deviation_rel, tolerance_rel, expected) in [
+        ("off", 0.059, 0.05, Conformity::Fail),
+        ("tight", 0.0, 0.003, Conformity::NotJudgeable),
+        ("good", 0.0, 0.05, Conformity::Pass),
+    ] {
+        let list = list(name, &points, deviation_rel, tolerance_rel);
+        let record = tapped(&mut bench, &list)?;
+        assert_eq!(bench.client.status()?.state, RunState::Finished);
+        let point = record.points.first().ok_or("no point")?;
+        let nominal = list.terms.nominal_v_per_ms2;
+        println!(
+            "{name}: {:+.2} % of nominal, U {:.2} %, limit {:.1} %",
+            100.0 * (point.sensitivity_v_per_ms2 / nominal - 1.0),
+            100.0 * point.expanded_uncertainty_rel,
+            100.0 * tolerance_rel
+        );
+        assert_eq!(record.list, list.terms, "what it was judged by");
+        assert_eq!(judge(&record.list, &record.points), expected, "{name}");
+        match (expected, seen(&mut bench)?) {
+            (Conformity::Fail, seen) => expect_fail(seen),
+            (Conformity::Pass, seen) => assert_eq!(seen, PASS),
+            (_, seen) => assert_eq!(seen, NOT_JUDGEABLE),
+        }
+    }
+    // A press during the run stops it: of what was left out nothing is said.
+    bench.under_a_hand(|_| Ok(()))?;
+    bench.client.wait(Duration::from_millis(300))?;
+    bench.board().press_button(true)?;
+    bench.client.wait(Duration::from_secs(1))?;
+    bench.board().press_button(false)?;
+    assert_eq!(bench.client.status()?.state, RunState::Stopped);
+    assert_eq!(seen(&mut bench)?, NOT_JUDGEABLE);
+    // A host's run judges nothing, and takes the place of what was said.
+    let record_id = bench.run(&points[..1])?.record_id;
+    assert_eq!(seen(&mut bench)?, READY);
+    let folder = tempfile::tempdir()?;
+    let download = session::download(&mut bench.client, record_id, folder.path(), |_| ())?;
+    assert!(download.record.list.is_none());
     Ok(())
 }

@@ -15,11 +15,11 @@ const OUTPUT: u64 = 0b01;
 /// State of the three lamps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Leds {
-    /// Ready, or the last run passed.
+    /// Winks: ready. Lit: PASS.
     pub green: bool,
-    /// Measuring.
+    /// Lit: measuring. Slow: NOT JUDGEABLE. Takes turns with red: FAIL.
     pub yellow: bool,
-    /// Fault, or the last run holds a refused point.
+    /// Lit: the last run holds a refused point. Blinks, counted: degraded.
     pub red: bool,
 }
 

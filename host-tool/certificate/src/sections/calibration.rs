@@ -10,8 +10,11 @@ use calib_protocol::record::Record;
 
 pub(super) fn calibration(record: &Record, particulars: &Particulars) -> Section {
     let statement = statement(record, particulars);
-    let lines = replaces(particulars).into_iter().chain(statement);
-    Section::new("calibration", lines.chain(measurement(record)))
+    let replaced = replaces(particulars).into_iter().chain(statement);
+    // Only a run that the instrument began has one.
+    let list = text(&record.list.name).map(|name| ("list", clause::NONE, Some(name)));
+    let lines = replaced.chain(measurement(record)).chain(list);
+    Section::new("calibration", lines)
 }
 
 /// Which certificate this one replaces, and why; one that replaces none lacks nothing.

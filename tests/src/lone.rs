@@ -1,0 +1,162 @@
+//! The instrument and a certificate say the same of the same run: two judgements, written apart, in single and in
+//! double precision.
+
+use calib_certificate::decision::{Request, Stated};
+use calib_certificate::{Certificate, Particulars};
+use calib_core::conformity::{Conformity, judge};
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::points::{LEVELS_MS2, PREFERRED_HZ};
+use calib_core::settings::Settings;
+use calib_core::stored_list::{Band, Base, ListTerms, Rule};
+use calib_core::tone::Tone;
+use calib_core::verdict::{Reason, Verdict};
+use calib_protocol::record::{Record, RecordHead, RunLabels};
+use rand_chacha::ChaCha12Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+use std::collections::BTreeMap;
+
+const RUNS: u64 = 4_000;
+/// Single precision moves a limit by some units in its last place of 6e-8: of what lies nearer to one than this,
+/// either statement is as good.
+const NEAR_REL: f32 = 1.0e-6;
+
+struct Draws(ChaCha12Rng);
+
+impl Draws {
+    fn unit(&mut self) -> f32 {
+        (self.0.next_u32() >> 8) as f32 / (1 << 24) as f32
+    }
+
+    fn between(&mut self, low: f32, high: f32) -> f32 {
+        low + (high - low) * self.unit()
+    }
+
+    fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[self.0.next_u32() as usize % choices.len()]
+    }
+
+    fn band(&mut self) -> Band {
+        let everywhere = self.unit() < 0.5;
+        let half_rel = self.between(0.005, 0.2);
+        Band {
+            from_hz: if everywhere {
+                0.0
+            } else {
+                self.between(20.0, 100.0)
+            },
+            to_hz: if everywhere {
+                f32::MAX
+            } else {
+                self.between(200.0, 8_000.0)
+            },
+            base: self.one_of(&[Base::Nominal, Base::Reference]),
+            lower_rel: -half_rel,
+            upper_rel: half_rel * self.between(0.5, 2.0),
+            reference_point_only: self.unit() < 0.2,
+        }
+    }
+
+    fn terms(&mut self) -> ListTerms {
+        let bands = 1 + self.0.next_u32() as usize % 3;
+        ListTerms {
+            name: "drawn".try_into().expect("short"),
+            nominal_v_per_ms2: 0.01 * self.between(0.9, 1.1),
+            unit: "mV/g".try_into().expect("short"),
+            rule: self.one_of(&[Rule::Simple, Rule::GuardBand]),
+            bands: (0..bands).map(|_| self.band()).collect(),
+        }
+    }
+
+    fn point(&mut self, spread_rel: f32) -> PointResult {
+        let spec = PointSpec {
+            frequency_hz: self.one_of(&PREFERRED_HZ),
+            acceleration_rms_ms2: self.one_of(&LEVELS_MS2),
+        };
+        let tone = Tone::nearest(spec.frequency_hz, 50_000.0);
+        let refused = self.unit() < 0.05;
+        PointResult {
+            verdict: match refused {
+                true => Verdict::Refused(Reason::Clipped),
+                false => Verdict::Pass,
+            },
+            acceleration_rms_ms2: spec.acceleration_rms_ms2,
+            sensitivity_v_per_ms2: 0.01 * self.between(1.0 - spread_rel, 1.0 + spread_rel),
+            expanded_uncertainty_rel: self.between(0.002, 0.02),
+            expanded_uncertainty_phase_rad: 0.01,
+            coverage_factor: 2.0,
+            effective_degrees_of_freedom: 100.0,
+            ..PointResult::refused(spec, tone, Reason::Clipped)
+        }
+    }
+
+    fn run(&mut self) -> (ListTerms, Vec<PointResult>) {
+        let (terms, points) = (self.terms(), 1 + self.0.next_u32() % 6);
+        let spread_rel = self.between(0.01, 0.2);
+        (terms, (0..points).map(|_| self.point(spread_rel)).collect())
+    }
+}
+
+/// What a certificate states of the record of such a run.
+fn certified(terms: &ListTerms, points: &[PointResult]) -> Stated {
+    let record = Record {
+        head: RecordHead {
+            id: 1,
+            sample_rate_hz: 50_000.0,
+            labels: RunLabels {
+                // Where nobody states it, U of a certificate covers more kelvins than the instrument's.
+                temperature_centi_c: Some(2300),
+                ..RunLabels::BLANK
+            },
+            ..RecordHead::BLANK
+        },
+        settings: Settings::field_calibrator(),
+        complete: true,
+        points: points.iter().copied().collect(),
+        ..Record::BLANK
+    };
+    let particulars = Particulars {
+        decision: Some(Request::of_terms(terms)),
+        ..Particulars::default()
+    };
+    Certificate::from_record(&record, &particulars).stated_conformity()
+}
+
+/// What the lamps say of it, be it on either side of a limit that a value is next to.
+fn judgements(terms: &ListTerms, points: &[PointResult]) -> [Stated; 3] {
+    [1.0, 1.0 - NEAR_REL, 1.0 + NEAR_REL].map(|factor| {
+        let mut points = points.to_vec();
+        for point in &mut points {
+            point.sensitivity_v_per_ms2 *= factor;
+        }
+        match judge(terms, &points) {
+            Conformity::Pass => Stated::Pass,
+            Conformity::ConditionalPass => Stated::ConditionalPass,
+            Conformity::ConditionalFail => Stated::ConditionalFail,
+            Conformity::NotJudgeable => Stated::NotJudgeable,
+            Conformity::Fail => Stated::Fail,
+        }
+    })
+}
+
+#[test]
+fn the_lamps_and_a_certificate_say_the_same_of_every_run() {
+    let mut draws = Draws(ChaCha12Rng::seed_from_u64(19));
+    let mut said: BTreeMap<String, u32> = BTreeMap::new();
+    let mut near = 0;
+    for number in 0..RUNS {
+        let (terms, points) = draws.run();
+        let certified = certified(&terms, &points);
+        let judged = judgements(&terms, &points);
+        assert!(
+            judged.contains(&certified),
+            "{number}: {judged:?}, certified {certified:?}"
+        );
+        near += u32::from(judged[0] != certified);
+        *said.entry(format!("{certified:?}")).or_default() += 1;
+    }
+    println!("{said:?}, {near} next to a limit");
+    // Each statement was met often enough to be compared.
+    assert_eq!(said.len(), 5, "{said:?}");
+    assert!(said.values().all(|times| *times >= 40), "{said:?}");
+    assert!(near <= 2, "{near}");
+}
