@@ -92,6 +92,8 @@ pub trait Instrument {
     async fn list(&mut self, place: u8) -> Result<Option<KeptList>, Refusal>;
     /// Changes the lists, if they are not so already; `held` where a hand allows it.
     async fn change_lists(&mut self, change: &ListChange, held: bool) -> Result<(), Refusal>;
+    /// Takes the time a host tells; 0 is none.
+    fn tell_time(&mut self, unix_time_s: u64);
 }
 
 /// Carries out `request`; a reset is left to the caller, who answers first.
@@ -178,6 +180,10 @@ async fn carry_out(
         }
         Request::ChangeLists(change) => {
             change_lists(&change, instrument).await?;
+            Response::Done
+        }
+        Request::Clock { unix_time_s } => {
+            instrument.tell_time(unix_time_s);
             Response::Done
         }
     })

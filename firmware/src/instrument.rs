@@ -103,7 +103,12 @@ impl Calibrator {
 fn fill(run: &mut Run, record_id: u32, list: Option<&StoredList>) {
     run.begin(record_id);
     run.spec.excitation = ExcitationKind::SingleSine;
-    run.spec.labels = RunLabels::BLANK;
+    let (unix_time_s, reading) = state::time();
+    run.clock = reading;
+    run.spec.labels = RunLabels {
+        unix_time_s,
+        ..RunLabels::BLANK
+    };
     run.spec.points.clear();
     // A run has room for more points than either list.
     let _ = match list {
@@ -176,6 +181,7 @@ impl Instrument for Calibrator {
     }
 
     async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal> {
+        self.tell_time(spec.labels.unix_time_s);
         let record_id = self.may_start(spec.points.len()).await?;
         // No await from here on: the other link cannot come in between.
         state::RUN.lock(|run| {
@@ -281,6 +287,8 @@ impl Instrument for Calibrator {
     }
 
     fn update(&mut self, step: &UpdateStep, older_allowed: bool) -> Result<(), Refusal> {
+        // It holds the core up, and with it the count.
+        state::with_clock(|clock, _| clock.forget());
         update::carry_out(step, older_allowed)
     }
 
@@ -293,6 +301,10 @@ impl Instrument for Calibrator {
             return Err(Refusal::Busy);
         }
         self.archive.change_lists(change, held).await
+    }
+
+    fn tell_time(&mut self, unix_time_s: u64) {
+        state::with_clock(|clock, now_ms| clock.tell(unix_time_s, now_ms));
     }
 
     fn capture(&mut self, pairs: u16) -> Result<(), Refusal> {

@@ -13,6 +13,7 @@ extern crate self as calib_firmware;
 pub mod archive;
 pub mod button;
 pub mod capture;
+pub mod clock;
 pub mod command;
 pub mod device_key;
 pub mod lamps;

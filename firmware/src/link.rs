@@ -308,6 +308,7 @@ mod tests {
         async fn change_lists(&mut self, _: &ListChange, _: bool) -> Result<(), Refusal> {
             unreachable!("nobody holds the button")
         }
+        fn tell_time(&mut self, _: u64) {}
     }
 
     fn start() -> Request {

@@ -86,7 +86,8 @@ fn changes(request: &Request) -> bool {
         | Request::Health
         | Request::Key
         | Request::Image
-        | Request::List { .. } => false,
+        | Request::List { .. }
+        | Request::Clock { .. } => false,
     }
 }
 
@@ -123,6 +124,7 @@ mod tests {
             Request::Health,
             Request::Image,
             Request::List { place: 0 },
+            Request::Clock { unix_time_s: 1 },
             Request::Stop,
             Request::StopRun { record_id: 7 },
         ] {

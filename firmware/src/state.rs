@@ -7,8 +7,10 @@ use calib_core::settings::Settings;
 use calib_core::stored_list::ListTerms;
 use calib_core::verdict::Reason;
 use calib_firmware::capture::Capture;
+use calib_firmware::clock::{CRYSTAL_PPM, Clock, INTERNAL_PPM};
 use calib_firmware::lease::Lease;
 use calib_firmware::session::Session;
+use calib_protocol::clock::ClockReading;
 use calib_protocol::health::{Defect, Defects};
 use calib_protocol::message::{RunSpec, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
@@ -86,6 +88,29 @@ pub(crate) fn with_lease<T>(look: impl FnOnce(&mut Lease, u32) -> T) -> T {
     })
 }
 
+static CLOCK: CriticalSectionMutex<Cell<Clock>> =
+    CriticalSectionMutex::new(Cell::new(Clock::UNKNOWN));
+
+/// Looks at the time of day, and changes it; `now_ms` counts from the start.
+pub(crate) fn with_clock<T>(look: impl FnOnce(&mut Clock, u64) -> T) -> T {
+    let now_ms = Instant::now().as_millis();
+    CLOCK.lock(|cell| {
+        let mut clock = cell.get();
+        let result = look(&mut clock, now_ms);
+        cell.set(clock);
+        result
+    })
+}
+
+/// Seconds since 1970-01-01 UTC and where they come from; 0 and nothing where nobody told the time.
+pub(crate) fn time() -> (u64, ClockReading) {
+    let ppm = match defects().has(Defect::Clock) {
+        true => INTERNAL_PPM,
+        false => CRYSTAL_PPM,
+    };
+    with_clock(|clock, now_ms| clock.read(now_ms, ppm))
+}
+
 static SESSION: CriticalSectionMutex<Cell<Session>> =
     CriticalSectionMutex::new(Cell::new(Session::free()));
 
@@ -111,6 +136,8 @@ pub(crate) struct Run {
     pub(crate) record_id: u32,
     /// The list a tap of the button chose; none where a host began it.
     pub(crate) list: ListTerms,
+    /// Where its time comes from, if no host began it.
+    pub(crate) clock: ClockReading,
 }
 
 impl Run {
@@ -125,6 +152,7 @@ impl Run {
         complete: false,
         record_id: 0,
         list: ListTerms::NONE,
+        clock: ClockReading::NONE,
     };
 
     /// Begins anew, with points and list still to come.
@@ -133,6 +161,7 @@ impl Run {
         self.complete = false;
         self.record_id = record_id;
         self.list = ListTerms::NONE;
+        self.clock = ClockReading::NONE;
     }
 }
 

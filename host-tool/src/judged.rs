@@ -2,7 +2,7 @@
 //! completed by what the logbook knows of the sensor. Every verb and the page ask here.
 
 use crate::Result;
-use calib_certificate::{Certificate, Known, Language, Particulars, Verdict};
+use calib_certificate::{Around, Certificate, Known, Language, Particulars, Verdict};
 use calib_logbook::Logbook;
 use calib_protocol::record::{Record, RecordHead, RunLabels};
 use calib_record::hash_chain::{Evidence, Standing};
@@ -24,6 +24,27 @@ pub fn particulars(
         None => Known::default(),
     };
     particulars.for_device(&known)?;
+    Ok(particulars)
+}
+
+/// [`particulars`] for the certificate of a record that was made: where it has no time, what is known of it by the
+/// records around it.
+///
+/// # Errors
+/// As there.
+pub fn of_record(
+    files: &[PathBuf],
+    head: &RecordHead,
+    logbook: Option<&Logbook>,
+) -> Result<Particulars> {
+    let mut particulars = particulars(files, &head.labels, logbook)?;
+    if let Some(logbook) = logbook {
+        let (before, behind) = logbook.times_around(&head.instrument_serial, head.id)?;
+        particulars.around = Around {
+            before_unix_time_s: before,
+            behind_unix_time_s: behind,
+        };
+    }
     Ok(particulars)
 }
 

@@ -6,6 +6,7 @@
 pub mod about_sensor;
 pub mod amendment;
 pub mod assurance;
+pub mod clock;
 pub mod config;
 pub mod demo;
 mod device;

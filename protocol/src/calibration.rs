@@ -1,5 +1,6 @@
 //! The record of a calibration, whatever form it is written in.
 
+use crate::clock::ClockReading;
 use crate::head::{RecordHead, Sha256Sum};
 use crate::provenance::Provenance;
 use crate::signature::PublicKey;
@@ -30,6 +31,8 @@ pub struct Record {
     pub image: ImageOrigin,
     /// The list that a tap of the button chose, and what it is judged by; none where a host began the run.
     pub list: ListTerms,
+    /// Where the time comes from of a run that no host began.
+    pub clock: ClockReading,
     /// Results in the order measured.
     pub points: Vec<PointResult, MAX_POINTS>,
     /// [Digest](crate::record::digest) of the bytes it was read from; none of a record that was not read.
@@ -48,6 +51,7 @@ impl Record {
         provenance: Provenance::UNKNOWN,
         image: ImageOrigin::UNKNOWN,
         list: ListTerms::NONE,
+        clock: ClockReading::NONE,
         points: Vec::new(),
         sha256: None,
         signed_by: None,

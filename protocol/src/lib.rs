@@ -14,6 +14,7 @@
 pub mod calibration;
 pub mod capture;
 pub mod change;
+pub mod clock;
 pub mod error;
 pub mod form1;
 pub mod frame;

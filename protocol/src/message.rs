@@ -24,6 +24,7 @@
 //! | `Update` | `Done` or `Refused` | image/update |
 //! | `List` | `List` or `Refused` | list/get |
 //! | `ChangeLists` | `Done` or `Refused` | list/set |
+//! | `Clock` | `Done` | clock/set |
 
 use crate::capture::CapturePart;
 use crate::health::{Defects, Health};
@@ -126,6 +127,11 @@ pub enum Request {
     },
     /// Store, remove or choose a list. It needs the button held: a list decides what the lamps say.
     ChangeLists(ListChange),
+    /// Take this time: runs without a host are dated by it until the next restart.
+    Clock {
+        /// Seconds since 1970-01-01 UTC by the host's clock; 0 tells nothing.
+        unix_time_s: u64,
+    },
 }
 
 /// Answer of the calibrator.

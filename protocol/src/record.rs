@@ -19,11 +19,13 @@
 //! | 7 | provenance | [`Provenance`] of the settings |
 //! | 9 | image | [`ImageOrigin`]: digest and signer, where a loader has checked it |
 //! | 10 | list | [`ListTerms`] of the list a tap of the button chose |
+//! | 11 | clock | [`ClockReading`] of a run without a host |
 //! | 8 | signature | [`crate::signature::Signature`] of the instrument, the last of all |
 //!
 //! The head comes first. Records of version 1 had no sections: they are read, and written no more.
 
 pub use crate::calibration::{MAX_POINTS, Record};
+use crate::clock::ClockReading;
 pub use crate::error::RecordError;
 use crate::form1;
 use crate::frame::CRC;
@@ -54,6 +56,7 @@ const ALL_BEFORE: u8 = 6;
 const PROVENANCE: u8 = 7;
 const IMAGE: u8 = 9;
 const LIST: u8 = 10;
+const CLOCK: u8 = 11;
 
 /// One line of the record list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -112,6 +115,7 @@ pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> 
         Origin(&record.provenance),
         Image(&record.image),
         List(&record.list),
+        Counted(record.clock),
     );
     seal(RecordKind::Calibration, &content, buffer)
 }
@@ -167,6 +171,18 @@ impl Serialize for List<'_> {
         match self.0.is_none() {
             true => ().serialize(serializer),
             false => section(LIST, self.0).serialize(serializer),
+        }
+    }
+}
+
+/// The section of the clock; none where a host told the time of the run, or nobody did.
+struct Counted(ClockReading);
+
+impl Serialize for Counted {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 == ClockReading::NONE {
+            true => ().serialize(serializer),
+            false => section(CLOCK, self.0).serialize(serializer),
         }
     }
 }
@@ -259,6 +275,9 @@ impl<'a> Content<'a> {
         };
         if let Some((_, content)) = find(self.bytes, LIST, 1)? {
             record.list = Fields(content).take()?;
+        }
+        if let Some((_, content)) = find(self.bytes, CLOCK, 1)? {
+            record.clock = Fields(content).take()?;
         }
         stored_point::read(needed(self.bytes, POINTS)?, &mut record.points)
     }
@@ -511,6 +530,22 @@ mod tests {
         let read = decode(&bytes[..length]).expect("whole");
         assert_eq!(read.list, record.list);
         assert!(decode(&stored()).expect("whole").list.is_none());
+    }
+
+    #[test]
+    fn the_clock_of_a_run_without_a_host_is_told_and_a_record_without_is_read() {
+        let mut record = record();
+        record.clock = ClockReading {
+            told_unix_time_s: 1_800_000_000,
+            uncertainty_s: 88,
+        };
+        let mut bytes = vec![0; 1024];
+        let length = encode(&record, &mut bytes).expect("fits");
+        // Five bytes and one, and what says that it is a section.
+        assert_eq!(length, stored().len() + 5 + 1 + 3);
+        assert_eq!(decode(&bytes[..length]).expect("whole").clock, record.clock);
+        let before = decode(&stored()).expect("whole");
+        assert_eq!(before.clock, ClockReading::NONE);
     }
 
     #[test]

@@ -109,6 +109,7 @@ fn the_table_lists_every_request_with_its_number() {
         Request::ChangeLists(ListChange::Choose {
             name: heapless::String::new(),
         }),
+        Request::Clock { unix_time_s: 0 },
     ];
     assert_eq!(rows("request"), requests.each_ref().map(variant));
     expect_no_more::<Request>(requests.len());

@@ -198,6 +198,9 @@ impl Instrument for Bench {
             false => Err(Refusal::ButtonNotHeld),
         }
     }
+    fn tell_time(&mut self, _: u64) {
+        unreachable!("no line tells the time")
+    }
     fn capture(&mut self, _: u16) -> Result<(), Refusal> {
         Ok(())
     }

@@ -225,6 +225,7 @@ pub(crate) async fn store(
             record.head.labels.clone_from(&run.spec.labels);
             record.complete = run.complete;
             record.list.clone_from(&run.list);
+            record.clock = run.clock;
             record.points.clear();
             // The same capacity: all of them fit.
             let _ = record.points.extend_from_slice(&run.results);

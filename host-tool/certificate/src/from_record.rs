@@ -1,5 +1,6 @@
 //! From a decoded record to the certificate: the only place that computes.
 
+use super::around::minute;
 use super::budget::{self, Basis};
 use super::conformity;
 use super::decision::Request;
@@ -15,6 +16,7 @@ use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
 use calib_output::PointView;
 use calib_output::number::decimal;
+use calib_protocol::clock::ClockReading;
 use calib_protocol::provenance::{LoggedChange, Provenance};
 use calib_protocol::record::Record;
 use calib_protocol::update::ImageSigner;
@@ -57,9 +59,12 @@ impl Certificate {
         let mut points: Vec<Point> = measured.iter().map(|p| point(p, &basis, record)).collect();
         let reference = reference_point(&points);
         state_deviations(&mut points, reference, &basis);
+        let between = particulars.around.between(record);
+        let one_day = between.and_then(|(first, last)| (first == last).then_some(first));
         let mut certificate = Self {
             number: number(record, particulars),
-            day: run_day(record).or(particulars.calibration.date),
+            day: run_day(record).or(particulars.calibration.date).or(one_day),
+            between,
             particulars: particulars.clone(),
             sections: sections(record, particulars),
             inverted: reference.is_some_and(|index| measured[index].inverted),
@@ -254,6 +259,15 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
             let why = vec![Value::Text(why.clone())];
             say(Severity::Warning, "reference_override", why);
         }
+    }
+    if let Some((earlier, later)) = certificate.particulars.around.contradiction(record) {
+        let times = [earlier, later].map(|time| Value::Text(minute(time)));
+        say(Severity::Warning, "clock_backwards", times.to_vec());
+    }
+    if record.clock != ClockReading::NONE {
+        let told = Value::Text(minute(record.clock.told_unix_time_s));
+        let uncertainty = Value::Number(f64::from(record.clock.uncertainty_s), 0, "s");
+        say(Severity::Note, "clock_counted", vec![told, uncertainty]);
     }
     if record.provenance.differs_from_reference() {
         say(Severity::Warning, "settings_changed", changes(record));

@@ -6,6 +6,7 @@
 //! | `sections` | statements, each with the clause that asks for it |
 //! | [`particulars`] | what a TOML file states and no record knows |
 //! | `adjustment` | what was found before an adjustment, beside what was left |
+//! | `around` | the date of a run whose time nobody told |
 //! | `marks` | DRAFT, SIMULATED |
 //! | `refused` | what no certificate may say |
 //! | `assurance` | check standards that speak against it |
@@ -29,6 +30,7 @@
 #![forbid(unsafe_code)]
 
 mod adjustment;
+mod around;
 mod assurance;
 mod band;
 mod budget;
@@ -83,6 +85,7 @@ mod units;
 mod verdict;
 mod words;
 
+pub use around::Around;
 pub use assurance::{CheckProblem, FailedCheck};
 pub use calib_files::file::Existing;
 pub use change::expanded_uncertainty_of_change_rel;

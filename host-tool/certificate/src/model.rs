@@ -26,6 +26,8 @@ pub struct Certificate {
     pub number: String,
     /// Day of calibration, UTC.
     pub day: Option<Date>,
+    /// Of a run whose time nobody told, the first and the last day it can be of.
+    pub between: Option<(Date, Date)>,
     /// Statements beside the record.
     pub particulars: Particulars,
     /// Statements in the order they are printed.

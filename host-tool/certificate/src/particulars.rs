@@ -20,6 +20,7 @@
 //! ```
 
 use super::words::Language;
+use crate::around::Around;
 use crate::decision;
 use calib_files::{Error, Result, text};
 use jiff::civil::Date;
@@ -57,6 +58,9 @@ pub struct Particulars {
     pub texts: Texts,
     /// Layout of the printed certificate.
     pub layout: Layout,
+    /// Times of the records around the one that is certified; from the logbook.
+    #[serde(skip)]
+    pub around: Around,
 }
 
 /// A laboratory or a customer.

@@ -56,6 +56,8 @@ impl Default for RetryPolicy {
 pub struct Client {
     exchange: Exchange,
     policy: RetryPolicy,
+    /// Time to be told once the calibrator has said who it is, s since 1970.
+    telling_unix_time_s: u64,
 }
 
 /// Part of a stored record.
@@ -78,6 +80,7 @@ impl Client {
         Self {
             exchange: Exchange::new(transport),
             policy,
+            telling_unix_time_s: 0,
         }
     }
 
@@ -92,6 +95,14 @@ impl Client {
     /// [`Self::heeding`], for a client that is there already.
     pub fn heed(&mut self, stop: StopSwitch) {
         self.exchange.heed(stop);
+    }
+
+    /// Tells the calibrator this time, seconds since 1970-01-01 UTC, once it has said who it is: runs that a tap of
+    /// its button begins are dated by it.
+    #[must_use]
+    pub fn telling(mut self, unix_time_s: u64) -> Self {
+        self.telling_unix_time_s = unix_time_s;
+        self
     }
 
     /// Passes a stop on now, if one waits on the switch; whether one did.
@@ -132,12 +143,25 @@ impl Client {
                 tame(&mut info.git_hash);
                 tame(&mut info.serial);
                 info.last_panic.iter_mut().for_each(tame);
+                self.tell_time()?;
                 Ok(info)
             }
             Response::Info(info) => Err(Error::Protocol(ProtocolError::Version {
                 device: info.protocol_version,
             })),
             _ => Err(unexpected("its identity")),
+        }
+    }
+
+    /// Tells the time there is to be told, once. A release that takes none is as good.
+    fn tell_time(&mut self) -> Result<()> {
+        let unix_time_s = core::mem::take(&mut self.telling_unix_time_s);
+        if unix_time_s == 0 {
+            return Ok(());
+        }
+        match self.ask("the time", &Request::Clock { unix_time_s }) {
+            Ok(_) | Err(Error::Refused(_)) => Ok(()),
+            Err(error) => Err(error),
         }
     }
 
@@ -356,17 +380,19 @@ impl Client {
         self.done("an update", &request, self.policy.flash_timeout)
     }
 
-    /// The lists kept on the instrument, in its order.
+    /// The lists kept on the instrument, in its order; none of a release that keeps none.
     pub fn lists(&mut self) -> Result<Vec<KeptList>> {
         let mut lists = Vec::new();
         for place in 0..MAX_LISTS as u8 {
-            match self.ask("its lists", &Request::List { place })? {
-                Response::List(Some(mut kept)) => {
+            match self.ask("its lists", &Request::List { place }) {
+                Ok(Response::List(Some(mut kept))) => {
                     tame_terms(&mut kept.list.terms);
                     lists.push(kept);
                 }
-                Response::List(None) => break,
-                _ => return Err(unexpected("its lists")),
+                Ok(Response::List(None)) => break,
+                Err(Error::Refused(refused)) if refused.refusal == Refusal::Unknown => break,
+                Ok(_) => return Err(unexpected("its lists")),
+                Err(error) => return Err(error),
             }
         }
         Ok(lists)

@@ -170,6 +170,30 @@ impl Logbook {
         id.map(|id| self.record(id)).transpose()
     }
 
+    /// Times, s since 1970-01-01 UTC, of the records of an instrument that are next to this number and have one:
+    /// with a lower number and with a higher.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn times_around(
+        &self,
+        instrument: &str,
+        number: u32,
+    ) -> Result<(Option<u64>, Option<u64>)> {
+        let sql = "SELECT
+            (SELECT unix_time_s FROM records WHERE instrument = ?1 AND number < ?2 AND unix_time_s > 0
+             ORDER BY number DESC LIMIT 1),
+            (SELECT unix_time_s FROM records WHERE instrument = ?1 AND number > ?2 AND unix_time_s > 0
+             ORDER BY number LIMIT 1)";
+        let time = |time: Option<i64>| time.and_then(|time| u64::try_from(time).ok());
+        let row = self
+            .connection
+            .query_row(sql, params![instrument, number], |row| {
+                Ok((time(row.get(0)?), time(row.get(1)?)))
+            });
+        row.map_err(|error| self.failure(error))
+    }
+
     /// The bytes of a record, by its number in the logbook.
     ///
     /// # Errors

@@ -222,7 +222,7 @@ impl CertificateVerb {
         logbook: Option<&Logbook>,
     ) -> Result<Options> {
         let files = self.laboratory.before(&self.particulars);
-        let mut particulars = judged::particulars(&files, &record.head.labels, logbook)?;
+        let mut particulars = judged::of_record(&files, &record.head, logbook)?;
         let stated = self.language.or(particulars.language);
         particulars.language = stated.or(context.defaults.language);
         if let Some(customer) = &self.customer {

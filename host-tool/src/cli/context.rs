@@ -1,5 +1,6 @@
 //! Context of every verb: output switches and the address of the device.
 
+use calib_host::clock::unix_time_s;
 use calib_host::config::Config;
 use calib_host::emulated::KeptBoard;
 use calib_host::{Device, Error, Result};
@@ -98,7 +99,7 @@ impl Context {
     /// Opens the link to the calibrator at this address.
     pub(crate) fn connect_to(&self, address: &str) -> Result<Client> {
         let Ok(address) = address.parse::<Device>();
-        Ok(Client::new(address.open()?))
+        Ok(Client::new(address.open()?).telling(unix_time_s()))
     }
 
     /// The calibrator is no board that this program itself emulates: it has an exciter, and a link that can break.
@@ -135,7 +136,7 @@ impl Context {
             }
         };
         kept.hold_button()?;
-        Ok(Client::new(Box::new(kept)))
+        Ok(Client::new(Box::new(kept)).telling(unix_time_s()))
     }
 
     /// Prints the result of a verb: `value` as JSON if asked to, else `text`.

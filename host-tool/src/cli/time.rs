@@ -1,5 +1,6 @@
 //! Times as people read them.
 
+pub(crate) use calib_host::clock::unix_time_s;
 use jiff::Timestamp;
 
 /// `2026-11-21 14:05Z`, or `not known` for 0.
@@ -12,11 +13,6 @@ pub(crate) fn date_and_minute(unix_time_s: u64) -> String {
         Some(time) => time.strftime("%Y-%m-%d %H:%MZ").to_string(),
         None => "not known".to_owned(),
     }
-}
-
-/// Seconds since 1970-01-01 UTC by this computer's clock.
-pub(crate) fn unix_time_s() -> u64 {
-    u64::try_from(Timestamp::now().as_second()).unwrap_or(0)
 }
 
 #[cfg(test)]

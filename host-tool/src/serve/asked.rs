@@ -1,6 +1,7 @@
 //! What a page asks for: measurements, and sensors to be registered.
 
 use crate::about_sensor::{self, AboutSensor};
+use crate::clock::unix_time_s;
 use crate::{Error, Result};
 use calib_core::point::PointSpec;
 use calib_link::session::{self, label, temperature_centi_c};
@@ -77,7 +78,7 @@ impl Run {
             stated => stated.to_owned(),
         };
         Ok(RunLabels {
-            unix_time_s: u64::try_from(jiff::Timestamp::now().as_second()).unwrap_or(0),
+            unix_time_s: unix_time_s(),
             dut_model: label("model", &known.name())?,
             dut_serial: label("serial number", &known.serial)?,
             operator: label("operator", &self.operator)?,

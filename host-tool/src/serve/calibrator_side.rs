@@ -7,13 +7,15 @@
 
 use super::handle::{Handle, Order};
 use super::keeper::Keeper;
-use super::view::{Link, Shared};
+use super::view::{KeptListView, Link, Shared};
 use super::waveforms::Eye;
+use crate::clock::unix_time_s;
 use crate::{Device, Error, Result, refusals};
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_link::session::{self, Outcome, Progress};
 use calib_link::{Client, StopSwitch};
 use calib_output::{InfoView, PointView, StatusView};
+use calib_protocol::lists::KeptList;
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
 use calib_record::signature::short;
@@ -127,6 +129,7 @@ impl Worker {
             snapshot.device = device;
             snapshot.info = None;
             snapshot.key = None;
+            snapshot.lists.clear();
             snapshot.link = Link::None;
         });
         if let Err(error) = self.open() {
@@ -137,18 +140,21 @@ impl Worker {
     fn open(&mut self) -> Result<()> {
         let snapshot = self.shared.snapshot();
         let Ok(address) = snapshot.device.parse::<Device>();
-        let mut client = Client::new(address.open()?).heeding(self.switch.clone());
+        let client = Client::new(address.open()?).telling(unix_time_s());
+        let mut client = client.heeding(self.switch.clone());
         // A stop that waited for the link is for the run that was followed, not for one that another host
         // has begun meanwhile.
         let followed = snapshot.run.filter(|run| run.running);
         client.stop_for(followed.and_then(|run| run.record_id));
         let (info, health, key) = (client.info()?, client.health()?, client.key()?);
         let image = client.image()?;
+        let lists = kept_lists(&mut client)?;
         client.stop_for(None);
         self.client = Some(client);
         self.shared.change(|snapshot| {
             snapshot.info = Some(InfoView::new(&info, health.as_ref(), image.as_ref()));
             snapshot.key = key.map(|key| short(&key.public));
+            snapshot.lists = lists;
             snapshot.link = Link::Connected;
             snapshot.trouble = None;
         });
@@ -317,4 +323,17 @@ fn show(shared: &Shared, progress: &Progress<'_>, begun: Instant) {
         let new = progress.points.iter().skip(known).map(view);
         run.points.extend(new);
     });
+}
+
+/// What the page says of the lists for a tap of the button; none while the record area is busy or dead.
+fn kept_lists(client: &mut Client) -> Result<Vec<KeptListView>> {
+    let lists = match client.lists() {
+        Err(calib_link::Error::Refused(_)) => Vec::new(),
+        lists => lists?,
+    };
+    let view = |kept: &KeptList| KeptListView {
+        name: kept.list.terms.name.as_str().to_owned(),
+        chosen: kept.chosen,
+    };
+    Ok(lists.iter().map(view).collect())
 }

@@ -144,8 +144,7 @@ fn made(
     let format: Format = wanted.format.parse().map_err(unknown)?;
     let record = read(stored)?;
     let kept = logbook.as_ref();
-    let labels = &record.head.labels;
-    let mut particulars = judged::particulars(&house.particulars, labels, kept)?;
+    let mut particulars = judged::of_record(&house.particulars, &record.head, kept)?;
     wanted.stated.complete(&mut particulars)?;
     let mut options = Options {
         particulars,
@@ -207,8 +206,7 @@ pub(super) fn judged(
 ) -> Result<certificate::Document> {
     let record = read(stored)?;
     let logbook = Logbook::open_if_there(logbook)?;
-    let labels = &record.head.labels;
-    let mut particulars = judged::particulars(particulars, labels, logbook.as_ref())?;
+    let mut particulars = judged::of_record(particulars, &record.head, logbook.as_ref())?;
     stated.complete(&mut particulars)?;
     // What the page shows is in its language, whatever that of the laboratory's certificates is.
     let language = stated.language.or(particulars.language).unwrap_or_default();

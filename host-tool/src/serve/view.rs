@@ -49,6 +49,15 @@ pub struct RunView {
     pub logbook_record: Option<i64>,
 }
 
+/// A list the calibrator keeps for a tap of its button.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct KeptListView {
+    /// Its name.
+    pub name: String,
+    /// A tap of the button measures it.
+    pub chosen: bool,
+}
+
 /// Everything a page shows.
 #[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub struct Snapshot {
@@ -60,6 +69,8 @@ pub struct Snapshot {
     pub info: Option<InfoView>,
     /// The first 64 bits of its public key, as people compare them; none where its records are not signed.
     pub key: Option<String>,
+    /// The lists it keeps, as they were when the link was opened.
+    pub lists: Vec<KeptListView>,
     /// Last error, with the way out.
     pub trouble: Option<String>,
     /// The running or last run.

@@ -45,8 +45,8 @@ fn heading(record: &Record, certificate: &Certificate) -> String {
         record.head.id,
         record.head.instrument_serial,
         certificate
-            .day
-            .map_or("day not known".to_owned(), |day| day.to_string())
+            .dated(Language::En)
+            .unwrap_or_else(|| "day not known".to_owned())
     );
     let sensor = [labels.dut_model.as_str(), labels.dut_serial.as_str()].join(" ");
     let sensor = sensor.trim();

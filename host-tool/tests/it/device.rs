@@ -180,6 +180,7 @@ impl Device {
             // As an instrument without a loader.
             Request::Image => Response::Image(None),
             Request::Update(_) => Response::Refused(Refusal::NoLoader),
+            Request::Clock { .. } => Response::Done,
             Request::List { place } => Response::List(self.list_at(place)),
             Request::ChangeLists(change) => match change.carry_out(&mut self.lists) {
                 Ok(()) => Response::Done,

@@ -359,6 +359,8 @@ impl Instrument for Notes {
         Ok(())
     }
 
+    fn tell_time(&mut self, _: u64) {}
+
     fn capture(&mut self, pairs: u16) -> Result<(), Refusal> {
         self.capture.arm(pairs)?;
         self.capture.take(0, &[0x8000_8000; 500]);
@@ -390,7 +392,7 @@ mod tests {
         instrument.hand_on_button = true;
         // The seed changes a setting.
         instrument.settings.blocks += 1;
-        assert_eq!(instrument.hear(&all).len(), 21);
+        assert_eq!(instrument.hear(&all).len(), 22);
         let once = Changes {
             starts: 1,
             writes: 1,

@@ -102,6 +102,9 @@ fn requests() -> Vec<Request> {
         }),
         Request::List { place: 0 },
         Request::ChangeLists(ListChange::Store(list())),
+        Request::Clock {
+            unix_time_s: 1_795_269_900,
+        },
     ]
 }
 

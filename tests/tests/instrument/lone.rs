@@ -3,7 +3,9 @@
 use calib_core::conformity::{Conformity, judge};
 use calib_core::point::PointSpec;
 use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList};
-use calib_link::{Error, session};
+use calib_host::emulated::EmulatedTransport;
+use calib_link::{Client, Error, session};
+use calib_protocol::clock::ClockReading;
 use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{Refusal, RunState};
 use calib_protocol::record::Record;
@@ -207,5 +209,35 @@ fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<
     let folder = tempfile::tempdir()?;
     let download = session::download(&mut bench.client, record_id, folder.path(), |_| ())?;
     assert!(download.record.list.is_none());
+    Ok(())
+}
+
+#[test]
+fn a_run_without_a_host_has_the_time_a_host_told_or_none() -> Result<(), Fault> {
+    const TOLD: u64 = 1_795_269_900;
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    bench.adjust(|settings| settings.blocks = 3)?;
+    let list = list("one", &[point(160.0, 10.0)], 0.0, 0.05);
+    let dated = |record: &Record| (record.head.labels.unix_time_s, record.clock);
+    // Nobody told it the time.
+    let without = tapped(&mut bench, &list)?;
+    assert_eq!(dated(&without), (0, ClockReading::NONE));
+    let link = EmulatedTransport::new(bench.shared());
+    let mut host = Client::new(Box::new(link)).telling(TOLD);
+    host.info()?;
+    drop(host);
+    bench.client.wait(Duration::from_secs(7))?;
+    let (time, clock) = dated(&tapped(&mut bench, &list)?);
+    assert!((TOLD + 7..TOLD + 10).contains(&time), "{time}");
+    // A second of the host's and one of the count; the drift of seconds is none.
+    let expected = ClockReading {
+        told_unix_time_s: TOLD,
+        uncertainty_s: 2,
+    };
+    assert_eq!(clock, expected);
+    // Without supply it does not count, and says no wrong time.
+    bench.board().power_cycle()?;
+    bench.client.wait(Duration::from_secs(1))?;
+    assert_eq!(dated(&tapped(&mut bench, &list)?), (0, ClockReading::NONE));
     Ok(())
 }

@@ -78,7 +78,10 @@ pub(super) fn one_software(xml: &mut Xml, name: &str, version: &str, kind: &str)
 }
 
 fn core_data(xml: &mut Xml, certificate: &Certificate, needs: Needs<'_>, language: Language) {
-    let Needs { day, country } = needs;
+    let Needs {
+        days: (first, last),
+        country,
+    } = needs;
     let particulars = &certificate.particulars;
     let place = match particulars.calibration.place {
         Some(Place::Laboratory) => "laboratory",
@@ -93,8 +96,8 @@ fn core_data(xml: &mut Xml, certificate: &Certificate, needs: Needs<'_>, languag
         if let Some(received) = particulars.item.received {
             xml.leaf("dcc:receiptDate", &received.to_string());
         }
-        xml.leaf("dcc:beginPerformanceDate", &day.to_string());
-        xml.leaf("dcc:endPerformanceDate", &day.to_string());
+        xml.leaf("dcc:beginPerformanceDate", &first.to_string());
+        xml.leaf("dcc:endPerformanceDate", &last.to_string());
         xml.leaf("dcc:performanceLocation", place);
         if let Some(issued) = particulars.calibration.issued {
             xml.leaf("dcc:issueDate", &issued.to_string());

@@ -7,8 +7,8 @@ use jiff::civil::Date;
 /// Parts a DCC needs beside the results.
 #[derive(Clone, Copy)]
 pub(crate) struct Needs<'a> {
-    /// Day of calibration.
-    pub(super) day: Date,
+    /// First and last day the calibration can be of.
+    pub(super) days: (Date, Date),
     /// Country of the laboratory.
     pub(super) country: &'a str,
 }
@@ -23,7 +23,8 @@ pub(crate) fn needs(certificate: &Certificate) -> Result<Needs<'_>> {
         let problem = format!("has no {what}, and a digital calibration certificate must have one");
         Error::input(place, problem, hint)
     };
-    let day = certificate.day.ok_or_else(|| {
+    let day = certificate.day.map(|day| (day, day));
+    let days = day.or(certificate.between).ok_or_else(|| {
         let hint = "state `date` under [calibration] in a file given with --particulars";
         missing("date", hint)
     })?;
@@ -33,5 +34,5 @@ pub(crate) fn needs(certificate: &Certificate) -> Result<Needs<'_>> {
                     laboratory, or in one given with --particulars";
         missing("country of the laboratory", hint)
     })?;
-    Ok(Needs { day, country })
+    Ok(Needs { days, country })
 }

@@ -28,7 +28,8 @@ fn replaces(particulars: &Particulars) -> Option<Line> {
 /// Method, days, place and people.
 fn statement(record: &Record, particulars: &Particulars) -> [Line; 10] {
     let stated = &particulars.calibration;
-    let date = run_day(record).or(stated.date);
+    let date = run_day(record).or(stated.date).map(Value::Day);
+    let date = date.or_else(|| particulars.around.value(record));
     let issued = stated.issued.map(Value::Day);
     let measurand = stated.measurand.and_then(measurand);
     let operator = text(&record.head.labels.operator);
@@ -40,7 +41,7 @@ fn statement(record: &Record, particulars: &Particulars) -> [Line; 10] {
         ("measurand", clause::METHOD, measurand),
         ("example", clause::NONE, example),
         ("deviations", clause::DEVIATIONS, said(&stated.deviations)),
-        ("date", clause::DAY, date.map(Value::Day)),
+        ("date", clause::DAY, date),
         ("issued", clause::ISSUED, issued),
         ("place", clause::PLACE, place(particulars)),
         ("operator", clause::NONE, operator),

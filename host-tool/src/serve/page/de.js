@@ -105,6 +105,8 @@ export const german = {
   "Silence": "Stille",
   "calibrator {0}, firmware {1}": "Kalibrator {0}, Firmware {1}",
   "key {0}": "Schlüssel {0}",
+  "lists kept: {0}; a tap of its button measures {1}": "gespeicherte Listen: {0}; ein Tippen auf seinen Taster misst {1}",
+  "the default list": "die Standardliste",
   "no key: its records are not signed": "ohne Schlüssel: seine Messungen sind nicht signiert",
   "Degraded, measures nothing: {0}": "Eingeschränkt, misst nicht: {0}",
   "the server does not answer": "der Server antwortet nicht",

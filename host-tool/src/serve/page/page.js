@@ -141,13 +141,22 @@ const redraw = () => {
 };
 addEventListener("resize", redraw);
 
+// The lists of the calibrator, and what a tap of its button measures.
+function kept(lists) {
+  if (!lists.length) return "";
+  const chosen = lists.find((list) => list.chosen);
+  return "; " + word("lists kept: {0}; a tap of its button measures {1}", lists.map((list) => list.name).join(", "),
+    chosen ? chosen.name : word("the default list"));
+}
+
 function show(view) {
   const links = { none: view.device ? "no link to {0}" : "not connected", connected: "connected to {0}", lost: "link lost to {0}" };
   $("link").textContent = word(links[view.link], view.device);
   $("link").dataset.link = view.link;
   $("info").textContent = view.info
     ? word("calibrator {0}, firmware {1}", view.info.instrument_serial, view.info.firmware_version) + ", "
-      + (view.key ? word("key {0}", view.key) : word("no key: its records are not signed")) : "";
+      + (view.key ? word("key {0}", view.key) : word("no key: its records are not signed"))
+      + kept(view.lists) : "";
   const defects = view.info ? view.info.defect_texts : [];
   $("degraded").textContent = defects.length ? word("Degraded, measures nothing: {0}", defects.map((text) => word(text)).join("; ")) : "";
   $("degraded").hidden = !defects.length;
