@@ -49,7 +49,12 @@ pub fn preferred_points(low_hz: f32, high_hz: f32, acceleration_rms_ms2: f32) ->
         frequency_hz,
         acceleration_rms_ms2,
     };
-    first.into_iter().chain(others).map(spec).collect()
+    let mut list = PointList::new();
+    for point in first.into_iter().chain(others).map(spec) {
+        // There is room for the whole series.
+        let _ = list.push(point);
+    }
+    list
 }
 
 /// Levels of the series 1, 2, 5, 10 from `low` to `high`, m/s2 r.m.s., at one
