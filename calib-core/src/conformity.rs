@@ -1,14 +1,15 @@
 //! Whether results conform to the tolerance of a list: what the lamps say of a run without a host.
 //!
 //! The same statements as a certificate makes of the same record, in f32: a test compares the two on random
-//! runs (`tests/src/lone.rs`).
+//! runs (`tests/src/lone.rs`). Of a deviation from the reference point they are bolder on the certificate, which knows
+//! what both points share: here both count as independent, which is never less.
 //!
 //! # Source
 //! ILAC-G8:09/2019, 4.2; ISO/IEC 17025:2017, 7.8.6; reference point by ISO 16063-21:2003, 5.3.
 
 use crate::point::{PointResult, PointSpec};
 use crate::points::{REFERENCE_HZ, REFERENCE_MS2};
-use crate::stored_list::{Base, ListTerms, Rule};
+use crate::stored_list::{Band, Base, ListTerms, Rule};
 use crate::verdict::Verdict;
 
 /// A hundredth of an octave, as a ratio: omega = 1000 rad/s and 500 rad/s count as 160 Hz and 80 Hz.
@@ -77,30 +78,38 @@ fn judge_point(
     reference: &PointResult,
 ) -> Option<Conformity> {
     let at_reference = core::ptr::eq(point, reference);
-    let bands = terms.bands.iter();
-    let applying = bands.filter(|band| band.applies(point.spec.frequency_hz, at_reference));
-    let limits = applying
-        .map(|band| {
-            let base = match band.base {
-                Base::Nominal => terms.nominal_v_per_ms2,
-                Base::Reference => reference.sensitivity_v_per_ms2,
-            };
-            Limits {
-                lower: base * (1.0 + band.lower_rel),
-                upper: base * (1.0 + band.upper_rel),
-            }
-        })
-        .reduce(|a, b| Limits {
-            lower: a.lower.max(b.lower),
-            upper: a.upper.min(b.upper),
-        })?;
+    let own = point.expanded_uncertainty_rel;
+    let of_deviation = match at_reference {
+        // It deviates by nothing from itself, whatever its U.
+        true => 0.0,
+        false => libm::hypotf(own, reference.expanded_uncertainty_rel),
+    };
     let value = point.sensitivity_v_per_ms2;
-    Some(assess(
-        terms.rule,
-        limits,
-        value,
-        value * point.expanded_uncertainty_rel,
-    ))
+    let by = |base, sensitivity: f32, expanded_rel: f32| {
+        let bands = terms.bands.iter().filter(|band| band.base == base);
+        let applying = bands.filter(|band| band.applies(point.spec.frequency_hz, at_reference));
+        let limits = tightest(applying, sensitivity)?;
+        Some(assess(terms.rule, limits, value, value * expanded_rel))
+    };
+    let nominal = by(Base::Nominal, terms.nominal_v_per_ms2, own);
+    let response = by(
+        Base::Reference,
+        reference.sensitivity_v_per_ms2,
+        of_deviation,
+    );
+    nominal.max(response)
+}
+
+/// Limits around a sensitivity that hold in all of these bands.
+fn tightest<'a>(bands: impl Iterator<Item = &'a Band>, sensitivity: f32) -> Option<Limits> {
+    let limits = bands.map(|band| Limits {
+        lower: sensitivity * (1.0 + band.lower_rel),
+        upper: sensitivity * (1.0 + band.upper_rel),
+    });
+    limits.reduce(|a, b| Limits {
+        lower: a.lower.max(b.lower),
+        upper: a.upper.min(b.upper),
+    })
 }
 
 /// Judges a value with its expanded uncertainty. Where U is so large that no value could be accepted, that is
@@ -166,7 +175,6 @@ fn rank(spec: &PointSpec) -> (f32, usize) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stored_list::Band;
     use crate::verdict::Reason;
 
     /// A valid point of S in V/(m/s2) with U = 1 %.
@@ -280,6 +288,18 @@ mod tests {
         let mut nowhere = terms.clone();
         nowhere.bands.retain(|band| !band.reference_point_only);
         assert_eq!(judge(&nowhere, &points[2..]), Conformity::NotJudgeable);
+    }
+
+    /// U of a deviation is that of both points, sqrt(2) %, if nothing is known of what they share; the reference
+    /// point itself deviates by nothing, though its own U is more than the tolerance.
+    #[test]
+    fn a_response_is_judged_with_the_uncertainty_of_both_points() {
+        let response = terms(Rule::GuardBand, &[band(Base::Reference, 5.0)]);
+        let judged = |value| judge(&response, &[valid(160.0, 1.0), valid(500.0, value)]);
+        assert_eq!(judged(1.035), Conformity::Pass);
+        assert_eq!(judged(1.037), Conformity::ConditionalPass);
+        let tight = terms(Rule::GuardBand, &[band(Base::Reference, 0.5)]);
+        assert_eq!(judge(&tight, &[valid(160.0, 1.0)]), Conformity::Pass);
     }
 
     #[test]

@@ -1,5 +1,5 @@
 //! The instrument and a certificate say the same of the same run: two judgements, written apart, in single and in
-//! double precision.
+//! double precision. Of a response the certificate may say more, and never the contrary.
 
 use calib_certificate::decision::{Request, Stated};
 use calib_certificate::{Certificate, Particulars};
@@ -67,7 +67,7 @@ impl Draws {
         }
     }
 
-    fn point(&mut self, spread_rel: f32) -> PointResult {
+    fn point(&mut self, spread_rel: f32, least_rel: f32) -> PointResult {
         let spec = PointSpec {
             frequency_hz: self.one_of(&PREFERRED_HZ),
             acceleration_rms_ms2: self.one_of(&LEVELS_MS2),
@@ -81,7 +81,7 @@ impl Draws {
             },
             acceleration_rms_ms2: spec.acceleration_rms_ms2,
             sensitivity_v_per_ms2: 0.01 * self.between(1.0 - spread_rel, 1.0 + spread_rel),
-            expanded_uncertainty_rel: self.between(0.002, 0.02),
+            expanded_uncertainty_rel: self.between(least_rel, 0.02),
             expanded_uncertainty_phase_rad: 0.01,
             coverage_factor: 2.0,
             effective_degrees_of_freedom: 100.0,
@@ -92,8 +92,16 @@ impl Draws {
     fn run(&mut self) -> (ListTerms, Vec<PointResult>) {
         let (terms, points) = (self.terms(), 1 + self.0.next_u32() % 6);
         let spread_rel = self.between(0.01, 0.2);
-        (terms, (0..points).map(|_| self.point(spread_rel)).collect())
+        // A certificate takes U of a deviation from the settings' budget, whose U is 1.5 % at most: that of the
+        // points is no less.
+        let least_rel = if is_of_response(&terms) { 0.016 } else { 0.002 };
+        let points = (0..points).map(|_| self.point(spread_rel, least_rel));
+        (terms, points.collect())
     }
+}
+
+fn is_of_response(terms: &ListTerms) -> bool {
+    terms.bands.iter().any(|band| band.base == Base::Reference)
 }
 
 /// What a certificate states of the record of such a run.
@@ -147,11 +155,13 @@ fn the_lamps_and_a_certificate_say_the_same_of_every_run() {
         let (terms, points) = draws.run();
         let certified = certified(&terms, &points);
         let judged = judgements(&terms, &points);
+        let is_decided = |stated: &Stated| matches!(stated, Stated::Pass | Stated::Fail);
+        let undecided = is_of_response(&terms) && !judged.iter().any(is_decided);
         assert!(
-            judged.contains(&certified),
+            undecided || judged.contains(&certified),
             "{number}: {judged:?}, certified {certified:?}"
         );
-        near += u32::from(judged[0] != certified);
+        near += u32::from(!undecided && judged[0] != certified);
         *said.entry(format!("{certified:?}")).or_default() += 1;
     }
     println!("{said:?}, {near} next to a limit");
