@@ -200,14 +200,7 @@ mod tests {
     }
 
     fn band(base: Base, percent: f32) -> Band {
-        Band {
-            from_hz: 0.0,
-            to_hz: f32::MAX,
-            base,
-            lower_rel: -percent / 100.0,
-            upper_rel: percent / 100.0,
-            reference_point_only: false,
-        }
+        Band::everywhere(base, percent / 100.0)
     }
 
     fn terms(rule: Rule, bands: &[Band]) -> ListTerms {

@@ -14,6 +14,9 @@ pub const MAX_LIST_POINTS: usize = 40;
 /// Bands of a tolerance.
 pub const MAX_BANDS: usize = 6;
 
+/// Frequencies of a band that holds for all, Hz.
+pub const ANY_HZ: (f32, f32) = (0.0, f32::MAX);
+
 /// What the limits of a band are stated of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Base {
@@ -35,9 +38,9 @@ pub enum Rule {
 /// A tolerance over a range of frequencies.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Band {
-    /// Lowest frequency, Hz; 0 = any.
+    /// Lowest frequency, Hz ([`ANY_HZ`]).
     pub from_hz: f32,
-    /// Highest frequency, Hz; `f32::MAX` = any.
+    /// Highest frequency, Hz.
     pub to_hz: f32,
     /// What the limits are stated of.
     pub base: Base,
@@ -50,6 +53,18 @@ pub struct Band {
 }
 
 impl Band {
+    /// This far to either side of the base, relative, at every frequency.
+    pub const fn everywhere(base: Base, half_width_rel: f32) -> Self {
+        Self {
+            from_hz: ANY_HZ.0,
+            to_hz: ANY_HZ.1,
+            base,
+            lower_rel: -half_width_rel,
+            upper_rel: half_width_rel,
+            reference_point_only: false,
+        }
+    }
+
     /// Whether it says something about this frequency. A nominal 10 Hz is played within 0.01 % of it.
     pub(crate) fn applies(&self, frequency_hz: f32, at_reference_point: bool) -> bool {
         let inside = frequency_hz >= 0.999 * self.from_hz && frequency_hz <= 1.001 * self.to_hz;
@@ -231,14 +246,7 @@ mod tests {
     use super::*;
 
     fn list(name: &str) -> StoredList {
-        let band = Band {
-            from_hz: 0.0,
-            to_hz: f32::MAX,
-            base: Base::Nominal,
-            lower_rel: -0.05,
-            upper_rel: 0.05,
-            reference_point_only: false,
-        };
+        let band = Band::everywhere(Base::Nominal, 0.05);
         let point = PointSpec {
             frequency_hz: 160.0,
             acceleration_rms_ms2: 10.0,

@@ -23,6 +23,19 @@ use embassy_sync::signal::Signal;
 use embassy_time::Instant;
 use heapless::Vec;
 
+/// Looks at what tasks share, and changes it, in one critical section.
+fn look_at<S: Copy, T>(
+    shared: &CriticalSectionMutex<Cell<S>>,
+    look: impl FnOnce(&mut S) -> T,
+) -> T {
+    shared.lock(|cell| {
+        let mut state = cell.get();
+        let result = look(&mut state);
+        cell.set(state);
+        result
+    })
+}
+
 static STATUS: CriticalSectionMutex<Cell<Status>> =
     CriticalSectionMutex::new(Cell::new(Status::IDLE));
 
@@ -33,11 +46,7 @@ pub(crate) fn status() -> Status {
 
 /// Changes the status.
 pub(crate) fn update_status(change: impl FnOnce(&mut Status)) {
-    STATUS.lock(|cell| {
-        let mut status = cell.get();
-        change(&mut status);
-        cell.set(status);
-    });
+    look_at(&STATUS, change);
 }
 
 static DEFECTS: CriticalSectionMutex<Cell<Defects>> =
@@ -80,12 +89,7 @@ static LEASE: CriticalSectionMutex<Cell<Lease>> = CriticalSectionMutex::new(Cell
 /// Looks at the lease of the run in work, and changes it; `now_ms` counts from the start.
 pub(crate) fn with_lease<T>(look: impl FnOnce(&mut Lease, u32) -> T) -> T {
     let now_ms = Instant::now().as_millis() as u32;
-    LEASE.lock(|cell| {
-        let mut lease = cell.get();
-        let result = look(&mut lease, now_ms);
-        cell.set(lease);
-        result
-    })
+    look_at(&LEASE, |lease| look(lease, now_ms))
 }
 
 static CLOCK: CriticalSectionMutex<Cell<Clock>> =
@@ -94,12 +98,7 @@ static CLOCK: CriticalSectionMutex<Cell<Clock>> =
 /// Looks at the time of day, and changes it; `now_ms` counts from the start.
 pub(crate) fn with_clock<T>(look: impl FnOnce(&mut Clock, u64) -> T) -> T {
     let now_ms = Instant::now().as_millis();
-    CLOCK.lock(|cell| {
-        let mut clock = cell.get();
-        let result = look(&mut clock, now_ms);
-        cell.set(clock);
-        result
-    })
+    look_at(&CLOCK, |clock| look(clock, now_ms))
 }
 
 /// Seconds since 1970-01-01 UTC and where they come from; 0 and nothing where nobody told the time.
@@ -116,12 +115,7 @@ static SESSION: CriticalSectionMutex<Cell<Session>> =
 
 /// Looks at the session, and changes it.
 pub(crate) fn with_session<T>(look: impl FnOnce(&mut Session) -> T) -> T {
-    SESSION.lock(|cell| {
-        let mut session = cell.get();
-        let result = look(&mut session);
-        cell.set(session);
-        result
-    })
+    look_at(&SESSION, look)
 }
 
 /// The running or last run.

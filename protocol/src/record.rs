@@ -508,14 +508,7 @@ mod tests {
     /// that it is a section: 3.
     #[test]
     fn the_list_and_its_limits_are_told_and_a_record_without_is_read() {
-        let band = Band {
-            from_hz: 0.0,
-            to_hz: f32::MAX,
-            base: Base::Nominal,
-            lower_rel: -0.05,
-            upper_rel: 0.05,
-            reference_point_only: false,
-        };
+        let band = Band::everywhere(Base::Nominal, 0.05);
         let mut record = record();
         record.list = ListTerms {
             name: "field".try_into().expect("short"),

@@ -160,15 +160,21 @@ fn depends(stage: &Path) -> Result<String> {
 fn tar(stage: &Path, dist: &Path) -> Result<PathBuf> {
     let name = format!("calib-{VERSION}-{}-linux", std::env::consts::ARCH);
     let file = dist.join(format!("{name}.tar.xz"));
-    let mut tar = Command::new("tar");
-    tar.env("XZ_OPT", "-T0").arg("-cJf").arg(&file);
-    tar.args(["--owner=0", "--group=0", "--sort=name", "--transform"]);
-    run(tar
+    run(tar_of(&file)
+        .arg("--transform")
         .arg(format!("s,^usr,{name},"))
         .arg("-C")
         .arg(stage)
         .arg("usr"))?;
     Ok(file)
+}
+
+/// A `tar` that writes this file, of which nothing tells who made it.
+pub(crate) fn tar_of(file: &Path) -> Command {
+    let mut tar = Command::new("tar");
+    tar.env("XZ_OPT", "-T0").arg("-cJf").arg(file);
+    tar.args(["--owner=0", "--group=0", "--sort=name"]);
+    tar
 }
 
 /// What the program and the image are made of.

@@ -1,6 +1,6 @@
 //! The tool for Windows: one program with the image inside, built here and used under wine.
 
-use crate::package::{VERSION, empty};
+use crate::package::{VERSION, empty, tar_of};
 use crate::packages;
 use crate::shell::{cargo, root, run, target_dir};
 use anyhow::{Context, Result, bail};
@@ -60,9 +60,6 @@ pub(crate) fn archive(folder: &Path, dist: &Path) -> Result<PathBuf> {
         bail!("{} is no folder", folder.display());
     };
     let file = dist.join(format!("{}.tar.xz", name.display()));
-    let mut tar = Command::new("tar");
-    tar.env("XZ_OPT", "-T0").arg("-cJf").arg(&file);
-    tar.args(["--owner=0", "--group=0", "--sort=name", "-C"]);
-    run(tar.arg(parent).arg(name))?;
+    run(tar_of(&file).arg("-C").arg(parent).arg(name))?;
     Ok(file)
 }

@@ -170,24 +170,18 @@ impl<F: CheckedFlash> Archive<'_, F> {
     /// # Errors
     /// [`Refusal::ListUnknown`], [`Refusal::ListsFull`], and those of the storage; the lists are then as before.
     pub async fn change_lists(&mut self, change: &ListChange) -> Result<(), Refusal> {
-        let Memory {
-            lists,
-            lists_before,
-            ..
-        } = &mut self.memory;
-        lists_before.clone_from(lists);
-        change.carry_out(lists).map_err(|why| match why {
-            NoPlace::Unknown => Refusal::ListUnknown,
-            NoPlace::Full => Refusal::ListsFull,
-        })?;
+        let memory = &mut self.memory;
+        memory.lists_before.clone_from(&memory.lists);
+        change
+            .carry_out(&mut memory.lists)
+            .map_err(|why| match why {
+                NoPlace::Unknown => Refusal::ListUnknown,
+                NoPlace::Full => Refusal::ListsFull,
+            })?;
         self.have_settings();
         if let Err(error) = self.push_state().await {
-            let Memory {
-                lists,
-                lists_before,
-                ..
-            } = &mut self.memory;
-            lists.clone_from(lists_before);
+            let memory = &mut self.memory;
+            memory.lists.clone_from(&memory.lists_before);
             return Err(error.into());
         }
         // There is one in flash, and every sector gets its own.

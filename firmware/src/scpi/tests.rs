@@ -567,14 +567,7 @@ fn lists_are_named_and_chosen_under_a_hand_alone() {
     let mut ask = |bench: &mut Bench, text: &str| line(&mut link, bench, text);
     assert_eq!(ask(&mut bench, "LIST:CAT?;CHO?"), "\"\";\"\"\n");
     for name in ["pump 3", "field"] {
-        let band = Band {
-            from_hz: 0.0,
-            to_hz: f32::MAX,
-            base: Base::Reference,
-            lower_rel: -0.05,
-            upper_rel: 0.05,
-            reference_point_only: false,
-        };
+        let band = Band::everywhere(Base::Reference, 0.05);
         let list = StoredList {
             terms: ListTerms {
                 name: name.try_into().expect("short"),

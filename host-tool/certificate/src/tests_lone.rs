@@ -11,14 +11,7 @@ use calib_record::sample::record;
 
 /// A record of 10.2 mV/(m/s2) with U = 0.8 %, of a list whose nominal sensitivity is this.
 fn of_a_list(nominal_v_per_ms2: f32) -> Record {
-    let band = Band {
-        from_hz: 0.0,
-        to_hz: f32::MAX,
-        base: Base::Nominal,
-        lower_rel: -0.05,
-        upper_rel: 0.05,
-        reference_point_only: false,
-    };
+    let band = Band::everywhere(Base::Nominal, 0.05);
     let mut record = record(&[80.0, 160.0, 1000.0]);
     record.list = ListTerms {
         name: "pump".try_into().expect("short"),

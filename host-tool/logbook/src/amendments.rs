@@ -190,7 +190,7 @@ impl Logbook {
         );
         match ours {
             (None, None) => {
-                self.in_one(|connection| enter_amendment(connection, certificate, theirs))
+                self.in_one_turn(|connection| enter_amendment(connection, certificate, theirs))
             }
             (Some(ours), _) if ours == *theirs => Ok(()),
             _ => Err(Error::input(
@@ -213,20 +213,10 @@ impl Logbook {
             };
             // Another one of this number stays what it is.
             if record(self)? == record(other)? {
-                self.in_one(|connection| enter_joined(connection, &certificate, &role, &sum))?;
+                self.in_one_turn(|connection| enter_joined(connection, &certificate, &role, &sum))?;
             }
         }
         Ok(())
-    }
-
-    /// A change and its entry in the journal, both or neither.
-    fn in_one(&self, change: impl FnOnce(&Connection) -> rusqlite::Result<()>) -> Result<()> {
-        let both = || {
-            let transaction = self.connection.unchecked_transaction()?;
-            change(&transaction)?;
-            transaction.commit()
-        };
-        both().map_err(|error| self.failure(error))
     }
 
     fn optional<T>(

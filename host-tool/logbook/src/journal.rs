@@ -102,13 +102,10 @@ impl Logbook {
         sql: &str,
         values: impl Params,
     ) -> Result<()> {
-        let change = || {
-            let transaction = self.writing()?;
-            transaction.execute(sql, values)?;
-            enter(&transaction, subject, name)?;
-            transaction.commit()
-        };
-        change().map_err(|error| self.failure(error))
+        self.in_one_turn(|connection| {
+            connection.execute(sql, values)?;
+            enter(connection, subject, name)
+        })
     }
 }
 

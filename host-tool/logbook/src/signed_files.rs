@@ -109,12 +109,9 @@ impl Logbook {
             return Ok(None);
         };
         let file = SignedFile::of(signed, entered_s);
-        let put = || {
-            let transaction = self.writing()?;
-            enter(&transaction, &issued.certificate, &issued.format, &file)?;
-            transaction.commit()
-        };
-        put().map_err(|error| self.failure(error))?;
+        self.in_one_turn(|connection| {
+            enter(connection, &issued.certificate, &issued.format, &file)
+        })?;
         self.issued_as(unsigned)
     }
 

@@ -181,6 +181,19 @@ impl Logbook {
         Transaction::new_unchecked(&self.connection, TransactionBehavior::Immediate)
     }
 
+    /// A change and what it enters in the journal: both or neither, in its turn among all who write.
+    pub(super) fn in_one_turn<T>(
+        &self,
+        change: impl FnOnce(&Connection) -> rusqlite::Result<T>,
+    ) -> Result<T> {
+        let both = || {
+            let transaction = self.writing()?;
+            let changed = change(&transaction)?;
+            transaction.commit().map(|()| changed)
+        };
+        both().map_err(|error| self.failure(error))
+    }
+
     /// The file.
     pub fn path(&self) -> &Path {
         &self.path

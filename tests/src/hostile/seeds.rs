@@ -110,14 +110,7 @@ fn requests() -> Vec<Request> {
 
 /// A list of one point with its tolerance.
 pub(super) fn list() -> StoredList {
-    let band = Band {
-        from_hz: 0.0,
-        to_hz: f32::MAX,
-        base: Base::Nominal,
-        lower_rel: -0.05,
-        upper_rel: 0.05,
-        reference_point_only: false,
-    };
+    let band = Band::everywhere(Base::Nominal, 0.05);
     StoredList {
         terms: ListTerms {
             name: "field".try_into().unwrap_or_default(),

@@ -17,14 +17,7 @@ use std::time::Duration;
 /// A list of these points whose nominal sensitivity is that of the standard rig's device, V/(m/s2), over
 /// `1 + deviation_rel`.
 fn list(name: &str, points: &[PointSpec], deviation_rel: f32, tolerance_rel: f32) -> StoredList {
-    let band = Band {
-        from_hz: 0.0,
-        to_hz: f32::MAX,
-        base: Base::Nominal,
-        lower_rel: -tolerance_rel,
-        upper_rel: tolerance_rel,
-        reference_point_only: false,
-    };
+    let band = Band::everywhere(Base::Nominal, tolerance_rel);
     StoredList {
         terms: ListTerms {
             name: name.try_into().expect("short"),

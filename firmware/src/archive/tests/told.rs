@@ -93,14 +93,7 @@ fn list_change(number: u32) -> ListChange {
 }
 
 fn list(name: heapless::String<24>, number: u32) -> StoredList {
-    let band = Band {
-        from_hz: 0.0,
-        to_hz: f32::MAX,
-        base: Base::Nominal,
-        lower_rel: -0.05,
-        upper_rel: 0.05,
-        reference_point_only: false,
-    };
+    let band = Band::everywhere(Base::Nominal, 0.05);
     let point = PointSpec {
         frequency_hz: 160.0,
         acceleration_rms_ms2: 1.0 + number as f32,

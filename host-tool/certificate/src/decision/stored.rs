@@ -5,11 +5,8 @@ use super::request::{Request, RuleName};
 use super::rule::Rule;
 use super::specification::everywhere;
 use super::tolerance::Tolerance;
-use calib_core::stored_list::{self, ListTerms};
+use calib_core::stored_list::{self, ANY_HZ, ListTerms};
 use calib_output::number::{decimal, percent};
-
-/// The limits of an instrument for every frequency.
-const ANY_HZ: (f32, f32) = (0.0, f32::MAX);
 
 impl Request {
     /// What a record says it was judged by.

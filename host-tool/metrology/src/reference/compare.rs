@@ -1,6 +1,7 @@
 //! A certificate beside the calibration in force: how far each frequency moved, and whether that is more than both
 //! uncertainties allow.
 
+use crate::control_chart::e_n;
 use calib_core::settings::{ReferenceCalibration, ReferencePoint};
 use calib_output::number::decimal;
 use schemars::JsonSchema;
@@ -40,11 +41,11 @@ pub fn compare(new: &ReferenceCalibration, in_force: &ReferenceCalibration) -> V
         let change_rel = old.map(|old| {
             f64::from(point.sensitivity_v_per_ms2) / f64::from(old.sensitivity_v_per_ms2) - 1.0
         });
-        let e_n = old.zip(change_rel).map(|(old, change)| {
+        let disagreement = old.zip(change_rel).map(|(old, change)| {
             // A half-width of a rectangular distribution, expanded with k = 2.
             let interpolation = 2.0 * f64::from(old.interpolation_rel) / 3.0_f64.sqrt();
             let u_old = f64::from(old.expanded_uncertainty_rel).hypot(interpolation);
-            change / ((1.0 + change) * u_rel).hypot(u_old)
+            e_n(1.0 + change, (1.0 + change) * u_rel, 1.0, u_old)
         });
         let turned = |phase_deg: f64| phase_deg - 360.0 * (phase_deg / 360.0).round();
         Compared {
@@ -58,7 +59,7 @@ pub fn compare(new: &ReferenceCalibration, in_force: &ReferenceCalibration) -> V
             change_phase_deg: old.map(|old| {
                 turned((f64::from(point.phase_rad) - f64::from(old.phase_rad)).to_degrees())
             }),
-            e_n: e_n.filter(|_| is_same),
+            e_n: disagreement.filter(|_| is_same),
         }
     };
     new.points.iter().map(row).collect()

@@ -3,7 +3,7 @@
 //! Entities are not read (`roxmltree` refuses a document type), and no more than [`MOST_NODES`] elements.
 
 use super::dsi::{Kind, Unit};
-use super::{Certified, CertifiedPoint, Placed, Reading, checked};
+use super::{Certified, CertifiedPoint, Placed, Reading, checked, not_rising};
 use crate::input::Source;
 use calib_files::{Error, Result};
 use jiff::civil::Date;
@@ -189,21 +189,14 @@ impl Reader<'_> {
     }
 
     fn rising(&self, frequencies: &List) -> Result<()> {
-        let pairs = frequencies.values.windows(2);
-        let falls = pairs.filter_map(|pair| match pair {
-            [a, b] if b.value <= a.value => Some((a, b)),
-            _ => None,
-        });
-        falls
-            .map(|(a, b)| (a.value, b.value, b.line))
-            .next()
-            .map_or(Ok(()), |(a, b, line)| {
-                Err(self.source.at_line(
-                    line,
-                    format!("{b} Hz after {a} Hz: frequencies rise, and each is there once"),
-                    HINT,
-                ))
-            })
+        let mut pairs = frequencies.values.windows(2);
+        match pairs.find(|pair| pair[1].value <= pair[0].value) {
+            None => Ok(()),
+            Some(pair) => {
+                let both_hz = [pair[0].value, pair[1].value];
+                Err(not_rising(self.source, pair[1].line, both_hz, HINT))
+            }
+        }
     }
 
     fn same_length(&self, node: Node<'_, '_>, frequencies: &List, list: &List) -> Result<()> {

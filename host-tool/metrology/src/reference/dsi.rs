@@ -1,5 +1,7 @@
 //! Units of D-SI: `\milli\volt\metre\tothe{-1}\second\tothe{2}` as a factor and exponents.
 
+use super::{RAD_PER_DEGREE, STANDARD_GRAVITY_MS2};
+
 /// A unit by what it is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Unit {
@@ -80,9 +82,9 @@ impl Unit {
             return None;
         }
         let scale = match name {
-            "degree" => PI_180,
+            "degree" => RAD_PER_DEGREE,
             "percent" => 0.01,
-            "standardgravity" => 9.806_65,
+            "standardgravity" => STANDARD_GRAVITY_MS2,
             _ => 1.0,
         };
         self.factor *= (prefix * scale).powi(exponent);
@@ -124,8 +126,6 @@ impl Unit {
     }
 }
 
-const PI_180: f64 = std::f64::consts::PI / 180.0;
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -164,7 +164,7 @@ mod tests {
                 1.0,
                 Kind::OtherMotion,
             ),
-            (r"\degree", PI_180, Kind::Angle),
+            (r"\degree", RAD_PER_DEGREE, Kind::Angle),
             (r"\percent", 0.01, Kind::Ratio),
         ] {
             let unit = Unit::parse(text).expect(text);

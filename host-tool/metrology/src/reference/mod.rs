@@ -88,6 +88,8 @@ pub struct Reading {
 
 /// Coverage factor of every uncertainty in the settings.
 const K: f64 = 2.0;
+const STANDARD_GRAVITY_MS2: f64 = 9.806_65;
+const RAD_PER_DEGREE: f64 = PI / 180.0;
 /// U of a phase of which nothing is known, rad.
 const UNKNOWN_PHASE_RAD: f64 = PI;
 
@@ -164,18 +166,23 @@ fn checked(source: &Source, points: &[CertifiedPoint], lines: &[usize]) -> Resul
     for (point, line) in points.iter().zip(lines) {
         check(source, point, *line)?;
         if point.frequency_hz <= last_hz {
-            return Err(source.at_line(
+            let hint =
+                "of several levels or results keep one; of a DCC --result NAME reads one alone";
+            return Err(not_rising(
+                source,
                 *line,
-                format!(
-                    "{} Hz after {last_hz} Hz: frequencies rise, and each is there once",
-                    point.frequency_hz
-                ),
-                "of several levels or results keep one; of a DCC --result NAME reads one alone",
+                [last_hz, point.frequency_hz],
+                hint,
             ));
         }
         last_hz = point.frequency_hz;
     }
     Ok(())
+}
+
+fn not_rising(source: &Source, line: usize, [before_hz, hz]: [f64; 2], hint: &str) -> Error {
+    let problem = format!("{hz} Hz after {before_hz} Hz: frequencies rise, and each is there once");
+    source.at_line(line, problem, hint)
 }
 
 impl Certified {

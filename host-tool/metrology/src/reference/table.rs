@@ -1,12 +1,11 @@
 //! A CSV with a column each for frequency, sensitivity or deviation, U, k and phase, as laboratories write it; what it
 //! is of stands in remarks (`# serial: R 17`), or in columns as on this tool's own certificates.
 
-use super::{Certified, CertifiedPoint, Reading, checked};
+use super::{Certified, CertifiedPoint, RAD_PER_DEGREE, Reading, STANDARD_GRAVITY_MS2, checked};
 use crate::input::{Column, Row, Source, Table};
 use calib_files::Result;
 use jiff::civil::Date;
 
-const G: f64 = 9.806_65;
 /// Names of the column of sensitivities, and V/(m/s2) of one of them.
 const SENSITIVITIES: [(&[&str], f64); 3] = [
     (
@@ -39,7 +38,7 @@ const SENSITIVITIES: [(&[&str], f64); 3] = [
             "s_mv_per_g",
             "s_mv_g",
         ],
-        1e-3 / G,
+        1e-3 / STANDARD_GRAVITY_MS2,
     ),
 ];
 const FREQUENCIES: [&str; 5] = [
@@ -66,21 +65,20 @@ const FACTORS: [&str; 3] = ["coverage_factor", "k", "coverage_factor_k"];
 const PHASES: [(&[&str], f64); 2] = [
     (
         &["phase_deg", "phase_in_deg", "phase_degree", "phase_degrees"],
-        DEG,
+        RAD_PER_DEGREE,
     ),
     (&["phase_rad"], 1.0),
 ];
 const PHASE_UNCERTAINTIES: [(&[&str], f64); 2] = [
     (
         &["expanded_uncertainty_phase_deg", "u_phase_deg", "u_phi_deg"],
-        DEG,
+        RAD_PER_DEGREE,
     ),
     (
         &["expanded_uncertainty_phase_rad", "u_phase_rad", "u_phi_rad"],
         1.0,
     ),
 ];
-const DEG: f64 = std::f64::consts::PI / 180.0;
 
 /// Columns of the table, with what their numbers are to be multiplied by.
 struct Columns {
