@@ -51,10 +51,10 @@ pub trait Instrument {
     fn point(&mut self, index: u16) -> Option<PointResult>;
     /// Begins a run and returns the running number of its record.
     async fn start(&mut self, spec: RunSpec) -> Result<u32, Refusal>;
-    /// Silences the exciter and ends the run, if there is one.
-    async fn stop(&mut self);
+    /// Ends the run, if there is one, and returns when the exciter is at rest.
+    async fn stop(&mut self) -> Result<(), Refusal>;
     /// As [`Self::stop`], if the run that goes on is that of this record.
-    async fn stop_run(&mut self, record_id: u32);
+    async fn stop_run(&mut self, record_id: u32) -> Result<(), Refusal>;
     /// Stored records from a running number on.
     async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal>;
     /// Bytes of a stored record.
@@ -122,11 +122,11 @@ async fn carry_out(
             Response::Started { record_id }
         }
         Request::Stop => {
-            instrument.stop().await;
+            instrument.stop().await?;
             Response::Done
         }
         Request::StopRun { record_id } => {
-            instrument.stop_run(record_id).await;
+            instrument.stop_run(record_id).await?;
             Response::Done
         }
         Request::Records { from } => {

@@ -120,6 +120,10 @@ fn fill(run: &mut Run, record_id: u32, list: Option<&StoredList>) {
     };
 }
 
+/// Longest wait of a stop for an exciter at rest. An order waits for the block in work and for its evaluation, 27 ms;
+/// a host says NOT STOPPED after 200.
+const REST_LIMIT: Duration = Duration::from_millis(100);
+
 /// Has the run begin that was put down.
 fn go() -> Result<(), Refusal> {
     let points = state::RUN.lock(|run| run.borrow().spec.points.len() as u16);
@@ -195,17 +199,31 @@ impl Instrument for Calibrator {
         Ok(record_id)
     }
 
-    async fn stop(&mut self) {
+    async fn stop(&mut self) -> Result<(), Refusal> {
         // Nobody would take the order; the exciter is at rest.
-        if state::MEASURES.load(Ordering::Relaxed) {
+        if !state::MEASURES.load(Ordering::Relaxed) {
+            return Ok(());
+        }
+        let is_driven = || state::DRIVEN.load(Ordering::Relaxed);
+        let comes_to_rest = async {
             state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
+            while state::status().state.is_exciting() || is_driven() {
+                Timer::after_millis(1).await;
+            }
+        };
+        let rests = with_timeout(REST_LIMIT, comes_to_rest).await;
+        // Without samples nobody takes the order, and the drive has gone silent by itself.
+        match rests.is_ok() || !is_driven() {
+            true => Ok(()),
+            false => Err(Refusal::StillDriven),
         }
     }
 
-    async fn stop_run(&mut self, record_id: u32) {
+    async fn stop_run(&mut self, record_id: u32) -> Result<(), Refusal> {
         // What is no more needs no stop, and what came after it is another run.
-        if state::RUN.lock(|run| run.borrow().record_id) == record_id {
-            self.stop().await;
+        match state::RUN.lock(|run| run.borrow().record_id) == record_id {
+            true => self.stop().await,
+            false => Ok(()),
         }
     }
 

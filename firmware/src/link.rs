@@ -261,8 +261,12 @@ mod tests {
                 _ => Err(Refusal::Busy),
             }
         }
-        async fn stop(&mut self) {}
-        async fn stop_run(&mut self, _: u32) {}
+        async fn stop(&mut self) -> Result<(), Refusal> {
+            Ok(())
+        }
+        async fn stop_run(&mut self, _: u32) -> Result<(), Refusal> {
+            Ok(())
+        }
         async fn records(&mut self, _: u32) -> Result<RecordPage, Refusal> {
             Ok(RecordPage::default())
         }

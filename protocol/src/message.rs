@@ -280,6 +280,8 @@ pub enum Refusal {
     ListsFull,
     /// There is no list of this name.
     ListUnknown,
+    /// The exciter is still driven 100 ms after the stop.
+    StillDriven,
 }
 
 /// New settings, and what the log of a change says of it.

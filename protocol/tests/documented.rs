@@ -189,6 +189,7 @@ fn the_table_lists_every_reason_with_its_number() {
         Refusal::List,
         Refusal::ListsFull,
         Refusal::ListUnknown,
+        Refusal::StillDriven,
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     expect_no_more::<Refusal>(reasons.len());

@@ -203,8 +203,8 @@ impl Session {
         match command {
             Command::Identify => inquiry::identify(instrument, out),
             Command::Reset => {
-                instrument.stop().await;
                 self.measurement = Measurement::AFTER_RESET;
+                stop(instrument).await?;
             }
             Command::SelfTest => inquiry::self_test(instrument, out).await?,
             Command::Version => drop(out.write_str("1999.0")),
@@ -214,7 +214,7 @@ impl Session {
             Command::FrequencyIs => put(out, self.measurement.point.frequency_hz),
             Command::AccelerationIs => put(out, self.measurement.point.acceleration_rms_ms2),
             Command::Initiate => self.measurement.initiate(instrument).await?,
-            Command::Abort => instrument.stop().await,
+            Command::Abort => stop(instrument).await?,
             Command::Catalog => inquiry::catalog(instrument, out).await?,
             Command::Defects => inquiry::defects(instrument, out),
             Command::Lists => lists::catalog(instrument, out).await?,
@@ -276,6 +276,10 @@ impl Session {
             self.status.operation_complete();
         }
     }
+}
+
+async fn stop(instrument: &mut impl Instrument) -> Result<(), ScpiError> {
+    instrument.stop().await.map_err(|_| ScpiError::Hardware)
 }
 
 /// Of a measuring command that was not begun, what it was to measure is no parameter too many.

@@ -111,10 +111,11 @@ impl Instrument for Bench {
         self.spec = Some(spec);
         Ok(1)
     }
-    async fn stop(&mut self) {
+    async fn stop(&mut self) -> Result<(), Refusal> {
         self.running = false;
+        Ok(())
     }
-    async fn stop_run(&mut self, _: u32) {
+    async fn stop_run(&mut self, _: u32) -> Result<(), Refusal> {
         unreachable!("no line asks for that")
     }
     async fn records(&mut self, from: u32) -> Result<RecordPage, Refusal> {

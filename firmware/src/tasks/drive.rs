@@ -76,6 +76,7 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
                 silence(&mut exciter, &mut output);
             } else {
                 output.apply(order.command);
+                state::DRIVEN.store(!output.is_silent(), Ordering::Relaxed);
             }
             if core::mem::take(&mut spared) {
                 continue;
@@ -137,4 +138,5 @@ fn silence(exciter: &mut Exciter, output: &mut Output<'_>) {
         exciter.hush();
     }
     output.mute();
+    state::DRIVEN.store(false, Ordering::Relaxed);
 }

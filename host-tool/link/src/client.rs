@@ -444,6 +444,10 @@ fn explained(failure: Failure, what: &'static str) -> Error {
     match failure {
         Failure::Link(error) => Error::Link(error),
         Failure::Stopped => Error::Stopped,
+        Failure::Refused(refusal) => Error::Refused(Refused {
+            request: "to stop",
+            refusal,
+        }),
         Failure::Unreadable {
             version: Some(device),
         } if device != PROTOCOL_VERSION => Error::Protocol(ProtocolError::Version { device }),

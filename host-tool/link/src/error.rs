@@ -228,6 +228,7 @@ fn reason(refusal: Refusal) -> String {
         Refusal::List => "the list cannot be measured or judged",
         Refusal::ListsFull => "there is no room for another list",
         Refusal::ListUnknown => "it has no list of this name",
+        Refusal::StillDriven => "NOT STOPPED: its exciter is still driven",
         _ => "for a reason this tool does not know",
     };
     known.to_owned()
@@ -256,6 +257,9 @@ impl Refused {
     /// Remedy.
     pub fn hint(&self) -> &str {
         match self.refusal {
+            Refusal::StillDriven => {
+                "press the button on the instrument, or switch the exciter's amplifier off"
+            }
             Refusal::ButtonNotHeld => {
                 "hold the button on the instrument and repeat meanwhile; a press counts for a minute. \
                  The change is logged as a record"

@@ -43,6 +43,8 @@ pub(super) enum Failure {
     },
     /// A stop was asked for before a run began.
     Stopped,
+    /// The instrument could not carry out a stop.
+    Refused(Refusal),
 }
 
 /// A whole frame with our sequence number.
@@ -171,6 +173,7 @@ impl Exchange {
         self.stopping = false;
         match answered {
             Ok(Some(Response::Done)) => Ok(()),
+            Ok(Some(Response::Refused(refusal))) => Err(Failure::Refused(refusal)),
             Ok(_) => Err(Failure::Unreadable { version: None }),
             Err(Failure::Link(source)) => Err(Failure::Link(LinkError::StopUnconfirmed {
                 address: self.name(),

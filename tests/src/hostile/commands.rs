@@ -283,12 +283,13 @@ impl Instrument for Notes {
         Ok(1)
     }
 
-    async fn stop(&mut self) {
+    async fn stop(&mut self) -> Result<(), Refusal> {
         self.stops += 1;
+        Ok(())
     }
 
-    async fn stop_run(&mut self, _: u32) {
-        self.stops += 1;
+    async fn stop_run(&mut self, _: u32) -> Result<(), Refusal> {
+        self.stop().await
     }
 
     async fn records(&mut self, _: u32) -> Result<RecordPage, Refusal> {

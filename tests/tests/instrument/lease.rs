@@ -81,3 +81,23 @@ fn a_stop_for_one_run_ends_no_other() -> Result<(), Fault> {
     bench.expect_silence(Duration::from_millis(40))?;
     Ok(())
 }
+
+/// Five samples: no zero crossing of a tone lasts so long, and an answer takes a hundred on the line.
+const REST: Duration = Duration::from_micros(100);
+
+#[test]
+fn a_stop_is_confirmed_by_an_exciter_at_rest() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    for after_ms in [250, 357, 464, 571, 678, 785, 892, 1000] {
+        bench.client.start(long_run())?;
+        bench.client.wait(Duration::from_millis(after_ms))?;
+        bench.client.stop()?;
+        let silent = bench.board().silent_for();
+        assert!(
+            silent.is_some_and(|silent| silent >= REST),
+            "stopped after {after_ms} ms, confirmed, and at rest for {silent:?}"
+        );
+        bench.client.wait(Duration::from_millis(300))?;
+    }
+    Ok(())
+}
