@@ -24,9 +24,11 @@ const APPROACH_REL: f32 = 0.7;
 /// Noise of a block above which its gain is not trusted for the approach.
 const PROBE_NOISE_REL: f32 = 0.05;
 /// Blocks agree within this before the drive is raised on them: loosely at the
-/// probe, since the approach stays 30 % below the set level, closely after it.
+/// probe, since the approach stays 30 % below the set level, closely after it. At the set level a block more
+/// takes less time than a trim to what still rings, and its undoing.
 const PROBE_AGREEMENT_REL: f32 = 0.1;
-const AGREEMENT_REL: f32 = 0.03;
+const APPROACH_AGREEMENT_REL: f32 = 0.03;
+const TRIM_AGREEMENT_REL: f32 = 0.002;
 /// Settled within this of the set level.
 const TOLERANCE_REL: f32 = 5.0e-4;
 /// And, for noisy blocks, never wider than this (issue of 0.1 % at most).
@@ -208,7 +210,8 @@ impl LevelLoop {
     fn unsteady(&self, state: &LevelState, level: Level) -> Option<f32> {
         let agreement = match state.stage {
             Stage::Probe => PROBE_AGREEMENT_REL,
-            Stage::Approach | Stage::Trim => AGREEMENT_REL,
+            Stage::Approach => APPROACH_AGREEMENT_REL,
+            Stage::Trim => TRIM_AGREEMENT_REL,
         };
         let allowed = agreement * level.peak_ms2 + 3.0 * level.noise_ms2;
         let agrees = |previous: f32| (level.peak_ms2 - previous).abs() <= allowed;

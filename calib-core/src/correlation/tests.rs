@@ -515,7 +515,7 @@ mod properties {
         #[test]
         fn a_common_gain_leaves_the_ratio_alone(tone in any_tone(), shift in 1_u32..5, phase in -3.0..3.0_f64) {
             // Gains of powers of two on whole codes: the samples scale exactly,
-            // so the ratio may differ by f32 rounding alone.
+            // so the ratio may differ by f32 rounding alone: 1e-6 of each of the two.
             let block = Block::measuring(tone, 1_000);
             let quiet = [Signal { peak: 900.0, ..PLAIN }, Signal { peak: 700.0, phase, ..PLAIN }];
             let pairs = pairs(tone, quiet, 0, block.samples(), 0.0);
@@ -525,7 +525,7 @@ mod properties {
             }).collect();
             let ratio = |estimate: PairEstimate| estimate.dut.amplitude / estimate.reference.amplitude;
             let (before, after) = (ratio(correlate(block, 0, &pairs)), ratio(correlate(block, 0, &louder)));
-            prop_assert!((after / before - 1.0).norm() < 1.0e-6, "{before} {after}");
+            prop_assert!((after / before - 1.0).norm() < 2.0e-6, "{before} {after}");
         }
 
         #[test]

@@ -26,6 +26,8 @@ pub struct Scatter {
     last: Complex32,
     /// Complex parameters that were fitted to the ratios beside their mean.
     fitted: u16,
+    /// Bound of the standard deviations from below.
+    least: f32,
 }
 
 impl Scatter {
@@ -52,6 +54,11 @@ impl Scatter {
     /// has as many degrees of freedom less.
     pub fn fit_took(&mut self, parameters: usize) {
         self.fitted = parameters as u16;
+    }
+
+    /// Standard deviations of the mean are no smaller than this, relative and rad.
+    pub fn at_least(&mut self, deviation: f32) {
+        self.least = deviation;
     }
 
     /// Ratios added.
@@ -88,7 +95,8 @@ impl Scatter {
             // The first difference is zero.
             let ends = 2.0 * sum - last;
             let together = products - sum / n * ends + (n - 1.0) * (sum / n) * (sum / n);
-            libm::sqrtf(spread / (n * free) * of_correlated(together / spread, n))
+            let deviation = libm::sqrtf(spread / (n * free) * of_correlated(together / spread, n));
+            deviation.max(self.least)
         };
         let [[re, im], [re_products, im_products]] = [self.squares, self.products];
         (

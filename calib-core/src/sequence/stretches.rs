@@ -29,12 +29,16 @@ impl Default for Stretches {
 }
 
 /// Ratio of the channels over the stretches.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Ratio {
     /// Mean and scatter.
     pub(super) scatter: Scatter,
     /// Amplitude of what the mains may still do to it, relative, at an unknown phase.
     pub(super) hum_rel: f32,
+    /// Standard deviation of the mean by the noise within blocks, relative.
+    pub(super) noise_rel: f32,
+    /// Complex amplitudes of lines that were fitted beside it.
+    pub(super) fitted: usize,
 }
 
 impl Stretches {
@@ -82,9 +86,12 @@ impl Stretches {
             scatter.add(dut / reference);
         }
         scatter.fit_took(fitted);
+        let noise_square = noise_rel.iter().map(|noise| noise * noise).sum::<f32>();
         Ratio {
-            scatter,
             hum_rel: libm::sqrtf(hum_square),
+            noise_rel: libm::sqrtf(noise_square / f32::from(scatter.count().max(1))),
+            fitted,
+            scatter,
         }
     }
 }

@@ -429,10 +429,9 @@ impl<'m> Sequencer<'m> {
         } else {
             self.gathered
                 .add(level.peak_ms2, estimate, self.settings.blocks);
-            if self.gathered.count() >= self.settings.blocks.max(2) {
-                self.finish(plan);
-            } else {
-                self.begin_measuring(plan.tone);
+            match self.result_if_enough(plan) {
+                Some(result) => self.finish(plan, result),
+                None => self.begin_measuring(plan.tone),
             }
         }
     }
@@ -459,8 +458,7 @@ impl<'m> Sequencer<'m> {
     }
 
     /// Ends the point with its result: ramp down.
-    fn finish(&mut self, plan: &Plan) {
-        let mut result = self.result(plan, Verdict::Pass);
+    fn finish(&mut self, plan: &Plan, mut result: PointResult) {
         // It may have no budget.
         if result.verdict == Verdict::Pass {
             let measured = self.measured(plan, &result);

@@ -12,6 +12,11 @@ use crate::verdict::{Reason, Verdict};
 use core::f32::consts::FRAC_1_SQRT_2;
 use num_complex::Complex32;
 
+/// Fewest blocks of a point, unless the settings want fewer: their agreement shows that nothing changes.
+const FEWEST_BLOCKS: u16 = 3;
+/// Type A below this share of U adds nothing to U: 0.5 % of it, as squares add.
+const ENOUGH_OF_U: f32 = 0.05;
+
 impl Sequencer<'_> {
     /// What the checks judge of `result`.
     pub(super) fn measured(&self, plan: &Plan, result: &PointResult) -> Measured {
@@ -30,8 +35,43 @@ impl Sequencer<'_> {
         }
     }
 
+    /// The result of a point that needs no more blocks: as many as the settings want are there, or more would
+    /// make U no smaller and nothing near the tone needs the time to be told from it.
+    pub(super) fn result_if_enough(&mut self, plan: &Plan) -> Option<PointResult> {
+        let [blocks, wanted] = [self.gathered.count(), self.settings.blocks.max(2)];
+        if blocks < FEWEST_BLOCKS.min(wanted) {
+            return None;
+        }
+        let mut ratio = self.ratio(plan);
+        if blocks >= wanted {
+            return Some(self.result_of(plan, Verdict::Pass, &ratio));
+        }
+        // So few blocks agree by chance: the noise within them says how much of that it is.
+        ratio.scatter.at_least(ratio.noise_rel);
+        let result = self.result_of(plan, Verdict::Pass, &ratio);
+        let is_small = |deviation: f32, expanded: f32| {
+            deviation.max(FRAC_1_SQRT_2 * result.hum_rel) <= ENOUGH_OF_U * expanded
+        };
+        let is_enough = ratio.fitted == 0
+            && result.verdict == Verdict::Pass
+            && is_small(result.repeatability_rel, result.expanded_uncertainty_rel)
+            && is_small(
+                result.repeatability_phase_rad,
+                result.expanded_uncertainty_phase_rad,
+            );
+        is_enough.then_some(result)
+    }
+
     /// Sensitivity, uncertainty and diagnostics of what was gathered.
     pub(super) fn result(&mut self, plan: &Plan, verdict: Verdict) -> PointResult {
+        let ratio = match self.gathered.count() {
+            0 | 1 => Ratio::default(),
+            _ => self.ratio(plan),
+        };
+        self.result_of(plan, verdict, &ratio)
+    }
+
+    fn result_of(&mut self, plan: &Plan, verdict: Verdict, ratio: &Ratio) -> PointResult {
         let gathered = self.gathered;
         let mut result = PointResult::refused(plan.spec, Some(plan.tone), Reason::Stopped);
         result.verdict = verdict;
@@ -39,7 +79,6 @@ impl Sequencer<'_> {
         if gathered.count() < 2 {
             return result;
         }
-        let ratio = self.ratio(plan);
         let sensitivity = self.settings.sensitivity(
             ratio.scatter.mean(),
             &plan.reference,
