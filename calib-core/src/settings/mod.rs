@@ -166,7 +166,7 @@ pub struct Settings {
     pub drive_full_scale_peak_v: f32,
     /// Limits of the exciter.
     pub limits: Limits,
-    /// Blocks averaged at each point, at least 2.
+    /// Most blocks averaged at each point, at least 2. Three are enough where more would not make U smaller.
     pub blocks: u16,
     /// Influence quantities beside the reference's own calibration (row 1) and
     /// the repeatability of the measurement (row 18), which are per point.
