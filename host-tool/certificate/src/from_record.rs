@@ -4,6 +4,7 @@ use super::around::minute;
 use super::budget::{self, Basis};
 use super::conformity;
 use super::decision::Request;
+use super::linearity;
 use super::model::{Certificate, Refusal, Remark, Severity, Value};
 use super::model::{Deviation, Point, PointValues};
 use super::mountings::Mountings;
@@ -79,6 +80,7 @@ impl Certificate {
             traceable: is_traceable(record),
         };
         mountings.state(&mut certificate);
+        linearity::attach(&mut certificate, &basis);
         certificate.remarks = remarks(record, &certificate);
         let temperature = basis.distance.remark();
         certificate.remarks.extend(temperature);

@@ -43,6 +43,7 @@ mod deviation;
 mod from_record;
 mod html;
 mod json;
+mod linearity;
 mod marks;
 mod measured;
 pub mod model;

@@ -17,6 +17,17 @@ fn talkative() -> Record {
     record.head.labels.temperature_centi_c = Some(3150);
     record.settings.reference.due_day = 20_400; // the run is of day 20 413
     record.head.instrument_serial = text("23004100075457494E303120");
+    // The reference frequency at three levels more: a statement on linearity.
+    for (acceleration_rms_ms2, relative, blocks) in
+        [(1.0, 1.0012, 10), (2.0, 1.0, 10), (50.0, 0.9962, 3)]
+    {
+        let mut measured = record.points[1];
+        measured.spec.acceleration_rms_ms2 = acceleration_rms_ms2;
+        measured.acceleration_rms_ms2 = acceleration_rms_ms2;
+        measured.sensitivity_v_per_ms2 *= relative;
+        measured.blocks = blocks;
+        record.points.push(measured).expect("room");
+    }
     record
 }
 

@@ -220,6 +220,11 @@ fn statements(xml: &mut Xml, certificate: &Certificate, language: Language) {
                 language,
             );
         }
+        if let Some(value) = of("linearity") {
+            let name = language.word("calibration.linearity");
+            let said = format!("{name}: {}", present::value(value, language));
+            statement(xml, None, "7.8.2.1 m", &said, language);
+        }
         if let Some(value) = of("replaces") {
             let said = present::value(value, language);
             statement(xml, None, "7.8.8", &said, language);

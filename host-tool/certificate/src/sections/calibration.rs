@@ -59,15 +59,31 @@ fn measurement(record: &Record) -> [Line; 6] {
         false => "points.incomplete",
     };
     let points = phrase(extent, &[record.points.len().to_string()]);
-    let blocks = Value::Number(f64::from(record.settings.blocks), 0, "");
     [
         ("record", clause::NONE, phrase("record.value", &number)),
         ("points", clause::NONE, points),
-        ("blocks", clause::NONE, Some(blocks)),
+        ("blocks", clause::NONE, Some(blocks(record))),
         ("excitation", clause::NONE, excitation(record)),
         ("quantity", clause::RESULTS, phrase("quantity.rms", &[])),
         ("coherence", clause::RESULTS, coherence(record)),
     ]
+}
+
+/// As many as the noise asked for at each point.
+fn blocks(record: &Record) -> Value {
+    let valid = record
+        .points
+        .iter()
+        .filter(|point| point.verdict == Verdict::Pass);
+    let counts = || valid.clone().map(|point| point.blocks);
+    match counts().min().zip(counts().max()) {
+        Some((fewest, most)) if fewest < most => {
+            let range = [fewest, most].map(|count| Value::Number(f64::from(count), 0, ""));
+            Value::Phrase("blocks.range".to_owned(), range.to_vec())
+        }
+        Some((all, _)) => Value::Number(f64::from(all), 0, ""),
+        None => Value::Number(f64::from(record.settings.blocks), 0, ""),
+    }
 }
 
 fn excitation(record: &Record) -> Option<Value> {

@@ -40,6 +40,6 @@ pub(super) const MOUNTING: &str = "ISO 16063-21 7 c";
 /// Settings of the object's amplifier.
 pub(super) const AMPLIFIER: &str = "ISO 16063-21 7 d";
 /// Results.
-pub(super) const RESULTS: &str = "ISO 16063-21 7 e";
+pub(in super::super) const RESULTS: &str = "ISO 16063-21 7 e";
 /// No clause asks for it.
 pub(super) const NONE: &str = "";

@@ -13,6 +13,7 @@ mod value;
 use super::model::Section;
 use super::particulars::Particulars;
 use calib_protocol::record::Record;
+pub(super) use clause::RESULTS;
 pub(super) use equipment::is_traceable;
 
 /// All statements in the order they are printed.
