@@ -25,6 +25,15 @@ pub enum ExcitationKind {
     Multisine,
     /// Noise that repeats with the record, drawn anew for each average.
     Random,
+    /// One tone after another, each held for all blocks of the settings: somebody looks at it meanwhile.
+    HeldSine,
+}
+
+impl ExcitationKind {
+    /// All points at once.
+    pub const fn is_broadband(self) -> bool {
+        matches!(self, Self::Multisine | Self::Random)
+    }
 }
 
 /// One measured calibration point.

@@ -3,7 +3,7 @@
 //! Every request that can be read gets exactly one answer; what is done lies
 //! behind [`Instrument`], which the tasks implement on the board.
 
-use calib_core::point::{ExcitationKind, PointResult};
+use calib_core::point::PointResult;
 use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
 use calib_protocol::capture::CapturePart;
@@ -266,7 +266,7 @@ fn check_points(spec: &RunSpec) -> Result<(), Refusal> {
     let usable = |value: f32| value.is_finite() && value > 0.0;
     let points = &spec.points;
     let level = points.first().map(|point| point.acceleration_rms_ms2);
-    let one_level = spec.excitation == ExcitationKind::SingleSine
+    let one_level = !spec.excitation.is_broadband()
         || points
             .iter()
             .all(|point| Some(point.acceleration_rms_ms2) == level);

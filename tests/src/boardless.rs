@@ -94,7 +94,7 @@ pub fn measure_by(
     calibrator.plant.set_conversions(acquisition.conversions);
     calibrator.plant.set_drive_buffer(acquisition.drive_buffer);
     calibrator.plant.set_dither(acquisition.dither());
-    calibrator.sequencer.start_run(settings.clone());
+    calibrator.sequencer.start_run(settings.clone(), false);
     specs
         .iter()
         .map_while(|spec| calibrator.measure(*spec))

@@ -132,7 +132,9 @@ impl Runner {
             }
             None => {
                 self.broadband = false;
-                self.sequencer.start_run(settings);
+                let kind = state::RUN.lock(|run| run.borrow().spec.excitation);
+                self.sequencer
+                    .start_run(settings, kind == ExcitationKind::HeldSine);
             }
         }
         self.start_point(0);
@@ -246,7 +248,7 @@ fn survey_request() -> Option<SurveyRequest> {
         let band = |(low, high): (f32, f32), point: &PointSpec| {
             (low.min(point.frequency_hz), high.max(point.frequency_hz))
         };
-        (run.spec.excitation != ExcitationKind::SingleSine).then(|| SurveyRequest {
+        run.spec.excitation.is_broadband().then(|| SurveyRequest {
             band_hz: points.iter().fold((f32::INFINITY, 0.0), band),
             acceleration_rms_ms2: first.acceleration_rms_ms2,
             kind: run.spec.excitation,

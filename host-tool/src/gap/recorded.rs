@@ -159,11 +159,12 @@ impl Pass<'_> {
         points: &[PointSpec],
         observe: &mut impl FnMut(&Progress<'_>, &[PointSpec]) -> ControlFlow<()>,
     ) -> Result<(RunState, Vec<Taken>)> {
+        let mut kind = ExcitationKind::SingleSine;
         if let Some(waveforms) = &mut self.waveforms {
             waveforms.begin();
+            kind = ExcitationKind::HeldSine;
         }
-        let labels = RunLabels::default();
-        let id = session::begin(client, points, ExcitationKind::SingleSine, labels)?;
+        let id = session::begin(client, points, kind, RunLabels::default())?;
         let mut looks = vec![Look::default(); points.len()];
         let outcome = session::follow_beside(client, id, points, |progress, client| {
             let status = &progress.status;

@@ -239,13 +239,11 @@ fn instructions_per_pair(bench: &mut Bench) -> Result<f64, Fault> {
 
 #[test]
 fn time_goes_on_from_one_capture_to_the_next() -> Result<(), Fault> {
-    let mut rig = Rig::standard();
-    // A device so noisy that its point takes all of its blocks, a second.
-    rig.dut.noise_rms_v = 0.02;
+    let rig = Rig::standard();
     let (mut bench, inputs) = bench_on(&rig)?;
     let client = &mut bench.client;
     let labels = RunLabels::default();
-    session::begin(client, &[spec()], ExcitationKind::SingleSine, labels)?;
+    session::begin(client, &[spec()], ExcitationKind::HeldSine, labels)?;
     while client.status()?.state != RunState::Measuring {
         client.wait(Duration::from_millis(50))?;
     }

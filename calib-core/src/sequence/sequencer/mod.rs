@@ -121,6 +121,7 @@ pub struct Sequencer<'m> {
     correlator: Correlator<'m>,
     sampling: Sampling,
     settings: Settings,
+    holds: bool,
     polarity: Polarity,
     plan: Option<Plan>,
     level: LevelState,
@@ -148,6 +149,7 @@ impl<'m> Sequencer<'m> {
             correlator: Correlator::new(memory, sampling.input, block, 0),
             sampling,
             settings,
+            holds: false,
             polarity: Polarity::default(),
             plan: None,
             level: LevelState::silent(),
@@ -164,9 +166,11 @@ impl<'m> Sequencer<'m> {
         }
     }
 
-    /// Begins a run with these settings; the polarity is open again.
-    pub fn start_run(&mut self, settings: Settings) {
+    /// Begins a run with these settings; the polarity is open again. With `holds` every point takes all of its
+    /// blocks, whether its result needs them or not.
+    pub fn start_run(&mut self, settings: Settings, holds: bool) {
         self.settings = settings;
+        self.holds = holds;
         self.polarity = Polarity::default();
         if !matches!(self.stage, Stage::Idle) {
             self.rest();

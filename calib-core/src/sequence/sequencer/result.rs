@@ -39,7 +39,11 @@ impl Sequencer<'_> {
     /// make U no smaller and nothing near the tone needs the time to be told from it.
     pub(super) fn result_if_enough(&mut self, plan: &Plan) -> Option<PointResult> {
         let [blocks, wanted] = [self.gathered.count(), self.settings.blocks.max(2)];
-        if blocks < FEWEST_BLOCKS.min(wanted) {
+        let fewest = match self.holds {
+            true => wanted,
+            false => FEWEST_BLOCKS.min(wanted),
+        };
+        if blocks < fewest {
             return None;
         }
         let mut ratio = self.ratio(plan);

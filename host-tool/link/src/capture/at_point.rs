@@ -69,7 +69,7 @@ pub fn measure(
 ) -> Result<Measured> {
     let frequency_hz = tone_frequency_hz(point.frequency_hz, inputs.sample_rate_hz)
         .ok_or_else(|| no_tone(point.frequency_hz))?;
-    let record_id = session::begin(client, &[point], ExcitationKind::SingleSine, labels)?;
+    let record_id = session::begin(client, &[point], ExcitationKind::HeldSine, labels)?;
     let capture = while_held(client, *inputs, pairs, &stop);
     let capture = match capture {
         Ok(capture) => capture,
