@@ -19,8 +19,10 @@ pub(super) struct Outcome {
     pub(super) time_s: f64,
     /// Size in standard deviations of the whole dataset, with the true form known.
     pub(super) sigma: f64,
-    /// Remainder of the best substitute, in the same unit (stratum `withheld`).
+    /// Remainder of the best substitute, in the same unit (strata `withheld` and of several effects).
     pub(super) left_sigma: f64,
+    /// What each true effect adds to the others, in the same unit (strata `triples`, `beside`).
+    pub(super) conditional_sigma: Vec<f64>,
     /// How the noise differs from what is stated.
     pub(super) unkind: Unkind,
 }
@@ -80,7 +82,7 @@ impl fmt::Display for Outcome {
         let noise = &a.noise;
         write!(
             f,
-            "{} {} {:?} {:?}{:?}{:?} other={:.3} p={:.2e} sigma={:.1} left={:.1} top={} stage={} chi={:.2}>{:.2} closed={:.3} {:.2}s [{}] {}",
+            "{} {} {:?} {:?}{:?}{:?} other={:.3} p={:.2e} sigma={:.1}{:.0?} left={:.1} top={} stage={} chi={:.2}>{:.2} closed={:.3} {:.2}s [{}] {}",
             self.index,
             self.truth.join("+"),
             a.verdict,
@@ -90,6 +92,7 @@ impl fmt::Display for Outcome {
             a.probability_other,
             a.none_of_these_p_value,
             self.sigma,
+            self.conditional_sigma,
             self.left_sigma,
             self.place().is_some_and(|p| p.0 == 0),
             self.stage_found(),
@@ -124,18 +127,24 @@ fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
         "null" | "off2u" | "noise_1.2" | "noise_2" | "misread" | "memory" => Vec::new(),
         "form" => turn(&FORMS),
         "ratio" => turn(&seen_in_ratio),
-        "pairs" => {
-            let first = all[random.below(all.len())];
-            loop {
-                let second = all[random.below(all.len())];
-                let converters = [first, second].map(drawn_effects::is_of_one_channel);
-                if second != first && converters != [true; 2] {
-                    return vec![first, second];
-                }
-            }
-        }
+        "pairs" | "beside" => several(2, &all, random),
+        "triples" => several(3, &all, random),
         _ => turn(&all),
     }
+}
+
+/// So many different effects, one of a single converter at most.
+fn several(count: usize, all: &[&'static str], random: &mut Random) -> Vec<&'static str> {
+    let mut drawn = vec![all[random.below(all.len())]];
+    while drawn.len() < count {
+        let next = all[random.below(all.len())];
+        let with = drawn.iter().chain([&next]);
+        let converters = with.filter(|name| drawn_effects::is_of_one_channel(name));
+        if converters.count() < 2 && !drawn.contains(&next) {
+            drawn.push(next);
+        }
+    }
+    drawn
 }
 
 /// Scatter of a stratum; the cases of `unkind` take each kind in turn.
@@ -180,6 +189,11 @@ pub(super) fn write(
     let mut drawn = Truth::honest(&mut random);
     for name in &truth {
         drawn_effects::add(&mut drawn, name, &mut random);
+        if stratum == "beside" && name == &truth[0] {
+            // About a hundredth of the one that is added next.
+            let factor = random.log_between(3e-3, 3e-2);
+            drawn_effects::shrink(&mut drawn, factor);
+        }
     }
     if stratum == "off2u" {
         for (value, (_, nominal, u)) in drawn.exciter.iter_mut().zip(NOMINAL) {
@@ -263,9 +277,20 @@ fn diagnosed(
     let known = misfit(folder, &truth)?;
     let root = |difference: f64| difference.max(0.0).sqrt();
     let sigma = root(misfit(folder, &[])? - known);
+    let several = matches!(stratum, "triples" | "beside");
     let left_sigma = match answer.causes.first() {
-        Some(best) if stratum == "withheld" => root(misfit(folder, &best.effects)? - known),
+        Some(best) if several || stratum == "withheld" => {
+            root(misfit(folder, &best.effects)? - known)
+        }
         _ => sigma,
+    };
+    let without = |name: &&str| {
+        let others: Vec<&str> = truth.iter().filter(|n| n != &name).copied().collect();
+        Ok(root(misfit(folder, &others)? - known))
+    };
+    let conditional_sigma = match several {
+        true => truth.iter().map(without).collect::<Result<_, GapError>>()?,
+        false => Vec::new(),
     };
     Ok(Outcome {
         index,
@@ -274,6 +299,7 @@ fn diagnosed(
         time_s,
         sigma,
         left_sigma,
+        conditional_sigma,
         unkind,
     })
 }

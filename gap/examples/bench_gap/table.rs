@@ -49,6 +49,8 @@ fn rates(stratum: &str, all: &[Outcome]) -> Vec<Rate> {
             share(&cases.every, |o| !o.is(Verdict::NoGap)),
         )],
         "ratio" => rates_of_ratios(&cases),
+        "triples" => rates_of_several(&cases),
+        "beside" => rates_beside(&cases),
         "withheld" => rates_of_withheld(&cases),
         "form" => rates_of_forms(&cases),
         "noise_1.2" | "noise_2" | "misread" | "memory" => rates_of_noise(&cases),
@@ -200,6 +202,84 @@ fn rates_of_withheld(cases: &Cases<'_>) -> Vec<Rate> {
             share(&cases.left, Outcome::stage_found),
         ),
         ("no answer claimed, all", share(&cases.every, unexplained)),
+    ]
+}
+
+/// What each of several effects adds to the others where it is asked for by name, in sigma.
+const CONDITIONAL_SIGMA: f64 = 12.0;
+/// Correlation of two shapes from which their names count as one.
+const SAME_SHAPE: f64 = 0.95;
+
+/// Whether the leading set is the true one, or has names of the same shape in it: of what such a name
+/// replaces, 1 - 0.95^2 of the square is left at most.
+fn is_first_by_shape(outcome: &Outcome) -> bool {
+    let Some(first) = outcome.answer.causes.first() else {
+        return false;
+    };
+    let sizes = outcome.truth.iter().zip(&outcome.conditional_sigma);
+    let replaced = sizes.filter(|(name, _)| !first.effects.contains(name));
+    let square: f64 = replaced.map(|(_, sigma)| sigma * sigma).sum();
+    first.effects.len() == outcome.truth.len()
+        && outcome.left_sigma.powi(2) <= (1.0 - SAME_SHAPE * SAME_SHAPE) * square
+}
+
+/// Where three effects are at work, each large enough beside the others.
+fn rates_of_several(cases: &Cases<'_>) -> Vec<Rate> {
+    let large = |o: &&&Outcome| {
+        let mut sizes = o.conditional_sigma.iter();
+        sizes.all(|sigma| *sigma >= CONDITIONAL_SIGMA)
+    };
+    let large: Vec<&Outcome> = cases.every.iter().filter(large).copied().collect();
+    let partly = |o: &Outcome| {
+        let first = o.answer.causes.first();
+        first.is_some_and(|c| c.effects.iter().all(|name| o.truth.contains(name)))
+    };
+    vec![
+        ("all first, each > 12 sigma", share(&large, is_first)),
+        (
+            "the same, or of their shape",
+            share(&large, |o| is_first(o) || is_first_by_shape(o)),
+        ),
+        ("no wrong name in the first set", share(&large, partly)),
+        (
+            "called unexplained",
+            share(&large, |o| o.is(Verdict::Unexplained)),
+        ),
+        (
+            "called explained in part",
+            share(&large, |o| o.is(Verdict::PartlyExplained)),
+        ),
+    ]
+}
+
+/// Where one effect is at least thirty times the other: both, or honestly one.
+fn rates_beside(cases: &Cases<'_>) -> Vec<Rate> {
+    let far_apart = |o: &&&Outcome| match o.conditional_sigma[..] {
+        [small, large] => large > VISIBLE_SIGMA && large > 30.0 * small,
+        _ => false,
+    };
+    let apart: Vec<&Outcome> = cases.every.iter().filter(far_apart).copied().collect();
+    let one = |o: &Outcome| {
+        let first = o.answer.causes.first();
+        first.is_some_and(|c| c.effects == o.truth[1..])
+    };
+    // To claim that one is all there is, where the other shows, is not honest.
+    let shows = |o: &Outcome| o.conditional_sigma[0] > CONDITIONAL_SIGMA;
+    let honest = |o: &Outcome| one(o) && !(shows(o) && o.is(Verdict::Explained));
+    vec![
+        (
+            "both, or honestly one",
+            share(&apart, |o| is_first(o) || honest(o)),
+        ),
+        ("both", share(&apart, is_first)),
+        (
+            "one that claims to be all",
+            share(&apart, |o| one(o) && !honest(o)),
+        ),
+        (
+            "called unexplained",
+            share(&apart, |o| o.is(Verdict::Unexplained)),
+        ),
     ]
 }
 

@@ -7,7 +7,8 @@ use crate::dataset::Dataset;
 use crate::error::GapError;
 use std::path::Path;
 
-/// -2 ln posterior density (up to a constant of the dataset) of the best fit with just these effects.
+/// -2 ln posterior density (up to a constant of the dataset) of the best fit with just these effects,
+/// or some of them.
 ///
 /// The square root of the difference between two sets is the size of what
 /// tells them apart, in standard deviations of the whole dataset. With the
@@ -24,10 +25,6 @@ pub fn misfit(folder: &Path, effects: &[&str]) -> Result<f64, GapError> {
         .ok_or_else(|| GapError::Usage("only a dataset of points has a misfit by effect".into()))?;
     let limits = Limits::only(effects);
     let found = search(&problem, &limits);
-    let just_these = found.every.iter().filter(|fit| {
-        let names = fit.names();
-        names.len() == effects.len() && effects.iter().all(|e| names.contains(e))
-    });
-    let best = just_these.map(|fit| fit.objective).reduce(f64::min);
-    Ok(best.unwrap_or(found.nominal.objective))
+    let each = found.every.iter().map(|fit| fit.objective);
+    Ok(each.fold(found.nominal.objective, f64::min))
 }

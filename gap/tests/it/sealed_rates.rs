@@ -81,6 +81,16 @@ fn pairs_are_named() {
     check("not both named", &visible, 0.08, named);
 }
 
+/// Three at once, each of 12 sigma and more beside the others: 85 % are asked for.
+#[test]
+fn three_effects_are_named() {
+    let outcomes = outcomes("triples", 0..10);
+    let each = |o: &&Outcome| o.conditional_sigma.iter().all(|sigma| *sigma >= 12.0);
+    let large: Vec<&Outcome> = outcomes.iter().filter(each).collect();
+    assert!(large.len() > 5, "too few: {}", large.len());
+    check("not all three named", &large, 0.15, named);
+}
+
 #[test]
 fn an_effect_missing_from_the_library_is_not_forced_onto_another() {
     let outcomes = outcomes("withheld", (0..42).step_by(4));
