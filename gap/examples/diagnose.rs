@@ -12,7 +12,7 @@ fn main() {
             .filter(|n| !n.is_empty() && *n != "-")
             .map(Into::into)
             .collect(),
-        most_effects: a.get(3).and_then(|n| n.parse().ok()).unwrap_or(2),
+        most_effects: a.get(3).and_then(|n| n.parse().ok()),
     };
     match calib_gap::diagnose(dataset.as_ref(), &options) {
         Ok(answer) => println!(

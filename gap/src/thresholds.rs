@@ -81,6 +81,10 @@ pub(crate) const ZERO_SIGMA: f64 = 2.0;
 /// Gain of -2 ln likelihood below which a candidate is not refined: less than half of what it
 /// costs.
 pub(crate) const WORTH_REFINING: f64 = 5.0;
+/// Predicted gain of -2 ln likelihood from which a third effect is tried: noise promises as much of some
+/// 300 starts of two parameters each in one of 900 sets. Half of what its name and values cost more is
+/// lost by it.
+pub(crate) const SHOWS_STRUCTURE: f64 = 25.0;
 /// Gain of -2 ln likelihood that counts as a finding: three standard deviations.
 pub(crate) const WORTH_ADDING: f64 = 9.0;
 /// Share of a predicted gain by which the truth may exceed it: the screening is linear.

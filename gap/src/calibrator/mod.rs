@@ -69,9 +69,10 @@ use crate::options::Options;
 use crate::others::share_with_others;
 use crate::thresholds;
 use causes::{causes, confusable, nominal_parameters};
-use fit::Workspace;
+use fit::{Fit, Workspace};
 use lack_of_fit::examine;
 use limits::Limits;
+use model_selection::Scored;
 use next::Next;
 use noise::{Noise, stated};
 use places::{local, places, remainder};
@@ -91,7 +92,7 @@ pub(crate) fn diagnose_points(
     options: &Options,
     summary: DatasetSummary,
 ) -> Answer {
-    let limits = Limits::without(&options.without, options.most_effects);
+    let limits = Limits::of(options);
     // The part is searched before the whole: what it finds may guide the whole, not the other way.
     let unseen = Unseen::new(dataset, problem, validate, &limits);
     let stated = |summary| {
@@ -105,7 +106,7 @@ pub(crate) fn diagnose_points(
     let again = Unseen::new(dataset, &quietened, validate, &limits);
     let found = heard_search(&quietened, &limits, &again);
     // Rows that stand out beside a structure that stays belong to it.
-    if noise.is_of_rows_only() && leaves_structure(&quietened, &found) {
+    if noise.is_of_rows_only() && leaves_structure(&quietened, found.best()) {
         return stated(summary);
     }
     Diagnosis::new(&quietened, &again, Some(&noise), &found).answer(summary)
@@ -115,12 +116,21 @@ pub(crate) fn diagnose_points(
 fn heard_search(problem: &Problem, limits: &Limits, unseen: &Unseen<'_>) -> Search {
     let mut found = search_from(problem, limits, unseen.searched());
     unseen.veto(problem, &mut found);
+    if limits.most_effects < limits.where_structure_is_left {
+        found.strike(|set| set.fit.effects.len() <= limits.most_effects || is_all(problem, set));
+    }
     found
 }
 
-/// Whether the best set leaves more than noise.
-fn leaves_structure(problem: &Problem, found: &Search) -> bool {
-    let left = examine(problem, found.best(), &mut Workspace::new(problem));
+/// Whether a set that is not negligible describes all of the data. More names than are asked for have to:
+/// of a cause with another form than ours the next effects would only be corrections.
+fn is_all(problem: &Problem, set: &Scored) -> bool {
+    set.probability < thresholds::LISTED_PROBABILITY || !leaves_structure(problem, &set.fit)
+}
+
+/// Whether a fit leaves more than noise.
+fn leaves_structure(problem: &Problem, fit: &Fit) -> bool {
+    let left = examine(problem, fit, &mut Workspace::new(problem));
     left.p_value < thresholds::UNEXPLAINED_P_VALUE
 }
 

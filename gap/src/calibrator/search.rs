@@ -14,6 +14,8 @@ use std::rc::Rc;
 
 /// Pairs refined fully.
 const MOST_PAIRS: usize = 14;
+/// Leading sets that are grown where they leave structure.
+const LEADERS: usize = 2;
 
 /// All sets that were refined, best first.
 pub(crate) struct Search {
@@ -35,6 +37,39 @@ impl Search {
     /// The leading set; the nominal simulation where there is none.
     pub(crate) fn best(&self) -> &Fit {
         self.sets.first().map_or(&self.nominal, |set| &set.fit)
+    }
+}
+
+/// How sets grow by one effect.
+struct Growth {
+    /// Effects of the larger sets.
+    size: usize,
+    /// Most sets of the size below that are grown.
+    bases: usize,
+    /// Predicted gain from which an effect is tried.
+    floor: f64,
+    /// The same of the best of its kind of observable.
+    least: f64,
+}
+
+impl Growth {
+    /// Beyond the usual size a set is grown only where it leaves structure.
+    fn new(size: usize, beyond: bool) -> Self {
+        let shows = thresholds::SHOWS_STRUCTURE;
+        let (bases, floor, least) = match beyond {
+            false => (
+                usize::MAX,
+                thresholds::WORTH_ADDING,
+                thresholds::WORTH_REFINING,
+            ),
+            true => (LEADERS, shows, shows),
+        };
+        Self {
+            size,
+            bases,
+            floor,
+            least,
+        }
     }
 }
 
@@ -78,8 +113,9 @@ pub(crate) fn search_from(
     if limits.most_effects > 0 {
         searcher.singles(&nominal, seeded);
     }
-    for size in 2..=limits.most_effects {
-        if !searcher.grow(size, nominal.objective) {
+    for size in 2..=limits.where_structure_is_left {
+        let growth = Growth::new(size, size > limits.most_effects);
+        if !searcher.grow(&growth, nominal.objective) {
             break;
         }
     }
@@ -135,12 +171,15 @@ impl Searcher<'_> {
     }
 
     /// Adds an effect to the best sets of the size below; false if no candidate is worth trying.
-    fn grow(&mut self, size: usize, nominal: f64) -> bool {
+    fn grow(&mut self, growth: &Growth, nominal: f64) -> bool {
+        let size = growth.size;
         let mut tried = self.found.tried(size);
         let mut any = !tried.is_empty();
         for round in 0..3 {
             let bases = if round == 0 {
-                self.found.bases(size - 1, nominal)
+                let mut bases = self.found.bases(size - 1, nominal);
+                bases.truncate(growth.bases);
+                bases
             } else {
                 self.exchange_bases(size)
             };
@@ -148,7 +187,8 @@ impl Searcher<'_> {
             for fit in bases {
                 let (predicted, slopes) = self.candidates.scan(self.problem, &fit, &mut self.work);
                 let base = Rc::new(Base { fit, slopes });
-                let plan = chosen(&predicted, 5, 2, thresholds::WORTH_ADDING).into_iter();
+                let shows = predicted.partition_point(|p| p.gain > growth.least);
+                let plan = chosen(&predicted[..shows], 5, 2, growth.floor).into_iter();
                 plans.extend(
                     plan.map(|predicted_gain| Plan::new(&base, predicted_gain))
                         .filter(|plan| !plan.repeats() && !tried.contains(&plan.entries())),

@@ -42,21 +42,25 @@ pub(crate) fn judge(problem: &Problem, found: &Search, work: &mut Workspace) -> 
     }
 }
 
-/// Whether two effects undo each other in some observable, to within a tenth.
+/// Whether two effects of a set undo each other in some observable, to within a tenth.
 ///
 /// Two independent causes do not have sizes so well matched: the pair imitates
 /// one cause that the library lacks.
 pub(crate) fn cancels(problem: &Problem, fit: &Fit) -> bool {
-    let [a, b] = fit.effects.as_slice() else {
+    if fit.effects.len() < 2 {
         return false;
-    };
+    }
     let at =
         |effects: &[Active<'static>]| problem.evaluate(effects, &fit.theta, &mut problem.memory());
     let none = at(&[]);
-    let (only_a, only_b) = (
-        difference(problem, &none, &at(std::slice::from_ref(a))),
-        difference(problem, &none, &at(std::slice::from_ref(b))),
-    );
+    let alone = |effect| difference(problem, &none, &at(std::slice::from_ref(effect)));
+    let alone: Vec<Vec<f64>> = fit.effects.iter().map(alone).collect();
+    let mut pairs = alone.iter().enumerate();
+    pairs.any(|(at, a)| alone[at + 1..].iter().any(|b| undo(problem, a, b)))
+}
+
+/// Whether two changes undo each other in some response.
+fn undo(problem: &Problem, only_a: &[f64], only_b: &[f64]) -> bool {
     problem
         .measured_observables()
         .filter(|(observable, _)| observable.group().is_response())

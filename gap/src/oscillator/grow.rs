@@ -39,7 +39,7 @@ pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<St
         left,
         tried: Vec::new(),
     }];
-    while steps.len() <= options.most_effects {
+    while steps.len() <= options.usual_effects() {
         let base = &steps[steps.len() - 1];
         if base.left.unresolved {
             break;

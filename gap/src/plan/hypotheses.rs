@@ -9,6 +9,7 @@ use crate::calibrator::problem::Problem;
 use crate::calibrator::search::search;
 use crate::calibrator::verdict::judge;
 use crate::effects::{Active, Start, library};
+use crate::options::Options;
 use crate::thresholds;
 use rayon::prelude::*;
 
@@ -26,7 +27,11 @@ pub(super) fn of_data<'a>(
     problem: &'a Problem,
     reach: &'a Problem,
 ) -> (Option<Verdict>, Pairs<'a>) {
-    let found = search(problem, &Limits::without(&[], 2));
+    let at_most_two = Options {
+        most_effects: Some(2),
+        ..Options::default()
+    };
+    let found = search(problem, &Limits::of(&at_most_two));
     let best = found.best();
     let verdict = judge(problem, &found, &mut Workspace::new(problem)).verdict;
     if verdict == Verdict::NoGap {

@@ -34,9 +34,9 @@ pub(crate) struct Diagnose {
     /// Score on this dataset instead of on held-out rows.
     #[arg(long, value_name = "DATASET")]
     validate: Option<PathBuf>,
-    /// Largest number of effects at a time.
-    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u8).range(0..=3))]
-    max_effects: u8,
+    /// Largest number of effects at a time; 2 if not stated, and up to 4 where two leave structure.
+    #[arg(long, value_parser = clap::value_parser!(u8).range(0..=4))]
+    max_effects: Option<u8>,
     /// Write a self-contained HTML report.
     #[arg(long, value_name = "OUT.html")]
     report: Option<PathBuf>,
@@ -91,7 +91,7 @@ impl Diagnose {
         let options = Options {
             without: job.without.clone(),
             validate: self.validate.clone(),
-            most_effects: usize::from(self.max_effects),
+            most_effects: self.max_effects.map(usize::from),
         };
         diagnose(&job.folder, &options)
     }
