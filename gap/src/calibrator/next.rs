@@ -29,10 +29,9 @@ impl Next<'_> {
             (Verdict::Data, _) => settled_by(self.noise),
             (Verdict::Explained, _) => {
                 let first = self.causes.first().map_or("", |c| c.effects[0]);
-                let how = separate_by(first).unwrap_or("repeat with another run");
-                format!("to confirm {first}: {how}")
+                to_confirm(first) + &self.so_far()
             }
-            (Verdict::Ambiguous, [first, second, ..]) => to_tell(first, second),
+            (Verdict::Ambiguous, [first, second, ..]) => to_tell(first, second) + &self.so_far(),
             (Verdict::Ambiguous, _) => {
                 "repeat the points with the smallest probability of noise in another run".into()
             }
@@ -53,8 +52,7 @@ impl Next<'_> {
             return format!("for what {name} leaves: {sweep}");
         }
         let Some(left) = self.remainder else {
-            let how = separate_by(first.effects[0]).unwrap_or("repeat with another run");
-            return format!("to confirm {name}: {how}");
+            return to_confirm(first.effects[0]) + &self.so_far();
         };
         format!(
             "for what {name} leaves: {} between {} and {}, {}",
@@ -63,6 +61,13 @@ impl Next<'_> {
             short(left.to),
             way(left.axis)
         )
+    }
+
+    /// What "higher" and "lower" are beside.
+    fn so_far(&self) -> String {
+        let facts = &self.problem.facts;
+        let (lowest, highest) = (short(facts.lowest_hz), short(facts.highest_hz));
+        format!(" (so far from {lowest} Hz to {highest} Hz)")
     }
 
     /// More of what deviates most.
@@ -131,10 +136,24 @@ fn to_tell(first: &Cause, second: &Cause) -> String {
         .filter(|e| !second.effects.contains(*e));
     let differing = lacking.next().unwrap_or(&first.effects[0]);
     format!(
-        "to tell {} from {}: {}",
+        "to tell {} from {}, measure: {}",
         first.effects.join("+"),
         second.effects.join("+"),
         separate_by(differing).unwrap_or("more points")
+    )
+}
+
+/// What would show a cause once more, said so that nobody has to look its name up.
+fn to_confirm(id: &str) -> String {
+    let entry = named(Of::Calibrator, id);
+    entry.map_or_else(
+        || "repeat with another run".into(),
+        |entry| {
+            format!(
+                "to confirm that {} ({id}), measure: {}",
+                entry.plain, entry.separate_by
+            )
+        },
     )
 }
 
