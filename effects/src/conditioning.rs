@@ -5,10 +5,14 @@ use super::{Entry, Parameter, Stage};
 pub(crate) static ENTRIES: &[&Entry] = &[
     &DUT_HIGHPASS,
     &REFERENCE_HIGHPASS,
+    &DUT_HIGHPASS_2,
+    &REFERENCE_HIGHPASS_2,
     &DUT_LOWPASS_1,
     &REFERENCE_LOWPASS_1,
     &DUT_LOWPASS_2,
+    &DUT_LOWPASS_4,
     &AVERAGING_WINDOW,
+    &SINC2_FILTER,
     &CROSSTALK,
     &MAINS_PICKUP,
 ];
@@ -19,7 +23,7 @@ pub static DUT_HIGHPASS: Entry = Entry {
     id: "dut_highpass",
     stage: Stage::Conditioning,
     formula: "r = j f/fc / (1 + j f/fc)",
-    parameters: &[Parameter::log("corner_hz", "Hz", [1e-5, 1e3], 0.8).on_site(1e-3, 5.0)],
+    parameters: &[Parameter::log("corner_hz", "Hz", [1e-5, 1e6], 0.8).on_site(1e-3, 5.0)],
     plain: "the device's electronics cut off low frequencies",
     columns: &["frequency_hz", "ratio", "dut_deg"],
     confused_with: &["gravity_tilt", "base_strain", "dut_frequency_slope"],
@@ -40,12 +44,43 @@ pub static REFERENCE_HIGHPASS: Entry = Entry {
     ..Entry::CALIBRATOR
 };
 
+/// High-pass of second order: a geophone or a servo accelerometer below its natural frequency, a
+/// microphone's vent with its coupling capacitor, two coupled stages. Geophones have quality factors of
+/// 0.7 to 2 at 4.5 to 14 Hz; two corners that differ are two high-passes of first order.
+pub static DUT_HIGHPASS_2: Entry = Entry {
+    id: "dut_highpass_2",
+    stage: Stage::Conditioning,
+    formula: "r = -q^2/(1 - q^2 + j q/Q), q = f/fc",
+    parameters: &[
+        Parameter::log("corner_hz", "Hz", [1e-5, 1e6], 1.0).on_site(1e-2, 15.0),
+        Parameter::log("quality", "1", [0.5, 30.0], 0.7).on_site(0.5, 3.0),
+    ],
+    plain: "the device cuts off low frequencies steeply, as a spring and a mass do",
+    columns: &["frequency_hz", "ratio", "dut_deg"],
+    confused_with: &["dut_highpass", "gravity_tilt", "base_strain"],
+    separate_by: "phase at the lowest frequencies, an octave lower if the exciter reaches it",
+    ..Entry::CALIBRATOR
+};
+
+/// The same of the reference: the ratio shows its inverse, the drive transfer the high-pass itself.
+pub static REFERENCE_HIGHPASS_2: Entry = Entry {
+    id: "reference_highpass_2",
+    stage: Stage::Conditioning,
+    formula: "1/r = -q^2/(1 - q^2 + j q/Q), q = f/fc, the same in d",
+    parameters: DUT_HIGHPASS_2.parameters,
+    plain: "the reference cuts off low frequencies steeply, as a spring and a mass do",
+    columns: &["frequency_hz", "ratio", "dut_deg", "ref_v", "coil_v"],
+    confused_with: &["reference_highpass", "gravity_tilt", "base_strain"],
+    separate_by: "phase at the lowest frequencies; coil voltage beside the ratio",
+    ..Entry::CALIBRATOR
+};
+
 /// Low-pass of first order: a cable's capacitance (100 pF/m) on a source of up to 10 kilohm.
 pub static DUT_LOWPASS_1: Entry = Entry {
     id: "dut_lowpass_1",
     stage: Stage::Conditioning,
     formula: "r = 1/(1 + j f/fc)",
-    parameters: &[Parameter::log("corner_hz", "Hz", [100.0, 1e9], 80e3).on_site(5e3, 1e6)],
+    parameters: &[Parameter::log("corner_hz", "Hz", [0.01, 1e9], 80e3).on_site(5e3, 1e6)],
     plain: "the device's electronics cut off high frequencies",
     columns: &["frequency_hz", "ratio", "dut_deg"],
     confused_with: &[
@@ -77,7 +112,7 @@ pub static DUT_LOWPASS_2: Entry = Entry {
     stage: Stage::Conditioning,
     formula: "r = 1/(1 - (f/fc)^2 + j f/(Q fc)), Q 0.5..1",
     parameters: &[
-        Parameter::log("corner_hz", "Hz", [100.0, 1e7], 50e3).on_site(5e3, 2e5),
+        Parameter::log("corner_hz", "Hz", [0.01, 1e7], 50e3).on_site(5e3, 2e5),
         // Above 1 it is a resonance, not a filter; a fit may end a little beyond.
         Parameter::log("quality", "1", [0.5, 1.1], 0.7)
             .simulated(0.5, 1.0)
@@ -95,6 +130,23 @@ pub static DUT_LOWPASS_2: Entry = Entry {
     ..Entry::CALIBRATOR
 };
 
+/// Low-pass of fourth order: the anti-alias filter of a digitiser or a conditioner, of Butterworth's or
+/// Bessel's kind.
+pub static DUT_LOWPASS_4: Entry = Entry {
+    id: "dut_lowpass_4",
+    stage: Stage::Conditioning,
+    formula: "r = two sections of second order; -3 dB at fc",
+    parameters: &[
+        Parameter::log("corner_hz", "Hz", [0.01, 1e7], 50e3).on_site(5e3, 2e5),
+        Parameter::switch("bessel", "0 Butterworth, 1 Bessel", 0.0),
+    ],
+    plain: "a steep filter of the device's electronics cuts off high frequencies",
+    columns: &["frequency_hz", "ratio", "dut_deg"],
+    confused_with: &["dut_lowpass_2", "channel_skew", "sinc2_filter"],
+    separate_by: "magnitude at the highest frequencies: a steep filter delays before it cuts off",
+    ..Entry::CALIBRATOR
+};
+
 /// Digital sensors and boxcar filters report the mean of the past window: a sample period of 1 kHz
 /// to 1 MHz.
 pub static AVERAGING_WINDOW: Entry = Entry {
@@ -106,6 +158,20 @@ pub static AVERAGING_WINDOW: Entry = Entry {
     columns: &["frequency_hz", "ratio", "dut_deg"],
     confused_with: &["dut_lowpass_1", "dut_lowpass_2", "channel_skew"],
     separate_by: "higher frequencies, up to the zero at 1/T",
+    ..Entry::CALIBRATOR
+};
+
+/// Two means one after the other, as the cascaded integrator and comb (CIC) of a sigma-delta converter
+/// takes: twice the delay and twice the loss of one, so half the loss of one with the same delay.
+pub static SINC2_FILTER: Entry = Entry {
+    id: "sinc2_filter",
+    stage: Stage::Conditioning,
+    formula: "r = (sinc(f T) exp(-j pi f T))^2",
+    parameters: &[Parameter::log("duration_s", "s", [1e-9, 0.1], 1e-5).on_site(1e-6, 1e-3)],
+    plain: "the device's converter averages twice before it reports",
+    columns: &["frequency_hz", "ratio", "dut_deg"],
+    confused_with: &["averaging_window", "dut_lowpass_4", "channel_skew"],
+    separate_by: "higher frequencies, up to the zero at 1/T, magnitude beside phase",
     ..Entry::CALIBRATOR
 };
 

@@ -28,7 +28,7 @@ pub static CHANNEL_SKEW: Entry = Entry {
     id: "channel_skew",
     stage: Stage::Digitiser,
     formula: "r = exp(-j 2 pi f tau)",
-    parameters: &[Parameter::linear("tau_s", "s", [-1e-3, 1e-3], 1e-6).on_site(-2e-5, 2e-5)],
+    parameters: &[Parameter::linear("tau_s", "s", [-0.1, 0.1], 1e-6).on_site(-2e-5, 2e-5)],
     plain: "the two channels are not sampled at the same instant",
     columns: &["frequency_hz", "dut_deg"],
     confused_with: &[

@@ -5,6 +5,7 @@ use super::{Entry, Parameter, Stage};
 pub(crate) static ENTRIES: &[&Entry] = &[
     &RESONANCE,
     &FREQUENCY_SLOPE,
+    &POWER_LAW,
     &LEVEL_NONLINEARITY,
     &TEMPERATURE,
     &DRIFT,
@@ -19,7 +20,7 @@ pub static RESONANCE: Entry = Entry {
     stage: Stage::Dut,
     formula: "r = 1/(1 - (f/fr)^2 + j f/(Q fr))",
     parameters: &[
-        Parameter::log("resonance_hz", "Hz", [2e3, 120e3], 30e3).on_site(5e3, 60e3),
+        Parameter::log("resonance_hz", "Hz", [10.0, 120e3], 30e3).on_site(5e3, 60e3),
         Parameter::log("quality", "1", [1.5, 1000.0], 25.0).on_site(3.0, 100.0),
     ],
     plain: "the device under test has a resonance that already shows in this range",
@@ -40,6 +41,21 @@ pub static FREQUENCY_SLOPE: Entry = Entry {
     columns: &["frequency_hz", "ratio"],
     confused_with: &["dut_highpass", "base_strain", "reference_highpass"],
     separate_by: "more decades of frequency, with phase",
+    ..Entry::CALIBRATOR
+};
+
+/// A constant-phase element, as a piezoelectric ceramic with losses of the same share at all frequencies
+/// is: the slope over frequency with the phase that causality demands beside it, 90 degrees times the
+/// exponent. 0.01 is 2.3 % per decade and 0.9 degrees.
+pub static POWER_LAW: Entry = Entry {
+    id: "dut_power_law",
+    stage: Stage::Dut,
+    formula: "r = (j f/fref)^-n: falls by 2.3 n per decade, phase -n 90 degrees",
+    parameters: &[Parameter::linear("exponent", "1", [0.0, 0.3], 0.008).on_site(0.0, 0.02)],
+    plain: "the device's ceramic has losses at all frequencies, so that it falls and lags",
+    columns: &["frequency_hz", "ratio", "dut_deg"],
+    confused_with: &["dut_frequency_slope", "dut_highpass"],
+    separate_by: "phase at middle frequencies, where filters have none",
     ..Entry::CALIBRATOR
 };
 

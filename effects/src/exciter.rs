@@ -13,7 +13,16 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &LOSSY_INDUCTANCE,
     &COIL_HEATING,
     &ARMATURE_MODE,
+    &NOMINAL_STIFFNESS,
+    &NOMINAL_FORCE_FACTOR,
+    &NOMINAL_RESISTANCE,
+    &NOMINAL_INDUCTANCE,
 ];
+
+/// How far a nominal value is off, relative.
+const OFFSET: Parameter = Parameter::linear("offset_rel", "1", [-0.9, 9.0], 0.3);
+/// Where a wrong nominal value of the exciter shows.
+const NOMINAL_COLUMNS: &[&str] = &["frequency_hz", "ref_v", "coil_v", "coil_a"];
 
 const BENT_COLUMNS: &[&str] = &[
     "acceleration_ms2",
@@ -173,12 +182,66 @@ pub static ARMATURE_MODE: Entry = Entry {
     formula: "d and travel of the table x (1 + kappa q^2/(1 - q^2 + 2 j zeta q)), q = f/fa, the same for all payloads",
     parameters: &[
         Parameter::linear("kappa", "1", [-3.0, 3.0], 0.3).on_site(-0.5, 0.5),
-        Parameter::log("mode_hz", "Hz", [1e3, 40e3], 8e3).on_site(2e3, 20e3),
+        Parameter::log("mode_hz", "Hz", [10.0, 40e3], 8e3).on_site(2e3, 20e3),
         Parameter::log("zeta", "1", [5e-4, 0.7], 0.02).on_site(0.005, 0.1),
     ],
     plain: "the table itself bends at high frequency",
     columns: &["frequency_hz", "ref_v", "coil_v", "ref_deg"],
     confused_with: &["reference_resonance", "lossy_inductance"],
     separate_by: "ratio beside the drive (a reference resonance shows there); points around the mode",
+    ..Entry::CALIBRATOR
+};
+
+/// Flexures of one type differ by 5 to 10 %; rubber, or another flexure, by more. A value that is off by
+/// more than its uncertainty allows is a cause of its own kind: what is stated of the rig is wrong, not
+/// the rig.
+pub static NOMINAL_STIFFNESS: Entry = Entry {
+    id: "nominal_stiffness",
+    stage: Stage::Exciter,
+    formula: "stiffness k (1 + x) instead of k: f0 by x/2",
+    parameters: &[OFFSET.on_site(-0.5, 0.5)],
+    plain: "the spring that carries the table is not as stiff as stated",
+    columns: NOMINAL_COLUMNS,
+    confused_with: &["payload_mass", "suspension_cubic"],
+    separate_by: "points around the suspension resonance at a small level, with coil current",
+    ..Entry::CALIBRATOR
+};
+
+/// A magnet that was opened, or overheated, loses a tenth and more.
+pub static NOMINAL_FORCE_FACTOR: Entry = Entry {
+    id: "nominal_force_factor",
+    stage: Stage::Exciter,
+    formula: "force and induced voltage x (1 + x)",
+    parameters: &[OFFSET.on_site(-0.3, 0.3)],
+    plain: "the motor of the shaker is not as strong as stated",
+    columns: NOMINAL_COLUMNS,
+    confused_with: &["back_emf", "nominal_resistance"],
+    separate_by: "coil current beside the coil voltage; a force sensor",
+    ..Entry::CALIBRATOR
+};
+
+/// A long cable, or a connector that corrodes, is in series with the coil.
+pub static NOMINAL_RESISTANCE: Entry = Entry {
+    id: "nominal_resistance",
+    stage: Stage::Exciter,
+    formula: "resistance R (1 + x) instead of R",
+    parameters: &[OFFSET.on_site(-0.2, 1.0)],
+    plain: "the resistance of the coil is not the stated one",
+    columns: NOMINAL_COLUMNS,
+    confused_with: &["coil_heating", "nominal_force_factor"],
+    separate_by: "the resistance at the terminals with an ohmmeter, the coil cold",
+    ..Entry::CALIBRATOR
+};
+
+/// Stated at 1 kHz with the coil in its gap; out of it, or at another frequency, it is another value.
+pub static NOMINAL_INDUCTANCE: Entry = Entry {
+    id: "nominal_inductance",
+    stage: Stage::Exciter,
+    formula: "inductance L (1 + x) instead of L",
+    parameters: &[OFFSET.on_site(-0.5, 1.0)],
+    plain: "the inductance of the coil is not the stated one",
+    columns: NOMINAL_COLUMNS,
+    confused_with: &["lossy_inductance", "nominal_resistance"],
+    separate_by: "coil current at the highest frequencies",
     ..Entry::CALIBRATOR
 };

@@ -6,6 +6,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &COMPLIANCE,
     &RELATIVE_MOTION,
     &TRANSVERSE_MOTION,
+    &ROTATION_TWICE,
     &BASE_STRAIN,
     &GRAVITY_TILT,
     &LOOSE_MOUNT,
@@ -62,7 +63,24 @@ pub static TRANSVERSE_MOTION: Entry = Entry {
     plain: "the table also moves sideways, and the device feels it",
     columns: &["frequency_hz", "rotation_deg", "ratio"],
     confused_with: &["gravity_tilt"],
-    separate_by: "rotation in steps of 90 degrees over the whole band",
+    separate_by: "all frequencies with the device turned by 90 degrees at a time",
+    ..Entry::CALIBRATOR
+};
+
+/// A table that is not round, or a base that is stiffer along one axis than along the other: the
+/// device feels it twice a turn, at 0 and 180 degrees alike.
+pub static ROTATION_TWICE: Entry = Entry {
+    id: "rotation_twice",
+    stage: Stage::Mount,
+    formula: "r = 1 + s cos(2 (rotation - beta))",
+    parameters: &[
+        Parameter::linear("share", "1", [-0.3, 0.3], 0.003).on_site(-0.02, 0.02),
+        Parameter::linear("beta_rad", "rad", [-10.0, 10.0], 0.5).on_site(-1.6, 1.6),
+    ],
+    plain: "the mounting surface bends differently along its two axes",
+    columns: &["rotation_deg", "ratio"],
+    confused_with: &["transverse_motion"],
+    separate_by: "the same points with the device turned by 45, 90 and 180 degrees",
     ..Entry::CALIBRATOR
 };
 

@@ -70,7 +70,15 @@ fn described(cause: &Cause) -> String {
         let parameter = entry.and_then(|entry| entry.parameters.first());
         let value = parameter.and_then(|p| Some((p, values?.get(p.name)?)));
         value.map_or((*id).to_owned(), |(parameter, estimate)| {
-            format!("{id} ({} {})", parameter.name, short(estimate.value))
+            let value = short(estimate.value);
+            // What the data say of a nominal value is known to its stated uncertainty.
+            match id.starts_with("nominal_") {
+                true => format!(
+                    "{id} (off by {:+.1} u, {value})",
+                    estimate.value / estimate.u
+                ),
+                false => format!("{id} ({} {value})", parameter.name),
+            }
         })
     };
     let names: Vec<String> = cause.effects.iter().map(one).collect();

@@ -129,6 +129,7 @@ fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
         "ratio" => turn(&seen_in_ratio),
         "pairs" | "beside" => several(2, &all, random),
         "triples" => several(3, &all, random),
+        "later" | "later_withheld" => turn(&drawn_effects::later_names().collect::<Vec<_>>()),
         _ => turn(&all),
     }
 }
@@ -226,7 +227,7 @@ pub(super) fn write(
     };
     write().map_err(|source| GapError::Usage(source.to_string()))?;
     let mut options = Options::default();
-    if stratum == "withheld" {
+    if matches!(stratum, "withheld" | "later_withheld") {
         options.without = truth.iter().map(ToString::to_string).collect();
     }
     let unkind = Unkind {
@@ -279,7 +280,7 @@ fn diagnosed(
     let sigma = root(misfit(folder, &[])? - known);
     let several = matches!(stratum, "triples" | "beside");
     let left_sigma = match answer.causes.first() {
-        Some(best) if several || stratum == "withheld" => {
+        Some(best) if several || matches!(stratum, "withheld" | "later_withheld") => {
             root(misfit(folder, &best.effects)? - known)
         }
         _ => sigma,

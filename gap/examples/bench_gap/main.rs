@@ -7,6 +7,7 @@
 //! line per case to the file named by `CALIB_BENCH_CASES`.
 
 mod case;
+mod reliability;
 #[path = "../../tests/sealed/mod.rs"]
 #[allow(dead_code)]
 mod sealed;
@@ -16,7 +17,7 @@ use rayon::prelude::*;
 use std::fmt::Write;
 
 /// Strata and their sizes when nothing else is said.
-const STRATA: [(&str, u64); 15] = [
+const STRATA: [(&str, u64); 17] = [
     ("null", 300),
     ("off2u", 300),
     ("single", 336),
@@ -32,6 +33,8 @@ const STRATA: [(&str, u64); 15] = [
     ("memory", 90),
     ("unkind", 252),
     ("form", 84),
+    ("later", 120),
+    ("later_withheld", 120),
 ];
 /// Not used while the engine was developed.
 const SEED: u64 = 20261127;
@@ -65,6 +68,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     if let Some(area) = table::auroc(&all) {
         println!("none_of_these_p_value: AUROC {area:.4} (singles against withheld)");
     }
+    println!("{}", reliability::text(&all));
     if let Ok(path) = std::env::var("CALIB_BENCH_CASES") {
         std::fs::write(path, lines)?;
     }

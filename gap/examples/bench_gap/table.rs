@@ -1,11 +1,12 @@
 //! Rates of a stratum, with what the issue of each asks for.
 
 use super::case::Outcome;
+use super::reliability;
 use calib_gap::Verdict;
 use std::fmt::Write;
 
 /// An effect smaller than this, with its form known, is not asked for by name.
-const VISIBLE_SIGMA: f64 = 6.0;
+pub(super) const VISIBLE_SIGMA: f64 = 6.0;
 /// Probability from which a set is possible.
 const POSSIBLE: f64 = 0.05;
 /// A substitute that leaves less is as good as the truth.
@@ -51,7 +52,7 @@ fn rates(stratum: &str, all: &[Outcome]) -> Vec<Rate> {
         "ratio" => rates_of_ratios(&cases),
         "triples" => rates_of_several(&cases),
         "beside" => rates_beside(&cases),
-        "withheld" => rates_of_withheld(&cases),
+        "withheld" | "later_withheld" => rates_of_withheld(&cases),
         "form" => rates_of_forms(&cases),
         "noise_1.2" | "noise_2" | "misread" | "memory" => rates_of_noise(&cases),
         "unkind" => rates_under_noise(&cases),
@@ -301,7 +302,7 @@ fn rates_of_named(cases: &Cases<'_>) -> Vec<Rate> {
 }
 
 /// Whether the truth is the most probable set.
-fn is_first(outcome: &Outcome) -> bool {
+pub(super) fn is_first(outcome: &Outcome) -> bool {
     outcome.place().is_some_and(|p| p.0 == 0)
 }
 
@@ -356,7 +357,7 @@ pub(super) fn summarise(stratum: &str, all: &[Outcome]) -> String {
         );
     }
     let mut closed: Vec<f64> = all.iter().filter_map(|o| o.answer.gap.closed).collect();
-    if all.iter().any(|o| !o.truth.is_empty()) && stratum != "withheld" {
+    if all.iter().any(|o| !o.truth.is_empty()) && !stratum.ends_with("withheld") {
         let _ = writeln!(text, "  closed, median {:.4}", quantile(&mut closed, 0.5));
         let _ = writeln!(
             text,
@@ -444,6 +445,11 @@ pub(super) fn json(seed: u64, all: &[(&str, String, Vec<Outcome>)]) -> String {
             ((*stratum).into(), value)
         })
         .collect();
-    let value = serde_json::json!({"seed": seed, "strata": strata, "auroc": auroc(all)});
+    let value = serde_json::json!({
+        "seed": seed,
+        "strata": strata,
+        "auroc": auroc(all),
+        "reliability": reliability::json(all),
+    });
     serde_json::to_string_pretty(&value).unwrap_or_default()
 }

@@ -114,15 +114,18 @@ fn changes(
     added.chain(row, &mut after);
     let changes = ExciterParameters {
         moving_mass_kg: (after.mass_kg - before.mass_kg) / values.moving_mass_kg,
-        stiffness_n_per_m: 0.0,
+        stiffness_n_per_m: after.stiffness / before.stiffness - 1.0,
         damping_ns_per_m: (after.damping_ns_per_m - before.damping_ns_per_m)
             / values.damping_ns_per_m,
-        force_factor_n_per_a: 0.0,
+        force_factor_n_per_a: after.force_factor / before.force_factor - 1.0,
         coil_resistance_ohm: after.resistance / before.resistance - 1.0,
-        coil_inductance_h: 0.0,
+        coil_inductance_h: after.inductance / before.inductance - 1.0,
     };
     before.mass_kg = after.mass_kg;
     before.damping_ns_per_m = after.damping_ns_per_m;
+    before.stiffness = after.stiffness;
+    before.force_factor = after.force_factor;
+    before.inductance = after.inductance;
     before.resistance = after.resistance;
     (before == after).then_some(changes)
 }

@@ -27,7 +27,7 @@ pub(super) fn polish(problem: &Problem, fit: &mut Fit, round: usize, work: &mut 
                                 * (parameter.upper - parameter.lower).min(3.0)
                         }
                     }
-                    clamp(&mut trial.effects);
+                    clamp(problem, &mut trial.effects);
                     trial.objective = problem
                         .evaluate(&trial.effects, &trial.theta, &mut work.memory)
                         .objective;

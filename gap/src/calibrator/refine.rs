@@ -53,7 +53,7 @@ pub(crate) fn refine_with(
         theta,
         objective: f64::INFINITY,
     };
-    clamp(&mut fit.effects);
+    clamp(problem, &mut fit.effects);
     descend(problem, &mut fit, slopes, effort, work);
     unstretch(problem, &mut fit, effort, work);
     if fit.effects.iter().any(|e| e.effect.opens()) {

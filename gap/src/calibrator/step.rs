@@ -29,15 +29,18 @@ pub(crate) fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
             at += 1;
         }
     }
-    clamp(&mut trial.effects);
+    clamp(problem, &mut trial.effects);
     trial
 }
 
 /// Takes parameters back into their bounds.
-pub(super) fn clamp(effects: &mut [Active<'static>]) {
+pub(super) fn clamp(problem: &Problem, effects: &mut [Active<'static>]) {
     for active in effects {
         for (value, parameter) in active.parameters.iter_mut().zip(active.effect.parameters()) {
             *value = value.clamp(parameter.lower, parameter.upper);
+        }
+        if let Some([lowest, highest]) = active.effect.within(&problem.facts) {
+            active.parameters[0] = active.parameters[0].max(lowest).min(highest);
         }
     }
 }

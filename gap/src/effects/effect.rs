@@ -59,6 +59,12 @@ pub(crate) trait Effect: Sync {
         None
     }
 
+    /// Smallest and largest value of the first parameter at which the effect is more than a limit of
+    /// another one, within the bounds of the vocabulary.
+    fn within(&self, _facts: &Facts) -> Option<[f64; 2]> {
+        None
+    }
+
     /// Parameters from the amplitudes that a linear fit gave to the members of a start.
     fn combine(&self, start: &Start, amplitudes: &[f64]) -> Vec<f64> {
         start.scaled(amplitudes[0])

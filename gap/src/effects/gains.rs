@@ -6,9 +6,12 @@ use super::start::Start;
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, amplifier, dut, reference};
+use num_complex::Complex64;
+use std::f64::consts::FRAC_PI_2;
 
 pub(super) static EXPLANATIONS: Explanations = &[
     &FrequencySlope,
+    &PowerLaw,
     &LevelNonlinearity::Plain,
     &LevelNonlinearity::Second,
     &LevelNonlinearity::Third,
@@ -21,6 +24,9 @@ pub(super) static EXPLANATIONS: Explanations = &[
 
 /// Sensitivity that falls by a constant amount per decade.
 struct FrequencySlope;
+
+/// A constant-phase element: it falls and lags at all frequencies.
+struct PowerLaw;
 
 /// Sensitivity that grows with level; how it distorts depends on its symmetry.
 enum LevelNonlinearity {
@@ -56,6 +62,26 @@ impl Effect for FrequencySlope {
     }
     fn transfer(&self, p: &[f64], _row: &Row, frequency_hz: f64, transfer: &mut Transfer) {
         transfer.dut *= 1.0 - p[0] * (frequency_hz / 160.0).log10();
+    }
+}
+
+impl Effect for PowerLaw {
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn entry(&self) -> &'static Entry {
+        &dut::POWER_LAW
+    }
+    /// Without phase it is the slope over frequency.
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.ratio_phase
+    }
+    fn starts(&self, _facts: &Facts) -> Vec<Start> {
+        vec![Start::positive(vec![1e-3], 0)]
+    }
+    fn transfer(&self, p: &[f64], _row: &Row, frequency_hz: f64, transfer: &mut Transfer) {
+        let size = (frequency_hz / 160.0).powf(-p[0]);
+        transfer.dut *= Complex64::from_polar(size, -p[0] * FRAC_PI_2);
     }
 }
 

@@ -11,6 +11,10 @@ pub(super) static EXPLANATIONS: Explanations = &[
     &Mechanics::Damping,
     &Mechanics::BackEmf,
     &Mechanics::PayloadMass,
+    &NominalValue::Stiffness,
+    &NominalValue::ForceFactor,
+    &NominalValue::Resistance,
+    &NominalValue::Inductance,
 ];
 
 /// A linear term that the nominal rig states wrongly.
@@ -58,5 +62,41 @@ impl Effect for Mechanics {
             Self::BackEmf => chain.emf *= 1.0 + p[0],
             Self::PayloadMass => chain.mass_kg += p[0],
         }
+    }
+}
+
+/// A nominal value of the exciter that is wrong by more than its uncertainty allows.
+enum NominalValue {
+    Stiffness,
+    ForceFactor,
+    Resistance,
+    Inductance,
+}
+
+impl Effect for NominalValue {
+    fn entry(&self) -> &'static Entry {
+        match self {
+            Self::Stiffness => &exciter::NOMINAL_STIFFNESS,
+            Self::ForceFactor => &exciter::NOMINAL_FORCE_FACTOR,
+            Self::Resistance => &exciter::NOMINAL_RESISTANCE,
+            Self::Inductance => &exciter::NOMINAL_INDUCTANCE,
+        }
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.exciter_known && (facts.drive || facts.current)
+    }
+    fn starts(&self, _facts: &Facts) -> Vec<Start> {
+        [-0.3, -0.01, 0.01, 0.3, 1.0]
+            .map(|offset| Start::positive(vec![offset], 0))
+            .into()
+    }
+    fn chain(&self, p: &[f64], _row: &Row, chain: &mut Chain) {
+        let value = match self {
+            Self::Stiffness => &mut chain.stiffness,
+            Self::ForceFactor => &mut chain.force_factor,
+            Self::Resistance => &mut chain.resistance,
+            Self::Inductance => &mut chain.inductance,
+        };
+        *value *= 1.0 + p[0];
     }
 }

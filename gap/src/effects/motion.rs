@@ -9,12 +9,16 @@ use crate::model::row::Row;
 use calib_effects::{Entry, mount};
 use num_complex::Complex64;
 
-pub(super) static EXPLANATIONS: Explanations = &[&RelativeMotion, &TransverseMotion];
+pub(super) static EXPLANATIONS: Explanations =
+    &[&RelativeMotion, &TransverseMotion, &RotationTwice];
 
 /// Compliance between the surfaces the two transducers see.
 struct RelativeMotion;
 /// Sideways motion picked up through transverse sensitivity.
 struct TransverseMotion;
+
+/// A mounting face that bends differently along its two axes.
+struct RotationTwice;
 
 impl Effect for RelativeMotion {
     fn is_linear(&self) -> bool {
@@ -104,5 +108,35 @@ impl Effect for TransverseMotion {
             second_order(frequency_hz, p[3], p[4]) * p[2]
         };
         transfer.dut *= 1.0 + (p[0] + rocking) * direction;
+    }
+}
+
+impl Effect for RotationTwice {
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn entry(&self) -> &'static Entry {
+        &mount::ROTATION_TWICE
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.ratio && facts.rotation_varies
+    }
+    /// Along the axes and between them.
+    fn starts(&self, _facts: &Facts) -> Vec<Start> {
+        let between = std::f64::consts::FRAC_PI_4;
+        vec![Start {
+            members: vec![vec![1e-3, 0.0], vec![1e-3, between]],
+            amplitude: None,
+            signed: true,
+        }]
+    }
+    fn combine(&self, _start: &Start, a: &[f64]) -> Vec<f64> {
+        vec![1e-3 * a[0].hypot(a[1]), 0.5 * a[1].atan2(a[0])]
+    }
+    fn transfer(&self, p: &[f64], row: &Row, _frequency_hz: f64, transfer: &mut Transfer) {
+        let (cos, sin) = row.rotation;
+        let (cos_twice, sin_twice) = (cos * cos - sin * sin, 2.0 * sin * cos);
+        let along = cos_twice * (2.0 * p[1]).cos() + sin_twice * (2.0 * p[1]).sin();
+        transfer.dut *= 1.0 + p[0] * along;
     }
 }

@@ -12,6 +12,12 @@ pub(crate) struct Chain {
     pub(crate) mass_kg: f64,
     /// Added to the mechanical damping, in N s/m.
     pub(crate) damping_ns_per_m: f64,
+    /// Factor on the stiffness of the suspension.
+    pub(crate) stiffness: f64,
+    /// Factor on force per current and voltage per velocity.
+    pub(crate) force_factor: f64,
+    /// Factor on the coil inductance.
+    pub(crate) inductance: f64,
     /// Factor on the coil resistance.
     pub(crate) resistance: f64,
     /// Factor on the induced voltage.
@@ -40,6 +46,9 @@ impl Default for Chain {
         Self {
             mass_kg: 0.0,
             damping_ns_per_m: 0.0,
+            stiffness: 1.0,
+            force_factor: 1.0,
+            inductance: 1.0,
             resistance: 1.0,
             emf: 1.0,
             inductance_exponent: 1.0,

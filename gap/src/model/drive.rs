@@ -27,11 +27,11 @@ pub(super) fn drive(
 ) -> Drive {
     let exciter = Exciter {
         mass_kg: values.moving_mass_kg + row.payload_kg + chain.mass_kg,
-        stiffness_n_per_m: values.stiffness_n_per_m,
+        stiffness_n_per_m: values.stiffness_n_per_m * chain.stiffness,
         damping_ns_per_m: values.damping_ns_per_m + chain.damping_ns_per_m,
-        force_factor_n_per_a: values.force_factor_n_per_a,
+        force_factor_n_per_a: values.force_factor_n_per_a * chain.force_factor,
         resistance_ohm: values.coil_resistance_ohm * chain.resistance,
-        inductance_h: values.coil_inductance_h,
+        inductance_h: values.coil_inductance_h * chain.inductance,
         emf_ratio: chain.emf,
         inductance_exponent: chain.inductance_exponent,
     };

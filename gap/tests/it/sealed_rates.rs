@@ -74,6 +74,16 @@ fn single_effects_are_named() {
     check("not named first", &visible, 0.02, named);
 }
 
+/// Two of each of the later ones: filters, a ceramic, a base, and nominal values that are off by 6 u or
+/// more. A stiffness beside which nothing else is stated wrongly is not a mass.
+#[test]
+fn later_effects_are_named() {
+    let outcomes = outcomes("later", 0..20);
+    let visible: Vec<&Outcome> = outcomes.iter().filter(|o| o.sigma > 6.0).collect();
+    assert!(visible.len() > 15, "too few: {}", visible.len());
+    check("not named first", &visible, 0.02, named);
+}
+
 #[test]
 fn pairs_are_named() {
     let outcomes = outcomes("pairs", 0..8);

@@ -236,9 +236,67 @@ const CASES: [Case; 42] = [
     ),
 ];
 
-/// Names of all effects that can be drawn.
+/// Effects that came later, in a list of their own: the cases of before stay what they were.
+const LATER: [Case; 10] = [
+    (
+        "dut_highpass_2",
+        &[
+            (One("dut_highpass_2.f"), Log(0.1, 3.0)),
+            (One("dut_highpass_2.q"), Log(0.55, 2.5)),
+        ],
+    ),
+    (
+        "reference_highpass_2",
+        &[
+            (One("reference_highpass_2.f"), Log(0.1, 3.0)),
+            (One("reference_highpass_2.q"), Log(0.55, 2.5)),
+        ],
+    ),
+    (
+        "dut_lowpass_4",
+        &[
+            (One("dut_lowpass_4.f"), Log(1.1e4, 2.5e4)),
+            (One("dut_lowpass_4.bessel"), Sign),
+        ],
+    ),
+    ("sinc2_filter", &[(One("sinc2_filter.t"), Log(8e-6, 6e-5))]),
+    (
+        "dut_power_law",
+        &[(One("dut_power_law.n"), Log(0.001, 0.02))],
+    ),
+    (
+        "rotation_twice",
+        &[
+            (One("rotation_twice.s"), Log(5e-4, 0.01)),
+            (One("rotation_twice.beta"), Between(0.0, 3.1)),
+        ],
+    ),
+    (
+        "nominal_stiffness",
+        &[(One("nominal_stiffness.x"), Either(0.3, 0.5))],
+    ),
+    (
+        "nominal_force_factor",
+        &[(One("nominal_force_factor.x"), Either(0.17, 0.4))],
+    ),
+    (
+        "nominal_resistance",
+        &[(One("nominal_resistance.x"), Either(0.08, 0.3))],
+    ),
+    (
+        "nominal_inductance",
+        &[(One("nominal_inductance.x"), Either(0.5, 0.8))],
+    ),
+];
+
+/// Names of all effects that can be drawn, but the later ones.
 pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     CASES.iter().map(|(name, _)| *name)
+}
+
+/// Names of the later ones.
+pub(crate) fn later_names() -> impl Iterator<Item = &'static str> {
+    LATER.iter().map(|(name, _)| *name)
 }
 
 /// Whether an effect sits in one channel or the other.
@@ -248,7 +306,8 @@ pub(crate) fn is_of_one_channel(name: &str) -> bool {
 }
 
 fn case(name: &str) -> Case {
-    let found = CASES.iter().find(|(effect, _)| *effect == name);
+    let mut all = CASES.iter().chain(&LATER);
+    let found = all.find(|(effect, _)| *effect == name);
     *found.expect("a name of the list")
 }
 

@@ -40,6 +40,28 @@ fn high_pass(frequency_hz: f64, corner_hz: f64) -> C {
     C::new(0.0, w) / C::new(1.0, w)
 }
 
+/// A mass on a spring that is moved at its base: what the spring stretches.
+fn seismic(frequency_hz: f64, natural_hz: f64, quality: f64) -> C {
+    let w = natural_hz / frequency_hz;
+    C::new(1.0 - w * w, -w / quality).inv()
+}
+
+/// Low-pass of fourth order from its poles in the left half-plane, 3 dB down at the corner.
+fn fourth_order(frequency_hz: f64, corner_hz: f64, bessel: bool) -> C {
+    let s = C::new(0.0, frequency_hz / corner_hz);
+    // Of Bessel's filter from a table of filters, for 1 rad/s.
+    let upper = if bessel {
+        [
+            C::new(-1.370_067_8, 0.410_249_7),
+            C::new(-0.995_208_8, 1.257_105_7),
+        ]
+    } else {
+        [5.0, 7.0].map(|eighths| C::from_polar(1.0, PI * eighths / 8.0))
+    };
+    let factor = |pole: C| pole.norm_sqr() / ((s - pole) * (s - pole.conj()));
+    factor(upper[0]) * factor(upper[1])
+}
+
 fn table(truth: &Truth, frequency_hz: f64) -> C {
     truth.factor("armature_mode.k", |k| {
         let w = frequency_hz / truth.or("armature_mode.f", 5000.0);
@@ -57,7 +79,10 @@ fn reference(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
     let warm = 1.0 + truth.or("reference_temperature.a", 0.0) * warmer_k;
     let drift = 1.0 / (1.0 + truth.or("reference_drift.b", 0.0) * row.time_s);
     let corner = truth.factor("reference_highpass.f", |hz| high_pass(frequency_hz, hz));
-    resonance * warm * drift * corner
+    let second = truth.factor("reference_highpass_2.f", |hz| {
+        seismic(frequency_hz, hz, truth.or("reference_highpass_2.q", 0.7))
+    });
+    resonance * warm * drift * corner * second
 }
 
 /// Motion of the table as the device feels it.
@@ -85,7 +110,10 @@ fn mounting(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
         let across = rocking * truth.or("transverse_motion.t1", 0.0) + t0;
         C::ONE + across * (rotation_rad - truth.or("transverse_motion.beta", 0.0)).cos()
     });
-    compliance * relative * transverse * strain * tilt
+    let twice = truth.factor("rotation_twice.s", |s| {
+        1.0 + s * (2.0 * (rotation_rad - truth.or("rotation_twice.beta", 0.0))).cos()
+    });
+    compliance * relative * transverse * strain * tilt * twice
 }
 
 /// The device itself.
@@ -127,7 +155,10 @@ fn device(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
         row.time_s
     };
     let drift = 1.0 + truth.or("dut_drift.b", 0.0) * time_s;
-    resonance * slope * level * warm * drift
+    let power = truth.factor("dut_power_law.n", |n| {
+        C::new(0.0, frequency_hz / 159.155).powf(-n)
+    });
+    resonance * slope * level * warm * drift * power
 }
 
 /// The amplifier behind the device.
@@ -153,7 +184,17 @@ fn conditioner(truth: &Truth, frequency_hz: f64) -> C {
         second_order(frequency_hz, corner_hz, truth.or("dut_lowpass_2.q", 0.707))
     });
     let crosstalk = truth.factor("crosstalk.c", |c| C::new(1.0, frequency_hz * c));
-    corner * first * second * crosstalk
+    let seismic = truth.factor("dut_highpass_2.f", |hz| {
+        seismic(frequency_hz, hz, truth.or("dut_highpass_2.q", 0.7))
+    });
+    let steep = truth.factor("dut_lowpass_4.f", |hz| {
+        fourth_order(
+            frequency_hz,
+            hz,
+            truth.or("dut_lowpass_4.bessel", -1.0) > 0.0,
+        )
+    });
+    corner * first * second * crosstalk * seismic * steep
 }
 
 /// When the channel of the device is sampled.
@@ -163,5 +204,9 @@ fn timing(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
         C::from_polar(half_rad.sin() / half_rad, -half_rad)
     });
     let skew_s = truth.or("channel_skew.t", 0.0) - truth.or("clock_offset.d", 0.0) * row.time_s;
-    averaged * C::from_polar(1.0, -TAU * frequency_hz * skew_s)
+    let twice = truth.factor("sinc2_filter.t", |window_s| {
+        let half_rad = PI * frequency_hz * window_s;
+        (C::from_polar(half_rad.sin() / half_rad, -half_rad)).powi(2)
+    });
+    averaged * twice * C::from_polar(1.0, -TAU * frequency_hz * skew_s)
 }

@@ -102,15 +102,16 @@ fn exciter(truth: &Truth, row: &Condition) -> Exciter {
     let warmer_k = truth.get("coil_heating.dt").map_or(0.0, |final_k| {
         final_k * (1.0 - (-row.time_s / truth.or("coil_heating.tau", 600.0)).exp())
     });
+    let off = |key| 1.0 + truth.or(key, 0.0);
     Exciter {
         mass_kg: mass + row.payload_kg + truth.or("payload_mass.m", 0.0),
-        stiffness_n_per_m: stiffness,
+        stiffness_n_per_m: stiffness * off("nominal_stiffness.x"),
         damping_ns_per_m: damping + truth.or("mechanical_damping.c", 0.0),
-        force_factor_n_per_a: force_factor,
+        force_factor_n_per_a: force_factor * off("nominal_force_factor.x"),
         back_emf: 1.0 + truth.or("back_emf.b", 0.0),
         // Copper.
-        resistance_ohm: resistance * (1.0 + 0.0039 * warmer_k),
-        inductance_h: inductance,
+        resistance_ohm: resistance * off("nominal_resistance.x") * (1.0 + 0.0039 * warmer_k),
+        inductance_h: inductance * off("nominal_inductance.x"),
         inductance_exponent: truth.or("lossy_inductance.n", 1.0),
         quadratic_n_per_m2: truth.or("suspension_asymmetry.k", 0.0),
         cubic_n_per_m3: truth.or("suspension_cubic.k", 0.0),

@@ -18,6 +18,10 @@ pub(super) static EFFECTS: &[Effect] = &[
             reference_hz: REFERENCE_HZ,
         });
     }),
+    Effect::new(&dut::POWER_LAW, |values, _conditions, model| {
+        let ladder = Section::power_law(values[0], REFERENCE_HZ);
+        model.dut.response.extend(ladder);
+    }),
     Effect::new(&dut::LEVEL_NONLINEARITY, |values, _conditions, model| {
         model.dut.level_gain_per_ms2 += values[0];
         model.dut.level_second_per_ms2 += values[1];

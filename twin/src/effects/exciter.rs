@@ -44,6 +44,27 @@ pub(super) static EFFECTS: &[Effect] = &[
         model.coil.rise_k = values[0];
         model.coil.rise_time_constant_s = values[1];
     }),
+    Effect::new(&exciter::NOMINAL_STIFFNESS, |values, _conditions, model| {
+        model.coil.stiffness_n_per_m *= 1.0 + values[0];
+    }),
+    Effect::new(
+        &exciter::NOMINAL_FORCE_FACTOR,
+        |values, _conditions, model| {
+            model.coil.force_factor_n_per_a *= 1.0 + values[0];
+        },
+    ),
+    Effect::new(
+        &exciter::NOMINAL_RESISTANCE,
+        |values, _conditions, model| {
+            model.coil.resistance_ohm *= 1.0 + values[0];
+        },
+    ),
+    Effect::new(
+        &exciter::NOMINAL_INDUCTANCE,
+        |values, _conditions, model| {
+            model.coil.inductance_h *= 1.0 + values[0];
+        },
+    ),
     // q^2 = -p^2 and 2 zeta = 1/Q.
     Effect::new(&exciter::ARMATURE_MODE, |values, _conditions, model| {
         let damping = 2.0 * values[2];

@@ -31,6 +31,10 @@ pub(super) static EFFECTS: &[Effect] = &[
             numerator: [still + rocking, still / values[4], still],
         }));
     }),
+    Effect::new(&mount::ROTATION_TWICE, |values, conditions, model| {
+        let turn = 2.0 * (conditions.rotation_rad - values[1]);
+        model.dut.gain *= 1.0 + values[0] * turn.cos();
+    }),
     Effect::new(&mount::BASE_STRAIN, |values, conditions, model| {
         let gain = values[0] * conditions.payload_kg / STATED_PAYLOAD_KG;
         model.dut.motion.push(Section::Strain {

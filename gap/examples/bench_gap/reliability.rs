@@ -1,0 +1,102 @@
+//! Reliability of the stated probability: of all answers stated with p, which share is right.
+
+use super::case::Outcome;
+use super::table::{VISIBLE_SIGMA, is_first};
+use calib_gap::Verdict;
+use std::fmt::Write;
+
+/// Share of the weight on cases whose cause the library lacks, where those are counted.
+const OUTSIDE: f64 = 0.25;
+/// Characters of a full bar.
+const BAR: f64 = 40.0;
+
+/// Results of a stratum, with its name and its table.
+type Stratum<'a> = (&'a str, String, Vec<Outcome>);
+
+/// Answers stated with a probability of a tenth of the range.
+#[derive(Clone, Copy, Default)]
+struct Class {
+    /// Sums of weights, of stated probabilities, and of right answers.
+    weight: f64,
+    stated: f64,
+    right: f64,
+    count: usize,
+}
+
+impl Class {
+    fn mean(&self, sum: f64) -> f64 {
+        sum / self.weight.max(f64::MIN_POSITIVE)
+    }
+}
+
+/// Answers that claim a cause, each with whether the library lacks the true one.
+fn claimed<'a>(all: &'a [Stratum<'_>]) -> impl Iterator<Item = (&'a Outcome, bool)> {
+    let of = |(stratum, _, outcomes): &'a Stratum<'_>| {
+        let outside = stratum.ends_with("withheld");
+        outcomes.iter().map(move |outcome| (outcome, outside))
+    };
+    let visible = |o: &Outcome| o.sigma > VISIBLE_SIGMA * o.unkind.hides();
+    let claims = |o: &Outcome| !o.is(Verdict::NoGap) && !o.is(Verdict::Data);
+    let asked = move |o: &Outcome| !o.truth.is_empty() && visible(o) && claims(o);
+    all.iter().flat_map(of).filter(move |(o, _)| asked(o))
+}
+
+/// Ten classes of the probability of the leading cause.
+fn classes(all: &[Stratum<'_>], with_outside: bool) -> [Class; 10] {
+    let inside = claimed(all).filter(|(_, outside)| !outside).count() as f64;
+    let lacking = claimed(all).filter(|(_, outside)| *outside).count() as f64;
+    let heavy = inside / lacking.max(1.0) * OUTSIDE / (1.0 - OUTSIDE);
+    let mut classes = [Class::default(); 10];
+    for (outcome, outside) in claimed(all).filter(|(_, outside)| with_outside || !outside) {
+        let Some(first) = outcome.answer.causes.first() else {
+            continue;
+        };
+        let class = &mut classes[((first.probability * 10.0) as usize).min(9)];
+        let weight = if outside { heavy } else { 1.0 };
+        class.weight += weight;
+        class.stated += weight * first.probability;
+        class.right += weight * f64::from(u8::from(!outside && is_first(outcome)));
+        class.count += 1;
+    }
+    classes
+}
+
+/// The diagram, with and without causes outside the library.
+pub(super) fn text(all: &[Stratum<'_>]) -> String {
+    let mut text = String::new();
+    for with_outside in [true, false] {
+        let share = if with_outside { 100.0 * OUTSIDE } else { 0.0 };
+        let _ = writeln!(
+            text,
+            "stated and right, {share:.0} % of the causes outside the library"
+        );
+        for class in classes(all, with_outside).iter().filter(|c| c.count > 0) {
+            let (stated, right) = (class.mean(class.stated), class.mean(class.right));
+            let bar = "#".repeat((BAR * right).round() as usize);
+            let _ = writeln!(
+                text,
+                "  {stated:.3} {right:.3} of {:>4}  {bar}",
+                class.count
+            );
+        }
+    }
+    text
+}
+
+/// The same as JSON.
+pub(super) fn json(all: &[Stratum<'_>]) -> serde_json::Value {
+    let of = |with_outside: bool| -> Vec<serde_json::Value> {
+        let filled = classes(all, with_outside)
+            .into_iter()
+            .filter(|c| c.count > 0);
+        let class = |c: Class| {
+            serde_json::json!({
+                "stated": c.mean(c.stated),
+                "right": c.mean(c.right),
+                "cases": c.count,
+            })
+        };
+        filled.map(class).collect()
+    };
+    serde_json::json!({"outside_share": OUTSIDE, "with_outside": of(true), "within": of(false)})
+}
