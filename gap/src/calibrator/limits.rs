@@ -5,6 +5,8 @@ use crate::options::Options;
 
 /// Effects at a time that are tried where fewer leave structure.
 const MOST: usize = 4;
+/// Data for each of them: with fewer three effects describe any table.
+const DATA_PER_EFFECT: usize = 20;
 
 /// Limits of a search.
 #[derive(Debug, Clone)]
@@ -31,6 +33,12 @@ impl Limits {
         }
     }
 
+    /// Largest number of effects that so many data can tell apart, if fewer leave structure.
+    pub(crate) fn most_of(&self, data: usize) -> usize {
+        let room = self.where_structure_is_left.min(data / DATA_PER_EFFECT);
+        self.most_effects.max(room)
+    }
+
     /// Those of a diagnosis.
     pub(crate) fn of(options: &Options) -> Self {
         let withheld = |name: &str| options.without.iter().any(|n| n == name);
@@ -40,5 +48,24 @@ impl Limits {
             most_effects: options.usual_effects(),
             where_structure_is_left: options.most_effects.unwrap_or(MOST),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_short_table_has_no_room_for_a_third_effect() {
+        let usual = Limits::of(&Options::default());
+        let most = [8, 59, 60, 79, 80, 5000].map(|data| usual.most_of(data));
+        assert_eq!(most, [2, 2, 3, 3, 4, 4]);
+        // Who asks for a number gets it.
+        let stated = Options {
+            most_effects: Some(3),
+            ..Options::default()
+        };
+        assert_eq!(Limits::of(&stated).most_of(8), 3);
+        assert_eq!(Limits::only(&["back_emf"; 3]).most_of(8), 3);
     }
 }

@@ -113,7 +113,7 @@ pub(crate) fn search_from(
     if limits.most_effects > 0 {
         searcher.singles(&nominal, seeded);
     }
-    for size in 2..=limits.where_structure_is_left {
+    for size in 2..=limits.most_of(problem.len()) {
         let growth = Growth::new(size, size > limits.most_effects);
         if !searcher.grow(&growth, nominal.objective) {
             break;

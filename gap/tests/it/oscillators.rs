@@ -132,3 +132,20 @@ fn a_spring_that_hardens_grossly_is_found() {
     let found = &first.parameters["cubic_stiffness"]["k3"];
     assert!((found.value / 15.0 - 1.0).abs() < 1e-3, "{found:?}");
 }
+
+/// A pendulum that swings to 1.5 rad, and beyond the top in the quarter of the record that takes no
+/// part: the cubic spring that describes the first three has no way back from there.
+#[test]
+fn a_record_on_which_a_fitted_spring_runs_away_is_answered() {
+    let pendulum = Added {
+        sine: 4.0,
+        louder: 1.8,
+        ..Added::default()
+    };
+    let answer = answer(
+        "pendulum",
+        &record(&pendulum, SAMPLES, &mut Random::new(894)),
+    );
+    assert_eq!(answer.verdict, Verdict::Unexplained, "{:?}", answer.gap);
+    assert!(answer.gap.rms_after.is_some_and(f64::is_finite));
+}

@@ -27,6 +27,10 @@ pub(crate) struct Added {
     pub(crate) play: f64,
     pub(crate) alpha: f64,
     pub(crate) yields_at: f64,
+    /// Spring force sin(c x)/c, as of a pendulum.
+    pub(crate) sine: f64,
+    /// Factor on the input of the last quarter.
+    pub(crate) louder: f64,
 }
 
 /// An effect of a usual size by its name; the motion has an r.m.s. value near 0.1.
@@ -95,8 +99,13 @@ fn rate(a: &Added, s: &State, input: f64) -> State {
     } else {
         input
     };
+    let bar = if a.sine > 0.0 {
+        (a.sine * x).sin() / a.sine
+    } else {
+        x
+    };
     let spring =
-        x - x.clamp(-a.play, a.play) + a.quadratic * x * x + a.cubic * x.powi(3) + a.alpha * z;
+        bar - x.clamp(-a.play, a.play) + a.quadratic * x * x + a.cubic * x.powi(3) + a.alpha * z;
     let u = v / w0;
     let loss = 2.0 * DAMPING * u
         + a.quadratic_damping * u * u.abs()
@@ -133,6 +142,11 @@ pub(crate) fn record_with(a: &Added, samples: usize, noise: f64, random: &mut Ra
             .sum()
     };
     let (h, settle) = (1.0 / RATE_HZ / STEPS as f64, 600);
+    let last_quarter_s = (settle + samples * 3 / 4) as f64 / RATE_HZ;
+    let input = |t: f64| match a.louder > 0.0 && t > last_quarter_s {
+        true => a.louder * input(t),
+        false => input(t),
+    };
     let mut s = State::default();
     let mut text = String::from("time_s,input,output\n");
     for n in 0..settle + samples {
