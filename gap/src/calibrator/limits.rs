@@ -7,6 +7,8 @@ use crate::options::Options;
 const MOST: usize = 4;
 /// Data for each of them: with fewer three effects describe any table.
 const DATA_PER_EFFECT: usize = 20;
+/// Data for each of two, which have two values each: with fewer they pass through all points.
+const FEWEST_PER_EFFECT: usize = 6;
 
 /// Limits of a search.
 #[derive(Debug, Clone)]
@@ -15,6 +17,8 @@ pub(crate) struct Limits {
     pub(crate) allowed: Vec<bool>,
     /// Largest number of effects in a set, whatever they leave.
     pub(crate) most_effects: usize,
+    /// Whether somebody stated that number.
+    pub(crate) is_stated: bool,
     /// Largest number where fewer leave structure.
     pub(crate) where_structure_is_left: usize,
 }
@@ -29,14 +33,18 @@ impl Limits {
         Self {
             allowed,
             most_effects: names.len(),
+            is_stated: true,
             where_structure_is_left: names.len(),
         }
     }
 
     /// Largest number of effects that so many data can tell apart, if fewer leave structure.
     pub(crate) fn most_of(&self, data: usize) -> usize {
-        let room = self.where_structure_is_left.min(data / DATA_PER_EFFECT);
-        self.most_effects.max(room)
+        if self.is_stated {
+            return self.most_effects;
+        }
+        let usual = self.most_effects.min((data / FEWEST_PER_EFFECT).max(1));
+        usual.max(self.where_structure_is_left.min(data / DATA_PER_EFFECT))
     }
 
     /// Those of a diagnosis.
@@ -46,6 +54,7 @@ impl Limits {
         Self {
             allowed: allowed.collect(),
             most_effects: options.usual_effects(),
+            is_stated: options.most_effects.is_some(),
             where_structure_is_left: options.most_effects.unwrap_or(MOST),
         }
     }
@@ -58,8 +67,8 @@ mod tests {
     #[test]
     fn a_short_table_has_no_room_for_a_third_effect() {
         let usual = Limits::of(&Options::default());
-        let most = [8, 59, 60, 79, 80, 5000].map(|data| usual.most_of(data));
-        assert_eq!(most, [2, 2, 3, 3, 4, 4]);
+        let most = [5, 11, 12, 59, 60, 79, 80, 5000].map(|data| usual.most_of(data));
+        assert_eq!(most, [1, 1, 2, 2, 3, 3, 4, 4]);
         // Who asks for a number gets it.
         let stated = Options {
             most_effects: Some(3),

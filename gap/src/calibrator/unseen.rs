@@ -123,7 +123,8 @@ impl<'a> Unseen<'a> {
         }
     }
 
-    /// -2 ln likelihood of the unseen rows by a set that was fitted to the others.
+    /// -2 ln likelihood of the unseen rows by a set that was fitted to the others, and of the nominal
+    /// values it takes: where they may go as far as they like, they stand in for an effect in any row.
     fn misfit(&self, problem: &Problem, fit: &Fit) -> f64 {
         let (testing, from, fit) = match self {
             Self::Other(other, _) => (&**other, problem, fit.clone()),
@@ -132,8 +133,9 @@ impl<'a> Unseen<'a> {
         let theta = testing.translate(from, &fit.theta);
         let at = testing.evaluate(&fit.effects, &theta, &mut testing.memory());
         let data = at.residual.iter().zip(&at.weight).enumerate();
-        data.map(|(datum, (r, w))| r * r - 2.0 * (w * testing.uncertainty(datum)).ln())
-            .sum()
+        let data = data.map(|(datum, (r, w))| r * r - 2.0 * (w * testing.uncertainty(datum)).ln());
+        let stated = from.free.iter().zip(&fit.theta).filter(|(f, _)| f.bounded);
+        data.sum::<f64>() + stated.map(|(_, value)| value * value).sum::<f64>()
     }
 
     /// The gap with the plain simulation and with the best set of a search on all rows of `problem`.
