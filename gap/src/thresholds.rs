@@ -85,6 +85,10 @@ pub(crate) const WORTH_REFINING: f64 = 5.0;
 /// 300 starts of two parameters each in one of 900 sets. Half of what its name and values cost more is
 /// lost by it.
 pub(crate) const SHOWS_STRUCTURE: f64 = 25.0;
+/// Share of the objective beyond noise that a third effect may leave, if the search is to go on: a true
+/// one leaves noise, but for a fit that stops short. It ends seconds of search for a cause that has no
+/// name.
+pub(crate) const CLOSES: f64 = 0.2;
 /// Gain of -2 ln likelihood that counts as a finding: three standard deviations.
 pub(crate) const WORTH_ADDING: f64 = 9.0;
 /// Share of a predicted gain by which the truth may exceed it: the screening is linear.

@@ -56,6 +56,18 @@ impl<'a> Found<'a> {
                 .all(|(free, theta)| !free.bounded || theta.abs() < thresholds::NOMINAL_STRETCHED)
     }
 
+    /// Whether the best set of a size leaves noise, or little of what the best below it leaves beyond
+    /// that. Where one more effect does not, none is the one that lacks.
+    pub(super) fn closes(&self, size: usize) -> bool {
+        let count = self.problem.len() as f64;
+        let beyond = |size| {
+            let leader = self.leader(size);
+            leader.map_or(f64::INFINITY, |fit| fit.objective - count)
+        };
+        let noise = thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt();
+        beyond(size) < noise.max(thresholds::CLOSES * beyond(size - 1))
+    }
+
     /// Drops plans that cannot compete even if they gain more than the screening predicts.
     pub(super) fn drop_hopeless(&self, plans: &mut Vec<Plan>, size: usize) {
         let best = self

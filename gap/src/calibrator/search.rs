@@ -14,8 +14,9 @@ use std::rc::Rc;
 
 /// Pairs refined fully.
 const MOST_PAIRS: usize = 14;
-/// Leading sets that are grown where they leave structure.
+/// Leading sets that are grown where they leave structure, and larger sets that are refined a round.
 const LEADERS: usize = 2;
+const MOST_LARGER: usize = 6;
 
 /// All sets that were refined, best first.
 pub(crate) struct Search {
@@ -44,6 +45,10 @@ impl Search {
 struct Growth {
     /// Effects of the larger sets.
     size: usize,
+    /// Whether that is beyond the usual size.
+    beyond: bool,
+    /// Most of them that are refined a round.
+    most: usize,
     /// Most sets of the size below that are grown.
     bases: usize,
     /// Predicted gain from which an effect is tried.
@@ -56,19 +61,23 @@ impl Growth {
     /// Beyond the usual size a set is grown only where it leaves structure.
     fn new(size: usize, beyond: bool) -> Self {
         let shows = thresholds::SHOWS_STRUCTURE;
-        let (bases, floor, least) = match beyond {
-            false => (
-                usize::MAX,
-                thresholds::WORTH_ADDING,
-                thresholds::WORTH_REFINING,
-            ),
-            true => (LEADERS, shows, shows),
-        };
-        Self {
+        let usual = Self {
             size,
-            bases,
-            floor,
-            least,
+            beyond,
+            most: MOST_PAIRS,
+            bases: usize::MAX,
+            floor: thresholds::WORTH_ADDING,
+            least: thresholds::WORTH_REFINING,
+        };
+        if !beyond {
+            return usual;
+        }
+        Self {
+            most: MOST_LARGER,
+            bases: LEADERS,
+            floor: shows,
+            least: shows,
+            ..usual
         }
     }
 }
@@ -200,7 +209,10 @@ impl Searcher<'_> {
             }
             any = true;
             plans.sort_by(|a, b| a.predicted.total_cmp(&b.predicted));
-            self.refine_plans(plans, &mut tried, nominal);
+            self.refine_plans(plans, &mut tried, growth.most, nominal);
+            if growth.beyond && !self.found.closes(size) {
+                return false;
+            }
         }
         any
     }
@@ -209,14 +221,20 @@ impl Searcher<'_> {
         race(self.problem, plan, nominal, &mut self.found, &mut self.work);
     }
 
-    fn refine_plans(&mut self, plans: Vec<Plan>, tried: &mut Vec<Vec<usize>>, nominal: f64) {
+    fn refine_plans(
+        &mut self,
+        plans: Vec<Plan>,
+        tried: &mut Vec<Vec<usize>>,
+        most: usize,
+        nominal: f64,
+    ) {
         let before = tried.len();
         for plan in plans {
             let entries = plan.entries();
             if tried.contains(&entries) {
                 continue;
             }
-            if tried.len() - before >= MOST_PAIRS {
+            if tried.len() - before >= most {
                 break;
             }
             tried.push(entries);
