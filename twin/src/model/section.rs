@@ -140,7 +140,7 @@ impl Section {
     /// `exponent` of the frequency and lags by as many right angles, and is 1 at `reference_hz`.
     ///
     /// # Accuracy
-    /// 1e-3 of the exponent from 1 Hz to 20 kHz: test `a_ladder_falls_with_a_power_of_the_frequency`.
+    /// 3e-3 of the exponent from 1 Hz to 20 kHz: test `a_ladder_falls_with_a_power_of_the_frequency`.
     pub fn power_law(exponent: f64, reference_hz: f64) -> Vec<Self> {
         let ratio = 10.0_f64.powf(1.0 / LADDER_PER_DECADE);
         let apart = ratio.powf(exponent);
@@ -186,8 +186,9 @@ mod tests {
         );
     }
 
-    /// The lattice of poles is even in the logarithm; what it adds to a power is its first harmonic, of
-    /// exp(-pi^2 / ln(10^0.5)) = 2e-4 of the exponent, and what the ends lack, the frequency over the last pole: 6e-4.
+    /// The lattice of poles is even in the logarithm, h = ln(10^0.5) apart; beside the power it has a
+    /// ripple of 2 pi exp(-pi^2/h) = 1.2e-3 of the exponent, in size (twice, against the reference) and
+    /// phase, and lacks what the ends lack, the frequency over the last pole: 6e-4.
     #[test]
     fn a_ladder_falls_with_a_power_of_the_frequency() {
         for exponent in [0.002, 0.02, 0.1] {
@@ -198,7 +199,7 @@ mod tests {
                 let lag = -exponent * PI / 2.0;
                 let error = (got - Complex::new(fall, lag)).norm();
                 assert!(
-                    error < 1e-3 * exponent,
+                    error < 3e-3 * exponent,
                     "{exponent} {frequency_hz}: {error}"
                 );
             }
