@@ -293,6 +293,34 @@ fn linear_exciter_effects_change_their_coefficient() {
             },
         ),
         (
+            "nominal_stiffness=offset_rel:-0.3",
+            CoilModel {
+                stiffness_n_per_m: 5600.0,
+                ..coil()
+            },
+        ),
+        (
+            "nominal_force_factor=offset_rel:0.2",
+            CoilModel {
+                force_factor_n_per_a: 8.4,
+                ..coil()
+            },
+        ),
+        (
+            "nominal_resistance=offset_rel:0.5",
+            CoilModel {
+                resistance_ohm: 6.0,
+                ..coil()
+            },
+        ),
+        (
+            "nominal_inductance=offset_rel:0.5",
+            CoilModel {
+                inductance_h: 1.8e-4,
+                ..coil()
+            },
+        ),
+        (
             "coil_heating=rise_k:10,time_constant_s:900",
             CoilModel {
                 resistance_ohm: 4.0 * (1.0 + 0.039 * (1.0 - (-1.0_f64).exp())),
@@ -313,6 +341,60 @@ fn linear_exciter_effects_change_their_coefficient() {
                 (state.coil_a / state.coil_v / current - 1.0).norm() < 1e-12,
                 "{text}"
             );
+        }
+    }
+}
+
+/// Ratios where they are known: filters of fourth order are 3 dB down at the corner, Butterworth's half a
+/// turn late; a window and its double lose 2/pi each at half their zero; a seismic mass leads by 90
+/// degrees at its resonance, quality times as large; a base of two axes shows its share along one.
+#[test]
+fn effects_on_the_ratio_are_those_of_their_names() {
+    let half_power = 0.5_f64.sqrt();
+    for (text, frequency_hz, size, degrees) in [
+        (
+            "dut_lowpass_4=corner_hz:3000",
+            3000.0,
+            half_power,
+            Some(180.0),
+        ),
+        (
+            "dut_lowpass_4=corner_hz:3000,bessel:1",
+            3000.0,
+            half_power,
+            None,
+        ),
+        (
+            "sinc2_filter=duration_s:1e-4",
+            5000.0,
+            4.0 / (PI * PI),
+            Some(180.0),
+        ),
+        (
+            "dut_highpass_2=corner_hz:20,quality:3",
+            20.0,
+            3.0,
+            Some(90.0),
+        ),
+        (
+            "reference_highpass_2=corner_hz:20,quality:2",
+            20.0,
+            0.5,
+            Some(-90.0),
+        ),
+        (
+            "rotation_twice=share:0.01,beta_rad:0",
+            80.0,
+            1.01,
+            Some(0.0),
+        ),
+    ] {
+        let state = hold(&[text], &usual(), frequency_hz, 1.0);
+        let ratio = state.dut.harmonics_v[0] / state.reference.harmonics_v[0];
+        assert!((ratio.norm() / size - 1.0).abs() < 1e-6, "{text}: {ratio}");
+        if let Some(degrees) = degrees {
+            let turn = ratio / Complex::from_polar(1.0, f64::to_radians(degrees));
+            assert!(turn.arg().abs() < 1e-6, "{text}: {ratio}");
         }
     }
 }
