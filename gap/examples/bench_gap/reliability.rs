@@ -1,7 +1,7 @@
 //! Reliability of the stated probability: of all answers stated with p, which share is right.
 
 use super::case::Outcome;
-use super::table::{VISIBLE_SIGMA, is_first};
+use super::table::{LEFT_SIGMA, VISIBLE_SIGMA, is_first};
 use calib_gap::Verdict;
 use std::fmt::Write;
 
@@ -33,7 +33,9 @@ impl Class {
 fn claimed<'a>(all: &'a [Stratum<'_>]) -> impl Iterator<Item = (&'a Outcome, bool)> {
     let of = |(stratum, _, outcomes): &'a Stratum<'_>| {
         let outside = stratum.ends_with("withheld");
-        outcomes.iter().map(move |outcome| (outcome, outside))
+        // A substitute that leaves less is as good as the truth.
+        let counts = move |o: &&Outcome| !outside || o.left_sigma > LEFT_SIGMA;
+        outcomes.iter().filter(counts).map(move |o| (o, outside))
     };
     let visible = |o: &Outcome| o.sigma > VISIBLE_SIGMA * o.unkind.hides();
     let claims = |o: &Outcome| !o.is(Verdict::NoGap) && !o.is(Verdict::Data);

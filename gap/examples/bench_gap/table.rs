@@ -10,7 +10,7 @@ pub(super) const VISIBLE_SIGMA: f64 = 6.0;
 /// Probability from which a set is possible.
 const POSSIBLE: f64 = 0.05;
 /// A substitute that leaves less is as good as the truth.
-const LEFT_SIGMA: f64 = 3.0;
+pub(super) const LEFT_SIGMA: f64 = 3.0;
 
 fn share(list: &[&Outcome], is: impl Fn(&Outcome) -> bool) -> (usize, usize) {
     (list.iter().filter(|o| is(o)).count(), list.len())
