@@ -159,6 +159,8 @@ impl Effect for Filter {
             // Its twin stands for it where no drive tells them apart, or the two would make a pair.
             Self::ReferenceLowpass1 => facts.drive,
             Self::ReferenceHighpass => ratio || facts.drive,
+            // Known by their delay beside the loss: by the loss alone they are filters of second order.
+            Self::Butterworth4 | Self::Bessel4 | Self::Sinc2 => facts.ratio_phase,
             _ => ratio,
         }
     }
