@@ -225,6 +225,14 @@ impl Effect for Highpass2 {
         let ratio = facts.ratio || facts.ratio_phase;
         ratio || (facts.drive && matches!(self, Self::Reference))
     }
+    /// Without phase both rise as 1/f^2 above their corner.
+    fn alike(&self, facts: &Facts) -> Option<&'static Entry> {
+        let first = match self {
+            Self::Dut => &conditioning::DUT_HIGHPASS,
+            Self::Reference => &conditioning::REFERENCE_HIGHPASS,
+        };
+        (!facts.ratio_phase && !facts.drive).then_some(first)
+    }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         corners_below(facts, 0.005 * facts.lowest_hz, 14)
             .into_iter()
