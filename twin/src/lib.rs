@@ -7,6 +7,7 @@
 //! - [`steady`]: a model at one frequency once all has settled.
 //! - [`oscillator`]: a single oscillator in time.
 //! - [`dataset`]: gap datasets of known cause.
+//! - [`reciprocity`]: checks of the reference by reciprocity, drawn with all that is unkind to them.
 //! - [`plant`]: its physics in the time domain, with the converters.
 //! - [`oracle`]: the truth about it, by formulas in the frequency domain.
 //! - [`influence`]: rigs that are wrong in every way an uncertainty budget admits.
@@ -27,6 +28,7 @@ pub mod model;
 pub mod oracle;
 pub mod oscillator;
 pub mod plant;
+pub mod reciprocity;
 pub mod rig;
 pub mod rig_port;
 pub mod runner;

@@ -12,11 +12,13 @@
 mod channel;
 mod exciter;
 mod friction;
+mod reciprocity;
 mod section;
 
 pub use self::channel::{Channel, Characteristic, Pickup, Separation};
 pub use self::exciter::{COPPER_PER_K, CoilModel, InductanceLadder, LADDER_PAIRS};
 pub use self::friction::friction;
+pub use self::reciprocity::{CoilInput, Reciprocity};
 pub use self::section::{SecondOrder, Section};
 
 /// Standard acceleration of free fall, m/s2.
@@ -108,6 +110,8 @@ pub struct Model {
     pub reference: Channel,
     /// Device under test.
     pub dut: Channel,
+    /// Coil sensing and an added mass.
+    pub reciprocity: Option<Reciprocity>,
 }
 
 impl Model {
@@ -125,6 +129,7 @@ impl Model {
             jitter_s: 0.0,
             reference,
             dut,
+            reciprocity: None,
         }
     }
 }

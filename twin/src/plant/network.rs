@@ -65,6 +65,19 @@ pub struct MovingCoil {
     pub resistance_ohm: f64,
     /// Coil inductance with its losses.
     pub ladder: InductanceLadder,
+    /// Masses on springs, each on the one before, the first on the armature.
+    pub carried: Vec<Carried>,
+}
+
+/// A mass on a spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Carried {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Stiffness below it, N/m.
+    pub stiffness_n_per_m: f64,
+    /// Damping below it, N s/m.
+    pub damping_ns_per_m: f64,
 }
 
 impl MovingCoil {
@@ -78,6 +91,7 @@ impl MovingCoil {
             emf_ratio: coil.emf_ratio,
             resistance_ohm: coil.warm_resistance_ohm(time_s),
             ladder: coil.ladder(),
+            carried: Vec::new(),
         }
     }
 }
@@ -91,8 +105,21 @@ pub struct CoilSignals {
     pub travel: Signal,
     /// Velocity, m/s.
     pub velocity: Signal,
+    /// Rate of the current, A/s.
+    pub current_rate: Signal,
     /// Acceleration, m/s2.
     pub acceleration: Signal,
+    /// Acceleration of each mass it carries, m/s2.
+    pub carried: Vec<Signal>,
+}
+
+/// A carried mass on its way into the network.
+struct Hung {
+    /// Index of the state that is its velocity.
+    index: usize,
+    mass_kg: f64,
+    /// Force on it from below, N.
+    force: Signal,
 }
 
 /// A linear network under construction.
@@ -199,12 +226,17 @@ impl Network {
         const TRAVEL_SCALE_PER_S: f64 = 1000.0;
         let (travel_index, scaled_travel) = self.state();
         let travel = scaled_travel.scaled(1.0 / TRAVEL_SCALE_PER_S);
-        let acceleration = current
+        let hung = self.hang(&velocity, &coil.carried);
+        let mut on_armature = current
             .scaled(coil.force_factor_n_per_a)
             .plus(-coil.damping_ns_per_m, &velocity)
             .plus(-coil.stiffness_n_per_m, &travel)
-            .plus(1.0, force_n)
-            .scaled(1.0 / coil.mass_kg);
+            .plus(1.0, force_n);
+        if let Some(first) = hung.first() {
+            on_armature = on_armature.plus(-1.0, &first.force);
+        }
+        let acceleration = on_armature.scaled(1.0 / coil.mass_kg);
+        let carried = self.drive_hung(&hung);
         let mut across_inductance = voltage
             .clone()
             .plus(-coil.resistance_ohm - coil.ladder.resistance_ohm, &current)
@@ -214,15 +246,57 @@ impl Network {
             let through = current.clone().plus(-1.0, &branch);
             across_inductance = across_inductance.plus(-resistance_ohm, &through);
         }
-        self.rows[current_index] = across_inductance.scaled(1.0 / coil.ladder.inductance_h);
+        let current_rate = across_inductance.scaled(1.0 / coil.ladder.inductance_h);
+        self.rows[current_index] = current_rate.clone();
         self.rows[velocity_index] = acceleration.clone();
         self.rows[travel_index] = velocity.scaled(TRAVEL_SCALE_PER_S);
         CoilSignals {
             current,
             travel,
             velocity,
+            current_rate,
             acceleration,
+            carried,
         }
+    }
+
+    /// States of masses, each on a spring on the one before, the first on what moves with `velocity`.
+    ///
+    /// # Equation
+    /// `F = k d + c d'`, `d' = v_below - v`; the state is `w d` with `w = sqrt(k/m)`, of the order of a velocity.
+    fn hang(&mut self, velocity: &Signal, carried: &[Carried]) -> Vec<Hung> {
+        let mut below = velocity.clone();
+        let hang_one = |one: &Carried| {
+            let omega = (one.stiffness_n_per_m / one.mass_kg).sqrt();
+            let (stretch_index, stretch) = self.state();
+            let (index, own) = self.state();
+            let closing = below.clone().plus(-1.0, &own);
+            self.rows[stretch_index] = closing.scaled(omega);
+            let force = stretch
+                .scaled(one.stiffness_n_per_m / omega)
+                .plus(one.damping_ns_per_m, &closing);
+            below = own;
+            Hung {
+                index,
+                mass_kg: one.mass_kg,
+                force,
+            }
+        };
+        carried.iter().map(hang_one).collect()
+    }
+
+    /// Gives the masses their rows; returns their accelerations.
+    fn drive_hung(&mut self, hung: &[Hung]) -> Vec<Signal> {
+        let accelerations = hung.iter().enumerate().map(|(place, one)| {
+            let above = hung.get(place + 1).map(|next| next.force.clone());
+            let net = one.force.clone().plus(-1.0, &above.unwrap_or_default());
+            net.scaled(1.0 / one.mass_kg)
+        });
+        let accelerations: Vec<Signal> = accelerations.collect();
+        for (one, acceleration) in hung.iter().zip(&accelerations) {
+            self.rows[one.index] = acceleration.clone();
+        }
+        accelerations
     }
 
     /// Number of states.

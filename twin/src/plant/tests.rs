@@ -173,3 +173,36 @@ fn overload_saturates_the_code() {
         .collect();
     assert!(codes.contains(&0) && codes.contains(&65_535));
 }
+
+/// A mass on its seat on a table that is no rigid part of the coil, and the coil's field in the reference:
+/// the network in time against the impedances, bare and loaded, shunt and divider.
+#[test]
+fn the_plant_with_a_mass_agrees_with_its_impedances() {
+    use crate::model::CoilInput;
+    use crate::reciprocity::{Hold, SelfCheckDraw, response};
+    let mut draw = SelfCheckDraw::new(3, Hold::None);
+    assert_eq!(draw.rig.effects.len(), 3);
+    // What bends is the steady state's alone: the plant has it by its own effects.
+    draw.rig.effects.truncate(1);
+    draw.rig.reference.high_pass_hz = 2.0;
+    draw.rig.converter.dut_corner_excess_rel = 0.0;
+    for (mounting, input) in [
+        (None, CoilInput::Shunt),
+        (Some(1), CoilInput::Shunt),
+        (Some(1), CoilInput::Divider),
+    ] {
+        let rig = draw.loaded(mounting, input, 3.0);
+        for (cycles, period) in [(1, 929), (2, 625), (1, 50)] {
+            let frequency_hz = cycles as f64 * SAMPLE_RATE_HZ / period as f64;
+            let [_, reference_v, device_v] = steady_response(&rig, cycles, period);
+            let expected = response::motion(&rig, frequency_hz, 1.0).expect("senses the coil");
+            let [reference, device] = expected.inputs_v;
+            let error = device_v / reference_v / (device / reference) - 1.0;
+            // The ladder of eddy currents is good to 1e-4, and images of the tone to 1e-5.
+            assert!(
+                error.norm() < 2e-4,
+                "{mounting:?} {input:?} {frequency_hz}: {error}"
+            );
+        }
+    }
+}

@@ -1,8 +1,8 @@
 //! From a model to the linear network of the plant.
 
-use super::network::{MovingCoil, Network, Signal};
+use super::network::{Carried, CoilSignals, MovingCoil, Network, Signal};
 use super::realise::realise;
-use crate::model::{Channel, Model, Section};
+use crate::model::{Channel, CoilInput, Model, Reciprocity, SecondOrder, Section};
 use crate::rig::Converter;
 
 /// The linear network of a model and the signals that leave it.
@@ -66,15 +66,21 @@ impl Wiring {
         );
         let voltage = demand.clone().plus(1.0, &term[VOLTAGE_TERM]);
         let force = friction.plus(1.0, &term[FORCE_TERM]);
-        let coil = network.moving_coil(&voltage, &force, &MovingCoil::of(&model.coil, time_s));
-        let table = chain(&mut network, &model.table, &coil.acceleration, &coil.travel);
+        let check = model.reciprocity.as_ref();
+        let coil = moving_coil(model, time_s);
+        let coil = network.moving_coil(&voltage, &force, &coil);
+        let table = table_of(check, &coil);
+        let table = chain(&mut network, &model.table, &table, &coil.travel);
         let shaken = table.clone().plus(1.0, &base);
         let channels = [&model.reference, &model.dut];
         let advances = channels.map(advance_s);
         let mut faces = Vec::with_capacity(2);
         let mut inputs = Vec::with_capacity(2);
         for (index, channel) in channels.into_iter().enumerate() {
-            let face = chain(&mut network, &channel.motion, &shaken, &coil.travel);
+            let mut face = chain(&mut network, &channel.motion, &shaken, &coil.travel);
+            if let (0, Some(check)) = (index, check) {
+                face = network.second_order(&face, rocking(check));
+            }
             let moved = face.clone().plus(1.0, &term[FACE_TERMS[index]]);
             faces.push(face);
             let felt = moved.scaled(channel.sensitivity_v_per_ms2 * channel.gain);
@@ -84,6 +90,10 @@ impl Wiring {
             let volt = realise(&mut network, &late, &volt, &coil.travel);
             let volt = match converter.common_source {
                 Some(source) => demand.clone().scaled(source.gains()[index]),
+                None => volt,
+            };
+            let volt = match check {
+                Some(check) => sensed(&mut network, check, index, &volt, &demand, &coil),
                 None => volt,
             };
             inputs.push(input(&mut network, converter, index, &volt));
@@ -100,6 +110,74 @@ impl Wiring {
             converter: two(inputs),
             terms,
             network,
+        }
+    }
+}
+
+/// The coil with what it carries and the shunt in its circuit.
+fn moving_coil(model: &Model, time_s: f64) -> MovingCoil {
+    let mut coil = MovingCoil::of(&model.coil, time_s);
+    let Some(check) = &model.reciprocity else {
+        return coil;
+    };
+    coil.resistance_ohm += check.shunt_ohm;
+    coil.ladder.inductance_h += check.shunt_inductance_h;
+    coil.mass_kg -= check.table_kg;
+    let table = Carried {
+        mass_kg: check.table_kg,
+        stiffness_n_per_m: check.table_n_per_m,
+        damping_ns_per_m: check.table_ns_per_m,
+    };
+    let mass = Carried {
+        mass_kg: check.mass_kg,
+        stiffness_n_per_m: check.seat_n_per_m,
+        damping_ns_per_m: check.seat_ns_per_m,
+    };
+    coil.carried = [table, mass]
+        .into_iter()
+        .filter(|one| one.mass_kg > 0.0)
+        .collect();
+    coil
+}
+
+/// Acceleration of the table: that of the armature where it is rigid.
+fn table_of(check: Option<&Reciprocity>, coil: &CoilSignals) -> Signal {
+    match (check, coil.carried.first()) {
+        (Some(check), Some(table)) if check.table_kg > 0.0 => table.clone(),
+        _ => coil.acceleration.clone(),
+    }
+}
+
+fn rocking(check: &Reciprocity) -> SecondOrder {
+    SecondOrder {
+        corner_hz: check.rocking_hz,
+        quality_factor: check.rocking_quality,
+        numerator: [1.0, 1.0 / check.rocking_quality, 1.0 + check.rocking_rel],
+    }
+}
+
+/// Volts at a connector while the reference is checked: the coil's field reaches the reference's, and the
+/// device's reads the coil. The amplifier is taken as linear.
+fn sensed(
+    network: &mut Network,
+    check: &Reciprocity,
+    channel: usize,
+    volt: &Signal,
+    coil_v: &Signal,
+    coil: &CoilSignals,
+) -> Signal {
+    match (channel, check.input) {
+        (0, _) => volt
+            .clone()
+            .plus(check.stray_ohm, &coil.current)
+            .plus(check.stray_h, &coil.current_rate),
+        (_, CoilInput::Shunt) => coil
+            .current
+            .scaled(check.shunt_ohm)
+            .plus(check.shunt_inductance_h, &coil.current_rate),
+        (_, CoilInput::Divider) => {
+            let divided = coil_v.scaled(check.divider_volt_per_v);
+            network.low_pass(&divided, check.divider_corner_hz)
         }
     }
 }

@@ -12,6 +12,7 @@ mod exciter;
 mod file;
 mod model;
 mod range;
+mod reciprocity;
 mod sensing;
 mod surroundings;
 mod validate;
@@ -20,6 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::effects::ActiveEffect;
 use crate::effects::fault::ActiveFault;
+use crate::model::Reciprocity;
 
 pub use certificate::Certificate;
 pub use common_source::CommonSource;
@@ -57,6 +59,9 @@ pub struct Rig {
     /// Faults of this rig, in the same form; may be left out.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub faults: Vec<ActiveFault>,
+    /// Coil sensing and an added mass in place of the device under test; may be left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reciprocity: Option<Reciprocity>,
     /// Under which conditions it works; may be left out.
     #[serde(default, skip_serializing_if = "Surroundings::are_usual")]
     pub surroundings: Surroundings,

@@ -11,6 +11,7 @@ impl Rig {
             self.reference.model(),
             self.dut.model(),
         );
+        model.reciprocity = self.reciprocity;
         for effect in &self.effects {
             effect.apply(&self.conditions(), &mut model);
         }

@@ -2,6 +2,7 @@
 
 use super::Rig;
 use super::error::RigError;
+use super::reciprocity;
 
 impl Rig {
     /// Checks every value against its range.
@@ -14,6 +15,7 @@ impl Rig {
             self.dut.ranges("dut"),
             self.certificate.ranges(),
             self.surroundings.ranges(),
+            reciprocity::ranges(self),
         ];
         parts
             .iter()
