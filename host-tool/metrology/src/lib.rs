@@ -17,6 +17,7 @@
 //! | [`lists`], [`line_fit`] | point and linearity lists, straight lines | ISO 16063-21 5, GUM H.3 |
 //! | [`control_chart`], [`common_drift`] | check standards, alone and together | ISO 7870-2, ILAC-G24 |
 //! | [`channel_ratio`] | ratio of the two channels, with one source at both | ISO 16063-21 clause 6 |
+//! | [`reciprocity`] | the reference by a mass and two voltages | |
 //! | [`check`] | a record against Tables 1 to 6 and clause 7 | ISO 16063-21 |
 //! | [`reference`] | a certificate of the reference: DCC or CSV | DCC 3.x, D-SI |
 //! | [`teds`] | what an accelerometer says about itself | IEEE 1451.4 |
@@ -44,6 +45,7 @@ pub mod nomogram;
 pub mod oscillator;
 pub mod phase5347;
 pub mod predict;
+pub mod reciprocity;
 pub mod record;
 pub mod reference;
 pub mod sensitivity;
