@@ -23,10 +23,11 @@ pub(super) enum Subject {
     SignedFile,
     Amendment,
     Joined,
+    SelfCheck,
 }
 
 impl Subject {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 9] = [
         Self::Sensor,
         Self::Record,
         Self::Certificate,
@@ -35,6 +36,7 @@ impl Subject {
         Self::SignedFile,
         Self::Amendment,
         Self::Joined,
+        Self::SelfCheck,
     ];
 
     fn word(self) -> &'static str {
@@ -47,6 +49,7 @@ impl Subject {
             Self::CheckStandard => "check standard",
             Self::Amendment => "amendment",
             Self::Joined => "record of certificate",
+            Self::SelfCheck => "check of the reference",
         }
     }
 
@@ -60,6 +63,7 @@ impl Subject {
             Self::SignedFile => "SELECT lower(hex(sha256)), * FROM signed_files",
             Self::CheckStandard => "SELECT serial, * FROM check_standards",
             Self::Amendment => "SELECT certificate, * FROM amendments",
+            Self::SelfCheck => "SELECT CAST(number AS TEXT), * FROM self_checks",
             Self::Joined => {
                 "SELECT certificate || ' ' || role || ' ' || lower(hex(record_sha256)), * FROM joined"
             }
@@ -71,7 +75,7 @@ impl Subject {
         match self {
             Self::Sensor | Self::CheckStandard => "WHERE serial = ?1",
             Self::Record => "WHERE id = CAST(?1 AS INTEGER)",
-            Self::Certificate => "WHERE number = CAST(?1 AS INTEGER)",
+            Self::Certificate | Self::SelfCheck => "WHERE number = CAST(?1 AS INTEGER)",
             Self::Key => "WHERE instrument = ?1",
             Self::SignedFile => "WHERE sha256 = unhex(?1)",
             Self::Amendment => "WHERE certificate = ?1",

@@ -11,6 +11,7 @@
 //! | `signed_files` | signed files of them, and who signed |
 //! | `amendments` | which certificate took the place of which, and of what records they are |
 //! | `check_standards` | sensors that are measured to watch the calibrator |
+//! | `self_checks` | checks of an instrument's reference by reciprocity |
 //! | `people` | operators and instruments, as records name them |
 //! | `history` | drift of one sensor with its uncertainty |
 //! | `waiting` | records that wait while another program holds the file |
@@ -35,6 +36,7 @@ mod people;
 mod records;
 mod row;
 mod seals;
+mod self_checks;
 mod sensors;
 mod signed_files;
 mod store;
@@ -50,6 +52,7 @@ pub use parquet::export;
 pub use people::{Instrument, Operator};
 pub use records::{Filter, Kept, Listed};
 pub use seals::Seal;
+pub use self_checks::SelfCheck;
 pub use sensors::Sensor;
 pub use signed_files::{Signed, SignedFile};
 pub use store::{Logbook, default_path};

@@ -107,6 +107,10 @@ impl Logbook {
             let taken = self.take_amendment(&certificate, &amended);
             merged.count(|merged| &mut merged.known, taken.map(|()| false))?;
         }
+        for check in other.self_checks()? {
+            let taken = self.keep_self_check(&check);
+            merged.count(|merged| &mut merged.known, taken.map(|_| false))?;
+        }
         self.take_joined(other)?;
         Ok(merged)
     }
