@@ -24,6 +24,43 @@ pub enum CheckProblem {
     Never,
 }
 
+/// A check of the reference by reciprocity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReferenceCheck {
+    /// Its day.
+    pub day: Date,
+    /// Compared with a check after the reference's calibration; else with its certificate.
+    pub since_baseline: bool,
+    /// By how much the reference changed, or differs, relative.
+    pub change_rel: f64,
+    /// Expanded uncertainty of that, k = 2.
+    pub expanded_rel: f64,
+    /// It is more than 99 % of sound references show.
+    pub significant: bool,
+}
+
+impl ReferenceCheck {
+    /// What is stated of it: for information, unless it speaks against the reference.
+    pub(super) fn remark(&self) -> Remark {
+        let percent = |value: f64| Value::Number(100.0 * value, 2, "%");
+        let (severity, key) = match (self.significant, self.since_baseline) {
+            (false, true) => (Severity::Note, "reference_checked"),
+            (false, false) => (Severity::Note, "reference_agrees"),
+            (true, true) => (Severity::Warning, "reference_changed"),
+            (true, false) => (Severity::Warning, "reference_differs"),
+        };
+        Remark {
+            severity,
+            key,
+            values: vec![
+                Value::Day(self.day),
+                percent(self.change_rel),
+                percent(self.expanded_rel),
+            ],
+        }
+    }
+}
+
 /// States every check that failed, and who overrode them.
 ///
 /// # Errors

@@ -190,6 +190,45 @@ fn a_check_standard_that_failed_blocks_every_format_or_is_overridden_in_each() {
 }
 
 #[test]
+fn a_check_of_the_reference_is_stated_where_remarks_are() {
+    use crate::ReferenceCheck;
+    let check = ReferenceCheck {
+        day: jiff::civil::date(2025, 11, 19),
+        since_baseline: true,
+        change_rel: -0.0012,
+        expanded_rel: 0.004,
+        significant: false,
+    };
+    let with = |check| {
+        let options = Options {
+            particulars: particulars(FULL),
+            reference_check: Some(check),
+            ..Options::default()
+        };
+        prepare(&sample(), &Format::ALL, &options).expect("rendered")
+    };
+    let (sound, changed) = (
+        with(check),
+        ReferenceCheck {
+            significant: true,
+            ..check
+        },
+    );
+    for format in [Format::Json, Format::Html, Format::Dcc] {
+        let text = of(&sound, format).replace('\u{2212}', "-");
+        assert!(text.contains("durch Reziprozität geprüft"), "{format:?}");
+        assert!(
+            text.contains("-0,12") && text.contains("0,40"),
+            "{format:?}"
+        );
+        assert!(
+            of(&with(changed), format).contains("GEÄNDERT"),
+            "{format:?}"
+        );
+    }
+}
+
+#[test]
 fn only_who_authorised_is_the_main_signer() {
     let nobody = prepared(&sample(), without("approved_by", "")).expect("rendered");
     let dcc = of(&nobody, Format::Dcc);
