@@ -17,6 +17,7 @@ pub mod gap;
 pub mod issuing;
 pub mod judged;
 pub mod refusals;
+pub mod self_check;
 pub mod serve;
 pub mod terminal;
 

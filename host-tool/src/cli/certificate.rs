@@ -9,7 +9,7 @@ use calib_certificate::{
 };
 use calib_host::amendment::Amended;
 use calib_host::issuing::{self, Entries};
-use calib_host::{Error, Result, assurance, judged, terminal};
+use calib_host::{Error, Result, assurance, judged, self_check, terminal};
 use calib_logbook::Logbook;
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
@@ -121,6 +121,7 @@ impl CertificateVerb {
         let mut options = Options {
             chain: Some(found.standing),
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
+            reference_check: self_check::of_certificate(logbook.as_ref(), record)?,
             remounted: self.remounted(context)?,
             seal: self.seal(context)?,
             ..self.options(context, record, logbook.as_ref())?

@@ -105,6 +105,13 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                     "assure CHECK-1 --certified 10.02 --certified-u 0.5",
                 ],
             ),
+            (
+                "selfcheck",
+                [
+                    "selfcheck --baseline --operator N.",
+                    "selfcheck 12 13 14 15 16 17 18 19 20 21 --equipment mass.toml",
+                ],
+            ),
             ("sync", ["sync", "sync --device /dev/ttyACM0"]),
             (
                 "logbook",

@@ -45,6 +45,7 @@ mod remount;
 mod risk;
 mod run;
 mod schema;
+mod selfcheck;
 mod selftest;
 mod sensitivity;
 mod serve;
@@ -130,6 +131,8 @@ pub(crate) enum Command {
     Reference(reference::Reference),
     /// Measures what the channels differ by, and takes it away.
     Adjust(adjust::Adjust),
+    /// Checks the reference on site by reciprocity: a mass and two voltages.
+    Selfcheck(selfcheck::SelfcheckVerb),
     /// Waveforms of both channels: d.c., harmonics, noise, spectrum.
     Capture(capture::CaptureVerb),
     /// Stops a run and silences the exciter.
@@ -218,6 +221,7 @@ impl Command {
             Self::Settings(verb) => verb.run(context),
             Self::Reference(verb) => verb.run(context),
             Self::Adjust(verb) => verb.run(context),
+            Self::Selfcheck(verb) => verb.run(context),
             Self::Capture(verb) => verb.run(context),
             Self::Stop(verb) => verb.run(context),
             Self::Records(verb) => verb.run(context),

@@ -7,8 +7,8 @@ use super::{
     logbook,
 };
 use super::{
-    identify, key, linking, lists, phase, predict, reference, release, risk, run, sensitivity,
-    serve, sign, stop, sync, update, verify, version,
+    identify, key, linking, lists, phase, predict, reference, release, risk, run, selfcheck,
+    sensitivity, serve, sign, stop, sync, update, verify, version,
 };
 use calib_certificate::Document;
 use calib_core::settings::Settings;
@@ -139,6 +139,8 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<run::RunResult>("run"),
         of::<RunEvent<'_, run::RunResult>>("run-lines"),
         of::<Written>("schema"),
+        of::<selfcheck::Output>("selfcheck"),
+        of::<RunEvent<'_, selfcheck::Output>>("selfcheck-lines"),
         of::<SelfTestView>("selftest"),
         of::<sensitivity::Output>("sensitivity"),
         of::<Either<Vec<Sensor>, Sensor>>("sensors"),

@@ -5,7 +5,7 @@ use super::options::Options as House;
 use super::view::Shared;
 use crate::amendment::Amended;
 use crate::issuing::{self, Entries, Journal};
-use crate::{Error, Result, assurance, judged};
+use crate::{Error, Result, assurance, judged, self_check};
 use axum::http::header;
 use axum::response::{IntoResponse, Response};
 use calib_certificate::{
@@ -150,6 +150,7 @@ fn made(
         particulars,
         chain: Some(judged::standing(&record.head, stored, kept)?),
         failed_checks: assurance::failed_checks(kept, &record)?,
+        reference_check: self_check::of_certificate(kept, &record)?,
         as_found: wanted.stated.found(kept)?,
         seal: seal(house, wanted.issues)?,
         ..Options::default()
