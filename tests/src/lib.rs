@@ -17,6 +17,7 @@ pub mod live;
 #[cfg(test)]
 mod lone;
 pub mod reality;
+pub mod self_check;
 pub mod served;
 pub mod siege;
 pub mod supply;

@@ -3,6 +3,8 @@
 
 #[path = "tool/documents.rs"]
 mod documents;
+#[path = "tool/selfcheck.rs"]
+mod selfcheck;
 #[path = "tool/updates.rs"]
 mod updates;
 

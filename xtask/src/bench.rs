@@ -96,6 +96,11 @@ const BENCHES: &[Bench] = &[
         what: "10 000 records in the logbook listed and filtered; start of the tool",
     },
     Bench {
+        name: "selfcheck",
+        example: "bench_selfcheck",
+        what: "the reference checked by reciprocity: coverage of U, changes found, false alarms: [RIGS [SEED]]",
+    },
+    Bench {
         name: "speed",
         example: "bench_speed",
         what: "emulator, rig, correlation on this computer, image size, settling",

@@ -27,6 +27,7 @@ mod lone;
 mod power_cut;
 mod reality;
 mod reference_change;
+mod selfcheck;
 mod selftest;
 mod settings_hand;
 mod signature;

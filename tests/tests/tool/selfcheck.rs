@@ -1,0 +1,148 @@
+//! `calib selfcheck` on records that were measured before, and what certificates say of it.
+
+use super::{folder, json, output};
+use calib_core::point::PointResult;
+use calib_protocol::record::Record;
+use calib_record::sample;
+use calib_tests::self_check::{FREQUENCIES_HZ, plan};
+use calib_twin::reciprocity::session::{self, Reading};
+use calib_twin::reciprocity::{Hold, SelfCheckDraw};
+use std::path::Path;
+
+/// 2025-12-01 00:00 UTC, and a day.
+const FIRST_S: u64 = 1_764_547_200;
+const DAY_S: u64 = 86_400;
+
+/// The sample's certificate says 10 mV/(m/s2), the twin's rig has 10.2.
+fn calibrator() -> SelfCheckDraw {
+    SelfCheckDraw::new(5, Hold::Current).with_reference_changed(10.0 / 10.2)
+}
+
+/// A reading as an instrument states it: over what it believes of its reference.
+fn stated(reading: &Reading) -> PointResult {
+    let mut point = sample::point(reading.frequency_hz as f32);
+    let believed = 10.0e-3;
+    point.sensitivity_v_per_ms2 = (reading.ratio.norm() * believed) as f32;
+    point.phase_rad = reading.ratio.arg() as f32;
+    point.acceleration_rms_ms2 = reading.acceleration_rms_ms2 as f32;
+    point.repeatability_rel = reading.scatter_rel as f32;
+    point.repeatability_phase_rad = reading.scatter_rel as f32;
+    point
+}
+
+/// The ten records of a check on a day, as files.
+fn records(folder: &Path, draw: &SelfCheckDraw, day: u64) -> Vec<String> {
+    let runs = session::measure(draw, &plan(0.050, draw.stated.mass_kg), day);
+    let write = |(place, run): (usize, &Vec<Reading>)| {
+        let id = 100 * (day as u32 + 1) + place as u32;
+        let mut record: Record = sample::record(&FREQUENCIES_HZ.map(|hz| hz as f32));
+        record.head.id = id;
+        record.head.labels.unix_time_s = FIRST_S + DAY_S * day + 30 * place as u64;
+        record.points = run.iter().map(stated).collect();
+        let name = format!("record-{id:05}.calibrec");
+        std::fs::write(folder.join(&name), sample::bytes(&record)).expect("written");
+        name
+    };
+    runs.iter().enumerate().map(write).collect()
+}
+
+fn arguments<'a>(records: &'a [String], more: &[&'a str]) -> Vec<&'a str> {
+    let verb = ["selfcheck", "--logbook", "book.sqlite"];
+    let names = records.iter().map(String::as_str);
+    verb.into_iter()
+        .chain(names)
+        .chain(more.iter().copied())
+        .collect()
+}
+
+#[test]
+fn a_drifted_reference_is_told_from_its_baseline_and_stated_on_the_certificate() {
+    let folder = folder();
+    let at = folder.path();
+    let book = ["--logbook", "book.sqlite"];
+    let sensor = ["sensors", "add", "--serial", "LW1"];
+    assert!(output(at, &[&sensor[..], &book].concat()).status.success());
+    let draw = calibrator();
+
+    let baseline = json(at, &arguments(&records(at, &draw, 0), &["--baseline"]));
+    assert_eq!(
+        baseline["points"].as_array().expect("points").len(),
+        FREQUENCIES_HZ.len()
+    );
+    assert_eq!(
+        (&baseline["kept"], &baseline["changes"][0]["against"]),
+        (&true.into(), &"certificate".into())
+    );
+    let sound = json(
+        at,
+        &arguments(&records(at, &draw.on_another_day(1), 1), &[]),
+    );
+    assert_eq!(sound["changes"][0]["against"], "baseline");
+    assert_eq!(sound["changes"][0]["significant"], false);
+
+    let drifted = draw.on_another_day(2).with_reference_changed(0.995);
+    let said = output(at, &arguments(&records(at, &drifted, 2), &[]));
+    assert_eq!(said.status.code(), Some(7));
+    let text = String::from_utf8_lossy(&said.stdout).into_owned();
+    assert!(
+        text.contains("reference changed by -0.") && text.contains("since the baseline"),
+        "{text}"
+    );
+
+    // A certificate of the day after the sound check states that one, one of the day after the last warns.
+    for (day, expected) in [
+        (1, "was checked on 2025-12-02 by reciprocity"),
+        (3, "CHANGED by"),
+    ] {
+        let mut record = sample::record(&[160.0, 1000.0]);
+        record.head.id = 900 + day as u32;
+        record.head.labels.unix_time_s = FIRST_S + DAY_S * day + 40_000;
+        std::fs::write(at.join("job.calibrec"), sample::bytes(&record)).expect("written");
+        let made = [
+            "certificate",
+            "job.calibrec",
+            "--format",
+            "html",
+            "--out",
+            "out",
+        ];
+        let made = output(at, &[&made[..], &book].concat());
+        assert!(
+            made.status.success(),
+            "{}",
+            String::from_utf8_lossy(&made.stderr)
+        );
+        let html = std::fs::read_dir(at.join("out"))
+            .expect("a folder")
+            .flatten();
+        let pages: Vec<String> = html
+            .map(|file| std::fs::read_to_string(file.path()).expect("text"))
+            .collect();
+        assert!(
+            pages.iter().any(|page| page.contains(expected)),
+            "{expected}"
+        );
+    }
+    let whole = ["logbook", "check"];
+    assert!(output(at, &[&whole[..], &book].concat()).status.success());
+}
+
+#[test]
+fn records_that_are_no_check_are_refused_with_the_way_out() {
+    let folder = folder();
+    let at = folder.path();
+    let mut names = records(at, &calibrator(), 0);
+    names.swap(0, 1);
+    let said = output(at, &arguments(&names, &[]));
+    assert_eq!(said.status.code(), Some(6));
+    let nobody = output(at, &["selfcheck", "--device", "emulated"]);
+    assert_eq!(nobody.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&nobody.stderr).contains("nobody is at the keyboard"));
+    std::fs::write(at.join("mass.toml"), "mass = 0.05\n").expect("written");
+    names.swap(0, 1);
+    let said = output(at, &arguments(&names, &["--equipment", "mass.toml"]));
+    assert!(
+        String::from_utf8_lossy(&said.stderr).contains("mass.toml:1: "),
+        "{said:?}"
+    );
+}
