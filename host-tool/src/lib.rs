@@ -1,11 +1,16 @@
 //! The program `calib` as a library: verbs are thin, and tests reach what is below them.
 //!
-//! Every verb is one file of `src/cli/`. Errors name the way out ([`Error`]).
+//! Every verb is one file of `src/cli/`; other programs have it answered by [`cli::answer`]. Errors name the
+//! way out ([`Error`]).
 #![forbid(unsafe_code)]
+
+// Verbs name what is below them as a program of its own would.
+extern crate self as calib_host;
 
 pub mod about_sensor;
 pub mod amendment;
 pub mod assurance;
+pub mod cli;
 pub mod clock;
 pub mod config;
 pub mod demo;

@@ -120,19 +120,24 @@ impl Ratio {
         let mut client = context.connect()?;
         client.info()?;
         wait_for("one source at both inputs, the power amplifier off the drive output")?;
-        let straight = self.measure(&mut client, &points)?;
+        let straight = self.measure(context, &mut client, &points)?;
         wait_for("the two leads exchanged")?;
-        Ok([straight, self.measure(&mut client, &points)?])
+        Ok([straight, self.measure(context, &mut client, &points)?])
     }
 
-    fn measure(&self, client: &mut Client, points: &[PointSpec]) -> Result<Box<Record>> {
+    fn measure(
+        &self,
+        context: &Context,
+        client: &mut Client,
+        points: &[PointSpec],
+    ) -> Result<Box<Record>> {
         let labels = RunLabels {
             unix_time_s: time::unix_time_s(),
             dut_model: label("model", "ratio of the channels")?,
             operator: label("--operator", self.hand.operator())?,
             ..RunLabels::default()
         };
-        let stop = super::measure::stop_on_interrupt();
+        let stop = super::measure::stop_on_interrupt(context);
         let outcome = session::run(client, points, labels, |_| stop())?;
         let folder = tempfile::tempdir()
             .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;

@@ -85,7 +85,7 @@ impl CaptureVerb {
         let inputs = Inputs::of(&mut client)?;
         let captured = match (self.frequency, self.level) {
             (Some(frequency_hz), Some(level)) => {
-                self.at_level(&mut client, &inputs, frequency_hz, level)?
+                self.at_level(context, &mut client, &inputs, (frequency_hz, level))?
             }
             _ => self.as_it_is(&mut client, &inputs)?,
         };
@@ -118,10 +118,10 @@ impl CaptureVerb {
     /// Plays a point and captures while its level is held.
     fn at_level(
         &self,
+        context: &Context,
         client: &mut Client,
         inputs: &Inputs,
-        frequency_hz: f64,
-        level_rms_ms2: f32,
+        (frequency_hz, level_rms_ms2): (f64, f32),
     ) -> Result<Captured> {
         let point = PointSpec {
             frequency_hz: frequency_hz as f32,
@@ -132,7 +132,7 @@ impl CaptureVerb {
             ..RunLabels::default()
         };
         let pairs = self.pairs(frequency_hz, inputs);
-        let flow = stop_on_interrupt();
+        let flow = stop_on_interrupt(context);
         let stop = || flow().is_break();
         let measured = capture::measure(client, inputs, point, pairs, labels, stop)?;
         let verdict = measured.point.map(|point| point.verdict);

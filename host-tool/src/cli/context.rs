@@ -1,10 +1,11 @@
 //! Context of every verb: output switches and the address of the device.
 
+use super::sink::Sink;
 use calib_host::clock::unix_time_s;
 use calib_host::config::Config;
 use calib_host::emulated::KeptBoard;
 use calib_host::{Device, Error, Result};
-use calib_link::{Client, LinkError, port};
+use calib_link::{Client, LinkError, StopSwitch, port};
 use calib_output::json;
 use clap::Args;
 use schemars::JsonSchema;
@@ -68,6 +69,10 @@ pub(crate) struct Context {
     pub(crate) defaults: Config,
     /// Colour and moving progress are welcome on standard error.
     pub(crate) color: bool,
+    /// Where what it says goes.
+    pub(crate) sink: Sink,
+    /// Stops what moves; none where Ctrl-C does.
+    pub(crate) switch: Option<StopSwitch>,
 }
 
 impl Context {
@@ -85,6 +90,10 @@ impl Context {
             logbook: options.logbook.clone(),
             defaults,
             color: !no_color && std::io::stderr().is_terminal(),
+            sink: Sink::Streams {
+                quiet: options.quiet,
+            },
+            switch: None,
         }
     }
 
@@ -153,13 +162,13 @@ impl Context {
         if !output.ends_with('\n') && self.form == Form::Text {
             output.push('\n');
         }
-        write(&output)
+        self.sink.write(&output)
     }
 
     /// With `--json-lines`, prints a line of a stream.
     pub(crate) fn stream<T: Serialize + JsonSchema>(&self, value: &T) -> Result<()> {
         match self.form {
-            Form::JsonLines => write(&json::line(value).map_err(defect)?),
+            Form::JsonLines => self.sink.write(&json::line(value).map_err(defect)?),
             Form::Text | Form::Json => Ok(()),
         }
     }
@@ -167,7 +176,7 @@ impl Context {
     /// Prints one line of a text that comes bit by bit.
     pub(crate) fn line(&self, text: &str) -> Result<()> {
         match self.form {
-            Form::Text => write(&format!("{}\n", shown(text))),
+            Form::Text => self.sink.write(&format!("{}\n", shown(text))),
             Form::Json | Form::JsonLines => Ok(()),
         }
     }
@@ -179,9 +188,7 @@ impl Context {
 
     /// Prints a remark to standard error, unless `--quiet`.
     pub(crate) fn remark(&self, text: &str) {
-        if !self.quiet {
-            let _ = writeln!(std::io::stderr(), "{text}");
-        }
+        self.sink.remark(text);
     }
 
     /// Prints a failure and its way out to standard error; with `--json` as one
@@ -189,11 +196,7 @@ impl Context {
     pub(crate) fn report(&self, error: &Error) {
         let mut stderr = std::io::stderr();
         if self.for_program() {
-            let failure = Failure {
-                error: error.to_string(),
-                hint: error.hint().map(str::to_owned),
-                exit_code: error.exit_code(),
-            };
+            let failure = Failure::from(error);
             let _ = write!(stderr, "{}", json::line(&failure).unwrap_or_default());
             return;
         }
@@ -210,23 +213,29 @@ impl Context {
 }
 
 /// A failure, as programs read it from standard error.
-#[derive(Serialize, JsonSchema)]
-pub(crate) struct Failure {
+#[derive(Debug, Serialize, JsonSchema)]
+pub struct Failure {
     /// Error.
-    pub(crate) error: String,
+    pub error: String,
     /// The way out, if there is one.
-    pub(crate) hint: Option<String>,
+    pub hint: Option<String>,
     /// Exit code of the tool; `calib --help` lists them.
-    pub(crate) exit_code: u8,
+    pub exit_code: u8,
 }
 
-/// Writes to standard output; `calib ... | head` is not a failure.
-fn write(output: &str) -> Result<()> {
-    match std::io::stdout().write_all(output.as_bytes()) {
-        Err(error) if !nobody_reads(&error) => {
-            Err(Error::file("write", "standard output".as_ref(), error))
+impl From<&Error> for Failure {
+    fn from(error: &Error) -> Self {
+        Self {
+            error: error.to_string(),
+            hint: error.hint().map(str::to_owned),
+            exit_code: error.exit_code(),
         }
-        _ => Ok(()),
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::from(&error)
     }
 }
 

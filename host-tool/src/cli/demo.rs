@@ -21,7 +21,7 @@ pub(crate) struct Demo {
 impl Demo {
     /// Calibrates a simulated accelerometer and compares with its truth.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let stop = measure::stop_on_interrupt();
+        let stop = measure::stop_on_interrupt(context);
         let mut shown = None;
         let report = demo::run(self.seed, &self.out, time::unix_time_s(), |event| {
             match event {

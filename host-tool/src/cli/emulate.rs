@@ -132,7 +132,7 @@ fn serve(
     usb: Option<&UsbPort>,
     door: Box<dyn Door>,
 ) -> Result<()> {
-    let stop = measure::stop_on_interrupt();
+    let stop = measure::stop_on_interrupt(context);
     let mut behind = Duration::ZERO;
     let serial = board.emulator().serial().clone();
     let line: &dyn HostLine = usb.map_or(&serial, |usb| usb);

@@ -102,29 +102,42 @@ pub(super) fn measure(
 }
 
 /// From now on, Ctrl-C asks a run to stop instead of ending the tool.
-pub(super) fn stop_on_interrupt() -> impl Fn() -> ControlFlow<()> {
-    let switch = StopSwitch::default();
-    let pressed = switch.clone();
-    // Without the handler Ctrl-C still ends this tool; the calibrator goes on.
-    let _ = ctrlc::set_handler(move || {
-        pressed.ask();
+pub(super) fn stop_on_interrupt(context: &Context) -> impl Fn() -> ControlFlow<()> + use<> {
+    let switch = context.switch.clone().unwrap_or_else(|| {
+        let switch = StopSwitch::default();
+        let pressed = switch.clone();
+        // Without the handler Ctrl-C still ends this tool; the calibrator goes on.
+        let _ = ctrlc::set_handler(move || {
+            pressed.ask();
+        });
+        switch
     });
     move || flow(&switch)
 }
 
 /// From now on, Ctrl-C is a stop on this switch, which a client heeds; one that is not confirmed in time is an
-/// alarm, where there is an exciter.
+/// alarm, where there is an exciter. That of a program that asked is stopped by [`ask_for_silence`].
 pub(super) fn switch_of_interrupts(context: &Context) -> StopSwitch {
+    if let Some(switch) = &context.switch {
+        return switch.clone();
+    }
     let (switch, emulated) = (StopSwitch::default(), !context.is_outside());
     let pressed = switch.clone();
     let _ = ctrlc::set_handler(move || {
-        let (number, confirmed) = (pressed.ask(), pressed.clone());
-        // It ends with its stop, or with this tool.
-        drop(alarm::watch(move || {
-            confirmed.is_confirmed(number) || emulated
-        }));
+        ask_for_silence(&pressed, emulated);
     });
     switch
+}
+
+/// Asks a run for silence, and returns the number of this stop. One that is not confirmed in time is an alarm on
+/// standard error, unless no exciter is there to be heard.
+pub fn ask_for_silence(switch: &StopSwitch, emulated: bool) -> u64 {
+    let (number, confirmed) = (switch.ask(), switch.clone());
+    // It ends with its stop, or with this program.
+    drop(alarm::watch(move || {
+        confirmed.is_confirmed(number) || emulated
+    }));
+    number
 }
 
 fn flow(switch: &StopSwitch) -> ControlFlow<()> {

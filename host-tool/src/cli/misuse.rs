@@ -27,7 +27,7 @@ pub(crate) fn tell(mut said: clap::Error) -> ExitCode {
     }
     let for_program = |argument| argument == "--json" || argument == "--json-lines";
     if std::env::args_os().any(for_program) {
-        let line = json::line(&failure(&said.to_string())).unwrap_or_default();
+        let line = json::line(&in_parts(&said.to_string())).unwrap_or_default();
         let _ = write!(std::io::stderr(), "{line}");
     } else {
         let _ = said.print();
@@ -50,8 +50,14 @@ fn name_the_logbook(said: &mut clap::Error) {
     said.insert(ContextKind::Suggested, ContextValue::StyledStrs(vec![tip]));
 }
 
+/// A complaint, for a program that asked.
+pub(crate) fn failure(mut said: clap::Error) -> Failure {
+    name_the_logbook(&mut said);
+    in_parts(&said.to_string())
+}
+
 /// The first paragraph is what is wrong, the rest the way out.
-fn failure(text: &str) -> Failure {
+fn in_parts(text: &str) -> Failure {
     let (problem, rest) = text.trim().split_once("\n\n").unwrap_or((text.trim(), ""));
     Failure {
         error: problem.trim_start_matches("error: ").to_owned(),

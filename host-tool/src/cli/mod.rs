@@ -7,6 +7,7 @@
 mod adjust;
 mod again;
 mod alarm;
+mod answer;
 mod budget;
 mod capture;
 mod certificate;
@@ -52,6 +53,7 @@ mod serve;
 mod settings;
 mod show;
 mod sign;
+mod sink;
 mod source;
 mod stop;
 mod substitute;
@@ -62,12 +64,17 @@ mod update;
 mod verify;
 mod version;
 
+pub use answer::answer;
+pub use context::Failure;
 pub(crate) use context::{Context, GlobalOptions};
-pub(crate) use misuse::tell;
+pub use measure::ask_for_silence;
+pub use sink::Said;
 
 use calib_host::Result;
 use calib_host::config::Config;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
+use std::ffi::OsString;
+use std::process::ExitCode;
 
 /// Exit codes, printed at the end of `calib --help`.
 const EXIT_CODES: &str = "\
@@ -80,6 +87,28 @@ Exit codes:
   5  the device understood and refused
   6  an input file (points, record, settings, ...) is not usable
   7  done, but a point was refused, a conformity is not \"pass\", or a check failed";
+
+/// Carries out what was typed, says how it ended, and returns it.
+pub fn main() -> ExitCode {
+    // What is wrong with them is said in the form that was asked for, which the arguments tell.
+    let (defaults, broken) = match Config::load(&calib_host::config::path()) {
+        Ok(defaults) => (defaults, None),
+        Err(error) => (Config::default(), Some(error)),
+    };
+    let arguments = match Arguments::read(std::env::args_os(), &defaults) {
+        Ok(arguments) => arguments,
+        Err(said) => return misuse::tell(said),
+    };
+    let context = Context::new(&arguments.global, defaults);
+    let done = broken.map_or_else(|| arguments.command.run(&context), Err);
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            context.report(&error);
+            ExitCode::from(error.exit_code())
+        }
+    }
+}
 
 /// Calibrates vibration transducers with the open field calibrator.
 #[derive(Debug, Parser)]
@@ -98,10 +127,13 @@ impl Arguments {
     ///
     /// # Errors
     /// What there is to say instead: help, the version, or what is wrong.
-    pub(crate) fn read(defaults: &Config) -> Result<Self, clap::Error> {
+    pub(crate) fn read(
+        words: impl IntoIterator<Item = OsString>,
+        defaults: &Config,
+    ) -> Result<Self, clap::Error> {
         let calib = number::signed(help::described(Self::command()));
         let mut calib = config::with_defaults(calib, defaults);
-        let matches = calib.try_get_matches_from_mut(std::env::args_os())?;
+        let matches = calib.try_get_matches_from_mut(words)?;
         Self::from_arg_matches(&matches).map_err(|error| error.format(&mut calib))
     }
 }

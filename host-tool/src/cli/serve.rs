@@ -64,7 +64,7 @@ impl Serve {
             context.remark("open this address in a browser");
         }
         context.remark("Ctrl-C ends it and stops a run");
-        let stop = measure::stop_on_interrupt();
+        let stop = measure::stop_on_interrupt(context);
         server.serve(|| stop().is_continue())
     }
 }

@@ -15,7 +15,6 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
@@ -237,9 +236,8 @@ impl<'a> Printer<'a> {
                 }
             };
             // `| head` is no failure, and the rest is not worth the work.
-            let mut out = std::io::stdout().lock();
-            out.write_all(text.as_bytes())
-                .map_err(|e| Error::file("write", "standard output".as_ref(), e))?;
+            let put = self.context.sink.put(&text);
+            put.map_err(|e| Error::file("write", "standard output".as_ref(), e))?;
         }
         Ok(())
     }

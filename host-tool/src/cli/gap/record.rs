@@ -124,7 +124,7 @@ impl RecordVerb {
             None => Source::Connected(Box::new(context.connect()?)),
         };
         let (mut rows, mut refused) = (Vec::<Point>::new(), Vec::new());
-        let stop = stop_on_interrupt();
+        let stop = stop_on_interrupt(context);
         let begun = Instant::now();
         let mut ended_s = 0.0;
         for run in 0..usize::from(self.runs) {
