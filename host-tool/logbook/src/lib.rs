@@ -22,6 +22,7 @@
 //! | `inspect` | every sum and number checked again |
 //! | `row` | a row of any table as bytes |
 //! | `table`, `parquet` | the whole logbook for other programs |
+//! | `lake`, `lake_tables` | what it adds to a lake of many laboratories |
 
 mod amendments;
 mod certificates;
@@ -30,6 +31,8 @@ mod history;
 mod inspect;
 mod journal;
 mod keys;
+mod lake;
+mod lake_tables;
 mod merge;
 mod parquet;
 mod people;
@@ -47,6 +50,7 @@ pub use amendments::{Joined, Role, Sources};
 pub use certificates::{Issue, Issued};
 pub use check_standards::{Certified, CheckStandard};
 pub use history::{History, Result as HistoryResult};
+pub use lake::{Addition, add_to_lake};
 pub use merge::Merged;
 pub use parquet::export;
 pub use people::{Instrument, Operator};

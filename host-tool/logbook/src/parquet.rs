@@ -16,10 +16,14 @@ use calib_files::{Error, Result};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::properties::WriterProperties;
+use parquet::file::reader::FileReader;
+use parquet::file::serialized_reader::SerializedFileReader;
 use parquet::file::writer::{
     SerializedColumnWriter, SerializedFileWriter, SerializedRowGroupWriter,
 };
+use parquet::record::RowAccessor;
 use parquet::schema::parser::parse_message_type;
+use parquet::schema::types::GroupTypeBuilder;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -71,13 +75,42 @@ fn readable(folder: &Path) {
     let _ = folder;
 }
 
-fn write(path: &Path, table: &Table, part: &Part) -> Result<()> {
+pub(super) fn write(path: &Path, table: &Table, part: &Part) -> Result<()> {
     let failed = |error| Error::file("write", path, error);
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
     }
     let file = std::fs::File::create(path).map_err(failed)?;
     encode(file, table, part).map_err(|error| failed(std::io::Error::other(error)))
+}
+
+/// The texts in a column of a file.
+pub(super) fn texts(path: &Path, column: &str) -> Result<Vec<String>> {
+    let file = std::fs::File::open(path).map_err(|error| Error::file("read", path, error))?;
+    read_texts(file, column).map_err(|error| {
+        Error::input(
+            path.display().to_string(),
+            error.to_string(),
+            "the lake is damaged there: put its last copy in place, or remove the file and export once more",
+        )
+    })
+}
+
+fn read_texts(file: std::fs::File, column: &str) -> Result<Vec<String>, ParquetError> {
+    let reader = SerializedFileReader::new(file)?;
+    let schema = reader.metadata().file_metadata().schema();
+    let wanted = schema
+        .get_fields()
+        .iter()
+        .filter(|field| field.name() == column);
+    let wanted = GroupTypeBuilder::new(schema.name())
+        .with_fields(wanted.cloned().collect())
+        .build()?;
+    let mut texts = Vec::new();
+    for row in reader.get_row_iter(Some(wanted))? {
+        texts.push(row?.get_string(0)?.clone());
+    }
+    Ok(texts)
 }
 
 fn encode(file: std::fs::File, table: &Table, part: &Part) -> Result<(), ParquetError> {

@@ -188,7 +188,7 @@ impl Table {
 }
 
 impl Values {
-    fn new(kind: Kind) -> Self {
+    pub(super) fn new(kind: Kind) -> Self {
         match kind {
             Text => Self::Text(Vec::new()),
             Real => Self::Real(Vec::new()),
@@ -196,7 +196,7 @@ impl Values {
         }
     }
 
-    fn push(&mut self, value: ValueRef<'_>) {
+    pub(super) fn push(&mut self, value: ValueRef<'_>) {
         match self {
             Self::Text(all) => all.push(value.as_str().ok().map(str::to_owned)),
             Self::Real(all) => all.push(value.as_f64().ok()),

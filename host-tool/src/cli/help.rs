@@ -122,7 +122,10 @@ const GROUPS: [(&str, &[Verb]); 6] = [
             ),
             (
                 "export",
-                ["export --parquet data", "export --parquet data --json"],
+                [
+                    "export --parquet data",
+                    "export --lake fleet --laboratory-name Lab",
+                ],
             ),
         ],
     ),

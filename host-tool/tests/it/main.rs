@@ -12,6 +12,7 @@ mod download;
 mod forged;
 mod gap;
 mod hostile;
+mod lake;
 mod link;
 mod logbook;
 mod logbook_cut;

@@ -1,0 +1,35 @@
+"""The tables of a lake as views of an engine; the same SQL then runs on each."""
+
+from pathlib import Path
+
+TABLES = ("records", "points", "settings", "budgets", "checks")
+SQL = Path(__file__).parent / "sql"
+
+
+def query(name):
+    """The text of a question of the fleet."""
+    return (SQL / f"{name}.sql").read_text(encoding="utf-8")
+
+
+def questions():
+    """Names of all of them."""
+    return sorted(path.stem for path in SQL.glob("*.sql"))
+
+
+def duckdb_views(connection, lake):
+    """Views over a lake, for DuckDB."""
+    for table in TABLES:
+        files = f"{Path(lake)}/{table}/**/*.parquet".replace("'", "''")
+        connection.execute(
+            f"CREATE OR REPLACE VIEW {table} AS SELECT *, epoch_ms(time) / 1000.0 AS time_s FROM read_parquet("
+            f"'{files}', hive_partitioning = true, union_by_name = true)"
+        )
+    return connection
+
+
+def spark_views(spark, lake):
+    """Views over a lake, for Spark."""
+    for table in TABLES:
+        frame = spark.read.option("mergeSchema", "true").parquet(f"{lake}/{table}")
+        frame.selectExpr("*", "unix_millis(time) / 1000.0D AS time_s").createOrReplaceTempView(table)
+    return spark

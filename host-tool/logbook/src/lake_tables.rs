@@ -1,0 +1,298 @@
+//! Tables of a lake: what each record is there, in rows.
+
+use super::Logbook;
+use super::lake::Partition;
+use super::records::Content;
+use super::table::{Kind, Part, Table, Values};
+use calib_certificate::{Certificate, Particulars};
+use calib_core::settings::Settings;
+use calib_files::{Error, Result};
+use rusqlite::params;
+use rusqlite::types::ValueRef;
+use serde_json::Value;
+use std::collections::HashSet;
+
+use Kind::{Boolean, Integer, Real, Text, Time};
+
+/// `WHERE` of every question: instrument and year of a partition.
+const OF_PARTITION: &str = "records.instrument = ?1 AND iif(unix_time_s > 0,
+    CAST(strftime('%Y', unix_time_s, 'unixepoch') AS INTEGER), 0) = ?2";
+
+/// Tables in the order they are written. Columns are only ever added, and at the end.
+pub(super) const LAKE_TABLES: [Table; 5] = [
+    Table {
+        name: "points",
+        columns: &[
+            ("record_sha256", Text),
+            ("instrument_serial", Text),
+            ("time", Time),
+            ("dut_serial", Text),
+            ("dut_model", Text),
+            ("operator", Text),
+            ("position", Integer),
+            ("frequency_hz", Real),
+            ("set_acceleration_rms_ms2", Real),
+            ("state", Text),
+            ("reason_text", Text),
+            ("sensitivity_v_per_ms2", Real),
+            ("expanded_uncertainty_rel", Real),
+            ("coverage_factor", Real),
+            ("phase_deg", Real),
+            ("expanded_uncertainty_phase_deg", Real),
+        ],
+        select: "SELECT id, lower(hex(sha256)), instrument,
+                 iif(unix_time_s > 0, 1000 * unix_time_s, NULL), sensor_serial, sensor_model, operator, position,
+                 frequency_hz, acceleration_rms_ms2,
+                 CASE verdict WHEN 'valid' THEN 'valid' ELSE 'refused' END,
+                 nullif(substr(verdict, length('refused: ') + 1), ''),
+                 points.sensitivity_v_per_ms2, points.expanded_uncertainty_rel, coverage_factor,
+                 57.29577951308232 * phase_rad, 57.29577951308232 * expanded_uncertainty_phase_rad
+                 FROM records JOIN points ON record = id",
+    },
+    Table {
+        name: "settings",
+        columns: &[
+            ("record_sha256", Text),
+            ("instrument_serial", Text),
+            ("time", Time),
+            ("key", Text),
+            ("value_number", Real),
+            ("value_text", Text),
+        ],
+        select: "",
+    },
+    Table {
+        name: "budgets",
+        columns: &[
+            ("record_sha256", Text),
+            ("instrument_serial", Text),
+            ("time", Time),
+            ("row", Integer),
+            ("value_rel", Real),
+            ("distribution", Text),
+            ("divisor", Real),
+            ("sensitivity_coefficient", Real),
+            ("contribution_rel", Real),
+            ("degrees_of_freedom", Real),
+        ],
+        select: "",
+    },
+    Table {
+        name: "checks",
+        columns: &[
+            ("record_sha256", Text),
+            ("instrument_serial", Text),
+            ("time", Time),
+            ("check_serial", Text),
+            ("every_days", Integer),
+            ("frequency_hz", Real),
+            ("state", Text),
+            ("sensitivity_v_per_ms2", Real),
+            ("expanded_uncertainty_rel", Real),
+            ("certified_v_per_ms2", Real),
+            ("certified_expanded_uncertainty_rel", Real),
+        ],
+        select: "SELECT id, lower(hex(sha256)), instrument,
+                 iif(unix_time_s > 0, 1000 * unix_time_s, NULL), check_standards.serial, every_days,
+                 points.frequency_hz, CASE verdict WHEN 'valid' THEN 'valid' ELSE 'refused' END,
+                 points.sensitivity_v_per_ms2, points.expanded_uncertainty_rel, certified_v_per_ms2,
+                 certified_expanded_uncertainty_rel
+                 FROM check_standards JOIN records ON sensor_serial = check_standards.serial
+                 JOIN points ON record = id AND abs(points.frequency_hz / check_standards.frequency_hz - 1) < 0.01",
+    },
+    Table {
+        name: "records",
+        columns: &[
+            ("record_sha256", Text),
+            ("instrument_serial", Text),
+            ("record_id", Integer),
+            ("time", Time),
+            ("kind", Text),
+            ("dut_serial", Text),
+            ("dut_model", Text),
+            ("operator", Text),
+            ("complete", Boolean),
+            ("points", Integer),
+            ("refused", Integer),
+            ("reference_frequency_hz", Real),
+            ("sensitivity_v_per_ms2", Real),
+            ("expanded_uncertainty_rel", Real),
+        ],
+        select: "SELECT id, lower(hex(sha256)), instrument, number,
+                 iif(unix_time_s > 0, 1000 * unix_time_s, NULL), kind, sensor_serial, sensor_model, operator,
+                 complete, points, refused, reference_frequency_hz, sensitivity_v_per_ms2,
+                 expanded_uncertainty_rel FROM records",
+    },
+];
+
+/// Rows of these records of a partition, table by table.
+pub(super) fn rows(
+    logbook: &Logbook,
+    partition: &Partition,
+    ids: &HashSet<i64>,
+) -> Result<Vec<Part>> {
+    let mut parts: Vec<Part> = LAKE_TABLES.iter().map(|table| table.empty()).collect();
+    for (table, part) in LAKE_TABLES.iter().zip(&mut parts) {
+        if !table.select.is_empty() {
+            asked(logbook, table, partition, ids, part)?;
+        }
+    }
+    let [_, settings, budgets, ..] = &mut parts[..] else {
+        return Ok(parts);
+    };
+    let mut ordered: Vec<i64> = ids.iter().copied().collect();
+    ordered.sort_unstable();
+    for id in ordered {
+        read(&logbook.record(id)?, settings, budgets)?;
+    }
+    Ok(parts)
+}
+
+/// Rows that the tables of the logbook have.
+fn asked(
+    logbook: &Logbook,
+    table: &Table,
+    partition: &Partition,
+    ids: &HashSet<i64>,
+    part: &mut Part,
+) -> Result<()> {
+    let sql = format!("{} WHERE {OF_PARTITION} ORDER BY id", table.select);
+    let of = params![partition.instrument, partition.year];
+    logbook.all(&sql, of, |row| {
+        if ids.contains(&row.get(0)?) {
+            for (index, values) in part.columns.iter_mut().enumerate() {
+                values.push(row.get_ref(index + 1)?);
+            }
+        }
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// Rows that only the record itself has.
+fn read(bytes: &[u8], settings: &mut Part, budgets: &mut Part) -> Result<()> {
+    let unusable = |error: &dyn std::fmt::Display| {
+        Error::input(
+            "record of the logbook",
+            error.to_string(),
+            "`calib logbook check` says which, and what to do",
+        )
+    };
+    let content = Content::of(bytes).map_err(|error| unusable(&error))?;
+    let (head, in_force): (_, &Settings) = match &content {
+        Content::Calibration(record) => (&record.head, &record.settings),
+        Content::ReferenceChange(change) => (&change.head, &change.settings),
+    };
+    let time_ms = i64::try_from(head.labels.unix_time_s).ok();
+    let time_ms = time_ms.filter(|at| *at > 0).map(|at| 1000 * at);
+    let sum = calib_output::hex(&calib_protocol::record::digest(bytes));
+    let whose = [Cell::Text(&sum), Cell::Text(&head.instrument_serial)];
+    let whose = [&whose[..], &[time_ms.map_or(Cell::None, Cell::Integer)]].concat();
+    let value = serde_json::to_value(in_force).map_err(|error| unusable(&error))?;
+    flatten("", &value, &mut |key, number, text| {
+        let said = [
+            Cell::Text(key),
+            number.map_or(Cell::None, Cell::Real),
+            text.map_or(Cell::None, Cell::Text),
+        ];
+        settings.row(whose.iter().chain(&said));
+    });
+    let Content::Calibration(record) = &content else {
+        return Ok(());
+    };
+    let certificate = Certificate::from_record(record, &Particulars::default());
+    for row in certificate.budget.iter().flat_map(|budget| &budget.rows) {
+        let freedom = Some(row.degrees_of_freedom).filter(|freedom| freedom.is_finite());
+        let said = [
+            Cell::Integer(row.row.into()),
+            Cell::Real(row.value_percent / 100.0),
+            Cell::Text(row.distribution.0),
+            Cell::Real(row.divisor),
+            Cell::Real(row.sensitivity_coefficient),
+            Cell::Real(row.contribution_percent / 100.0),
+            freedom.map_or(Cell::None, Cell::Real),
+        ];
+        budgets.row(whose.iter().chain(&said));
+    }
+    Ok(())
+}
+
+/// Tells every value of a document with its path, such as `reference.points[3].frequency_hz`.
+fn flatten(key: &str, value: &Value, tell: &mut impl FnMut(&str, Option<f64>, Option<&str>)) {
+    match value {
+        Value::Object(members) => {
+            for (name, member) in members {
+                let below = match key {
+                    "" => name.clone(),
+                    some => format!("{some}.{name}"),
+                };
+                flatten(&below, member, tell);
+            }
+        }
+        Value::Array(items) => {
+            for (index, item) in items.iter().enumerate() {
+                flatten(&format!("{key}[{index}]"), item, tell);
+            }
+        }
+        Value::Null => {}
+        Value::Bool(is) => tell(key, Some(f64::from(u8::from(*is))), None),
+        Value::Number(number) => tell(key, number.as_f64(), None),
+        Value::String(text) => tell(key, None, Some(text)),
+    }
+}
+
+/// A cell of a row.
+#[derive(Clone, Copy)]
+enum Cell<'a> {
+    None,
+    Text(&'a str),
+    Real(f64),
+    Integer(i64),
+}
+
+impl Part {
+    fn row<'a>(&mut self, cells: impl Iterator<Item = &'a Cell<'a>>) {
+        for (values, cell) in self.columns.iter_mut().zip(cells) {
+            values.push(match *cell {
+                Cell::None => ValueRef::Null,
+                Cell::Text(text) => ValueRef::Text(text.as_bytes()),
+                Cell::Real(value) => ValueRef::Real(value),
+                Cell::Integer(value) => ValueRef::Integer(value),
+            });
+        }
+    }
+}
+
+impl Table {
+    /// No rows yet.
+    fn empty(&self) -> Part {
+        let columns = self.columns.iter().map(|(_, kind)| Values::new(*kind));
+        Part {
+            year: None,
+            columns: columns.collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn every_value_of_a_document_has_its_path() {
+        let document = json!({ "a": { "b": [1, { "c": "x" }], "d": null }, "e": true });
+        let mut told = Vec::new();
+        flatten("", &document, &mut |key, number, text| {
+            told.push((key.to_owned(), number, text.map(str::to_owned)));
+        });
+        let expected = [
+            ("a.b[0]", Some(1.0), None),
+            ("a.b[1].c", None, Some("x")),
+            ("e", Some(1.0), None),
+        ];
+        let expected =
+            expected.map(|(key, number, text)| (key.to_owned(), number, text.map(str::to_owned)));
+        assert_eq!(told, expected);
+    }
+}
