@@ -1,7 +1,7 @@
 //! Benchmarks: programs that print a table and write `target/bench/NAME.json`.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{browser, demo, elf, fuzz, packages, python};
+use crate::{browser, demo, elf, fuzz, packages, python, wheel};
 use anyhow::{Result, bail};
 use std::path::PathBuf;
 use std::process::Command;
@@ -122,8 +122,48 @@ const BENCHES: &[Bench] = &[
     },
 ];
 
-/// Peer of `gap-speed`; of no use to anything else.
-const PEER_OF_GAP: &str = "scipy==1.15.*";
+/// Programs in Python, over the wheel: name, file, what it needs beside the tests' packages, what it shows.
+const IN_PYTHON: [(&str, &str, &str, &str); 2] = [
+    (
+        "fleet",
+        "fleet/bench.py",
+        "pyspark==4.*",
+        "questions and diagnoses of a fleet on Spark, beside DuckDB and the plain package: [--records N] [--datasets N]",
+    ),
+    (
+        "own-model",
+        "python/tests/sealed.py",
+        "",
+        "effects planted on top of simulations that are not ours, found by the diagnosis: [--cases N]",
+    ),
+];
+
+/// Runs one over the wheel; Spark wants a Java, of Debian.
+fn in_python(
+    (name, file, packages, what): &(&str, &str, &str, &str),
+    rest: &[String],
+) -> Result<()> {
+    println!("\n== {name}: {what}\n");
+    let interpreter = wheel::interpreter()?;
+    if !packages.is_empty() {
+        python::with(&interpreter, packages)?;
+    }
+    if *name == "fleet" && packages::find("java").is_none() {
+        packages::install(&["openjdk-17-jre-headless"])?;
+    }
+    let image = elf::build()?;
+    wheel::installed(&interpreter)?;
+    let mut bench = Command::new(&interpreter);
+    bench.arg(shell::root().join(file)).args(rest);
+    bench
+        .arg("--json")
+        .arg(target_dir().join(format!("bench/{name}.json")));
+    shell::run(
+        bench
+            .env("CALIB_FIRMWARE_ELF", image)
+            .current_dir(target_dir()),
+    )
+}
 
 /// Runs one benchmark, or all of them.
 pub(crate) fn run(arguments: &[String]) -> Result<()> {
@@ -131,6 +171,11 @@ pub(crate) fn run(arguments: &[String]) -> Result<()> {
         && name == FUZZ
     {
         return fuzz::run(rest);
+    }
+    if let Some((name, rest)) = arguments.split_first()
+        && let Some(bench) = IN_PYTHON.iter().find(|bench| bench.0 == name)
+    {
+        return in_python(bench, rest);
     }
     let chosen = choose(arguments.first())?;
     let prepared = Prepared::new()?;
@@ -158,6 +203,7 @@ fn choose(name: Option<&String>) -> Result<Vec<&'static Bench>> {
         );
         let benches = BENCHES.iter().map(|bench| (bench.name, bench.what));
         let known: Vec<_> = benches
+            .chain(IN_PYTHON.iter().map(|(name, _, _, what)| (*name, *what)))
             .chain([fuzz])
             .map(|(name, what)| format!("  {name:<12} {what}"))
             .collect();
@@ -222,9 +268,6 @@ impl Prepared {
             command.env("CALIB_CHROMEDRIVER", driver);
         }
         if let Some(interpreter) = &self.interpreter {
-            if bench.name == "gap-speed" && python::with(interpreter, PEER_OF_GAP).is_err() {
-                eprintln!("scipy could not be installed: no comparison");
-            }
             command.env("CALIB_PYTHON", interpreter);
         }
         Ok(command)

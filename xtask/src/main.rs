@@ -21,6 +21,7 @@ mod sbom;
 mod shell;
 mod test;
 mod update;
+mod wheel;
 mod windows;
 mod wine;
 

@@ -3,7 +3,7 @@
 use crate::packages::{self, as_root};
 use crate::sbom::{self, Product};
 use crate::shell::{cargo, root, run, said, target_dir};
-use crate::{demo, elf, origin, update, windows, wine};
+use crate::{demo, elf, origin, update, wheel, windows, wine};
 use anyhow::{Context, Result, bail};
 use std::ffi::OsStr;
 use std::fs;
@@ -38,12 +38,15 @@ pub(crate) fn build(arguments: &[String]) -> Result<()> {
     let package = debian_package(&stage, &dist)?;
     let tar = tar(&stage, &dist)?;
     let mut files = vec![package, tar, firmware(&dist)?, of_tool, of_image];
+    files.push(wheel::build(Some(&image), &wheel::interpreter()?, &dist)?);
+    let wheel = files.len() - 1;
     if let Some(folder) = &for_windows {
         files.push(windows::archive(folder, &dist)?);
     }
     list(&dist, &files)?;
     if check {
         used_in_an_empty_root(&files[0])?;
+        wheel::used_in_an_empty_environment(&files[wheel])?;
         for_windows.map_or(Ok(()), |folder| wine::check(&folder, &tool))?;
     }
     Ok(())

@@ -1,7 +1,7 @@
 //! Every test there is, in the order that fails soonest.
 
 use crate::shell::{self, cargo, target_dir};
-use crate::{browser, demo, deny, elf, no_panic, packages, python, update};
+use crate::{browser, demo, deny, elf, no_panic, packages, python, update, wheel};
 use anyhow::{Context, Result, bail};
 
 /// Programs that are not ours and judge what we make: the variable that names one to the tests, its name, and what
@@ -37,7 +37,7 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
     if filter.is_empty() {
         deny::check(interpreter.as_deref())?;
     }
-    if let Some(interpreter) = interpreter {
+    if let Some(interpreter) = &interpreter {
         tests.env("CALIB_PYTHON", interpreter);
     }
     for (variable, program, about) in JUDGES {
@@ -49,6 +49,12 @@ pub(crate) fn run(filter: &[String]) -> Result<()> {
         tests.env("CALIB_CHROMEDRIVER", driver);
     }
     shell::run(tests.arg("--").args(filter))?;
+    // By name, a test of Rust is meant: the package is tested as a whole, or by `./run test python`.
+    if let Some(interpreter) = &interpreter
+        && (filter.is_empty() || filter == ["python"])
+    {
+        wheel::test(interpreter, image)?;
+    }
     if filter.is_empty() {
         shell::run(cargo("test").args(["--release", "--workspace", "--doc", "--quiet"]))?;
         lint()?;

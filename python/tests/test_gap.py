@@ -1,0 +1,80 @@
+"""The diagnosis: of folders, frames and sealed sets; the document of the command line."""
+
+import json
+import pickle
+
+import pandas
+import polars
+import pytest
+from conftest import command_line
+
+import calib
+
+CUBIC = "suspension_cubic=k3_n_per_m3:1e7"
+
+
+@pytest.fixture(scope="module")
+def dataset(tmp_path_factory):
+    return calib.gap.simulate("standard", CUBIC, out=tmp_path_factory.mktemp("gap") / "cubic", seed=7)
+
+
+def test_an_answer_is_that_of_the_command_line(dataset):
+    answer = calib.gap.diagnose(dataset)
+    said, code = command_line("--json", "gap", "diagnose", dataset)
+    assert (answer, code) == (said, 0)
+    assert answer.verdict == "explained" and answer.effects() == ["suspension_cubic"]
+    found = answer.causes[0].parameters.suspension_cubic.k3_n_per_m3
+    assert abs(found.value - 1e7) < 4 * found.standard_uncertainty
+    assert "<html" in answer._page and "srcdoc" in answer._repr_html_()
+    again = pickle.loads(pickle.dumps(answer))
+    assert again == answer and again.effects() == answer.effects()
+
+
+def test_a_frame_with_a_rig_is_the_same_dataset(dataset):
+    frame = pandas.read_csv(dataset / "points.csv")
+    by_folder = calib.gap.diagnose(dataset, report="folder.html")
+    for data in (frame, polars.read_csv(dataset / "points.csv"), dataset / "points.csv"):
+        answer = calib.gap.diagnose(data, rig=dataset / "rig.toml")
+        for key in ("verdict", "causes", "gap", "where"):
+            assert answer[key] == by_folder[key], key
+    assert "<html" in open("folder.html").read()
+
+
+def test_a_simulation_is_the_table_of_the_command_line(dataset):
+    table = calib.gap.simulate("standard", CUBIC, seed=7)
+    assert pandas.DataFrame(table).equals(pandas.read_csv(dataset / "points.csv").astype(float, errors="ignore")) or all(
+        pandas.Series(table[name]).astype(float).equals(pandas.read_csv(dataset / "points.csv")[name].astype(float))
+        for name in table
+        if name != "run"
+    )
+
+
+def test_plan_and_effects_are_those_of_the_command_line():
+    table = calib.gap.simulate("standard", "dut_drift", seed=3, columns="ratio", out="dd")
+    assert calib.gap.plan("dd", most=4) == command_line("--json", "gap", "plan", table, "--most", 4)[0]
+    assert calib.gap.effects() == command_line("--json", "gap", "effects")[0]
+    assert calib.gap.effects("dut_drift")[0]["id" if "id" in calib.gap.effects("dut_drift")[0] else "name"] == "dut_drift"
+
+
+def test_a_sealed_set_is_answered_and_scored(place):
+    calib.gap.challenge("set", cases=1, seed=4, strata=["single", "none"] if has_strata() else [])
+    answers = calib.gap.diagnose(["set"])
+    assert all("verdict" in one for one in answers)
+    score = calib.gap.score(answers, "set-truth.json")
+    (place / "a.jsonl").write_text("".join(json.dumps(one) + "\n" for one in answers))
+    assert score == calib.gap.score("a.jsonl", "set-truth.json") == command_line(
+        "--json", "gap", "score", "a.jsonl", "set-truth.json")[0]
+
+
+def has_strata():
+    """Whether the kinds have these names."""
+    try:
+        calib.gap.challenge("probe", cases=1, seed=1, strata=["none"])
+        return True
+    except calib.UsageError:
+        return False
+
+
+def test_an_unusable_dataset_of_several_is_an_error_beside_answers(dataset, place):
+    with pytest.raises(calib.InputError, match="1 of 2"):
+        calib.gap.diagnose([dataset, place / "absent"])
