@@ -154,7 +154,6 @@ def main():
     report = {"records": asked.records, "datasets": asked.datasets, "questions": {}, "diagnosis": {}}
     with tempfile.TemporaryDirectory() as name:
         place = Path(name) / "lake"
-        place.mkdir()
         took, truth = timed(lambda: make_lake.make(place, asked.records))
         print(f"lake of {asked.records} records made in {took:.1f} s")
         ways = {f"duckdb, {n} threads": by_duckdb(place, n) for n in (1, 2)}

@@ -62,7 +62,7 @@ TABLES = {
     "points": """SELECT record_sha256, instrument_serial, time, dut_serial, dut_model, 'N. N.' AS operator,
         position, 20.0 * 2 ** position AS frequency_hz, 10.0::DOUBLE AS set_acceleration_rms_ms2, 'valid' AS state,
         NULL::VARCHAR AS reason_text, sensitivity_v_per_ms2 * (1 + 1e-4 * position) AS sensitivity_v_per_ms2,
-        {u}::DOUBLE AS expanded_uncertainty_rel, 2.0::DOUBLE AS coverage_factor, -0.1 * position AS phase_deg,
+        {u}::DOUBLE AS expanded_uncertainty_rel, 2.0::DOUBLE AS coverage_factor, -0.1::DOUBLE * position AS phase_deg,
         0.5::DOUBLE AS expanded_uncertainty_phase_deg""",
     "settings": """SELECT record_sha256, instrument_serial, time, 'reference.sensitivity_v_per_ms2' AS key,
         0.01::DOUBLE AS value_number, NULL::VARCHAR AS value_text""",
@@ -81,6 +81,7 @@ def make(lake, records, seed=1):
     import pyarrow
 
     columns, truth = drawn(records, seed)
+    Path(lake).mkdir(parents=True, exist_ok=True)
     connection = duckdb.connect()
     connection.register("drawn", pyarrow.table({name: pyarrow.array(list(values)) for name, values in columns.items()}))
     connection.execute(
@@ -104,6 +105,5 @@ if __name__ == "__main__":
     parser.add_argument("--records", type=int, default=100_000)
     parser.add_argument("--seed", type=int, default=1)
     asked = parser.parse_args()
-    asked.lake.mkdir(parents=True)
     told = make(asked.lake, asked.records, asked.seed)
     (asked.lake.parent / f"{asked.lake.name}-truth.json").write_text(json.dumps(told), encoding="utf-8")

@@ -128,7 +128,7 @@ fn in_toml(value: Value) -> toml::Value {
             None => toml::Value::Float(number.as_f64().unwrap_or(f64::NAN)),
         },
         Value::String(text) => toml::Value::String(text),
-        Value::Array(items) => items.into_iter().map(in_toml).collect(),
+        Value::Array(items) => toml::Value::Array(items.into_iter().map(in_toml).collect()),
         Value::Object(members) => {
             let members = members
                 .into_iter()

@@ -55,9 +55,9 @@ def test_a_gap(monkeypatch):
 
 def test_a_model_of_ones_own(monkeypatch):
     space = executed("own_model", monkeypatch)
-    assert space["answer"].effects() == ["mount_resonance"], space["answer"]
+    assert space["answer"].effects() == ["mount_compliance"], space["answer"]
     assert space["answer"].verdict == "explained"
-    assert space["plain"].effects() != ["mount_resonance"], "the model told nothing"
+    assert space["plain"].effects() != ["mount_compliance"], "the model told nothing"
 
 
 def test_a_drift_study(monkeypatch):

@@ -31,7 +31,8 @@ def test_an_answer_is_that_of_the_command_line(dataset):
 
 
 def test_a_frame_with_a_rig_is_the_same_dataset(dataset):
-    frame = pandas.read_csv(dataset / "points.csv")
+    # By default pandas reads a number to a digit or so.
+    frame = pandas.read_csv(dataset / "points.csv", float_precision="round_trip")
     by_folder = calib.gap.diagnose(dataset, report="folder.html")
     for data in (frame, polars.read_csv(dataset / "points.csv"), dataset / "points.csv"):
         answer = calib.gap.diagnose(data, rig=dataset / "rig.toml")
@@ -42,22 +43,19 @@ def test_a_frame_with_a_rig_is_the_same_dataset(dataset):
 
 def test_a_simulation_is_the_table_of_the_command_line(dataset):
     table = calib.gap.simulate("standard", CUBIC, seed=7)
-    assert pandas.DataFrame(table).equals(pandas.read_csv(dataset / "points.csv").astype(float, errors="ignore")) or all(
-        pandas.Series(table[name]).astype(float).equals(pandas.read_csv(dataset / "points.csv")[name].astype(float))
-        for name in table
-        if name != "run"
-    )
+    written = pandas.read_csv(dataset / "points.csv", float_precision="round_trip")
+    assert pandas.DataFrame(table).astype(float).equals(written.astype(float))
 
 
 def test_plan_and_effects_are_those_of_the_command_line():
     table = calib.gap.simulate("standard", "dut_drift", seed=3, columns="ratio", out="dd")
     assert calib.gap.plan("dd", most=4) == command_line("--json", "gap", "plan", table, "--most", 4)[0]
     assert calib.gap.effects() == command_line("--json", "gap", "effects")[0]
-    assert calib.gap.effects("dut_drift")[0]["id" if "id" in calib.gap.effects("dut_drift")[0] else "name"] == "dut_drift"
+    assert calib.gap.effects("dut_drift") == command_line("--json", "gap", "effects", "dut_drift")[0]
 
 
 def test_a_sealed_set_is_answered_and_scored(place):
-    calib.gap.challenge("set", cases=1, seed=4, strata=["single", "none"] if has_strata() else [])
+    calib.gap.challenge("set", cases=1, seed=4, strata=["single", "null"])
     answers = calib.gap.diagnose(["set"])
     assert all("verdict" in one for one in answers)
     score = calib.gap.score(answers, "set-truth.json")
@@ -66,13 +64,6 @@ def test_a_sealed_set_is_answered_and_scored(place):
         "--json", "gap", "score", "a.jsonl", "set-truth.json")[0]
 
 
-def has_strata():
-    """Whether the kinds have these names."""
-    try:
-        calib.gap.challenge("probe", cases=1, seed=1, strata=["none"])
-        return True
-    except calib.UsageError:
-        return False
 
 
 def test_an_unusable_dataset_of_several_is_an_error_beside_answers(dataset, place):

@@ -151,7 +151,6 @@ fn in_python(
     if *name == "fleet" && packages::find("java").is_none() {
         packages::install(&["openjdk-17-jre-headless"])?;
     }
-    let image = elf::build()?;
     wheel::installed(&interpreter)?;
     let mut bench = Command::new(&interpreter);
     bench.arg(shell::root().join(file)).args(rest);

@@ -91,7 +91,7 @@ fn an_addition_that_was_cut_off_leaves_nothing_twice() {
 fn engines_read_the_lake_and_an_older_one_beside_it() {
     let folder = tempfile::tempdir().expect("folder");
     let lake = folder.path().join("lake");
-    let mut logbook = with_records(folder.path(), 1..3);
+    let logbook = with_records(folder.path(), 1..3);
     let sensor = Sensor {
         serial: "D 1".to_owned(),
         ..Sensor::default()
