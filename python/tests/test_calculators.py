@@ -46,8 +46,7 @@ def test_a_budget_is_that_of_the_command_line(place):
     # Theory: a normal one over k, a rectangular one over sqrt(3), and their sum with r = 0.5.
     u1, u2 = 0.25, (1 / 3) / math.sqrt(3)
     combined_rel = math.sqrt(u1**2 + u2**2 + 2 * 0.5 * u1 * u2) / 100
-    stated = [value for key, value in flat(said) if key.endswith("combined_standard_uncertainty_rel")]
-    assert stated == [pytest.approx(combined_rel, rel=1e-12)], list(flat(said))
+    assert said["combined_standard_uncertainty"] == pytest.approx(combined_rel, rel=1e-12)
 
 
 def test_a_monte_carlo_is_the_same_for_the_same_seed(place):
@@ -75,17 +74,6 @@ def test_arrays_frames_and_files_are_one_table(place):
     for data in (table, frame, polars.DataFrame(frame.to_dict("list")), "p.csv", frame.to_records(index=False)):
         assert calib.identify(data, **wanted) == said
     assert said["f0_hz"] == pytest.approx(30e3, rel=1e-9) and said["delta"] == pytest.approx(0.02, rel=1e-9)
-
-
-def flat(document, path=""):
-    if isinstance(document, dict):
-        for key, value in document.items():
-            yield from flat(value, f"{path}.{key}")
-    elif isinstance(document, list):
-        for value in document:
-            yield from flat(value, path)
-    else:
-        yield path, document
 
 
 def test_phase_and_link_are_those_of_the_command_line(place):

@@ -157,11 +157,7 @@ fn in_python(
     bench
         .arg("--json")
         .arg(target_dir().join(format!("bench/{name}.json")));
-    shell::run(
-        bench
-            .env("CALIB_FIRMWARE_ELF", image)
-            .current_dir(target_dir()),
-    )
+    shell::run(bench.current_dir(target_dir()))
 }
 
 /// Runs one benchmark, or all of them.
