@@ -35,14 +35,17 @@ def state_space():
     """A scipy state space with a conditioner's high-pass: truth by its formula, belief by the matrices."""
     w0, corner, low = (2 * math.pi * one for one in (RESONANCE_HZ, CORNER_HZ, HIGH_PASS_HZ))
     parts = [
-        scipy.signal.TransferFunction([w0**2], [1, 2 * DAMPING * w0, w0**2]).to_ss(),
-        scipy.signal.TransferFunction([corner], [1, corner]).to_ss(),
-        scipy.signal.TransferFunction([1, 0], [1, low]).to_ss(),
+        scipy.signal.StateSpace([[0, w0], [-w0, -2 * DAMPING * w0]], [[0], [w0]], [[1, 0]], [[0]]),
+        scipy.signal.StateSpace([[-corner]], [[corner]], [[1]], [[0]]),
+        scipy.signal.StateSpace([[-low]], [[low]], [[-1]], [[1]]),
     ]
 
+    def response(part, frequency_hz):
+        turned = 2j * math.pi * frequency_hz * numpy.eye(len(part.A)) - part.A
+        return (part.C @ numpy.linalg.solve(turned, part.B) + part.D).item()
+
     def model(frequencies, conditions):
-        w = 2 * math.pi * frequencies
-        return numpy.prod([scipy.signal.freqresp(part, w)[1] for part in parts], axis=0)
+        return numpy.array([math.prod((response(part, f) for part in parts), start=1.0) for f in frequencies])
 
     def true(frequencies):
         w = 2j * math.pi * numpy.asarray(frequencies)

@@ -30,7 +30,7 @@ def test_a_response_in_time_is_that_of_theory():
     import scipy.signal
 
     w0 = 2 * math.pi * sealed.RESONANCE_HZ
-    system = scipy.signal.StateSpace(*scipy.signal.tf2ss([w0**2], [1, 2 * sealed.DAMPING * w0, w0**2]))
+    system = scipy.signal.StateSpace([[0, w0], [-w0, -2 * sealed.DAMPING * w0]], [[0], [w0]], [[1, 0]], [[0]])
     model = calib.gap.from_time_domain(lambda t, u: scipy.signal.lsim(system, u, t)[1], samples_a_cycle=256)
     f = numpy.array([100.0, 1000.0, 10e3])
     expected = w0**2 / (w0**2 - (2 * math.pi * f) ** 2 + 2j * sealed.DAMPING * w0 * 2 * math.pi * f)

@@ -42,9 +42,10 @@ usage: ./run <command>
   update [BOARD]    build the update of the image, signed with CALIB_RELEASE_KEY or the development key
   loader            build the loader that starts images signed with the same key
   commission [BOARD]  put loader and image on the board at the ST-LINK, once in its life
-  package [--check] what a user installs, into dist/: a Debian package, a tar and a folder for
+  package [--check] what a user installs, into dist/: a Debian package, a tar, a wheel and a folder for
                     Windows, with the image inside; --check also reproduces the image, installs
-                    and uses the package in an empty Debian, and uses the rest under wine
+                    and uses the package in an empty Debian, the wheel in an empty environment, and the rest
+                    under wine
   brown-out         set the brown-out level of the board at the ST-LINK, once in its life
   hitl [ratio]      tests on the board at the ST-LINK, exciter unplugged; `hitl emulated` without one
   screenshots       every picture of docs/images, the moving one too (needs Chromium)
