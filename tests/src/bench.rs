@@ -1,6 +1,6 @@
 //! A calibrator on the bench: emulated board, rig and client.
 
-use calib_core::point::PointSpec;
+use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::settings::{ReferencePoint, Settings};
 use calib_host::emulated::EmulatedTransport;
 use calib_link::Client;
@@ -216,10 +216,27 @@ impl Bench {
     /// # Errors
     /// The link or the instrument fails.
     pub fn run(&mut self, points: &[PointSpec]) -> Result<Outcome, Fault> {
-        let labels = RunLabels::default();
-        Ok(session::run(&mut self.client, points, labels, |_| {
-            ControlFlow::Continue(())
-        })?)
+        self.run_excited(points, ExcitationKind::SingleSine)
+    }
+
+    /// [`Self::run`], each point held for all of its blocks.
+    ///
+    /// # Errors
+    /// As [`Self::run`].
+    pub fn run_held(&mut self, points: &[PointSpec]) -> Result<Outcome, Fault> {
+        self.run_excited(points, ExcitationKind::HeldSine)
+    }
+
+    fn run_excited(
+        &mut self,
+        points: &[PointSpec],
+        excitation: ExcitationKind,
+    ) -> Result<Outcome, Fault> {
+        let (client, labels) = (&mut self.client, RunLabels::default());
+        let go_on = |_: &session::Progress<'_>| ControlFlow::Continue(());
+        Ok(session::run_excited(
+            client, points, excitation, labels, go_on,
+        )?)
     }
 
     /// Lines of the image's log that tell of a drive that had no command in time, or was written late.

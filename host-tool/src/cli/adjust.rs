@@ -4,7 +4,7 @@ use super::hand::{Hand, done_by_hand};
 use super::number::positive;
 use super::{Context, source, time};
 use calib_core::channel_ratio::RATIO_FREQUENCIES_HZ;
-use calib_core::point::PointSpec;
+use calib_core::point::{ExcitationKind, PointSpec};
 use calib_host::{Error, Result};
 use calib_link::Client;
 use calib_link::session::{self, label};
@@ -138,7 +138,9 @@ impl Ratio {
             ..RunLabels::default()
         };
         let stop = super::measure::stop_on_interrupt(context);
-        let outcome = session::run(client, points, labels, |_| stop())?;
+        // A ratio better than U of a result needs all blocks.
+        let held = ExcitationKind::HeldSine;
+        let outcome = session::run_excited(client, points, held, labels, |_| stop())?;
         let folder = tempfile::tempdir()
             .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
         let id = outcome.record_id;

@@ -184,7 +184,8 @@ impl SelfcheckVerb {
         let points = self.points(step, equipment);
         let asked = Asked {
             points: &points,
-            excitation: ExcitationKind::SingleSine,
+            // Small differences of large ratios need all blocks.
+            excitation: ExcitationKind::HeldSine,
             sample_rate_hz: info.sample_rate_hz,
             unit: SensitivityUnit::default(),
         };

@@ -37,7 +37,7 @@ fn list(level_ms2: f32) -> Vec<PointSpec> {
 }
 
 fn record(bench: &mut Bench, level_ms2: f32) -> Result<Record, Fault> {
-    let id = bench.run(&list(level_ms2))?.record_id;
+    let id = bench.run_held(&list(level_ms2))?.record_id;
     let folder = tempfile::tempdir()?;
     Ok(session::download(&mut bench.client, id, folder.path(), |_| ())?.record)
 }

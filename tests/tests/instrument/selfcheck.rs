@@ -33,7 +33,7 @@ fn checked(bench: &mut Bench, draw: &SelfCheckDraw, levels: &[Level]) -> Result<
     for (mounting, input) in RUNS {
         // 4 K: as it is after some runs.
         bench.mount(&draw.loaded(mounting, input, if mounting.is_some() { 4.5 } else { 4.0 }));
-        let id = bench.run(&list(levels, mounting.is_some()))?.record_id;
+        let id = bench.run_held(&list(levels, mounting.is_some()))?.record_id;
         records.push(session::download(&mut bench.client, id, folder.path(), |_| ())?.record);
         bench.client.release(id)?;
     }
