@@ -20,6 +20,7 @@ pub(crate) enum Heard {
     /// Its document, or a line of its stream.
     Output(String),
     /// A remark beside it.
+    #[cfg_attr(test, expect(dead_code, reason = "the module reads it"))]
     Remark(String),
 }
 
