@@ -214,7 +214,7 @@ fn measuring_does_not_notice_a_capture() -> Result<(), Fault> {
     for pairs in [None, Some(4096)] {
         let (mut bench, inputs) = bench_on(&rig)?;
         let result = match pairs {
-            None => bench.run(&[spec()])?.points.first().copied(),
+            None => bench.run_held(&[spec()])?.points.first().copied(),
             Some(pairs) => measure(&mut bench, &inputs, pairs)?.point,
         };
         assert_eq!(bench.client.status()?.overruns, 0);
