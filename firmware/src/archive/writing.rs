@@ -171,17 +171,15 @@ impl<F: CheckedFlash> Archive<'_, F> {
     /// [`Refusal::ListUnknown`], [`Refusal::ListsFull`], and those of the storage; the lists are then as before.
     pub async fn change_lists(&mut self, change: &ListChange) -> Result<(), Refusal> {
         let memory = &mut self.memory;
-        memory.lists_before.clone_from(&memory.lists);
-        change
-            .carry_out(&mut memory.lists)
-            .map_err(|why| match why {
-                NoPlace::Unknown => Refusal::ListUnknown,
-                NoPlace::Full => Refusal::ListsFull,
-            })?;
+        memory.lists_before.clone_from(memory.lists);
+        change.carry_out(memory.lists).map_err(|why| match why {
+            NoPlace::Unknown => Refusal::ListUnknown,
+            NoPlace::Full => Refusal::ListsFull,
+        })?;
         self.have_settings();
         if let Err(error) = self.push_state().await {
             let memory = &mut self.memory;
-            memory.lists.clone_from(&memory.lists_before);
+            memory.lists.clone_from(memory.lists_before);
             return Err(error.into());
         }
         // There is one in flash, and every sector gets its own.

@@ -214,7 +214,7 @@ fn check_phase(evaluation: &Evaluation, certified: &[Certified]) -> Result<(), R
     for (point, known) in evaluation.points.iter().zip(certified) {
         let off_deg = point.phase_deg - known.phase_rad.to_degrees();
         let allowed_deg = 1.5 * point.expanded_uncertainty_phase_deg + PHASE_RAD.to_degrees();
-        if is_judged(point) && !(off_deg.abs() <= allowed_deg) {
+        if is_judged(point) && (off_deg.is_nan() || off_deg.abs() > allowed_deg) {
             return Err(ReciprocityError::Phase {
                 frequency_hz: point.frequency_hz,
                 phase_deg: off_deg,
@@ -236,7 +236,8 @@ fn check_flatness(evaluation: &Evaluation) -> Result<(), ReciprocityError> {
     for index in &judged {
         let off = deviation(index) - mean;
         let own = budget::from_mean_standard_rel(&evaluation.budget, &means, &judged, *index);
-        if !(off.abs() <= (FLATNESS_U * own).max(FLATNESS_REL)) {
+        let allowed = (FLATNESS_U * own).max(FLATNESS_REL);
+        if off.is_nan() || off.abs() > allowed {
             return Err(ReciprocityError::Flatness {
                 frequency_hz: evaluation.points[*index].frequency_hz,
                 spread_percent: 100.0 * off,
