@@ -207,7 +207,8 @@ impl Instrument for Calibrator {
         let is_driven = || state::DRIVEN.load(Ordering::Relaxed);
         let comes_to_rest = async {
             state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
-            while state::status().state.is_exciting() || is_driven() {
+            let is_obeyed = || state::ORDERS.is_empty() && !state::PLAYS.load(Ordering::Relaxed);
+            while !is_obeyed() || is_driven() {
                 Timer::after_millis(1).await;
             }
         };

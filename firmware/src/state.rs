@@ -231,6 +231,8 @@ pub(crate) static TIMEBASE_PPM: Reading = Reading::new();
 pub(crate) static ACQUIRE_ALIVE: AtomicU32 = AtomicU32::new(0);
 /// Rises while the exciter is fed.
 pub(crate) static DRIVE_ALIVE: AtomicU32 = AtomicU32::new(0);
+/// The measurement wants the exciter driven.
+pub(crate) static PLAYS: AtomicBool = AtomicBool::new(false);
 /// What is played, or queued, is no silence.
 pub(crate) static DRIVEN: AtomicBool = AtomicBool::new(false);
 /// Rises while blocks are worked on.

@@ -101,10 +101,14 @@ impl Runner {
             SILENCE.signal(());
         }
         self.playing = command != Command::Mute;
-        COMMAND.signal(DriveOrder {
+        let order = DriveOrder {
             command,
             full_scale_peak_v: self.full_scale_peak_v,
-        });
+        };
+        // Never false while a tone is on its way to the drive.
+        state::PLAYS.fetch_or(self.playing, Ordering::Relaxed);
+        COMMAND.signal(order);
+        state::PLAYS.store(self.playing, Ordering::Relaxed);
     }
 
     fn obey(&mut self, order: Order) {
