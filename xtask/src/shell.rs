@@ -20,6 +20,13 @@ pub(crate) fn cargo(subcommand: &str) -> Command {
     let program = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(program);
     command.current_dir(root()).arg(subcommand);
+    // Build scripts that watch the package's variables would run anew after each direct `cargo`.
+    for (name, _) in std::env::vars_os() {
+        let text = name.to_string_lossy();
+        if text.starts_with("CARGO_PKG_") || text.starts_with("CARGO_MANIFEST_") {
+            command.env_remove(&name);
+        }
+    }
     if std::env::var_os("CALIB_IGNORE_RUST_VERSION").is_some() {
         command.arg("--ignore-rust-version");
     }
