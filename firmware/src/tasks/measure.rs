@@ -43,7 +43,6 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
         broadband: false,
         running: None,
         stopping: false,
-        playing: false,
     };
     loop {
         let block = blocks.receive().await;
@@ -66,8 +65,6 @@ struct Runner {
     /// Index of the point in work.
     running: Option<usize>,
     stopping: bool,
-    /// The drive was last told to play.
-    playing: bool,
 }
 
 impl Runner {
@@ -97,18 +94,18 @@ impl Runner {
     /// Tells the drive what the core wants; a mute also stops what is queued.
     fn command_drive(&mut self) {
         let command = self.command();
-        if command == Command::Mute && core::mem::take(&mut self.playing) {
+        let plays = command != Command::Mute;
+        // Never false while a tone is on its way to the drive.
+        let played = state::PLAYS.fetch_or(plays, Ordering::Relaxed);
+        if played && !plays {
             SILENCE.signal(());
         }
-        self.playing = command != Command::Mute;
         let order = DriveOrder {
             command,
             full_scale_peak_v: self.full_scale_peak_v,
         };
-        // Never false while a tone is on its way to the drive.
-        state::PLAYS.fetch_or(self.playing, Ordering::Relaxed);
         COMMAND.signal(order);
-        state::PLAYS.store(self.playing, Ordering::Relaxed);
+        state::PLAYS.store(plays, Ordering::Relaxed);
     }
 
     fn obey(&mut self, order: Order) {
