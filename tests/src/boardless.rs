@@ -137,3 +137,49 @@ impl Calibrator<'_> {
         result
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bench::{point, reference_point, true_certificate};
+    use crate::judge::deviation;
+    use calib_core::verdict::Verdict;
+    use calib_twin::rig::Rig;
+
+    /// Fields of machines beside the tone, in the device's channel, that beat with it too slowly for three blocks: these
+    /// may all fall on one flank or crest. A point that ends early for it is not outside of U.
+    #[test]
+    fn no_beat_hides_in_a_point_that_ends_early() {
+        let (mut early, mut greatest) = (0, 0.0_f64);
+        for beat_hz in [0.15, 0.25, 0.4, 0.7, 1.0, 1.3] {
+            for pickup_v in [1.0e-4, 2.0e-4, 4.0e-4, 8.0e-4, 2.0e-3] {
+                let (rig, settings) = beside(160.0 + beat_hz, pickup_v);
+                let list = [point(160.0, 10.0); 8];
+                let results = measure(&rig, &settings, &list);
+                let ended = |result: &&PointResult| {
+                    result.verdict == Verdict::Pass && result.blocks < settings.blocks
+                };
+                for result in results.iter().filter(ended) {
+                    let off = deviation(result, &rig, RATE_HZ).magnitude_rel.abs();
+                    early += 1;
+                    greatest = greatest.max(off / f64::from(result.expanded_uncertainty_rel));
+                }
+            }
+        }
+        println!("{early} ended early, at most {greatest:.2} of U");
+        assert!(early > 10 && greatest < 0.3, "{early} {greatest}");
+    }
+
+    /// Ideal converters, the reference as it is, and a line of this frequency and r.m.s. size.
+    fn beside(line_hz: f64, pickup_v: f64) -> (Rig, Settings) {
+        let mut rig = Rig::standard();
+        (rig.converter.errors, rig.converter.dither_peak_v) = (0.0, 0.0);
+        rig.surroundings.mains_hz = line_hz;
+        let mut settings = Settings::field_calibrator();
+        settings.point_influences.converter_step_v = 0.0;
+        settings.reference.points = true_certificate(&rig).iter().map(reference_point).collect();
+        let field = format!("mains_pickup=pickup_v:{pickup_v},second_v:0,third_v:0");
+        rig.effects.push(field.parse().expect("an effect"));
+        (rig, settings)
+    }
+}

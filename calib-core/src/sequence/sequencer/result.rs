@@ -16,6 +16,12 @@ use num_complex::Complex32;
 const FEWEST_BLOCKS: u16 = 3;
 /// Type A below this share of U adds nothing to U: 0.5 % of it, as squares add.
 const ENOUGH_OF_U: f32 = 0.05;
+/// Blocks that differ by less than this share of U agree, whatever their noise: a beat that is at its crest for three
+/// blocks may hide eight times as much.
+const AGREE_OF_U: f32 = 0.01;
+/// Deviation of three blocks over that of the noise within them, which chance exceeds in one of a thousand:
+/// chi-square of 2 degrees of freedom, (13.8 / 2)^1/2.
+const CHANCE_OF_NOISE: f32 = 2.6;
 
 impl Sequencer<'_> {
     /// What the checks judge of `result`.
@@ -50,13 +56,20 @@ impl Sequencer<'_> {
         if blocks >= wanted {
             return Some(self.result_of(plan, Verdict::Pass, &ratio));
         }
+        let between = ratio.scatter.standard_deviations_of_mean();
         // So few blocks agree by chance: the noise within them says how much of that it is.
         ratio.scatter.at_least(ratio.noise_rel);
         let result = self.result_of(plan, Verdict::Pass, &ratio);
         let is_small = |deviation: f32, expanded: f32| {
             deviation.max(FRAC_1_SQRT_2 * result.hum_rel) <= ENOUGH_OF_U * expanded
         };
+        // More than that noise between blocks is something slow, which more blocks show.
+        let agree = |between: f32, expanded: f32| {
+            between <= (CHANCE_OF_NOISE * ratio.noise_rel).max(AGREE_OF_U * expanded)
+        };
         let is_enough = ratio.fitted == 0
+            && agree(between.0, result.expanded_uncertainty_rel)
+            && agree(between.1, result.expanded_uncertainty_phase_rad)
             && result.verdict == Verdict::Pass
             && is_small(result.repeatability_rel, result.expanded_uncertainty_rel)
             && is_small(
