@@ -68,7 +68,7 @@ def same(a, b):
 
 
 def rows_of(count):
-    """So many datasets as rows: four causes and none, each of its own seed."""
+    """So many datasets as rows: fifty of four causes and none, each of its own seed, as often as needed."""
     import calib
 
     causes = [[], ["suspension_cubic"], ["dut_drift"], ["coulomb_friction"], ["cable_capacitance"]]
@@ -81,7 +81,7 @@ def rows_of(count):
             for n in range(distinct)
         ]
         kept = diagnose.datasets(folders)
-    # More than that are told apart by their noise: digits of the table, not of the generator's time.
+    # More than that are the same again: making them would take longer than diagnosing them.
     return [(f"{n:06}", kept[n % distinct][1], kept[n % distinct][2]) for n in range(count)]
 
 
@@ -114,6 +114,7 @@ def kill_an_executor():
             print(f"killed executor {pid}", flush=True)
             return
     print("no executor to kill", flush=True)
+    os.kill(os.getpid(), signal.SIGINT)
 
 
 def is_below(pid, parents):

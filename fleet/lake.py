@@ -16,6 +16,11 @@ def questions():
     return sorted(path.stem for path in SQL.glob("*.sql"))
 
 
+def shared():
+    """Views that several questions ask: name and text."""
+    return [(path.stem, path.read_text(encoding="utf-8")) for path in sorted((SQL / "views").glob("*.sql"))]
+
+
 def duckdb_views(connection, lake):
     """Views over a lake, for DuckDB."""
     for table in TABLES:
@@ -24,6 +29,8 @@ def duckdb_views(connection, lake):
             f"CREATE OR REPLACE VIEW {table} AS SELECT *, epoch_ms(time) / 1000.0 AS time_s FROM read_parquet("
             f"'{files}', hive_partitioning = true, union_by_name = true)"
         )
+    for name, text in shared():
+        connection.execute(f"CREATE OR REPLACE VIEW {name} AS {text}")
     return connection
 
 
@@ -32,4 +39,6 @@ def spark_views(spark, lake):
     for table in TABLES:
         frame = spark.read.option("mergeSchema", "true").parquet(f"{lake}/{table}")
         frame.selectExpr("*", "unix_millis(time) / 1000.0D AS time_s").createOrReplaceTempView(table)
+    for name, text in shared():
+        spark.sql(text).createOrReplaceTempView(name)
     return spark

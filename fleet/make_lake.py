@@ -35,7 +35,8 @@ def drawn(records, seed):
     seconds = numpy.sort(random.integers(0, 5 * YEAR_S, size=records))
     years = seconds / YEAR_S
     change = numpy.where(travels, 0.0, drift[numpy.clip(device, 0, None)] * years)
-    shown = (1 + change) * (1 + bias[instrument]) * (1 + reference_drift[instrument] * years)
+    # A reference that gives more than its certificate says makes what is measured look less.
+    shown = (1 + change) * (1 + bias[instrument]) / (1 + reference_drift[instrument] * years)
     shown *= 1 + random.normal(0, REPEAT_REL, records)
     serial = numpy.where(travels, numpy.char.add("CHECK-", (-device).astype(str)), numpy.char.add("D-", device.astype(str)))
     columns = {

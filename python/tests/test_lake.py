@@ -78,6 +78,19 @@ def test_truth_is_found_in_a_lake_that_was_drawn(place):
     assert (sum(one**2 for one in off) / len(off)) ** 0.5 < 3e-3 and len(off) > 10
 
 
+def test_references_drift_the_other_way_than_their_standards_show(place):
+    truth = make_lake.make("made", 5000)
+    rows = lake.duckdb_views(duckdb.connect(), "made").sql(lake.query("reference_drift")).df()
+    off = [
+        (row.drift_rel_per_year - truth["reference_drift_rel_per_year"][row.instrument_serial])
+        / row.standard_uncertainty_rel_per_year
+        for row in rows.itertuples()
+    ]
+    assert len(off) >= 6 and max(map(abs, off)) < 5
+    drifts = rows.drift_rel_per_year.abs() > 5 * rows.standard_uncertainty_rel_per_year
+    assert drifts.any()
+
+
 def test_rows_are_compared_as_they_are():
     assert bench.differing([(1, "a", 1.0)], [(1, "a", 1.0 + 1e-12)]) == 0
     assert bench.differing([(1, "a", 1.0)], [(1, "a", 1.0 + 1e-3)]) == 1
