@@ -147,6 +147,24 @@ pub(super) fn rows(
     ]
 }
 
+/// The reference's temperature away from that of its certificate: where it was told, one coefficient in every check.
+pub(super) fn by_temperature(
+    equipment: &Equipment,
+    temperature_c: Option<f64>,
+    points: usize,
+) -> Row {
+    let [_, standard_rel] = equipment.by_temperature_rel(temperature_c);
+    Row {
+        what: "temperature coefficient of the reference".to_owned(),
+        spread: match temperature_c {
+            Some(_) => Spread::OfTheEquipment,
+            None => Spread::OfTheCheck,
+        },
+        bounded: false,
+        standard_rel: vec![standard_rel; points],
+    }
+}
+
 /// Errors of the four mean ratios as factors on `S1^2`: shunt and divider bare, shunt and divider with the mass.
 ///
 /// # Equation

@@ -71,6 +71,13 @@ fn square(rows: &[Row], indices: &[usize], takes: impl Fn(Spread) -> bool) -> f6
     rows.map(|(_, mean)| mean * mean).sum()
 }
 
+/// Square of what the coefficient of the reference leaves between two temperatures that were told.
+fn warmer_square(now: &Evaluation, baseline: &Evaluation) -> f64 {
+    let [_, per_k] = now.equipment.reference_per_k;
+    let told = now.temperature_c.zip(baseline.temperature_c);
+    told.map_or(0.0, |(now, then)| (per_k * (now - then)).powi(2))
+}
+
 /// By how much the reference changed since another check with the same calibrator and equipment; none where
 /// fewer than three frequencies are in both, or mass, shunt, divider or hold are others.
 ///
@@ -102,7 +109,8 @@ pub fn change(now: &Evaluation, baseline: &Evaluation) -> Option<Change> {
         logarithm: logarithms.sum::<f64>() / both.len().max(1) as f64,
         count: both.len(),
         square: square(&now.budget, &of_now, varies)
-            + square(&baseline.budget, &of_baseline, varies),
+            + square(&baseline.budget, &of_baseline, varies)
+            + warmer_square(now, baseline),
     };
     (both.len() >= FEWEST).then(|| compared.judged(Against::Baseline))
 }

@@ -5,6 +5,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
+/// Temperature a reference is calibrated at, degrees Celsius (ISO 16063-21, 4.2).
+const CERTIFIED_C: f64 = 23.0;
+
 /// What a check needs beside the calibrator, with the standard uncertainties of the budget.
 ///
 /// Left out values are those of `hardware/reciprocity.md`.
@@ -53,8 +56,12 @@ pub struct Equipment {
     pub table_at_1_khz_rel: f64,
     /// Resistance of the coil from load to load, after the fit: standard uncertainty, ohm.
     pub heating_standard_ohm: f64,
-    /// Temperature of the reference times its coefficient: standard uncertainty, relative.
+    /// Change of the reference's sensitivity with temperature, relative, 1/K: mean, and standard uncertainty.
+    pub reference_per_k: [f64; 2],
+    /// Temperature of the reference over what was told of it, times that: standard uncertainty, relative.
     pub temperature_standard_rel: f64,
+    /// Where nobody told a temperature: standard uncertainty about that of the certificate, K.
+    pub untold_temperature_standard_k: f64,
     /// A reading by the converter's characteristic: standard uncertainty, relative.
     pub reading_standard_rel: f64,
     /// Of the other input's signal in an input: standard uncertainty, 1.
@@ -90,7 +97,10 @@ impl Default for Equipment {
             rocking_at_1_khz_rel: 2e-5,
             table_at_1_khz_rel: 5e-5,
             heating_standard_ohm: 1e-3,
+            reference_per_k: [0.0, even(2e-4)],
             temperature_standard_rel: 0.5 * even(2e-4),
+            // Clause 4.2: 23 degrees, 3 either side in a laboratory, 10 on a site.
+            untold_temperature_standard_k: even(10.0),
             reading_standard_rel: 5e-5,
             crosstalk_standard: even(1e-4),
             ratio_scatter_standard_rel: 5e-5,
@@ -105,7 +115,7 @@ impl Equipment {
     /// [`Error::File`]; [`Error::Input`] with line or key.
     pub fn read(path: &Path) -> Result<Self> {
         let content = text::read(path)?;
-        const HINT: &str = "docs/metrology/reciprocity.md lists the keys";
+        const HINT: &str = "docs/schema/selfcheck.json says under `Equipment` what each key is";
         let equipment: Self = text::parse_toml(path, &content, HINT)?;
         match equipment.wrong() {
             None => Ok(equipment),
@@ -121,6 +131,19 @@ impl Equipment {
     pub fn is_that_of(&self, other: &Self) -> bool {
         let own = |one: &Self| [one.mass_kg, one.shunt_ohm, one.divider_volt_per_v];
         own(self) == own(other) && self.held == other.held
+    }
+
+    /// By how much the reference gives more at a temperature than at that of its certificate, relative: mean, and
+    /// standard uncertainty; where nobody told a temperature, that of the untold one.
+    pub(super) fn by_temperature_rel(&self, temperature_c: Option<f64>) -> [f64; 2] {
+        let [mean, standard] = self.reference_per_k;
+        match temperature_c.map(|told| told - CERTIFIED_C) {
+            Some(distance_k) => [mean * distance_k, standard * distance_k],
+            None => [
+                0.0,
+                self.untold_temperature_standard_k * mean.hypot(standard),
+            ],
+        }
     }
 
     /// The first value that cannot be.
@@ -154,7 +177,12 @@ impl Equipment {
             ("rocking_at_1_khz_rel", self.rocking_at_1_khz_rel),
             ("table_at_1_khz_rel", self.table_at_1_khz_rel),
             ("heating_standard_ohm", self.heating_standard_ohm),
+            ("reference_per_k", self.reference_per_k[1]),
             ("temperature_standard_rel", self.temperature_standard_rel),
+            (
+                "untold_temperature_standard_k",
+                self.untold_temperature_standard_k,
+            ),
             ("reading_standard_rel", self.reading_standard_rel),
             ("crosstalk_standard", self.crosstalk_standard),
             (

@@ -60,6 +60,9 @@ pub struct Evaluation {
     pub exciter: Identified,
     /// With what it was found.
     pub equipment: Equipment,
+    /// Temperature of the calibrator, degrees Celsius; sensitivities are those at that of the certificate.
+    #[serde(default)]
+    pub temperature_c: Option<f64>,
 }
 
 /// Evaluates a check.
@@ -75,12 +78,18 @@ pub fn evaluate(runs: &Runs, equipment: &Equipment) -> Result<Evaluation, Recipr
         .collect();
     check_loads(&points)?;
     let exciter = identified(&points, &runs.certified, equipment)?;
-    let budget = budget::rows(&points, &runs.certified, equipment, &exciter);
+    let mut budget = budget::rows(&points, &runs.certified, equipment, &exciter);
+    let [warmer_rel, _] = equipment.by_temperature_rel(runs.temperature_c);
+    budget.push(budget::by_temperature(
+        equipment,
+        runs.temperature_c,
+        points.len(),
+    ));
     let expanded = budget::expanded_rel(&budget, points.len());
     let of = |(index, at): (usize, &At)| {
         let known = runs.certified[index];
         let square = square(at, equipment, exciter.warmer_ohm) * turned_back(&known);
-        let sensitivity = square.re.max(0.0).sqrt();
+        let sensitivity = square.re.max(0.0).sqrt() / (1.0 + warmer_rel);
         let phase_rad = known.phase_rad + square.arg() / 2.0;
         CheckPoint {
             frequency_hz: at.frequency_hz,
@@ -99,6 +108,7 @@ pub fn evaluate(runs: &Runs, equipment: &Equipment) -> Result<Evaluation, Recipr
         budget,
         exciter,
         equipment: *equipment,
+        temperature_c: runs.temperature_c,
     };
     check_phase(&evaluation, &runs.certified)?;
     check_flatness(&evaluation)?;

@@ -1,5 +1,6 @@
 //! The runs of a check.
 
+use crate::statistics::mean;
 use calib_core::channel_ratio::ChannelRatio;
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
@@ -50,6 +51,8 @@ pub struct Runs {
     pub loaded: [Pair; 3],
     /// What the certificate says, at each frequency.
     pub certified: Vec<Certified>,
+    /// Temperature of the calibrator, mean of what was told of the runs, degrees Celsius.
+    pub temperature_c: Option<f64>,
 }
 
 /// A run of a check, in the order measured.
@@ -140,11 +143,18 @@ pub enum RunError {
         /// Number of its record.
         record: u32,
     },
+    /// The calibrator was warmed or cooled in between.
+    #[error(
+        "the runs were made from {0} to {1} degrees Celsius: wait until it stands, and measure all again"
+    )]
+    Temperatures(f64, f64),
     /// A value that is none.
     #[error("run {0} holds a value that is no number, or nothing at an input")]
     NotANumber(usize),
 }
 
+/// By how much the temperatures told may differ from run to run, K.
+const SAME_TEMPERATURE_K: f64 = 2.0;
 /// Fewest frequencies.
 const FEWEST: usize = 6;
 /// u of the ratio of channels of ordered parts, as nobody measured it (docs/hardware.md): 0.07 % below 1 kHz.
@@ -170,7 +180,11 @@ impl Runs {
         }
         let runs: Result<Vec<Vec<Reading>>, RunError> =
             records.iter().map(|record| readings(record)).collect();
-        Self::new(runs?, certified(first)?)
+        let temperature_c = temperature_c(records)?;
+        Ok(Self {
+            temperature_c,
+            ..Self::new(runs?, certified(first)?)?
+        })
     }
 
     /// The runs of ten lists of readings in the order of [`STEPS`].
@@ -201,6 +215,7 @@ impl Runs {
             bare: [pair(s0, d0), pair(s4, d4)],
             loaded: [pair(s1, d1), pair(s2, d2), pair(s3, d3)],
             certified,
+            temperature_c: None,
         })
     }
 
@@ -233,6 +248,27 @@ fn same_instrument(first: &Record, other: &Record) -> Result<(), RunError> {
     match first.settings == other.settings {
         true => Ok(()),
         false => Err(RunError::Settings(first.head.id, other.head.id)),
+    }
+}
+
+/// Mean of the temperatures told; none where a run has none.
+fn temperature_c(records: &[&Record]) -> Result<Option<f64>, RunError> {
+    let told = records
+        .iter()
+        .map(|record| record.head.labels.temperature_centi_c);
+    let told: Option<Vec<f64>> = told
+        .map(|centi| centi.map(|centi| f64::from(centi) / 100.0))
+        .collect();
+    let Some(told) = told else {
+        return Ok(None);
+    };
+    let [least, most] = [f64::min, f64::max].map(|of| told.iter().copied().reduce(of));
+    match least
+        .zip(most)
+        .filter(|(least, most)| most - least > SAME_TEMPERATURE_K)
+    {
+        Some((least, most)) => Err(RunError::Temperatures(least, most)),
+        None => Ok(Some(mean(&told))),
     }
 }
 

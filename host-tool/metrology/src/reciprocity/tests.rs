@@ -314,6 +314,55 @@ fn a_change_is_told_from_a_difference_to_the_certificate() {
     );
 }
 
+/// 12 K of at most 0.02 %/K, even: 12 * 2e-4 / sqrt 3 = 0.14 % beside what else is in U of the change.
+#[test]
+fn a_check_at_another_temperature_counts_what_the_coefficient_may_be() {
+    let at = |temperature_c, sensitivity: f64| {
+        let runs = Runs {
+            temperature_c,
+            ..runs_of(|_, case| Case {
+                sensitivity,
+                ..case
+            })
+        };
+        evaluate(&runs, &rigid()).expect("a check")
+    };
+    let baseline = at(Some(23.0), SENSITIVITY);
+    let since = |now: &Evaluation| change(now, &baseline).expect("seven");
+    let same = since(&at(Some(23.0), SENSITIVITY * 0.998));
+    let warm = since(&at(Some(35.0), SENSITIVITY * 0.998));
+    let expected = (2.0 * 12.0 * 2e-4 / 3.0_f64.sqrt()).hypot(same.expanded_rel);
+    assert!(
+        (warm.expanded_rel / expected - 1.0).abs() < 1e-9,
+        "{warm:?}"
+    );
+    // 0.2 % is a change at one temperature, and may be the temperature at two.
+    assert!(same.significant && !warm.significant);
+    // Nobody told: 10 K to either side, even, of a coefficient that is even as well.
+    let untold = since(&at(None, SENSITIVITY * 0.998));
+    let expected = (2.0 * 10.0 * 2e-4 / 3.0_f64).hypot(same.expanded_rel);
+    assert!(
+        (untold.expanded_rel / expected - 1.0).abs() < 1e-9,
+        "{untold:?}"
+    );
+
+    // A coefficient that is known is taken out: 0.01 %/K more of 12 K.
+    let known = Equipment {
+        reference_per_k: [1e-4, 0.0],
+        ..rigid()
+    };
+    let runs = Runs {
+        temperature_c: Some(35.0),
+        ..runs_of(|_, case| Case {
+            sensitivity: SENSITIVITY * 1.0012,
+            ..case
+        })
+    };
+    let found = evaluate(&runs, &known).expect("a check");
+    let off = found.points[6].sensitivity_v_per_ms2 / SENSITIVITY - 1.0;
+    assert!(off.abs() < 1e-10, "{off}");
+}
+
 #[test]
 fn runs_that_are_none_are_told() {
     let run = || -> Vec<Reading> { FREQUENCIES_HZ.iter().map(|hz| reading(BARE, *hz)).collect() };
