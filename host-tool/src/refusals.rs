@@ -143,13 +143,18 @@ pub fn of(points: &[PointResult]) -> Vec<Refused> {
 }
 
 /// The reason when nothing was measured yet and the device under test gives no signal: all other
-/// points would be refused for the same.
+/// points would be refused for the same. The point that the stop cut off says nothing of the device.
 pub fn dead_from_the_start(points: &[PointResult]) -> Option<Reason> {
-    let all = !points.is_empty()
-        && points
-            .iter()
-            .all(|point| point.verdict == Verdict::Refused(Reason::DutOpen));
-    all.then_some(Reason::DutOpen)
+    let cut_off = Verdict::Refused(Reason::Stopped);
+    let mut tried = points
+        .iter()
+        .map(|point| point.verdict)
+        .filter(|verdict| *verdict != cut_off)
+        .peekable();
+    tried.peek()?;
+    tried
+        .all(|verdict| verdict == Verdict::Refused(Reason::DutOpen))
+        .then_some(Reason::DutOpen)
 }
 
 /// Points of a list that this instrument would refuse without measuring, by reason: no tone, no
@@ -177,6 +182,21 @@ fn possible(spec: PointSpec, settings: &Settings, sample_rate_hz: f32) -> Result
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The firmware ends the point it is at when it is stopped, and the record has it.
+    #[test]
+    fn a_dead_device_is_told_from_a_stop() {
+        let refused =
+            |reason| PointResult::refused(calib_record::sample::point(160.0).spec, None, reason);
+        let (open, stopped) = (refused(Reason::DutOpen), refused(Reason::Stopped));
+        let dead = Some(Reason::DutOpen);
+        assert_eq!(dead_from_the_start(&[open]), dead);
+        assert_eq!(dead_from_the_start(&[open, stopped]), dead);
+        assert_eq!(dead_from_the_start(&[stopped]), None);
+        assert_eq!(dead_from_the_start(&[]), None);
+        let measured = calib_record::sample::point(160.0);
+        assert_eq!(dead_from_the_start(&[measured, open, stopped]), None);
+    }
 
     #[test]
     fn the_table_is_complete_and_the_docs_have_every_line_of_it() {

@@ -7,6 +7,7 @@ use calib_link::Client;
 use calib_protocol::frame::PROTOCOL_VERSION;
 use calib_protocol::health::{Defect, Health, TIMEBASE_LIMIT_PPM};
 use calib_protocol::message::Info;
+use calib_record::origin::is_emulated;
 use std::time::Duration;
 
 /// Requests of the link check: a bad cable shows within them.
@@ -20,12 +21,17 @@ pub(super) fn check(address: &Device) -> Vec<Finding> {
             repetitions,
         }) => {
             let defects = parts.iter().flat_map(|health| health.defects.iter());
-            [link(address, repetitions), versions(&info), health(&info)]
-                .into_iter()
-                .chain(defects.map(defect))
-                .chain(parts.as_ref().and_then(timebase))
-                .chain(option_bytes(parts.as_ref()))
-                .collect()
+            [
+                link(address, repetitions),
+                kind(&info),
+                versions(&info),
+                health(&info),
+            ]
+            .into_iter()
+            .chain(defects.map(defect))
+            .chain(parts.as_ref().and_then(timebase))
+            .chain(option_bytes(parts.as_ref()))
+            .collect()
         }
         Err(error) => vec![unreachable(&error)],
     }
@@ -75,6 +81,15 @@ fn link(address: &Device, repetitions: u64) -> Finding {
         )
         .with_remedy("check the cable, and keep it away from the power amplifier"),
     }
+}
+
+/// Emulated or real, by the serial number.
+fn kind(info: &Info) -> Finding {
+    let said = match is_emulated(&info.serial) {
+        true => "emulated: what it measures is simulated, and certificates say so",
+        false => "a real calibrator, by its serial number",
+    };
+    Finding::new("kind", State::Good, format!("{}: {said}", info.serial))
 }
 
 fn versions(info: &Info) -> Finding {
