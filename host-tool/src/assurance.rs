@@ -1,6 +1,8 @@
-//! Check standards of the logbook: how each stands, what they show together, and which certificates they block.
+//! Check standards and references of the logbook: how each stands, what they show together, and which certificates they
+//! block.
 
 use crate::Result;
+use crate::self_check::{self, ReferenceState};
 use calib_certificate::{CheckProblem, FailedCheck};
 use calib_logbook::{CheckStandard, HistoryResult, Logbook};
 use calib_metrology::common_drift::{CommonDrift, Measured, common_drift};
@@ -41,12 +43,14 @@ pub struct CheckState {
     pub in_control: bool,
 }
 
-/// All check standards.
+/// All check standards, and the references that were checked.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct AssuranceReport {
     /// Each of them.
     pub standards: Vec<CheckState>,
-    /// What they show together; none with too few results.
+    /// References that were checked by reciprocity.
+    pub references: Vec<ReferenceState>,
+    /// What the check standards show together; none with too few results.
     pub common_drift: Option<CommonDrift>,
     /// Relative drift the budget of the latest result allows for the reference, row 10.
     pub allowed_drift_rel: Option<f64>,
@@ -80,6 +84,7 @@ pub fn report(logbook: &Logbook, at_s: i64) -> Result<AssuranceReport> {
     let interval = common_drift.zip(allowed_drift_rel);
     Ok(AssuranceReport {
         standards,
+        references: self_check::states(logbook)?,
         common_drift,
         allowed_drift_rel,
         reference_interval_years: interval.map(|(drift, allowed)| drift.interval_years(allowed)),
@@ -150,18 +155,26 @@ fn is_overdue(standard: &CheckStandard, latest_s: i64, at_s: i64) -> bool {
 impl CheckState {
     /// How it stands, in words.
     pub fn words(&self) -> String {
-        let mut words = Vec::new();
-        if !self.in_control {
-            words.push("OUT OF CONTROL".to_owned());
-        } else if self.judged {
-            words.push("in control".to_owned());
-        } else {
-            words.push(format!("not judged before {FEWEST} results"));
-        }
+        let mut words = vec![control_words(self.in_control, self.judged)];
         if self.overdue {
             words.push("OVERDUE".to_owned());
         }
         words.join(", ")
+    }
+}
+
+impl ReferenceState {
+    /// How it stands, in words.
+    pub fn words(&self) -> String {
+        control_words(self.in_control, self.judged)
+    }
+}
+
+fn control_words(in_control: bool, judged: bool) -> String {
+    match (in_control, judged) {
+        (false, _) => "OUT OF CONTROL".to_owned(),
+        (true, true) => "in control".to_owned(),
+        (true, false) => format!("no chart before {FEWEST} results"),
     }
 }
 

@@ -3,11 +3,14 @@
 use crate::{Error, Result};
 use calib_certificate::ReferenceCheck;
 use calib_logbook::{Logbook, SelfCheck};
+use calib_metrology::control_chart::{Signal, control_chart};
 use calib_metrology::reciprocity::{Against, Change, Evaluation, change, from_certificate};
 use calib_protocol::record::Record;
 use jiff::Timestamp;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// Keeps a check of the reference of the instrument that measured `last`; false where it is there already.
 ///
@@ -120,6 +123,99 @@ pub fn of_certificate(
         expanded_rel: change.expanded_rel,
         significant: change.significant,
     }))
+}
+
+/// How the reference of an instrument stands by its checks since the last baseline.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+pub struct ReferenceState {
+    /// Serial number of the instrument.
+    pub instrument_serial: String,
+    /// Serial number of its reference.
+    pub reference_serial: String,
+    /// Certificate of that.
+    pub reference_certificate: String,
+    /// Checks with the equipment of the baseline, which is the first of them.
+    pub checks: usize,
+    /// Time of the latest, s since 1970-01-01 UTC.
+    pub latest_unix_time_s: i64,
+    /// What the latest says.
+    pub latest: Option<Change>,
+    /// What speaks against the latest on the chart; empty with fewer than six checks.
+    pub signals: Vec<Signal>,
+    /// The chart can judge.
+    pub judged: bool,
+    /// Neither the latest check nor the chart speaks against the reference.
+    pub in_control: bool,
+    /// Changes since the baseline, each at its time.
+    #[serde(skip)]
+    pub changes: Vec<(i64, Change)>,
+}
+
+/// Every reference that was ever checked, by its latest certificate.
+///
+/// # Errors
+/// Those of the logbook.
+pub fn states(logbook: &Logbook) -> Result<Vec<ReferenceState>> {
+    let checks = logbook.self_checks()?;
+    let mut known: Vec<&SelfCheck> = Vec::new();
+    for latest in checks.iter().rev() {
+        if known
+            .iter()
+            .all(|known| known.instrument != latest.instrument)
+        {
+            known.push(latest);
+        }
+    }
+    known.sort_by(|a, b| a.instrument.cmp(&b.instrument));
+    known
+        .into_iter()
+        .map(|latest| state(&checks, latest))
+        .collect()
+}
+
+fn state(checks: &[SelfCheck], latest: &SelfCheck) -> Result<ReferenceState> {
+    let is_its = |check: &&SelfCheck| {
+        check.instrument == latest.instrument
+            && check.reference == latest.reference
+            && check.certificate == latest.certificate
+    };
+    let its: Vec<&SelfCheck> = checks.iter().filter(is_its).collect();
+    let begin = its.iter().rposition(|check| check.is_baseline);
+    let baseline = begin.map(|at| evaluation(its[at])).transpose()?;
+    let mut changes = Vec::new();
+    for check in &its[begin.unwrap_or(its.len())..] {
+        let found = evaluation(check)?;
+        let since = baseline
+            .as_ref()
+            .and_then(|baseline| change(&found, baseline));
+        changes.extend(since.map(|change| (check.measured_s, change)));
+    }
+    let values: Vec<f64> = changes
+        .iter()
+        .map(|(_, change)| change.change_rel)
+        .collect();
+    let chart = control_chart(&values);
+    let compared = changes
+        .last()
+        .filter(|(at_s, _)| *at_s == latest.measured_s);
+    let says = match compared.filter(|_| !latest.is_baseline) {
+        Some((_, change)) => Some(*change),
+        None => from_certificate(&evaluation(latest)?),
+    };
+    let judged = chart.is_some();
+    let signals = chart.map(|chart| chart.signals).unwrap_or_default();
+    Ok(ReferenceState {
+        instrument_serial: latest.instrument.clone(),
+        reference_serial: latest.reference.clone(),
+        reference_certificate: latest.certificate.clone(),
+        checks: changes.len(),
+        latest_unix_time_s: latest.measured_s,
+        in_control: signals.is_empty() && !says.is_some_and(|change| change.significant),
+        latest: says,
+        signals,
+        judged,
+        changes,
+    })
 }
 
 /// Day of a time, UTC.

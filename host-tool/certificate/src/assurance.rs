@@ -46,8 +46,8 @@ impl ReferenceCheck {
         let (severity, key) = match (self.significant, self.since_baseline) {
             (false, true) => (Severity::Note, "reference_checked"),
             (false, false) => (Severity::Note, "reference_agrees"),
-            (true, true) => (Severity::Warning, "reference_changed"),
-            (true, false) => (Severity::Warning, "reference_differs"),
+            (true, true) => (Severity::Error, "reference_changed"),
+            (true, false) => (Severity::Error, "reference_differs"),
         };
         Remark {
             severity,
@@ -61,21 +61,41 @@ impl ReferenceCheck {
     }
 }
 
-/// States every check that failed, and who overrode them.
+/// States the check of the reference, every check that failed, and who overrode them.
 ///
 /// # Errors
 /// [`Error::Input`] when one failed and nobody said in writing why the certificate is issued.
 pub(super) fn attach(certificate: &mut Certificate, failed: &[FailedCheck]) -> Result<()> {
-    let Some(first) = failed.first() else {
+    let check = certificate.particulars.reference_check;
+    certificate
+        .remarks
+        .extend(check.map(|check| check.remark()));
+    let standards = failed.first().map(|first| {
+        let problem = format!("check standard {} {}", first.serial, first.problem.words());
+        (problem, "`calib run` and `calib assure` it")
+    });
+    let reference = check.filter(|check| check.significant).map(|check| {
+        let problem = format!(
+            "the reference is not what it was, by the check of {}",
+            check.day
+        );
+        (
+            problem,
+            "`calib selfcheck` it once more, and have it calibrated",
+        )
+    });
+    let Some((problem, remedy)) = standards.or(reference) else {
         return Ok(());
     };
     let stated = &certificate.particulars.calibration.check_override;
     let Some(why) = stated.clone().filter(|why| !why.trim().is_empty()) else {
         return Err(Error::input(
             format!("certificate {}", certificate.number),
-            format!("check standard {} {}", first.serial, first.problem.words()),
-            "`calib run` and `calib assure` it; or state in writing why a certificate may be issued, as \
-             `check_override` under [calibration], which the certificate prints",
+            problem,
+            format!(
+                "{remedy}; or state in writing why a certificate may be issued, as `check_override` under \
+                 [calibration], which the certificate prints"
+            ),
         ));
     };
     certificate.remarks.extend(failed.iter().map(remark));

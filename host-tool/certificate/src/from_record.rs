@@ -4,6 +4,7 @@ use super::around::minute;
 use super::budget::{self, Basis};
 use super::conformity;
 use super::decision::Request;
+use super::interval::{InForce, in_force};
 use super::linearity;
 use super::model::{Certificate, Refusal, Remark, Severity, Value};
 use super::model::{Deviation, Point, PointValues};
@@ -11,7 +12,7 @@ use super::mountings::Mountings;
 use super::particulars::Particulars;
 use super::rounding::{Rounded, round_uncertainty};
 use super::sections::{is_traceable, sections};
-use super::stored::{day, run_day, unix_day};
+use super::stored::{run_day, unix_day};
 use super::units::STANDARD_GRAVITY_MS2;
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
@@ -77,7 +78,7 @@ impl Certificate {
             as_found: None,
             chain: None,
             simulated: is_emulated(&record.head.instrument_serial),
-            traceable: is_traceable(record),
+            traceable: is_traceable(record, particulars),
         };
         mountings.state(&mut certificate);
         linearity::attach(&mut certificate, &basis);
@@ -253,13 +254,18 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
             vec![count(refused), count(certificate.points.len())],
         );
     }
-    if let (Some(due), Some(run)) = (day(record.settings.reference.due_day), run_day(record))
-        && due < run
-    {
-        say(Severity::Error, "reference_overdue", vec![Value::Day(due)]);
-        if let Some(why) = &certificate.particulars.calibration.overdue_reference {
-            let why = vec![Value::Text(why.clone())];
-            say(Severity::Warning, "reference_override", why);
+    match in_force(record, &certificate.particulars, run_day(record)) {
+        InForce::AsCalibrated => {}
+        InForce::Extended { due, until } => {
+            let days = vec![Value::Day(due), Value::Day(until)];
+            say(Severity::Warning, "reference_extended", days);
+        }
+        InForce::Overdue { due } => {
+            say(Severity::Error, "reference_overdue", vec![Value::Day(due)]);
+            if let Some(why) = &certificate.particulars.calibration.overdue_reference {
+                let why = vec![Value::Text(why.clone())];
+                say(Severity::Warning, "reference_override", why);
+            }
         }
     }
     if let Some((earlier, later)) = certificate.particulars.around.contradiction(record) {

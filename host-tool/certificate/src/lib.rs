@@ -42,6 +42,7 @@ pub mod decision;
 mod deviation;
 mod from_record;
 mod html;
+mod interval;
 mod json;
 mod linearity;
 mod marks;
@@ -90,6 +91,7 @@ pub use around::Around;
 pub use assurance::{CheckProblem, FailedCheck, ReferenceCheck};
 pub use calib_files::file::Existing;
 pub use change::expanded_uncertainty_of_change_rel;
+pub use interval::IntervalRule;
 pub use json::Document;
 pub use marks::Mark;
 pub use model::Certificate;
@@ -186,8 +188,6 @@ pub struct Options {
     pub remounted: Vec<Record>,
     /// Check standards that speak against it: without an override in writing it is refused.
     pub failed_checks: Vec<FailedCheck>,
-    /// The latest check of the reference by reciprocity.
-    pub reference_check: Option<ReferenceCheck>,
     /// What PDF and DCC are signed with.
     pub seal: Option<Seal>,
 }
@@ -246,9 +246,6 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
         Certificate::from_records(record, &options.remounted, &options.particulars)?;
     refused::check(&certificate, record)?;
     assurance::attach(&mut certificate, &options.failed_checks)?;
-    if let Some(check) = &options.reference_check {
-        certificate.remarks.push(check.remark());
-    }
     if let Some(found) = &options.as_found {
         adjustment::attach(&mut certificate, record, found)?;
     }

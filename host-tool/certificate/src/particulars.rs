@@ -21,7 +21,9 @@
 
 use super::words::Language;
 use crate::around::Around;
+use crate::assurance::ReferenceCheck;
 use crate::decision;
+use crate::interval::IntervalRule;
 use calib_files::{Error, Result, text};
 use jiff::civil::Date;
 use schemars::JsonSchema;
@@ -54,6 +56,8 @@ pub struct Particulars {
     pub equipment: Vec<Equipment>,
     /// Tolerance and decision rule (7.8.6).
     pub decision: Option<decision::Request>,
+    /// How a check by reciprocity extends the interval between calibrations of the reference.
+    pub reference_interval: Option<IntervalRule>,
     /// Texts of the laboratory.
     pub texts: Texts,
     /// Layout of the printed certificate.
@@ -61,6 +65,9 @@ pub struct Particulars {
     /// Times of the records around the one that is certified; from the logbook.
     #[serde(skip)]
     pub around: Around,
+    /// The latest check of the reference by reciprocity until the calibration; from the logbook.
+    #[serde(skip)]
+    pub reference_check: Option<ReferenceCheck>,
 }
 
 /// A laboratory or a customer.
@@ -410,6 +417,13 @@ impl Particulars {
                 200.0,
             ),
         ];
+        if let Some(problem) = self.reference_interval.and_then(|rule| rule.problem()) {
+            return Err(Error::input(
+                place,
+                problem,
+                "docs/certificate.md says what each item means",
+            ));
+        }
         for (item, stated, least, most) in ranges {
             if let Some(value) = stated
                 && !(least..=most).contains(&value)

@@ -1,8 +1,9 @@
 //! What no certificate may say: refused before a file is written.
 
+use super::interval::{InForce, in_force};
 use super::model::Certificate;
 use super::particulars::Amendment;
-use super::stored::{day, run_day};
+use super::stored::run_day;
 use calib_files::{Error, Result};
 use calib_protocol::record::Record;
 
@@ -38,15 +39,15 @@ pub(super) fn check(certificate: &Certificate, record: &Record) -> Result<()> {
             "correct `issued` under [calibration]",
         );
     }
-    let due = day(record.settings.reference.due_day);
-    if let (Some(due), Some(run)) = (due, certificate.day)
-        && due < run
+    let standing = in_force(record, &certificate.particulars, certificate.day);
+    if let (InForce::Overdue { due }, Some(run)) = (standing, certificate.day)
         && stated.overdue_reference.is_none()
     {
         return refuse(
             format!("rests on a reference whose calibration was due on {due}, before {run}"),
-            "calibrate the reference; or state in writing why it may be used, as \
-             `overdue_reference` under [calibration], which the certificate prints",
+            "calibrate the reference; or check it by `calib selfcheck`, where [reference_interval] allows that; or \
+             state in writing why it may be used, as `overdue_reference` under [calibration], which the certificate \
+             prints",
         );
     }
     Ok(())

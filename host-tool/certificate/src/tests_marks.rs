@@ -1,7 +1,7 @@
 //! A certificate that cannot lie: every statement here was false once.
 
 use super::tests_dcc::FULL;
-use super::{Format, Mark, Options, Particulars, Prepared, prepare};
+use super::{Format, IntervalRule, Mark, Options, Particulars, Prepared, ReferenceCheck, prepare};
 use calib_protocol::record::Record;
 use calib_record::sample::{record, text};
 
@@ -189,42 +189,102 @@ fn a_check_standard_that_failed_blocks_every_format_or_is_overridden_in_each() {
     }
 }
 
+/// A check two days before the run of the sample: -0.12 % +- 0.40 %.
+const CHECK: ReferenceCheck = ReferenceCheck {
+    day: jiff::civil::date(2025, 11, 19),
+    since_baseline: true,
+    change_rel: -0.0012,
+    expanded_rel: 0.004,
+    significant: false,
+};
+
+fn checked(check: ReferenceCheck, particulars: Particulars) -> Particulars {
+    Particulars {
+        reference_check: Some(check),
+        ..particulars
+    }
+}
+
 #[test]
 fn a_check_of_the_reference_is_stated_where_remarks_are() {
-    use crate::ReferenceCheck;
-    let check = ReferenceCheck {
-        day: jiff::civil::date(2025, 11, 19),
-        since_baseline: true,
-        change_rel: -0.0012,
-        expanded_rel: 0.004,
-        significant: false,
-    };
-    let with = |check| {
-        let options = Options {
-            particulars: particulars(FULL),
-            reference_check: Some(check),
-            ..Options::default()
-        };
-        prepare(&sample(), &Format::ALL, &options).expect("rendered")
-    };
-    let (sound, changed) = (
-        with(check),
-        ReferenceCheck {
-            significant: true,
-            ..check
-        },
-    );
+    let sound = prepared(&sample(), checked(CHECK, particulars(FULL))).expect("rendered");
     for format in [Format::Json, Format::Html, Format::Dcc] {
         let text = of(&sound, format).replace('\u{2212}', "-");
         assert!(text.contains("durch Reziprozität geprüft"), "{format:?}");
+        let value = text.contains("-0,12") && text.contains("0,40");
+        assert!(value, "{format:?}");
+    }
+}
+
+#[test]
+fn a_reference_that_changed_blocks_a_certificate_or_is_overridden_in_each() {
+    let changed = ReferenceCheck {
+        significant: true,
+        ..CHECK
+    };
+    let error = prepared(&sample(), checked(changed, particulars(FULL))).expect_err("changed");
+    assert!(error.to_string().contains("2025-11-19"), "{error}");
+    assert!(error.hint().expect("a way out").contains("check_override"));
+    let reason = "check_override = \"mass was mounted loose, repeated\"";
+    let overridden = checked(changed, without("deviations", reason));
+    let overridden = prepared(&sample(), overridden).expect("overridden");
+    for format in [Format::Json, Format::Html, Format::Dcc] {
+        let text = of(&overridden, format);
+        assert!(text.contains("GEÄNDERT"), "{format:?}");
+        assert!(text.contains("mass was mounted loose"), "{format:?}");
+    }
+}
+
+/// Due on 2025-11-08, used on 2025-11-21: by the rule until 2025-11-28, as the check is two days old and shows at
+/// most 0.52 %.
+#[test]
+fn a_rule_of_the_laboratory_extends_the_interval_while_the_reference_is_checked() {
+    let mut overdue = sample();
+    overdue.settings.reference.due_day = 20_400;
+    let rule = |days: [u32; 2], percent: f64| IntervalRule {
+        extend_days: days[0],
+        checked_within_days: days[1],
+        largest_change_percent: percent,
+    };
+    let with = |rule, check| {
+        let particulars = Particulars {
+            reference_interval: Some(rule),
+            ..checked(check, particulars(FULL))
+        };
+        prepared(&overdue, particulars)
+    };
+    let extended = with(rule([20, 2], 0.53), CHECK).expect("by the rule");
+    for format in [Format::Json, Format::Html, Format::Dcc] {
+        let text = of(&extended, format);
         assert!(
-            text.contains("-0,12") && text.contains("0,40"),
+            text.contains("nach der Regel") || text.contains("Nach der Regel"),
             "{format:?}"
         );
-        assert!(
-            of(&with(changed), format).contains("GEÄNDERT"),
-            "{format:?}"
-        );
+    }
+    assert!(of(&extended, Format::Json).contains("2025-11-28"));
+    assert!(of(&extended, Format::Dcc).contains("<dcc:traceable>true</dcc:traceable>"));
+    let refused = [
+        (rule([12, 2], 0.53), CHECK),
+        (rule([20, 1], 0.53), CHECK),
+        (rule([20, 2], 0.51), CHECK),
+        (
+            rule([20, 2], 0.53),
+            ReferenceCheck {
+                since_baseline: false,
+                ..CHECK
+            },
+        ),
+        (
+            rule([20, 9], 0.53),
+            ReferenceCheck {
+                day: jiff::civil::date(2025, 11, 22),
+                ..CHECK
+            },
+        ),
+    ];
+    for (place, (rule, check)) in refused.into_iter().enumerate() {
+        let error = with(rule, check).expect_err(&place.to_string());
+        assert!(error.to_string().contains("2025-11-08"), "{place}: {error}");
     }
 }
 

@@ -121,11 +121,12 @@ impl CertificateVerb {
         let mut options = Options {
             chain: Some(found.standing),
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
-            reference_check: self_check::of_certificate(logbook.as_ref(), record)?,
             remounted: self.remounted(context)?,
             seal: self.seal(context)?,
             ..self.options(context, record, logbook.as_ref())?
         };
+        let check = self_check::of_certificate(logbook.as_ref(), record)?;
+        options.particulars.reference_check = check;
         if let (Some(amended), Some(logbook)) = (&amended, &logbook) {
             amended.state(&mut options.particulars);
             amended.join(&mut options, logbook)?;

@@ -165,7 +165,7 @@ impl SelfcheckVerb {
         let mut records = Vec::new();
         for (place, step) in STEPS.iter().enumerate() {
             if !self.yes {
-                wait_for(place, step)?;
+                wait_for(place, step, equipment)?;
             }
             let record = self.measure_one(context, &mut client, (step, equipment), &switch)?;
             records.push(record);
@@ -221,13 +221,24 @@ impl SelfcheckVerb {
     }
 }
 
-fn wait_for(place: usize, step: &Step) -> Result<()> {
+fn wait_for(place: usize, step: &Step, equipment: &Equipment) -> Result<()> {
     let left = Error::usage(
         "the operator has left: what was measured is kept",
         "begin again with `calib selfcheck`; a check is ten runs in a row",
     );
+    let before = match place {
+        0 => {
+            "Take the device under test and any payload off, and let the calibrator stand until its temperature does.\n"
+        }
+        _ => "",
+    };
+    let current = match (equipment.held, step.is_bare()) {
+        (false, _) => "",
+        (true, true) => " Direct current: off.",
+        (true, false) => " Direct current: on, so that the table is as high as without the mass.",
+    };
     let asked = format!(
-        "Run {} of {RUNS}. On the table: {}. At the device's input: {}. Then press Enter.",
+        "{before}Run {} of {RUNS}. On the table: {}. At the device's input: {}.{current} Then press Enter.",
         place + 1,
         step.mass,
         step.input,

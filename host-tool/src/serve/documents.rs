@@ -146,11 +146,11 @@ fn made(
     let kept = logbook.as_ref();
     let mut particulars = judged::of_record(&house.particulars, &record.head, kept)?;
     wanted.stated.complete(&mut particulars)?;
+    particulars.reference_check = self_check::of_certificate(kept, &record)?;
     let mut options = Options {
         particulars,
         chain: Some(judged::standing(&record.head, stored, kept)?),
         failed_checks: assurance::failed_checks(kept, &record)?,
-        reference_check: self_check::of_certificate(kept, &record)?,
         as_found: wanted.stated.found(kept)?,
         seal: seal(house, wanted.issues)?,
         ..Options::default()

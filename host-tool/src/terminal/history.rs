@@ -1,6 +1,7 @@
 //! Drift of a sensor over the years, on one screen.
 
 use calib_logbook::{History, HistoryResult};
+use calib_metrology::reciprocity::Change;
 use calib_plot::{Plot, Point, Scale};
 
 /// Seconds of a Julian year.
@@ -15,10 +16,24 @@ pub fn show(history: &History, width: usize, height: usize) -> String {
     };
     let point = |result: &HistoryResult| {
         let ratio = result.sensitivity_v_per_ms2 / first.sensitivity_v_per_ms2;
-        let year = EPOCH_YEAR + result.unix_time_s as f64 / YEAR_S;
-        let half_bar = 100.0 * ratio * result.expanded_uncertainty_rel;
-        Point::new(year, 100.0 * (ratio - 1.0)).with_bar(half_bar)
+        let half_bar_rel = ratio * result.expanded_uncertainty_rel;
+        (result.unix_time_s, ratio - 1.0, half_bar_rel)
     };
-    let points = history.results.iter().map(point).collect();
+    drawn(history.results.iter().map(point), width, height)
+}
+
+/// Changes of a reference over the years by checks, each at its time (s since 1970-01-01 UTC), in percent.
+pub fn show_changes(changes: &[(i64, Change)], width: usize, height: usize) -> String {
+    let point = |(at_s, change): &(i64, Change)| (*at_s, change.change_rel, change.expanded_rel);
+    drawn(changes.iter().map(point), width, height)
+}
+
+/// Time, relative change and half its bar, in percent over the years.
+fn drawn(results: impl Iterator<Item = (i64, f64, f64)>, width: usize, height: usize) -> String {
+    let point = |(at_s, change_rel, half_bar_rel): (i64, f64, f64)| {
+        let year = EPOCH_YEAR + at_s as f64 / YEAR_S;
+        Point::new(year, 100.0 * change_rel).with_bar(100.0 * half_bar_rel)
+    };
+    let points = results.map(point).collect();
     Plot::spanning("", Scale::Linear, "year", points).terminal(width, height)
 }

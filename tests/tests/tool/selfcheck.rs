@@ -89,10 +89,20 @@ fn a_drifted_reference_is_told_from_its_baseline_and_stated_on_the_certificate()
         "{text}"
     );
 
-    // A certificate of the day after the sound check states that one, one of the day after the last warns.
-    for (day, expected) in [
-        (1, "was checked on 2025-12-02 by reciprocity"),
-        (3, "CHANGED by"),
+    // It is on the chart, and out of control.
+    let chart = output(at, &[&["assure"], &book[..]].concat());
+    assert_eq!(chart.status.code(), Some(7));
+    let text = String::from_utf8_lossy(&chart.stdout).into_owned();
+    assert!(text.contains("OUT OF CONTROL by 3 checks"), "{text}");
+
+    // A certificate of the day after the sound check states that one, one of the day after the last is refused, or
+    // says why not.
+    let written = "[calibration]\ncheck_override = \"mass was not seated\"\n";
+    std::fs::write(at.join("job.toml"), written).expect("written");
+    for (day, particulars, expected) in [
+        (1, None, Ok("was checked on 2025-12-02 by reciprocity")),
+        (3, None, Err("the reference is not what it was")),
+        (3, Some("job.toml"), Ok("CHANGED by")),
     ] {
         let mut record = sample::record(&[160.0, 1000.0]);
         record.head.id = 900 + day as u32;
@@ -106,12 +116,19 @@ fn a_drifted_reference_is_told_from_its_baseline_and_stated_on_the_certificate()
             "--out",
             "out",
         ];
-        let made = output(at, &[&made[..], &book].concat());
-        assert!(
-            made.status.success(),
-            "{}",
-            String::from_utf8_lossy(&made.stderr)
-        );
+        let stated = particulars.map(|file| ["--particulars", file]);
+        let stated = stated.iter().flatten().copied();
+        let made: Vec<&str> = made.into_iter().chain(book).chain(stated).collect();
+        let made = output(at, &made);
+        let said = String::from_utf8_lossy(&made.stderr).into_owned();
+        let expected = match expected {
+            Ok(expected) => expected,
+            Err(refusal) => {
+                assert!(!made.status.success() && said.contains(refusal), "{said}");
+                continue;
+            }
+        };
+        assert!(made.status.success(), "{said}");
         let html = std::fs::read_dir(at.join("out"))
             .expect("a folder")
             .flatten();

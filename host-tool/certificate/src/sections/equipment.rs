@@ -2,6 +2,7 @@
 
 use super::clause;
 use super::value::{exact, phrase, said, text};
+use crate::interval::{InForce, in_force};
 use crate::model::{Line, Section, Value};
 use crate::particulars::{Equipment, Particulars};
 use crate::stored::{day, run_day};
@@ -76,8 +77,8 @@ fn reference(record: &Record, particulars: &Particulars) -> [Line; 5] {
 }
 
 /// True when serial number, certificate and days of the reference are stated, its calibration
-/// was in force on the day of this one, and the instrument is no emulated one.
-pub(in super::super) fn is_traceable(record: &Record) -> bool {
+/// was in force on the day of this one, or its interval extended by the laboratory's rule, and the instrument is no emulated one.
+pub(in super::super) fn is_traceable(record: &Record, particulars: &Particulars) -> bool {
     let reference = &record.settings.reference;
     let named = text(&reference.serial)
         .and(text(&reference.certificate))
@@ -88,7 +89,10 @@ pub(in super::super) fn is_traceable(record: &Record) -> bool {
         run_day(record),
     );
     let in_force = match days {
-        (Some(calibrated), Some(due), Some(run)) => calibrated <= run && run <= due,
+        (Some(calibrated), Some(_), Some(run)) => {
+            let standing = in_force(record, particulars, Some(run));
+            calibrated <= run && !matches!(standing, InForce::Overdue { .. })
+        }
         _ => false,
     };
     named && in_force && !is_emulated(&record.head.instrument_serial)
@@ -102,7 +106,7 @@ fn traceability(record: &Record, particulars: &Particulars) -> Option<Value> {
     if is_emulated(&record.head.instrument_serial) {
         return phrase("traceability.simulated", &[]);
     }
-    if !is_traceable(record) {
+    if !is_traceable(record, particulars) {
         return phrase("traceability.not_in_force", &[]);
     }
     let due = day(reference.due_day).map_or("\u{2013}".to_owned(), |due| due.to_string());

@@ -1,10 +1,11 @@
 //! `calib assure`: check standards against their own results, before a job is begun.
 
-use super::history::plot;
+use super::history::{SIZE, plot};
 use super::sensors::cut;
 use crate::cli::{Context, number::positive, time};
 use calib_host::assurance::{self, AssuranceReport, CheckState};
-use calib_host::{Error, Result};
+use calib_host::self_check::ReferenceState;
+use calib_host::{Error, Result, terminal};
 use calib_logbook::{Certified, CheckStandard, History, HistoryResult, Logbook};
 use calib_metrology::common_drift::CommonDrift;
 use calib_metrology::control_chart::{ControlChart, FEWEST, Signal, control_chart};
@@ -24,7 +25,10 @@ why, which the certificate prints.
 
 Without SERIAL: every check standard, the drift they show together, which is that of the reference,
 and the interval between its calibrations that this advises (ILAC-G24). Exit code 7 when one is out of
-control or overdue, or does not agree with its certificate.")]
+control or overdue, or does not agree with its certificate.
+
+References checked by `calib selfcheck` are listed with their change since the baseline and a chart; a
+significant change, or a chart that speaks against the latest check, is out of control likewise.")]
 pub(crate) struct Assure {
     /// Serial number of the check standard; all of them without.
     serial: Option<String>,
@@ -120,18 +124,58 @@ fn all(context: &Context, logbook: &Logbook) -> Result<()> {
     let report = assurance::report(logbook, now_s())?;
     print(context, &report)?;
     let failed = |state: &&CheckState| state.overdue || !state.in_control;
-    match report.standards.iter().filter(failed).count() {
-        0 => Ok(()),
-        count => Err(Error::NotPassed(format!(
-            "{count} of {} check standards are out of control or overdue",
+    let standards = report.standards.iter().filter(failed).count();
+    if standards > 0 {
+        return Err(Error::NotPassed(format!(
+            "{standards} of {} check standards are out of control or overdue",
             report.standards.len()
+        )));
+    }
+    match report.references.iter().find(|state| !state.in_control) {
+        None => Ok(()),
+        Some(state) => Err(Error::NotPassed(format!(
+            "the reference {} is out of control",
+            state.reference_serial
         ))),
     }
 }
 
 fn report_text(report: &AssuranceReport) -> String {
+    let mut text = standards_text(report);
+    for state in &report.references {
+        text.push_str(&reference_text(state));
+    }
+    text
+}
+
+/// A reference by its checks: chart and verdict.
+fn reference_text(state: &ReferenceState) -> String {
+    let latest =
+        u64::try_from(state.latest_unix_time_s).map_or(String::new(), time::date_and_minute);
+    let mut text = format!(
+        "\nreference {} of {}: {} by {} checks, the latest {latest}\n",
+        state.reference_serial,
+        state.instrument_serial,
+        state.words(),
+        state.checks,
+    );
+    if state.changes.len() > 1 {
+        text.push_str("change since the baseline in %, bars are U\n");
+        text.push_str(&terminal::show_changes(&state.changes, SIZE.0, SIZE.1));
+        text.push('\n');
+    }
+    let latest = state.latest.iter().map(|change| change.words());
+    let signals = state.signals.iter().map(|signal| signal.text().to_owned());
+    for line in latest.chain(signals) {
+        text.push_str(&format!("{line}\n"));
+    }
+    text
+}
+
+fn standards_text(report: &AssuranceReport) -> String {
     if report.standards.is_empty() {
-        return "There is no check standard: `calib assure SERIAL --every DAYS` names one.".into();
+        return "There is no check standard: `calib assure SERIAL --every DAYS` names one.\n"
+            .into();
     }
     let mut table = Table::new(&["serial", "Hz", "every/d", "results", "latest", "E_n", ""]);
     for state in &report.standards {

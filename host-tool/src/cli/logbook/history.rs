@@ -7,7 +7,7 @@ use calib_metrology::text::Table;
 use clap::Args;
 
 /// Columns and rows of the plot.
-const SIZE: (usize, usize) = (80, 12);
+pub(super) const SIZE: (usize, usize) = (80, 12);
 
 /// `calib history SERIAL`.
 #[derive(Debug, Args)]
