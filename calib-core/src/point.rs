@@ -64,6 +64,12 @@ pub struct PointResult {
     /// Amplitude of what the mains may still do to the result, relative, and as many rad of phase: a sine of
     /// unknown phase ([`crate::hum`]). 0 where no line comes near, and with broadband excitation.
     pub hum_rel: f32,
+    /// What may be missing of the tone, relative: power beside tone and harmonics that is absent at rest, over
+    /// that of the tone, both channels as root sum square. 0 with broadband excitation.
+    ///
+    /// A contact that is open for a share `m` of the time at instants of its own takes `m` of the amplitude and leaves
+    /// `m (1 - m)` of the power beside it: over the power left in the tone that is `m / (1 - m)`.
+    pub dropout_rel: f32,
     /// Blocks averaged.
     pub blocks: u16,
     /// Relative expanded uncertainty of the magnitude.
@@ -146,6 +152,7 @@ impl PointResult {
             repeatability_rel: 0.0,
             repeatability_phase_rad: 0.0,
             hum_rel: 0.0,
+            dropout_rel: 0.0,
             blocks: 0,
             expanded_uncertainty_rel: 0.0,
             coverage_factor: 0.0,

@@ -60,7 +60,7 @@ macro_rules! column {
 const VERDICT: u8 = 5;
 
 /// Every column there is, in the order they are written and read.
-const COLUMNS: [Column; 28] = [
+const COLUMNS: [Column; 29] = [
     column!(1, Round, spec.frequency_hz),
     column!(2, Round, spec.acceleration_rms_ms2),
     column!(3, u16, tone.cycles),
@@ -99,6 +99,7 @@ const COLUMNS: [Column; 28] = [
     column!(26, Temperature, instrument_temperature_c),
     column!(27, Maybe2, signal_to_noise_worst_block_db),
     column!(28, Upper3, hum_rel),
+    column!(29, Upper3, dropout_rel),
 ];
 
 /// Bytes of a point at most: the columns that take more than three are outweighed by those of two.
@@ -601,8 +602,8 @@ mod tests {
         let mut bytes = written(&[point]);
         bytes.extend([200, 1, 2, 7, 7]);
         assert_eq!(read_back(&bytes).as_deref(), Ok(&[point][..]));
-        // The last three columns away: 3, 2 and 2 bytes of content, 3 of each heading, 5 just added.
-        bytes.truncate(bytes.len() - 5 - 6 - 5 - 5);
+        // The last four columns away: 3, 3, 2 and 2 bytes of content, 3 of each heading, 5 just added.
+        bytes.truncate(bytes.len() - 5 - 6 - 6 - 5 - 5);
         let older = PointResult {
             coherence: None,
             instrument_temperature_c: None,

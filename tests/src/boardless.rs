@@ -170,6 +170,42 @@ mod tests {
         assert!(early > 10 && greatest < 0.3, "{early} {greatest}");
     }
 
+    /// A contact that opens at instants of its own takes as much of the amplitude as it leaves of the power: U
+    /// covers it where the point is not refused, and sound rigs have next to nothing.
+    #[test]
+    fn a_contact_that_opens_is_within_u() {
+        let list = [point(80.0, 3.0), point(630.0, 3.0)];
+        let settings = Settings::field_calibrator();
+        let (mut stated, mut greatest) = (0, 0.0_f64);
+        for (rate_hz, open_fraction) in [
+            (24.0, 0.005),
+            (24.0, 0.02),
+            (131.0, 0.02),
+            (131.0, 0.05),
+            (480.0, 0.01),
+        ] {
+            for channel in [0, 1] {
+                let mut rig = Rig::standard();
+                let fault = format!(
+                    "cable_intermittent=channel:{channel},at_s:0,rate_hz:{rate_hz},open_fraction:{open_fraction}"
+                );
+                rig.faults.push(fault.parse().expect("a fault"));
+                for result in measure(&rig, &settings, &list) {
+                    if result.verdict == Verdict::Pass {
+                        let off = deviation(&result, &rig, RATE_HZ).magnitude_rel.abs();
+                        stated += 1;
+                        greatest = greatest.max(off / f64::from(result.expanded_uncertainty_rel));
+                    }
+                }
+            }
+        }
+        println!("{stated} stated, at most {greatest:.2} of U");
+        assert!(stated > 4 && greatest < 1.0, "{stated} {greatest}");
+        for result in measure(&Rig::standard(), &settings, &list) {
+            assert!(result.dropout_rel < 1.0e-3, "{}", result.dropout_rel);
+        }
+    }
+
     /// Ideal converters, the reference as it is, and a line of this frequency and r.m.s. size.
     fn beside(line_hz: f64, pickup_v: f64) -> (Rig, Settings) {
         let mut rig = Rig::standard();

@@ -36,7 +36,7 @@ pub struct PointBudget<'a> {
 /// Row 1 is the reference's calibration, with a second component when its
 /// table had to be interpolated (5.1); the influences of the settings follow, of
 /// which a measured ratio of the channels replaces that of row 3, then those that
-/// differ from point to point, and the hum; the last row is the measurement's own
+/// differ from point to point, the hum, and noise that comes with the motion; the last row is the measurement's own
 /// scatter with blocks - 1 degrees of freedom.
 ///
 /// # Errors
@@ -95,6 +95,13 @@ pub fn point_budget(
         )?;
     }
     budget.add(5, Distribution::UShaped, [point.hum_rel; 2])?;
+    budget.add_above_zero(
+        5,
+        "noise that comes with the motion",
+        // Nothing, or all of it: a contact that opens takes all, and nothing else that is known takes some.
+        Distribution::UShaped,
+        [point.dropout_rel; 2],
+    )?;
     let degrees = f32::from(point.blocks.saturating_sub(1).max(1));
     for (budget, row, value) in [
         (&mut budget.magnitude, Row::a1(18), point.repeatability_rel),

@@ -54,6 +54,11 @@ impl Watch {
         self.count = 0;
     }
 
+    /// Blocks collected, at most those of a second.
+    pub fn count(&self) -> usize {
+        self.count
+    }
+
     /// True when a second was collected; later blocks take the place of the first.
     pub fn is_full(&self) -> bool {
         self.count == WATCH_BLOCKS

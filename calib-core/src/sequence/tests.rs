@@ -154,7 +154,7 @@ struct Rig<'m> {
 }
 
 impl<'m> Rig<'m> {
-    fn new(memory: &'m mut FoldMemory, plant: Plant, delay: usize) -> Self {
+    fn new(memory: &'m mut FoldMemory, mut plant: Plant, delay: usize) -> Self {
         let sampling = Sampling {
             input: Converters::FIELD.input,
             sample_rate_hz: RATE_HZ as f32,
@@ -162,8 +162,10 @@ impl<'m> Rig<'m> {
             latency_samples: ((delay + 1) * HALF) as u32,
         };
         let mut sequencer = Sequencer::new(memory, sampling, Settings::field_calibrator());
-        // An instrument has rested a second before it is asked: it has heard that there is no hum.
-        let silence = vec![0x8000_8000; RATE_HZ as usize];
+        // An instrument has rested for a while before it is asked: it has heard its noise, and that there is no hum.
+        let silence: Vec<u32> = (0..3 * RATE_HZ as usize / 2)
+            .map(|_| plant.step(2048))
+            .collect();
         assert!(sequencer.feed(&silence).is_none());
         Self {
             sequencer,

@@ -31,7 +31,7 @@ pub(crate) struct Heading {
 }
 
 /// Every quantity there is, in the order of CSV and of the printed table.
-pub(crate) const MEASURED: [Measured; 10] = [
+pub(crate) const MEASURED: [Measured; 11] = [
     Measured {
         key: "distortion_dut_percent",
         of: |p| Some(percent(p.distortion_dut_rel)),
@@ -67,6 +67,7 @@ pub(crate) const MEASURED: [Measured; 10] = [
         Some(percent(p.repeatability_rel))
     }),
     plain("hum_percent", |p| Some(percent(p.hum_rel))),
+    plain("dropout_percent", |p| Some(percent(p.dropout_rel))),
     plain("amplitude_stability_percent", |p| {
         Some(percent(p.amplitude_stability_rel))
     }),

@@ -100,6 +100,8 @@ pub struct PointView {
     pub repeatability_phase_deg: Option<f64>,
     /// Amplitude of what the mains may still do to the result, relative; as many rad of phase.
     pub hum_rel: Option<f32>,
+    /// What may be missing of the tone, relative: power beside it that is absent at rest, over its own.
+    pub dropout_rel: Option<f32>,
     /// Largest relative change of the acceleration amplitude while measuring.
     pub amplitude_stability_rel: Option<f32>,
     /// Blocks averaged.
@@ -144,6 +146,7 @@ impl PointView {
             repeatability_rel: finite(point.repeatability_rel),
             repeatability_phase_deg: finite(point.repeatability_phase_rad).map(degrees),
             hum_rel: finite(point.hum_rel),
+            dropout_rel: finite(point.dropout_rel),
             amplitude_stability_rel: finite(point.amplitude_stability_rel),
             blocks: point.blocks,
             drive_peak_v: point.drive_peak_v,

@@ -68,6 +68,17 @@ impl Gathered {
         libm::sqrtf(residual / signal.max(f32::MIN_POSITIVE) / samples.max(1) as f32)
     }
 
+    /// What may be missing of the tone, relative ([`PointResult::dropout_rel`](crate::point::PointResult)), by the
+    /// mean squares of both channels at rest, codes squared.
+    pub(super) fn dropout_rel(&self, rest_square: [f32; 2]) -> f32 {
+        let channels = self.residual_square.iter().zip(self.signal_square);
+        let shares = channels.zip(rest_square).map(|((residual, signal), rest)| {
+            let beyond = (residual - rest * self.blocks()).max(0.0);
+            beyond / signal.max(f32::MIN_POSITIVE)
+        });
+        libm::sqrtf(shares.map(|share| share * share).sum())
+    }
+
     pub(super) fn mean_level_peak(&self) -> f32 {
         self.level_sum / self.blocks()
     }

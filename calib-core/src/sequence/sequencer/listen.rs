@@ -1,8 +1,8 @@
-//! Listening to the mains while the exciter rests.
+//! Listening while the exciter rests: to the mains, and to how much noise there is.
 
 use super::{Plan, Sampling, Sequencer, Stage};
-use crate::correlation::Block;
-use crate::hum::{Hum, Watch};
+use crate::correlation::{Block, Energy, Outline};
+use crate::hum::{Hum, WATCH_BLOCKS, Watch};
 use crate::tone::Tone;
 
 /// What was heard is good for a point far from every line, s.
@@ -14,10 +14,14 @@ const BESIDE_HZ: f32 = 10.0;
 /// A line that is less of the set level does not need to be heard again.
 const SMALL_REL: f32 = 2.0e-4;
 
-/// The mains as last heard.
+/// The mains as last heard, and the noise.
 #[derive(Clone, Debug)]
 pub(super) struct Listening {
     watch: Watch,
+    /// Mean square of both channels about their means over the last blocks, codes squared.
+    noise_square: [f32; 2],
+    /// The same when a point last took over what was heard.
+    rest_square: [f32; 2],
     /// A second was heard, and this was in it.
     heard: Option<Option<Hum>>,
     /// Samples since.
@@ -28,6 +32,8 @@ impl Listening {
     pub(super) const fn new() -> Self {
         Self {
             watch: Watch::new(),
+            noise_square: [0.0; 2],
+            rest_square: [0.0; 2],
             heard: None,
             age: 0,
         }
@@ -41,6 +47,23 @@ impl Listening {
     /// The lines there are.
     pub(super) fn hum(&self) -> Option<Hum> {
         self.heard.flatten()
+    }
+
+    /// Mean square of both channels with the exciter at rest, codes squared: what has nothing to do with
+    /// the motion. 0 as long as nobody listened.
+    pub(super) fn rest_square(&self) -> [f32; 2] {
+        self.rest_square
+    }
+
+    /// Adds a block at rest.
+    fn add(&mut self, outline: &Outline, energy: Energy) {
+        let weight = 1.0 / (self.watch.count() + 1).min(WATCH_BLOCKS) as f32;
+        for (channel, square) in self.noise_square.iter_mut().enumerate() {
+            let values = outline.iter().filter_map(|pair| pair.get(channel));
+            let mean = values.sum::<f32>() / outline.len() as f32;
+            *square += (energy.mean_square(channel) - mean * mean - *square) * weight;
+        }
+        self.watch.add(outline);
     }
 }
 
@@ -71,7 +94,7 @@ impl Sequencer<'_> {
         let taken = self.correlator.push(pairs);
         if self.correlator.is_complete() {
             if let Some(outline) = self.correlator.outline() {
-                self.listening.watch.add(&outline);
+                self.listening.add(&outline, self.correlator.energy());
             }
             self.correlator.start(block(&self.sampling), 0);
             if matches!(self.stage, Stage::Listening) && self.listening.watch.is_full() {
@@ -85,6 +108,7 @@ impl Sequencer<'_> {
     /// Takes over what was heard.
     fn understand(&mut self) {
         self.listening.heard = Some(self.listening.watch.hum());
+        self.listening.rest_square = self.listening.noise_square;
         self.listening.age = 0;
     }
 

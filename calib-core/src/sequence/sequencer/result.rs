@@ -111,6 +111,7 @@ impl Sequencer<'_> {
         result.repeatability_rel = repeatability_rel;
         result.repeatability_phase_rad = repeatability_phase_rad;
         result.hum_rel = ratio.hum_rel;
+        result.dropout_rel = gathered.dropout_rel(self.listening.rest_square());
         result.blocks = gathered.count();
         result.distortion_reference_rel = gathered.distortion_rel(0);
         result.distortion_dut_rel = gathered.distortion_rel(1);
