@@ -7,6 +7,7 @@
 //! # Source
 //! ILAC-G8:09/2019, 4.2; ISO/IEC 17025:2017, 7.8.6; reference point by ISO 16063-21:2003, 5.3.
 
+use crate::closing::Closing;
 use crate::point::{PointResult, PointSpec};
 use crate::points::{REFERENCE_HZ, REFERENCE_MS2};
 use crate::stored_list::{Band, Base, ListTerms, Rule};
@@ -36,19 +37,20 @@ pub enum Conformity {
 
 /// Statement about a run: that about the worst of its points.
 ///
-/// A point that was refused leaves nothing to be accepted; what another point fails by is rejected all the
-/// same.
-pub fn judge(terms: &ListTerms, points: &[PointResult]) -> Conformity {
+/// A point that was refused leaves nothing to be accepted, nor does a first point that could not be repeated at
+/// the end; what another point fails by is rejected all the same. What changed until then counts with U.
+pub fn judge(terms: &ListTerms, points: &[PointResult], closing: &Closing) -> Conformity {
     let Some(reference) = reference_point(points) else {
         return Conformity::NotJudgeable;
     };
     let judged = points.iter().filter(|point| is_result(point));
     let worst = judged
-        .filter_map(|point| judge_point(terms, point, reference))
+        .filter_map(|point| judge_point(terms, point, reference, closing))
         .max();
+    let closed = !matches!(closing, Closing::Refused(_));
     match worst {
         Some(Conformity::Fail) => Conformity::Fail,
-        Some(worst) if points.iter().all(is_result) => worst,
+        Some(worst) if closed && points.iter().all(is_result) => worst,
         _ => Conformity::NotJudgeable,
     }
 }
@@ -76,13 +78,14 @@ fn judge_point(
     terms: &ListTerms,
     point: &PointResult,
     reference: &PointResult,
+    closing: &Closing,
 ) -> Option<Conformity> {
     let at_reference = core::ptr::eq(point, reference);
-    let own = point.expanded_uncertainty_rel;
+    let own = closing.expanded_rel(point);
     let of_deviation = match at_reference {
         // It deviates by nothing from itself, whatever its U.
         true => 0.0,
-        false => libm::hypotf(own, reference.expanded_uncertainty_rel),
+        false => libm::hypotf(own, closing.expanded_rel(reference)),
     };
     let value = point.sensitivity_v_per_ms2;
     let by = |base, sensitivity: f32, expanded_rel: f32| {
@@ -176,6 +179,11 @@ fn rank(spec: &PointSpec) -> (f32, usize) {
 mod tests {
     use super::*;
     use crate::verdict::Reason;
+
+    /// Of a run that was not closed.
+    fn judge(terms: &ListTerms, points: &[PointResult]) -> Conformity {
+        super::judge(terms, points, &Closing::None)
+    }
 
     /// A valid point of S in V/(m/s2) with U = 1 %.
     fn valid(frequency_hz: f32, sensitivity: f32) -> PointResult {

@@ -17,6 +17,7 @@ pub mod aperture;
 pub mod broadband;
 pub mod budget;
 pub mod channel_ratio;
+pub mod closing;
 pub mod conformity;
 pub mod consecutive;
 pub mod control;

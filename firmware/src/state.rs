@@ -1,6 +1,7 @@
 //! State the tasks share: short copies under a critical section.
 
 use crate::board::{CONVERTERS, promise};
+use calib_core::closing::Closing;
 use calib_core::conformity::Conformity;
 use calib_core::point::{ExcitationKind, PointResult};
 use calib_core::settings::Settings;
@@ -126,6 +127,8 @@ pub(crate) struct Run {
     pub(crate) results: Vec<PointResult, MAX_POINTS>,
     /// Every point was attempted.
     pub(crate) complete: bool,
+    /// What became of the first valid point when it was repeated at the end.
+    pub(crate) closing: Closing,
     /// Running number its record has or will have.
     pub(crate) record_id: u32,
     /// The list a tap of the button chose; none where a host began it.
@@ -144,6 +147,7 @@ impl Run {
         },
         results: Vec::new(),
         complete: false,
+        closing: Closing::None,
         record_id: 0,
         list: ListTerms::NONE,
         clock: ClockReading::NONE,
@@ -153,6 +157,7 @@ impl Run {
     pub(crate) fn begin(&mut self, record_id: u32) {
         self.results.clear();
         self.complete = false;
+        self.closing = Closing::None;
         self.record_id = record_id;
         self.list = ListTerms::NONE;
         self.clock = ClockReading::NONE;

@@ -5,6 +5,7 @@ use crate::head::{RecordHead, Sha256Sum};
 use crate::provenance::Provenance;
 use crate::signature::PublicKey;
 use crate::update::ImageOrigin;
+use calib_core::closing::Closing;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_core::stored_list::ListTerms;
@@ -33,6 +34,8 @@ pub struct Record {
     pub list: ListTerms,
     /// Where the time comes from of a run that no host began.
     pub clock: ClockReading,
+    /// What became of the first valid point when it was repeated at the end.
+    pub closing: Closing,
     /// Results in the order measured.
     pub points: Vec<PointResult, MAX_POINTS>,
     /// [Digest](crate::record::digest) of the bytes it was read from; none of a record that was not read.
@@ -52,6 +55,7 @@ impl Record {
         image: ImageOrigin::UNKNOWN,
         list: ListTerms::NONE,
         clock: ClockReading::NONE,
+        closing: Closing::None,
         points: Vec::new(),
         sha256: None,
         signed_by: None,

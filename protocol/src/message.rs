@@ -370,7 +370,7 @@ pub enum ResetCause {
 pub struct Status {
     /// Phase of the run.
     pub state: RunState,
-    /// Point in work, from 0.
+    /// Point in work, from 0; as many as there are while the first valid one is repeated behind the last.
     pub point: u16,
     /// Points of the run.
     pub points: u16,

@@ -20,6 +20,7 @@
 //! | 9 | image | [`ImageOrigin`]: digest and signer, where a loader has checked it |
 //! | 10 | list | [`ListTerms`] of the list a tap of the button chose |
 //! | 11 | clock | [`ClockReading`] of a run without a host |
+//! | 12 | closing | [`Closing`], where the first point was repeated at the end |
 //! | 8 | signature | [`crate::signature::Signature`] of the instrument, the last of all |
 //!
 //! The head comes first. Records of version 1 had no sections: they are read, and written no more.
@@ -40,6 +41,7 @@ use crate::signature;
 use crate::stored_point::{self, InColumns};
 use crate::text::tame;
 use crate::update::ImageOrigin;
+use calib_core::closing::Closing;
 use calib_core::settings::{ReferenceChannel, Settings};
 use calib_core::stored_list::ListTerms;
 use core::ops::Range;
@@ -57,6 +59,7 @@ const PROVENANCE: u8 = 7;
 const IMAGE: u8 = 9;
 const LIST: u8 = 10;
 const CLOCK: u8 = 11;
+const CLOSING: u8 = 12;
 
 /// One line of the record list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -116,6 +119,7 @@ pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> 
         Image(&record.image),
         List(&record.list),
         Counted(record.clock),
+        Closed(&record.closing),
     );
     seal(RecordKind::Calibration, &content, buffer)
 }
@@ -183,6 +187,18 @@ impl Serialize for Counted {
         match self.0 == ClockReading::NONE {
             true => ().serialize(serializer),
             false => section(CLOCK, self.0).serialize(serializer),
+        }
+    }
+}
+
+/// The section of the closing; none where nothing was repeated.
+struct Closed<'a>(&'a Closing);
+
+impl Serialize for Closed<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match *self.0 == Closing::None {
+            true => ().serialize(serializer),
+            false => section(CLOSING, self.0).serialize(serializer),
         }
     }
 }
@@ -278,6 +294,9 @@ impl<'a> Content<'a> {
         }
         if let Some((_, content)) = find(self.bytes, CLOCK, 1)? {
             record.clock = Fields(content).take()?;
+        }
+        if let Some((_, content)) = find(self.bytes, CLOSING, 1)? {
+            record.closing = Fields(content).take()?;
         }
         stored_point::read(needed(self.bytes, POINTS)?, &mut record.points)
     }
@@ -427,6 +446,7 @@ pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
 mod tests {
     use super::*;
     use crate::update::ImageSigner;
+    use calib_core::closing::Change;
     use calib_core::point::{PointResult, PointSpec};
     use calib_core::stored_list::{Band, Base, Rule};
     use calib_core::verdict::{Reason, Verdict};
@@ -539,6 +559,32 @@ mod tests {
         assert_eq!(decode(&bytes[..length]).expect("whole").clock, record.clock);
         let before = decode(&stored()).expect("whole");
         assert_eq!(before.clock, ClockReading::NONE);
+    }
+
+    #[test]
+    fn the_closing_is_told_and_a_record_without_is_read() {
+        for (closing, bytes_of_it) in [
+            (Closing::Refused(Reason::DutOpen), 2),
+            (
+                Closing::Changed(Change {
+                    magnitude_rel: -0.05,
+                    phase_rad: 0.01,
+                    noise_rel: 1.0e-4,
+                    noise_phase_rad: 1.0e-4,
+                }),
+                17,
+            ),
+        ] {
+            let mut record = record();
+            record.closing = closing;
+            let mut bytes = vec![0; 1024];
+            let length = encode(&record, &mut bytes).expect("fits");
+            // And what says that it is a section.
+            assert_eq!(length, stored().len() + bytes_of_it + 3);
+            assert_eq!(decode(&bytes[..length]).expect("whole").closing, closing);
+        }
+        let before = decode(&stored()).expect("whole");
+        assert_eq!(before.closing, Closing::None);
     }
 
     #[test]

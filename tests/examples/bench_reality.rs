@@ -18,11 +18,12 @@ fn main() -> Result<(), Fault> {
     let arguments = arguments(&sizes)?;
     println!(
         "{} runs of each effect, a point in each band; shares in percent of the points\n\n{:<24} {:>6} \
-         {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>6}",
+         {:>7} {:>6} {:>7} {:>7} {:>7} {:>7} {:>7} {:>6}",
         arguments.runs,
         "effect",
         "right",
         "refused",
+        "told",
         "wrong S",
         "phase",
         "> 2 U",
@@ -55,9 +56,10 @@ fn main() -> Result<(), Fault> {
 
 fn show(name: &str, tally: &Tally) {
     println!(
-        "{name:<24} {:>6.1} {:>7.1} {:>7.1} {:>7.1} {:>7.1} {:>7.2} {:>7.2} {:>6.2}",
+        "{name:<24} {:>6.1} {:>7.1} {:>6.1} {:>7.1} {:>7.1} {:>7.1} {:>7.2} {:>7.2} {:>6.2}",
         tally.percent(tally.right),
         tally.percent(tally.refused),
+        tally.percent(tally.told),
         tally.percent(tally.wrong_magnitude),
         tally.percent(tally.wrong_phase),
         tally.percent(tally.beyond_2_u),

@@ -219,6 +219,21 @@ impl Bench {
         self.run_excited(points, ExcitationKind::SingleSine)
     }
 
+    /// The stored bytes of a record.
+    ///
+    /// # Errors
+    /// Those of the link.
+    pub fn record(&mut self, id: u32) -> Result<Vec<u8>, Fault> {
+        let mut bytes = Vec::new();
+        loop {
+            let chunk = self.client.read_record(id, bytes.len() as u32)?;
+            bytes.extend_from_slice(&chunk.data);
+            if bytes.len() >= chunk.total as usize {
+                return Ok(bytes);
+            }
+        }
+    }
+
     /// [`Self::run`], each point held for all of its blocks.
     ///
     /// # Errors

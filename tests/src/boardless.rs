@@ -4,12 +4,14 @@
 
 use calib_core::aperture::Aperture;
 use calib_core::broadband::PeriodMemory;
+use calib_core::closing::Closing;
 use calib_core::converter::Converters;
 use calib_core::correlation::FoldMemory;
 use calib_core::output::{Command, Output};
 use calib_core::point::{PointResult, PointSpec};
 use calib_core::sequence::{Sampling, Sequencer};
 use calib_core::settings::Settings;
+use calib_core::verdict::Verdict;
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::{Conversions, DRIVE_MID_CODE, Dither, RigPort};
@@ -66,6 +68,33 @@ pub fn measure(rig: &Rig, settings: &Settings, specs: &[PointSpec]) -> Vec<Point
     measure_by(Acquisition::SHIPPING, rig, settings, specs)
 }
 
+/// As [`measure`], and how the run was closed, as the instrument does it.
+pub fn measure_closed(
+    rig: &Rig,
+    settings: &Settings,
+    specs: &[PointSpec],
+) -> (Vec<PointResult>, Closing) {
+    let (mut fold, mut period) = (FoldMemory::new(), PeriodMemory::new());
+    let mut calibrator =
+        Calibrator::new(Acquisition::SHIPPING, rig, settings, &mut fold, &mut period);
+    let results = calibrator.run(specs);
+    let ended = |result: &PointResult| match result.verdict {
+        Verdict::Refused(reason) => reason.ends_run(),
+        Verdict::Pass => false,
+    };
+    let first = results
+        .iter()
+        .find(|result| result.verdict == Verdict::Pass);
+    let closing = match first {
+        Some(first) if specs.len() > 1 && !results.iter().any(ended) => {
+            let again = calibrator.measure(first.spec);
+            again.map_or(Closing::None, |again| Closing::new(first, &again))
+        }
+        _ => Closing::None,
+    };
+    (results, closing)
+}
+
 /// As [`measure`], with converters set otherwise than the firmware sets them.
 pub fn measure_by(
     acquisition: Acquisition,
@@ -73,32 +102,8 @@ pub fn measure_by(
     settings: &Settings,
     specs: &[PointSpec],
 ) -> Vec<PointResult> {
-    let sampling = Sampling {
-        input: Converters::FIELD.input,
-        sample_rate_hz: RATE_HZ,
-        aperture: acquisition.aperture(),
-        latency_samples: 2 * BLOCK as u32 + 2,
-    };
     let (mut fold, mut period) = (FoldMemory::new(), PeriodMemory::new());
-    let mut calibrator = Calibrator {
-        sequencer: Sequencer::new(&mut fold, sampling, settings.clone()),
-        output: Output::new(
-            &mut period,
-            Converters::FIELD.drive,
-            settings.drive_full_scale_peak_v,
-            1,
-        ),
-        plant: Plant::new(rig),
-        ring: [[DRIVE_MID_CODE; BLOCK]; 2],
-    };
-    calibrator.plant.set_conversions(acquisition.conversions);
-    calibrator.plant.set_drive_buffer(acquisition.drive_buffer);
-    calibrator.plant.set_dither(acquisition.dither());
-    calibrator.sequencer.start_run(settings.clone(), false);
-    specs
-        .iter()
-        .map_while(|spec| calibrator.measure(*spec))
-        .collect()
+    Calibrator::new(acquisition, rig, settings, &mut fold, &mut period).run(specs)
 }
 
 struct Calibrator<'m> {
@@ -109,7 +114,42 @@ struct Calibrator<'m> {
     ring: [[u16; BLOCK]; 2],
 }
 
-impl Calibrator<'_> {
+impl<'m> Calibrator<'m> {
+    fn new(
+        acquisition: Acquisition,
+        rig: &Rig,
+        settings: &Settings,
+        fold: &'m mut FoldMemory,
+        period: &'m mut PeriodMemory,
+    ) -> Self {
+        let sampling = Sampling {
+            input: Converters::FIELD.input,
+            sample_rate_hz: RATE_HZ,
+            aperture: acquisition.aperture(),
+            latency_samples: 2 * BLOCK as u32 + 2,
+        };
+        let mut calibrator = Self {
+            sequencer: Sequencer::new(fold, sampling, settings.clone()),
+            output: Output::new(
+                period,
+                Converters::FIELD.drive,
+                settings.drive_full_scale_peak_v,
+                1,
+            ),
+            plant: Plant::new(rig),
+            ring: [[DRIVE_MID_CODE; BLOCK]; 2],
+        };
+        calibrator.plant.set_conversions(acquisition.conversions);
+        calibrator.plant.set_drive_buffer(acquisition.drive_buffer);
+        calibrator.plant.set_dither(acquisition.dither());
+        calibrator.sequencer.start_run(settings.clone(), false);
+        calibrator
+    }
+
+    fn run(&mut self, specs: &[PointSpec]) -> Vec<PointResult> {
+        specs.iter().map_while(|spec| self.measure(*spec)).collect()
+    }
+
     fn measure(&mut self, spec: PointSpec) -> Option<PointResult> {
         self.sequencer.start_point(spec);
         let blocks = (LONGEST_S * RATE_HZ) as usize / BLOCK;
@@ -143,7 +183,6 @@ mod tests {
     use super::*;
     use crate::bench::{point, reference_point, true_certificate};
     use crate::judge::deviation;
-    use calib_core::verdict::Verdict;
     use calib_twin::rig::Rig;
 
     /// Fields of machines beside the tone, in the device's channel, that beat with it too slowly for three blocks: these

@@ -6,6 +6,7 @@ use crate::tasks::acquire::Block;
 use crate::tasks::drive::{COMMAND, DriveOrder, SILENCE};
 use crate::timing;
 use calib_core::broadband::SpectraMemory;
+use calib_core::closing::Closing;
 use calib_core::correlation::FoldMemory;
 use calib_core::output::Command;
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
@@ -42,6 +43,7 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
         sequencer: Sequencer::new(fold, SAMPLING, settings),
         broadband: false,
         running: None,
+        closes: false,
         stopping: false,
     };
     loop {
@@ -64,6 +66,8 @@ struct Runner {
     full_scale_peak_v: f32,
     /// Index of the point in work.
     running: Option<usize>,
+    /// The point in work is the first valid one again, behind the last.
+    closes: bool,
     stopping: bool,
 }
 
@@ -124,7 +128,7 @@ impl Runner {
         defmt::info!("run begins");
         crate::fault::let_through();
         self.full_scale_peak_v = settings.drive_full_scale_peak_v;
-        self.stopping = false;
+        (self.stopping, self.closes) = (false, false);
         match survey_request() {
             Some(request) => {
                 self.broadband = true;
@@ -166,22 +170,30 @@ impl Runner {
         }
     }
 
-    /// Begins point `index`, or ends the run when there is none.
+    /// Begins point `index`; behind the last, the first valid one again; or ends the run.
     fn start_point(&mut self, index: usize) {
-        match point(index) {
-            Some(spec) if !self.stopping => {
-                self.running = Some(index);
-                if !self.broadband {
-                    self.sequencer.start_point(spec);
-                }
-                state::update_status(|status| {
-                    status.point = index as u16;
-                    status.frequency_hz = spec.frequency_hz;
-                    status.target_rms_ms2 = spec.acceleration_rms_ms2;
-                });
+        match (point(index), repeatable()) {
+            (Some(spec), _) if !self.stopping => {
+                self.begin(index, spec);
             }
-            next => self.end_run(next.is_none()),
+            (None, Some(first)) if !self.stopping => {
+                self.closes = true;
+                self.begin(index, first.spec);
+            }
+            (next, _) => self.end_run(next.is_none()),
         }
+    }
+
+    fn begin(&mut self, index: usize, spec: PointSpec) {
+        self.running = Some(index);
+        if !self.broadband {
+            self.sequencer.start_point(spec);
+        }
+        state::update_status(|status| {
+            status.point = index as u16;
+            status.frequency_hz = spec.frequency_hz;
+            status.target_rms_ms2 = spec.acceleration_rms_ms2;
+        });
     }
 
     fn finish_point(&mut self, mut result: PointResult) {
@@ -194,6 +206,9 @@ impl Runner {
             result.acceleration_rms_ms2
         );
         let Some(index) = self.running else { return };
+        if self.closes {
+            return self.close(&result);
+        }
         if let Verdict::Refused(reason) = result.verdict {
             self.stopping |= reason.ends_run();
         }
@@ -204,6 +219,15 @@ impl Runner {
             let _ = run.borrow_mut().results.push(result);
         });
         self.start_point(index + 1);
+    }
+
+    /// Every point was measured: notes how the first came out again.
+    fn close(&mut self, again: &PointResult) {
+        if let Some(first) = repeatable() {
+            let closing = Closing::new(&first, again);
+            state::RUN.lock(|run| run.borrow_mut().closing = closing);
+        }
+        self.end_run(true);
     }
 
     fn end_run(&mut self, complete: bool) {
@@ -238,6 +262,19 @@ impl Runner {
             status.blocks = progress.blocks;
         });
     }
+}
+
+/// The point to be repeated behind the last: the first valid one of several, tone after tone.
+fn repeatable() -> Option<PointResult> {
+    state::RUN.lock(|run| {
+        let run = run.borrow();
+        let several =
+            run.spec.points.len() > 1 && run.spec.excitation == ExcitationKind::SingleSine;
+        let mut results = run.results.iter().filter(|_| several);
+        results
+            .find(|result| result.verdict == Verdict::Pass)
+            .copied()
+    })
 }
 
 /// Request for a broadband run; none for single sines.

@@ -3,6 +3,7 @@
 use crate::board::{RECORD_AREA, RandomSource, RecordFlash, axi_static, wrong_words_of_records};
 use crate::identity::Identity;
 use crate::{retained, state};
+use calib_core::closing::Closing;
 use calib_core::conformity::judge;
 use calib_core::self_test::WrongWords;
 use calib_core::stored_list::{StoredList, StoredLists};
@@ -226,21 +227,26 @@ pub(crate) async fn store(
             record.complete = run.complete;
             record.list.clone_from(&run.list);
             record.clock = run.clock;
+            record.closing = run.closing;
             record.points.clear();
             // The same capacity: all of them fit.
             let _ = record.points.extend_from_slice(&run.results);
         });
-        let complete = record.complete;
-        let judged = (!record.list.is_none()).then(|| judge(&record.list, &record.points));
+        // A stop may come while the first point is repeated: every point was attempted then.
+        let stopped = match record.closing {
+            Closing::Refused(reason) => reason.ends_run(),
+            Closing::None | Closing::Changed(_) => !record.complete,
+        };
+        let judged =
+            (!record.list.is_none()).then(|| judge(&record.list, &record.points, &record.closing));
         let stored = archive.store().await;
         let ended = match stored {
             Ok(()) => {
                 incident = None;
                 state::set_conformity(judged);
-                if complete {
-                    RunState::Finished
-                } else {
-                    RunState::Stopped
+                match stopped {
+                    true => RunState::Stopped,
+                    false => RunState::Finished,
                 }
             }
             Err(error) => {

@@ -22,6 +22,8 @@ use std::borrow::Cow;
 
 /// Row of Table A.1 for the mounting.
 const MOUNTING: u8 = 8;
+/// That for what is left: repeatability.
+const RESIDUAL: u8 = 18;
 /// Standard uncertainties are entered with this one.
 const STANDARD: Distribution = Distribution::Normal {
     coverage_factor: 1.0,
@@ -123,12 +125,26 @@ impl<'a> Basis<'a> {
 
     /// True when nothing is known beyond what the instrument knew.
     pub(super) fn is_the_instruments(&self) -> bool {
-        self.distance == Distance::Covered && !self.mountings.are_repeated()
+        let of_change = |point: &PointResult| self.record.closing.half_widths(point);
+        let changed = self.record.points.iter().any(|p| of_change(p) != [0.0; 2]);
+        self.distance == Distance::Covered && !self.mountings.are_repeated() && !changed
     }
 
     /// Budget with everything that is known.
     fn certified(&self, point: &PointResult) -> Result<PointBudget<'static>, String> {
         let mut budget = of_point(self.record, &self.settings, point)?;
+        let [change_rel, change_rad] = self.record.closing.half_widths(point);
+        for (budget, row, half_width) in [
+            (&mut budget.magnitude, Row::a1(RESIDUAL), change_rel),
+            (&mut budget.phase, Row::a2_from_a1(RESIDUAL), change_rad),
+        ] {
+            if half_width > 0.0 {
+                let component = Component::new(row, half_width, Distribution::UShaped);
+                let added =
+                    budget.add(component.labelled("change until the first point was repeated"));
+                added.map_err(|error| error.to_string())?;
+            }
+        }
         if let Some(scatter) = self.mountings.of(&point.spec) {
             let degrees = scatter.degrees_of_freedom as f32;
             let phase_rad = scatter.standard_uncertainty_phase_deg.to_radians();

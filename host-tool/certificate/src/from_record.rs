@@ -14,6 +14,7 @@ use super::rounding::{Rounded, round_uncertainty};
 use super::sections::{is_traceable, sections};
 use super::stored::{run_day, unix_day};
 use super::units::STANDARD_GRAVITY_MS2;
+use calib_core::closing::Closing;
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
 use calib_output::PointView;
@@ -77,12 +78,14 @@ impl Certificate {
             remarks: Vec::new(),
             as_found: None,
             chain: None,
+            is_closed: !matches!(record.closing, Closing::Refused(_)),
             simulated: is_emulated(&record.head.instrument_serial),
             traceable: is_traceable(record, particulars),
         };
         mountings.state(&mut certificate);
         linearity::attach(&mut certificate, &basis);
         certificate.remarks = remarks(record, &certificate);
+        certificate.remarks.extend(closing_remark(record));
         let temperature = basis.distance.remark();
         certificate.remarks.extend(temperature);
         conformity::attach(&mut certificate);
@@ -296,6 +299,28 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
         say(Severity::Note, "coverage_factor", vec![]);
     }
     remarks
+}
+
+/// What the repetition of the first point at the end of the run said, where it said anything.
+pub(super) fn closing_remark(record: &Record) -> Option<Remark> {
+    let (key, value) = match record.closing {
+        Closing::None => return None,
+        Closing::Refused(reason) => {
+            let reason = Value::Phrase(format!("reason.{reason:?}"), Vec::new());
+            ("not_repeated", reason)
+        }
+        Closing::Changed(change) => {
+            let counts = |p: &PointResult| record.closing.half_widths(p) != [0.0; 2];
+            record.points.iter().any(counts).then_some(())?;
+            let percent = 100.0 * decimal(change.magnitude_rel);
+            ("changed_meanwhile", Value::Number(percent, 2, "%"))
+        }
+    };
+    Some(Remark {
+        severity: Severity::Warning,
+        key,
+        values: vec![value],
+    })
 }
 
 /// Record and day of the last change of the reference's calibration, and of any setting.

@@ -6,6 +6,7 @@
 //!   "as_found": {..}, "record_chain", "remarks": [..] }
 //! ```
 
+use super::from_record::closing_remark;
 use super::marks::Mark;
 use super::model::{self, Certificate, Point, Section, Severity};
 use super::particulars::Amendment;
@@ -15,6 +16,7 @@ use super::words::Language;
 use crate::decision::Stated;
 use calib_files::{Error, Result};
 use calib_output::{PointView, SetPoint, json};
+use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -280,6 +282,12 @@ struct Remark {
     key: &'static str,
     /// In words.
     text: String,
+}
+
+/// What a certificate of the record says of the first point's repetition at the end of the run, where that says
+/// anything: the sensitivity changed meanwhile, or nobody knows.
+pub fn said_of_closing(record: &Record, language: Language) -> Option<String> {
+    closing_remark(record).map(|said| remark(&said, language).text)
 }
 
 fn remark(remark: &model::Remark, language: Language) -> Remark {

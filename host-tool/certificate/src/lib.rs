@@ -92,7 +92,7 @@ pub use assurance::{CheckProblem, FailedCheck, ReferenceCheck};
 pub use calib_files::file::Existing;
 pub use change::expanded_uncertainty_of_change_rel;
 pub use interval::IntervalRule;
-pub use json::Document;
+pub use json::{Document, said_of_closing};
 pub use marks::Mark;
 pub use model::Certificate;
 pub use mountings::{MountingScatter, scatter as mounting_scatter};

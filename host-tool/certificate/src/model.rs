@@ -48,6 +48,8 @@ pub struct Certificate {
     pub as_found: Option<Box<Certificate>>,
     /// Place of the record in the chain, once somebody looked.
     pub chain: Option<Standing>,
+    /// No first point was asked again at the end of the run and refused.
+    pub is_closed: bool,
     /// Measured by an emulated instrument.
     pub simulated: bool,
     /// The chain of the reference is stated in full, was in force, and is a real one's.
@@ -68,12 +70,12 @@ impl Certificate {
     }
 
     /// The statement about the whole object: the worst of all judged points.
-    /// `None` when nothing is judged, or when a point without a result keeps
-    /// the others from passing the object; a failure stays one.
+    /// `None` when nothing is judged, or when a point without a result, or a first point that could not be repeated
+    /// at the end, keeps the others from passing the object; a failure stays one.
     pub fn conformity(&self) -> Option<Conformity> {
         let judged = self.results().filter_map(|(_, values)| values.assessment);
         let worst = judged.map(|assessment| assessment.conformity).max()?;
-        let whole = self.points.iter().all(|point| point.outcome.is_ok());
+        let whole = self.is_closed && self.points.iter().all(|point| point.outcome.is_ok());
         (whole || worst == Conformity::Fail).then_some(worst)
     }
 

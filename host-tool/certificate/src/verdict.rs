@@ -63,6 +63,9 @@ impl Certificate {
             let because = language.phrase("verdict.without", &[&counts[0], &counts[1]]);
             return Some(plain(because));
         }
+        if self.conformity().is_none() && !self.is_closed {
+            return Some(plain(language.word("verdict.not_closed").to_owned()));
+        }
         let Some(decisive) = self.decisive() else {
             return Some(plain(language.word("verdict.nothing").to_owned()));
         };

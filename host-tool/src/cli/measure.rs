@@ -15,26 +15,30 @@ use calib_protocol::record::{Record, RunLabels};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-/// A record that is kept.
+/// The record of a run.
 pub(super) struct Kept {
-    /// Its number in the logbook; none while it waits for that.
+    /// Its number in the logbook; none while it waits for that, and where this user has none.
     pub(super) id: Option<i64>,
     pub(super) record: Record,
 }
 
-/// Keeps the record in the logbook, if this user has one.
+/// Fetches the record, and keeps it in the logbook, if this user has one. None of a run that could not be stored.
 pub(super) fn keep(
     context: &Context,
     client: &mut Client,
     outcome: &Outcome,
 ) -> Result<Option<Kept>> {
     let path = context.logbook_path();
-    if outcome.state == RunState::Failed || !path.exists() {
+    if outcome.state == RunState::Failed {
         return Ok(None);
     }
     let folder =
         tempfile::tempdir().map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
     let download = session::download(client, outcome.record_id, folder.path(), |_| ())?;
+    if !path.exists() {
+        let record = download.record;
+        return Ok(Some(Kept { id: None, record }));
+    }
     let bytes = std::fs::read(&download.path)
         .map_err(|error| Error::file("read", &download.path, error))?;
     // It is on disk before the logbook is asked for, which another program may hold.

@@ -166,12 +166,11 @@ fn message(progress: &Progress<'_>, list: &[PointSpec], left: Option<Duration>) 
         _ => return "storing".to_owned(),
     };
     let left = left.map_or(String::new(), |left| format!(", {} s left", left.as_secs()));
-    format!(
-        "{}/{} {:>7} Hz {doing:<9} {:6.3} m/s2 r.m.s.{left}",
-        usize::from(status.point) + 1,
-        list.len(),
-        list.get(usize::from(status.point))
-            .map_or(status.frequency_hz, |point| point.frequency_hz),
-        status.acceleration_rms_ms2,
-    )
+    let index = usize::from(status.point);
+    let (place, frequency_hz) = match list.get(index) {
+        Some(point) => (format!("{}/{}", index + 1, list.len()), point.frequency_hz),
+        None => ("again".to_owned(), status.frequency_hz),
+    };
+    let reached = status.acceleration_rms_ms2;
+    format!("{place} {frequency_hz:>7} Hz {doing:<9} {reached:6.3} m/s2 r.m.s.{left}")
 }

@@ -5,7 +5,9 @@ use super::measure::{Asked, Kept, judge, keep, measure, switch_of_interrupts};
 use super::remount::{self, Mountings, Remounting};
 use super::substitute::{self, Standard, Substitution};
 use super::{Context, logbook, number::positive, progress, progress::RunProgress, source, time};
-use calib_certificate::{Particulars, SensitivityUnit, Verdict, instrument_covers};
+use calib_certificate::{
+    Language, Particulars, SensitivityUnit, Verdict, instrument_covers, said_of_closing,
+};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict as PointVerdict;
@@ -115,6 +117,8 @@ pub(super) struct RunResult {
     verdict: Option<Verdict>,
     /// Why points were refused, and what to do about it.
     refusals: Vec<Refused>,
+    /// What changed until the first point was repeated at the end, in words; none where nothing did.
+    closing: Option<String>,
     /// With `--remount`: every mounting's record, this one included, and their scatter.
     remounting: Option<Remounting>,
     /// With `--substitute`: the device by the standard.
@@ -180,9 +184,15 @@ impl Run {
                 .collect(),
             verdict: kept.as_ref().and_then(of_record),
             refusals: refusals::of(&outcome.points),
+            closing: kept
+                .as_ref()
+                .and_then(|kept| said_of_closing(&kept.record, Language::default())),
             remounting: mountings.remounting(),
             substitution,
         };
+        if let Some(closing) = &result.closing {
+            context.remark(closing);
+        }
         progress::print_result(context, &result, || said(&result))?;
         judge(&outcome, points.len())?;
         passed(result.verdict.as_ref())

@@ -7,8 +7,9 @@
 //! tally   what came of the points of an effect in a band
 //! ```
 //!
-//! A point is right when the truth is within U, refused, or wrong. Every draw has one point in each band,
-//! so that counts in a band are counts of runs.
+//! A point is right when the truth is within U as a certificate of the run states it, told the temperature;
+//! refused; or wrong, unless the certificate warns of what went wrong. Every draw has one point in each band, so that
+//! counts in a band are counts of runs.
 
 mod draw;
 mod sizes;
@@ -22,14 +23,18 @@ use crate::bench::{Bench, Fault, reference_point};
 use crate::boardless;
 use crate::judge::from_truth;
 use crate::turns;
+use calib_certificate::model::{Point, PointValues};
+use calib_certificate::{Certificate, Particulars};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
 use calib_link::session;
-use calib_protocol::record::RunLabels;
+use calib_protocol::record::{self, Record, RunLabels};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
+/// Remarks of a certificate that say what went wrong in all of its points.
+const WARNINGS: [&str; 2] = ["changed_meanwhile", "not_repeated"];
 /// Stratum without an effect.
 pub const CLEAN: &str = "clean";
 /// Stratum of two effects or faults at a time.
@@ -98,11 +103,11 @@ pub fn run(
         |bench, draw| {
             let seed = first_seed + draw;
             let draw = Draw::new(sizes, &effects_of(sizes, stratum, seed), seed)?;
-            let results = match through {
+            let record = match through {
                 Through::Firmware => by_firmware(bench, &draw)?,
                 Through::Core => by_core(&draw),
             };
-            Ok(judge(&draw, &results, seed))
+            Ok(judge(&draw, &record, seed))
         },
         Stratum::merge,
         |_| (),
@@ -126,7 +131,7 @@ fn effects_of<'s>(sizes: &'s Sizes, stratum: &'s str, seed: u64) -> Vec<&'s str>
 }
 
 /// One run, on the worker's instrument.
-fn by_firmware(bench: &mut Option<Bench>, draw: &Draw) -> Result<Vec<PointResult>, Fault> {
+fn by_firmware(bench: &mut Option<Bench>, draw: &Draw) -> Result<Record, Fault> {
     let bench = match bench {
         Some(bench) => bench,
         None => bench.insert(Bench::with_rig(&draw.rig)?),
@@ -134,34 +139,53 @@ fn by_firmware(bench: &mut Option<Bench>, draw: &Draw) -> Result<Vec<PointResult
     bench.certify_reference(&draw.certificate)?;
     // The faults begin with the run, not with the handling of the button before it.
     bench.mount(&draw.rig);
-    let labels = RunLabels {
-        temperature_centi_c: Some((100.0 * draw.temperature_c) as i16),
-        ..RunLabels::default()
-    };
     let goes_on = |_: &session::Progress<'_>| ControlFlow::Continue(());
-    Ok(session::run(&mut bench.client, &draw.points, labels, goes_on)?.points)
+    let run = session::run(&mut bench.client, &draw.points, labels(draw), goes_on)?;
+    Ok(record::decode(&bench.record(run.record_id)?)?)
 }
 
-/// One run of the core alone.
-fn by_core(draw: &Draw) -> Vec<PointResult> {
+/// What the operator tells.
+fn labels(draw: &Draw) -> RunLabels {
+    RunLabels {
+        temperature_centi_c: Some((100.0 * draw.temperature_c) as i16),
+        ..RunLabels::BLANK
+    }
+}
+
+/// The record of a run of the core alone.
+fn by_core(draw: &Draw) -> Record {
     let mut settings = Settings::field_calibrator();
     settings.reference.points = draw.certificate.iter().map(reference_point).collect();
-    boardless::measure(&draw.rig, &settings, &draw.points)
+    let (points, closing) = boardless::measure_closed(&draw.rig, &settings, &draw.points);
+    let mut record = Record::BLANK;
+    record.head.sample_rate_hz = 50_000.0;
+    record.head.labels = labels(draw);
+    record.settings = settings;
+    record.complete = true;
+    record.closing = closing;
+    record.points.extend(points);
+    record
 }
 
 /// Counts what came of a run.
-fn judge(draw: &Draw, results: &[PointResult], seed: u64) -> Stratum {
+fn judge(draw: &Draw, record: &Record, seed: u64) -> Stratum {
     let mut counts = Stratum::default();
+    let certificate = Certificate::from_record(record, &Particulars::default());
+    let told = certificate
+        .remarks
+        .iter()
+        .any(|r| WARNINGS.contains(&r.key));
     for (index, band) in counts.bands.iter_mut().enumerate() {
         // A run that ended has no results for the rest of its list.
-        let Some(result) = results.get(index) else {
+        let Some(result) = record.points.get(index) else {
             band.add(Fate::Refused);
             continue;
         };
         if let Verdict::Refused(reason) = result.verdict {
             *counts.reasons.entry(reason.to_string()).or_default() += 1;
         }
-        let fate = fate(draw, result);
+        let certified = certificate.points.iter().find(|p| p.measured == *result);
+        let fate = fate(draw, result, certified.and_then(Point::values), told);
         counts.wrong.extend(fate.fault(draw, result, seed));
         band.add(fate);
     }
@@ -172,13 +196,16 @@ impl Fate {
     /// In words, when the point is wrong.
     fn fault(self, draw: &Draw, result: &PointResult, seed: u64) -> Option<String> {
         let Self::Stated {
-            magnitude, phase, ..
+            magnitude,
+            phase,
+            told,
+            ..
         } = self
         else {
             return None;
         };
         let right = magnitude <= 1.0 && phase <= 1.0;
-        (!right).then(|| {
+        (!right && !told).then(|| {
             format!(
                 "seed {seed}, {:.2} Hz, {:.2} m/s2: {magnitude:.2} and {phase:.2} of U; {:?} {:?}",
                 result.spec.frequency_hz,
@@ -191,16 +218,18 @@ impl Fate {
 }
 
 /// What became of a point.
-fn fate(draw: &Draw, result: &PointResult) -> Fate {
-    if result.verdict != Verdict::Pass {
+fn fate(draw: &Draw, result: &PointResult, certified: Option<&PointValues>, told: bool) -> Fate {
+    let Some(certified) = certified else {
         return Fate::Refused;
-    }
+    };
     let frequency_hz =
         f64::from(result.tone.cycles) * 50_000.0 / f64::from(result.tone.period_samples);
     let deviation = from_truth(result, draw.truth(frequency_hz));
+    let expanded_rel = certified.expanded_uncertainty_percent / 100.0;
     Fate::Stated {
-        magnitude: deviation.magnitude_rel.abs() / f64::from(result.expanded_uncertainty_rel),
-        phase: deviation.phase_rad.abs() / f64::from(result.expanded_uncertainty_phase_rad),
-        expanded_rel: f64::from(result.expanded_uncertainty_rel),
+        magnitude: deviation.magnitude_rel.abs() / expanded_rel,
+        phase: deviation.phase_rad.abs() / certified.expanded_uncertainty_phase_deg.to_radians(),
+        expanded_rel,
+        told,
     }
 }

@@ -13,6 +13,8 @@ pub enum Fate {
         phase: f64,
         /// Expanded uncertainty of the magnitude, relative.
         expanded_rel: f64,
+        /// The certificate warns of what went wrong.
+        told: bool,
     },
     /// Refused, or never begun.
     Refused,
@@ -27,6 +29,10 @@ pub struct Tally {
     pub right: u32,
     /// Refused.
     pub refused: u32,
+    /// Beyond U, and the certificate warns of what went wrong.
+    pub told: u32,
+    /// The certificate warns.
+    pub warned: u32,
     /// Passed, and the magnitude beyond U.
     pub wrong_magnitude: u32,
     /// Passed, and the phase beyond U.
@@ -49,6 +55,7 @@ impl Tally {
             magnitude,
             phase,
             expanded_rel,
+            told,
         } = fate
         else {
             self.refused += 1;
@@ -56,14 +63,19 @@ impl Tally {
         };
         // Written so that what is not a number is wrong.
         let wrong = |error: f64| u32::from(error.is_nan() || error > 1.0);
+        self.warned += u32::from(told);
+        self.expanded_sum_rel += expanded_rel;
         let [by_magnitude, by_phase] = [wrong(magnitude), wrong(phase)];
+        if told && by_magnitude.max(by_phase) > 0 {
+            self.told += 1;
+            return;
+        }
         self.wrong_magnitude += by_magnitude;
         self.wrong_phase += by_phase;
         self.right += 1 - by_magnitude.max(by_phase);
         self.beyond_2_u += wrong(0.5 * magnitude).max(wrong(0.5 * phase));
         self.worst_magnitude = self.worst_magnitude.max(magnitude);
         self.worst_phase = self.worst_phase.max(phase);
-        self.expanded_sum_rel += expanded_rel;
     }
 
     /// Adds the counts of another.
@@ -71,6 +83,8 @@ impl Tally {
         self.points += other.points;
         self.right += other.right;
         self.refused += other.refused;
+        self.told += other.told;
+        self.warned += other.warned;
         self.wrong_magnitude += other.wrong_magnitude;
         self.wrong_phase += other.wrong_phase;
         self.beyond_2_u += other.beyond_2_u;
@@ -101,6 +115,13 @@ mod tests {
             magnitude,
             phase,
             expanded_rel: 0.01,
+            told: false,
+        };
+        let warned = Fate::Stated {
+            magnitude: 1.5,
+            phase: 0.0,
+            expanded_rel: 0.01,
+            told: true,
         };
         for fate in [
             stated(0.9, 1.0),
@@ -108,11 +129,13 @@ mod tests {
             stated(0.1, 2.1),
             stated(f64::NAN, 0.0),
             Fate::Refused,
+            warned,
         ] {
             tally.add(fate);
         }
         let counts = [tally.points, tally.right, tally.refused, tally.beyond_2_u];
-        assert_eq!(counts[..3], [5, 1, 1]);
+        assert_eq!(counts[..3], [6, 1, 1]);
+        assert_eq!([tally.told, tally.warned], [1, 1]);
         assert_eq!([tally.wrong_magnitude, tally.wrong_phase], [2, 1]);
         assert_eq!(tally.mean_expanded_percent(), 1.0);
     }

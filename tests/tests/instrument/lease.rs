@@ -1,12 +1,15 @@
 //! A run whose hosts are silent goes on or ends, as the laboratory chose; and a stop for one run ends no
 //! other.
 
+use calib_core::closing::Closing;
 use calib_core::point::ExcitationKind;
 use calib_core::verdict::{Reason, Verdict};
+use calib_link::session::{self, Progress};
 use calib_protocol::message::{RunSpec, RunState};
-use calib_protocol::record::RunLabels;
+use calib_protocol::record::{self, RunLabels};
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::rig::Rig;
+use std::ops::ControlFlow;
 use std::time::Duration;
 
 /// Granted quiet of the tests.
@@ -79,6 +82,23 @@ fn a_stop_for_one_run_ends_no_other() -> Result<(), Fault> {
     bench.client.stop_for(Some(second));
     bench.client.stop()?;
     bench.expect_silence(Duration::from_millis(40))?;
+    Ok(())
+}
+
+/// Every point was measured by then: the record is complete, and says that nobody knows what changed.
+#[test]
+fn a_stop_while_the_first_point_is_repeated_is_a_stop() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let list = [point(160.0, 10.0), point(1000.0, 10.0)];
+    let repeats = |progress: &Progress<'_>| match progress.status.point {
+        2 => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    };
+    let run = session::run(&mut bench.client, &list, RunLabels::default(), repeats)?;
+    assert_eq!((run.state, run.points.len()), (RunState::Stopped, 2));
+    let record = record::decode(&bench.record(run.record_id)?)?;
+    assert!(record.complete);
+    assert_eq!(record.closing, Closing::Refused(Reason::Stopped));
     Ok(())
 }
 

@@ -181,7 +181,11 @@ fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<
             100.0 * tolerance_rel
         );
         assert_eq!(record.list, list.terms, "what it was judged by");
-        assert_eq!(judge(&record.list, &record.points), expected, "{name}");
+        assert_eq!(
+            judge(&record.list, &record.points, &record.closing),
+            expected,
+            "{name}"
+        );
         match (expected, seen(&mut bench)?) {
             (Conformity::Fail, seen) => expect_fail(seen),
             (Conformity::Pass, seen) => assert_eq!(seen, PASS),

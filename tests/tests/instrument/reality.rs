@@ -18,6 +18,20 @@ fn hum_and_a_shaking_floor_are_stated_refused_or_taken_out() -> Result<(), Fault
     Ok(())
 }
 
+/// Shipping firmware: a transducer that loses or gains a share of its sensitivity every second shows in no point of its
+/// own. By the instrument's U alone these runs are up to 13 U off.
+#[test]
+fn what_fades_while_a_list_is_measured_is_in_u_or_refused() -> Result<(), Fault> {
+    let name = "transducer_fading";
+    let fading = reality::run(&Sizes::read()?, Through::Firmware, name, 8, 44_000_020)?;
+    let pooled = fading.pooled();
+    println!("{pooled:?} {:?}", fading.wrong);
+    assert_eq!([pooled.wrong_magnitude, pooled.beyond_2_u], [0, 0]);
+    // What changed is told, not only refused.
+    assert!(pooled.warned >= 5, "{pooled:?}");
+    Ok(())
+}
+
 /// The core alone, 40 runs: points of a run share their errors, so of 40 runs with a chance of 4.55 % to be
 /// wrong in a band more than six are an accident of 1 in 200; and nothing is refused.
 #[test]
@@ -26,6 +40,7 @@ fn a_clean_rig_is_right() -> Result<(), Fault> {
     println!("{:?}", clean.wrong);
     for band in &clean.bands {
         assert_eq!(band.refused, 0, "{:?}", clean.reasons);
+        assert_eq!(band.warned, 0, "nothing changed");
         assert!(
             band.wrong_magnitude <= 6 && band.wrong_phase <= 6,
             "{band:?}"

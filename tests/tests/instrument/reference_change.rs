@@ -38,21 +38,9 @@ fn expect_refusal(result: calib_link::Result<()>) {
     }
 }
 
-/// Bytes of a stored record.
-fn read(bench: &mut Bench, id: u32) -> Result<Vec<u8>, Fault> {
-    let mut bytes = Vec::new();
-    loop {
-        let chunk = bench.client.read_record(id, bytes.len() as u32)?;
-        bytes.extend_from_slice(&chunk.data);
-        if bytes.len() >= chunk.total as usize {
-            return Ok(bytes);
-        }
-    }
-}
-
 fn links(bench: &mut Bench) -> Result<Vec<ChainLink>, Fault> {
     let listed = bench.client.records()?;
-    let link = |id| Ok(record::link(&read(bench, id)?)?);
+    let link = |id| Ok(record::link(&bench.record(id)?)?);
     listed.iter().map(|line| line.id).map(link).collect()
 }
 
@@ -83,12 +71,12 @@ fn settings_change_under_a_hand_alone_and_each_change_is_a_record() -> Result<()
     bench.run(&[point(160.0, 10.0)])?;
 
     // What is left of it survives the supply.
-    let logged = read(&mut bench, 2)?;
+    let logged = bench.record(2)?;
     let chain = links(&mut bench)?;
     bench.board().power_cycle()?;
     bench.client.wait(BOOT)?;
     assert_eq!(bench.client.settings()?, wanted.settings);
-    assert_eq!(read(&mut bench, 2)?, logged);
+    assert_eq!(bench.record(2)?, logged);
     assert_eq!(links(&mut bench)?, chain);
 
     let change = change::decode(&logged)?;
@@ -127,7 +115,7 @@ fn a_record_tells_that_settings_changed_since_the_reference_was_calibrated() -> 
     bench.board().power_cycle()?;
     bench.client.wait(BOOT)?;
     bench.run(&[point(160.0, 10.0)])?;
-    let record = record::decode(&read(&mut bench, 3)?)?;
+    let record = record::decode(&bench.record(3)?)?;
     let provenance = record.provenance;
     assert!(provenance.differs_from_reference());
     let calibrated = settings_digest(&recalibrated.settings);

@@ -123,6 +123,7 @@ export const german = {
   "starting": "beginnt",
   "starting point {0} of {1}": "beginnt Punkt {0} von {1}",
   "settling point {0} of {1}": "regelt Punkt {0} von {1} ein",
+  "repeating the first point": "wiederholt den ersten Punkt",
   "measuring point {0} of {1}": "misst Punkt {0} von {1}",
   "storing point {0} of {1}": "speichert, Punkt {0} von {1}",
   "{0} min left": "noch {0} min",

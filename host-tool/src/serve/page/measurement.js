@@ -73,6 +73,7 @@ function heading(run, running) {
   if (!running) return say(run.ended);
   const status = run.status;
   if (!status) return say("starting");
+  if (status.point >= run.list.length && state_words[status.state]) return say("repeating the first point");
   const point = Math.min(status.point + 1, run.list.length);
   return say(state_words[status.state] || "storing point {0} of {1}", point, run.list.length);
 }
