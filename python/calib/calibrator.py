@@ -91,9 +91,9 @@ class Calibrator:
     def run(
         self,
         points: Optional[Points] = None,
-        *,
         level: float = 10.0,
         sensor: Optional[str] = None,
+        *,
         on_point: Optional[Callable[[Document], object]] = None,
         on_progress: Optional[Callable[[Document], object]] = None,
         **options: object,

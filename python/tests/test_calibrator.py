@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+import zlib
 
 import numpy
 import pandas
@@ -27,6 +28,15 @@ def test_a_run_is_heard_point_by_point_and_is_a_record(measured):
         assert point.state == "valid"
         assert point.sensitivity_v_per_ms2 == pytest.approx(0.01, rel=0.05)
         assert point.acceleration_rms_ms2 == pytest.approx(level, rel=0.02)
+
+
+def test_a_run_takes_points_level_and_sensor_in_this_order(place):
+    calib.verb("sensors", "add", serial="LW7", model="353B03")
+    with calib.connect("emulated") as instrument:
+        run = instrument.run([160], 5.0, "LW7")
+    (point,) = run.points
+    assert point.acceleration_rms_ms2 == pytest.approx(5.0, rel=0.02)
+    assert "LW7" in str(run.record.document)
 
 
 def test_a_record_is_a_table_with_units(measured):
@@ -77,26 +87,54 @@ def test_a_signature_is_verified_and_an_altered_record_refused(measured, place):
         calib.Record(bytes(altered))
 
 
-@pytest.fixture
-def served(place):
-    """`calib emulate` on a port of this computer."""
+def emulate(*options):
+    """`calib emulate` on a port of this computer: its address and its process."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     process = subprocess.Popen(
-        [os.environ["CALIB_TOOL"], "--quiet", "emulate", "--tcp", str(port)], stdout=subprocess.DEVNULL
+        [os.environ["CALIB_TOOL"], "--quiet", "emulate", "--tcp", str(port), *options], stdout=subprocess.DEVNULL
     )
     begun = time.monotonic()
     while True:
         try:
             socket.create_connection(("127.0.0.1", port), 1).close()
-            break
+            return f"tcp:127.0.0.1:{port}", process
         except OSError:
             assert process.poll() is None and time.monotonic() - begun < 30
             time.sleep(0.05)
-    yield f"tcp:127.0.0.1:{port}", process
+
+
+@pytest.fixture
+def served(place):
+    """`calib emulate` on a port of this computer."""
+    address, process = emulate()
+    yield address, process
     process.kill()
     process.wait()
+
+
+def test_a_signed_record_is_proven_by_its_key_and_by_no_other(place):
+    address, held = emulate("--hold-button", "--flash", "flash.bin")
+    made, code = command_line("-d", address, "--json", "key", "--make")
+    assert code == 0
+    held.send_signal(signal.SIGINT)
+    held.wait()
+    address, process = emulate("--flash", "flash.bin")
+    try:
+        record = calib.connect(address).run([160.0]).record
+    finally:
+        process.kill()
+        process.wait()
+    assert record.verify(key=made["public_key"]).proof == "proven"
+    with pytest.warns(calib.NotPassedWarning):
+        assert record.verify(key="ab" * 32).proof != "proven"
+    # Who mends the checksum of what he altered has no key to sign it with.
+    altered = bytearray(record.bytes)
+    altered[20] ^= 1
+    altered[-4:] = zlib.crc32(bytes(altered[:-4])).to_bytes(4, "little")
+    with pytest.warns(calib.NotPassedWarning):
+        assert calib.Record(bytes(altered)).verify(key=made["public_key"]).proof == "altered"
 
 
 def test_a_calibrator_at_an_address_is_stopped_from_another_thread(served):

@@ -153,6 +153,40 @@ fn the_demo_finds_the_truth_within_its_uncertainty() {
     }
 }
 
+/// Whoever ends the program, asked or not, finds what was stored before.
+#[test]
+fn a_killed_emulated_calibrator_has_what_it_stored() {
+    let folder = folder();
+    let start = || Emulated::start(folder.path(), &["--tcp", "0", "--flash", "flash.bin"]);
+    for (signal, record_id) in [("-KILL", 2), ("-TERM", 3)] {
+        let mut emulated = start();
+        let device = emulated.address.clone();
+        let run = [
+            "run", "--points", "two.csv", "--serial", "K1", "-d", &device,
+        ];
+        assert_eq!(json(folder.path(), &run)["record_id"], record_id);
+        // Two looks at the flash; a request to end is waited for.
+        if signal == "-KILL" {
+            std::thread::sleep(Duration::from_secs(1));
+        }
+        let id = emulated.process.id().to_string();
+        let sent = Command::new("kill").args([signal, &id]).status();
+        assert!(sent.expect("kill").success());
+        emulated.process.wait().expect("ended");
+    }
+    let emulated = start();
+    let ask = ["records", "-d", &emulated.address, "--json"];
+    // It reads its flash while it starts, and is busy.
+    let answers = (0..100).map(|_| {
+        std::thread::sleep(Duration::from_millis(50));
+        output(folder.path(), &ask)
+    });
+    let answer = answers.into_iter().find(|answer| answer.status.success());
+    let records: Value = serde_json::from_slice(&answer.expect("starts").stdout).expect("JSON");
+    assert_eq!(records.as_array().expect("records").len(), 3);
+    emulated.switch_off();
+}
+
 #[test]
 fn an_emulated_calibrator_is_used_over_tcp_and_usb_and_keeps_its_records() {
     let folder = folder();

@@ -6,13 +6,13 @@ use calib_host::emulated::{EmulatedBoard, FlashFile, rig_file};
 use calib_host::{Error, Result};
 use calib_twin::board::usb::UsbPort;
 use calib_twin::rig::Rig;
-use calib_twin::runner::{Door, HostLine, Pace, TcpDoor, run_paced};
+use calib_twin::runner::{Door, Emulator, HostLine, Pace, TcpDoor, run_paced};
 use calib_twin::usb_host::capture;
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// `calib emulate`.
 #[derive(Debug, Args)]
@@ -69,7 +69,9 @@ impl Emulate {
             "an emulated calibrator listens; in another terminal: calib --device {address} info\n\
              Ctrl-C switches it off"
         ));
-        let ended = serve(context, &board, usb.as_ref(), door);
+        let mut keeper = Keeper::of(flash.as_ref());
+        let ended = serve(context, &board, usb.as_ref(), door, &mut keeper);
+        keeper.kept?;
         if let Some(flash) = &flash {
             flash.keep(&board)?;
         }
@@ -124,6 +126,47 @@ impl Emulate {
     }
 }
 
+/// How often the flash is looked at.
+const LOOK: Duration = Duration::from_millis(250);
+
+/// Writes the flash whenever it changed, so that a program that is killed leaves what was stored before.
+struct Keeper<'a> {
+    flash: Option<&'a FlashFile>,
+    looked: Instant,
+    /// What the file holds.
+    content: Vec<u8>,
+    /// How the last writing went.
+    kept: Result<()>,
+}
+
+impl<'a> Keeper<'a> {
+    fn of(flash: Option<&'a FlashFile>) -> Self {
+        Self {
+            flash,
+            looked: Instant::now(),
+            content: Vec::new(),
+            kept: Ok(()),
+        }
+    }
+
+    /// Looks, if it is time; false where the file cannot be written.
+    fn look(&mut self, emulator: &mut Emulator) -> bool {
+        let Some(flash) = self.flash.filter(|_| self.looked.elapsed() >= LOOK) else {
+            return true;
+        };
+        self.looked = Instant::now();
+        match emulator.record_flash() {
+            Ok(content) if content != self.content => {
+                self.kept = flash.write(&content);
+                self.content = content;
+            }
+            // An emulator that fails says so itself.
+            _ => {}
+        }
+        self.kept.is_ok()
+    }
+}
+
 /// Runs the board until Ctrl-C; a device that leaves the USB, as at a reset, is
 /// set up again.
 fn serve(
@@ -131,6 +174,7 @@ fn serve(
     board: &EmulatedBoard,
     usb: Option<&UsbPort>,
     door: Box<dyn Door>,
+    keeper: &mut Keeper<'_>,
 ) -> Result<()> {
     let stop = measure::stop_on_interrupt(context);
     let mut behind = Duration::ZERO;
@@ -139,9 +183,9 @@ fn serve(
     let mut doors = [door];
     loop {
         let mut stopped = false;
-        let ended = run_paced(&mut board.emulator(), line, &mut doors, |_, pace| {
+        let ended = run_paced(&mut board.emulator(), line, &mut doors, |emulator, pace| {
             warn_if_behind(context, &mut behind, pace);
-            stopped = stop().is_break();
+            stopped = stop().is_break() || !keeper.look(emulator);
             !stopped && usb.is_none_or(|usb| usb.pipe_error().is_none())
         });
         ended.map_err(|error| {

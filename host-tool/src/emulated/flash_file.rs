@@ -69,7 +69,15 @@ impl FlashFile {
     /// # Errors
     /// [`Error::File`]: the file is as it was before.
     pub fn keep(&self, board: &EmulatedBoard) -> Result<()> {
-        Ok(file::replace(&self.path, &board.record_flash()?)?)
+        self.write(&board.record_flash()?)
+    }
+
+    /// Writes the content of a flash.
+    ///
+    /// # Errors
+    /// [`Error::File`]: the file is as it was before.
+    pub fn write(&self, content: &[u8]) -> Result<()> {
+        Ok(file::replace(&self.path, content)?)
     }
 }
 
