@@ -198,7 +198,7 @@ pub struct Refused {
 fn reason(refusal: Refusal) -> String {
     let known = match refusal {
         Refusal::Degraded(defects) => return degraded(defects),
-        Refusal::Busy => "a run is going on",
+        Refusal::Busy => "a run is going on, or it is busy with its flash",
         Refusal::RecordNotFound => "it has no record of this number",
         Refusal::OffsetOutOfRange => "the record or capture is shorter than that",
         Refusal::StorageFull => "its record area is full",

@@ -12,6 +12,7 @@ use calib_twin::rig::Rig;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
+const SINE: ExcitationKind = ExcitationKind::SingleSine;
 /// Granted quiet of the tests.
 const LEASE_S: u16 = 2;
 /// Longer, and shorter than the run.
@@ -82,6 +83,24 @@ fn a_stop_for_one_run_ends_no_other() -> Result<(), Fault> {
     bench.client.stop_for(Some(second));
     bench.client.stop()?;
     bench.expect_silence(Duration::from_millis(40))?;
+    Ok(())
+}
+
+/// The record of the run before is being written then, and the calibrator busy.
+#[test]
+fn a_run_may_follow_a_stop_at_once() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    for _ in 0..3 {
+        bench.client.start(long_run())?;
+        bench.client.wait(Duration::from_millis(700))?;
+        // While the exciter moves, another is refused.
+        let labels = RunLabels::default();
+        let beside = session::begin(&mut bench.client, &[point(80.0, 1.0)], SINE, labels);
+        assert!(beside.is_err());
+        bench.client.stop()?;
+        let run = bench.run(&[point(160.0, 10.0)])?;
+        assert_eq!(run.state, RunState::Finished);
+    }
     Ok(())
 }
 

@@ -3,7 +3,7 @@
 use crate::Client;
 use crate::{Error, Result};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
-use calib_protocol::message::{RunSpec, RunState, Status};
+use calib_protocol::message::{Refusal, RunSpec, RunState, Status};
 use calib_protocol::record::{MAX_POINTS, RunLabels};
 use heapless::Vec as FixedVec;
 use std::ops::ControlFlow;
@@ -94,11 +94,39 @@ pub fn begin(
             "split the list",
         )
     })?;
-    client.start(RunSpec {
+    let spec = RunSpec {
         points: list,
         excitation,
         labels,
-    })
+    };
+    start_when_it_rests(client, &spec)
+}
+
+/// How often a calibrator is asked that writes the record of the run before, or reads its flash after a start:
+/// for five seconds, an erased sector included.
+const RESTS_WITHIN: u32 = 50;
+
+/// A run that was stopped has told so by then.
+const STOPS_WITHIN: u32 = 3;
+
+/// A run that goes on refuses another; one that was stopped is waited for, and so is a calibrator at rest that is busy
+/// with its flash.
+fn start_when_it_rests(client: &mut Client, spec: &RunSpec) -> Result<u32> {
+    let mut excited = 0;
+    for _ in 0..RESTS_WITHIN {
+        let begun = client.start(spec.clone());
+        let is_busy =
+            matches!(&begun, Err(Error::Refused(refused)) if refused.refusal == Refusal::Busy);
+        if !is_busy {
+            return begun;
+        }
+        excited += u32::from(client.status()?.state.is_exciting());
+        if excited > STOPS_WITHIN {
+            return begun;
+        }
+        client.wait(POLL_INTERVAL)?;
+    }
+    client.start(spec.clone())
 }
 
 /// Follows a run that has been started, also by somebody else.
