@@ -38,6 +38,15 @@ pub fn replace(path: &Path, content: &[u8]) -> Result<()> {
     sync_folder_of(path)
 }
 
+/// Gives a whole file that is on disk its name, for good.
+///
+/// # Errors
+/// [`Error::File`].
+pub fn rename(from: &Path, to: &Path) -> Result<()> {
+    std::fs::rename(from, to).map_err(|error| Error::file("write", to, error))?;
+    sync_folder_of(to)
+}
+
 /// Like [`replace`], but never over an existing file with other content.
 ///
 /// # Errors

@@ -4,7 +4,7 @@ use super::journal::{self, Subject};
 use super::signed_files;
 use super::store::create_private;
 use super::{CheckStandard, Filter, Issued, Kept, Logbook, Sensor};
-use calib_files::{Error, Result};
+use calib_files::{Error, Result, file};
 use rusqlite::{Connection, OptionalExtension, params};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -50,14 +50,18 @@ impl Logbook {
             let hint = "name another: a backup is never overwritten";
             return Err(Error::input(place(), "is there already", hint));
         }
-        create_private(path)?;
-        let name = path.to_str().ok_or_else(|| {
+        // What a program that was killed has left of it is nobody's.
+        let part = path.with_added_extension("part");
+        let _ = std::fs::remove_file(&part);
+        create_private(&part)?;
+        let name = part.to_str().ok_or_else(|| {
             Error::input(place(), "has a name that is no text", "name it otherwise")
         })?;
         let copy = self.connection.execute("VACUUM INTO ?1", [name]);
         copy.map_err(|error| self.failure(error))?;
-        let copy = std::fs::File::open(path).and_then(|file| file.sync_all());
+        let copy = std::fs::File::open(&part).and_then(|file| file.sync_all());
         copy.map_err(|error| Error::file("write", path, error))?;
+        file::rename(&part, path)?;
         let copy = Self::open_existing(path)?;
         let mut wrong = copy.inspect()?;
         wrong.extend(copy.inspect_seals(&[])?);

@@ -1,5 +1,5 @@
 //! Records that wait for the logbook: another program may hold it when a run ends, and the record of that run
-//! is entered all the same, by whoever opens the logbook next.
+//! is entered all the same, by the next run or the page.
 
 use super::records::TRUE_ONE;
 use super::{Kept, Logbook};
@@ -29,44 +29,81 @@ pub fn put(logbook: &Path, bytes: &[u8]) -> Result<PathBuf> {
         // Writing into memory does not fail.
         let _ = write!(name, "{byte:02x}");
     }
-    let path = folder(logbook).join(name).with_extension("calibrec");
+    let folder = folder(logbook);
+    std::fs::create_dir_all(&folder).map_err(|e| Error::file("create", &folder, e))?;
+    private(&folder)?;
+    let path = folder.join(name).with_extension("calibrec");
     file::write(&path, bytes, Existing::Replace)?;
     Ok(path)
 }
 
+/// The folder is for its user alone, as the logbook is.
+#[cfg(unix)]
+fn private(folder: &Path) -> Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    let mode = std::fs::Permissions::from_mode(0o700);
+    std::fs::set_permissions(folder, mode).map_err(|e| Error::file("close", folder, e))
+}
+
+/// Files are for their user alone in the places this system has for them.
+#[cfg(not(unix))]
+fn private(_: &Path) -> Result<()> {
+    Ok(())
+}
+
+/// What became of the records that waited.
+#[derive(Debug, Default)]
+pub struct Entered {
+    /// Places and numbers of those that are in the logbook now.
+    pub numbers: Vec<(PathBuf, i64)>,
+    /// Those that were put aside, with why.
+    pub refused: Vec<(PathBuf, String)>,
+}
+
+impl Entered {
+    /// What was put aside, all of it; none where nothing was.
+    pub fn objection(&self) -> Option<Error> {
+        let said = self.refused.iter();
+        let said = said.map(|(place, problem)| format!("{}: {problem}", place.display()));
+        let all: Vec<String> = said.collect();
+        (!all.is_empty()).then(|| Error::input("put aside", all.join("; "), TRUE_ONE))
+    }
+}
+
 impl Logbook {
     /// Enters what waits for the logbook at `path`, which is made if there is none, and returns places and
-    /// numbers. One that cannot be the instrument's is put aside under `.refused`, and named once the others
-    /// are entered. Keys that instruments stated are entered first.
+    /// numbers. One that is no record, or cannot be the instrument's, is put aside under `.refused` with why, and is
+    /// in no other's way. Keys that instruments stated are entered first.
     ///
     /// # Errors
     /// As [`Self::open`] and [`Self::keep`].
-    pub fn enter_waiting(path: &Path, keys: &[Stated]) -> Result<Vec<(PathBuf, i64)>> {
+    pub fn enter_waiting(path: &Path, keys: &[Stated]) -> Result<Entered> {
         let waiting = listed(&folder(path))?;
+        let mut entered = Entered::default();
         if waiting.is_empty() {
-            return Ok(Vec::new());
+            return Ok(entered);
         }
         let mut logbook = Self::open(path)?;
         for (instrument, key) in keys {
             logbook.enter_key(instrument, key)?;
         }
-        let (mut entered, mut refused) = (Vec::new(), None);
         for place in waiting {
             let bytes = std::fs::read(&place).map_err(|e| Error::file("read", &place, e))?;
-            if let Some(problem) = logbook.objection(&bytes)? {
+            let problem = match record::check(&bytes) {
+                Ok(_) => logbook.objection(&bytes)?,
+                Err(error) => Some(error.to_string()),
+            };
+            if let Some(problem) = problem {
                 let aside = place.with_extension("refused");
-                std::fs::rename(&place, &aside).map_err(|e| Error::file("rename", &place, e))?;
-                refused = Some(Error::input(aside.display().to_string(), problem, TRUE_ONE));
+                file::rename(&place, &aside)?;
+                entered.refused.push((aside, problem));
                 continue;
             }
             let (Kept::Added(id) | Kept::Known(id)) = logbook.keep(&bytes)?;
             std::fs::remove_file(&place).map_err(|e| Error::file("remove", &place, e))?;
-            entered.push((place, id));
+            entered.numbers.push((place, id));
         }
-        match refused {
-            Some(error) => Err(error),
-            None => Ok(entered),
-        }
+        Ok(entered)
     }
 }
 

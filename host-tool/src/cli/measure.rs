@@ -60,12 +60,16 @@ pub(super) fn enter(
     path: &Path,
     keys: &[waiting::Stated],
 ) -> Result<Vec<(PathBuf, i64)>, String> {
-    Logbook::enter_waiting(path, keys).map_err(|error| {
+    let entered = Logbook::enter_waiting(path, keys).map_err(|error| {
         let folder = waiting::folder(path);
         let until = format!("the record waits in {} until then", folder.display());
         context.remark(&format!("{error}: {until}; the next run enters it"));
         error.to_string()
-    })
+    })?;
+    if let Some(objection) = entered.objection() {
+        context.remark(&objection.to_string());
+    }
+    Ok(entered.numbers)
 }
 
 /// What is to be measured, and how it is shown.

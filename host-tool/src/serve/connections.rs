@@ -2,7 +2,7 @@
 //!
 //! | limit | value | against |
 //! |---|---|---|
-//! | connections at a time | [`MOST`] | files running out; the oldest that has been let in nowhere makes room |
+//! | connections at a time | [`MOST`] | files running out; the oldest that is asking for nothing makes room, whatever it was answered before |
 //! | time to ask for something, and to ask again | [`PATIENCE`] | connections that only wait |
 //! | threads for files and documents | [`WORKERS`] | a locked logbook |
 
@@ -32,8 +32,8 @@ const REFUSED: Duration = Duration::from_millis(10);
 
 /// A connection that is held.
 struct Held {
-    /// It was let in: it has asked for something it may have.
-    let_in: Arc<AtomicBool>,
+    /// A request of it is being answered, or it is the channel of a page.
+    is_used: Arc<AtomicBool>,
     task: JoinHandle<()>,
 }
 
@@ -71,17 +71,17 @@ async fn accept(listener: tokio::net::TcpListener, app: Router) -> io::Result<()
         if held.len() >= MOST && !make_room(&mut held) {
             continue;
         }
-        let let_in = Arc::new(AtomicBool::new(false));
-        let task = tokio::spawn(answer(stream, app.clone(), Arc::clone(&let_in)));
-        held.push_back(Held { let_in, task });
+        let is_used = Arc::new(AtomicBool::new(false));
+        let task = tokio::spawn(answer(stream, app.clone(), Arc::clone(&is_used)));
+        held.push_back(Held { is_used, task });
         // In a flood of connections those that are there have their turn too.
         yield_now().await;
     }
 }
 
-/// Ends the oldest connection that was let in nowhere; false when all were.
+/// Ends the oldest connection that asks for nothing; false when all do.
 fn make_room(held: &mut VecDeque<Held>) -> bool {
-    let idle = |held: &Held| !held.let_in.load(Ordering::Relaxed);
+    let idle = |held: &Held| !held.is_used.load(Ordering::Relaxed);
     let Some(oldest) = held.iter().position(idle) else {
         return false;
     };
@@ -91,17 +91,17 @@ fn make_room(held: &mut VecDeque<Held>) -> bool {
     true
 }
 
-async fn answer(stream: TcpStream, app: Router, let_in: Arc<AtomicBool>) {
+async fn answer(stream: TcpStream, app: Router, is_used: Arc<AtomicBool>) {
     // An answer is small: waiting for more would only delay it.
     let _ = stream.set_nodelay(true);
     let service = service_fn(|request: Request<Incoming>| {
-        let (app, let_in) = (app.clone(), Arc::clone(&let_in));
+        let (app, is_used) = (app.clone(), Arc::clone(&is_used));
         async move {
+            is_used.store(true, Ordering::Relaxed);
             let answer = TowerToHyperService::new(app).call(request).await;
             let Ok(answer) = answer;
-            if answer.status() != StatusCode::FORBIDDEN {
-                let_in.store(true, Ordering::Relaxed);
-            }
+            let is_channel = answer.status() == StatusCode::SWITCHING_PROTOCOLS;
+            is_used.store(is_channel, Ordering::Relaxed);
             Ok::<_, std::convert::Infallible>(answer)
         }
     });

@@ -111,10 +111,18 @@ impl Keeping {
         match Logbook::enter_waiting(&self.logbook, key.as_slice()) {
             Ok(entered) => {
                 self.take_back();
+                // It stays until the next trouble: somebody is to look at what was put aside.
+                if let Some(objection) = entered.objection() {
+                    let text = objection.to_string();
+                    self.shared.change(|snapshot| snapshot.trouble = Some(text));
+                }
                 let Some(latest) = self.latest.take() else {
                     return true;
                 };
-                let number = entered.iter().find(|(path, _)| *path == latest.path);
+                let number = entered
+                    .numbers
+                    .iter()
+                    .find(|(path, _)| *path == latest.path);
                 if let Some((_, id)) = number {
                     self.shared.note_logbook_record(latest.run, *id);
                 }

@@ -209,18 +209,27 @@ fn a_record_the_instrument_never_made_is_refused_and_put_aside() {
     // Among those that wait the true ones get in, and the others are no hindrance afterwards.
     let before = forgeries().map(|(forged, _)| waiting::put(&path, &forged).expect("put"));
     let true_one = waiting::put(&path, &signed_record(5, 1.0, own)).expect("put");
-    let said = Logbook::enter_waiting(&path, &[])
-        .expect_err("refused")
-        .to_string();
-    assert!(said.contains(".refused"), "{said}");
+    // Ahead of them all, and no record.
+    let garbage = waiting::folder(&path).join("aaa.calibrec");
+    std::fs::write(&garbage, b"garbage").expect("written");
+    let entered = Logbook::enter_waiting(&path, &[]).expect("entered");
+    assert_eq!(entered.numbers.len(), 1);
+    let said = entered.objection().expect("refused").to_string();
     assert!(!true_one.exists());
-    for place in before {
-        assert!(!place.exists() && place.with_extension("refused").exists());
+    for place in before.iter().chain([&garbage]) {
+        let aside = place.with_extension("refused");
+        assert!(!place.exists() && aside.exists());
+        // Every one of them is named.
+        assert!(said.contains(&aside.display().to_string()), "{said}");
     }
-    assert_eq!(
-        Logbook::enter_waiting(&path, &[]).expect("nothing waits"),
-        []
-    );
+    let again = Logbook::enter_waiting(&path, &[]).expect("nothing waits");
+    assert!(again.numbers.is_empty() && again.objection().is_none());
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = std::fs::metadata(waiting::folder(&path)).expect("a folder");
+        assert_eq!(folder.permissions().mode() & 0o777, 0o700);
+    }
     let logbook = Logbook::open(&path).expect("opens");
     let listed = logbook.records(&Filter::default()).expect("listed");
     let mut numbers: Vec<u32> = listed.iter().map(|line| line.number).collect();

@@ -720,6 +720,30 @@ fn a_flood_and_a_locked_logbook_are_in_no_stop_s_way() {
     });
 }
 
+/// Connections that ask for what there is, or is not, and stay: more than the server holds.
+#[test]
+fn hosts_that_ask_politely_leave_room_for_a_stop() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (_, address) = serve_device(Device::new());
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    let port = format!("127.0.0.1:{}", server.stop_port);
+    let ask = |to: &String| {
+        let mut stream = TcpStream::connect(to).expect("it listens");
+        let request = format!("GET /page.js HTTP/1.1\r\nHost: {to}\r\n\r\n");
+        stream.write_all(request.as_bytes()).expect("sent");
+        let mut answer = [0; 12];
+        // It may make room for the next before it has read the answer.
+        let _ = stream.read(&mut answer);
+        stream
+    };
+    let _flood: Vec<_> = (0..150).map(|_| [ask(&server.host), ask(&port)]).collect();
+    let (status, said, took) = server.stop(&json!({}));
+    assert_eq!(status, 200, "{said}");
+    assert!(took < Duration::from_millis(1500), "{took:?}");
+    assert_eq!(server.get("/").0, 200);
+}
+
 /// A record measured while another program holds the logbook gets there.
 #[test]
 fn a_run_measured_while_the_logbook_is_locked_is_entered_later() {

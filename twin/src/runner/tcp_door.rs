@@ -6,10 +6,10 @@
 //!
 //! | a host | then |
 //! |---|---|
-//! | speaks HTTP: a web page found this port | it is cut off, and nothing of it reaches the board |
+//! | speaks HTTP or TLS: a web page found this port | it is cut off, and nothing of it reaches the board |
 //! | sends [`LONGEST`] bytes that are no frame and no line | it is cut off |
 //! | does not read | the oldest of its answers are dropped |
-//! | is one more than [`MOST`] | it is not let in |
+//! | is one more than [`MOST`] | the oldest that never sent a whole frame or line makes room; else it is not let in |
 
 use std::collections::VecDeque;
 use std::io::{self, ErrorKind, Read, Write};
@@ -54,6 +54,8 @@ pub struct TcpDoor {
 #[derive(Debug)]
 struct Host {
     stream: TcpStream,
+    /// It has sent a whole frame or line.
+    spoke: bool,
     /// Sent by it, and not yet passed on.
     sent: Vec<u8>,
     /// For it, and not yet taken.
@@ -87,14 +89,24 @@ impl TcpDoor {
         while let Ok((stream, _)) = self.listener.accept() {
             // A line of a few bytes per answer would otherwise wait 40 ms for more to send.
             let usable = stream.set_nodelay(true).and(stream.set_nonblocking(true));
-            if usable.is_ok() && self.hosts.len() < MOST {
+            if usable.is_ok() && self.has_room() {
                 self.hosts.push_back(Host {
                     stream,
+                    spoke: false,
                     sent: Vec::new(),
                     waiting: VecDeque::new(),
                 });
             }
         }
+    }
+
+    /// Whether another host may be let in, in place of the oldest silent one if need be.
+    fn has_room(&mut self) -> bool {
+        if self.hosts.len() < MOST {
+            return true;
+        }
+        let silent = self.hosts.iter().position(|host| !host.spoke);
+        silent.and_then(|place| self.hosts.remove(place)).is_some()
     }
 
     /// Passes the next frame or line on; whose it was comes last the next time.
@@ -143,6 +155,7 @@ impl Host {
 
     fn next_unit(&mut self) -> Option<Vec<u8>> {
         let length = unit_length(&self.sent)?;
+        self.spoke = true;
         let rest = self.sent.split_off(length);
         Some(std::mem::replace(&mut self.sent, rest))
     }
@@ -159,8 +172,14 @@ fn unit_length(bytes: &[u8]) -> Option<usize> {
     Some(zeros + rest.iter().position(ends)? + 1)
 }
 
-/// Whether a line begins as those of HTTP do.
+/// Bytes a TLS connection begins with: a handshake of any version.
+const TLS: [u8; 2] = [0x16, 0x03];
+
+/// Whether a line begins as those of HTTP do, or all of it as TLS does.
 fn speaks_http(bytes: &[u8]) -> bool {
+    if bytes.starts_with(&TLS) {
+        return true;
+    }
     let lower = bytes.to_ascii_lowercase();
     let mut lines = lower.split(|byte| *byte == b'\n');
     lines.any(|line| HTTP.iter().any(|word| line.starts_with(word)))
@@ -340,6 +359,22 @@ mod tests {
         });
     }
 
+    /// Eight connections that say nothing made a calibrator deaf.
+    #[test]
+    fn silent_hosts_make_room_and_one_that_spoke_does_not() {
+        let mut door = TcpDoor::listen(0).unwrap();
+        let line = SlowLine::default();
+        let mut first = connect(&door);
+        first.write_all(b"first\n").unwrap();
+        looks_until(&mut door, &line, || line.has_carried(b"first\n"));
+        let _silent: Vec<TcpStream> = (0..2 * MOST).map(|_| connect(&door)).collect();
+        let mut last = connect(&door);
+        last.write_all(b"\0\x03stop\0").unwrap();
+        looks_until(&mut door, &line, || line.has_carried(b"\0\x03stop\0"));
+        first.write_all(b"still there\n").unwrap();
+        looks_until(&mut door, &line, || line.has_carried(b"still there\n"));
+    }
+
     #[test]
     fn a_second_host_leaves_the_first_its_line() {
         let mut door = TcpDoor::listen(0).unwrap();
@@ -371,6 +406,7 @@ mod tests {
             &post[..],
             b"GET / HTTP/1.1\r\n\r\nINIT\n",
             b"x\nhOsT: a\nINIT\n",
+            b"\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03 and so on INIT\n",
             &endless,
         ] {
             let mut door = TcpDoor::listen(0).unwrap();
