@@ -4,24 +4,52 @@ use crate::{Error, Result};
 use calib_certificate::ReferenceCheck;
 use calib_logbook::{Logbook, SelfCheck};
 use calib_metrology::control_chart::{Signal, control_chart};
-use calib_metrology::reciprocity::{Against, Change, Evaluation, change, from_certificate};
+use calib_metrology::reciprocity::{self, Against, Change, Evaluation, change, from_certificate};
+use calib_metrology::turn_over::TurnOver;
 use calib_protocol::record::Record;
 use jiff::Timestamp;
 use jiff::civil::Date;
 use jiff::tz::TimeZone;
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+
+/// What a check found, by its method.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum Found {
+    /// A mass and the ratio of two voltages.
+    Reciprocity(Box<Evaluation>),
+    /// Turned over in gravity.
+    Gravity(TurnOver),
+}
+
+impl Found {
+    /// Against an earlier check by the same method, if it had the same equipment.
+    fn since(&self, baseline: &Self) -> Option<Change> {
+        match (self, baseline) {
+            (Self::Reciprocity(now), Self::Reciprocity(then)) => change(now, then),
+            (Self::Gravity(now), Self::Gravity(then)) => Some(now.since(then)),
+            _ => None,
+        }
+    }
+
+    fn against_certificate(&self) -> Option<Change> {
+        match self {
+            Self::Reciprocity(found) => from_certificate(found),
+            Self::Gravity(found) => Some(found.against_certificate()),
+        }
+    }
+
+    fn is_by_gravity(&self) -> bool {
+        matches!(self, Self::Gravity(_))
+    }
+}
 
 /// Keeps a check of the reference of the instrument that measured `last`; false where it is there already.
 ///
 /// # Errors
 /// Those of the logbook.
-pub fn keep(
-    logbook: &Logbook,
-    last: &Record,
-    found: &Evaluation,
-    is_baseline: bool,
-) -> Result<bool> {
+pub fn keep(logbook: &Logbook, last: &Record, found: &Found, is_baseline: bool) -> Result<bool> {
     let evaluation = serde_json::to_string(found).map_err(|error| {
         Error::input("check of the reference", error.to_string(), "report this")
     })?;
@@ -49,18 +77,40 @@ fn measured_s(record: &Record) -> i64 {
 ///
 /// # Errors
 /// Those of the logbook.
-pub fn changes(
+pub fn changes(logbook: Option<&Logbook>, last: &Record, found: &Found) -> Result<Vec<Change>> {
+    let since = baseline_of(logbook, last, found)?.and_then(|baseline| found.since(&baseline));
+    Ok(since
+        .into_iter()
+        .chain(found.against_certificate())
+        .collect())
+}
+
+/// The baseline a check is compared with.
+fn baseline_of(logbook: Option<&Logbook>, last: &Record, found: &Found) -> Result<Option<Found>> {
+    let Some(logbook) = logbook else {
+        return Ok(None);
+    };
+    let checks = of_reference(logbook, last)?;
+    baseline(&checks, measured_s(last) - 1, found.is_by_gravity())
+}
+
+/// What the ratio of the channels leaves open in a check, by the baseline it is compared with.
+///
+/// # Errors
+/// Those of the logbook.
+pub fn about_the_ratio(
     logbook: Option<&Logbook>,
     last: &Record,
-    found: &Evaluation,
-) -> Result<Vec<Change>> {
-    let at_s = measured_s(last);
-    let baseline = match logbook {
-        Some(logbook) => baseline(&of_reference(logbook, last)?, at_s - 1)?,
-        None => None,
+    found: &Found,
+) -> Result<Option<String>> {
+    let Found::Reciprocity(now) = found else {
+        return Ok(None);
     };
-    let since = baseline.and_then(|baseline| change(found, &baseline));
-    Ok(since.into_iter().chain(from_certificate(found)).collect())
+    let before = match baseline_of(logbook, last, found)? {
+        Some(Found::Reciprocity(then)) => Some(then),
+        _ => None,
+    };
+    Ok(reciprocity::about_the_ratio(now, before.as_deref()))
 }
 
 /// Checks of this record's instrument with its reference and the certificate of that, the oldest first.
@@ -75,25 +125,38 @@ fn of_reference(logbook: &Logbook, record: &Record) -> Result<Vec<SelfCheck>> {
     Ok(checks)
 }
 
-/// The latest baseline until a time.
-fn baseline(checks: &[SelfCheck], until_s: i64) -> Result<Option<Evaluation>> {
+/// The latest baseline of a method until a time.
+fn baseline(checks: &[SelfCheck], until_s: i64, by_gravity: bool) -> Result<Option<Found>> {
     let is_earlier = |check: &&SelfCheck| check.is_baseline && check.measured_s <= until_s;
-    checks
-        .iter()
-        .rev()
-        .find(is_earlier)
-        .map(evaluation)
-        .transpose()
+    for check in checks.iter().rev().filter(is_earlier) {
+        let found = evaluation(check)?;
+        if found.is_by_gravity() == by_gravity {
+            return Ok(Some(found));
+        }
+    }
+    Ok(None)
 }
 
-fn evaluation(check: &SelfCheck) -> Result<Evaluation> {
-    serde_json::from_str(&check.evaluation).map_err(|error| {
+fn evaluation(check: &SelfCheck) -> Result<Found> {
+    read(&check.evaluation).map_err(|error| {
         Error::input(
             format!("check of the reference of {}", check.instrument),
             error.to_string(),
             "it was kept by another release of calib; `calib logbook check` says whether it is whole",
         )
     })
+}
+
+/// Checks by reciprocity have points, and were the only ones in earlier releases.
+fn read(kept: &str) -> serde_json::Result<Found> {
+    #[derive(Deserialize)]
+    struct Points {
+        points: Option<serde::de::IgnoredAny>,
+    }
+    match serde_json::from_str::<Points>(kept)?.points {
+        Some(_) => serde_json::from_str(kept).map(Found::Reciprocity),
+        None => serde_json::from_str(kept).map(Found::Gravity),
+    }
 }
 
 /// The latest check of the reference until a record was measured, as its certificate states it.
@@ -113,11 +176,12 @@ pub fn of_certificate(
         return Ok(None);
     };
     let found = evaluation(latest)?;
-    let before = baseline(&checks, latest.measured_s - 1)?;
-    let since = before.and_then(|before| change(&found, &before));
-    let stated = since.or_else(|| from_certificate(&found));
+    let before = baseline(&checks, latest.measured_s - 1, found.is_by_gravity())?;
+    let since = before.and_then(|before| found.since(&before));
+    let stated = since.or_else(|| found.against_certificate());
     Ok(stated.map(|change| ReferenceCheck {
         day: day(latest.measured_s),
+        by_gravity: found.is_by_gravity(),
         since_baseline: change.against == Against::Baseline,
         change_rel: change.change_rel,
         expanded_rel: change.expanded_rel,
@@ -179,15 +243,19 @@ fn state(checks: &[SelfCheck], latest: &SelfCheck) -> Result<ReferenceState> {
             && check.reference == latest.reference
             && check.certificate == latest.certificate
     };
-    let its: Vec<&SelfCheck> = checks.iter().filter(is_its).collect();
-    let begin = its.iter().rposition(|check| check.is_baseline);
-    let baseline = begin.map(|at| evaluation(its[at])).transpose()?;
-    let mut changes = Vec::new();
-    for check in &its[begin.unwrap_or(its.len())..] {
+    let says = evaluation(latest)?;
+    let mut its: Vec<(&SelfCheck, Found)> = Vec::new();
+    for check in checks.iter().filter(is_its) {
         let found = evaluation(check)?;
-        let since = baseline
-            .as_ref()
-            .and_then(|baseline| change(&found, baseline));
+        if found.is_by_gravity() == says.is_by_gravity() {
+            its.push((check, found));
+        }
+    }
+    let begin = its.iter().rposition(|(check, _)| check.is_baseline);
+    let baseline = begin.map(|at| &its[at].1);
+    let mut changes = Vec::new();
+    for (check, found) in &its[begin.unwrap_or(its.len())..] {
+        let since = baseline.and_then(|baseline| found.since(baseline));
         changes.extend(since.map(|change| (check.measured_s, change)));
     }
     let values: Vec<f64> = changes
@@ -200,7 +268,7 @@ fn state(checks: &[SelfCheck], latest: &SelfCheck) -> Result<ReferenceState> {
         .filter(|(at_s, _)| *at_s == latest.measured_s);
     let says = match compared.filter(|_| !latest.is_baseline) {
         Some((_, change)) => Some(*change),
-        None => from_certificate(&evaluation(latest)?),
+        None => says.against_certificate(),
     };
     let judged = chart.is_some();
     let signals = chart.map(|chart| chart.signals).unwrap_or_default();

@@ -1,22 +1,24 @@
 //! Checks of the reference by reciprocity with known truth: drawn calibrators, read as an instrument reads them,
 //! evaluated by the shipping code, judged by the twin's oracle.
 
-use crate::bench::{point, reference_point, true_certificate};
+use crate::bench::{Bench, Fault, point, reference_point, true_certificate};
 use crate::boardless;
-use calib_core::point::PointResult;
+use calib_core::point::{PointResult, PointSpec};
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
 use calib_metrology::reciprocity::{
-    Certified, Equipment, Evaluation, Reading, ReciprocityError, Runs, change, evaluate,
-    from_certificate,
+    Certified, CheckPoint, Equipment, Evaluation, Reading, ReciprocityError, Runs, change,
+    evaluate, from_certificate,
 };
+use calib_protocol::record::{self, Record};
 use calib_twin::converters::Shape;
-use calib_twin::model::CoilInput;
+use calib_twin::model::{CoilInput, Reciprocity};
 use calib_twin::oracle;
 use calib_twin::reciprocity::response;
 use calib_twin::reciprocity::session::{self, Level, Plan};
 use calib_twin::reciprocity::{Hold, SelfCheckDraw};
 use rayon::prelude::*;
+use std::time::Duration;
 
 /// Frequencies of a check, Hz.
 pub const FREQUENCIES_HZ: [f64; 14] = [
@@ -102,6 +104,48 @@ fn certified(draw: &SelfCheckDraw, frequency_hz: f64) -> Certified {
     }
 }
 
+/// A whole check is to take no longer, without the hands.
+pub const LONGEST: Duration = Duration::from_secs(240);
+
+/// A drawn calibrator whose network is linear: what bends takes the plant ten times as long, and is in the drawn
+/// checks.
+pub fn linear(seed: u64) -> SelfCheckDraw {
+    let mut draw = SelfCheckDraw::new(seed, Hold::Current);
+    draw.rig.effects.clear();
+    draw
+}
+
+/// A check measured by the shipping image: what its ten records say.
+///
+/// # Errors
+/// Those of the link; what the evaluation refuses.
+pub fn by_image(
+    bench: &mut Bench,
+    draw: &SelfCheckDraw,
+    levels: &[Level],
+) -> Result<Evaluation, Fault> {
+    let list = |is_loaded: bool| -> Vec<PointSpec> {
+        let of = |level: &Level| match is_loaded {
+            true => level.loaded_rms_ms2,
+            false => level.bare_rms_ms2,
+        };
+        let points = levels.iter();
+        points
+            .map(|level| point(level.frequency_hz as f32, of(level) as f32))
+            .collect()
+    };
+    let mut records: Vec<Record> = Vec::new();
+    for (mounting, input) in session::RUNS {
+        // 4 K: as it is after some runs.
+        bench.mount(&draw.loaded(mounting, input, if mounting.is_some() { 4.5 } else { 4.0 }));
+        let id = bench.run_held(&list(mounting.is_some()))?.record_id;
+        records.push(record::decode(&bench.record(id)?)?);
+        bench.client.release(id)?;
+    }
+    let records: Vec<&Record> = records.iter().collect();
+    Ok(evaluate(&Runs::from_records(&records)?, &equipment(draw))?)
+}
+
 /// Levels at which a converter is read, m/s2 r.m.s.
 const READ_RMS_MS2: [f32; 5] = [20.0, 14.0, 10.0, 7.0, 5.0];
 /// Where, Hz.
@@ -130,6 +174,21 @@ pub fn reading_errors_rel(unit: u64, shape: Shape, input: CoilInput) -> Vec<f64>
     results.iter().filter_map(error).collect()
 }
 
+/// What is true of a reference. Changes and differences have either sign.
+pub const TRUTHS: [&str; 4] = [
+    "sound",
+    "changed by 0.5 % since the baseline",
+    "changed by 1.75 % since the baseline",
+    "off its certificate by 1.75 % from the start",
+];
+/// What a check says of it.
+pub const ANSWERS: [&str; 4] = [
+    "neither",
+    "changed since the baseline",
+    "differs from the certificate",
+    "both",
+];
+
 /// What drawn calibrators showed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
@@ -139,6 +198,10 @@ pub struct Tally {
     pub refused: Vec<(u64, String)>,
     /// At each frequency: how often the truth was inside of U, and of how many.
     pub inside: [(u64, u64); FREQUENCIES_HZ.len()],
+    /// The same of the phase.
+    pub phase_inside: [(u64, u64); FREQUENCIES_HZ.len()],
+    /// By [`TRUTHS`] and [`ANSWERS`], how often.
+    pub answers: [[u64; ANSWERS.len()]; TRUTHS.len()],
     /// U at each frequency, every check.
     pub expanded_rel: [Vec<f64>; FREQUENCIES_HZ.len()],
     /// Sound references suspected, changed ones found, and of how many; against a baseline.
@@ -161,6 +224,14 @@ impl Tally {
         self.refused.extend(other.refused);
         for (one, more) in self.inside.iter_mut().zip(other.inside) {
             add(one, more);
+        }
+        for (one, more) in self.phase_inside.iter_mut().zip(other.phase_inside) {
+            add(one, more);
+        }
+        for (one, more) in self.answers.iter_mut().zip(other.answers) {
+            one.iter_mut()
+                .zip(more)
+                .for_each(|(one, more)| *one += more);
         }
         for (one, more) in self.expanded_rel.iter_mut().zip(other.expanded_rel) {
             one.extend(more);
@@ -194,16 +265,28 @@ impl Tally {
 
     fn judge(&mut self, draw: &SelfCheckDraw, evaluation: &Evaluation) {
         for (index, point) in evaluation.points.iter().enumerate() {
-            let truth = oracle::reference_sensitivity(&draw.rig, point.frequency_hz).norm();
-            let error = (point.sensitivity_v_per_ms2 / truth - 1.0).abs();
+            let truth = oracle::reference_sensitivity(&draw.rig, point.frequency_hz);
+            let error = (point.sensitivity_v_per_ms2 / truth.norm() - 1.0).abs();
             self.inside[index].0 += u64::from(error <= point.expanded_uncertainty_rel);
             self.inside[index].1 += 1;
+            let turned_deg = (point.phase_deg - truth.arg().to_degrees()).abs();
+            self.phase_inside[index].0 +=
+                u64::from(turned_deg <= point.expanded_uncertainty_phase_deg);
+            self.phase_inside[index].1 += 1;
             self.expanded_rel[index].push(point.expanded_uncertainty_rel);
         }
     }
 }
 
-/// Draws calibrators and checks each four times: baseline, sound, changed, differing from its certificate.
+/// Place of what is said of a check in [`ANSWERS`].
+fn answer(now: &Evaluation, baseline: &Evaluation) -> Option<usize> {
+    let since = change(now, baseline)?.significant;
+    let certified = from_certificate(now)?.significant;
+    Some(usize::from(since) + 2 * usize::from(certified))
+}
+
+/// Draws calibrators and checks each six times: baseline, sound, changed, differing from its certificate, and
+/// baseline and check of one that differed from the start.
 pub fn run(rigs: u64, first_seed: u64, hold: Hold) -> Tally {
     let all = (0..rigs).into_par_iter();
     let tallies = all.map(|rig| one(first_seed + rig, hold));
@@ -228,6 +311,8 @@ fn one(seed: u64, hold: Hold) -> Tally {
         changed(1, 0.0),
         changed(2, CHANGE_REL),
         changed(3, DIFFERENCE_REL),
+        changed(4, DIFFERENCE_REL),
+        changed(5, DIFFERENCE_REL),
     ];
     let mut checks = Vec::new();
     for (day, draw) in days.iter().enumerate() {
@@ -238,9 +323,21 @@ fn one(seed: u64, hold: Hold) -> Tally {
         }
         checks.push(checked.ok());
     }
-    let [baseline, sound, other, far] = &checks[..] else {
+    let [baseline, sound, other, far, of_the_start, later] = &checks[..] else {
         return tally;
     };
+    let pairs = [
+        (sound, baseline),
+        (other, baseline),
+        (far, baseline),
+        (later, of_the_start),
+    ];
+    for (truth, (now, then)) in tally.answers.iter_mut().zip(pairs) {
+        let both = now.as_ref().zip(then.as_ref());
+        if let Some(place) = both.and_then(|(now, then)| answer(now, then)) {
+            truth[place] += 1;
+        }
+    }
     for (place, now) in [sound, other].into_iter().enumerate() {
         let found = now.as_ref().zip(baseline.as_ref());
         if let Some(found) = found.and_then(|(now, baseline)| change(now, baseline)) {
@@ -258,6 +355,120 @@ fn one(seed: u64, hold: Hold) -> Tally {
         }
     }
     tally
+}
+
+/// A check that something is wrong with, which no drawn calibrator has.
+pub struct Unsound {
+    /// What it is.
+    pub what: &'static str,
+    spoil: fn(&mut SelfCheckDraw),
+}
+
+/// What a hand or a part may do to a check.
+pub const UNSOUND: [Unsound; 9] = [
+    Unsound {
+        what: "the mass was forgotten",
+        spoil: |draw| draw.mountings.iter_mut().for_each(|one| one.mass_kg = 1e-6),
+    },
+    Unsound {
+        what: "forgotten at one orientation",
+        spoil: |draw| draw.mountings[1].mass_kg = 1e-6,
+    },
+    Unsound {
+        what: "another mass, 1 % heavier than stated",
+        spoil: |draw| {
+            draw.mountings
+                .iter_mut()
+                .for_each(|one| one.mass_kg *= 1.01)
+        },
+    },
+    Unsound {
+        what: "finger-tight: a seat of 2e7 N/m",
+        spoil: |draw| {
+            draw.mountings
+                .iter_mut()
+                .for_each(|one| one.seat_n_per_m = 2e7)
+        },
+    },
+    Unsound {
+        what: "finger-tight at one orientation",
+        spoil: |draw| draw.mountings[2].seat_n_per_m = 2e7,
+    },
+    Unsound {
+        what: "0.2 mm lower with the mass",
+        spoil: |draw| {
+            draw.mountings
+                .iter_mut()
+                .for_each(|one| one.travel_m = -2e-4)
+        },
+    },
+    Unsound {
+        what: "leads of the divider exchanged",
+        spoil: |draw| of_circuit(draw, |circuit| circuit.divider_volt_per_v *= -1.0),
+    },
+    Unsound {
+        what: "shunt of 1.02 ohm, stated as 1 ohm",
+        spoil: |draw| of_circuit(draw, |circuit| circuit.shunt_ohm *= 1.02),
+    },
+    Unsound {
+        what: "coil's field in the reference, 10 mV/A",
+        spoil: |draw| of_circuit(draw, |circuit| circuit.stray_ohm = 1e-2),
+    },
+];
+
+fn of_circuit(draw: &mut SelfCheckDraw, change: impl FnMut(&mut Reciprocity)) {
+    draw.rig.reciprocity.iter_mut().for_each(change);
+}
+
+/// What became of unsound checks of sound references.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct UnsoundTally {
+    /// Refused.
+    pub refused: u64,
+    /// Told as a change of the reference, which it is not.
+    pub told_as_change: u64,
+    /// Nothing said, and within U at 160 Hz.
+    pub within_u: u64,
+    /// Nothing said, and beyond.
+    pub beyond_u: u64,
+}
+
+/// Spoils the second check of each of some drawn calibrators.
+pub fn spoilt(unsound: &Unsound, rigs: u64, first_seed: u64) -> UnsoundTally {
+    let one = |rig: u64| {
+        let draw = SelfCheckDraw::new(first_seed + rig, Hold::Current);
+        let plan = plan(0.050, draw.stated.mass_kg);
+        let mut other = draw.on_another_day(1);
+        (unsound.spoil)(&mut other);
+        let mut tally = UnsoundTally::default();
+        let (baseline, now) = (check(&draw, &plan, 0), check(&other, &plan, 1));
+        let said = now.as_ref().ok().zip(baseline.as_ref().ok());
+        let Some((now, baseline)) = said else {
+            tally.refused = 1;
+            return tally;
+        };
+        if change(now, baseline).is_some_and(|change| change.significant) {
+            tally.told_as_change = 1;
+            return tally;
+        }
+        let within = |point: &&CheckPoint| (point.frequency_hz / 160.0 - 1.0).abs() < 1e-3;
+        let is_within_u = now.points.iter().find(within).is_some_and(|point| {
+            let truth = oracle::reference_sensitivity(&other.rig, point.frequency_hz).norm();
+            (point.sensitivity_v_per_ms2 / truth - 1.0).abs() <= point.expanded_uncertainty_rel
+        });
+        match is_within_u {
+            true => tally.within_u = 1,
+            false => tally.beyond_u = 1,
+        }
+        tally
+    };
+    let all = (0..rigs).into_par_iter().map(one);
+    all.reduce(UnsoundTally::default, |one, more| UnsoundTally {
+        refused: one.refused + more.refused,
+        told_as_change: one.told_as_change + more.told_as_change,
+        within_u: one.within_u + more.within_u,
+        beyond_u: one.beyond_u + more.beyond_u,
+    })
 }
 
 #[cfg(test)]

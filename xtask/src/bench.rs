@@ -98,7 +98,7 @@ const BENCHES: &[Bench] = &[
     Bench {
         name: "selfcheck",
         example: "bench_selfcheck",
-        what: "the reference checked by reciprocity: coverage of U, changes found, false alarms: [RIGS [SEED]]",
+        what: "the reference checked by reciprocity: coverage of U, changes found, false alarms: [RIGS [SEED [IMAGE_RIGS]]]",
     },
     Bench {
         name: "speed",

@@ -24,11 +24,13 @@ pub enum CheckProblem {
     Never,
 }
 
-/// A check of the reference by reciprocity.
+/// A check of the reference on site.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReferenceCheck {
     /// Its day.
     pub day: Date,
+    /// By turning it over in gravity; else by reciprocity.
+    pub by_gravity: bool,
     /// Compared with a check after the reference's calibration; else with its certificate.
     pub since_baseline: bool,
     /// By how much the reference changed, or differs, relative.
@@ -49,6 +51,10 @@ impl ReferenceCheck {
             (true, true) => (Severity::Error, "reference_changed"),
             (true, false) => (Severity::Error, "reference_differs"),
         };
+        let method = match self.by_gravity {
+            true => "check.gravity",
+            false => "check.reciprocity",
+        };
         Remark {
             severity,
             key,
@@ -56,6 +62,7 @@ impl ReferenceCheck {
                 Value::Day(self.day),
                 percent(self.change_rel),
                 percent(self.expanded_rel),
+                Value::Phrase(method.to_owned(), Vec::new()),
             ],
         }
     }

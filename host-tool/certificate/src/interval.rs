@@ -50,7 +50,9 @@ impl IntervalRule {
     fn is_met(&self, check: &ReferenceCheck, on: Date) -> bool {
         let age_days = on.since(check.day).map_or(i32::MAX, |age| age.get_days());
         let largest = check.change_rel.abs() + check.expanded_rel;
+        // Turned over it shows one value, at d.c., and not that the response is what it was.
         check.since_baseline
+            && !check.by_gravity
             && !check.significant
             && 100.0 * largest <= self.largest_change_percent
             && (0..=i64::from(self.checked_within_days)).contains(&i64::from(age_days))

@@ -192,6 +192,7 @@ fn a_check_standard_that_failed_blocks_every_format_or_is_overridden_in_each() {
 /// A check two days before the run of the sample: -0.12 % +- 0.40 %.
 const CHECK: ReferenceCheck = ReferenceCheck {
     day: jiff::civil::date(2025, 11, 19),
+    by_gravity: false,
     since_baseline: true,
     change_rel: -0.0012,
     expanded_rel: 0.004,

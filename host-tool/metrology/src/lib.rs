@@ -53,3 +53,4 @@ pub mod shock;
 pub mod statistics;
 pub mod teds;
 pub mod text;
+pub mod turn_over;

@@ -112,6 +112,13 @@ const GROUPS: [(&str, &[Verb]); 6] = [
                     "selfcheck 12 13 14 15 16 17 18 19 20 21 --equipment mass.toml",
                 ],
             ),
+            (
+                "turnover",
+                [
+                    "turnover readings.toml 12 --baseline",
+                    "turnover readings.toml record-00012.calibrec --json",
+                ],
+            ),
             ("sync", ["sync", "sync --device /dev/ttyACM0"]),
             (
                 "logbook",

@@ -60,6 +60,7 @@ mod substitute;
 mod sync;
 mod text;
 mod time;
+mod turnover;
 mod update;
 mod verify;
 mod version;
@@ -165,6 +166,8 @@ pub(crate) enum Command {
     Adjust(adjust::Adjust),
     /// Checks the reference on site by reciprocity: a mass and two voltages.
     Selfcheck(selfcheck::SelfcheckVerb),
+    /// Checks a reference that responds to d.c.: turned over in gravity.
+    Turnover(turnover::Turnover),
     /// Waveforms of both channels: d.c., harmonics, noise, spectrum.
     Capture(capture::CaptureVerb),
     /// Stops a run and silences the exciter.
@@ -254,6 +257,7 @@ impl Command {
             Self::Reference(verb) => verb.run(context),
             Self::Adjust(verb) => verb.run(context),
             Self::Selfcheck(verb) => verb.run(context),
+            Self::Turnover(verb) => verb.run(context),
             Self::Capture(verb) => verb.run(context),
             Self::Stop(verb) => verb.run(context),
             Self::Records(verb) => verb.run(context),

@@ -8,7 +8,7 @@ use super::{
 };
 use super::{
     identify, key, linking, lists, phase, predict, reference, release, risk, run, selfcheck,
-    sensitivity, serve, sign, stop, sync, update, verify, version,
+    sensitivity, serve, sign, stop, sync, turnover, update, verify, version,
 };
 use calib_certificate::Document;
 use calib_core::settings::Settings;
@@ -140,6 +140,7 @@ fn all() -> Vec<(&'static str, Schema)> {
         of::<RunEvent<'_, run::RunResult>>("run-lines"),
         of::<Written>("schema"),
         of::<selfcheck::Output>("selfcheck"),
+        of::<turnover::Output>("turnover"),
         of::<RunEvent<'_, selfcheck::Output>>("selfcheck-lines"),
         of::<SelfTestView>("selftest"),
         of::<sensitivity::Output>("sensitivity"),

@@ -7,7 +7,8 @@ use super::progress::{RunProgress, print_result};
 use super::{Context, source, substitute, time};
 use calib_certificate::SensitivityUnit;
 use calib_core::point::{ExcitationKind, PointSpec};
-use calib_host::{Error, Result, self_check};
+use calib_host::self_check::{self, Found};
+use calib_host::{Error, Result};
 use calib_link::session::{label, temperature_centi_c};
 use calib_link::{Client, StopSwitch};
 use calib_metrology::reciprocity::{
@@ -81,6 +82,8 @@ pub(super) struct Output {
     budget: Vec<Row>,
     /// With what it was found.
     equipment: Equipment,
+    /// What the ratio of the channels leaves open; none where it is known well enough and anew.
+    ratio: Option<String>,
     /// Running numbers of the ten records.
     record_ids: Vec<u32>,
     /// Kept in the logbook.
@@ -113,11 +116,17 @@ impl SelfcheckVerb {
             return Ok(());
         };
         let logbook = context.logbook_if_there()?;
-        let changes = self_check::changes(logbook.as_ref(), last, &found)?;
+        let kept = Found::Reciprocity(Box::new(found.clone()));
+        let changes = self_check::changes(logbook.as_ref(), last, &kept)?;
+        let ratio = self_check::about_the_ratio(logbook.as_ref(), last, &kept)?;
+        if let Some(open) = &ratio {
+            context.remark(open);
+        }
         if let Some(logbook) = &logbook {
-            self_check::keep(logbook, last, &found, self.baseline)?;
+            self_check::keep(logbook, last, &kept, self.baseline)?;
         }
         let output = Output {
+            ratio,
             record_ids: records.iter().map(|record| record.head.id).collect(),
             kept: logbook.is_some(),
             points: found.points.clone(),

@@ -144,6 +144,62 @@ fn a_drifted_reference_is_told_from_its_baseline_and_stated_on_the_certificate()
     assert!(output(at, &[&whole[..], &book].concat()).status.success());
 }
 
+/// S g of 0.010 V/(m/s2), the sample's reference, with its axis up and down: sound, and after a loss of 1 %.
+#[test]
+fn a_reference_turned_over_in_gravity_is_compared_kept_and_stated() {
+    let folder = folder();
+    let at = folder.path();
+    let book = ["--logbook", "book.sqlite"];
+    let sensor = ["sensors", "add", "--serial", "LW1"];
+    assert!(output(at, &[&sensor[..], &book].concat()).status.success());
+    let mut record = sample::record(&[160.0, 1000.0]);
+    // After both checks.
+    record.head.labels.unix_time_s = FIRST_S + 3 * DAY_S;
+    std::fs::write(at.join("any.calibrec"), sample::bytes(&record)).expect("written");
+    let readings = |sensitivity: f64, more: &str| {
+        let [up, down] = [1.0, -1.0].map(|sign| 0.012 + sign * sensitivity * 9.812);
+        let group = format!("{up}, {down}, {down}, {}", up * (1.0 + 1e-5));
+        let text = format!(
+            "readings_v = [{group}, {group}]\ngravity_ms2 = [9.812, 1e-5]\nvoltmeter_rel = 1e-4\ntilt_deg = 0.5\n\
+             step_rel = 1e-3\ntemperature_c = 23.0\n{more}"
+        );
+        std::fs::write(at.join("readings.toml"), text).expect("written");
+    };
+    let verb = |more: &[&'static str]| {
+        [
+            &["turnover", "readings.toml", "any.calibrec"],
+            &book[..],
+            more,
+        ]
+        .concat()
+    };
+    readings(0.010, "measured = \"2025-12-01T14:30:00Z\"");
+    let baseline = json(at, &verb(&["--baseline"]));
+    let off = baseline["deviation_rel"].as_f64().expect("a number");
+    // Of the fourth readings, 1e-5 of 0.11 V in 4 g S.
+    assert!(off.abs() < 1e-5, "{off}");
+    assert_eq!(baseline["changes"][0]["against"], "certificate");
+    readings(0.0099, "measured = \"2025-12-02T14:30:00Z\"");
+    let said = output(at, &verb(&[]));
+    assert_eq!(said.status.code(), Some(7));
+    let text = String::from_utf8_lossy(&said.stdout).into_owned();
+    assert!(text.contains("reference changed by -1.00 %"), "{text}");
+    let chart = output(at, &[&["assure"], &book[..]].concat());
+    assert_eq!(chart.status.code(), Some(7));
+    let refused = output(at, &[&["certificate", "any.calibrec"], &book[..]].concat());
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(said.contains("is not what it was"), "{said}");
+
+    readings(0.010, "latitude_deg = 50.0");
+    let both = output(at, &verb(&[]));
+    assert_eq!(both.status.code(), Some(6));
+    let said = String::from_utf8_lossy(&both.stderr).into_owned();
+    assert!(
+        said.contains("neither or both of gravity_ms2 and latitude_deg"),
+        "{said}"
+    );
+}
+
 #[test]
 fn records_that_are_no_check_are_refused_with_the_way_out() {
     let folder = folder();

@@ -59,7 +59,7 @@ impl Compared {
     }
 }
 
-fn is_within(frequency_hz: f64) -> bool {
+pub(super) fn is_within(frequency_hz: f64) -> bool {
     // Nominal frequencies and those played differ by less than a thousandth.
     (STATISTIC_HZ[0] * 0.999..=STATISTIC_HZ[1] * 1.001).contains(&frequency_hz)
 }

@@ -4,7 +4,7 @@ use super::ReciprocityError;
 use super::budget::{self, Row};
 use super::equipment::Equipment;
 use super::model::{self, At, Identified};
-use super::runs::{Certified, Runs};
+use super::runs::{Certified, RatioRow, Runs};
 use num_complex::Complex64;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -63,6 +63,9 @@ pub struct Evaluation {
     /// Temperature of the calibrator, degrees Celsius; sensitivities are those at that of the certificate.
     #[serde(default)]
     pub temperature_c: Option<f64>,
+    /// The ratio of the channels it was found with; empty where nobody measured it.
+    #[serde(default)]
+    pub ratio: Vec<RatioRow>,
 }
 
 /// Evaluates a check.
@@ -109,6 +112,7 @@ pub fn evaluate(runs: &Runs, equipment: &Equipment) -> Result<Evaluation, Recipr
         exciter,
         equipment: *equipment,
         temperature_c: runs.temperature_c,
+        ratio: runs.ratio.clone(),
     };
     check_phase(&evaluation, &runs.certified)?;
     check_flatness(&evaluation)?;

@@ -33,8 +33,8 @@ pub use change::{Against, Change, STATISTIC_HZ, change, from_certificate};
 pub use equipment::Equipment;
 pub use evaluate::{CheckPoint, Evaluation, evaluate};
 pub use model::Identified;
-pub use report::{change_text, report};
-pub use runs::{Certified, Pair, Reading, RunError, Runs, STEPS, Step, levels};
+pub use report::{about_the_ratio, change_text, report};
+pub use runs::{Certified, Pair, RatioRow, Reading, RunError, Runs, STEPS, Step, levels};
 
 use thiserror::Error;
 

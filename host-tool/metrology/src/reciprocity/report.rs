@@ -1,6 +1,6 @@
 //! A check as text.
 
-use super::change::Change;
+use super::change::{Change, is_within};
 use super::evaluate::Evaluation;
 use crate::text::Table;
 
@@ -69,11 +69,46 @@ fn budget(evaluation: &Evaluation) -> String {
     table.to_string()
 }
 
+/// U of the ratio of the channels that a check counts on, relative.
+const WANTED_RATIO_REL: f64 = 5e-4;
+
+/// What the ratio of the channels leaves open in a check; none where it is known well enough and, where there is a
+/// baseline, was measured anew since. The channels change as the reference may.
+pub fn about_the_ratio(found: &Evaluation, baseline: Option<&Evaluation>) -> Option<String> {
+    const REMEDY: &str = "`calib adjust ratio --write` before a check";
+    if found.ratio.is_empty() {
+        return Some(format!(
+            "the ratio of the channels was never measured, and U has what its parts may be off by: {REMEDY}"
+        ));
+    }
+    if baseline.is_some_and(|baseline| baseline.ratio == found.ratio) {
+        return Some(format!(
+            "the ratio of the channels is still that of the baseline: if it changed since, that looks like a change of \
+             the reference: {REMEDY}"
+        ));
+    }
+    let stated = found.ratio.iter().filter(|row| is_within(row.frequency_hz));
+    let most_rel = stated
+        .map(|row| row.expanded_uncertainty_rel)
+        .fold(0.0, f64::max);
+    (most_rel > WANTED_RATIO_REL).then(|| {
+        format!(
+            "the ratio of the channels is known to {:.2} %, where {:.2} % is wanted: against the certificate U has \
+             that; against a baseline it cancels",
+            100.0 * most_rel,
+            100.0 * WANTED_RATIO_REL
+        )
+    })
+}
+
 /// What is concluded, a line each.
 pub fn change_text(changes: &[Change]) -> String {
     let lines = changes.iter().map(|change| {
-        let band = format!("63 Hz to 250 Hz, {} frequencies", change.frequencies);
-        format!("reference {} ({band})", change.words())
+        let over = match change.frequencies {
+            1 => "one value".to_owned(),
+            count => format!("63 Hz to 250 Hz, {count} frequencies"),
+        };
+        format!("reference {} ({over})", change.words())
     });
     lines.collect::<Vec<_>>().join("\n")
 }

@@ -1,10 +1,12 @@
 //! The runs of a check.
 
 use crate::statistics::mean;
-use calib_core::channel_ratio::ChannelRatio;
+use calib_core::channel_ratio::{ChannelRatio, ChannelRatioPoint};
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
 use num_complex::Complex64;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// A voltage ratio as a run states it.
@@ -42,6 +44,19 @@ pub struct Certified {
     pub ratio_standard_rel: f64,
 }
 
+/// The ratio of the channels at a frequency, as the settings of the runs state it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RatioRow {
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+    /// Device's channel over the reference's, 1.
+    pub magnitude: f64,
+    /// Its phase, rad.
+    pub phase_rad: f64,
+    /// Relative expanded uncertainty (k = 2).
+    pub expanded_uncertainty_rel: f64,
+}
+
 /// The runs of a check, each with the same frequencies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Runs {
@@ -51,6 +66,8 @@ pub struct Runs {
     pub loaded: [Pair; 3],
     /// What the certificate says, at each frequency.
     pub certified: Vec<Certified>,
+    /// The ratio of the channels; empty where nobody measured it.
+    pub ratio: Vec<RatioRow>,
     /// Temperature of the calibrator, mean of what was told of the runs, degrees Celsius.
     pub temperature_c: Option<f64>,
 }
@@ -183,6 +200,7 @@ impl Runs {
         let temperature_c = temperature_c(records)?;
         Ok(Self {
             temperature_c,
+            ratio: ratio(&first.settings.channel_ratio),
             ..Self::new(runs?, certified(first)?)?
         })
     }
@@ -215,6 +233,7 @@ impl Runs {
             bare: [pair(s0, d0), pair(s4, d4)],
             loaded: [pair(s1, d1), pair(s2, d2), pair(s3, d3)],
             certified,
+            ratio: Vec::new(),
             temperature_c: None,
         })
     }
@@ -321,6 +340,16 @@ fn certified(record: &Record) -> Result<Vec<Certified>, RunError> {
         })
     });
     points.collect()
+}
+
+fn ratio(stated: &ChannelRatio) -> Vec<RatioRow> {
+    let row = |row: &ChannelRatioPoint| RatioRow {
+        frequency_hz: f64::from(row.frequency_hz),
+        magnitude: f64::from(row.magnitude),
+        phase_rad: f64::from(row.phase_rad),
+        expanded_uncertainty_rel: f64::from(row.expanded_uncertainty_rel),
+    };
+    stated.points.iter().map(row).collect()
 }
 
 /// The larger of what is stated of the ratio at the frequencies around this one; none outside of its table.

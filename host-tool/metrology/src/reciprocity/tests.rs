@@ -363,6 +363,39 @@ fn a_check_at_another_temperature_counts_what_the_coefficient_may_be() {
     assert!(off.abs() < 1e-10, "{off}");
 }
 
+/// The channels change as the reference may: a check says what it does not know of them.
+#[test]
+fn what_the_ratio_of_the_channels_leaves_open_is_said() {
+    let row = |frequency_hz, magnitude, expanded_uncertainty_rel| RatioRow {
+        frequency_hz,
+        magnitude,
+        phase_rad: 0.0,
+        expanded_uncertainty_rel,
+    };
+    let with = |ratio: &[RatioRow]| {
+        let mut runs = runs_of(|_, case| case);
+        runs.ratio = ratio.to_vec();
+        evaluate(&runs, &rigid()).expect("a check")
+    };
+    let baseline = with(&[row(160.0, 1.001, 4e-4)]);
+    for (ratio, expected) in [
+        (&[][..], Some("was never measured")),
+        (
+            &[row(160.0, 1.001, 4e-4)],
+            Some("is still that of the baseline"),
+        ),
+        (&[row(160.0, 1.0012, 23e-4)], Some("is known to 0.23 %")),
+        (&[row(160.0, 1.0012, 4e-4), row(2000.0, 1.0, 1e-2)], None),
+    ] {
+        let said = about_the_ratio(&with(ratio), Some(&baseline));
+        match (said, expected) {
+            (Some(said), Some(expected)) => assert!(said.contains(expected), "{said}"),
+            (said, expected) => assert_eq!(said.as_deref(), expected),
+        }
+    }
+    assert_eq!(about_the_ratio(&baseline, None), None);
+}
+
 #[test]
 fn runs_that_are_none_are_told() {
     let run = || -> Vec<Reading> { FREQUENCIES_HZ.iter().map(|hz| reading(BARE, *hz)).collect() };
