@@ -172,12 +172,15 @@ fn unit_length(bytes: &[u8]) -> Option<usize> {
     Some(zeros + rest.iter().position(ends)? + 1)
 }
 
-/// Bytes a TLS connection begins with: a handshake of any version.
-const TLS: [u8; 2] = [0x16, 0x03];
+/// Whether it begins as TLS does: the record of a handshake, and in it a client's greeting shorter than 64 KiB. A
+/// frame that begins with 0x16 has no zero among its next 21 bytes.
+fn speaks_tls(bytes: &[u8]) -> bool {
+    matches!(bytes, [0x16, 0x03, _, _, _, 0x01, 0x00, ..])
+}
 
 /// Whether a line begins as those of HTTP do, or all of it as TLS does.
 fn speaks_http(bytes: &[u8]) -> bool {
-    if bytes.starts_with(&TLS) {
+    if speaks_tls(bytes) {
         return true;
     }
     let lower = bytes.to_ascii_lowercase();
@@ -357,6 +360,17 @@ mod tests {
             assert!(looks < 500, "{looks} ms");
             drop(door);
         });
+    }
+
+    /// Its code is 22 and its number 3: no greeting of TLS.
+    #[test]
+    fn a_frame_that_begins_as_tls_does_is_passed_on() {
+        let mut door = TcpDoor::listen(0).unwrap();
+        let line = SlowLine::default();
+        let mut host = connect(&door);
+        let frame = b"\x16\x03\x01\x02\x03\x01\x02 and fourteen..\0";
+        host.write_all(frame).unwrap();
+        looks_until(&mut door, &line, || line.has_carried(frame));
     }
 
     /// Eight connections that say nothing made a calibrator deaf.
