@@ -106,9 +106,11 @@ pub use units::SensitivityUnit;
 pub use verdict::Verdict;
 pub use words::{Language, REASONS};
 
-use calib_files::{Result, set};
+use calib_files::Result;
+use calib_files::set::{self, Staged};
 use calib_protocol::record::Record;
 use calib_record::hash_chain::Standing;
+use calib_signing::Kind;
 use seal::Sealed;
 use std::path::{Path, PathBuf};
 
@@ -234,6 +236,23 @@ pub struct File {
     pub content: Vec<u8>,
     /// The same without any signature, where it has one: what stays the same however often it is signed.
     pub unsigned: Option<Vec<u8>>,
+    /// What its signature is over, where it has one.
+    page: Option<Vec<u8>>,
+}
+
+impl File {
+    /// The file as it is when this signs it; one without a signature stays as it is. The same key and time make the
+    /// same bytes.
+    ///
+    /// # Errors
+    /// As [`prepare`].
+    pub fn sealed(&self, seal: &Seal) -> Result<Vec<u8>> {
+        match (&self.page, self.format) {
+            (Some(page), Format::Pdf) => seal::signed(Kind::Pdf, page, seal),
+            (Some(page), _) => seal::signed(Kind::Dcc, page, seal),
+            (None, _) => Ok(self.content.clone()),
+        }
+    }
 }
 
 /// Makes the files of a certificate in memory.
@@ -253,7 +272,7 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
     let language = options.particulars.language.unwrap_or_default();
     let dcc = seal::dcc(&certificate, language, options.seal.as_ref())?;
     let file = |format: &Format| {
-        let Sealed { content, unsigned } = match (format, &dcc) {
+        let sealed = match (format, &dcc) {
             (Format::Dcc, Some(dcc)) => dcc.clone(),
             (Format::Pdf, dcc) => {
                 let presented = Presented::new(&certificate, language);
@@ -265,8 +284,9 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
         Ok(File {
             format: *format,
             name: file_name(&certificate, *format),
-            content,
-            unsigned,
+            content: sealed.content,
+            unsigned: sealed.unsigned,
+            page: sealed.page,
         })
     };
     let files: Result<Vec<File>> = formats.iter().map(file).collect();
@@ -356,9 +376,19 @@ impl Prepared {
     /// [`calib_files::Error::Input`] when another certificate has this name and is to be
     /// kept, [`calib_files::Error::File`] when the directory cannot be written.
     pub fn write(&self, out_dir: &Path, existing: Existing) -> Result<Vec<PathBuf>> {
-        let pair = |file: &File| (file.name.clone(), file.content.clone());
-        let files: Vec<_> = self.files.iter().map(pair).collect();
-        set::write_all(out_dir, &files, existing)
+        self.stage(out_dir, existing)?.name_all()
+    }
+
+    /// Writes the files, whole, and gives them no names yet.
+    ///
+    /// # Errors
+    /// As [`Self::write`].
+    pub fn stage(&self, out_dir: &Path, existing: Existing) -> Result<Staged> {
+        let mut staged = Staged::new(existing);
+        for (file, path) in self.files.iter().zip(self.paths(out_dir)) {
+            staged.add(path, &file.content)?;
+        }
+        Ok(staged)
     }
 }
 

@@ -23,13 +23,18 @@ pub(super) struct Sealed {
     pub(super) content: Vec<u8>,
     /// None where it has no signature.
     pub(super) unsigned: Option<Vec<u8>>,
+    /// What the signature is over: a PDF may have a signed DCC in it.
+    pub(super) page: Option<Vec<u8>>,
 }
 
 impl Sealed {
     /// What carries no signature.
     pub(super) fn plain(content: Vec<u8>) -> Self {
-        let unsigned = None;
-        Self { content, unsigned }
+        Self {
+            content,
+            unsigned: None,
+            page: None,
+        }
     }
 
     fn unsigned(&self) -> &[u8] {
@@ -38,7 +43,7 @@ impl Sealed {
 }
 
 /// The content, signed.
-fn signed(kind: Kind, content: &[u8], seal: &Seal) -> Result<Vec<u8>> {
+pub(super) fn signed(kind: Kind, content: &[u8], seal: &Seal) -> Result<Vec<u8>> {
     let signed = calib_signing::sign(kind, content, &seal.key, seal.at);
     signed.map_err(|problem| {
         let hint = "sign without a [layout] template of your own; if that fails, report it";
@@ -46,8 +51,7 @@ fn signed(kind: Kind, content: &[u8], seal: &Seal) -> Result<Vec<u8>> {
     })
 }
 
-/// The DCC, made once: an elliptic curve signs the same thing differently each time, and the one within the
-/// PDF is the one beside it. Without date or country there is none, and the certificate says what is missing.
+/// The DCC, made once: the one within the PDF is the one beside it. Without date or country there is none, and the certificate says what is missing.
 ///
 /// # Errors
 /// As [`pdf`].
@@ -60,7 +64,8 @@ pub(super) fn dcc(
         None => Ok(Sealed::plain(dcc)),
         Some(seal) => Ok(Sealed {
             content: signed(Kind::Dcc, &dcc, seal)?,
-            unsigned: Some(dcc),
+            unsigned: Some(dcc.clone()),
+            page: Some(dcc),
         }),
     };
     let dcc = dcc::render(certificate, language).ok();
@@ -84,5 +89,6 @@ pub(super) fn pdf(
     Ok(Sealed {
         content: signed(Kind::Pdf, &page, seal)?,
         unsigned: Some(render(dcc.map(Sealed::unsigned))?),
+        page: Some(page),
     })
 }

@@ -35,16 +35,16 @@ pub fn replace(path: &Path, content: &[u8]) -> Result<()> {
     temporary
         .persist(path)
         .map_err(|error| Error::file("write", path, error.error))?;
-    sync_folder_of(path)
+    sync_folder(folder_of(path))
 }
 
-/// Gives a whole file that is on disk its name, for good.
+/// Gives a whole file, or a folder, that is on disk its name, for good.
 ///
 /// # Errors
 /// [`Error::File`].
 pub fn rename(from: &Path, to: &Path) -> Result<()> {
     std::fs::rename(from, to).map_err(|error| Error::file("write", to, error))?;
-    sync_folder_of(to)
+    sync_folder(folder_of(to))
 }
 
 /// Like [`replace`], but never over an existing file with other content.
@@ -54,7 +54,7 @@ pub fn rename(from: &Path, to: &Path) -> Result<()> {
 pub fn create(path: &Path, content: &[u8]) -> Result<()> {
     let temporary = temporary(path, content)?;
     let Err(error) = temporary.persist_noclobber(path) else {
-        return sync_folder_of(path);
+        return sync_folder(folder_of(path));
     };
     if error.error.kind() != ErrorKind::AlreadyExists {
         return Err(Error::file("write", path, error.error));
@@ -70,7 +70,24 @@ pub fn create(path: &Path, content: &[u8]) -> Result<()> {
     }
 }
 
-fn folder_of(path: &Path) -> &Path {
+/// Opens a file to add to, or to lock, and makes it if it is not there. What is in it stays, and what a link of this name
+/// leads to is not touched.
+///
+/// # Errors
+/// [`Error::File`].
+pub fn open_itself(path: &Path) -> Result<std::fs::File> {
+    let mut options = std::fs::OpenOptions::new();
+    options.read(true).append(true).create(true);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags(rustix::fs::OFlags::NOFOLLOW.bits().cast_signed());
+    }
+    let opened = options.open(path);
+    opened.map_err(|error| Error::file("write", path, error))
+}
+
+pub(crate) fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -79,8 +96,7 @@ fn folder_of(path: &Path) -> &Path {
 
 /// Makes a new name outlive a power cut: until its folder is on disk, the file has the old name or none.
 #[cfg(unix)]
-fn sync_folder_of(path: &Path) -> Result<()> {
-    let folder = folder_of(path);
+pub(crate) fn sync_folder(folder: &Path) -> Result<()> {
     let synced = std::fs::File::open(folder).and_then(|folder| folder.sync_all());
     match synced {
         // Some file systems of networks cannot.
@@ -93,7 +109,7 @@ fn sync_folder_of(path: &Path) -> Result<()> {
 
 /// A folder cannot be opened here; its entries are journalled by the system.
 #[cfg(not(unix))]
-fn sync_folder_of(_: &Path) -> Result<()> {
+pub(crate) fn sync_folder(_: &Path) -> Result<()> {
     Ok(())
 }
 
@@ -147,6 +163,18 @@ mod tests {
         assert_eq!(std::fs::read(&path).expect("read"), b"two");
         let left = std::fs::read_dir(path.parent().expect("folder")).expect("list");
         assert_eq!(left.count(), 1, "no temporary file stays");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_a_link_leads_to_is_not_touched() {
+        let directory = tempfile::tempdir().expect("directory");
+        let at = |name: &str| directory.path().join(name);
+        std::fs::write(at("precious"), "kept").expect("written");
+        std::os::unix::fs::symlink(at("precious"), at("board.lock")).expect("linked");
+        assert!(open_itself(&at("board.lock")).is_err());
+        assert!(open_itself(&at("precious")).is_ok(), "a file is itself");
+        assert_eq!(std::fs::read(at("precious")).expect("read"), b"kept");
     }
 
     #[test]

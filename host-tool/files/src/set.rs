@@ -2,6 +2,7 @@
 
 use crate::file::{self, Existing};
 use crate::{Error, Result};
+use std::collections::BTreeSet;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -21,27 +22,61 @@ pub fn write_all(
     existing: Existing,
 ) -> Result<Vec<PathBuf>> {
     std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
-    let mut staged = Vec::with_capacity(files.len());
+    let mut staged = Staged::new(existing);
     for (name, content) in files {
-        let path = folder.join(name);
-        may_be_written(&path, content, existing)?;
-        staged.push((file::temporary(&path, content)?, path));
+        staged.add(folder.join(name), content)?;
     }
-    let mut written = Vec::with_capacity(staged.len());
-    let mut new = Vec::new();
-    for (temporary, path) in staged {
-        match name(temporary, &path, existing) {
-            Ok(true) => new.push(path.clone()),
-            Ok(false) => (),
-            Err(error) => {
-                // All or none: those of this set that were not there before go.
-                new.iter().for_each(|path| drop(std::fs::remove_file(path)));
-                return Err(error);
+    staged.name_all()
+}
+
+/// Files that are whole and on disk, and have no name yet: what must be done before anybody sees them is done
+/// now. Without [`Staged::name_all`] none of them stays.
+#[derive(Debug, Default)]
+pub struct Staged {
+    files: Vec<(tempfile::NamedTempFile, PathBuf)>,
+    existing: Existing,
+}
+
+impl Staged {
+    /// None yet.
+    pub fn new(existing: Existing) -> Self {
+        let files = Vec::new();
+        Self { files, existing }
+    }
+
+    /// Writes one that is to be at `path`.
+    ///
+    /// # Errors
+    /// As [`write_all`].
+    pub fn add(&mut self, path: PathBuf, content: &[u8]) -> Result<()> {
+        may_be_written(&path, content, self.existing)?;
+        self.files.push((file::temporary(&path, content)?, path));
+        Ok(())
+    }
+
+    /// Gives all of them their names, or none.
+    ///
+    /// # Errors
+    /// As [`write_all`].
+    pub fn name_all(self) -> Result<Vec<PathBuf>> {
+        let mut written = Vec::with_capacity(self.files.len());
+        let mut new = Vec::new();
+        for (temporary, path) in self.files {
+            match name(temporary, &path, self.existing) {
+                Ok(true) => new.push(path.clone()),
+                Ok(false) => (),
+                Err(error) => {
+                    // All or none: those of this set that were not there before go.
+                    new.iter().for_each(|path| drop(std::fs::remove_file(path)));
+                    return Err(error);
+                }
             }
+            written.push(path);
         }
-        written.push(path);
+        let folders: BTreeSet<&Path> = written.iter().map(|path| file::folder_of(path)).collect();
+        folders.into_iter().try_for_each(file::sync_folder)?;
+        Ok(written)
     }
-    Ok(written)
 }
 
 /// Gives a file its name; false when a file of that name was there before.

@@ -6,11 +6,11 @@ use crate::{Certificate, Problem};
 use calib_files::{Error, Result};
 use der::oid::ObjectIdentifier;
 use jiff::Timestamp;
+use p256::ecdsa::signature::Signer;
+use p256::ecdsa::{Signature, SigningKey};
+use p256::pkcs8::DecodePrivateKey;
 use ring::rand::SystemRandom;
-use ring::signature::{
-    ECDSA_P256_SHA256_ASN1_SIGNING, ECDSA_P256_SHA256_FIXED_SIGNING, EcdsaKeyPair,
-    RSA_PKCS1_SHA256, RsaKeyPair,
-};
+use ring::signature::{RSA_PKCS1_SHA256, RsaKeyPair};
 use std::fmt;
 use std::path::Path;
 
@@ -24,14 +24,11 @@ pub struct LaboratoryKey {
     certificates: Vec<Certificate>,
 }
 
+/// Either signs the same message in the same way each time (PKCS#1 1.5; RFC 6979): what was given out can be made
+/// once more.
 enum Pair {
     Rsa(Box<RsaKeyPair>),
-    P256 {
-        /// Signatures as ASN.1.
-        asn1: Box<EcdsaKeyPair>,
-        /// Signatures of fixed length.
-        fixed: Box<EcdsaKeyPair>,
-    },
+    P256(Box<SigningKey>),
 }
 
 impl fmt::Debug for LaboratoryKey {
@@ -120,7 +117,7 @@ impl LaboratoryKey {
     pub(crate) fn algorithm(&self) -> ObjectIdentifier {
         match self.pair {
             Pair::Rsa(_) => RSA_SHA256,
-            Pair::P256 { .. } => ECDSA_SHA256,
+            Pair::P256(_) => ECDSA_SHA256,
         }
     }
 
@@ -138,36 +135,71 @@ impl Pair {
         if let Ok(pair) = RsaKeyPair::from_pkcs8(pkcs8) {
             return Ok(Self::Rsa(Box::new(pair)));
         }
-        let random = SystemRandom::new();
-        let pair = |algorithm| {
-            EcdsaKeyPair::from_pkcs8(algorithm, pkcs8, &random).map_err(|error| {
-                Problem::new(format!(
-                    "its key is neither RSA of 2048 to 4096 bits nor P-256 ({error})"
-                ))
-            })
-        };
-        Ok(Self::P256 {
-            asn1: Box::new(pair(&ECDSA_P256_SHA256_ASN1_SIGNING)?),
-            fixed: Box::new(pair(&ECDSA_P256_SHA256_FIXED_SIGNING)?),
-        })
+        let pair = SigningKey::from_pkcs8_der(pkcs8).map_err(|error| {
+            Problem::new(format!(
+                "its key is neither RSA of 2048 to 4096 bits nor P-256 ({error})"
+            ))
+        })?;
+        Ok(Self::P256(Box::new(pair)))
     }
 
     fn sign(&self, scheme: Scheme, message: &[u8]) -> std::result::Result<Vec<u8>, Problem> {
-        let random = SystemRandom::new();
-        let failed = |_| Problem::new("the key made no signature");
+        let unsigned = || Problem::new("the key made no signature");
         match (self, scheme) {
             (Self::Rsa(pair), Scheme::Sha256 | Scheme::Sha256Fixed) => {
                 let mut signature = vec![0; pair.public().modulus_len()];
+                let random = SystemRandom::new();
                 let signed = pair.sign(&RSA_PKCS1_SHA256, &random, message, &mut signature);
-                signed.map_err(failed)?;
+                signed.map_err(|_| unsigned())?;
                 Ok(signature)
             }
-            (Self::P256 { asn1: pair, .. }, Scheme::Sha256)
-            | (Self::P256 { fixed: pair, .. }, Scheme::Sha256Fixed) => {
-                let signature = pair.sign(&random, message).map_err(failed)?;
-                Ok(signature.as_ref().to_vec())
+            (Self::P256(pair), Scheme::Sha256 | Scheme::Sha256Fixed) => {
+                let signature: Signature = pair.try_sign(message).map_err(|_| unsigned())?;
+                Ok(match scheme {
+                    Scheme::Sha256Fixed => signature.to_bytes().to_vec(),
+                    _ => signature.to_der().as_bytes().to_vec(),
+                })
             }
             _ => Err(Problem::new("no key signs that way")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bytes(digits: &str) -> Vec<u8> {
+        let digits: Vec<char> = digits.chars().collect();
+        let byte =
+            |pair: &[char]| u8::from_str_radix(&String::from_iter(pair), 16).expect("digits");
+        digits.chunks(2).map(byte).collect()
+    }
+
+    /// RFC 6979, A.2.5: key, and signatures with SHA-256 of "sample" and "test".
+    #[test]
+    fn ecdsa_signs_as_rfc_6979_says() {
+        let key = "C9AFA9D845BA75166B5C215767B1D6934E50C3DB36E89B127B8A622B120F6721";
+        let key = SigningKey::from_slice(&bytes(key)).expect("a key");
+        let pair = Pair::P256(Box::new(key));
+        for (message, r, s) in [
+            (
+                "sample",
+                "EFD48B2AACB6A8FD1140DD9CD45E81D69D2C877B56AAF991C34D0EA84EAF3716",
+                "F7CB1C942D657C41D436C7A1B6E29F65F3E900DBB9AFF4064DC4AB2F843ACDA8",
+            ),
+            (
+                "test",
+                "F1ABB023518351CD71D881567B1EA663ED3EFCF6C5132B354F28D3B0B7D38367",
+                "019F4113742A2B14BD25926B49C649155F267E60D3814B4C0CC84250E46F0083",
+            ),
+        ] {
+            let signed = pair.sign(Scheme::Sha256Fixed, message.as_bytes());
+            assert_eq!(
+                signed.expect("signs"),
+                bytes(&format!("{r}{s}")),
+                "{message}"
+            );
         }
     }
 }

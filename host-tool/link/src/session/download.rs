@@ -10,7 +10,7 @@ use calib_files::file::{self, Existing};
 use calib_protocol::record::{self, ChainLink, Record, RecordError, RecordSummary};
 use calib_protocol::signature::DeviceKey;
 use calib_record::hash_chain::{self, Evidence};
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::{File, TryLockError};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -204,15 +204,7 @@ struct Part {
 
 /// Opens a file for one download at a time, and never what a link of that name leads to.
 fn open_alone(path: &Path) -> Result<File> {
-    let mut options = OpenOptions::new();
-    options.read(true).append(true).create(true);
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::OpenOptionsExt;
-        options.custom_flags(rustix::fs::OFlags::NOFOLLOW.bits().cast_signed());
-    }
-    let file = options.open(path);
-    let file = file.map_err(|error| Error::file("write", path, error))?;
+    let file = file::open_itself(path)?;
     match locked(&file) {
         Ok(()) => Ok(file),
         Err(TryLockError::WouldBlock) => Err(Error::input(
