@@ -3,10 +3,11 @@
 
 use crate::Result;
 use calib_certificate::{Amendment, File, Options, Prepared, Seal};
-use calib_logbook::{Issue, Joined, Logbook, Role, Signed};
-use calib_protocol::record::{Record, Sha256Sum};
-use calib_signing::LaboratoryKey;
-use std::path::PathBuf;
+use calib_logbook::{Issue, Joined, Logbook, Role, Signed, SignedFile};
+use calib_protocol::record::{Record, Sha256Sum, digest};
+use calib_signing::{Kind, LaboratoryKey, verify};
+use jiff::Timestamp;
+use std::path::{Path, PathBuf};
 
 /// What the logbook enters with every file of a certificate.
 #[derive(Debug)]
@@ -58,6 +59,71 @@ impl Entries {
         };
         prepared.files.iter().zip(paths).map(issue).collect()
     }
+}
+
+/// Has every signed file as it was given out before, if it was: a program that was killed between the logbook and
+/// the last of its files is completed by the same request, and the same certificate twice is one file.
+///
+/// # Errors
+/// Those of the logbook, and of a key that makes no signature.
+pub fn resume(
+    prepared: &mut Prepared,
+    paths: &[PathBuf],
+    seal: Option<&Seal>,
+    logbook: Option<&Logbook>,
+) -> Result<()> {
+    let Some(seal) = seal else {
+        return Ok(());
+    };
+    for (file, path) in prepared.files.iter_mut().zip(paths) {
+        if file.unsigned.is_none() {
+            continue;
+        }
+        let entered = logbook.map(|one| one.signed_files(&prepared.number, file.format.name()));
+        let entered = entered.transpose()?.unwrap_or_default();
+        let sign = |at| Ok(file.sealed(&at_time(seal, at))?);
+        if let Some(before) = as_before(&entered, path, &seal.key, sign)? {
+            file.content = before;
+        }
+    }
+    Ok(())
+}
+
+fn at_time(seal: &Seal, at: Timestamp) -> Seal {
+    let key = seal.key.clone();
+    Seal { key, at }
+}
+
+/// What `sign` makes at the time of a signature by this key that was `entered`, or is at `path`, where that is
+/// it to the byte.
+///
+/// # Errors
+/// Those of `sign`.
+pub fn as_before(
+    entered: &[SignedFile],
+    path: &Path,
+    key: &LaboratoryKey,
+    sign: impl Fn(Timestamp) -> Result<Vec<u8>>,
+) -> Result<Option<Vec<u8>>> {
+    let own = calib_output::hex(&key.certificate().fingerprint());
+    let ours = entered.iter();
+    let ours = ours.filter(|file| file.signer_certificate_sha256 == own);
+    let there = std::fs::read(path).ok();
+    let stated = there.as_deref().and_then(|file| {
+        let signature = verify(Kind::of(file)?, file).ok()?;
+        // A DCC states none, and is the same at any.
+        Some(signature.at.unwrap_or_default())
+    });
+    let times = ours.filter_map(|file| Timestamp::from_second(file.entered_s).ok());
+    for at in times.chain(stated) {
+        let made = sign(at)?;
+        let sum = calib_output::hex(&digest(&made));
+        let is_entered = entered.iter().any(|file| file.sha256 == sum);
+        if is_entered || there.as_ref() == Some(&made) {
+            return Ok(Some(made));
+        }
+    }
+    Ok(None)
 }
 
 /// How the journal stands after something was given out.

@@ -6,6 +6,7 @@ use calib_certificate::{Around, Certificate, Known, Language, Particulars, Verdi
 use calib_logbook::Logbook;
 use calib_protocol::record::{Record, RecordHead, RunLabels};
 use calib_record::hash_chain::{Evidence, Standing};
+use calib_record::signature::signer;
 use std::path::PathBuf;
 
 /// Statements for the certificate of a run with these labels.
@@ -34,12 +35,15 @@ pub fn particulars(
 /// As there.
 pub fn of_record(
     files: &[PathBuf],
-    head: &RecordHead,
+    record: &Record,
     logbook: Option<&Logbook>,
 ) -> Result<Particulars> {
+    let head = &record.head;
     let mut particulars = particulars(files, &head.labels, logbook)?;
     if let Some(logbook) = logbook {
-        let (before, behind) = logbook.times_around(&head.instrument_serial, head.id)?;
+        let instrument = &head.instrument_serial;
+        let series = logbook.series(instrument, record.signed_by)?.number;
+        let (before, behind) = logbook.times_around(instrument, series, head.id)?;
         particulars.around = Around {
             before_unix_time_s: before,
             behind_unix_time_s: behind,
@@ -56,19 +60,32 @@ pub fn standing(head: &RecordHead, stored: &[u8], logbook: Option<&Logbook>) -> 
     let mut evidence = Evidence::of(&head.instrument_serial);
     evidence.bytes(head.id, stored);
     if let Some(logbook) = logbook {
-        ask(logbook, &head.instrument_serial, head.id, &mut evidence)?;
+        ask(
+            logbook,
+            &head.instrument_serial,
+            head.id,
+            stored,
+            &mut evidence,
+        )?;
     }
     Ok(evidence.standing(head.id))
 }
 
-/// Adds what the logbook knows of an instrument's record: the key, and the records on both sides.
+/// Adds what the logbook knows of an instrument's record: its key, and the records on both sides.
 ///
 /// # Errors
 /// Those of the logbook.
-pub fn ask(logbook: &Logbook, instrument: &str, id: u32, evidence: &mut Evidence) -> Result<()> {
-    evidence.key(logbook.key(instrument)?);
+pub fn ask(
+    logbook: &Logbook,
+    instrument: &str,
+    id: u32,
+    stored: &[u8],
+    evidence: &mut Evidence,
+) -> Result<()> {
+    let series = logbook.series(instrument, signer(stored))?;
+    evidence.key(series.key);
     for id in [id.checked_sub(1), id.checked_add(1)].into_iter().flatten() {
-        if let Some(bytes) = logbook.numbered(instrument, id)? {
+        if let Some(bytes) = logbook.numbered(instrument, series.number, id)? {
             evidence.bytes(id, &bytes);
         }
     }

@@ -6,10 +6,11 @@ use anyhow::{Context, Result, bail};
 
 /// Programs that are not ours and judge what we make: the variable that names one to the tests, its name, and what
 /// it judges.
-const JUDGES: [(&str, &str, &str); 3] = [
+const JUDGES: [(&str, &str, &str); 4] = [
     ("CALIB_TSHARK", "tshark", "the USB capture"),
     ("CALIB_NGSPICE", "ngspice", "the front end"),
     ("CALIB_XMLSEC1", "xmlsec1", "the DCC's signature"),
+    ("CALIB_STRACE", "strace", "kills in every write"),
 ];
 
 /// Format, lints, images, tool, tests. With a filter: only tests of that name.

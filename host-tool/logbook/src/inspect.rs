@@ -10,7 +10,7 @@ use std::path::Path;
 const MADE: [&str; 4] = [
     "SELECT 'record ' || number || ' of ' || instrument, sha256, instrument, number, unix_time_s,
      sensor_serial, sensor_model, operator, complete, points, refused, reference_frequency_hz,
-     sensitivity_v_per_ms2, expanded_uncertainty_rel, kind FROM records",
+     sensitivity_v_per_ms2, expanded_uncertainty_rel, kind, series FROM records",
     "SELECT 'point ' || (position + 1) || ' of record ' || number || ' of ' || instrument, sha256,
      position, frequency_hz, acceleration_rms_ms2, verdict, points.sensitivity_v_per_ms2,
      points.expanded_uncertainty_rel, coverage_factor, phase_rad, expanded_uncertainty_phase_rad
@@ -38,8 +38,8 @@ impl Logbook {
         wrong.retain(|line| line != "ok");
         let mut again = Self::in_memory()?;
         for instrument in self.keyed_instruments()? {
-            if let Some(key) = self.key(&instrument)? {
-                again.enter_key(&instrument, &key)?;
+            for had in self.keys(&instrument)? {
+                again.take_key(&instrument, &had)?;
             }
         }
         for id in self.all("SELECT id FROM records ORDER BY id", [], |row| row.get(0))? {

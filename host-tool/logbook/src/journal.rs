@@ -24,10 +24,11 @@ pub(super) enum Subject {
     Amendment,
     Joined,
     SelfCheck,
+    LaterKey,
 }
 
 impl Subject {
-    const ALL: [Self; 9] = [
+    const ALL: [Self; 10] = [
         Self::Sensor,
         Self::Record,
         Self::Certificate,
@@ -37,6 +38,7 @@ impl Subject {
         Self::Amendment,
         Self::Joined,
         Self::SelfCheck,
+        Self::LaterKey,
     ];
 
     fn word(self) -> &'static str {
@@ -50,6 +52,7 @@ impl Subject {
             Self::Amendment => "amendment",
             Self::Joined => "record of certificate",
             Self::SelfCheck => "check of the reference",
+            Self::LaterKey => "later key",
         }
     }
 
@@ -64,6 +67,7 @@ impl Subject {
             Self::CheckStandard => "SELECT serial, * FROM check_standards",
             Self::Amendment => "SELECT certificate, * FROM amendments",
             Self::SelfCheck => "SELECT CAST(number AS TEXT), * FROM self_checks",
+            Self::LaterKey => "SELECT instrument || ' ' || series, * FROM later_keys",
             Self::Joined => {
                 "SELECT certificate || ' ' || role || ' ' || lower(hex(record_sha256)), * FROM joined"
             }
@@ -79,6 +83,7 @@ impl Subject {
             Self::Key => "WHERE instrument = ?1",
             Self::SignedFile => "WHERE sha256 = unhex(?1)",
             Self::Amendment => "WHERE certificate = ?1",
+            Self::LaterKey => "WHERE instrument || ' ' || series = ?1",
             Self::Joined => {
                 "WHERE certificate || ' ' || role || ' ' || lower(hex(record_sha256)) = ?1"
             }

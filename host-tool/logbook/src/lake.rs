@@ -14,12 +14,12 @@
 use super::Logbook;
 use super::lake_tables::{LAKE_TABLES, rows};
 use super::parquet::{texts, write};
-use calib_files::{Error, Result};
+use calib_files::{Error, Result, file};
 use rusqlite::params;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, HashSet};
 use std::ffi::OsString;
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What was added to a lake.
@@ -61,7 +61,7 @@ pub fn add_to_lake(logbook: &Logbook, lake: &Path, laboratory: &str) -> Result<A
     fs::create_dir_all(&staged).map_err(|e| Error::file("create", &staged, e))?;
     // Of two calls at a time the second waits, and then finds what the first has added.
     let lock = lake.join("_lock");
-    let held = File::create(&lock).map_err(|e| Error::file("create", &lock, e))?;
+    let held = file::open_itself(&lock)?;
     held.lock().map_err(|e| Error::file("lock", &lock, e))?;
     let mut addition = Addition::default();
     for (partition, lines) in logbook.partitions()? {
@@ -164,11 +164,11 @@ impl Place<'_> {
     }
 
     /// A file that is there is whole.
-    fn put(&self, staged: &Path, file: &Path) -> Result<()> {
-        if let Some(folder) = file.parent() {
+    fn put(&self, staged: &Path, path: &Path) -> Result<()> {
+        if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
         }
-        fs::rename(staged, file).map_err(|e| Error::file("write", file, e))
+        file::rename(staged, path)
     }
 
     /// Removes what a call has written that was cut off before its `records`.

@@ -50,6 +50,7 @@ pub use amendments::{Joined, Role, Sources};
 pub use certificates::{Issue, Issued};
 pub use check_standards::{Certified, CheckStandard};
 pub use history::{History, Result as HistoryResult};
+pub use keys::{InstrumentKey, Series};
 pub use lake::{Addition, add_to_lake};
 pub use merge::Merged;
 pub use parquet::export;

@@ -3,8 +3,9 @@
 use super::journal::{self, Subject};
 use super::signed_files;
 use super::store::create_private;
-use super::{CheckStandard, Filter, Issued, Kept, Logbook, Sensor};
+use super::{CheckStandard, Filter, InstrumentKey, Issued, Kept, Logbook, Sensor};
 use calib_files::{Error, Result, file};
+use calib_record::signature::short;
 use rusqlite::{Connection, OptionalExtension, params};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -89,8 +90,8 @@ impl Logbook {
         }
         let mut merged = Merged::default();
         for instrument in other.keyed_instruments()? {
-            if let Some(key) = other.key(&instrument)? {
-                let entered = self.enter_key(&instrument, &key).map(|_| false);
+            for theirs in other.keys(&instrument)? {
+                let entered = self.merge_key(&instrument, &theirs).map(|()| false);
                 merged.count(|merged| &mut merged.known, entered)?;
             }
         }
@@ -117,6 +118,25 @@ impl Logbook {
         }
         self.take_joined(other)?;
         Ok(merged)
+    }
+
+    /// The first key of an instrument is believed; that it has another since is not for a file to say.
+    fn merge_key(&self, instrument: &str, theirs: &InstrumentKey) -> Result<()> {
+        let ours = self.keys(instrument)?;
+        let public = theirs.key.public;
+        match theirs.series {
+            _ if ours.iter().any(|key| key.key.public == public) => Ok(()),
+            0 => self.enter_key(instrument, &theirs.key).map(drop),
+            _ => Err(Error::input(
+                format!("instrument {instrument}"),
+                format!(
+                    "has the key {} in the other logbook, because: {}",
+                    short(&public),
+                    theirs.reason
+                ),
+                "connect it, and say so here too: `calib key --replaced REASON`; then merge again",
+            )),
+        }
     }
 
     /// Oldest first, as they were entered.

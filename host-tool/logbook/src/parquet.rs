@@ -12,7 +12,7 @@
 
 use super::Logbook;
 use super::table::{Kind, Part, TABLES, Table, Values};
-use calib_files::{Error, Result};
+use calib_files::{Error, Result, file};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::errors::ParquetError;
 use parquet::file::properties::WriterProperties;
@@ -59,7 +59,7 @@ pub fn export(logbook: &Logbook, folder: &Path) -> Result<Vec<PathBuf>> {
         }
     }
     let _ = std::fs::remove_dir(folder);
-    std::fs::rename(staged.path(), folder).map_err(|e| Error::file("write", folder, e))?;
+    file::rename(staged.path(), folder)?;
     readable(folder);
     Ok(files)
 }
@@ -80,8 +80,12 @@ pub(super) fn write(path: &Path, table: &Table, part: &Part) -> Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
     }
-    let file = std::fs::File::create(path).map_err(failed)?;
-    encode(file, table, part).map_err(|error| failed(std::io::Error::other(error)))
+    // What a call that was cut off has left under this name, or somebody put there, is nobody's.
+    let _ = std::fs::remove_file(path);
+    let file = std::fs::File::create_new(path).map_err(failed)?;
+    let content = file.try_clone().map_err(failed)?;
+    encode(content, table, part).map_err(|error| failed(std::io::Error::other(error)))?;
+    file.sync_all().map_err(failed)
 }
 
 /// The texts in a column of a file.

@@ -2,7 +2,7 @@
 
 use super::Logbook;
 use super::journal::{self, Subject};
-use super::keys::objection;
+use super::keys::place;
 use calib_certificate::{Certificate, Particulars};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
@@ -111,19 +111,26 @@ impl Logbook {
             let content = Content::of(bytes).map_err(|error| {
                 Error::input("record", error.to_string(), "download it once more")
             })?;
-            let known = known(&transaction, bytes).map_err(failed)?;
-            if known.is_none()
-                && let Some(problem) = objection(&transaction, bytes).map_err(failed)?
-            {
-                return Err(Error::input("record", problem, TRUE_ONE));
+            if let Some(id) = known(&transaction, bytes).map_err(failed)? {
+                kept.push(Kept::Known(id));
+                continue;
             }
-            kept.push(match known {
-                Some(id) => Kept::Known(id),
-                None => keep_new(&transaction, bytes, &content).map_err(failed)?,
-            });
+            let place = place(&transaction, bytes).map_err(failed)?;
+            let series = place.map_err(|why| Error::input("record", why, TRUE_ONE))?;
+            let new = keep_new(&transaction, bytes, series, &content);
+            kept.push(new.map_err(failed)?);
         }
         transaction.commit().map_err(failed)?;
         Ok(kept)
+    }
+
+    /// Whether a record with this sum is there.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn has(&self, sum: &Sha256Sum) -> Result<bool> {
+        let find = "SELECT count(*) FROM records WHERE sha256 = ?1";
+        Ok(self.one::<i64>(find, [&sum[..]])? > 0)
     }
 
     /// Why these bytes cannot be a record of the instrument they name; none when nothing speaks against it.
@@ -133,7 +140,7 @@ impl Logbook {
     pub(super) fn objection(&self, bytes: &[u8]) -> Result<Option<String>> {
         let found = || match known(&self.connection, bytes)? {
             Some(_) => Ok(None),
-            None => objection(&self.connection, bytes),
+            None => Ok(place(&self.connection, bytes)?.err()),
         };
         found().map_err(|error| self.failure(error))
     }
@@ -156,39 +163,40 @@ impl Logbook {
         self.all(&sql, params![from_s, before_s, filter.sensor], listed)
     }
 
-    /// The bytes of an instrument's record, by its running number there.
+    /// The bytes of an instrument's record, by its running number in this series.
     ///
     /// # Errors
     /// Those of the file; a wrong sum.
-    pub fn numbered(&self, instrument: &str, number: u32) -> Result<Option<Vec<u8>>> {
-        let sql = "SELECT id FROM records WHERE instrument = ?1 AND number = ?2";
+    pub fn numbered(&self, instrument: &str, series: i64, number: u32) -> Result<Option<Vec<u8>>> {
+        let sql = "SELECT id FROM records WHERE instrument = ?1 AND series = ?2 AND number = ?3";
         let id: Option<i64> = self
             .connection
-            .query_row(sql, params![instrument, number], |row| row.get(0))
+            .query_row(sql, params![instrument, series, number], |row| row.get(0))
             .optional()
             .map_err(|error| self.failure(error))?;
         id.map(|id| self.record(id)).transpose()
     }
 
-    /// Times, s since 1970-01-01 UTC, of the records of an instrument that are next to this number and have one:
-    /// with a lower number and with a higher.
+    /// Times, s since 1970-01-01 UTC, of the records of an instrument that are next to this number of its series and have
+    /// one: with a lower number and with a higher.
     ///
     /// # Errors
     /// Those of the file.
     pub fn times_around(
         &self,
         instrument: &str,
+        series: i64,
         number: u32,
     ) -> Result<(Option<u64>, Option<u64>)> {
         let sql = "SELECT
-            (SELECT unix_time_s FROM records WHERE instrument = ?1 AND number < ?2 AND unix_time_s > 0
-             ORDER BY number DESC LIMIT 1),
-            (SELECT unix_time_s FROM records WHERE instrument = ?1 AND number > ?2 AND unix_time_s > 0
-             ORDER BY number LIMIT 1)";
+            (SELECT unix_time_s FROM records WHERE instrument = ?1 AND series = ?2 AND number < ?3
+             AND unix_time_s > 0 ORDER BY number DESC LIMIT 1),
+            (SELECT unix_time_s FROM records WHERE instrument = ?1 AND series = ?2 AND number > ?3
+             AND unix_time_s > 0 ORDER BY number LIMIT 1)";
         let time = |time: Option<i64>| time.and_then(|time| u64::try_from(time).ok());
         let row = self
             .connection
-            .query_row(sql, params![instrument, number], |row| {
+            .query_row(sql, params![instrument, series, number], |row| {
                 Ok((time(row.get(0)?), time(row.get(1)?)))
             });
         row.map_err(|error| self.failure(error))
@@ -293,9 +301,10 @@ fn known(connection: &Connection, bytes: &[u8]) -> rusqlite::Result<Option<i64>>
 fn keep_new(
     transaction: &Transaction<'_>,
     bytes: &[u8],
+    series: i64,
     content: &Content,
 ) -> rusqlite::Result<Kept> {
-    let id = insert_line(transaction, content, record::digest(bytes))?;
+    let id = insert_line(transaction, content, series, record::digest(bytes))?;
     transaction
         .prepare_cached("INSERT INTO contents (record, bytes) VALUES (?1, ?2)")?
         .execute(params![id, bytes])?;
@@ -310,6 +319,7 @@ fn keep_new(
 fn insert_line(
     transaction: &Transaction<'_>,
     content: &Content,
+    series: i64,
     sum: Sha256Sum,
 ) -> rusqlite::Result<i64> {
     let kind = match content {
@@ -333,8 +343,8 @@ fn insert_line(
         .prepare_cached(
             "INSERT INTO records (sha256, instrument, number, unix_time_s, sensor_serial,
              sensor_model, operator, complete, points, refused, reference_frequency_hz,
-             sensitivity_v_per_ms2, expanded_uncertainty_rel, kind)
-             VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13,?14)",
+             sensitivity_v_per_ms2, expanded_uncertainty_rel, kind, series)
+             VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13,?14,?15)",
         )?
         .insert(params![
             &sum[..],
@@ -354,6 +364,7 @@ fn insert_line(
                 |(point, _)| 100.0 * f64::from(point.measured.expanded_uncertainty_rel) / 100.0
             ),
             kind,
+            series,
         ])
 }
 

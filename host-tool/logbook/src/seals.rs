@@ -273,7 +273,7 @@ fn verified(connection: &Connection) -> rusqlite::Result<Vec<Checked>> {
 }
 
 /// A statement of one line.
-fn line(statement: &str) -> Result<String> {
+pub(super) fn line(statement: &str) -> Result<String> {
     match statement.contains(char::is_control) {
         true => Err(Error::usage("a statement is one line", "say it in one")),
         false => Ok(statement.trim().to_owned()),

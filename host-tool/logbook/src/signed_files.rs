@@ -94,6 +94,14 @@ pub(super) fn enter(
 }
 
 impl Logbook {
+    /// Signed files of a certificate in this form, the first first.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn signed_files(&self, certificate: &str, format: &str) -> Result<Vec<SignedFile>> {
+        of(&self.connection, certificate, format).map_err(|error| self.failure(error))
+    }
+
     /// Enters a file that was signed after `unsigned` was issued. Returns the certificate it is of; none when
     /// the logbook knows none with this content, and nothing is entered.
     ///

@@ -7,6 +7,7 @@ use calib_files::file::{self, Existing};
 use calib_files::{Error, Result};
 use calib_protocol::record;
 use calib_protocol::signature::DeviceKey;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -73,10 +74,11 @@ impl Entered {
 impl Logbook {
     /// Enters what waits for the logbook at `path`, which is made if there is none, and returns places and
     /// numbers. One that is no record, or cannot be the instrument's, is put aside under `.refused` with why, and is
-    /// in no other's way. Keys that instruments stated are entered first.
+    /// in no other's way. Keys that instruments stated are entered first; where one is refused, the records of its
+    /// instrument go on waiting.
     ///
     /// # Errors
-    /// As [`Self::open`] and [`Self::keep`].
+    /// As [`Self::open`], [`Self::enter_key`] and [`Self::keep`].
     pub fn enter_waiting(path: &Path, keys: &[Stated]) -> Result<Entered> {
         let waiting = listed(&folder(path))?;
         let mut entered = Entered::default();
@@ -84,11 +86,18 @@ impl Logbook {
             return Ok(entered);
         }
         let mut logbook = Self::open(path)?;
-        for (instrument, key) in keys {
-            logbook.enter_key(instrument, key)?;
-        }
+        let stated = keys
+            .iter()
+            .map(|(of, key)| (of, logbook.enter_key(of, key)));
+        let mut refused: BTreeMap<&String, Error> = stated
+            .filter_map(|(of, entered)| Some((of, entered.err()?)))
+            .collect();
         for place in waiting {
             let bytes = std::fs::read(&place).map_err(|e| Error::file("read", &place, e))?;
+            let of = record::link(&bytes).map(|link| link.instrument_serial.as_str().to_owned());
+            if of.is_ok_and(|of| refused.contains_key(&of)) {
+                continue;
+            }
             let problem = match record::check(&bytes) {
                 Ok(_) => logbook.objection(&bytes)?,
                 Err(error) => Some(error.to_string()),
@@ -103,7 +112,10 @@ impl Logbook {
             std::fs::remove_file(&place).map_err(|e| Error::file("remove", &place, e))?;
             entered.numbers.push((place, id));
         }
-        Ok(entered)
+        match refused.pop_first() {
+            Some((_, error)) => Err(error),
+            None => Ok(entered),
+        }
     }
 }
 

@@ -36,6 +36,14 @@ pub fn signed(bytes: &[u8]) -> Result<Signed, RecordError> {
     })
 }
 
+/// The key that signed these bytes, whole; none where they are no record, not signed, or altered since.
+pub fn signer(bytes: &[u8]) -> Option<PublicKey> {
+    match signed(bytes) {
+        Ok(Signed::By(key)) => Some(key),
+        _ => None,
+    }
+}
+
 /// A key as people compare it: its first 64 bits in four groups of hexadecimal digits. That none can be made
 /// to look like another is not promised; programs compare the whole.
 pub fn short(key: &PublicKey) -> String {

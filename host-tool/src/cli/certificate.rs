@@ -108,7 +108,7 @@ pub(super) struct Written {
 
 impl CertificateVerb {
     /// Writes the files; none appears when one of them cannot be written. With a
-    /// logbook they are entered there, and none is written if another
+    /// logbook they are entered there first, and none is written if another
     /// one of that number was issued.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         if let Some(folder) = &self.write_template {
@@ -136,26 +136,31 @@ impl CertificateVerb {
             true => certificate::possible(record, &USUAL, &options.particulars),
             false => self.format,
         };
-        let prepared = certificate::prepare(record, &formats, &options)?;
+        let mut prepared = certificate::prepare(record, &formats, &options)?;
         if self.strict {
             complete(&prepared)?;
         }
         let seal = options.seal.as_ref();
+        let files = prepared.paths(&self.out);
+        issuing::resume(&mut prepared, &files, seal, logbook.as_ref())?;
         let key = seal.map(|seal| &*seal.key);
         if let Some(logbook) = &logbook {
-            let files = prepared.paths(&self.out);
             for issue in entries.issues(&prepared, &files, key) {
                 logbook.may_issue(&issue)?;
             }
         }
         // What was issued is never overwritten.
-        let files = prepared.write(&self.out, Existing::Keep)?;
-        let mut journal = None;
+        let staged = prepared.stage(&self.out, Existing::Keep)?;
         if let Some(logbook) = &mut logbook {
             let now = i64::try_from(time::unix_time_s()).unwrap_or(0);
+            let now = seal.map_or(now, |seal| seal.at.as_second());
             logbook.issue(&entries.issues(&prepared, &files, key), now)?;
-            journal = issuing::sign_journal(logbook, seal)?.remark();
         }
+        // Nothing is there that the logbook does not know, whenever this program ends.
+        staged.name_all()?;
+        let journal = logbook.as_ref();
+        let journal = journal.map(|logbook| issuing::sign_journal(logbook, seal));
+        let journal = journal.transpose()?.and_then(|journal| journal.remark());
         if found.standing == Standing::Broken {
             context.remark("the chain of records is broken: the certificate says so in red");
         }
@@ -224,7 +229,7 @@ impl CertificateVerb {
         logbook: Option<&Logbook>,
     ) -> Result<Options> {
         let files = self.laboratory.before(&self.particulars);
-        let mut particulars = judged::of_record(&files, &record.head, logbook)?;
+        let mut particulars = judged::of_record(&files, record, logbook)?;
         let stated = self.language.or(particulars.language);
         particulars.language = stated.or(context.defaults.language);
         if let Some(customer) = &self.customer {

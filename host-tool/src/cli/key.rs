@@ -2,10 +2,12 @@
 
 use super::Context;
 use super::hand::Hand;
-use calib_host::Result;
+use calib_host::{Error, Result};
+use calib_logbook::Logbook;
 use calib_protocol::signature::{DeviceKey, PublicKey};
 use calib_record::signature::short;
 use clap::Args;
+use jiff::Timestamp;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -16,11 +18,18 @@ The key is made once in the life of an instrument, by its own generator of rando
 while the button on it is held; the half that signs never leaves it. From then on every record
 is signed, and the logbook refuses records of the instrument that are not. The public key
 enters the logbook, if there is one: compare its digits with those on the instrument's paper
-when another computer shows them. What it proves and what not: docs/safety.md.")]
+when another computer shows them. An instrument whose memory was erased makes another key, and
+counts its records anew: the logbook takes both only when --replaced says why, for a forger's
+instrument looks the same. Records of before stay with the key of before. What it proves and
+what not: docs/safety.md.")]
 pub(crate) struct Key {
     /// Makes the key of an instrument that has none.
     #[arg(long)]
     make: bool,
+    /// Why it has another key than the logbook knows, such as `memory erased in repair, order 4711`; it is kept
+    /// for good.
+    #[arg(long, value_name = "REASON")]
+    replaced: Option<String>,
     #[command(flatten)]
     hand: Hand,
 }
@@ -33,6 +42,8 @@ pub(super) struct KeyView {
     public_key: Option<String>,
     /// Running number of the first record it signed.
     signed_since_record: Option<u32>,
+    /// Why it is another key than before, as the logbook has it; none of the first.
+    replaced_because: Option<String>,
     /// Whether the logbook has it now.
     in_logbook: bool,
 }
@@ -50,16 +61,52 @@ impl Key {
             false => client.key()?,
         };
         let logbook = context.logbook_if_there()?;
-        if let (Some(logbook), Some(key)) = (&logbook, &key) {
-            logbook.enter_key(&serial, key)?;
-        }
+        let replaced_because = match (&logbook, &key) {
+            (Some(logbook), Some(key)) => self.enter(logbook, &serial, key)?,
+            _ if self.replaced.is_some() => return Err(nothing_to_enter(key.is_some())),
+            _ => None,
+        };
         let view = KeyView {
             instrument_serial: serial.as_str().to_owned(),
             public_key: key.map(|key| calib_output::hex(&key.public)),
             signed_since_record: key.map(|key| key.since),
+            replaced_because,
             in_logbook: logbook.is_some() && key.is_some(),
         };
         context.print(&view, || view.text(key))
+    }
+}
+
+impl Key {
+    /// Enters the key, in place of the one before where that is said; why it is another one.
+    fn enter(&self, logbook: &Logbook, serial: &str, key: &DeviceKey) -> Result<Option<String>> {
+        match &self.replaced {
+            Some(reason) => {
+                let now = Timestamp::now().as_second();
+                logbook.replace_key(serial, key, reason, now).map(drop)?;
+            }
+            None => logbook.enter_key(serial, key).map(drop)?,
+        }
+        let last = logbook.keys(serial)?.pop();
+        Ok(last
+            .map(|last| last.reason)
+            .filter(|reason| !reason.is_empty()))
+    }
+}
+
+/// What is missing for a statement.
+fn nothing_to_enter(has_key: bool) -> Error {
+    match has_key {
+        true => Error::input(
+            "--replaced",
+            "there is no logbook that has a key",
+            "name it with --logbook or CALIB_LOGBOOK",
+        ),
+        false => Error::input(
+            "--replaced",
+            "the instrument has no key",
+            "`calib key --make --replaced REASON` makes one",
+        ),
     }
 }
 
@@ -77,11 +124,14 @@ impl KeyView {
                 "there is no logbook to keep it in: `calib sensors add` and `calib logbook add` make one"
             }
         };
+        let because = self.replaced_because.as_ref();
+        let because = because.map(|why| format!("; in place of another: {why}"));
         format!(
-            "{}  {}  signs its records from number {} on; {kept}\n",
+            "{}  {}  signs its records from number {} on; {kept}{}\n",
             self.instrument_serial,
             short(&key.public),
-            key.since
+            key.since,
+            because.unwrap_or_default()
         )
     }
 }

@@ -48,7 +48,7 @@ impl Show {
         let logbook = context.logbook_if_there()?;
         let labels = &record.head.labels;
         let files = self.laboratory.before(&[]);
-        let particulars = judged::of_record(&files, &record.head, logbook.as_ref())?;
+        let particulars = judged::of_record(&files, record, logbook.as_ref())?;
         let sensor = match &logbook {
             Some(logbook) => logbook.sensor(&labels.dut_serial)?,
             None => None,

@@ -3,9 +3,11 @@
 use super::Context;
 use super::laboratory_key::{self, Password};
 use calib_certificate::Seal;
-use calib_files::file::{self, Existing};
+use calib_files::file::Existing;
+use calib_files::set::Staged;
 use calib_host::{Error, Result, issuing};
-use calib_signing::{Kind, LaboratoryKey};
+use calib_logbook::Logbook;
+use calib_signing::Kind;
 use clap::Args;
 use jiff::Timestamp;
 use schemars::JsonSchema;
@@ -45,13 +47,27 @@ impl Sign {
         let at = Timestamp::now();
         let key = laboratory_key::required(self.key.as_deref(), context)?;
         let key = Arc::new(self.password.open(&key, at)?);
-        let made = self.files.iter().map(|path| Made::of(path, &key, at));
-        let made: Vec<_> = made.collect::<Result<_>>()?;
-        for file in &made {
-            file::write(&file.path, &file.signed, Existing::Keep)?;
-        }
+        let logbook = context.logbook_if_there()?;
         let signed_by = key.certificate().subject();
-        enter(context, &made, &Seal { key, at })?;
+        let seal = Seal { key, at };
+        let made = self.files.iter();
+        let made = made.map(|path| Made::of(path, &seal, logbook.as_ref()));
+        let made: Vec<_> = made.collect::<Result<_>>()?;
+        let mut staged = Staged::new(Existing::Keep);
+        for file in &made {
+            staged.add(file.path.clone(), &file.signed)?;
+        }
+        let is_any = match &logbook {
+            Some(logbook) => enter(context, logbook, &made, &seal)?,
+            None => false,
+        };
+        // Nothing is there that the logbook does not know, whenever this program ends.
+        staged.name_all()?;
+        if let Some(logbook) = logbook.filter(|_| is_any)
+            && let Some(remark) = issuing::sign_journal(&logbook, Some(&seal))?.remark()
+        {
+            context.remark(&remark);
+        }
         let signed = Signed {
             files: made.into_iter().map(|file| file.path).collect(),
             signed_by,
@@ -71,27 +87,33 @@ struct Made {
 }
 
 impl Made {
-    fn of(path: &Path, key: &LaboratoryKey, at: Timestamp) -> Result<Self> {
+    fn of(path: &Path, seal: &Seal, logbook: Option<&Logbook>) -> Result<Self> {
         let unsigned = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
         let refused = |problem: String| {
             let hint = "PDF and DCC as `calib certificate` wrote them can be signed, once";
             Error::input(path.display().to_string(), problem, hint)
         };
         let kind = Kind::of(&unsigned).ok_or_else(|| refused("is neither PDF nor DCC".into()))?;
-        let signed = calib_signing::sign(kind, &unsigned, key, at);
+        let sign = |at| {
+            let signed = calib_signing::sign(kind, &unsigned, &seal.key, at);
+            signed.map_err(|problem| refused(problem.to_string()))
+        };
+        let issued = logbook.map(|logbook| logbook.issued_as(&unsigned));
+        let entered = issued.transpose()?.flatten();
+        let entered = entered.map(|issued| issued.signed).unwrap_or_default();
+        let path = beside(path, kind);
+        let before = issuing::as_before(&entered, &path, &seal.key, sign)?;
+        let signed = before.map_or_else(|| sign(seal.at), Ok)?;
         Ok(Self {
-            path: beside(path, kind),
-            signed: signed.map_err(|problem| refused(problem.to_string()))?,
+            path,
             unsigned,
+            signed,
         })
     }
 }
 
-/// Enters what was signed, where the logbook knows what it was made of; then its journal is signed too.
-fn enter(context: &Context, made: &[Made], seal: &Seal) -> Result<()> {
-    let Some(logbook) = context.logbook_if_there()? else {
-        return Ok(());
-    };
+/// Enters what was signed, where the logbook knows what it was made of; whether any of it.
+fn enter(context: &Context, logbook: &Logbook, made: &[Made], seal: &Seal) -> Result<bool> {
     let mut is_any = false;
     for file in made {
         let signed = calib_logbook::Signed {
@@ -107,11 +129,7 @@ fn enter(context: &Context, made: &[Made], seal: &Seal) -> Result<()> {
             ));
         }
     }
-    let journal = is_any.then(|| issuing::sign_journal(&logbook, Some(seal)));
-    if let Some(remark) = journal.transpose()?.and_then(|journal| journal.remark()) {
-        context.remark(&remark);
-    }
-    Ok(())
+    Ok(is_any)
 }
 
 /// `NAME.signed.pdf`, `NAME.signed.dcc.xml`.

@@ -101,7 +101,13 @@ fn from_file(context: &Context, path: &Path) -> Result<Found> {
     evidence.neighbours(link.id, path.parent().unwrap_or(Path::new("")));
     // A record can be looked at beside a logbook that cannot be read.
     if let Ok(Some(logbook)) = context.logbook_if_there() {
-        judged::ask(&logbook, &link.instrument_serial, link.id, &mut evidence)?;
+        judged::ask(
+            &logbook,
+            &link.instrument_serial,
+            link.id,
+            &bytes,
+            &mut evidence,
+        )?;
     }
     Ok(Found {
         content,

@@ -5,6 +5,7 @@ use calib_files::file::Existing;
 use calib_host::{Error, Result};
 use calib_link::{Client, session};
 use calib_logbook::{Logbook, waiting};
+use calib_protocol::record::RecordSummary;
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -65,17 +66,13 @@ fn sync(context: &Context, device: &str) -> Result<Synced> {
     let serial = client.info()?.serial;
     let path = context.logbook_path();
     let all = client.records()?;
-    let lacking = lacking(&path, &serial, all.iter().map(|line| line.id))?;
+    let lacking = lacking(&path, &all)?;
     for id in &lacking {
         fetch(context, &mut client, *id, &path)?;
     }
-    let waiting = match lacking.is_empty() {
-        true => None,
-        false => {
-            let keys = session::stated_key(&mut client)?;
-            measure::enter(context, &path, keys.as_slice()).err()
-        }
-    };
+    // What an earlier one left there too.
+    let keys = session::stated_key(&mut client)?;
+    let waiting = measure::enter(context, &path, keys.as_slice()).err();
     Ok(Synced {
         device: device.to_owned(),
         instrument_serial: serial.as_str().to_owned(),
@@ -85,13 +82,13 @@ fn sync(context: &Context, device: &str) -> Result<Synced> {
     })
 }
 
-/// Of the records of an instrument those that the logbook has not.
-fn lacking(path: &Path, serial: &str, all: impl Iterator<Item = u32>) -> Result<Vec<u32>> {
+/// Running numbers of those of an instrument's records that the logbook has not.
+fn lacking(path: &Path, all: &[RecordSummary]) -> Result<Vec<u32>> {
     let logbook = Logbook::open(path)?;
     let mut lacking = Vec::new();
-    for id in all {
-        if logbook.numbered(serial, id)?.is_none() {
-            lacking.push(id);
+    for line in all {
+        if !logbook.has(&line.sha256)? {
+            lacking.push(line.id);
         }
     }
     Ok(lacking)

@@ -28,7 +28,7 @@ impl FlashFile {
             std::fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
         }
         let beside = path.with_added_extension("lock");
-        let lock = File::create(&beside).map_err(|e| Error::file("create", &beside, e))?;
+        let lock = file::open_itself(&beside)?;
         match lock.try_lock() {
             Ok(()) => Ok(Self {
                 path: path.to_owned(),

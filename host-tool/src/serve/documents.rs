@@ -144,7 +144,7 @@ fn made(
     let format: Format = wanted.format.parse().map_err(unknown)?;
     let record = read(stored)?;
     let kept = logbook.as_ref();
-    let mut particulars = judged::of_record(&house.particulars, &record.head, kept)?;
+    let mut particulars = judged::of_record(&house.particulars, &record, kept)?;
     wanted.stated.complete(&mut particulars)?;
     particulars.reference_check = self_check::of_certificate(kept, &record)?;
     let mut options = Options {
@@ -165,8 +165,10 @@ fn made(
     {
         let paths = prepared.paths(Path::new(""));
         let (entries, seal) = (Entries::of(&record, &options), options.seal.as_ref());
+        issuing::resume(&mut prepared, &paths, seal, Some(logbook))?;
+        let now = seal.map_or_else(jiff::Timestamp::now, |seal| seal.at);
         let issues = entries.issues(&prepared, &paths, seal.map(|seal| &*seal.key));
-        logbook.issue(&issues, jiff::Timestamp::now().as_second())?;
+        logbook.issue(&issues, now.as_second())?;
         tell(&issuing::sign_journal(logbook, seal)?, shared);
     }
     let Some(file) = prepared.files.pop() else {
@@ -207,7 +209,7 @@ pub(super) fn judged(
 ) -> Result<certificate::Document> {
     let record = read(stored)?;
     let logbook = Logbook::open_if_there(logbook)?;
-    let mut particulars = judged::of_record(particulars, &record.head, logbook.as_ref())?;
+    let mut particulars = judged::of_record(particulars, &record, logbook.as_ref())?;
     stated.complete(&mut particulars)?;
     // What the page shows is in its language, whatever that of the laboratory's certificates is.
     let language = stated.language.or(particulars.language).unwrap_or_default();

@@ -20,9 +20,13 @@ pub(crate) fn serve(device: Device) -> (SharedDevice, String) {
             let mut stream = stream.expect("connection");
             let mut buffer = [0; 1024];
             while let Ok(count @ 1..) = stream.read(&mut buffer) {
-                for byte in &buffer[..count] {
-                    let answer = served.lock().expect("device").byte(*byte);
-                    stream.write_all(&answer).expect("answer");
+                let mut device = served.lock().expect("device");
+                let answer = buffer[..count].iter().flat_map(|byte| device.byte(*byte));
+                let answer: Vec<u8> = answer.collect();
+                drop(device);
+                // A host that is gone is no fault of the next one.
+                if stream.write_all(&answer).is_err() {
+                    break;
                 }
             }
         }

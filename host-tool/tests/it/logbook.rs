@@ -110,7 +110,9 @@ fn the_log_of_a_change_of_the_reference_is_kept_like_any_record() {
     };
     assert_eq!(logbook.keep(&change).expect("known"), Kept::Known(id));
     assert_eq!(logbook.record(id).expect("there"), change);
-    let numbered = logbook.numbered(&head.instrument_serial, 4).expect("read");
+    let numbered = logbook
+        .numbered(&head.instrument_serial, 0, 4)
+        .expect("read");
     assert_eq!(numbered, Some(change));
     let listed = logbook.records(&Filter::default()).expect("a list");
     let kinds: Vec<_> = listed.iter().map(|line| (line.kind, line.points)).collect();

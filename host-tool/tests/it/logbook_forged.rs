@@ -1,6 +1,7 @@
 //! The logbook attacked: bits that flip in the file, and hands that change it with another program.
 
-use crate::command_line::{calib, text};
+use crate::command_line::{calib, serve, text};
+use crate::device::Device;
 use crate::logbook::{later, logbook};
 use crate::logbook_sealed::{key, now};
 use calib_logbook::{Filter, Issue, Logbook, Sensor, waiting};
@@ -243,6 +244,261 @@ fn a_record_the_instrument_never_made_is_refused_and_put_aside() {
         .expect("updated");
     drop(file);
     assert!(is_noticed(&path));
+}
+
+/// Serial number of the instrument of these records.
+fn serial() -> String {
+    let record = decode(&later(1, "S-1", 0, 1.0)).expect("a record");
+    record.head.instrument_serial.as_str().to_owned()
+}
+
+/// The key of this seed, and the first record it signed.
+fn key_since(seed: &[u8; 32], since: u32) -> DeviceKey {
+    let public = device_key(seed).public;
+    DeviceKey { public, since }
+}
+
+/// The memory of an instrument is erased: it makes another key and counts its records anew. A person says so; what it
+/// has measured before stays, and who is not it gets in no more than before.
+#[test]
+fn a_key_in_place_of_another_is_taken_from_a_person_alone_and_keeps_what_was() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (mut logbook, serial) = (logbook(folder.path()), serial());
+    let [own, forger] = &SEEDS;
+    let (new, third) = ([7; 32], [8; 32]);
+    logbook
+        .enter_key(&serial, &device_key(own))
+        .expect("entered");
+    let old = [
+        later(1, "S-1", 0, 1.0),
+        signed_record(2, 1.0, own),
+        signed_record(3, 1.0, own),
+    ];
+    logbook
+        .keep_all(old.iter().map(Vec::as_slice))
+        .expect("kept");
+    // Nobody has said anything: neither the erased instrument nor a forger.
+    let renewed = key_since(&new, 1);
+    for key in [&renewed, &key_since(forger, 1)] {
+        let said = logbook
+            .enter_key(&serial, key)
+            .expect_err("another")
+            .hint()
+            .map(str::to_owned);
+        assert!(said.expect("a way out").contains("--replaced"));
+    }
+    let again = [signed_record(1, 1.01, &new), signed_record(2, 1.02, &new)];
+    assert!(logbook.keep(&again[0]).is_err());
+    let waits = waiting::put(logbook.path(), &again[0]).expect("put");
+    assert!(Logbook::enter_waiting(logbook.path(), &[(serial.clone(), renewed)]).is_err());
+    assert!(waits.exists(), "it waits for the statement");
+    // That of another instrument does not.
+    let mut other = decode(&later(1, "S-1", 0, 1.0)).expect("a record");
+    other.head.instrument_serial = sample::text("CAL-0043");
+    let other = waiting::put(logbook.path(), &sample::bytes(&other)).expect("put");
+    assert!(Logbook::enter_waiting(logbook.path(), &[(serial.clone(), renewed)]).is_err());
+    assert!(waits.exists() && !other.exists());
+
+    for (reason, why) in [("", "nothing says"), ("one\ntwo", "one line")] {
+        let said = logbook
+            .replace_key(&serial, &renewed, reason, 1)
+            .expect_err(why);
+        assert!(said.to_string().contains(why), "{said}");
+    }
+    assert_eq!(
+        logbook
+            .replace_key(&serial, &renewed, "memory erased", 1)
+            .expect("said"),
+        1
+    );
+    for key in [&renewed, &device_key(own)] {
+        assert!(
+            logbook.replace_key(&serial, key, "once more", 2).is_err(),
+            "it had this one"
+        );
+    }
+    assert!(
+        logbook.enter_key(&serial, &device_key(own)).is_err(),
+        "two instruments of one number"
+    );
+    let entered =
+        Logbook::enter_waiting(logbook.path(), &[(serial.clone(), renewed)]).expect("entered");
+    assert_eq!(entered.numbers.len(), 1);
+    logbook.keep(&again[1]).expect("its next");
+    // What was measured before is taken as before, be it found late.
+    logbook
+        .keep(&signed_record(4, 1.0, own))
+        .expect("of before");
+    for (forged, words) in [
+        (signed_record(3, 1.05, &new), ""),
+        (signed_record(3, 1.05, forger), "is not the instrument's"),
+        (signed_record(9, 1.05, &third), "is not the instrument's"),
+        (later(3, "S-1", 0, 1.05), "is not signed"),
+        (later(1, "S-1", 0, 1.05), "is there already"),
+        (signed_record(2, 1.05, &new), "is there already"),
+        (signed_record(2, 1.05, own), "is there already"),
+    ] {
+        match logbook.keep(&forged) {
+            // The one that is none: its number is free in the new series.
+            Ok(_) => assert!(words.is_empty()),
+            Err(error) => assert!(
+                !words.is_empty() && error.to_string().contains(words),
+                "{error}"
+            ),
+        }
+    }
+    assert_eq!(logbook.inspect().expect("read"), [""; 0]);
+    let number = |series, number| logbook.numbered(&serial, series, number).expect("read");
+    assert_eq!(number(0, 2).as_deref(), Some(&old[1][..]));
+    assert_eq!(number(1, 2).as_deref(), Some(&again[1][..]));
+    let path = logbook.path().to_owned();
+    drop(logbook);
+    a_statement_is_none_by_another_program(&path, &serial);
+}
+
+/// A statement that another program writes, or changes, is noticed.
+fn a_statement_is_none_by_another_program(path: &Path, serial: &str) {
+    let whole = std::fs::read(path).expect("file");
+    for change in [
+        format!("INSERT INTO later_keys VALUES ('{serial}', 2, zeroblob(32), 1, 'x', 1)"),
+        "DROP TRIGGER later_keys_stay; UPDATE later_keys SET reason = 'sold'".to_owned(),
+        "DROP TRIGGER later_keys_are_kept; DELETE FROM later_keys".to_owned(),
+        "UPDATE records SET series = 1 WHERE series = 0 AND number = 3".to_owned(),
+        "UPDATE records SET series = 0".to_owned(),
+    ] {
+        std::fs::write(path, &whole).expect("written");
+        let file = Connection::open(path).expect("a database");
+        file.execute_batch(&change).expect(&change);
+        drop(file);
+        assert!(is_noticed(path), "{change}");
+    }
+}
+
+/// Another logbook that says so is a file: whoever wrote it, a person says it here too.
+#[test]
+fn a_statement_in_another_logbook_lets_nobody_in() {
+    let (here, there) = (
+        tempfile::tempdir().expect("folder"),
+        tempfile::tempdir().expect("folder"),
+    );
+    let (mut ours, mut theirs, serial) = (logbook(here.path()), logbook(there.path()), serial());
+    let [own, forger] = &SEEDS;
+    for logbook in [&ours, &theirs] {
+        logbook
+            .enter_key(&serial, &device_key(own))
+            .expect("entered");
+    }
+    let forged = signed_record(1, 1.05, forger);
+    let said = theirs.replace_key(&serial, &key_since(forger, 1), "board changed", 1);
+    assert_eq!(said.expect("in his own"), 1);
+    theirs.keep(&forged).expect("in his own");
+    theirs.keep(&signed_record(4, 1.0, own)).expect("kept");
+    let merged = ours.merge(&theirs).expect("merged");
+    assert_eq!(
+        (merged.records, merged.conflicts.len()),
+        (1, 2),
+        "{merged:?}"
+    );
+    assert!(merged.conflicts[0].contains("board changed"), "{merged:?}");
+    assert!(ours.keep(&forged).is_err());
+    // It was true, and is said here too.
+    ours.replace_key(&serial, &key_since(forger, 1), "board changed", 2)
+        .expect("said");
+    let merged = ours.merge(&theirs).expect("merged");
+    assert_eq!(
+        (merged.records, merged.conflicts.len()),
+        (1, 0),
+        "{merged:?}"
+    );
+    assert_eq!(ours.inspect().expect("read"), [""; 0]);
+}
+
+/// Records of an instrument without a key stay valid when it is erased and makes one; before, the check of the
+/// logbook named every one of them for ever.
+#[test]
+fn a_first_key_that_contradicts_what_is_there_wants_a_statement_too() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (mut logbook, serial) = (logbook(folder.path()), serial());
+    let (first, seed) = (key_since(&SEEDS[0], 1), &SEEDS[0]);
+    let of_nothing = logbook
+        .replace_key(&serial, &first, "erased", 1)
+        .expect_err("no key yet");
+    assert!(
+        of_nothing.to_string().contains("no other key"),
+        "{of_nothing}"
+    );
+    logbook.keep(&later(1, "S-1", 0, 1.0)).expect("not signed");
+    let said = logbook
+        .enter_key(&serial, &first)
+        .expect_err("did not sign it")
+        .to_string();
+    assert!(said.contains("record 1 that it did not sign"), "{said}");
+    // Kept before anybody knew the key: of its series since it is said.
+    logbook
+        .keep(&signed_record(2, 1.0, seed))
+        .expect("nothing speaks against it");
+    logbook
+        .replace_key(&serial, &first, "erased", 1)
+        .expect("said");
+    logbook
+        .keep(&signed_record(1, 1.0, seed))
+        .expect("the first of the new series");
+    assert!(logbook.numbered(&serial, 1, 2).expect("read").is_some());
+    assert_eq!(logbook.inspect().expect("read"), [""; 0]);
+}
+
+/// Forged records, and a key, by the commands a person uses.
+#[test]
+fn the_commands_take_another_key_with_a_reason_alone() {
+    let folder = tempfile::tempdir().expect("folder");
+    let at = folder.path();
+    let (mut logbook, serial) = (logbook(at), serial());
+    logbook
+        .enter_key(&serial, &device_key(&SEEDS[0]))
+        .expect("entered");
+    logbook
+        .keep(&signed_record(2, 1.0, &SEEDS[0]))
+        .expect("kept");
+    drop(logbook);
+    let new = signed_record(2, 1.02, &[7; 32]);
+    std::fs::write(at.join("old"), signed_record(2, 1.0, &SEEDS[0])).expect("written");
+    let mut device = Device::new();
+    device.key = Some(key_since(&[7; 32], 1));
+    device.records.insert(2, new.clone());
+    let (_device, address) = serve(device);
+    let calib = |arguments: &[&str]| {
+        let logbook = ["--logbook", "logbook.sqlite", "--device", &address];
+        calib(at, &[&logbook[..], arguments].concat())
+    };
+    let refused = calib(&["key"]);
+    assert_eq!(refused.status.code(), Some(6));
+    assert!(
+        text(&refused.stderr).contains("--replaced"),
+        "{}",
+        text(&refused.stderr)
+    );
+    let waits = calib(&["sync"]);
+    assert!(
+        text(&waits.stderr).contains("waits"),
+        "{}",
+        text(&waits.stderr)
+    );
+    let said = calib(&["key", "--json", "--replaced", "memory erased, order 4711"]);
+    assert!(said.status.success(), "{}", text(&said.stderr));
+    let view: serde_json::Value = serde_json::from_slice(&said.stdout).expect("JSON");
+    assert_eq!(view["replaced_because"], "memory erased, order 4711");
+    assert!(calib(&["sync"]).status.success());
+    let opened = Logbook::open(&at.join("logbook.sqlite")).expect("opens");
+    assert!(opened.has(&digest(&new)).expect("read"));
+    assert_eq!(opened.inspect().expect("read"), [""; 0]);
+    // The one of before is proven by the key of before, and that it has another since is said.
+    let proven = calib(&["verify", "old"]);
+    let words = text(&proven.stdout);
+    assert_eq!(proven.status.code(), Some(0), "{words}");
+    assert!(
+        words.contains("another key since: memory erased, order 4711"),
+        "{words}"
+    );
 }
 
 /// No logbook and no instrument: exit code and words follow from file and key.

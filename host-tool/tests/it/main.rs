@@ -12,6 +12,7 @@ mod download;
 mod forged;
 mod gap;
 mod hostile;
+mod killed;
 mod lake;
 mod link;
 mod logbook;

@@ -11,7 +11,7 @@ use std::process::{Command, Output};
 
 const STEM: &str = "certificate-CAL-0042-000017";
 
-fn key(name: &str) -> PathBuf {
+pub(crate) fn key(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("signing/test-keys")
         .join(name)
@@ -339,6 +339,149 @@ fn what_was_issued_is_signed_afterwards_once() {
             "{}",
             text(&refused.stderr)
         );
+    }
+}
+
+/// The commands of docs/certificate.md, with the lines shown for each; `...` stands for lines left out.
+fn shown() -> Vec<(Vec<String>, Vec<String>)> {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/certificate.md");
+    let page = std::fs::read_to_string(page).expect("the page");
+    let blocks = page.split("```console\n$ ").skip(1);
+    let block = |block: &str| {
+        let mut lines = block.split("\n```").next().unwrap_or_default().lines();
+        let command = lines.next().unwrap_or_default();
+        let words = command.split_whitespace().map(str::to_owned);
+        (words.collect(), lines.map(str::to_owned).collect())
+    };
+    blocks.map(block).collect()
+}
+
+/// A verifier by its name, as `./run test` has set it up; `None`, after saying so, where it has not. In CI that is a
+/// failure.
+fn verifier(name: &str) -> Option<PathBuf> {
+    let found = match name {
+        "xmlsec1" => std::env::var_os("CALIB_XMLSEC1").map(PathBuf::from),
+        name => {
+            std::env::var_os("CALIB_PYTHON").map(|python| Path::new(&python).with_file_name(name))
+        }
+    };
+    if found.is_none() {
+        assert!(std::env::var_os("CI").is_none(), "{name} is not there");
+        println!("{name} is not there: nobody looks what it prints");
+    }
+    found
+}
+
+#[test]
+fn what_verifiers_of_others_print_is_what_the_page_shows() {
+    let folder = folder();
+    let at = folder.path();
+    let (pdf, _) = issued(
+        at,
+        "17",
+        &["--sign", key("p256.p12").to_str().expect("UTF-8")],
+    );
+    let dcc = ["--format", "dcc", "--particulars", "job.toml", "--sign"];
+    let sealed = key("p256.p12");
+    let dcc = calib(
+        at,
+        "test",
+        &[
+            &["certificate", "record.bin"],
+            &dcc[..],
+            &[sealed.to_str().expect("UTF-8")],
+        ]
+        .concat(),
+    );
+    assert!(dcc.status.success(), "{}", text(&dcc.stderr));
+    std::fs::copy(key("p256.pem"), at.join("laboratory.pem")).expect("copied");
+    let mut altered = std::fs::read(pdf).expect("PDF");
+    let middle = altered.len() / 2;
+    altered[middle] ^= 1;
+    std::fs::write(at.join("altered.pdf"), altered).expect("written");
+    let dcc = std::fs::read_to_string(at.join("certificate-17.dcc.xml")).expect("DCC");
+    let result = dcc
+        .find("<si:value")
+        .and_then(|at| Some(at + dcc[at..].find(|c: char| c.is_ascii_digit())?));
+    let mut altered = dcc.into_bytes();
+    // One digit of a number.
+    altered[result.expect("a result")] ^= 1;
+    std::fs::write(at.join("altered.dcc.xml"), altered).expect("written");
+    let shown = shown();
+    assert_eq!(shown.len(), 4, "two verifiers, of two files each");
+    for (command, lines) in shown {
+        let Some(program) = verifier(&command[0]) else {
+            return;
+        };
+        let output = Command::new(program)
+            .args(&command[1..])
+            .current_dir(at)
+            .output();
+        let output = output.expect("it starts");
+        let is_sound = !command.iter().any(|word| word.starts_with("altered"));
+        assert_eq!(output.status.success(), is_sound, "{command:?}");
+        let printed = text(&output.stdout) + &text(&output.stderr);
+        let mut rest = printed.lines();
+        for line in lines.iter().filter(|line| *line != "...") {
+            assert!(
+                rest.any(|found| found.trim_end() == line),
+                "{command:?}: {line}\n{printed}"
+            );
+        }
+    }
+}
+
+/// The same certificate twice is the same files, with a logbook and without, be they there or not; before, an elliptic
+/// curve's and the time in a PDF made others, which were refused.
+#[test]
+fn the_same_certificate_signed_again_is_the_same_files() {
+    for (name, kept) in [
+        ("p256.p12", true),
+        ("p256.p12", false),
+        ("rsa.p12", true),
+        ("rsa.p12", false),
+    ] {
+        let folder = folder();
+        let at = folder.path();
+        if kept {
+            assert!(
+                calib(at, "", &["logbook", "add", "record.bin"])
+                    .status
+                    .success()
+            );
+        }
+        let files = certificates(at, name);
+        let read = || {
+            files
+                .clone()
+                .map(|path| std::fs::read(path).expect("there"))
+        };
+        let first = read();
+        // A PDF states the second it was signed in.
+        std::thread::sleep(std::time::Duration::from_millis(1100));
+        certificates(at, name);
+        assert!(read() == first, "{name}");
+        let (lost, stays) = (&files[0], &files[1]);
+        std::fs::remove_file(if kept { lost } else { stays }).expect("removed");
+        certificates(at, name);
+        assert!(read() == first, "{name}: made again");
+        // Of another key it is another file, and is not overwritten.
+        let key = key("issued.p12");
+        let other = [
+            "certificate",
+            "record.bin",
+            "--format",
+            "pdf",
+            "--particulars",
+            "house.toml",
+        ];
+        let other = calib(
+            at,
+            "test",
+            &[&other[..], &["--sign", key.to_str().expect("UTF-8")]].concat(),
+        );
+        assert_eq!(other.status.code(), Some(6), "{}", text(&other.stderr));
+        assert!(read() == first, "{name}: stays");
     }
 }
 

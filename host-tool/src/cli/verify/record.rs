@@ -21,20 +21,28 @@ pub(super) fn verify(
     };
     let link = record::link(bytes).map_err(unusable)?;
     let serial = link.instrument_serial.as_str();
-    let known = match (key, context.logbook_if_there()) {
-        (Some(key), _) => Some(key),
-        (None, logbook) => match logbook? {
-            Some(logbook) => logbook.key(serial)?.map(|key| key.public),
-            None => None,
-        },
-    };
     let signed = signed(bytes).map_err(unusable)?;
-    let proof = proof(signed, known);
     let by = match signed {
         Signed::By(key) => Some(key),
         _ => None,
     };
-    let words = words(proof, by.map(|key| short(&key)).unwrap_or_default());
+    let keys = match (key, context.logbook_if_there()) {
+        (Some(_), _) => Vec::new(),
+        (None, logbook) => match logbook? {
+            Some(logbook) => logbook.keys(serial)?,
+            None => Vec::new(),
+        },
+    };
+    // Where it is signed by none of them, the last is the one it should be.
+    let own = keys.iter().position(|had| Some(had.key.public) == by);
+    let of_logbook = own
+        .or(keys.len().checked_sub(1))
+        .map(|at| keys[at].key.public);
+    let proof = proof(signed, key.or(of_logbook));
+    let mut words = words(proof, by.map(|key| short(&key)).unwrap_or_default());
+    if let Some(later) = own.and_then(|own| keys.get(own + 1)) {
+        words += &format!("; it has another key since: {}", later.reason);
+    }
     Ok(Verified {
         file: file.to_owned(),
         kind: What::Record,
