@@ -108,7 +108,7 @@ const BENCHES: &[Bench] = &[
     Bench {
         name: "stop",
         example: "bench_stop",
-        what: "from STOP to the calibrator's link, by what is in the way, and from a click to a drive at rest: [TRIES [PART]]",
+        what: "from STOP to the calibrator's link, by what is in the way, and from a click to a drive at rest: [TRIES [PART [SITUATION [SEED]]]]",
     },
     Bench {
         name: "target",
