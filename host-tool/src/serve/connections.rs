@@ -4,10 +4,13 @@
 //! |---|---|---|
 //! | connections at a time | [`MOST`] | files running out; the oldest that is asking for nothing makes room, whatever it was answered before |
 //! | time to ask for something, and to ask again | [`PATIENCE`] | connections that only wait |
+//! | time to send what was announced, until when nothing was asked for | [`PATIENCE`], [`LONGEST`] | requests that never end |
 //! | threads for files and documents | [`WORKERS`] | a locked logbook |
 
 use axum::Router;
+use axum::body::{Body, to_bytes};
 use axum::http::{Request, StatusCode};
+use axum::response::IntoResponse;
 use hyper::body::Incoming;
 use hyper::service::{Service, service_fn};
 use hyper_util::rt::{TokioIo, TokioTimer};
@@ -25,6 +28,8 @@ use tokio::task::{JoinHandle, yield_now};
 const MOST: usize = 128;
 /// Time a connection has for the head of a request.
 const PATIENCE: Duration = Duration::from_secs(5);
+/// Bytes of a request's body, far above what a page sends.
+const LONGEST: usize = 64 * 1024;
 /// Threads that may wait for a disk.
 const WORKERS: usize = 8;
 /// Pause after the system refused a connection: there are too many open files.
@@ -91,12 +96,26 @@ fn make_room(held: &mut VecDeque<Held>) -> bool {
     true
 }
 
+/// A request with all of its body: who announces one and does not send it asks for nothing.
+async fn whole(request: Request<Incoming>) -> Result<Request<Body>, StatusCode> {
+    let (head, body) = request.into_parts();
+    match tokio::time::timeout(PATIENCE, to_bytes(Body::new(body), LONGEST)).await {
+        Ok(Ok(body)) => Ok(Request::from_parts(head, Body::from(body))),
+        Ok(Err(_)) => Err(StatusCode::PAYLOAD_TOO_LARGE),
+        Err(_) => Err(StatusCode::REQUEST_TIMEOUT),
+    }
+}
+
 async fn answer(stream: TcpStream, app: Router, is_used: Arc<AtomicBool>) {
     // An answer is small: waiting for more would only delay it.
     let _ = stream.set_nodelay(true);
     let service = service_fn(|request: Request<Incoming>| {
         let (app, is_used) = (app.clone(), Arc::clone(&is_used));
         async move {
+            let request = match whole(request).await {
+                Ok(request) => request,
+                Err(refused) => return Ok(refused.into_response()),
+            };
             is_used.store(true, Ordering::Relaxed);
             let answer = TowerToHyperService::new(app).call(request).await;
             let Ok(answer) = answer;

@@ -744,6 +744,37 @@ fn hosts_that_ask_politely_leave_room_for_a_stop() {
     assert_eq!(server.get("/").0, 200);
 }
 
+/// Requests that announce what they never send, more than the server holds, on both ports: before, each of them kept its
+/// place, and a stop found none.
+#[test]
+fn requests_that_never_end_leave_room_for_a_stop() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (_, address) = serve_device(Device::new());
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    let port = format!("127.0.0.1:{}", server.stop_port);
+    let announce = |to: &String| {
+        let mut stream = TcpStream::connect(to).expect("it listens");
+        let request = format!(
+            "POST /api/stop HTTP/1.1\r\nHost: {to}\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n"
+        );
+        stream.write_all(request.as_bytes()).expect("sent");
+        stream
+    };
+    let mut flood: Vec<_> = (0..150)
+        .map(|_| [announce(&server.host), announce(&port)])
+        .collect();
+    let (status, said, took) = server.stop(&json!({}));
+    assert_eq!(status, 200, "{said}");
+    assert!(took < Duration::from_millis(1500), "{took:?}");
+    assert_eq!(server.get("/").0, 200);
+    // One that is still there is told so, and may ask again.
+    let [last, _] = flood.last_mut().expect("some");
+    let mut answer = [0; 12];
+    last.read_exact(&mut answer).expect("an answer");
+    assert_eq!(&answer, b"HTTP/1.1 408");
+}
+
 /// A record measured while another program holds the logbook gets there.
 #[test]
 fn a_run_measured_while_the_logbook_is_locked_is_entered_later() {
