@@ -23,9 +23,9 @@ pub(crate) enum Way {
 }
 
 /// Pause between two bytes of a link that drips.
-const DRIP: Duration = Duration::from_millis(600);
+pub(crate) const DRIP: Duration = Duration::from_millis(600);
 /// Pause between two old frames.
-const REPEAT: Duration = Duration::from_millis(10);
+pub(crate) const REPEAT: Duration = Duration::from_millis(10);
 
 struct State {
     way: Way,

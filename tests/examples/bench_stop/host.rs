@@ -3,13 +3,15 @@
 use calib_tests::bench::Fault;
 use calib_tests::served::Served;
 use serde_json::Value;
-use std::io::{Read, Write};
+use std::io::{ErrorKind, Read, Write};
 use std::net::TcpStream;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
+/// Pause before what was closed is opened again.
+const AGAIN: Duration = Duration::from_secs(1);
 /// Longest wait for an answer.
 const PATIENCE: Duration = Duration::from_secs(30);
 
@@ -84,7 +86,7 @@ impl Host {
 pub(crate) struct Obstacles {
     connections: Vec<TcpStream>,
     logbook: Option<rusqlite::Connection>,
-    load: Option<Load>,
+    work: Work,
 }
 
 impl Obstacles {
@@ -95,12 +97,25 @@ impl Obstacles {
         Ok(())
     }
 
-    /// Half of them on each port.
+    /// Half of them on each port; what the server closes is opened again a second later.
     pub(crate) fn idle(&mut self, host: &Host, count: usize) -> Result<(), Fault> {
+        let mut idle = Vec::new();
         for number in 0..count {
-            let to = [&host.page, &host.stops][number % 2];
-            self.connections.push(TcpStream::connect(to)?);
+            let to = [&host.page, &host.stops][number % 2].clone();
+            idle.push((TcpStream::connect(&to)?, to));
         }
+        self.work.begin(move |ended| {
+            while !ended.load(Ordering::Relaxed) {
+                std::thread::sleep(AGAIN);
+                for (stream, to) in &mut idle {
+                    if is_closed(stream)
+                        && let Ok(new) = TcpStream::connect(&*to)
+                    {
+                        *stream = new;
+                    }
+                }
+            }
+        });
         Ok(())
     }
 
@@ -113,29 +128,37 @@ impl Obstacles {
 
     /// Twice as many threads as there are cores, that never rest.
     pub(crate) fn load(&mut self) {
-        self.load = Some(Load::new());
-    }
-}
-
-struct Load(Arc<AtomicBool>);
-
-impl Load {
-    fn new() -> Self {
-        let ended = Arc::new(AtomicBool::new(false));
         let cores = std::thread::available_parallelism().map_or(2, usize::from);
         for _ in 0..2 * cores {
-            let ended = Arc::clone(&ended);
-            std::thread::spawn(move || {
+            self.work.begin(|ended| {
                 while !ended.load(Ordering::Relaxed) {
                     std::hint::spin_loop();
                 }
             });
         }
-        Self(ended)
     }
 }
 
-impl Drop for Load {
+/// Whether the server has closed it.
+fn is_closed(stream: &TcpStream) -> bool {
+    let looked = stream
+        .set_nonblocking(true)
+        .and_then(|()| stream.peek(&mut [0]));
+    !matches!(looked, Err(error) if error.kind() == ErrorKind::WouldBlock)
+}
+
+/// Threads that go on until it is dropped.
+#[derive(Default)]
+struct Work(Arc<AtomicBool>);
+
+impl Work {
+    fn begin(&self, work: impl FnOnce(&AtomicBool) + Send + 'static) {
+        let ended = Arc::clone(&self.0);
+        std::thread::spawn(move || work(&ended));
+    }
+}
+
+impl Drop for Work {
     fn drop(&mut self) {
         self.0.store(true, Ordering::Relaxed);
     }

@@ -1,14 +1,16 @@
-//! `./run bench stop [TRIES [PART]]`: how long a stop takes from the request of a page to the calibrator's
+//! `./run bench stop [TRIES [PART [SITUATION [SEED]]]]`: how long a stop takes from the request of a page to the calibrator's
 //! link, by what is in its way, from there to a drive at rest, and all the way from a click in a browser.
 //!
 //! The first part, `links`, is measured by the clock of this computer, the program as it ships with a
 //! calibrator of this bench behind a TCP port; the second, `instrument`, in virtual time, with the shipping
-//! image; the third, `browser`, by the clock of this computer with that image kept at its pace.
+//! image; the third, `browser`, by the clock of this computer with that image kept at its pace. SITUATION is a part of
+//! the name of those that are wanted.
 
 mod browser;
 mod device;
 mod host;
 mod instrument;
+mod relay;
 
 use calib_tests::bench::Fault;
 use device::{Device, Way};
@@ -20,6 +22,8 @@ use std::time::{Duration, Instant};
 
 /// Stops of a situation, unless said otherwise.
 const TRIES: usize = 100;
+/// Of the instants of clicks, unless said otherwise.
+const SEED: u64 = 18;
 /// Longest wait for a run to begin.
 const PATIENCE: Duration = Duration::from_secs(30);
 
@@ -79,10 +83,7 @@ const SITUATIONS: [Situation; 8] = [
         way: Way::Plain,
         prepare: |obstacles, host, logbook| {
             obstacles.pages(host, 10)?;
-            obstacles.idle(host, 1100)?;
-            obstacles.lock(logbook)?;
-            obstacles.load();
-            Ok(())
+            all(obstacles, host, logbook)
         },
     },
     Situation {
@@ -96,6 +97,38 @@ const SITUATIONS: [Situation; 8] = [
         prepare: |_, _, _| Ok(()),
     },
 ];
+
+/// What is in the way of a click beside ten tabs of the page.
+const CLICKS: [Situation; 4] = [
+    Situation {
+        name: "ten tabs",
+        way: Way::Plain,
+        prepare: |_, _, _| Ok(()),
+    },
+    Situation {
+        name: "all obstacles",
+        way: Way::Plain,
+        prepare: all,
+    },
+    Situation {
+        name: "all obstacles, link drips",
+        way: Way::Drip,
+        prepare: all,
+    },
+    Situation {
+        name: "all obstacles, old answers",
+        way: Way::OldFrames,
+        prepare: all,
+    },
+];
+
+/// Everything but a bad link and pages.
+fn all(obstacles: &mut Obstacles, host: &Host, logbook: &Path) -> Result<(), Fault> {
+    obstacles.idle(host, 1100)?;
+    obstacles.lock(logbook)?;
+    obstacles.load();
+    Ok(())
+}
 
 /// Times of a situation.
 #[derive(Default)]
@@ -114,17 +147,21 @@ fn main() -> Result<(), Fault> {
     let tries = std::env::args().nth(1).map(|text| text.parse());
     let tries = tries.transpose()?.unwrap_or(TRIES);
     let part = std::env::args().nth(2);
+    let situation = std::env::args().nth(3).unwrap_or_default();
+    let seed = std::env::args().nth(4).map(|text| text.parse());
+    let seed = seed.transpose()?.unwrap_or(SEED);
     let wanted = |name| part.as_deref().is_none_or(|part| part == name);
+    let named = |one: &&Situation| one.name.contains(&situation);
     println!("{tries} stops each, ms\n");
     let mut rows = Vec::new();
     if wanted("links") {
-        rows.extend(links(tries)?);
+        rows.extend(links(SITUATIONS.iter().filter(named), tries)?);
     }
     if wanted("instrument") {
         rows.push(instrument(tries)?);
     }
     if wanted("browser") {
-        rows.extend(browser(tries)?);
+        rows.extend(browser(CLICKS.iter().filter(named), tries, seed)?);
     }
     if let Some(path) = std::env::var_os("CALIB_BENCH_JSON") {
         std::fs::write(path, serde_json::to_string_pretty(&rows)?)?;
@@ -133,15 +170,17 @@ fn main() -> Result<(), Fault> {
 }
 
 /// From the request of a page to the calibrator's link, situation by situation.
-fn links(tries: usize) -> Result<Vec<serde_json::Value>, Fault> {
+fn links<'a>(
+    situations: impl Iterator<Item = &'a Situation>,
+    tries: usize,
+) -> Result<Vec<serde_json::Value>, Fault> {
     println!(
         "{:<28}{:>9}{:>9}{:>11}{:>9}{:>11}{:>8}",
         "in the way", "median", "worst", "told in", "worst", "confirmed", "alarms"
     );
-    let rows = SITUATIONS
-        .iter()
-        .map(|situation| row(situation, measure(situation, tries)?));
-    rows.collect()
+    situations
+        .map(|situation| row(situation, measure(situation, tries)?))
+        .collect()
 }
 
 /// From there to a drive at rest.
@@ -153,27 +192,45 @@ fn instrument(tries: usize) -> Result<serde_json::Value, Fault> {
     }))
 }
 
-/// From a click to a drive at rest; nothing without a browser.
-fn browser(tries: usize) -> Result<Option<serde_json::Value>, Fault> {
+/// From a click to a drive at rest; nothing without a browser. A click that is late without a word fails it, when all
+/// are told.
+fn browser<'a>(
+    situations: impl Iterator<Item = &'a Situation>,
+    tries: usize,
+    seed: u64,
+) -> Result<Vec<serde_json::Value>, Fault> {
     let Some(driver) = calib_tests::browser::driver() else {
-        return Ok(None);
+        return Ok(Vec::new());
     };
-    let mut clicks = browser::clicks(&driver, tries, PROMISED)?;
+    println!("\nfrom a click to a drive at rest\n");
+    println!(
+        "{:<28}{:>9}{:>9}{:>11}{:>8}{:>11}{:>11}{:>10}",
+        "in the way", "median", "worst", "with lag", "alarms", "latest", "told late", "no word"
+    );
+    let (mut rows, mut silent) = (Vec::new(), 0);
+    for situation in situations {
+        let clicks = browser::clicks(&driver, situation, tries, seed)?;
+        silent += clicks.silent_failures;
+        rows.push(clicked(situation, clicks));
+    }
+    match silent {
+        0 => Ok(rows),
+        late => Err(format!("{late} clicks came later than promised without an alarm").into()),
+    }
+}
+
+fn clicked(situation: &Situation, mut clicks: browser::Clicks) -> serde_json::Value {
     let [median, worst] = spread(&mut clicks.times);
     let [_, lagging] = spread(&mut clicks.with_lag);
+    let (alarms, latest, told) = (clicks.alarms, clicks.latest_alarm_ms, clicks.told);
     println!(
-        "\nfrom a click, ten tabs open, to a drive at rest: median {median:.1} ms, worst {worst:.1} ms, \
-         {} alarms, {} told as late; {lagging:.1} ms with what the emulated board was behind",
-        clicks.alarms, clicks.told
+        "{:<28}{median:>9.1}{worst:>9.1}{lagging:>11.1}{alarms:>8}{latest:>11.1}{told:>11}{:>10}",
+        situation.name, clicks.silent_failures
     );
-    if clicks.silent_failures > 0 {
-        let late = clicks.silent_failures;
-        return Err(format!("{late} clicks came later than {PROMISED:?} without an alarm").into());
-    }
-    Ok(Some(serde_json::json!({
-        "situation": "browser", "median_ms": median, "worst_ms": worst, "alarms": clicks.alarms, "told_late": clicks.told,
-        "worst_with_lag_ms": lagging,
-    })))
+    serde_json::json!({
+        "situation": situation.name, "median_ms": median, "worst_ms": worst, "worst_with_lag_ms": lagging,
+        "alarms": alarms, "latest_alarm_ms": latest, "told_late": told, "no_word": clicks.silent_failures,
+    })
 }
 
 fn measure(situation: &Situation, tries: usize) -> Result<Times, Fault> {
