@@ -36,6 +36,9 @@ pub struct AboutSensor {
     /// Measuring range, m/s2 peak.
     #[arg(long, value_name = "MS2")]
     range: Option<f64>,
+    /// Mounted resonance by its data sheet, Hz: what a sweep shows is compared with it.
+    #[arg(long, value_name = "HZ")]
+    resonance: Option<f64>,
     /// Whether it has IEPE electronics.
     #[arg(long, value_name = "true|false")]
     iepe: Option<bool>,
@@ -77,6 +80,7 @@ impl AboutSensor {
                 .map(|stated| unit.to_v_per_ms2(stated))
                 .or(sensor.sensitivity_v_per_ms2),
             range_ms2: self.range.or(sensor.range_ms2),
+            resonance_hz: self.resonance.or(sensor.resonance_hz),
             iepe: self.iepe.or(sensor.iepe),
             mounting: self.mounting.or(sensor.mounting),
             owner: self.owner.or(sensor.owner),
@@ -105,6 +109,7 @@ pub fn from_teds(read: &teds::Accelerometer, bytes: Vec<u8>, serial: Option<Stri
             basic.model_number, basic.version_letter, basic.version_number
         ),
         sensitivity_v_per_ms2: read.sensitivity_v_per_ms2,
+        resonance_hz: read.resonance_hz,
         // Template 25 is for constant current supply alone.
         iepe: Some(true),
         due_day: read.due().map(|day| day.to_string()),

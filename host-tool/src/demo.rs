@@ -58,6 +58,8 @@ pub struct DemoReport {
     pub reference: DemoPoint,
     /// Every point in the order measured.
     pub points: Vec<DemoPoint>,
+    /// Time of the instrument's own clock from the order to measure to its end, s.
+    pub instrument_s: f64,
     /// Record and certificate.
     pub files: Vec<PathBuf>,
 }
@@ -88,6 +90,7 @@ pub fn run(
     step(&mut observe, "measuring");
     let points = session::default_points(10.0);
     let labels = labels(seed, unix_time_s);
+    let begun_ms = client.info()?.uptime_ms;
     let outcome = session::run(&mut client, &points, labels, |progress| {
         observe(&Event::Progress {
             progress,
@@ -95,6 +98,7 @@ pub fn run(
             sample_rate_hz,
         })
     })?;
+    let instrument_s = 1e-3 * client.info()?.uptime_ms.saturating_sub(begun_ms) as f64;
     step(&mut observe, "resetting the board");
     board.reset()?;
     step(
@@ -121,7 +125,7 @@ pub fn run(
         out,
         &options,
     )?);
-    report(&rig, &download.record, files)
+    report(&rig, &download.record, files, instrument_s)
 }
 
 /// A step cannot be refused: only a run is worth stopping.
@@ -163,7 +167,12 @@ fn labels(seed: u64, unix_time_s: u64) -> RunLabels {
     }
 }
 
-fn report(rig: &Rig, record: &Record, files: Vec<PathBuf>) -> Result<DemoReport> {
+fn report(
+    rig: &Rig,
+    record: &Record,
+    files: Vec<PathBuf>,
+    instrument_s: f64,
+) -> Result<DemoReport> {
     let point = |point: &PointResult| demo_point(rig, record.head.sample_rate_hz, point);
     let points: Vec<DemoPoint> = record.points.iter().map(point).collect();
     let at_reference = points
@@ -173,6 +182,7 @@ fn report(rig: &Rig, record: &Record, files: Vec<PathBuf>) -> Result<DemoReport>
     Ok(DemoReport {
         reference: at_reference.clone(),
         points,
+        instrument_s,
         files,
     })
 }

@@ -12,6 +12,7 @@ use super::deviation::{
 use super::model::{Budget, BudgetRow, Certificate, Remark, Severity, Value};
 use super::mountings::Mountings;
 use super::particulars::Particulars;
+use super::resonance::Mounted;
 use super::temperature::Distance;
 use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, Row, point_budget};
 use calib_core::point::PointResult;
@@ -61,6 +62,8 @@ pub(super) struct Basis<'a> {
     /// Correlation of the reference's calibration between two frequencies.
     correlation: f64,
     mountings: &'a Mountings,
+    /// What the points show of the mounted resonance.
+    pub(super) mounted: Mounted,
 }
 
 /// Expanded uncertainties of a point.
@@ -85,13 +88,19 @@ impl<'a> Basis<'a> {
     ) -> Self {
         let distance = Distance::of(record, particulars);
         let correlation = particulars.calibration.reference_correlation;
-        Self {
+        let mut basis = Self {
             record,
             settings: distance.covered_by(&record.settings),
             distance,
             correlation: correlation.unwrap_or(1.0),
             mountings,
-        }
+            mounted: Mounted::UNKNOWN,
+        };
+        // The resonance is that of this mounting: what another would do is no part of its U.
+        basis.shift_mounting(0.0);
+        basis.mounted = Mounted::of(record, particulars, &basis);
+        basis.shift_mounting(basis.mounted.mounting_at_10_khz_rel(&record.settings));
+        basis
     }
 
     /// Uncertainty of a point; none where a temperature counts and no budget can say how.
@@ -127,7 +136,24 @@ impl<'a> Basis<'a> {
     pub(super) fn is_the_instruments(&self) -> bool {
         let of_change = |point: &PointResult| self.record.closing.half_widths(point);
         let changed = self.record.points.iter().any(|p| of_change(p) != [0.0; 2]);
-        self.distance == Distance::Covered && !self.mountings.are_repeated() && !changed
+        let mounting = |settings: &Settings| settings.point_influences.mounting_at_10_khz_rel;
+        let shifts = mounting(&self.settings) != mounting(&self.record.settings);
+        let gives_way = self.record.points.iter().any(|p| self.excess_rel(p) > 0.0);
+        let told = self.distance == Distance::Covered && !self.mountings.are_repeated();
+        told && !changed && !shifts && !gives_way
+    }
+
+    fn shift_mounting(&mut self, at_10_khz_rel: f32) {
+        if self.settings.point_influences.mounting_at_10_khz_rel != at_10_khz_rel {
+            let settings = self.settings.to_mut();
+            settings.point_influences.mounting_at_10_khz_rel = at_10_khz_rel;
+        }
+    }
+
+    /// By how much the mount may have raised a point, relative.
+    fn excess_rel(&self, point: &PointResult) -> f32 {
+        let frequency_hz = point.tone.frequency_hz(self.record.head.sample_rate_hz);
+        self.mounted.excess_rel(f64::from(frequency_hz)) as f32
     }
 
     /// Budget with everything that is known.
@@ -144,6 +170,14 @@ impl<'a> Basis<'a> {
                     budget.add(component.labelled("change until the first point was repeated"));
                 added.map_err(|error| error.to_string())?;
             }
+        }
+        let excess_rel = self.excess_rel(point);
+        if excess_rel > 0.0 {
+            // All of it is the mount's, or the data sheet is wrong.
+            let component = Component::new(Row::a1(MOUNTING), excess_rel, Distribution::UShaped);
+            let component = component.labelled("mounted resonance below that of the data sheet");
+            let added = budget.magnitude.add(component);
+            added.map_err(|error| error.to_string())?;
         }
         if let Some(scatter) = self.mountings.of(&point.spec) {
             let degrees = scatter.degrees_of_freedom as f32;

@@ -10,6 +10,7 @@ use super::model::{Certificate, Refusal, Remark, Severity, Value};
 use super::model::{Deviation, Point, PointValues};
 use super::mountings::Mountings;
 use super::particulars::Particulars;
+use super::resonance;
 use super::rounding::{Rounded, round_uncertainty};
 use super::sections::{is_traceable, sections};
 use super::stored::{run_day, unix_day};
@@ -77,6 +78,7 @@ impl Certificate {
             decision: None,
             remarks: Vec::new(),
             as_found: None,
+            resonance: None,
             chain: None,
             is_closed: !matches!(record.closing, Closing::Refused(_)),
             simulated: is_emulated(&record.head.instrument_serial),
@@ -88,6 +90,7 @@ impl Certificate {
         certificate.remarks.extend(closing_remark(record));
         let temperature = basis.distance.remark();
         certificate.remarks.extend(temperature);
+        resonance::attach(&mut certificate, &basis.mounted);
         conformity::attach(&mut certificate);
         if let Some(index) = reference {
             budget::attach(&mut certificate, &basis, measured[index]);

@@ -3,13 +3,14 @@
 //! ```text
 //! { "certificate", "marks", "missing", "replaces", "language", "item": {..}, "calibration": {..}, ..., "inverted",
 //!   "reference": {point}, "points": [{point}], "conformity", "verdict", "budget": {..},
-//!   "as_found": {..}, "record_chain", "remarks": [..] }
+//!   "as_found": {..}, "mounted_resonance": {..}, "record_chain", "remarks": [..] }
 //! ```
 
 use super::from_record::closing_remark;
 use super::marks::Mark;
 use super::model::{self, Certificate, Point, Section, Severity};
 use super::particulars::Amendment;
+use super::resonance::MountedResonance;
 use super::rounding::Rounded;
 use super::verdict::Verdict;
 use super::words::Language;
@@ -65,6 +66,8 @@ pub struct Document {
     budget: Option<Budget>,
     /// Results before an adjustment.
     as_found: Option<AsFound>,
+    /// The mounted resonance by the points; none where there is none from 1 kHz on.
+    mounted_resonance: Option<MountedResonance>,
     /// Place of the record in the chain; none when nobody looked.
     record_chain: Option<Standing>,
     /// Remarks a reader needs beside the numbers.
@@ -98,6 +101,7 @@ impl Document {
             verdict: certificate.verdict(language),
             budget: certificate.budget.as_ref().map(Budget::from),
             as_found: as_found(certificate),
+            mounted_resonance: certificate.resonance,
             record_chain: certificate.chain,
             remarks: certificate
                 .remarks

@@ -16,6 +16,7 @@
 //! | `deviation` | uncertainty of the deviation from the reference point |
 //! | `change` | uncertainty of the change since another calibration |
 //! | `temperature` | what the temperature told adds to row 11 |
+//! | `resonance` | the mounted resonance a sweep shows, and what its shift adds to row 8 |
 //! | `standing` | the record's sum and its place in the chain |
 //! | `verdict` | the verdict on the whole object, for every output |
 //! | `conformity` | judgement of the results by a decision rule |
@@ -56,6 +57,7 @@ mod present;
 #[cfg(test)]
 pub(crate) mod python;
 mod refused;
+mod resonance;
 pub mod rounding;
 mod seal;
 mod sections;
@@ -98,6 +100,7 @@ pub use model::Certificate;
 pub use mountings::{MountingScatter, scatter as mounting_scatter};
 pub use particulars::{Adjustment, Amendment, Known, Particulars};
 pub use present::Presented;
+pub use resonance::MountedResonance;
 pub use seal::Seal;
 pub use standing::digest;
 pub use substitution::{StandardPoint, Substituted, substitute};

@@ -10,6 +10,7 @@
 
 use super::deviation::OfRatio;
 use super::particulars::Particulars;
+use super::resonance::MountedResonance;
 use super::rounding::{Rounded, round_uncertainty};
 use crate::decision::{Assessment, Band, Conformity, Decision, Stated};
 use calib_core::point::PointResult;
@@ -46,6 +47,8 @@ pub struct Certificate {
     pub remarks: Vec<Remark>,
     /// Certificate from before an adjustment, when this is from after it.
     pub as_found: Option<Box<Certificate>>,
+    /// What the points show of the mounted resonance.
+    pub resonance: Option<MountedResonance>,
     /// Place of the record in the chain, once somebody looked.
     pub chain: Option<Standing>,
     /// No first point was asked again at the end of the run and refused.

@@ -107,6 +107,8 @@ pub struct Item {
     pub serial: Option<String>,
     /// Identification by the customer.
     pub customer_id: Option<String>,
+    /// Mounted resonance by its data sheet, Hz; else that of the logbook.
+    pub mounted_resonance_hz: Option<f64>,
     /// Condition on arrival.
     pub condition: Option<String>,
     /// Day of receipt.
@@ -225,6 +227,8 @@ pub struct Mounting {
     pub cable: Option<String>,
     /// Vertical or horizontal.
     pub orientation: Option<String>,
+    /// Relative shift of the mounted resonance by torque, grease and face, %, half-width; 10 where nobody states one.
+    pub resonance_spread_percent: Option<f64>,
 }
 
 /// Settings of the object's conditioner, if it has any.
@@ -335,6 +339,8 @@ pub struct Known {
     pub nominal_v_per_ms2: Option<f64>,
     /// Its tolerance.
     pub tolerance: Option<decision::Tolerance>,
+    /// Mounted resonance by its data sheet, Hz.
+    pub resonance_hz: Option<f64>,
     /// Sensitivities of its last calibration before this one, Hz and V/(m/s2).
     pub last: Vec<(f64, f64)>,
 }
@@ -347,6 +353,8 @@ impl Particulars {
     /// # Errors
     /// [`Error::Input`] when nobody stated the nominal sensitivity it needs.
     pub fn for_device(&mut self, known: &Known) -> Result<()> {
+        let stated = self.item.mounted_resonance_hz;
+        self.item.mounted_resonance_hz = stated.or(known.resonance_hz);
         if let Some(tolerance) = &known.tolerance {
             tolerance.complete(self.decision.get_or_insert_default());
         }
@@ -398,6 +406,18 @@ impl Particulars {
                 1.0,
             ),
             ("mounting.torque_n_m", self.mounting.torque_n_m, 0.0, 100.0),
+            (
+                "mounting.resonance_spread_percent",
+                self.mounting.resonance_spread_percent,
+                0.0,
+                50.0,
+            ),
+            (
+                "item.mounted_resonance_hz",
+                self.item.mounted_resonance_hz,
+                500.0,
+                1.0e6,
+            ),
             (
                 "amplifier.lower_cutoff_hz",
                 amplifier.lower_cutoff_hz,

@@ -189,6 +189,7 @@ fn judged(nominal_mv: f64, tolerance: &str, rule: &str, last: &[(f64, f64)]) -> 
         nominal_v_per_ms2: Some(nominal_mv / 1000.0),
         tolerance: Some(tolerance.parse().expect("a tolerance")),
         last: last.to_vec(),
+        ..Known::default()
     };
     particulars.for_device(&known).expect("complete");
     Certificate::from_record(&record(&[160.0, 1000.0]), &particulars)

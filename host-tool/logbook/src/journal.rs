@@ -59,7 +59,14 @@ impl Subject {
     /// Its rows, after their names.
     fn rows(self) -> &'static str {
         match self {
-            Self::Sensor => "SELECT serial, * FROM sensors",
+            // In the order of the columns; a resonance that nobody stated adds nothing to what was entered before there
+            // was one.
+            Self::Sensor => {
+                "SELECT serial, serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe, mounting, owner, \
+                 due_day, teds, tolerance, \
+                 CASE WHEN resonance_hz IS NULL THEN unit ELSE coalesce(unit, '') || ' ' || resonance_hz END \
+                 FROM sensors"
+            }
             Self::Record => "SELECT CAST(id AS TEXT), sha256 FROM records",
             Self::Certificate => "SELECT CAST(number AS TEXT), * FROM certificates",
             Self::Key => "SELECT instrument, * FROM keys",

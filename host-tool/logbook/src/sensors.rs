@@ -22,6 +22,8 @@ pub struct Sensor {
     pub sensitivity_v_per_ms2: Option<f64>,
     /// Measuring range, m/s2 peak.
     pub range_ms2: Option<f64>,
+    /// Mounted resonance by its data sheet, Hz.
+    pub resonance_hz: Option<f64>,
     /// True when it has IEPE electronics.
     pub iepe: Option<bool>,
     /// How it is mounted for calibration.
@@ -39,8 +41,11 @@ pub struct Sensor {
     pub teds: Option<Vec<u8>>,
 }
 
+/// Mounted resonances there are, from a seat pad to a shock sensor.
+const RESONANCES_HZ: std::ops::RangeInclusive<f64> = 500.0..=1.0e6;
+
 const COLUMNS: &str = "serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe, \
-                       mounting, owner, due_day, teds, tolerance, unit";
+                       mounting, owner, due_day, teds, tolerance, unit, resonance_hz";
 
 impl Sensor {
     /// Manufacturer and model, as a record names it.
@@ -83,6 +88,10 @@ impl Sensor {
         if !positive(self.sensitivity_v_per_ms2) || !positive(self.range_ms2) {
             return wrong("sensitivity and range are above zero");
         }
+        let plausible = |hz: f64| RESONANCES_HZ.contains(&hz);
+        if !self.resonance_hz.is_none_or(plausible) {
+            return wrong("a mounted resonance is between 500 Hz and 1 MHz, stated in Hz");
+        }
         let tolerance = self.tolerance.as_deref().map(str::parse::<Tolerance>);
         if let Some(Err(problem)) = &tolerance {
             return wrong(problem);
@@ -112,6 +121,7 @@ impl Sensor {
             teds: row.get(9)?,
             tolerance: row.get(10)?,
             unit: row.get(11)?,
+            resonance_hz: row.get(12)?,
         })
     }
 }
@@ -152,9 +162,10 @@ impl Logbook {
             sensor.teds,
             sensor.tolerance,
             sensor.unit,
+            sensor.resonance_hz,
         ];
         let put = format!(
-            "INSERT OR REPLACE INTO sensors ({COLUMNS}) VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12)"
+            "INSERT OR REPLACE INTO sensors ({COLUMNS}) VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13)"
         );
         self.change(Subject::Sensor, &sensor.serial, &put, values)
     }
@@ -201,6 +212,7 @@ impl Logbook {
         let before_s = i64::try_from(unix_time_s).unwrap_or(i64::MAX);
         Ok(Known {
             nominal_v_per_ms2: sensor.sensitivity_v_per_ms2,
+            resonance_hz: sensor.resonance_hz,
             tolerance: tolerance.map_err(|problem| Error::input(place(), problem, hint))?,
             last: self.last_calibration(&sensor.serial, before_s)?,
         })

@@ -140,9 +140,10 @@ pub(super) const TABLES: &[Table] = &[
             ("due_day", Text),
             ("tolerance", Text),
             ("unit", Text),
+            ("resonance_hz", Real),
         ],
         select: "SELECT NULL, serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe,
-                 mounting, owner, due_day, tolerance, unit FROM sensors ORDER BY serial",
+                 mounting, owner, due_day, tolerance, unit, resonance_hz FROM sensors ORDER BY serial",
     },
     Table {
         name: "instruments",

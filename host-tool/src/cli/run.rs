@@ -6,7 +6,8 @@ use super::remount::{self, Mountings, Remounting};
 use super::substitute::{self, Standard, Substitution};
 use super::{Context, logbook, number::positive, progress, progress::RunProgress, source, time};
 use calib_certificate::{
-    Language, Particulars, SensitivityUnit, Verdict, instrument_covers, said_of_closing,
+    Certificate, Language, MountedResonance, Particulars, SensitivityUnit, Verdict,
+    instrument_covers, said_of_closing,
 };
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::settings::Settings;
@@ -111,6 +112,9 @@ pub(super) struct RunResult {
     logbook_record: Option<i64>,
     /// `finished`, `stopped`, or `failed` when the record could not be stored.
     state: String,
+    /// Time of the instrument's own clock from the order to its end, s; with `--remount` of the last mounting. None
+    /// where it did not say.
+    instrument_s: Option<f64>,
     /// Every point in the order measured.
     points: Vec<PointView>,
     /// The verdict on the sensor by its tolerance; none when it has none.
@@ -119,6 +123,8 @@ pub(super) struct RunResult {
     refusals: Vec<Refused>,
     /// What changed until the first point was repeated at the end, in words; none where nothing did.
     closing: Option<String>,
+    /// The mounted resonance that the points show; none where there is none from 1 kHz on, or no record.
+    mounted_resonance: Option<MountedResonance>,
     /// With `--remount`: every mounting's record, this one included, and their scatter.
     remounting: Option<Remounting>,
     /// With `--substitute`: the device by the standard.
@@ -163,7 +169,7 @@ impl Run {
             )?),
             None => None,
         };
-        let (mountings, outcome, kept) =
+        let (mountings, outcome, kept, instrument_s) =
             self.measure_mountings(context, &mut client, &asked, labels, &switch)?;
         let substitution = match standard.zip(before) {
             Some((standard, before)) => {
@@ -177,6 +183,7 @@ impl Run {
             record_id: outcome.record_id,
             logbook_record: kept.as_ref().and_then(|kept| kept.id),
             state: code(&outcome.state),
+            instrument_s,
             points: outcome
                 .points
                 .iter()
@@ -187,6 +194,9 @@ impl Run {
             closing: kept
                 .as_ref()
                 .and_then(|kept| said_of_closing(&kept.record, Language::default())),
+            mounted_resonance: kept
+                .as_ref()
+                .and_then(|kept| Certificate::from_record(&kept.record, &particulars).resonance),
             remounting: mountings.remounting(),
             substitution,
         };
@@ -240,11 +250,12 @@ impl Run {
         asked: &Asked<'_>,
         mut labels: RunLabels,
         switch: &StopSwitch,
-    ) -> Result<(Mountings, Outcome, Option<Kept>)> {
+    ) -> Result<(Mountings, Outcome, Option<Kept>, Option<f64>)> {
         let mut mountings = Mountings::default();
         loop {
             let progress = RunProgress::new(context, asked.sample_rate_hz, asked.unit);
             let mut progress = progress.with_points_as_result();
+            let begun_ms = clock_ms(client);
             let outcome = measure(
                 context,
                 client,
@@ -253,16 +264,18 @@ impl Run {
                 switch,
                 &mut progress,
             )?;
+            let took_s = |from: u64| Some(1e-3 * clock_ms(client)?.checked_sub(from)? as f64);
+            let instrument_s = begun_ms.and_then(took_s);
             progress.end(&outcome.points);
             let kept = keep(context, client, &outcome)?;
             mountings.add(&outcome, kept.as_ref());
             let enough = mountings.count() >= usize::from(self.remount);
             if enough || outcome.state != RunState::Finished {
-                return Ok((mountings, outcome, kept));
+                return Ok((mountings, outcome, kept, instrument_s));
             }
             mountings.wait_for_the_next(outcome.record_id)?;
             if switch.is_asked() {
-                return Ok((mountings, outcome, kept));
+                return Ok((mountings, outcome, kept, instrument_s));
             }
             labels.unix_time_s = time::unix_time_s();
         }
@@ -329,6 +342,11 @@ impl Run {
     }
 }
 
+/// The clock of the instrument, if it answers.
+fn clock_ms(client: &mut Client) -> Option<u64> {
+    client.info().ok().map(|info| info.uptime_ms)
+}
+
 /// The sensor of a record: as the logbook knows it, else as the record names it.
 fn of_labels(context: &Context, labels: &RunLabels) -> Result<Sensor> {
     let known = match context.logbook_if_there()? {
@@ -383,6 +401,8 @@ fn frequencies(refused: &Refused) -> String {
 fn said(result: &RunResult) -> String {
     let advice = |refused: &Refused| format!("{}\n  {}", frequencies(refused), refused.remedy);
     let mut lines: Vec<String> = result.refusals.iter().map(advice).collect();
+    let shown = result.mounted_resonance.and_then(|shown| shown.in_words());
+    lines.extend(shown.map(|said| format!("mounted resonance, effective: {said}")));
     lines.extend(result.remounting.as_ref().map(remount::text));
     lines.extend(result.substitution.as_ref().map(substitute::text));
     lines.extend(result.verdict.as_ref().map(terminal::verdict));

@@ -26,6 +26,9 @@ pub fn show(
     }
     text += &response(certificate, unit, width);
     text.push('\n');
+    if let Some(shown) = certificate.resonance.and_then(|shown| shown.in_words()) {
+        let _ = writeln!(text, "mounted resonance, effective: {shown}\n");
+    }
     let heading = format!("S/({})", unit.name());
     let _ = writeln!(
         text,

@@ -2,7 +2,7 @@
 
 use super::sizes::{Sizes, unit};
 use crate::bench::point;
-use calib_core::point::PointSpec;
+use calib_core::point::{PointResult, PointSpec};
 use calib_core::points::PREFERRED_HZ;
 use calib_twin::Complex;
 use calib_twin::effects::ActiveEffect;
@@ -33,9 +33,17 @@ pub struct Draw {
     pub points: Vec<PointSpec>,
     /// Temperature of the transducers, degrees Celsius: what the operator reads off and tells.
     pub temperature_c: f64,
+    /// Mounted resonance by the data sheet of the device, Hz: a typical value of its type.
+    pub data_sheet_hz: f64,
+    /// Standard uncertainty of what every draw has beside the reference's certificate, relative.
+    common_rel: f64,
     /// The device and its conditioner alone.
     undisturbed: Rig,
 }
+
+/// How far a device's mounted resonance is from that of its type: makers give a typical value or a lower limit, and
+/// pieces of a type differ by some percent.
+const DATA_SHEET_REL: f64 = 0.1;
 
 impl Draw {
     /// Draws a rig with `effects`, by seed: the same seed has the same rig, list and conditions
@@ -65,13 +73,31 @@ impl Draw {
         for effect in effects {
             add(rig, sizes, effect, &mut of_effects)?;
         }
+        // Of a generator of its own: what was drawn before there was a data sheet stays.
+        let off = 2.0 * unit(&mut ChaCha12Rng::seed_from_u64(seed ^ 0xDA7A_5EE7)) - 1.0;
         Ok(Self {
+            data_sheet_hz: undisturbed.dut.resonance_hz * (1.0 + DATA_SHEET_REL * off),
+            common_rel: sizes
+                .deviation("reference_gain")
+                .hypot(sizes.deviation("chain_gain")),
             temperature_c: 23.0 + rig.surroundings.warmer_k,
             rig: drawn.rig,
             certificate: drawn.certificate,
             points: points.to_vec(),
             undisturbed,
         })
+    }
+
+    /// Standard uncertainty of the magnitude by what every draw has and by what the result shows, relative.
+    pub fn known_rel(&self, result: &PointResult, frequency_hz: f64) -> f64 {
+        let nearest = |a: &&CalibrationPoint, b: &&CalibrationPoint| {
+            let far = |row: &CalibrationPoint| (row.frequency_hz / frequency_hz).ln().abs();
+            far(a).total_cmp(&far(b))
+        };
+        let row = self.certificate.iter().min_by(nearest);
+        let of_reference = row.map_or(0.0, |row| row.expanded_uncertainty_rel / 2.0);
+        let seen = f64::from(result.repeatability_rel).hypot(f64::from(result.hum_rel) / SQRT_2);
+        of_reference.hypot(self.common_rel).hypot(seen)
     }
 
     /// The true sensitivity of the device under test with its conditioner, V/(m/s2).

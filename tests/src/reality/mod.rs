@@ -17,13 +17,13 @@ mod tally;
 
 pub use draw::{BANDS_HZ, Draw};
 pub use sizes::{LeftOut, Sizes};
-pub use tally::{Fate, Tally};
+pub use tally::{Fate, Tally, most_by_chance, over_informed};
 
 use crate::bench::{Bench, Fault, reference_point};
 use crate::boardless;
 use crate::judge::from_truth;
 use crate::turns;
-use calib_certificate::model::{Point, PointValues};
+use calib_certificate::model::{Point, PointValues, Remark};
 use calib_certificate::{Certificate, Particulars};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
@@ -34,7 +34,7 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 /// Remarks of a certificate that say what went wrong in all of its points.
-const WARNINGS: [&str; 2] = ["changed_meanwhile", "not_repeated"];
+const WARNINGS: [&str; 3] = ["changed_meanwhile", "not_repeated", "mount_gives_way"];
 /// Stratum without an effect.
 pub const CLEAN: &str = "clean";
 /// Stratum of two effects or faults at a time.
@@ -43,27 +43,37 @@ pub const PAIR: &str = "pair";
 /// Counts of a stratum, band by band, and the reasons of refusals.
 #[derive(Clone, Debug, Default)]
 pub struct Stratum {
-    /// In the order of [`BANDS_HZ`].
-    pub bands: [Tally; BANDS_HZ.len()],
+    /// In the order of [`BANDS_HZ`], by certificates that are told the temperature alone.
+    pub bands: Bands,
+    /// The same runs by certificates that are told the mounted resonance of the device's data sheet as well.
+    pub with_data_sheet: Bands,
     /// How often points were refused, by reason in words.
     pub reasons: BTreeMap<String, u32>,
     /// Effects, seed, frequency in Hz, level in m/s2 and error over U of points that were wrong.
     pub wrong: Vec<String>,
 }
 
+/// Counts of each of [`BANDS_HZ`].
+pub type Bands = [Tally; BANDS_HZ.len()];
+
+/// All bands together.
+pub fn pooled(bands: &Bands) -> Tally {
+    let mut pooled = Tally::default();
+    bands.iter().for_each(|band| pooled.merge(band));
+    pooled
+}
+
 impl Stratum {
     /// All bands together.
     pub fn pooled(&self) -> Tally {
-        let mut pooled = Tally::default();
-        self.bands.iter().for_each(|band| pooled.merge(band));
-        pooled
+        pooled(&self.bands)
     }
 
     /// Adds another of the same effects.
     pub fn merge(&mut self, other: Self) {
-        for (band, more) in self.bands.iter_mut().zip(&other.bands) {
-            band.merge(more);
-        }
+        let own = self.bands.iter_mut().chain(&mut self.with_data_sheet);
+        let others = other.bands.iter().chain(&other.with_data_sheet);
+        own.zip(others).for_each(|(band, more)| band.merge(more));
         for (reason, count) in other.reasons {
             *self.reasons.entry(reason).or_default() += count;
         }
@@ -170,26 +180,38 @@ fn by_core(draw: &Draw) -> Record {
 /// Counts what came of a run.
 fn judge(draw: &Draw, record: &Record, seed: u64) -> Stratum {
     let mut counts = Stratum::default();
-    let certificate = Certificate::from_record(record, &Particulars::default());
-    let told = certificate
-        .remarks
-        .iter()
-        .any(|r| WARNINGS.contains(&r.key));
-    for (index, band) in counts.bands.iter_mut().enumerate() {
+    let refused = record.points.iter().filter_map(|p| match p.verdict {
+        Verdict::Refused(reason) => Some(reason.to_string()),
+        Verdict::Pass => None,
+    });
+    refused.for_each(|reason| *counts.reasons.entry(reason).or_default() += 1);
+    let mut particulars = Particulars::default();
+    let fates = fates(draw, record, &particulars);
+    for (result, fate) in record.points.iter().zip(&fates) {
+        counts.wrong.extend(fate.fault(draw, result, seed));
+    }
+    particulars.item.mounted_resonance_hz = Some(draw.data_sheet_hz);
+    let told = self::fates(draw, record, &particulars);
+    let bands = counts.bands.iter_mut().chain(&mut counts.with_data_sheet);
+    bands
+        .zip(fates.into_iter().chain(told))
+        .for_each(|(band, fate)| band.add(fate));
+    counts
+}
+
+/// What became of the points of a run by its certificate.
+fn fates(draw: &Draw, record: &Record, particulars: &Particulars) -> [Fate; BANDS_HZ.len()] {
+    let certificate = Certificate::from_record(record, particulars);
+    let warns = |remark: &Remark| WARNINGS.contains(&remark.key);
+    let told = certificate.remarks.iter().any(warns);
+    std::array::from_fn(|index| {
         // A run that ended has no results for the rest of its list.
         let Some(result) = record.points.get(index) else {
-            band.add(Fate::Refused);
-            continue;
+            return Fate::Refused;
         };
-        if let Verdict::Refused(reason) = result.verdict {
-            *counts.reasons.entry(reason.to_string()).or_default() += 1;
-        }
         let certified = certificate.points.iter().find(|p| p.measured == *result);
-        let fate = fate(draw, result, certified.and_then(Point::values), told);
-        counts.wrong.extend(fate.fault(draw, result, seed));
-        band.add(fate);
-    }
-    counts
+        fate(draw, result, certified.and_then(Point::values), told)
+    })
 }
 
 impl Fate {
@@ -230,6 +252,7 @@ fn fate(draw: &Draw, result: &PointResult, certified: Option<&PointValues>, told
         magnitude: deviation.magnitude_rel.abs() / expanded_rel,
         phase: deviation.phase_rad.abs() / certified.expanded_uncertainty_phase_deg.to_radians(),
         expanded_rel,
+        known_rel: draw.known_rel(result, frequency_hz),
         told,
     }
 }

@@ -91,6 +91,20 @@ impl Law {
     }
 }
 
+impl Law {
+    /// Standard deviation about 0, what a budget takes of a quantity that it does not correct.
+    pub fn deviation(&self) -> f64 {
+        let squares = |values: &[f64]| values.iter().map(|v| v * v).sum::<f64>();
+        match self {
+            Self::Even([from, to]) => ((from * from + from * to + to * to) / 3.0).sqrt(),
+            Self::Log([from, to]) | Self::SignedLog([from, to]) => {
+                ((to * to - from * from) / (2.0 * (to / from).ln())).sqrt()
+            }
+            Self::OneOf(values) => (squares(values) / values.len() as f64).sqrt(),
+        }
+    }
+}
+
 impl Sizes {
     /// The sizes of the file.
     ///
@@ -111,6 +125,12 @@ impl Sizes {
         names
     }
 
+    /// Standard deviation of what every draw has; 0 for a name the file does not have.
+    pub fn deviation(&self, name: &str) -> f64 {
+        let condition = self.condition.iter().find(|known| known.name == name);
+        condition.map_or(0.0, |condition| condition.law.deviation())
+    }
+
     /// A value of what every draw has; 0 for a name the file does not have.
     pub fn condition(&self, name: &str, random: &mut ChaCha12Rng) -> f64 {
         let condition = self.condition.iter().find(|known| known.name == name);
@@ -122,6 +142,24 @@ impl Sizes {
 mod tests {
     use super::*;
     use calib_effects::Of;
+
+    /// Of 100 000 draws; their mean square is known to 0.4 %, of the widest law to 1 %.
+    #[test]
+    fn the_deviation_of_a_law_is_that_of_its_draws() {
+        use rand_chacha::rand_core::SeedableRng as _;
+        let mut random = ChaCha12Rng::seed_from_u64(1);
+        for law in [
+            Law::Even([-0.0015, 0.0015]),
+            Law::Even([1.0, 4.0]),
+            Law::Log([0.01, 1.0]),
+            Law::SignedLog([0.5, 2.0]),
+            Law::OneOf(vec![50.0, 60.0]),
+        ] {
+            let squares: f64 = (0..100_000).map(|_| law.draw(&mut random).powi(2)).sum();
+            let drawn = (squares / 1e5).sqrt();
+            assert!((law.deviation() / drawn - 1.0).abs() < 0.02, "{law:?}");
+        }
+    }
 
     #[test]
     fn every_effect_and_fault_has_sizes_or_a_reason_why_not() {

@@ -141,13 +141,14 @@ fn text(sensor: &Sensor) -> String {
     let iepe = sensor.iepe.map(|iepe| if iepe { "yes" } else { "no" });
     format!(
         "serial number  {}\nsensor         {}\nsensitivity    {}\ntolerance      {}\n\
-         range          {}\nIEPE           {}\nmounting       {}\n\
+         range          {}\nresonance      {}\nIEPE           {}\nmounting       {}\n\
          owner          {}\ndue            {}\n",
         sensor.serial,
         sensor.name(),
         stated(&sensitivity(sensor)),
         stated(&sensor.tolerance),
         stated(&sensor.range_ms2.map(|range| format!("{range} m/s2 peak"))),
+        stated(&sensor.resonance_hz.map(|hz| format!("{hz} Hz, mounted"))),
         iepe.unwrap_or("not stated"),
         stated(&sensor.mounting),
         stated(&sensor.owner),
