@@ -10,8 +10,10 @@
 
 use super::deviation::OfRatio;
 use super::particulars::Particulars;
+use super::present::remark_text;
 use super::resonance::MountedResonance;
 use super::rounding::{Rounded, round_uncertainty};
+use super::words::Language;
 use crate::decision::{Assessment, Band, Conformity, Decision, Stated};
 use calib_core::point::PointResult;
 use calib_output::PointView;
@@ -130,6 +132,13 @@ impl Certificate {
         ];
         let reasons = reasons.into_iter().filter(|(key, _)| used(key));
         reasons.filter_map(|(_, why)| why.as_deref()).collect()
+    }
+
+    /// A remark in words, by its key.
+    pub fn remark(&self, key: &str, language: Language) -> Option<String> {
+        let mut remarks = self.remarks.iter();
+        let remark = remarks.find(|remark| remark.key == key)?;
+        Some(remark_text(remark, language))
     }
 
     /// A statement by section and key.

@@ -17,8 +17,6 @@ use super::budget::Basis;
 use super::deviation::OfRatio;
 use super::model::{Certificate, Entry, Remark, Severity, Value};
 use super::particulars::Particulars;
-use super::present::value;
-use super::words::Language;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
@@ -289,15 +287,23 @@ impl MountedResonance {
         Some(Value::Phrase(key.to_owned(), values))
     }
 
-    /// In English, as a certificate states it.
+    /// In a few English words; none where the points say nothing.
     pub fn in_words(&self) -> Option<String> {
-        self.value().map(|said| value(&said, Language::En))
+        let kilohertz = |hz: f64| format!("{:.1} kHz", hz / 1000.0);
+        let shown = self.frequency_hz.zip(self.expanded_uncertainty_hz);
+        let shown =
+            shown.map(|(hz, u_hz)| format!("{} ± {} (k = 2)", kilohertz(hz), kilohertz(u_hz)));
+        shown.or(self
+            .at_least_hz
+            .map(|hz| format!("above {}", kilohertz(hz))))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::model::PointValues;
+    use super::super::present::value;
+    use super::super::words::Language;
     use super::*;
     use calib_record::sample::{THIRD_OCTAVES_HZ, record};
 
@@ -354,6 +360,8 @@ mod tests {
             .expect("stated");
         let words = value(said, Language::En);
         assert!(words.starts_with("32.0\u{a0}kHz ± "), "{words}");
+        let short = found.in_words().expect("shown");
+        assert!(short.starts_with("32.0 kHz ± "), "{short}");
     }
 
     /// `(1 - f^2/32^2) (1 - f^2/45^2)` is `1 - f^2/fr^2` with `fr` = 26.08 kHz far below it and 26.51 kHz at 10 kHz.

@@ -178,6 +178,8 @@ impl Run {
             }
             None => None,
         };
+        let of_kept = |kept: &Kept| Certificate::from_record(&kept.record, &particulars);
+        let certificate = kept.as_ref().map(of_kept);
         let of_record = |_: &Kept| mountings.verdict(&particulars);
         let result = RunResult {
             record_id: outcome.record_id,
@@ -194,14 +196,16 @@ impl Run {
             closing: kept
                 .as_ref()
                 .and_then(|kept| said_of_closing(&kept.record, Language::default())),
-            mounted_resonance: kept
-                .as_ref()
-                .and_then(|kept| Certificate::from_record(&kept.record, &particulars).resonance),
+            mounted_resonance: certificate.as_ref().and_then(|c| c.resonance),
             remounting: mountings.remounting(),
             substitution,
         };
         if let Some(closing) = &result.closing {
             context.remark(closing);
+        }
+        let gives_way = |c: &Certificate| c.remark("mount_gives_way", Language::default());
+        if let Some(warning) = certificate.as_ref().and_then(gives_way) {
+            context.remark(&warning);
         }
         progress::print_result(context, &result, || said(&result))?;
         judge(&outcome, points.len())?;
