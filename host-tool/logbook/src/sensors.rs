@@ -121,7 +121,7 @@ impl Sensor {
             teds: row.get(9)?,
             tolerance: row.get(10)?,
             unit: row.get(11)?,
-            resonance_hz: row.get(12)?,
+            resonance_hz: row.get::<_, Option<i64>>(12)?.map(|hz| hz as f64),
         })
     }
 }
@@ -162,7 +162,7 @@ impl Logbook {
             sensor.teds,
             sensor.tolerance,
             sensor.unit,
-            sensor.resonance_hz,
+            sensor.resonance_hz.map(|hz| hz.round() as i64),
         ];
         let put = format!(
             "INSERT OR REPLACE INTO sensors ({COLUMNS}) VALUES (?1,?2,?3,?4,?5,?6,?7,?8,?9,?10,?11,?12,?13)"

@@ -143,7 +143,7 @@ pub(super) const TABLES: &[Table] = &[
             ("resonance_hz", Real),
         ],
         select: "SELECT NULL, serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe,
-                 mounting, owner, due_day, tolerance, unit, resonance_hz FROM sensors ORDER BY serial",
+                 mounting, owner, due_day, tolerance, unit, CAST(resonance_hz AS REAL) FROM sensors ORDER BY serial",
     },
     Table {
         name: "instruments",

@@ -255,6 +255,75 @@ fn a_sensor_of_any_name_is_found_again() {
     }
 }
 
+/// A device of 32 kHz on a mount that resonates at 45 kHz: the logbook knows the data sheet, and what is made of the record
+/// says that the mount gives way; without the sheet nobody can know.
+#[test]
+fn a_data_sheet_that_is_known_tells_a_mount_that_gives_way() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut record = calib_record::sample::record(&calib_record::sample::THIRD_OCTAVES_HZ);
+    record.settings.point_influences.mounting_at_10_khz_rel = 0.0075;
+    for point in &mut record.points {
+        let ratio = point.spec.frequency_hz / 45.0e3;
+        point.sensitivity_v_per_ms2 /= 1.0 - ratio * ratio;
+    }
+    std::fs::write(folder.path().join("r.calibrec"), bytes(&record)).expect("written");
+    let go = |arguments: &[&str]| calib(folder.path(), arguments);
+    let said = |shown: &serde_json::Value| -> Vec<String> {
+        let remarks = shown["remarks"].as_array().expect("remarks");
+        let keys = remarks
+            .iter()
+            .map(|remark| remark["key"].as_str().unwrap_or_default());
+        keys.map(str::to_owned).collect()
+    };
+    let show = || json(&go(&["show", "r.calibrec", "--json"]));
+    let untold = show();
+    assert!(!said(&untold).contains(&"mount_gives_way".to_owned()));
+    let serial = record.head.labels.dut_serial.as_str();
+    for (wrong, words) in [("32", "500 Hz"), ("-1", "500 Hz"), ("nan", "500 Hz")] {
+        let resonance = format!("--resonance={wrong}");
+        let output = go(&["sensors", "add", "--serial", serial, &resonance]);
+        assert_eq!(output.status.code(), Some(2), "{wrong}");
+        assert!(
+            text(&output.stderr).contains(words),
+            "{}",
+            text(&output.stderr)
+        );
+    }
+    json(&go(&[
+        "sensors",
+        "add",
+        "--serial",
+        serial,
+        "--resonance",
+        "32000",
+        "--json",
+    ]));
+    let told = show();
+    assert!(
+        said(&told).contains(&"mount_gives_way".to_owned()),
+        "{:?}",
+        said(&told)
+    );
+    assert_eq!(told["mounted_resonance"]["data_sheet_hz"], 32_000.0);
+    let u = |shown: &serde_json::Value| {
+        shown["points"][27]["expanded_uncertainty_rel"]
+            .as_f64()
+            .expect("10 kHz")
+    };
+    // By hand: 1/(1 - (10/45)^2) - 1 = 5.2 %, as it reads at 10 kHz.
+    assert!(
+        u(&told) > 0.052 && u(&untold) < 0.04,
+        "{} {}",
+        u(&told),
+        u(&untold)
+    );
+    let shown = text(&go(&["show", "r.calibrec"]).stdout);
+    assert!(
+        shown.contains("mounted resonance, effective: 26."),
+        "{shown}"
+    );
+}
+
 #[test]
 fn the_export_is_read_by_duckdb_as_it_was_kept() {
     let folder = tempfile::tempdir().expect("folder");

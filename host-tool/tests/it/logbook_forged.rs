@@ -23,6 +23,7 @@ fn kept(folder: &Path) -> PathBuf {
         model: "352C33".to_owned(),
         owner: Some("Plant 3".to_owned()),
         sensitivity_v_per_ms2: Some(0.01),
+        resonance_hz: Some(36_000.0),
         tolerance: Some("5:nominal".to_owned()),
         ..Sensor::default()
     };

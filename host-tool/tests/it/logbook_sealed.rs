@@ -89,7 +89,10 @@ fn rewrite_journal(file: &Connection) {
     let mut before = Vec::new();
     for (number, subject, name) in rows {
         let table = match subject.as_str() {
-            "sensor" => "SELECT * FROM sensors WHERE serial = ?1",
+            "sensor" => {
+                "SELECT serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe, mounting, owner, \
+                 due_day, teds, tolerance, unit FROM sensors WHERE serial = ?1"
+            }
             "record" => "SELECT sha256 FROM records WHERE id = CAST(?1 AS INTEGER)",
             _ => "SELECT * FROM certificates WHERE number = CAST(?1 AS INTEGER)",
         };
