@@ -394,9 +394,11 @@ mod tests {
         database.execute_batch("CREATE TABLE a (b)").expect("table");
         let newer = folder.path().join("newer.sqlite");
         let logbook = Logbook::open(&newer).expect("logbook");
-        let update = logbook.connection.pragma_update(None, "user_version", 9);
-        update.expect("form 9");
-        for (path, words) in [(text, "damaged"), (other, "no logbook"), (newer, "form 9")] {
+        let later = VERSION + 1;
+        let update = logbook.connection.pragma_update(None, "user_version", later);
+        update.expect("a later form");
+        let named = format!("form {later}");
+        for (path, words) in [(text, "damaged"), (other, "no logbook"), (newer, &*named)] {
             let before = std::fs::read(&path).expect("read");
             let error = Logbook::open(&path).err().expect("no logbook");
             assert!(error.to_string().contains(words), "{error}");
