@@ -9,6 +9,7 @@
 use super::deviation::{
     OfRatio, of_ratio, within_a_response, within_a_substitution, within_an_instrument,
 };
+use super::harmonics;
 use super::model::{Budget, BudgetRow, Certificate, Remark, Severity, Value};
 use super::mountings::Mountings;
 use super::particulars::Particulars;
@@ -21,6 +22,8 @@ use calib_output::number::decimal;
 use calib_protocol::record::Record;
 use std::borrow::Cow;
 
+/// Row of Table A.1 for the distortion.
+const DISTORTION: u8 = 4;
 /// Row of Table A.1 for the mounting.
 const MOUNTING: u8 = 8;
 /// That for what is left: repeatability.
@@ -138,7 +141,8 @@ impl<'a> Basis<'a> {
         let changed = self.record.points.iter().any(|p| of_change(p) != [0.0; 2]);
         let mounting = |settings: &Settings| settings.point_influences.mounting_at_10_khz_rel;
         let shifts = mounting(&self.settings) != mounting(&self.record.settings);
-        let gives_way = self.record.points.iter().any(|p| self.excess_rel(p) > 0.0);
+        let bounded = |p: &PointResult| self.excess_rel(p) > 0.0 || self.bent_rel(p) > 0.0;
+        let gives_way = self.record.points.iter().any(bounded);
         let told = self.distance == Distance::Covered && !self.mountings.are_repeated();
         told && !changed && !shifts && !gives_way
     }
@@ -156,6 +160,12 @@ impl<'a> Basis<'a> {
         self.mounted.excess_rel(f64::from(frequency_hz)) as f32
     }
 
+    /// By how much a channel that bends may have changed a point, relative.
+    fn bent_rel(&self, point: &PointResult) -> f32 {
+        let rate_hz = self.record.head.sample_rate_hz;
+        harmonics::half_width_rel(point, rate_hz, self.mounted.cautious_s2()) as f32
+    }
+
     /// Budget with everything that is known.
     fn certified(&self, point: &PointResult) -> Result<PointBudget<'static>, String> {
         let mut budget = of_point(self.record, &self.settings, point)?;
@@ -171,13 +181,24 @@ impl<'a> Basis<'a> {
                 added.map_err(|error| error.to_string())?;
             }
         }
-        let excess_rel = self.excess_rel(point);
-        if excess_rel > 0.0 {
-            // All of it is the mount's, or the data sheet is wrong.
-            let component = Component::new(Row::a1(MOUNTING), excess_rel, Distribution::UShaped);
-            let component = component.labelled("mounted resonance below that of the data sheet");
-            let added = budget.magnitude.add(component);
-            added.map_err(|error| error.to_string())?;
+        // All of it, or nothing: the mount's, or the data sheet is wrong; the channel's, or the device's own.
+        for (row, half_width_rel, label) in [
+            (
+                MOUNTING,
+                self.excess_rel(point),
+                "mounted resonance below that of the data sheet",
+            ),
+            (
+                DISTORTION,
+                self.bent_rel(point),
+                "harmonics of one channel alone",
+            ),
+        ] {
+            if half_width_rel > 0.0 {
+                let component = Component::new(Row::a1(row), half_width_rel, Distribution::UShaped);
+                let added = budget.magnitude.add(component.labelled(label));
+                added.map_err(|error| error.to_string())?;
+            }
         }
         if let Some(scatter) = self.mountings.of(&point.spec) {
             let degrees = scatter.degrees_of_freedom as f32;

@@ -16,6 +16,7 @@
 //! | `deviation` | uncertainty of the deviation from the reference point |
 //! | `change` | uncertainty of the change since another calibration |
 //! | `temperature` | what the temperature told adds to row 11 |
+//! | `harmonics` | what one channel bends and the other does not |
 //! | `resonance` | the mounted resonance a sweep shows, and what its shift adds to row 8 |
 //! | `standing` | the record's sum and its place in the chain |
 //! | `verdict` | the verdict on the whole object, for every output |
@@ -42,6 +43,7 @@ mod dcc;
 pub mod decision;
 mod deviation;
 mod from_record;
+mod harmonics;
 mod html;
 mod interval;
 mod json;

@@ -117,7 +117,7 @@ impl Mounted {
     }
 
     /// The inverse square that the row counts with: as shown, else the largest that is plausible.
-    fn cautious_s2(&self) -> f64 {
+    pub(super) fn cautious_s2(&self) -> f64 {
         let plausible_hz = self
             .sheet_hz
             .map_or(CAREFUL_HZ, |hz| (1.0 - SHEET_REL) * hz);

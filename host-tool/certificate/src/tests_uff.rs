@@ -15,6 +15,28 @@ print(json.dumps({'type': int(s['type']), 'func': int(s['func_type']), 'x': [flo
   'id1': s['id1'], 'unit': s['ordinate_axis_units_lab'].strip(), 'abscissa': int(s['abscissa_spec_data_type'])}))
 ";
 
+/// A file for modal software said nothing of a verdict that every other format has.
+#[test]
+fn the_verdict_stands_behind_the_date() {
+    for (tolerance_percent, title) in [(0.1, "NOT JUDGEABLE"), (5.0, "PASS"), (-1.0, "")] {
+        let decision = format!(
+            "[decision]\nspecification = 'nominal'\nnominal_mv_per_ms2 = 10.2\ntolerance_percent = {tolerance_percent}"
+        );
+        let stated = match title {
+            "" => Particulars::default(),
+            _ => toml::from_str(&decision).expect("TOML"),
+        };
+        let certificate = Certificate::from_record(&record(&[160.0]), &stated);
+        let file = render(&certificate, Format::Uff, Language::De).expect("renders");
+        let file = String::from_utf8(file).expect("ASCII");
+        let expected = match title {
+            "" => "2025-11-21".to_owned(),
+            title => format!("2025-11-21, {title}"),
+        };
+        assert_eq!(file.lines().nth(4), Some(expected.as_str()), "{file}");
+    }
+}
+
 #[test]
 fn pyuff_reads_the_complex_sensitivity_back() {
     let mut record = record(&THIRD_OCTAVES_HZ);

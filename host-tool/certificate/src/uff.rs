@@ -98,10 +98,12 @@ fn identification(certificate: &Certificate) -> [String; 5] {
     let replaces = amended.map_or_else(String::new, |amended| {
         format!(", replaces {}", amended.certificate)
     });
+    let verdict = certificate.verdict(Language::En);
+    let verdict = verdict.map_or_else(String::new, |verdict| format!(", {}", verdict.title));
     let lines = [
         object,
         format!("certificate {}{warning}{replaces}", certificate.number),
-        said("calibration", "date"),
+        format!("{}{verdict}", said("calibration", "date")),
         said("calibration", "method"),
         last,
     ];

@@ -11,6 +11,7 @@
 use crate::statistics::{mean, student_factor};
 use schemars::JsonSchema;
 use serde::Serialize;
+use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 
 /// Fewest results, the latest included.
 pub const FEWEST: usize = 6;
@@ -20,6 +21,9 @@ const WITHIN: f64 = 0.9973;
 const ONE_SIDE: usize = 9;
 /// Results in a row that all rise or all fall: 2 in 6!, 0.3 %, of sound series.
 const TREND: usize = 6;
+
+/// Latest results whose scatter is compared with that of at least as many before.
+const LATEST: usize = 6;
 
 /// Why the latest result does not belong to those before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
@@ -31,6 +35,8 @@ pub enum Signal {
     OneSide,
     /// The last six rise, or fall, one by one.
     Trend,
+    /// The last six scatter more than those before.
+    Scatter,
 }
 
 impl Signal {
@@ -40,6 +46,7 @@ impl Signal {
             Self::OutsideLimits => "the latest result is outside of the limits",
             Self::OneSide => "the last nine results are on one side of the mean",
             Self::Trend => "the last six results all rise, or all fall",
+            Self::Scatter => "the last six results scatter more than those before",
         }
     }
 }
@@ -70,12 +77,8 @@ pub fn control_chart(values: &[f64]) -> Option<ControlChart> {
         return None;
     }
     let n = before.len() as f64;
-    let squares: f64 = before
-        .windows(2)
-        .map(|pair| (pair[1] - pair[0]).powi(2))
-        .sum();
-    let standard_deviation = (squares / (2.0 * (n - 1.0))).sqrt();
-    let degrees_of_freedom = 2.0 * (n - 1.0).powi(2) / (3.0 * n - 4.0);
+    let (variance, degrees_of_freedom) = by_differences(before);
+    let standard_deviation = variance.sqrt();
     let centre = mean(before);
     let factor = student_factor(WITHIN, degrees_of_freedom);
     let half_width = factor * standard_deviation * (1.0 + 1.0 / n).sqrt();
@@ -83,6 +86,7 @@ pub fn control_chart(values: &[f64]) -> Option<ControlChart> {
         ((latest - centre).abs() > half_width, Signal::OutsideLimits),
         (is_on_one_side(values, centre), Signal::OneSide),
         (is_a_trend(values), Signal::Trend),
+        (scatter_more(values), Signal::Scatter),
     ];
     let signals = signals.into_iter().filter(|(there, _)| *there);
     Some(ControlChart {
@@ -92,6 +96,33 @@ pub fn control_chart(values: &[f64]) -> Option<ControlChart> {
         half_width,
         signals: signals.map(|(_, signal)| signal).collect(),
     })
+}
+
+/// Variance by successive differences, and its effective degrees of freedom.
+fn by_differences(values: &[f64]) -> (f64, f64) {
+    let n = values.len() as f64;
+    let square = |pair: &[f64]| (pair[1] - pair[0]).powi(2);
+    let squares: f64 = values.windows(2).map(square).sum();
+    let degrees_of_freedom = 2.0 * (n - 1.0).powi(2) / (3.0 * n - 4.0);
+    (squares / (2.0 * (n - 1.0)), degrees_of_freedom)
+}
+
+/// Whether the last six scatter more than those before, which chance does in 0.27 % (F test of both variances).
+fn scatter_more(values: &[f64]) -> bool {
+    let Some(from) = values
+        .len()
+        .checked_sub(LATEST)
+        .filter(|from| *from >= LATEST)
+    else {
+        return false;
+    };
+    let (before, latest) = values.split_at(from);
+    let [(before, of_before), (latest, of_latest)] = [before, latest].map(by_differences);
+    match FisherSnedecor::new(of_latest, of_before) {
+        Ok(distribution) => latest > before * distribution.inverse_cdf(WITHIN),
+        // Neither has so few that there is none.
+        Err(_) => false,
+    }
 }
 
 /// The last so many values, if there are.
@@ -153,6 +184,34 @@ mod tests {
         // 2 / 6! = 0.28 %.
         let trend = share(30, 0.0, Signal::Trend);
         assert!((trend - 2.0 / 720.0).abs() < 4.0 * 0.00026, "{trend}");
+    }
+
+    /// Share of series of 30, the last six of them with so many times the standard deviation, that scatter more.
+    fn wider(times: f64) -> f64 {
+        const SERIES: usize = 20_000;
+        let mut generator = ChaCha8Rng::seed_from_u64(times.to_bits());
+        let found = (0..SERIES).filter(|_| {
+            let value = |index: usize| -> f64 {
+                let normal: f64 = StandardNormal.sample(&mut generator);
+                normal * if index < 24 { 1.0 } else { times }
+            };
+            let series: Vec<f64> = (0..30).map(value).collect();
+            let chart = control_chart(&series).expect("enough");
+            chart.signals.contains(&Signal::Scatter)
+        });
+        found.count() as f64 / SERIES as f64
+    }
+
+    /// 0.27 % by definition; effective degrees of freedom are an approximation whose tail is the longer.
+    #[test]
+    fn scatter_that_grows_is_told_and_sound_scatter_seldom() {
+        let sound = wider(1.0);
+        assert!((0.001..0.008).contains(&sound), "{sound}");
+        let grown = wider(4.0);
+        assert!(grown > 0.8, "{grown}");
+        assert!(!scatter_more(&[
+            0.0, 1.0, 0.0, 1.0, 0.0, 9.0, 0.0, 9.0, 0.0, 9.0, 0.0
+        ]));
     }
 
     #[test]

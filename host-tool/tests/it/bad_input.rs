@@ -59,6 +59,17 @@ fn budgets() {
         toml(COMPONENT.replace("0.3", "nan"), 3, "not a number"),
         toml(COMPONENT.replace("0.3", "1e308"), 3, "at most 1e60"),
         toml(impossible, 27, "positive semidefinite"),
+        // These gave U = 0.13 u, and U a thousand times the half-width.
+        toml(
+            format!("coverage_probability = 0.1\n{COMPONENT}"),
+            1,
+            "between 0.68 and 1",
+        ),
+        toml(
+            COMPONENT.replace("'normal'\nk = 2", "'special'\ndivisor = 0.001"),
+            5,
+            "between 1 and 14",
+        ),
     ] {
         refused(&["budget"], &case);
     }

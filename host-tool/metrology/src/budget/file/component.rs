@@ -170,6 +170,9 @@ fn normal(
     Ok(Distribution::Normal { coverage_factor })
 }
 
+/// Two values have 1; the largest is that of a coverage factor.
+const DIVISORS: std::ops::RangeInclusive<f64> = 1.0..=14.0;
+
 fn special(source: &Source, fields: &ComponentTable) -> Result<Distribution> {
     refuse_k(source, fields, "special")?;
     let Some(number) = &fields.divisor else {
@@ -183,6 +186,13 @@ fn special(source: &Source, fields: &ComponentTable) -> Result<Distribution> {
         ));
     };
     let divisor = input::positive(source, "divisor", number)?;
+    if !DIVISORS.contains(&divisor) {
+        return Err(source.at(
+            &number.span(),
+            format!("divisor = {divisor} is none of a distribution: they lie between 1 and 14"),
+            "it is value over standard uncertainty, which is never more than the half-width",
+        ));
+    }
     let transverse = match &fields.shape {
         None => false,
         Some(shape) if shape.get_ref() == "transverse" => true,

@@ -18,6 +18,9 @@ coverage_probability, degrees_of_freedom_rounding, [[component]] with label, val
 distribution, k, divisor, shape, sensitivity_coefficient, degrees_of_freedom, budget, \
 and [[correlation]] with a, b, r; see docs/metrology/budget.md";
 
+/// From that of k = 1 on; 1 itself would be an infinite one.
+const COVERAGE_PROBABILITIES: std::ops::Range<f64> = 0.68..1.0;
+
 /// Budgets inside budgets: Note 1 of Table A.1 needs one, a chain a few more.
 const MAX_STAGES: usize = 8;
 
@@ -142,12 +145,12 @@ fn coverage(source: &Source, file: &BudgetFile) -> Result<CoverageRule> {
         }
         (None, Some(number)) => {
             let probability = input::positive(source, "coverage_probability", number)?;
-            match probability < 1.0 {
+            match COVERAGE_PROBABILITIES.contains(&probability) {
                 true => Ok(CoverageRule::Probability(probability)),
                 false => Err(source.at(
                     &number.span(),
-                    format!("coverage_probability = {probability} is not below 1"),
-                    "write 95 % as 0.95",
+                    format!("coverage_probability = {probability} is not between 0.68 and 1"),
+                    "write 95 % as 0.95; below 68 % U is less than the standard uncertainty",
                 )),
             }
         }
