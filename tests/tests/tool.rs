@@ -187,6 +187,39 @@ fn a_killed_emulated_calibrator_has_what_it_stored() {
     emulated.switch_off();
 }
 
+/// Killed at each call by which the file of its flash is written: there is none, or a whole one, and it starts.
+#[test]
+fn a_kill_in_every_write_of_the_flash_leaves_it_whole() {
+    let Some(strace) = std::env::var_os("CALIB_STRACE") else {
+        assert!(std::env::var_os("CI").is_none(), "CALIB_STRACE is not set");
+        println!("CALIB_STRACE is not set: no write is cut off");
+        return;
+    };
+    let folder = folder();
+    let flash = folder.path().join("flash.bin");
+    let arguments = ["emulate", "--quiet", "--tcp", "0", "--flash", "flash.bin"];
+    let mut sizes = std::collections::BTreeSet::new();
+    // Its address is written first, by one call; what is in the file, its name, and that of the name on disk.
+    for (call, number) in [("write", 2), ("fsync", 1), ("renameat", 1), ("fsync", 2)] {
+        let own = calib(folder.path(), &arguments);
+        let mut traced = Command::new(&strace);
+        traced
+            .args(["-f", "-qq", "--seccomp-bpf", "-o", "calls", "-e"])
+            .arg(format!("inject={call}:signal=KILL:when={number}"))
+            .arg(own.get_program())
+            .args(own.get_args())
+            .current_dir(folder.path())
+            .stdout(Stdio::null());
+        let killed = traced.status().expect("strace starts");
+        assert!(!killed.success(), "{call} {number}: {killed}");
+        sizes.extend(std::fs::metadata(&flash).ok().map(|found| found.len()));
+    }
+    let emulated = Emulated::start(folder.path(), &arguments[2..]);
+    emulated.switch_off();
+    sizes.insert(std::fs::metadata(&flash).expect("kept").len());
+    assert_eq!(sizes.len(), 1, "always whole: {sizes:?}");
+}
+
 #[test]
 fn an_emulated_calibrator_is_used_over_tcp_and_usb_and_keeps_its_records() {
     let folder = folder();

@@ -5,6 +5,7 @@ use super::signed_files;
 use super::store::create_private;
 use super::{CheckStandard, Filter, InstrumentKey, Issued, Kept, Logbook, Sensor};
 use calib_files::{Error, Result, file};
+use calib_protocol::text::steers;
 use calib_record::signature::short;
 use rusqlite::{Connection, OptionalExtension, params};
 use schemars::JsonSchema;
@@ -33,7 +34,8 @@ impl Merged {
             Ok(false) => self.known += 1,
             // The file of the other or our own cannot be used: no conflict of contents.
             Err(error @ Error::File { .. }) => return Err(error),
-            Err(error) => self.conflicts.push(error.to_string()),
+            // The words of a file of somebody else: each conflict is one line.
+            Err(error) => self.conflicts.push(error.to_string().replace(steers, "?")),
         }
         Ok(())
     }

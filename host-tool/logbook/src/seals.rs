@@ -5,6 +5,7 @@
 
 use super::Logbook;
 use calib_files::{Error, Result};
+use calib_protocol::text::is_plain;
 use calib_signing::{Certificate, LaboratoryKey, Signature, sign_text, verify_text};
 use jiff::Timestamp;
 use rusqlite::{Connection, OptionalExtension, Row, params};
@@ -274,8 +275,11 @@ fn verified(connection: &Connection) -> rusqlite::Result<Vec<Checked>> {
 
 /// A statement of one line.
 pub(super) fn line(statement: &str) -> Result<String> {
-    match statement.contains(char::is_control) {
-        true => Err(Error::usage("a statement is one line", "say it in one")),
-        false => Ok(statement.trim().to_owned()),
+    match is_plain(statement) {
+        true => Ok(statement.trim().to_owned()),
+        false => Err(Error::usage(
+            "a statement is one line, without control characters",
+            "say it in one",
+        )),
     }
 }

@@ -5,6 +5,7 @@ use super::journal::Subject;
 use calib_certificate::decision::Tolerance;
 use calib_certificate::{Known, SensitivityUnit};
 use calib_files::{Error, Result};
+use calib_protocol::text::is_plain;
 use rusqlite::{OptionalExtension, params};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -82,7 +83,7 @@ impl Sensor {
         if self.serial.trim().is_empty() {
             return wrong("a sensor has a serial number");
         }
-        if self.texts().any(|text| text.contains(char::is_control)) {
+        if !self.texts().all(is_plain) {
             return wrong("what is said about a sensor is one line, without control characters");
         }
         if !positive(self.sensitivity_v_per_ms2) || !positive(self.range_ms2) {

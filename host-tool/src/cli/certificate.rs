@@ -116,7 +116,7 @@ impl CertificateVerb {
         }
         let mut logbook = context.logbook_if_there()?;
         let amended = self.amended(logbook.as_ref())?;
-        let found = self.found(context, logbook.as_ref().zip(amended.as_ref()))?;
+        let found = self.found(context, logbook.as_ref(), amended.as_ref())?;
         let record = found.calibration()?;
         let mut options = Options {
             chain: Some(found.standing),
@@ -193,10 +193,16 @@ impl CertificateVerb {
     }
 
     /// The record, by whatever names it.
-    fn found(&self, context: &Context, amended: Option<(&Logbook, &Amended)>) -> Result<Found> {
-        match (&self.sensor, &self.record, amended) {
+    fn found(
+        &self,
+        context: &Context,
+        logbook: Option<&Logbook>,
+        amended: Option<&Amended>,
+    ) -> Result<Found> {
+        match (&self.sensor, &self.record, logbook.zip(amended)) {
             (Some(serial), _, _) => source::latest(context, serial),
-            (None, Some(name), _) => source::find(context, name, &self.out),
+            // What is stated of its neighbours is what the logbook has, or nothing is issued.
+            (None, Some(name), _) => source::find_beside(context, logbook, name, &self.out),
             (None, None, Some((logbook, amended))) => {
                 source::of_logbook(logbook, &amended.record(logbook)?)
             }

@@ -40,9 +40,20 @@ impl Found {
     }
 }
 
+/// [`find_beside`] the user's logbook: a record can be looked at though that cannot be read.
+pub(super) fn find(context: &Context, path: &Path, out: &Path) -> Result<Found> {
+    let logbook = context.logbook_if_there().ok().flatten();
+    find_beside(context, logbook.as_ref(), path, out)
+}
+
 /// The record of this file or, when its name is a number and no file, the one of
 /// this running number in the calibrator, which is downloaded into `out` first.
-pub(super) fn find(context: &Context, path: &Path, out: &Path) -> Result<Found> {
+pub(super) fn find_beside(
+    context: &Context,
+    logbook: Option<&Logbook>,
+    path: &Path,
+    out: &Path,
+) -> Result<Found> {
     match path.to_str().map(str::parse) {
         Some(Ok(id)) if !path.exists() => {
             let mut client = context.connect()?;
@@ -56,7 +67,7 @@ pub(super) fn find(context: &Context, path: &Path, out: &Path) -> Result<Found> 
                 standing: evidence.standing(id),
             })
         }
-        _ => from_file(context, path),
+        _ => from_file(path, logbook),
     }
 }
 
@@ -92,17 +103,16 @@ pub(super) fn of_logbook(logbook: &Logbook, bytes: &[u8]) -> Result<Found> {
 }
 
 /// A downloaded record, with what lies beside it, and what the logbook knows of it.
-fn from_file(context: &Context, path: &Path) -> Result<Found> {
+fn from_file(path: &Path, logbook: Option<&Logbook>) -> Result<Found> {
     let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
     let content = content(path, &bytes)?;
     let link = record::link(&bytes).map_err(|error| unusable(path, error))?;
     let mut evidence = Evidence::of(&link.instrument_serial);
     evidence.bytes(link.id, &bytes);
     evidence.neighbours(link.id, path.parent().unwrap_or(Path::new("")));
-    // A record can be looked at beside a logbook that cannot be read.
-    if let Ok(Some(logbook)) = context.logbook_if_there() {
+    if let Some(logbook) = logbook {
         judged::ask(
-            &logbook,
+            logbook,
             &link.instrument_serial,
             link.id,
             &bytes,

@@ -55,11 +55,31 @@ fn calib(folder: &Path, arguments: &[&str]) -> Output {
     output.expect("calib starts")
 }
 
-/// Runs the tool, and kills it when a thread of it is about to make this call for so many times. Every call of this
-/// kind goes to a log.
+/// What becomes of a call.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fate {
+    /// The program is killed when it is about to make it.
+    Kill,
+    /// It fails: the disk is full.
+    Full,
+}
+
+/// What asks a disk for room, or learns that there was none.
+const ROOM: [&str; 8] = [
+    "write",
+    "pwrite64",
+    "fsync",
+    "fdatasync",
+    "mkdir",
+    "rename",
+    "renameat",
+    "renameat2",
+];
+
+/// Runs the tool with this fate of one of its calls, by name and number in its thread. Every call goes to a log.
 fn traced(
     strace: &Path,
-    kill: Option<&(String, usize)>,
+    cut: Option<(Fate, &str, usize)>,
     folder: &Path,
     arguments: &[&str],
 ) -> Output {
@@ -68,8 +88,12 @@ fn traced(
         .args(["-f", "-qq", "-y", "-s", "4096", "-e", "signal=none", "-o"])
         .arg(log(folder))
         .arg(format!("--trace={CALLS}"));
-    if let Some((call, number)) = kill {
-        command.arg(format!("--inject={call}:signal=KILL:when={number}"));
+    if let Some((fate, call, number)) = cut {
+        let fate = match fate {
+            Fate::Kill => "signal=KILL",
+            Fate::Full => "error=ENOSPC",
+        };
+        command.arg(format!("--inject={call}:{fate}:when={number}"));
     }
     command.arg(env!("CARGO_BIN_EXE_calib")).args(arguments);
     environment(&mut command, folder)
@@ -182,20 +206,28 @@ struct Request<'a> {
     done: &'a dyn Fn(&Path),
 }
 
-/// Kills it at every call, and has it completed; how many calls there were.
-fn killed_everywhere(strace: &Path, request: &Request<'_>) -> usize {
+/// Cuts it off at every call, and has it completed; how many calls there were.
+fn cut_everywhere(strace: &Path, fate: Fate, request: &Request<'_>) -> usize {
     let whole = copied(request.from);
     let run = traced(strace, None, whole.path(), request.arguments);
     assert!(run.status.success(), "{}", text(&run.stderr));
     (request.done)(whole.path());
     assert_eq!(unsynced(whole.path()), [""; 0], "{:?}", request.arguments);
-    let calls = calls(whole.path());
-    for kill in &calls {
+    let mut calls = calls(whole.path());
+    calls.retain(|(call, _)| fate == Fate::Kill || ROOM.contains(&call.as_str()));
+    for (call, number) in &calls {
         let folder = copied(request.from);
         let at = folder.path();
-        let what = format!("{} killed at {kill:?}", request.arguments.join(" "));
-        let cut = traced(strace, Some(kill), at, request.arguments);
-        assert!(!cut.status.success(), "{what} was not");
+        let what = format!("{} {fate:?} {call} {number}", request.arguments.join(" "));
+        let cut = traced(strace, Some((fate, call, *number)), at, request.arguments);
+        match fate {
+            Fate::Kill => assert!(!cut.status.success(), "{what} was not"),
+            // In words, and no panic.
+            Fate::Full => assert!(
+                matches!(cut.status.code(), Some(0 | 1 | 6)),
+                "{what}: {cut:?}"
+            ),
+        }
         is_whole(at, &what);
         let completed = calib(at, request.arguments);
         // What was done to its end, but for the word of it, is there already.
@@ -206,7 +238,11 @@ fn killed_everywhere(strace: &Path, request: &Request<'_>) -> usize {
         is_whole(at, &what);
         (request.done)(at);
     }
-    println!("{}: {} calls", request.arguments.join(" "), calls.len());
+    println!(
+        "{fate:?} {}: {} calls",
+        request.arguments.join(" "),
+        calls.len()
+    );
     calls.len()
 }
 
@@ -327,7 +363,7 @@ fn a_kill_in_every_write_of_the_logbook_leaves_it_whole() {
             from: from.path(),
             done,
         };
-        let calls = killed_everywhere(&strace, &request);
+        let calls = cut_everywhere(&strace, Fate::Kill, &request);
         assert!(calls >= 4, "{arguments:?}: {calls}");
     }
 }
@@ -357,7 +393,7 @@ fn a_kill_in_every_write_of_a_signature_leaves_none_that_nobody_knows() {
         from: begun.path(),
         done: &|at| assert_eq!(certificates(at).len(), 4),
     };
-    let calls = killed_everywhere(&strace, &request);
+    let calls = cut_everywhere(&strace, Fate::Kill, &request);
     assert!(calls > 10, "{calls}");
 }
 
@@ -402,8 +438,41 @@ fn a_kill_in_every_write_of_what_an_instrument_gives_loses_nothing() {
             from: begun.path(),
             done,
         };
-        let calls = killed_everywhere(&strace, &request);
+        let calls = cut_everywhere(&strace, Fate::Kill, &request);
         assert!(calls >= 4, "{verb:?}: {calls}");
+    }
+}
+
+/// The disk is full at any call that asks for room.
+#[test]
+fn a_disk_that_is_full_at_any_call_leaves_what_was_kept_and_says_so() {
+    let Some(strace) = strace() else { return };
+    let begun = begun();
+    let issue = [
+        "certificate",
+        "new.calibrec",
+        "--out",
+        OUT,
+        "--particulars",
+        "house.toml",
+    ];
+    let sealed = ["--format", "dcc,csv", "--sign", "rsa.p12"];
+    let has = |at: &Path| drop(opened(at).record(2).expect("entered"));
+    let issued = |at: &Path| assert_eq!(certificates(at).len(), 2);
+    for (arguments, done) in [
+        (
+            &["logbook", "add", "new.calibrec"][..],
+            &has as &dyn Fn(&Path),
+        ),
+        (&[&issue[..], &sealed].concat(), &issued),
+    ] {
+        let request = Request {
+            arguments,
+            from: begun.path(),
+            done,
+        };
+        let calls = cut_everywhere(&strace, Fate::Full, &request);
+        assert!(calls > 10, "{arguments:?}: {calls}");
     }
 }
 
@@ -431,7 +500,7 @@ fn a_kill_in_every_write_of_a_certificate_leaves_none_that_nobody_knows() {
             from: begun.path(),
             done,
         };
-        let calls = killed_everywhere(&strace, &request);
+        let calls = cut_everywhere(&strace, Fate::Kill, &request);
         assert!(calls > 10, "{more:?}: {calls}");
     }
 }

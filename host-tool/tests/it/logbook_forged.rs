@@ -502,6 +502,35 @@ fn the_commands_take_another_key_with_a_reason_alone() {
     );
 }
 
+/// What ends a line or turns one round is no word of a sensor, and none of a statement.
+#[test]
+fn words_that_are_kept_forge_no_line() {
+    let folder = tempfile::tempdir().expect("folder");
+    let logbook = logbook(folder.path());
+    logbook
+        .enter_key(&serial(), &device_key(&SEEDS[0]))
+        .expect("entered");
+    for bad in ["S\n1", "S\u{2028}1", "S\u{202e}1", "S\u{1b}[2J"] {
+        let by_serial = Sensor {
+            serial: bad.to_owned(),
+            ..Sensor::default()
+        };
+        let by_owner = Sensor {
+            serial: "S".to_owned(),
+            owner: Some(bad.to_owned()),
+            ..Sensor::default()
+        };
+        for sensor in [by_serial, by_owner] {
+            assert!(logbook.add_sensor(&sensor).is_err(), "{bad:?}");
+        }
+        let key = key_since(&[7; 32], 1);
+        assert!(
+            logbook.replace_key(&serial(), &key, bad, 1).is_err(),
+            "{bad:?}"
+        );
+    }
+}
+
 /// No logbook and no instrument: exit code and words follow from file and key.
 #[test]
 fn a_record_is_verified_by_its_file_and_the_key_alone() {

@@ -106,7 +106,7 @@ const CLICKS: [Situation; 4] = [
         prepare: |_, _, _| Ok(()),
     },
     Situation {
-        name: "all obstacles",
+        name: "all obstacles, link whole",
         way: Way::Plain,
         prepare: all,
     },
