@@ -12,7 +12,8 @@
 //! | `canonical` | a document as bytes that do not depend on how it is written |
 //! | `verified` | what a signed file proves, whatever it is |
 //!
-//! The cryptography is `ring`'s; containers and certificates are read and written by RustCrypto's crates.
+//! The cryptography is `ring`'s, but for ECDSA without chance, which is RustCrypto's as the readers and writers of containers
+//! and certificates are.
 #![forbid(unsafe_code)]
 
 mod canonical;
