@@ -30,8 +30,9 @@ impl Wave {
     }
 }
 
-/// The pins of drive, reference and device under test, with the rig on them.
-struct Pins {
+/// The pins of drive, reference and device under test, with the rig on them: what an [`Analog`] is a handle
+/// of.
+pub(super) struct Pins {
     rig: Box<dyn RigPort>,
     drive_code: u16,
     reached: VirtualNanos,
@@ -108,23 +109,7 @@ impl Analog {
 
     /// The level on the drive output becomes `code` at `now`.
     pub(super) fn drive(&self, code: u16, now: VirtualNanos) {
-        let mut pins = self.lock();
-        if code == pins.drive_code {
-            return;
-        }
-        pins.advance(now);
-        pins.drive_code = code;
-        pins.silent_since = (code == DRIVE_MID_CODE).then_some(now);
-    }
-
-    /// The drive converter has its buffer before the pin, or not.
-    pub(super) fn buffer_drive(&self, on: bool, now: VirtualNanos) {
-        let mut pins = self.lock();
-        if on != pins.drive_buffer {
-            pins.advance(now);
-            pins.drive_buffer = on;
-            pins.set_rig();
-        }
+        self.lock().drive(code, now);
     }
 
     /// The timer of the dither plays this from `now` on.
@@ -152,14 +137,6 @@ impl Analog {
             pins.conversions = conversions;
             pins.set_rig();
         }
-    }
-
-    /// The codes of both input channels at `now`.
-    pub(super) fn sample(&self, now: VirtualNanos) -> [u16; INPUT_CHANNELS] {
-        let mut pins = self.lock();
-        pins.advance(now);
-        pins.samples += 1;
-        pins.rig.sample()
     }
 
     /// Temperature of the processor, hundredths of a degree Celsius.
@@ -198,7 +175,8 @@ impl Analog {
         before
     }
 
-    fn lock(&self) -> MutexGuard<'_, Pins> {
+    /// The pins, for more than one call.
+    pub(super) fn lock(&self) -> MutexGuard<'_, Pins> {
         self.0
             .lock()
             .unwrap_or_else(std::sync::PoisonError::into_inner)
@@ -206,6 +184,42 @@ impl Analog {
 }
 
 impl Pins {
+    /// The level on the drive output becomes `code` at `now`.
+    pub(super) fn drive(&mut self, code: u16, now: VirtualNanos) {
+        if code == self.drive_code {
+            return;
+        }
+        self.advance(now);
+        self.drive_code = code;
+        self.silent_since = (code == DRIVE_MID_CODE).then_some(now);
+    }
+
+    /// The drive converter has its buffer before the pin, or not.
+    pub(super) fn buffer_drive(&mut self, on: bool, now: VirtualNanos) {
+        if on != self.drive_buffer {
+            self.advance(now);
+            self.drive_buffer = on;
+            self.set_rig();
+        }
+    }
+
+    /// The codes of both input channels at `now`.
+    pub(super) fn sample(&mut self, now: VirtualNanos) -> [u16; INPUT_CHANNELS] {
+        self.advance(now);
+        self.samples += 1;
+        self.rig.sample()
+    }
+
+    /// The drive converter has its buffer before the pin.
+    pub(super) fn buffers_drive(&self) -> bool {
+        self.drive_buffer
+    }
+
+    /// Each sample is made so, and has been.
+    pub(super) fn convert_so(&self, conversions: Conversions) -> bool {
+        self.conversions == conversions
+    }
+
     /// Tells the rig how the converters are set.
     fn set_rig(&mut self) {
         self.rig.set_conversions(self.conversions);

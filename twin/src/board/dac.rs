@@ -13,9 +13,10 @@
 
 use rigless::device::{Device, DeviceContext, Level, RegisterFile};
 use rigless::soc::stm32h743::generated::dac::{Register, cr, mcr, sr, swtrgr};
+use rigless::time::VirtualNanos;
 
-use super::analog::Analog;
-use super::flaws::Flaws;
+use super::analog::{Analog, Pins};
+use super::flaws::{Flaws, State};
 use super::request_lines::{DAC_CHANNELS, RequestLines};
 use crate::rig_port::DRIVE_MID_CODE;
 
@@ -64,6 +65,16 @@ rigless::store!(Dac {
     built: [channel, analog, flaws, lines],
 });
 
+/// What is between the output register and the pin.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stage {
+    on_pin: bool,
+    /// It reaches the converters on the chip.
+    on_chip: bool,
+    buffered: bool,
+    spoiled: bool,
+}
+
 impl Dac {
     pub(super) fn new(channel: usize, analog: Analog, flaws: Flaws, lines: RequestLines) -> Self {
         Self {
@@ -105,24 +116,48 @@ impl Dac {
     }
 
     fn drive_pin(&self, registers: &RegisterFile, context: &DeviceContext<'_>) {
+        let held = registers.get(OUTPUT[self.channel]) as u16;
+        let stage = self.stage(registers);
+        let (mut pins, mut flaws) = (self.analog.lock(), self.flaws.lock());
+        pins.buffer_drive(stage.buffered, context.now());
+        stage.put(held, &mut flaws, &mut pins, context.now());
+    }
+
+    /// What is behind the output register.
+    pub(super) fn stage(&self, registers: &RegisterFile) -> Stage {
         let enabled = cr::EN1.is_set(self.own(registers, Register::Cr));
         // Modes 0 to 2 reach the pin, 1 and 3 the converters on the chip; 2 and 3 are those without the
         // buffer; bit 2 selects sample and hold.
         let mode = mcr::MODE1.get(self.own(registers, Register::Mcr)) & 0b11;
-        let on_pin = mode != 0b11;
-        self.analog.buffer_drive(mode != 0b10, context.now());
-        let output = self.flaws.dac(match self.spoiled {
-            true => INVALID_CODE,
-            false => registers.get(OUTPUT[self.channel]) as u16,
-        });
-        self.flaws
-            .connect((enabled && mode & 1 == 1).then_some(output));
-        let code = if enabled && on_pin {
-            output
-        } else {
-            DRIVE_MID_CODE
-        };
-        self.analog.drive(code, context.now());
+        Stage {
+            on_pin: enabled && mode != 0b11,
+            on_chip: enabled && mode & 1 == 1,
+            buffered: mode != 0b10,
+            spoiled: self.spoiled,
+        }
+    }
+
+    /// Where the next value of a stream of triggers by TIM6 is written, and the line it is asked for on, while
+    /// triggers lead to nothing else.
+    pub(super) fn streams(&self, registers: &RegisterFile) -> Option<(Register, usize)> {
+        let control = self.own(registers, Register::Cr);
+        let on = [&cr::EN1, &cr::TEN1, &cr::DMAEN1];
+        let asks = on.iter().all(|field| field.is_set(control))
+            && cr::TSEL1.get(control) == TIM6_TRGO
+            && !self.pending
+            && !sr::DMAUDR1.is_set(self.own(registers, Register::Sr));
+        asks.then_some((HOLDING[self.channel][0], DAC_CHANNELS[self.channel]))
+    }
+
+    /// What the next trigger moves to the output.
+    pub(super) fn holding(&self) -> u16 {
+        self.holding
+    }
+
+    /// Takes a value of the stream, written to the register of [`streams`](Self::streams).
+    pub(super) fn take(&mut self, code: u64) {
+        self.loaded = true;
+        self.holding = (code & 0xFFF) as u16;
     }
 
     /// ES0392, 2.11.1, revision V: a mode other than 0 for a channel that is off and was never loaded
@@ -164,8 +199,7 @@ impl Dac {
     }
 
     fn hold(&mut self, code: u64, registers: &mut RegisterFile, context: &DeviceContext<'_>) {
-        self.loaded = true;
-        self.holding = (code & 0xFFF) as u16;
+        self.take(code);
         self.withdraw();
         if !cr::TEN1.is_set(self.own(registers, Register::Cr)) {
             self.load(registers, context);
@@ -189,6 +223,20 @@ impl Dac {
         }
         self.drive_interrupt(registers, context);
         self.drive_pin(registers, context);
+    }
+}
+
+impl Stage {
+    /// The pins have been told whether there is a buffer.
+    pub(super) fn is_set(self, pins: &Pins) -> bool {
+        pins.buffers_drive() == self.buffered
+    }
+
+    /// The output register holds `held` from `now` on.
+    pub(super) fn put(self, held: u16, flaws: &mut State, pins: &mut Pins, now: VirtualNanos) {
+        let output = flaws.dac(if self.spoiled { INVALID_CODE } else { held });
+        flaws.connect(self.on_chip.then_some(output));
+        pins.drive(if self.on_pin { output } else { DRIVE_MID_CODE }, now);
     }
 }
 

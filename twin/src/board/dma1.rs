@@ -114,6 +114,14 @@ impl Transfer {
         }
     }
 
+    /// Items that can be stored before one raises a flag.
+    fn unflagged(&self) -> u64 {
+        let stored = self.items - self.to_store;
+        let half = self.items.div_ceil(2);
+        let flagged = if stored < half { half } else { self.items };
+        flagged - stored - 1
+    }
+
     fn reaches(&self, access: Access) -> bool {
         let (address, bytes) = (self.address(access), u64::from(self.width.bytes()));
         !UNREACHABLE.iter().any(|span| span.overlaps(address, bytes))
@@ -127,6 +135,20 @@ pub(super) struct Due {
     pub(super) address: u64,
     pub(super) width: Width,
     pub(super) written: Option<u64>,
+}
+
+/// A stream that moves items between one register and a memory.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ring {
+    nth: usize,
+    pub(super) to_memory: bool,
+    pub(super) width: Width,
+    /// Where in memory the next item goes to or comes from.
+    pub(super) memory_at: u64,
+    /// How many come before one that raises a flag.
+    pub(super) items: u64,
+    /// The one fetched ahead, on the way from memory.
+    pub(super) item: u64,
 }
 
 /// One stream beside its registers.
@@ -197,6 +219,45 @@ impl Dma1 {
     pub(super) fn waits(&self, nth: usize) -> bool {
         let transfer = self.streams[nth].transfer.as_ref();
         transfer.is_none_or(|transfer| transfer.next(self.lines.stands(nth)).is_none())
+    }
+
+    /// No stream has anything to do before a line rises.
+    pub(super) fn is_at_rest(&self) -> bool {
+        (0..STREAMS).all(|nth| !self.stands(nth))
+    }
+
+    /// The one stream that serves line `id`, where it moves items between the register at `register` and
+    /// a memory.
+    pub(super) fn ring(&self, id: usize, register: u64) -> Option<Ring> {
+        let serves =
+            |nth: &usize| self.streams[*nth].transfer.is_some() && self.lines.selected(*nth) == id;
+        let mut serving = (0..STREAMS).filter(serves);
+        let nth = serving.next().filter(|_| serving.next().is_none())?;
+        let transfer = self.streams[nth].transfer.as_ref()?;
+        let bytes = u64::from(transfer.width.bytes());
+        let plain = transfer.peripheral_at == register
+            && transfer.peripheral_step == 0
+            && transfer.memory_step == bytes
+            && transfer.under_way.is_none()
+            && transfer.item.is_none() == transfer.to_memory;
+        plain.then(|| Ring {
+            nth,
+            to_memory: transfer.to_memory,
+            width: transfer.width,
+            memory_at: transfer.memory_at,
+            items: transfer.unflagged(),
+            item: transfer.item.unwrap_or(0),
+        })
+    }
+
+    /// A ring's next items were moved; from memory, `item` is the last one fetched.
+    pub(super) fn went_round(&mut self, ring: &Ring, items: u64, item: u64) {
+        if let Some(transfer) = &mut self.streams[ring.nth].transfer {
+            transfer.to_fetch -= items;
+            transfer.to_store -= items;
+            transfer.memory_at += items * transfer.memory_step;
+            transfer.item = (!transfer.to_memory).then_some(item);
+        }
     }
 
     /// The access [`due`](Self::due) named was made; `value` is what it read.

@@ -40,8 +40,9 @@ const INTERNAL_NOISE_PEAK: f64 = 16.0;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Flaws(Arc<Mutex<State>>);
 
+/// What a [`Flaws`] is a handle of.
 #[derive(Debug, Default)]
-struct State {
+pub(super) struct State {
     flaws: [Flaw; 3],
     /// Code of the DAC while a mode connects it to the converters on the chip.
     internal: Option<u16>,
@@ -49,7 +50,8 @@ struct State {
 }
 
 impl Flaws {
-    fn lock(&self) -> MutexGuard<'_, State> {
+    /// The flaws, for more than one call.
+    pub(super) fn lock(&self) -> MutexGuard<'_, State> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -64,43 +66,39 @@ impl Flaws {
     pub(super) fn processor_centi_c(&self) -> Option<i32> {
         self.lock().processor_centi_c
     }
+}
 
+impl State {
     /// What the DAC puts out for `code`.
     pub(super) fn dac(&self, code: u16) -> u16 {
-        self.lock().flaws[Flawed::Dac as usize].of(code, 12, 0.0)
+        self.flaws[Flawed::Dac as usize].of(code, 12, || 0.0)
     }
 
     /// The DAC's output reaches the converters on the chip with this code, or no more.
-    pub(super) fn connect(&self, code: Option<u16>) {
-        self.lock().internal = code;
+    pub(super) fn connect(&mut self, code: Option<u16>) {
+        self.internal = code;
     }
 
     /// 16-bit code of the DAC's output on the chip; 0 V while none is connected.
     pub(super) fn internal(&self, now_ns: u64) -> u16 {
-        let state = self.lock();
-        let noise_peak = f64::from(state.flaws[Flawed::Dac as usize].noise_peak) * 16.0;
+        let noise_peak = f64::from(self.flaws[Flawed::Dac as usize].noise_peak) * 16.0;
         let noise = even(now_ns, 3) * (INTERNAL_NOISE_PEAK + noise_peak);
-        let level = f64::from(state.internal.unwrap_or(0)) * 16.0 + noise;
+        let level = f64::from(self.internal.unwrap_or(0)) * 16.0 + noise;
         level.round().clamp(0.0, 65_535.0) as u16
     }
 
     /// What ADC1 (0) and ADC2 (1) give for `codes`.
     pub(super) fn adc(&self, codes: [u16; 2], now_ns: u64) -> [u16; 2] {
-        let state = self.lock();
-        let given = |nth: usize| {
-            let flaw = state.flaws[nth];
-            match flaw == Flaw::default() {
-                true => codes[nth],
-                false => flaw.of(codes[nth], 16, even(now_ns, nth as u64)),
-            }
-        };
-        [given(0), given(1)]
+        [0, 1].map(|nth| self.flaws[nth].of(codes[nth], 16, || even(now_ns, nth as u64)))
     }
 }
 
 impl Flaw {
     /// The code of a converter of `bits` that should give `code`; `noise` is -1 to 1.
-    fn of(&self, code: u16, bits: u32, noise: f64) -> u16 {
+    fn of(&self, code: u16, bits: u32, noise: impl FnOnce() -> f64) -> u16 {
+        if *self == Self::default() {
+            return code;
+        }
         let (mid, last) = (
             f64::from(1_u32 << (bits - 1)),
             f64::from((1_u32 << bits) - 1),
@@ -110,7 +108,7 @@ impl Flaw {
         }
         let gain = 1.0 + f64::from(self.gain_ppm) * 1e-6;
         let level = mid + (f64::from(code) - mid) * gain + f64::from(self.offset);
-        let noisy = level + noise * f64::from(self.noise_peak);
+        let noisy = level + noise() * f64::from(self.noise_peak);
         noisy.round().clamp(0.0, last) as u16 | self.stuck_high
     }
 }
@@ -135,7 +133,7 @@ mod tests {
     fn flaws_by_hand() {
         let sound = Flaw::default();
         assert_eq!(
-            (sound.of(100, 12, 1.0), sound.of(65_535, 16, 0.0)),
+            (sound.of(100, 12, || 1.0), sound.of(65_535, 16, || 0.0)),
             (100, 65_535)
         );
         let flaw = Flaw {
@@ -144,13 +142,13 @@ mod tests {
             ..sound
         };
         // 2048 + 0.95 * 1000 + 7.
-        assert_eq!(flaw.of(3048, 12, 0.0), 3005);
+        assert_eq!(flaw.of(3048, 12, || 0.0), 3005);
         assert_eq!(
             Flaw {
                 stuck_high: 0x20,
                 ..sound
             }
-            .of(64, 12, 0.0),
+            .of(64, 12, || 0.0),
             96
         );
         assert_eq!(
@@ -158,7 +156,7 @@ mod tests {
                 dead: true,
                 ..sound
             }
-            .of(64, 16, 0.0),
+            .of(64, 16, || 0.0),
             32_768
         );
         assert_eq!(
@@ -166,7 +164,7 @@ mod tests {
                 noise_peak: 10,
                 ..sound
             }
-            .of(64, 16, -1.0),
+            .of(64, 16, || -1.0),
             54
         );
     }

@@ -5,6 +5,7 @@
 //! DMA1, DMAMUX1, the flash interface, SYSCFG and IWDG answered by the models next door.
 
 mod at_once;
+mod stretch;
 
 use rigless::device::{Device, ErasedDevice, ResetCause};
 use rigless::emulator::{Checked, Memory};

@@ -33,6 +33,11 @@ pub(super) struct Tim3 {
 rigless::store!(Tim3);
 
 impl Tim3 {
+    /// [`take_change`](Self::take_change) has something to hand over.
+    pub(super) fn has_changed(&self) -> bool {
+        self.changed
+    }
+
     /// What the channel plays from now on, once after each change.
     pub(super) fn take_change(&mut self) -> Option<Option<Wave>> {
         std::mem::take(&mut self.changed).then_some(self.wave)

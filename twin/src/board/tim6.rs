@@ -110,16 +110,21 @@ impl Tim6 {
         self.next.filter(|_| plain)
     }
 
-    /// The update of [`plain_update`](Self::plain_update), whose pulse the caller makes.
-    pub(super) fn pass_update(&mut self, registers: &mut RegisterFile) {
-        self.updates += 1;
+    /// So many updates of [`plain_update`](Self::plain_update), whose pulses the caller makes.
+    pub(super) fn pass_updates(&mut self, updates: u64, registers: &mut RegisterFile) {
+        self.updates += updates;
         registers.set(Register::Sr, sr::UIF.mask());
     }
 
     /// Instant of the next update.
     pub(super) fn next_update(&self) -> VirtualNanos {
+        self.update_after(0)
+    }
+
+    /// Instant of the update that `updates` come before.
+    pub(super) fn update_after(&self, updates: u64) -> VirtualNanos {
         let already = self.base_count * (self.prescaler + 1);
-        self.instant((self.updates + 1) * self.period_ticks() - already)
+        self.instant((self.updates + updates + 1) * self.period_ticks() - already)
     }
 
     pub(super) fn schedule(&mut self, registers: &RegisterFile, context: &mut DeviceContext<'_>) {

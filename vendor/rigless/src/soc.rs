@@ -2223,6 +2223,11 @@ impl Bus {
             .then_some(index)
     }
 
+    /// Whether a register takes an access of `width` at `address` now, its gate open.
+    pub fn answers(&self, address: u64, width: Width, kind: AccessKind) -> bool {
+        self.locate(address, width, kind).is_ok()
+    }
+
     /// Where an access lands, or the fault it takes.
     pub(crate) fn locate(
         &self,

@@ -10,7 +10,7 @@ use crate::board::input_pin::Pull;
 use crate::board::request_lines::{ADC1, RequestLines};
 
 /// `DUAL` of the regular simultaneous mode alone (RM0433 Rev 9, section 25.7.2).
-const REGULAR_SIMULTANEOUS: u64 = 0b00110;
+pub(super) const REGULAR_SIMULTANEOUS: u64 = 0b00110;
 /// `DAMDF` of one 32-bit word per pair for 16 to 10 bits.
 const WORD_PER_PAIR: u64 = 0b10;
 /// `EXTSEL` of TIM6's trigger output (section 25.4.19, table 213) and `EXTEN` of its rising edge.
@@ -24,7 +24,7 @@ const KERNEL_CLOCK: usize = 0;
 /// The model's state beside the registers.
 #[derive(Debug)]
 pub(crate) struct Common {
-    pair: SharedPair,
+    pub(super) pair: SharedPair,
     lines: RequestLines,
     kernel_hz: u64,
     bus_hz: u64,
@@ -128,7 +128,7 @@ impl Common {
 
 impl Pair {
     /// The pair converts at each trigger: both enabled, the master started, on TIM6's rising edge.
-    fn armed(&self) -> bool {
+    pub(super) fn armed(&self) -> bool {
         let [master, slave] = &self.converters;
         master.enabled()
             && slave.enabled()
@@ -138,7 +138,7 @@ impl Pair {
     }
 
     /// Both converters put new data over what nobody has read (section 25.4.27, `OVRMOD`).
-    fn overwrites(&self) -> bool {
+    pub(super) fn overwrites(&self) -> bool {
         let mut both = self.converters.iter();
         both.all(|converter| cfgr::OVRMOD.is_set(converter.configuration))
     }

@@ -20,6 +20,7 @@
 mod common;
 mod converter;
 mod skew;
+mod stretch;
 
 use std::sync::{Arc, Mutex, MutexGuard};
 
@@ -31,10 +32,11 @@ use rigless::time::VirtualNanos;
 
 pub(super) use common::Common;
 pub(super) use converter::Converter;
+pub(super) use stretch::Stretch;
 
 use self::skew::Skew;
-use super::analog::Analog;
-use super::flaws::Flaws;
+use super::analog::{Analog, Pins};
+use super::flaws::{self, Flaws};
 use super::input_pin::Pull;
 use crate::rig_port::{Conversions, INPUT_CHANNELS};
 
@@ -184,14 +186,23 @@ impl State {
         }
     }
 
-    /// Data of a converter for the mean code at its connector, shifted to the left as `LSHIFT` says: 0
-    /// where the channel selected is not the wired one, because that pin carries nothing.
-    fn convert(&mut self, wired: u64, code: u16, context: &mut DeviceContext<'_>) -> u16 {
-        let selected = self.channel() == Some(wired) && self.preselection & (1 << wired) != 0;
-        if !selected {
-            context.tell("SQR1", "a pin without a signal is converted: 0 V");
-            return 0;
+    /// The channel selected is the wired one.
+    fn selects(&self, wired: u64) -> bool {
+        self.channel() == Some(wired) && self.preselection & (1 << wired) != 0
+    }
+
+    /// Data of a converter for the mean code at its connector: 0 where the channel selected is not the wired
+    /// one, because that pin carries nothing.
+    fn convert(&self, wired: u64, code: u16, context: &mut DeviceContext<'_>) -> u16 {
+        if self.selects(wired) {
+            return self.data_of(code);
         }
+        context.tell("SQR1", "a pin without a signal is converted: 0 V");
+        0
+    }
+
+    /// The sum of the conversions of `code`, shifted to the left as `LSHIFT` says.
+    fn data_of(&self, code: u16) -> u16 {
         let sum = (u64::from(code) * u64::from(self.conversions())) >> (16 - self.bits());
         let shifted = match cfgr2::ROVSE.is_set(self.processing) {
             true => sum >> cfgr2::OVSS.get(self.processing),
@@ -205,13 +216,24 @@ impl State {
 impl Pair {
     /// Codes at the pins of reference and device under test at `now`.
     fn sample(&self, now: VirtualNanos) -> [u16; INPUT_CHANNELS] {
-        let [reference, dut] = self.analog.sample(now);
+        let (mut pins, flaws) = (self.analog.lock(), self.flaws.lock());
+        self.sample_of(&mut pins, &flaws, now)
+    }
+
+    /// As [`sample`](Self::sample), of pins and flaws that are taken already.
+    fn sample_of(
+        &self,
+        pins: &mut Pins,
+        flaws: &flaws::State,
+        now: VirtualNanos,
+    ) -> [u16; INPUT_CHANNELS] {
+        let [reference, dut] = pins.sample(now);
         let [reference_pull, dut_pull] = self.pulls;
         let dut = match self.hears_drive() {
-            true => self.flaws.internal(now.0),
+            true => flaws.internal(now.0),
             false => dut_pull.of(dut),
         };
-        self.flaws.adc([reference_pull.of(reference), dut], now.0)
+        flaws.adc([reference_pull.of(reference), dut], now.0)
     }
 
     /// ADC2 converts the drive on the chip in place of its pin.

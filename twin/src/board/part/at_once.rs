@@ -27,6 +27,7 @@ impl Part {
         };
         let limit = limit.min(self.bus().next_event().unwrap_or(NO_DEADLINE));
         loop {
+            at = self.stretch(at, limit, memory);
             let settled = self.one_sample(at, memory);
             let next = self.tim6.next_update();
             if !settled || next >= limit {
@@ -57,7 +58,7 @@ impl Part {
     fn one_sample(&mut self, at: VirtualNanos, memory: &mut dyn Memory) -> bool {
         let bus = self.base.bus_mut();
         self.tim6
-            .pass_update(bus.slot_mut(self.slots.tim6).registers_mut());
+            .pass_updates(1, bus.slot_mut(self.slots.tim6).registers_mut());
         self.trigger_converters(at);
         for nth in 0..STREAMS {
             if self.dma1.stands(nth) && !self.move_items(nth, at, memory) {

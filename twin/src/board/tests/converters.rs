@@ -27,7 +27,7 @@ const SIMULTANEOUS_WORDS: u64 = 0b00110 | 0b10 << 14;
 const CHANNELS: [(&Peripheral, u64); 2] = [(&ADC1, 15), (&ADC2, 10)];
 
 /// Both converters from deep power down to enabled, as the manual's sequence has it.
-fn enable(bench: &mut Bench) {
+pub(super) fn enable(bench: &mut Bench) {
     bench.write(&ADC12_COMMON, Pair::Ccr, SIMULTANEOUS_WORDS);
     for (converter, channel) in CHANNELS {
         bench.write(converter, Register::Cr, REGULATOR);
@@ -47,7 +47,7 @@ fn enable(bench: &mut Bench) {
     bench.write(&ADC1, Register::Cfgr, CONFIGURATION);
 }
 
-fn start(bench: &mut Bench) {
+pub(super) fn start(bench: &mut Bench) {
     bench.write(&ADC1, Register::Cr, REGULATOR | ENABLE | START);
     bench.start_sample_clock(1280);
 }

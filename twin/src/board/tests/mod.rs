@@ -8,6 +8,7 @@ mod drive;
 mod flash;
 mod panel;
 mod sample_clock;
+mod stretches;
 mod supply;
 mod temperature;
 mod watchdog;

@@ -253,6 +253,22 @@ pub trait Memory {
         Err(Error::Memory { address, width })
     }
 
+    /// Fills `into` from `address`: what a byte's [`Memory::read`] of each would answer.
+    fn read_block(&mut self, address: u64, into: &mut [u8]) -> Result<(), Error> {
+        for (at, byte) in (address..).zip(into) {
+            *byte = self.read(at, Width::W8)? as u8;
+        }
+        Ok(())
+    }
+
+    /// Writes `bytes` from `address` on: what a byte's [`Memory::write`] of each would leave.
+    fn write_block(&mut self, address: u64, bytes: &[u8]) -> Result<(), Error> {
+        for (at, byte) in (address..).zip(bytes) {
+            self.write(at, Width::W8, u64::from(*byte))?;
+        }
+        Ok(())
+    }
+
     /// The order of a value's bytes in this memory, which [`Memory::read`] and [`Memory::write`]
     /// keep. Little-endian unless the memory says otherwise.
     fn endian(&self) -> Endian {

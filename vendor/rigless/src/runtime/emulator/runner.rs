@@ -760,6 +760,21 @@ impl GuestMemory for Machine {
         Ok(())
     }
 
+    fn read_block(&mut self, address: u64, into: &mut [u8]) -> Result<(), Error> {
+        let width = Width::W8;
+        let copied = self.memory.copy(address, into);
+        copied.then_some(()).ok_or(Error::Memory { address, width })
+    }
+
+    /// Every byte has to lie in one region, which is more than the bytes one by one ask for.
+    fn write_block(&mut self, address: u64, bytes: &[u8]) -> Result<(), Error> {
+        if self.memory.read_only(address) || !self.memory.place(address, bytes) {
+            let width = Width::W8;
+            return Err(Error::Memory { address, width });
+        }
+        Ok(())
+    }
+
     /// A programmer's write, which lands in a region the part programs whatever the guest may do
     /// there, and drops the code it overlaps as the guest's own store would.
     fn program(&mut self, address: u64, width: Width, value: u64) -> Result<(), Error> {
