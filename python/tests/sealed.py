@@ -2,8 +2,8 @@
 
     python sealed.py [--cases 100] [--json OUT]
 
-Each case of `calib gap challenge` is what a rig of the library would show. Multiplied by the response of a foreign
-simulation it is what a rig would show whose transducer is that simulation, with the effect on top. The diagnosis is told
+Each case of `calib gap challenge` is what a rig of the library would show. With the response of a foreign simulation in the
+device, harmonics included, it is what a rig would show whose transducer is that simulation, with the effect on top. The diagnosis is told
 the simulation, by another way than the cases were made where there is one, and the sealed truth is opened afterwards.
 """
 
@@ -63,7 +63,7 @@ def fmu(folder):
 
 
 def table():
-    """A table of 40 responses, as somebody's finite elements print one: three modes, read between its lines."""
+    """A table of 400 responses, as somebody's finite elements print one: three modes, read between its lines."""
     lines = numpy.geomspace(1.0, 30e3, 400)
 
     def true(frequencies):
@@ -85,17 +85,35 @@ def sealed(true, model, folder, cases, seed, strata=("null", "single")):
 def answered(case, without, true, model):
     """The answer for a case whose transducer is the foreign simulation."""
     points, rig = (case / "points.csv").read_bytes(), (case / "rig.toml").read_bytes()
-    columns = calib._tables.read_csv(case / "points.csv")
-    response = true(numpy.array(columns["frequency_hz"]))
-    for name in {"ratio", "dut_v"} & set(columns):
-        columns[name] = [one and one * float(abs(r)) for one, r in zip(columns[name], response)]
-    if "dut_deg" in columns:
-        turned = zip(columns["dut_deg"], numpy.degrees(numpy.angle(response)))
-        columns["dut_deg"] = [one if one is None else one + float(turn) for one, turn in turned]
-    answer = calib.gap.diagnose(columns, rig=case / "rig.toml", model=model, without=without)
+    seen = shown(calib._tables.read_csv(case / "points.csv"), true)
+    answer = calib.gap.diagnose(seen, rig=case / "rig.toml", model=model, without=without)
     # The sealed truth knows the case as it was sealed.
     answer["dataset"]["sha256"] = hashlib.sha256(rig + points).hexdigest()
     return answer
+
+
+def shown(columns, true):
+    """A table as a device with this response shows it: each order of its wave by the response at its frequency. What is
+    above the fifth order, in `dut_noise_v`, no table has: that column stays."""
+    f = numpy.array(columns["frequency_hz"])
+    first = true(f)
+    for name in {"ratio", "dut_v"} & set(columns):
+        columns[name] = product(columns[name], abs(first))
+    if "dut_deg" in columns:
+        columns["dut_deg"] = turned(columns["dut_deg"], first)
+    for order in (2, 3, 4, 5):
+        if f"dut_h{order}" in columns:
+            columns[f"dut_h{order}"] = product(columns[f"dut_h{order}"], abs(true(order * f) / first))
+            columns[f"dut_h{order}_deg"] = turned(columns[f"dut_h{order}_deg"], true(order * f) / first**order)
+    return columns
+
+
+def product(values, factors):
+    return [None if one is None else one * float(factor) for one, factor in zip(values, factors)]
+
+
+def turned(degrees, factors):
+    return [None if one is None else one + float(by) for one, by in zip(degrees, numpy.degrees(numpy.angle(factors)))]
 
 
 def main():

@@ -1,28 +1,31 @@
 """Your own simulation as what is believed.
 
 The library believes in transducers without dynamics: the ratio of device and reference is the quotient of two
-sensitivities. What another simulation knows better is divided out of the measured ratio before it is diagnosed, so that
-an effect that is named is a correction to *that* simulation, as a factor on its response.
+sensitivities. What another simulation knows better is divided out of what the device showed before it is diagnosed: ratio
+and phase at the frequencies of the table, and the device's harmonics at two to five times these. So an effect that is
+named is a correction to *that* simulation, as a factor on its response.
 """
 
 import cmath
-import json
 import math
 import os
 import shutil
+import statistics
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Mapping, Optional, Union
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Union
 
-from .. import _calib, _tables
-from ..errors import InputError, UsageError
+from .. import _tables
+from ..errors import FileError, InputError, UsageError
 
-#: Frequencies (Hz) and conditions by name, one value a row, to the complex ratio of device and reference.
+#: Frequencies (Hz) and conditions by name, one value a row, to the complex ratio of device and reference, in any unit.
 Model = Callable[[Any, Mapping[str, Any]], Any]
 
 #: Conditions a model is told, where the table has them.
 _CONDITIONS = ("acceleration_ms2", "temperature_c", "payload_kg", "rotation_deg", "tilt_deg", "time_s", "coil_v")
 #: Cycles played before a response is read, and while it is read.
 _SETTLING_CYCLES, _READ_CYCLES = 20, 10
+#: Harmonics a table may have, and by how much dividing a response out may raise the noise of one.
+_ORDERS, _NOISE_GROWS = (2, 3, 4, 5), 1.05
 #: Largest change of an answer that is at rest, relative to its largest value.
 _AT_REST = 1e-5
 
@@ -43,6 +46,9 @@ def from_time_domain(
         samples_a_cycle: times at which it is played.
     """
     import numpy
+
+    if not callable(simulate):
+        raise UsageError(f"a {type(simulate).__name__} is no simulation", "give a function f(t, input) -> output")
 
     def response(frequency_hz: float) -> complex:
         cycles = max(_SETTLING_CYCLES, math.ceil(settling_s * frequency_hz)) + _READ_CYCLES
@@ -84,7 +90,7 @@ def from_fmu(
         step_s: step of its communication, s: a tenth of the period of its fastest resonance or less.
         duration_s: until its answer is at rest, s; refused if it is not.
         amplitude: of the step, in the unit of the input.
-        start_values: of its parameters.
+        start_values: of its parameters by name, each in the unit the FMU states.
     """
     try:
         import fmpy
@@ -92,6 +98,8 @@ def from_fmu(
         raise UsageError("FMPy is not installed", "pip install calib[fmu]") from None
     import numpy
 
+    if not os.path.isfile(path):
+        raise FileError(f"there is no FMU {os.fspath(path)}", "name the .fmu file")
     given = numpy.array([(0.0, amplitude), (duration_s, amplitude)], dtype=[("time", float), (input, float)])
     done = fmpy.simulate_fmu(
         os.fspath(path),
@@ -123,13 +131,27 @@ def from_fmu(
 
 def from_table(frequency_hz: Any, response: Any) -> Model:
     """A model that is a table of complex responses: between its lines logarithm and phase go straight over the
-    logarithm of the frequency; beyond its ends it says nothing and is refused."""
+    logarithm of the frequency; beyond its ends it says nothing.
+
+    Args:
+        frequency_hz: of its lines, Hz, in any order.
+        response: complex, one for each; in any unit.
+    """
     import numpy
 
-    at = numpy.log(numpy.asarray(frequency_hz, dtype=float))
-    values = numpy.asarray(response, dtype=complex)
-    order = numpy.argsort(at)
-    at, values = at[order], values[order]
+    lines = numpy.asarray(frequency_hz, dtype=float).reshape(-1)
+    values = numpy.asarray(response, dtype=complex).reshape(-1)
+    if not lines.size or lines.shape != values.shape:
+        raise UsageError(
+            f"the table has {lines.size} frequencies and {values.size} responses", "give one response for each frequency"
+        )
+    order = numpy.argsort(lines)
+    lines, values = lines[order], values[order]
+    if not (numpy.isfinite(lines).all() and lines[0] > 0 and (numpy.diff(lines) > 0).all()):
+        raise UsageError("frequencies of the table are above zero and differ", "leave lines out that say the same twice")
+    if not (numpy.isfinite(values).all() and values.all()):
+        raise UsageError("a response of the table is zero or no number", "leave that line out")
+    at = numpy.log(lines)
     gain, turn = numpy.log(numpy.abs(values)), numpy.unwrap(numpy.angle(values))
 
     def model(frequencies: Any, conditions: Mapping[str, Any]) -> Any:
@@ -142,15 +164,21 @@ def from_table(frequency_hz: Any, response: Any) -> Model:
 
 
 def divided_out(folder: Path, model: Model, into: Path) -> Path:
-    """The dataset with the response that the model knows divided out of its ratio, in a folder of its own."""
+    """The dataset as a transducer without dynamics would have shown it, in a folder of its own."""
     points = folder / "points.csv"
     if not points.is_file():
         raise UsageError("model= is for points of a calibrator", "a record is diagnosed with the library's oscillator")
     table = _tables.read_csv(points)
     known = _responses(model, table)
+    corrected = {**table, **_fundamentals(table, known)}
+    for order in _ORDERS:
+        if f"dut_h{order}" in table:
+            corrected.update(_harmonics(table, known, model, order))
+    # What a kink sends beyond the fifth harmonic is in the noise, and how the transducer shapes it no table shows.
+    corrected.pop("dut_noise_v", None)
     into.mkdir()
     shutil.copy(folder / "rig.toml", into / "rig.toml")
-    _tables.write_csv(into / "points.csv", _corrected(table, known, _believed(into / "rig.toml")))
+    _tables.write_csv(into / "points.csv", corrected)
     return into
 
 
@@ -159,51 +187,71 @@ def _responses(model: Model, table: Mapping[str, List[Any]]) -> List[complex]:
     frequencies = table.get("frequency_hz")
     if not frequencies or any(not isinstance(one, float) for one in frequencies):
         raise InputError("points.csv: column frequency_hz has no number in every row", "state each frequency in Hz", 6)
-    import numpy
-
-    conditions = {
-        name: numpy.array([math.nan if one is None else one for one in table[name]], dtype=float)
-        for name in _CONDITIONS
-        if name in table
-    }
-    said = model(numpy.array(frequencies), conditions)
-    values = numpy.asarray(said)
-    if values.dtype.kind not in "fciu" or values.shape != (len(frequencies),):
-        raise UsageError(
-            f"the model gave {values.dtype} of shape {values.shape} for {len(frequencies)} rows",
-            "return one complex ratio for each row",
-        )
-    for row, (value, frequency_hz) in enumerate(zip(values.tolist(), frequencies), start=1):
-        if not cmath.isfinite(value) or value == 0:
+    values = _said(model, table, range(len(frequencies)))
+    for row, (value, frequency_hz) in enumerate(zip(values, frequencies), start=1):
+        if not _is_response(value):
             raise UsageError(
                 f"the model gave {value} at {frequency_hz} Hz, row {row}",
                 "return a finite ratio above zero, or leave rows out that it does not cover",
             )
+    return values
+
+
+def _said(model: Model, table: Mapping[str, List[Any]], rows: Sequence[int], order: int = 1) -> List[complex]:
+    """What the model says at so many times the frequency of these rows: one complex number for each."""
+    import numpy
+
+    frequencies = numpy.array([order * table["frequency_hz"][row] for row in rows])
+    conditions = {
+        name: numpy.array([math.nan if table[name][row] is None else table[name][row] for row in rows], dtype=float)
+        for name in _CONDITIONS
+        if name in table
+    }
+    values = numpy.asarray(model(frequencies, conditions))
+    if values.dtype.kind not in "fciu" or values.shape != frequencies.shape:
+        raise UsageError(
+            f"the model gave {values.dtype} of shape {values.shape} for {len(frequencies)} rows",
+            "return one complex ratio for each row",
+        )
     return [complex(value) for value in values.tolist()]
 
 
-def _corrected(table: Dict[str, List[Any]], known: List[complex], believed: float) -> Dict[str, List[Any]]:
-    """The table with the ratio over what is known of it."""
-    corrected = dict(table)
+def _is_response(value: complex) -> bool:
+    return cmath.isfinite(value) and value != 0
+
+
+def _fundamentals(table: Mapping[str, List[Any]], known: List[complex]) -> Dict[str, List[Any]]:
+    """Ratio and phase over what is known of them. The constant gain is the measurand: a model's says nothing."""
+    corrected: Dict[str, List[Any]] = {}
+    middle = statistics.median(map(abs, known))
     for name in ("ratio", "dut_v"):
         if name in table:
             rows = zip(table[name], known)
-            corrected[name] = [None if one is None else one * believed / abs(value) for one, value in rows]
+            corrected[name] = [None if one is None else one * middle / abs(value) for one, value in rows]
     if "dut_deg" in table:
         rows = zip(table["dut_deg"], known)
         corrected["dut_deg"] = [None if one is None else one - math.degrees(cmath.phase(value)) for one, value in rows]
     return corrected
 
 
-def _believed(rig: Path) -> float:
-    """The ratio the library believes in: the quotient of the two sensitivities of the rig, 1 where it states none."""
-    stated = json.loads(_calib.json(rig.read_text(encoding="utf-8")))
-    try:
-        dut, reference = (stated[part]["sensitivity_v_per_ms2"]["value"] for part in ("dut", "reference"))
-        return float(dut / reference)
-    except (KeyError, TypeError, ZeroDivisionError):
-        # What is not stated is free; what is stated wrongly, the diagnosis refuses.
-        return 1.0
+def _harmonics(
+    table: Mapping[str, List[Any]], known: List[complex], model: Model, order: int
+) -> Dict[str, List[Any]]:
+    """A harmonic of the device over what the model makes of it, relative to what it makes of the fundamental. It is
+    left out where the model knows nothing at its frequency, or where its noise would grow."""
+    name = f"dut_h{order}"
+    sizes = list(table[name])
+    phases = list(table.get(f"{name}_deg", [None] * len(sizes)))
+    rows = [row for row, size in enumerate(sizes) if size is not None]
+    for row, there in zip(rows, _said(model, table, rows, order) if rows else []):
+        here = known[row]
+        if not _is_response(there) or abs(there) * _NOISE_GROWS < abs(here):
+            sizes[row] = phases[row] = None
+            continue
+        sizes[row] *= abs(here) / abs(there)
+        if phases[row] is not None:
+            phases[row] -= math.degrees(cmath.phase(there) - order * cmath.phase(here))
+    return {name: sizes, f"{name}_deg": phases} if f"{name}_deg" in table else {name: sizes}
 
 
 def _remembering(response: Callable[[float], complex]) -> Model:
