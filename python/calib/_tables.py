@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, Dict, Iterator, List, Mapping, Union
 
 from . import _calib
-from .errors import UsageError
+from .errors import FileError, UsageError
 
 #: What stands for a table: a file, a pandas or polars frame, or columns by name.
 Table = Union[str, "os.PathLike[str]", Mapping[str, Any], Any]
@@ -29,6 +29,14 @@ def folder() -> Iterator[Path]:
     """A folder for the length of a call."""
     with tempfile.TemporaryDirectory(prefix="calib-") as name:
         yield Path(name)
+
+
+def writable(path: Union[str, "os.PathLike[str]"]) -> Path:
+    """A file that is to be written: its folder is there."""
+    path = Path(path)
+    if not path.parent.is_dir():
+        raise FileError(f"cannot write {path}: there is no folder {path.parent}", "make it first, or name another place")
+    return path
 
 
 def columns(table: Any) -> Dict[str, List[Any]]:

@@ -51,7 +51,10 @@ def carry_out(
             raise errors.of(error, hint, code)
         warnings.warn(error, errors.NotPassedWarning, stacklevel=3)
     text = "".join(output)
-    return parsed(text) if text.strip() else None
+    try:
+        return parsed(text) if text.strip() else None
+    except ValueError:
+        raise errors.UsageError(f"{words[0]} says no document", "name a verb: `calib --help` at a terminal lists them") from None
 
 
 def parsed(text: str) -> Any:

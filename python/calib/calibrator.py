@@ -4,16 +4,17 @@ import os
 import threading
 import time
 from pathlib import Path
-from typing import Any, Callable, Iterable, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _calib, _tables
 from ._answer import Document
-from ._verb import carry_out
+from ._verb import carry_out, str_of
 from .errors import LinkError, UsageError
 from .record import Record
 
-#: A list of points: a file, frequencies in Hz, or pairs of frequency in Hz and acceleration in m/s2 r.m.s.
-Points = Union[str, "os.PathLike[str]", Iterable[Union[float, Tuple[float, float]]]]
+#: A list of points: a file, frequencies in Hz, pairs of frequency in Hz and acceleration in m/s2 r.m.s., or a table with
+#: the columns ``frequency_hz`` and ``acceleration_rms_ms2``.
+Points = Union[_tables.Table, Iterable[Union[float, Tuple[float, float]]]]
 
 #: How long a stop may take to be confirmed by this computer's clock, s.
 _STOP_S = 10.0
@@ -83,9 +84,9 @@ class Calibrator:
         return self._verb("records")
 
     def record(self, number: int) -> Record:
-        """A record it keeps, by its running number."""
+        """A record it keeps, by its running ``number`` (``record_id`` of :meth:`records`)."""
         with _tables.folder() as into:
-            done = self._verb("download", str(int(number)), out=into)
+            done = self._verb("download", str_of(number), out=into)
             return Record(Path(done["file"]).read_bytes())
 
     def run(
@@ -101,8 +102,8 @@ class Calibrator:
         """Measures a list of points.
 
         Args:
-            points: a file (.toml or .csv), frequencies in Hz, or pairs of frequency and acceleration; None: one-third
-                octaves from 20 Hz to 10 kHz.
+            points: a file (.toml or .csv), frequencies in Hz, pairs of frequency and acceleration in m/s2 r.m.s., or a
+                table with the columns of such a file; None: one-third octaves from 20 Hz to 10 kHz.
             level: acceleration of points that state none, m/s2 r.m.s.
             sensor: serial number of the device in the logbook; else ``serial=``, ``model=``.
             on_point: is called with each point as it is measured. An exception of it stops the run.
@@ -188,12 +189,16 @@ def _list_of(points: Optional[Points], into: Path) -> Optional[Path]:
     """The file of a list of points."""
     if points is None or isinstance(points, (str, os.PathLike)):
         return None if points is None else Path(points)
+    if hasattr(points, "columns") or isinstance(points, Mapping):
+        return _tables.write_csv(into / "points.csv", _tables.columns(points))
     values = points.tolist() if hasattr(points, "tolist") else list(points)
     columns: "dict[str, list[Any]]" = {"frequency_hz": [], "acceleration_rms_ms2": []}
     for one in values:
-        frequency_hz, level = one if isinstance(one, Sequence) and not isinstance(one, str) else (one, None)
-        columns["frequency_hz"].append(frequency_hz)
-        columns["acceleration_rms_ms2"].append(level)
+        pair = one if isinstance(one, Sequence) and not isinstance(one, str) else (one, None)
+        if len(pair) != 2:
+            raise UsageError(f"{one!r} is no point", "give a frequency in Hz, or a pair of it and m/s2 r.m.s.")
+        columns["frequency_hz"].append(pair[0])
+        columns["acceleration_rms_ms2"].append(pair[1])
     if all(level is None for level in columns["acceleration_rms_ms2"]):
         del columns["acceleration_rms_ms2"]
     return _tables.write_csv(into / "points.csv", columns)

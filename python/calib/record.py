@@ -34,9 +34,14 @@ class Record:
 
     @classmethod
     def of_logbook(cls, number: int, *, logbook: Union[str, "os.PathLike[str]", None] = None) -> "Record":
-        """A record of the logbook, by its number there (``calib.verb("logbook", "records")`` lists them)."""
+        """A record of the logbook, by its ``number`` there (``calib.verb("logbook", "records")`` lists them).
+
+        Args:
+            number: in the logbook, not on the instrument.
+            logbook: default: that of this user.
+        """
         with _tables.folder() as into:
-            verb("logbook", "get", int(number), out=into / _FILE, logbook=logbook)
+            verb("logbook", "get", number, out=into / _FILE, logbook=logbook)
             return cls(into / _FILE)
 
     def _shown(self) -> Document:
@@ -47,7 +52,13 @@ class Record:
 
     @property
     def points(self) -> List[Document]:
-        """Points in rising frequency, then level: the keys of docs/json.md, each with its unit."""
+        """Points in rising frequency, then level: the keys of docs/json.md, each with its unit.
+
+        Raises:
+            UsageError: it is the record of a change of settings, which has none.
+        """
+        if not self.is_calibration:
+            raise UsageError("this record is of a change of settings and has no points", "`is_calibration` tells")
         return self.document["points"]
 
     @property
@@ -56,8 +67,8 @@ class Record:
         return "points" in self.document
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> Path:
-        """Writes the record as it was stored."""
-        path = Path(path)
+        """Writes the record as it was stored to ``path``."""
+        path = _tables.writable(path)
         path.write_bytes(self.bytes)
         return path
 
@@ -125,8 +136,11 @@ class Record:
         return [Path(name) for name in written["files"]]
 
     def verify(self, *, key: Optional[str] = None, **options: object) -> Document:
-        """Says what its signature proves, by the instrument's public key: 64 hexadecimal digits, or that which the
-        logbook knows.
+        """Says what its signature proves.
+
+        Args:
+            key: public key of the instrument, 64 hexadecimal digits; None: that which the logbook knows.
+            **options: further options of ``calib verify``: ``logbook``.
 
         Warns:
             NotPassedWarning: it was altered, or is not signed.

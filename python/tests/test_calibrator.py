@@ -17,12 +17,13 @@ import xarray
 from conftest import command_line
 
 import calib
+from calib.calibrator import _list_of
 
 
 def test_a_run_is_heard_point_by_point_and_is_a_record(measured):
     heard, run = measured
     assert [point.frequency_hz for point in heard] == [80.0, 160.0]
-    assert run.state == "finished" and run.record.points == run.record.document["points"]
+    assert isinstance(run, calib.Run) and run.state == "finished" and run.record.points == run.record.document["points"]
     # The emulated rig has 10 mV/(m/s2); U is stated, k = 2, and is far from the 5 % allowed here.
     for point, level in zip(run.points, (10.0, 5.0)):
         assert point.state == "valid"
@@ -39,6 +40,14 @@ def test_a_run_takes_points_level_and_sensor_in_this_order(place):
     assert "LW7" in str(run.record.document)
 
 
+@pytest.mark.parametrize("form", ["pairs", "array", "pandas", "dictionary"])
+def test_points_may_be_any_table(form, place):
+    points = {"frequency_hz": [80.0, 160.0], "acceleration_rms_ms2": [5.0, 10.0]}
+    given = {"pairs": list(zip(*points.values())), "array": numpy.array(list(points.values())).T,
+             "pandas": pandas.DataFrame(points), "dictionary": points}[form]
+    assert _list_of(given, place).read_text() == "frequency_hz,acceleration_rms_ms2\n80.0,5.0\n160.0,10.0\n"
+
+
 def test_a_record_is_a_table_with_units(measured):
     _, run = measured
     record = run.record
@@ -49,6 +58,9 @@ def test_a_record_is_a_table_with_units(measured):
     data = record.to_xarray()
     assert isinstance(data, xarray.Dataset) and data.sensitivity_v_per_ms2.dims == ("point",)
     assert numpy.array_equal(data.sensitivity_v_per_ms2.values, frame.sensitivity_v_per_ms2.values)
+    arrays = record.to_numpy()
+    assert list(arrays) == list(record.columns()) == list(frame) and arrays["inverted"].dtype == bool
+    assert arrays["sensitivity_v_per_ms2"].tolist() == [point.sensitivity_v_per_ms2 for point in record.points]
     with_units = [name for name in frame if re.search(r"_(hz|ms2|v|deg|rel|db|s|c)$|_per_", name)]
     assert len(with_units) > 20, list(frame)
 
@@ -70,10 +82,21 @@ def test_a_certificate_is_written_once_and_entered(measured, place):
     run.record.certificate("entered", format=["json", "csv"])
     issued = calib.verb("logbook", "certificates")
     assert sorted(one.format for one in issued) == ["csv", "json"]
+    (kept,) = calib.verb("logbook", "records")
+    assert calib.Record.of_logbook(kept.logbook_record) == run.record
+
+
+def test_a_certificate_in_the_universal_file_format_is_read_by_pyuff(measured, place):
     import pyuff
 
-    sets = pyuff.UFF(str([file for file in files if file.suffix == ".uff"][0])).read_sets()
-    assert sets
+    _, run = measured
+    (file,) = run.record.certificate("out", format="uff")
+    sets = pyuff.UFF(str(file)).read_sets()
+    (response,) = [one for one in (sets if isinstance(sets, list) else [sets]) if one["type"] == 58]
+    assert list(response["x"]) == pytest.approx([80.0, 160.0], rel=1e-6)
+    # Twelve digits of a value that is an f32.
+    wanted = [point.sensitivity_v_per_ms2 for point in run.record.points]
+    assert list(abs(response["data"])) == pytest.approx(wanted, rel=1e-6)
 
 
 def test_a_signature_is_verified_and_an_altered_record_refused(measured, place):
@@ -137,10 +160,21 @@ def test_a_signed_record_is_proven_by_its_key_and_by_no_other(place):
         assert calib.Record(bytes(altered)).verify(key=made["public_key"]).proof == "altered"
 
 
+def test_the_selftest_says_each_line_with_its_limits(served):
+    report = calib.connect(served[0]).selftest()
+    said, code = command_line("-d", served[0], "--json", "selftest")
+    names = [(line.check, line.unit, line.lower, line.upper) for line in report.lines]
+    assert names == [tuple(line[key] for key in ("check", "unit", "lower", "upper")) for line in said["lines"]]
+    assert report.passed == (code == 0) and len(names) > 5
+    for line in report.lines:
+        within = [line.lower is None or line.lower <= line.value, line.upper is None or line.value <= line.upper]
+        assert line.passed == all(within), line
+
+
 def test_a_calibrator_at_an_address_is_stopped_from_another_thread(served):
     address, _ = served
     instrument = calib.connect(address)
-    assert instrument.settings()["reference"]
+    assert isinstance(instrument, calib.Calibrator) and instrument.settings()["reference"]
     first = threading.Event()
     stopper = threading.Thread(target=lambda: (first.wait(60), instrument.stop()))
     stopper.start()
@@ -149,6 +183,17 @@ def test_a_calibrator_at_an_address_is_stopped_from_another_thread(served):
     stopper.join()
     assert run.state == "stopped" and 1 <= len(run.points) < 5
     assert instrument.info().records >= 1 and instrument.record(run.record_id) == run.record
+
+
+def test_a_change_of_settings_is_a_record_without_points():
+    # The emulated calibrator is shipped with its reference, which was a change.
+    instrument = calib.connect("emulated")
+    (line,) = [line for line in instrument.records() if line.kind == "reference_change"]
+    record = instrument.record(line.record_id)
+    assert not record.is_calibration and record._repr_html_() is None and record.document.settings
+    for asked in (record.to_pandas, record.to_numpy, record.columns, record.certificate, record.plot, lambda: record.points):
+        with pytest.raises(calib.CalibError, match="change of settings"):
+            asked()
 
 
 def test_an_exception_on_the_way_stops_the_run(served):
@@ -161,7 +206,8 @@ def test_an_exception_on_the_way_stops_the_run(served):
     with pytest.raises(RuntimeError, match="enough"):
         instrument.run([80, 160, 315, 630, 1250], on_point=no_more)
     # It is stored, and the instrument is free.
-    (stored,) = [line for line in instrument.records() if line.points]
+    lines = instrument.records()
+    (stored,) = [line for line in lines if line.points]
     assert len(instrument.record(stored.record_id).points) < 5
 
 
@@ -202,6 +248,26 @@ def test_ctrl_c_stops_the_run_and_stores_it(served):
     last = rest.splitlines()[-1]
     assert last.startswith("interrupted [") and process.returncode == 0
     assert 1 <= int(re.findall(r"\d+", last)[-1]) < 5
+
+
+LONG = """
+import calib
+try:
+    print("begun", flush=True)
+    calib.gap.challenge("set", cases=100_000, seed=1)
+except KeyboardInterrupt:
+    print("interrupted", len(calib.risk(4)), flush=True)
+"""
+
+
+def test_ctrl_c_ends_a_calculation_at_once(place):
+    process = subprocess.Popen([sys.executable, "-c", LONG], stdout=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == "begun\n"
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    # The rest of it would take hours, and is dropped with the interpreter.
+    rest, _ = process.communicate(timeout=60)
+    assert rest.startswith("interrupted ") and process.returncode == 0
 
 
 def test_other_threads_go_on_while_a_verb_works():

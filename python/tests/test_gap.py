@@ -38,7 +38,11 @@ def test_a_frame_with_a_rig_is_the_same_dataset(dataset):
         answer = calib.gap.diagnose(data, rig=dataset / "rig.toml")
         for key in ("verdict", "causes", "gap", "where"):
             assert answer[key] == by_folder[key], key
+    assert open("folder.html").read() == by_folder.save_report("again.html").read_text("utf-8")
     assert "<html" in open("folder.html").read()
+    (several,) = calib.gap.diagnose([dataset])
+    with pytest.raises(calib.UsageError, match="several"):
+        several.save_report("none.html")
 
 
 def test_a_simulation_is_the_table_of_the_command_line(dataset):
@@ -62,8 +66,6 @@ def test_a_sealed_set_is_answered_and_scored(place):
     (place / "a.jsonl").write_text("".join(json.dumps(one) + "\n" for one in answers))
     assert score == calib.gap.score("a.jsonl", "set-truth.json") == command_line(
         "--json", "gap", "score", "a.jsonl", "set-truth.json")[0]
-
-
 
 
 def test_an_unusable_dataset_of_several_is_an_error_beside_answers(dataset, place):

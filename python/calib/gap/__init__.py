@@ -6,7 +6,7 @@ from typing import Any, Iterable, List, Optional, Union
 
 from .. import _tables
 from .._tables import Content, Table
-from .._verb import carry_out
+from .._verb import carry_out, verb
 from ..errors import UsageError
 from .answer import Answer
 from .model import Model, divided_out, from_fmu, from_table, from_time_domain
@@ -32,7 +32,7 @@ def diagnose(
     rig: Optional[Content] = None,
     *,
     model: Optional[Model] = None,
-    without: Iterable[str] = (),
+    without: Union[str, Iterable[str]] = (),
     max_effects: int = 2,
     validate: Optional[_Path] = None,
     report: Optional[_Path] = None,
@@ -51,7 +51,7 @@ def diagnose(
         without: effects that must not be named.
         max_effects: largest number of effects at a time, 0 to 3.
         validate: another dataset to score on, instead of rows that took no part.
-        report: writes the report into this HTML file.
+        report: writes the report into this HTML file, in a folder that is there.
         confirm: adds the most probable cause to the emulated rig and compares (minutes).
 
     Returns:
@@ -61,8 +61,13 @@ def diagnose(
     Raises:
         InputError: unusable data, with file, line, column and the way out.
     """
+    if model is not None and not callable(model):
+        raise UsageError(f"a {type(model).__name__} is no model", "give a function, or one of from_time_domain(), ...")
+    if report is not None:
+        # Before the work, and not after it.
+        _tables.writable(report)
     options = {
-        "without": list(without),
+        "without": _names(without),
         "max_effects": max_effects,
         "validate": validate,
         "confirm": confirm,
@@ -71,6 +76,8 @@ def diagnose(
         if _are_folders(data):
             if model is not None or rig is not None:
                 raise UsageError("model= and rig= are for one dataset", "call diagnose() once for each")
+            if not data:
+                raise UsageError("the list names no dataset", "name folders, or a sealed set")
             words = ["gap", "diagnose", *(os.fspath(one) for one in data)]
             answers = carry_out(words, {**options, "report": report})
             return [Answer(one) if "verdict" in one else one for one in _listed(answers)]
@@ -109,8 +116,7 @@ def simulate(
     Returns:
         The folder, or the table as columns by name (``pandas.DataFrame`` takes it).
     """
-    wanted = [effects] if isinstance(effects, str) else list(effects)
-    options = {"effect": wanted, "seed": seed, "columns": columns, "off_by": off_by}
+    options = {"effect": _names(effects), "seed": seed, "columns": columns, "off_by": off_by}
     with _tables.folder() as into:
         believed = rig if isinstance(rig, str) else _tables.content_file(rig, into, "rig.toml")
         folder = Path(out) if out is not None else into / "dataset"
@@ -135,13 +141,27 @@ def plan(data: Content, *, most: int = 24) -> Any:
 
 def effects(name: Optional[str] = None) -> Any:
     """The library: of each effect stage, formula, parameters with units and bounds, where it shows, what it is
-    confused with; of one, a list of one."""
-    return carry_out(["gap", "effects", *([] if name is None else [name])], {})
+    confused with.
+
+    Args:
+        name: of one effect: a list of one is returned; None: all.
+    """
+    return verb("gap", "effects", *([] if name is None else [name]))
 
 
-def challenge(out: _Path, *, cases: int, seed: int, strata: Iterable[str] = ()) -> Any:
-    """A sealed set: ``cases`` datasets of each kind in ``out``, their truth beside it in ``OUT-truth.json``."""
-    options = {"cases": cases, "seed": seed, "strata": list(strata)}
+def challenge(out: _Path, *, cases: int, seed: int, strata: Union[str, Iterable[str]] = ()) -> Any:
+    """A sealed set: datasets whose truth is kept apart, beside it in ``OUT-truth.json``.
+
+    Args:
+        out: a new folder for the datasets.
+        cases: of each kind.
+        seed: of everything that is drawn: who knows it knows the truth.
+        strata: kinds of cases: ``null``, ``single``, ``pair``, ``withheld``, ...; empty: all.
+
+    Returns:
+        How many there are, and the SHA-256 of the truth, to be published before anybody answers.
+    """
+    options = {"cases": cases, "seed": seed, "strata": _names(strata)}
     return carry_out(["gap", "challenge", os.fspath(out)], options)
 
 
@@ -163,6 +183,11 @@ def _lines(answers: Iterable[Any], path: Path) -> Path:
 
     path.write_text("".join(json.dumps(one) + "\n" for one in answers), encoding="utf-8")
     return path
+
+
+def _names(value: Union[str, Iterable[str]]) -> List[str]:
+    """Names in a list; a single one need not be."""
+    return [value] if isinstance(value, str) else list(value)
 
 
 def _are_folders(data: Any) -> bool:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, Optional, Union
 
 from .._answer import Document
+from .._tables import writable
 from ..errors import UsageError
 
 
@@ -25,10 +26,10 @@ class Answer(Document):
         return type(self), (dict(self), self._page)
 
     def save_report(self, path: Union[str, "os.PathLike[str]"]) -> Path:
-        """Writes the report, one HTML page that needs nothing else."""
+        """Writes the report to ``path``: one HTML page that needs nothing else."""
         if self._page is None:
             raise UsageError("one of several answers has no report of its own", "diagnose that dataset alone")
-        path = Path(path)
+        path = writable(path)
         path.write_text(self._page, encoding="utf-8")
         return path
 
