@@ -395,7 +395,9 @@ mod tests {
         let newer = folder.path().join("newer.sqlite");
         let logbook = Logbook::open(&newer).expect("logbook");
         let later = VERSION + 1;
-        let update = logbook.connection.pragma_update(None, "user_version", later);
+        let update = logbook
+            .connection
+            .pragma_update(None, "user_version", later);
         update.expect("a later form");
         let named = format!("form {later}");
         for (path, words) in [(text, "damaged"), (other, "no logbook"), (newer, &*named)] {
