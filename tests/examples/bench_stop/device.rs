@@ -169,7 +169,8 @@ impl Device {
             Request::Stop => stop(&mut state),
             Request::StopRun { record_id } if *record_id == state.run => stop(&mut state),
             Request::StopRun { .. } => Response::Done,
-            _ => Response::Refused(Refusal::Busy),
+            // It knows no more, as an older release.
+            _ => Response::Refused(Refusal::Unknown),
         }
     }
 }
