@@ -1,19 +1,16 @@
-"""Figures of the fleet: questions and diagnoses on Spark with 1 and 2 executors, beside DuckDB and the plain package.
+"""Figures of the fleet: questions and diagnoses on Spark with 1 and 2 executors, beside DuckDB and the plain tool.
 
-    bench.py [--records 100000] [--datasets 10000] [--json OUT]
+    bench.py [--records 2000 20000 100000 1000000] [--datasets 10000] [--json OUT]
 """
 
 import argparse
 import json
 import math
 import os
-import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import time
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
@@ -25,6 +22,8 @@ import make_lake
 
 #: Largest relative difference of two engines: sums in another order.
 AGREES_REL = 1e-7
+#: Cores, threads or executors that each way is tried with.
+CORES = (1, 2)
 
 
 def timed(work):
@@ -35,20 +34,20 @@ def timed(work):
 
 
 def by_duckdb(place, threads):
-    """Every question by DuckDB: seconds and rows, by name."""
+    """Every question by DuckDB: seconds to start, and seconds and rows of each by name."""
     import duckdb
 
-    connection = tables.duckdb_views(duckdb.connect(config={"threads": threads}), place)
-    return {name: timed(lambda name=name: connection.execute(tables.query(name)).fetchall()) for name in tables.questions()}
+    started, connection = timed(lambda: tables.duckdb_views(duckdb.connect(config={"threads": threads}), place))
+    ask = lambda name: connection.execute(tables.query(name)).fetchall()
+    return started, {name: timed(lambda name=name: ask(name)) for name in tables.questions()}
 
 
 def by_spark(place, executors):
-    """The same by Spark."""
-    spark = cluster.session(executors)
+    """The same by Spark; its start is that of the cluster, too."""
+    started, spark = timed(lambda: tables.spark_views(cluster.session(executors), place))
     try:
-        tables.spark_views(spark, place)
         ask = lambda name: [tuple(row) for row in spark.sql(tables.query(name)).collect()]
-        return {name: timed(lambda name=name: ask(name)) for name in tables.questions()}
+        return started, {name: timed(lambda name=name: ask(name)) for name in tables.questions()}
     finally:
         spark.stop()
 
@@ -67,120 +66,129 @@ def same(a, b):
     return a == b
 
 
-def rows_of(count):
-    """So many datasets as rows: fifty of four causes and none, each of its own seed, as often as needed."""
+def questions(records):
+    """Seconds from nothing to five answers by each way, and whether they are the same."""
+    with tempfile.TemporaryDirectory() as name:
+        place = Path(name) / "lake"
+        took, truth = timed(lambda: make_lake.make(place, records))
+        files = sum(1 for _ in place.rglob("*.parquet"))
+        print(f"{records} records in {files} files, made in {took:.0f} s", flush=True)
+        ways = {}
+        for engine, ask in (("duckdb", by_duckdb), ("spark", by_spark)):
+            for cores in CORES:
+                started, answers = ask(place, cores)
+                truth_rows = ways.setdefault("rows", {question: rows for question, (_, rows) in answers.items()})
+                wrong = sum(differing(rows, truth_rows[question]) for question, (_, rows) in answers.items())
+                asked = {question: round(took, 3) for question, (took, _) in answers.items()}
+                ways[f"{engine} {cores}"] = {"start_s": round(started, 3), "questions_s": asked, "differing": wrong}
+                print(f"  {engine:<6} {cores}: {started:6.2f} s to start, {sum(asked.values()):7.2f} s for {len(asked)}"
+                      f" questions, {wrong} rows differ", flush=True)
+        found = {row[0] for row in ways.pop("rows")["outliers"] if abs(row[4]) > 1 and row[1].startswith("CHECK")}
+        return {"records": records, "files": files, "outliers_found": sorted(found) == truth["outliers"], **ways}
+
+
+def from_nothing(way):
+    """Seconds until every question is answered."""
+    return way["start_s"] + sum(way["questions_s"].values())
+
+
+def crossover(sizes):
+    """Smallest lake of which Spark is asked sooner than DuckDB, each with the cores it likes best; None: not reached."""
+    best = lambda size, engine: min(from_nothing(size[f"{engine} {cores}"]) for cores in CORES)
+    return next((size["records"] for size in sizes if best(size, "spark") < best(size, "duckdb")), None)
+
+
+#: What the measured side of a dataset has; none too. Effects that one sweep of ratio and phase can show.
+CAUSES = ([], ["dut_resonance"], ["dut_highpass"], ["mount_compliance"], ["dut_frequency_slope"])
+
+
+def sweep_of(seed):
+    """A dataset as a row: one sweep, ratio and phase alone, so that ten thousand can be waited for."""
     import calib
 
-    causes = [[], ["suspension_cubic"], ["dut_drift"], ["coulomb_friction"], ["cable_capacitance"]]
-    known = {effect["id"] for effect in calib.gap.effects()}
-    causes = [cause for cause in causes if set(cause) <= known]
     with tempfile.TemporaryDirectory() as name:
-        distinct = min(count, 50)
-        folders = [
-            calib.gap.simulate("standard", causes[n % len(causes)], out=Path(name) / str(n), seed=n, columns="ratio")
-            for n in range(distinct)
-        ]
-        kept = diagnose.datasets(folders)
-    # More than that are the same again: making them would take longer than diagnosing them.
-    return [(f"{n:06}", kept[n % distinct][1], kept[n % distinct][2]) for n in range(count)]
+        place = Path(name) / f"{seed:06}"
+        calib.gap.simulate("standard", CAUSES[seed % len(CAUSES)], out=place, seed=seed, columns="ratio")
+        ((dataset, points, rig),) = diagnose.datasets([place])
+    head, *lines = points.splitlines(keepends=True)
+    return dataset, head + "".join(line for line in lines if line.startswith("0,")), rig
 
 
-def answers_by_spark(rows, executors, kill=False):
-    """Answers by `mapInPandas`, in the order of their names; with `kill` an executor is killed on the way."""
+def rows_of(count):
+    """So many datasets, each of its own seed."""
+    return [sweep_of(seed) for seed in range(count)]
+
+
+def put(rows, folder):
+    """The datasets as folders, which the plain tool reads."""
+    for name, points, rig in rows:
+        place = folder / name
+        place.mkdir(parents=True)
+        (place / "points.csv").write_text(points, encoding="utf-8")
+        (place / "rig.toml").write_text(rig, encoding="utf-8")
+
+
+#: The plain tool in a process of its own, which has so many cores: `calib gap diagnose FOLDER --json`.
+PLAIN = "import calib, json, sys; json.dump(calib.gap.diagnose(sorted(sys.argv[1:])), sys.stdout)"
+
+
+def by_plain(rows, cores):
+    """Seconds, and answers in the order of their names, by one call of the plain tool."""
+    with tempfile.TemporaryDirectory() as name:
+        put(rows, Path(name))
+        call = [sys.executable, "-c", PLAIN, *(str(path) for path in Path(name).iterdir())]
+        asked = {**os.environ, "RAYON_NUM_THREADS": str(cores)}
+        took, done = timed(lambda: subprocess.run(call, env=asked, stdout=subprocess.PIPE, check=True))
+    return took, [diagnose.row_of(row[0], answer) for row, answer in zip(rows, json.loads(done.stdout))]
+
+
+def by_executors(rows, executors, kill=False):
+    """The same by `mapInPandas`, and the tasks that were lost; with `kill` an executor is killed on the way."""
     spark = cluster.session(executors)
     try:
-        here = Path(__file__).parent / "diagnose.py"
-        spark.sparkContext.addPyFile(str(here))
-        frame = spark.createDataFrame(rows, "dataset string, points string, rig string").repartition(8 * executors)
-        # The cluster is up, and its Pythons are.
-        frame.limit(1).mapInPandas(diagnose.answered, diagnose.ANSWERS).collect()
-        killer = threading.Timer(5.0, kill_an_executor) if kill else None
-        if killer:
-            killer.start()
-        took, found = timed(lambda: frame.mapInPandas(diagnose.answered, diagnose.ANSWERS).collect())
-        return took, sorted(tuple(row) for row in found)
+        # The cluster is up, and its Pythons have loaded what they need.
+        started, _ = timed(lambda: diagnose.on_spark(spark, rows[: 4 * executors]).collect())
+        if kill:
+            # That one is lost is no news.
+            spark.sparkContext.setLogLevel("OFF")
+            cluster.kill_in_mid_job(spark)
+        took, found = timed(lambda: diagnose.on_spark(spark, rows).collect())
+        return started, took, sorted(tuple(row) for row in found), cluster.lost_tasks(spark)
     finally:
         spark.stop()
 
 
-def kill_an_executor():
-    """Kills one executor of this program's own cluster."""
-    listed = subprocess.run(["ps", "-eo", "pid,ppid,args"], capture_output=True, text=True).stdout.splitlines()[1:]
-    parents = {int(line.split()[0]): int(line.split()[1]) for line in listed}
-    for line in listed:
-        pid = int(line.split()[0])
-        if "CoarseGrainedExecutorBackend" in line and is_below(pid, parents):
-            os.kill(pid, signal.SIGKILL)
-            print(f"killed executor {pid}", flush=True)
-            return
-    print("no executor to kill", flush=True)
-    os.kill(os.getpid(), signal.SIGINT)
-
-
-def is_below(pid, parents):
-    """Whether a process was started by this one."""
-    while pid > 1:
-        if pid == os.getpid():
-            return True
-        pid = parents.get(pid, 0)
-    return False
-
-
-def one_core():
-    """A worker of the plain package diagnoses on one core, as one of Spark does."""
-    os.environ["RAYON_NUM_THREADS"] = "1"
-
-
-def answers_plain(rows, processes):
-    """The same answers by the plain package on so many cores."""
-    def work():
-        with ProcessPoolExecutor(processes, initializer=one_core) as pool:
-            return list(pool.map(answer_row, rows, chunksize=16))
-
-    took, found = timed(work)
-    return took, sorted(found)
-
-
-def answer_row(row):
-    return diagnose.answer_of(*row)
+def diagnoses(count):
+    """Seconds for so many datasets by each way, and whether the answers are the same."""
+    took, rows = timed(lambda: rows_of(count))
+    print(f"{count} datasets of one sweep each, made in {took:.0f} s", flush=True)
+    ways = {}
+    for cores in CORES:
+        plain, wanted = by_plain(rows, cores)
+        ways[f"plain {cores}"] = {"s": round(plain, 2)}
+        print(f"  plain {cores}: {plain:7.1f} s", flush=True)
+        for kill in (False, True)[:cores]:
+            started, took, found, lost = by_executors(rows, cores, kill)
+            wrong = sum(a != b for a, b in zip(found, wanted)) + abs(len(found) - len(wanted))
+            way = {"start_s": round(started, 2), "s": round(took, 2), "differing": wrong, "lost_tasks": lost}
+            ways[f"spark {cores}{', one killed' if kill else ''}"] = way
+            print(f"  spark {cores}: {took:7.1f} s, {took / plain:.2f} of plain, after {started:.1f} s to start;"
+                  f" {wrong} answers differ, executors killed {len(lost)}", flush=True)
+    return {"datasets": count, **ways}
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--records", type=int, default=100_000)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--records", type=int, nargs="*", default=[2_000, 20_000, 100_000, 1_000_000])
     parser.add_argument("--datasets", type=int, default=10_000)
     parser.add_argument("--json", type=Path)
     asked = parser.parse_args()
-    one_core()
-    report = {"records": asked.records, "datasets": asked.datasets, "questions": {}, "diagnosis": {}}
-    with tempfile.TemporaryDirectory() as name:
-        place = Path(name) / "lake"
-        took, truth = timed(lambda: make_lake.make(place, asked.records))
-        print(f"lake of {asked.records} records made in {took:.1f} s")
-        ways = {f"duckdb, {n} threads": by_duckdb(place, n) for n in (1, 2)}
-        ways.update({f"spark, {n} executors": by_spark(place, n) for n in (1, 2)})
-        plain = ways["duckdb, 2 threads"]
-        for way, answers in ways.items():
-            report["questions"][way] = {
-                question: {"s": round(took, 3), "rows": len(rows), "differing": differing(rows, plain[question][1])}
-                for question, (took, rows) in answers.items()
-            }
-            total = sum(took for took, _ in answers.values())
-            wrong = sum(one["differing"] for one in report["questions"][way].values())
-            print(f"{way:<22} {total:7.2f} s for {len(answers)} questions, {wrong} rows differ")
-        found = sorted({row[0] for row in plain["outliers"][1] if abs(row[4]) > 1 and row[1].startswith("CHECK")})
-        report["outliers"] = {"true": truth["outliers"], "found": found}
-        print("outliers", truth["outliers"], "found", found)
-    rows = rows_of(asked.datasets)
-    plain = {n: answers_plain(rows, n) for n in (1, 2)}
-    for n, (took, _) in plain.items():
-        report["diagnosis"][f"plain, {n} processes"] = {"s": round(took, 2)}
-        print(f"plain, {n} processes    {took:8.1f} s for {asked.datasets} datasets")
-    for way, executors, kill in (("1 executors", 1, False), ("2 executors", 2, False), ("2 executors, one killed", 2, True)):
-        took, found = answers_by_spark(rows, executors, kill)
-        wrong = sum(a != b for a, b in zip(found, plain[2][1])) + abs(len(found) - len(rows))
-        report["diagnosis"][f"spark, {way}"] = {"s": round(took, 2), "differing": wrong}
-        print(f"spark, {way:<24} {took:8.1f} s, {wrong} answers differ")
+    report = {"questions": [questions(records) for records in asked.records]}
+    if report["questions"]:
+        report["crossover_records"] = crossover(report["questions"])
+        print("Spark is the sooner from", report["crossover_records"] or f"more than {max(asked.records)}", "records on")
+    if asked.datasets:
+        report["diagnosis"] = diagnoses(asked.datasets)
     if asked.json:
         asked.json.parent.mkdir(parents=True, exist_ok=True)
         asked.json.write_text(json.dumps(report, indent=2), encoding="utf-8")

@@ -2,12 +2,23 @@
 
 import json
 
+#: Columns of a dataset in a table: its name, the text of its `points.csv`, and that of its `rig.toml`.
+DATASETS = "dataset string, points string, rig string"
 #: Columns of an answer in a table; `answer` is the whole document.
 ANSWERS = "dataset string, verdict string, cause string, probability double, summary string, answer string"
+#: Tasks an executor's core is given of a job: what is lost with one is a small part of it.
+TASKS_A_CORE = 8
+
+
+def on_spark(spark, rows):
+    """Answers of rows of DATASETS as a frame of Spark, with the columns ANSWERS."""
+    spark.sparkContext.addPyFile(__file__)
+    frame = spark.createDataFrame(rows, DATASETS)
+    return frame.repartition(TASKS_A_CORE * spark.sparkContext.defaultParallelism).mapInPandas(answered, ANSWERS)
 
 
 def answered(frames):
-    """`mapInPandas`: rows of `dataset`, `points` (CSV), `rig` (TOML) become rows of ANSWERS."""
+    """`mapInPandas`: rows of DATASETS become rows of ANSWERS."""
     import pandas
 
     for frame in frames:
@@ -24,13 +35,20 @@ def answer_of(dataset, points, rig):
 
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "points.csv").write_text(points, encoding="utf-8")
-        (folder / "rig.toml").write_text(rig, encoding="utf-8")
+        for file, text in (("points.csv", points), ("rig.toml", rig)):
+            # What a table does not state is a file that is not there.
+            if isinstance(text, str):
+                (folder / file).write_text(text, encoding="utf-8")
         try:
             answer = calib.gap.diagnose(folder)
         except calib.CalibError as error:
-            return dataset, "unusable", "", None, str(error).replace(name, dataset), ""
-    # The folder is ours and gone.
+            return dataset, "unusable", "", None, str(error).replace(name, str(dataset)), ""
+    return row_of(dataset, answer)
+
+
+def row_of(dataset, answer):
+    """An answer as a row of ANSWERS."""
+    # The folder it was in is gone.
     answer["dataset"]["path"] = dataset
     best = answer["causes"][0] if answer["causes"] else None
     cause = "+".join(best["effects"]) if best else ""
@@ -38,8 +56,10 @@ def answer_of(dataset, points, rig):
 
 
 def datasets(folders):
-    """Folders as rows for a job."""
+    """Folders of datasets as rows of DATASETS."""
+    from pathlib import Path
+
     return [
         (folder.name, (folder / "points.csv").read_text("utf-8"), (folder / "rig.toml").read_text("utf-8"))
-        for folder in folders
+        for folder in map(Path, folders)
     ]

@@ -3,6 +3,8 @@
 from pathlib import Path
 
 TABLES = ("records", "points", "settings", "budgets", "checks")
+#: Columns that are folders: a laboratory called 12 is no number.
+FOLDERS = {"laboratory": "VARCHAR", "instrument": "VARCHAR", "year": "BIGINT"}
 SQL = Path(__file__).parent / "sql"
 
 
@@ -23,11 +25,12 @@ def shared():
 
 def duckdb_views(connection, lake):
     """Views over a lake, for DuckDB."""
+    folders = ", ".join(f"'{name}': {kind}" for name, kind in FOLDERS.items())
     for table in TABLES:
         files = f"{Path(lake)}/{table}/**/*.parquet".replace("'", "''")
         connection.execute(
             f"CREATE OR REPLACE VIEW {table} AS SELECT *, epoch_ms(time) / 1000.0 AS time_s FROM read_parquet("
-            f"'{files}', hive_partitioning = true, union_by_name = true)"
+            f"'{files}', hive_types = {{{folders}}}, union_by_name = true)"
         )
     for name, text in shared():
         connection.execute(f"CREATE OR REPLACE VIEW {name} AS {text}")
@@ -36,8 +39,10 @@ def duckdb_views(connection, lake):
 
 def spark_views(spark, lake):
     """Views over a lake, for Spark."""
+    spark.conf.set("spark.sql.sources.partitionColumnTypeInference.enabled", "false")
     for table in TABLES:
         frame = spark.read.option("mergeSchema", "true").parquet(f"{lake}/{table}")
+        frame = frame.withColumn("year", frame["year"].cast("bigint"))
         frame.selectExpr("*", "unix_millis(time) / 1000.0D AS time_s").createOrReplaceTempView(table)
     for name, text in shared():
         spark.sql(text).createOrReplaceTempView(name)

@@ -86,7 +86,7 @@ def make(lake, records, seed=1):
     connection = duckdb.connect()
     connection.register("drawn", pyarrow.table({name: pyarrow.array(list(values)) for name, values in columns.items()}))
     connection.execute(
-        "CREATE TABLE results AS SELECT *, (to_timestamp(seconds) AT TIME ZONE 'UTC')::TIMESTAMP_MS AS time,"
+        "CREATE TABLE results AS SELECT *, to_timestamp(seconds) AS time,"
         " instrument_serial AS instrument, year(to_timestamp(seconds) AT TIME ZONE 'UTC') AS year FROM drawn"
     )
     connection.execute("SET preserve_insertion_order = false")

@@ -18,13 +18,13 @@ import make_lake
 
 @pytest.fixture
 def exported(measured, place):
-    """A lake of one record, added through the package."""
+    """A lake of one record, added through the package by a laboratory whose name looks like a number."""
     _, run = measured
     run.record.save("r.calibrec")
     (added,) = calib.verb("logbook", "add", "r.calibrec")
-    done = calib.export_lake("lake", laboratory="Lab 1")
+    done = calib.export_lake("lake", laboratory="12")
     assert done.records == 1 and len(done.files) == 5, added
-    assert calib.export_lake("lake", laboratory="Lab 1").records == 0
+    assert calib.export_lake("lake", laboratory="12").records == 0
     return run.record
 
 
@@ -36,7 +36,7 @@ def test_a_point_is_the_same_in_every_reader(exported):
     for table in (by_pandas, by_polars.to_pandas(), by_duckdb):
         # A record keeps S as f32, which the document states in its shortest digits.
         assert table.sensitivity_v_per_ms2.tolist() == pytest.approx(wanted, rel=1e-7)
-        assert set(table.laboratory) == {"Lab 1"} and len(table) == 2
+        assert len(table) == 2
 
 
 def test_a_certificates_table_is_read_by_pandas(exported, place):
@@ -49,6 +49,7 @@ def test_every_question_is_answered_of_a_real_lake(exported):
     asked = lake.duckdb_views(duckdb.connect(), "lake")
     state = asked.sql(lake.query("state")).df()
     assert list(state.records) == [1] and state.due_s.isna().all()
+    assert list(state.laboratory) == ["12"]
     for question in lake.questions():
         asked.sql(lake.query(question)).fetchall()
 
@@ -62,8 +63,6 @@ def test_made_lakes_have_the_columns_of_real_ones(exported, place):
             {row[0]: row[1] for row in duckdb.sql(f"describe from read_parquet('{which}/{table}/**/*.parquet')").fetchall()}
             for which in ("lake", "made")
         ]
-        for one in names:
-            one.pop("time")
         assert names[0] == names[1], table
 
 

@@ -127,8 +127,8 @@ const IN_PYTHON: [(&str, &str, &str, &str); 2] = [
     (
         "fleet",
         "fleet/bench.py",
-        "pyspark==4.*",
-        "questions and diagnoses of a fleet on Spark, beside DuckDB and the plain package: [--records N] [--datasets N]",
+        python::SPARK,
+        "questions and diagnoses of a fleet on Spark, beside DuckDB and the plain tool: [--records N ...] [--datasets N]",
     ),
     (
         "own-model",
@@ -148,8 +148,8 @@ fn in_python(
     if !packages.is_empty() {
         python::with(&interpreter, packages)?;
     }
-    if *name == "fleet" && packages::find("java").is_none() {
-        packages::install(&["openjdk-17-jre-headless"])?;
+    if *name == "fleet" {
+        packages::installed("java")?;
     }
     wheel::installed(&interpreter)?;
     let mut bench = Command::new(&interpreter);

@@ -7,6 +7,15 @@ use anyhow::{Context, Result};
 use std::path::PathBuf;
 use std::process::Command;
 
+/// Packages that go by another name than their program.
+const PACKAGES: [(&str, &str); 1] = [("java", "default-jre-headless")];
+
+/// The package a program is in.
+fn package_of(program: &str) -> &str {
+    let named = PACKAGES.iter().find(|(name, _)| *name == program);
+    named.map_or(program, |(_, package)| package)
+}
+
 /// Where a program is, if it is in the path.
 pub(crate) fn find(program: &str) -> Option<PathBuf> {
     let path = std::env::var_os("PATH")?;
@@ -14,11 +23,12 @@ pub(crate) fn find(program: &str) -> Option<PathBuf> {
     candidates.into_iter().find(|file| file.is_file())
 }
 
-/// A program that tests need, of the package of its name; `None`, after saying what is not tested, where it is
+/// A program that tests need; `None`, after saying what is not tested, where it is
 /// missing on a person's computer.
 pub(crate) fn for_tests(program: &str, tests: &str) -> Result<Option<PathBuf>> {
     if find(program).is_none() && std::env::var_os("CI").is_none() {
-        eprintln!("no {program}: tests of {tests} say so and pass (apt-get install {program})");
+        let package = package_of(program);
+        eprintln!("no {program}: tests of {tests} say so and pass (apt-get install {package})");
         return Ok(None);
     }
     installed(program).map(Some)
@@ -27,7 +37,7 @@ pub(crate) fn for_tests(program: &str, tests: &str) -> Result<Option<PathBuf>> {
 /// The same for who asked for it by name: what is nothing without it installs it.
 pub(crate) fn installed(program: &str) -> Result<PathBuf> {
     if find(program).is_none() {
-        install(&[program])?;
+        install(&[package_of(program)])?;
     }
     find(program).with_context(|| format!("{program} is not there after it was installed"))
 }

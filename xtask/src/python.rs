@@ -4,6 +4,7 @@
 //! environment below `target`. Without Python those tests say so and pass,
 //! except in CI, where a missing reader is a failure.
 
+use crate::packages;
 use crate::shell::{root, run, target_dir};
 use anyhow::Result;
 use std::path::{Path, PathBuf};
@@ -41,7 +42,24 @@ pub(crate) fn interpreter() -> Result<Option<PathBuf>> {
     }
 }
 
-/// Adds what one benchmark alone compares itself with.
+/// The engine of the fleet, which is a program for Java.
+pub(crate) const SPARK: &str = "pyspark==4.*";
+
+/// Adds Spark for the tests, where there is a Java.
+pub(crate) fn with_spark(interpreter: &Path) -> Result<()> {
+    if packages::for_tests("java", "the fleet on Spark")?.is_none() {
+        return Ok(());
+    }
+    match with(interpreter, SPARK) {
+        Err(error) if std::env::var_os("CI").is_none() => {
+            eprintln!("no Spark ({error:#}): tests of it say so and pass");
+            Ok(())
+        }
+        other => other,
+    }
+}
+
+/// Adds packages that the lists do not have: large ones, which few need.
 pub(crate) fn with(interpreter: &Path, packages: &str) -> Result<()> {
     run(Command::new(interpreter)
         .args(["-m", "pip", "install", "--quiet"])

@@ -134,6 +134,7 @@ fn metadata() -> Result<String> {
 /// Tests the package with pytest, in the environment of the tests: the wheel, as a user installs it.
 pub(crate) fn test(interpreter: &Path, image: &Path) -> Result<()> {
     installed(interpreter)?;
+    python::with_spark(interpreter)?;
     let mut tests = Command::new(interpreter);
     tests.args(["-m", "pytest", "--quiet", "-p", "no:cacheprovider"]);
     tests.arg(root().join("python/tests"));

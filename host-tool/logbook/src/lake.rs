@@ -63,11 +63,12 @@ pub fn add_to_lake(logbook: &Logbook, lake: &Path, laboratory: &str) -> Result<A
     let lock = lake.join("_lock");
     let held = file::open_itself(&lock)?;
     held.lock().map_err(|e| Error::file("lock", &lock, e))?;
+    let of_laboratory = format!("laboratory={}", escaped(laboratory));
     let mut addition = Addition::default();
     for (partition, lines) in logbook.partitions()? {
         let place = Place {
             lake,
-            below: partition.below(laboratory),
+            below: Path::new(&of_laboratory).join(partition.below()),
         };
         place.add(logbook, &partition, lines, &mut addition)?;
     }
@@ -95,15 +96,10 @@ impl Logbook {
 }
 
 impl Partition {
-    fn below(&self, laboratory: &str) -> PathBuf {
-        let folder = |key: &str, value: &str| format!("{key}={}", escaped(value));
-        [
-            folder("laboratory", laboratory),
-            folder("instrument", &self.instrument),
-            format!("year={}", self.year),
-        ]
-        .iter()
-        .collect()
+    /// Its folder below that of a laboratory.
+    fn below(&self) -> PathBuf {
+        let instrument = format!("instrument={}", escaped(&self.instrument));
+        Path::new(&instrument).join(format!("year={}", self.year))
     }
 }
 
@@ -138,9 +134,7 @@ impl Place<'_> {
         lines: Vec<Line>,
         addition: &mut Addition,
     ) -> Result<()> {
-        let whole = files(&self.folder(LAST))?;
-        self.remove_leftovers(&whole)?;
-        let known = self.known(&whole)?;
+        let known = known(self.lake, partition)?;
         let new: Vec<Line> = lines
             .into_iter()
             .filter(|(_, sum)| !known.contains(sum))
@@ -163,55 +157,73 @@ impl Place<'_> {
         Ok(())
     }
 
-    /// A file that is there is whole.
+    /// A file that is there is whole, and is on disk before the next one is begun.
     fn put(&self, staged: &Path, path: &Path) -> Result<()> {
+        let kept = File::options().write(true).open(staged);
+        let kept = kept.and_then(|written| written.sync_all());
+        kept.map_err(|e| Error::file("write", staged, e))?;
         if let Some(folder) = path.parent() {
             fs::create_dir_all(folder).map_err(|e| Error::file("create", folder, e))?;
         }
         file::rename(staged, path)
     }
+}
 
-    /// Removes what a call has written that was cut off before its `records`.
-    fn remove_leftovers(&self, whole: &[OsString]) -> Result<()> {
+/// Sums of the records of an instrument and year that are there, by whatever name a laboratory added them: it may have
+/// taken another since. What a call has written that was cut off before its `records` is removed.
+fn known(lake: &Path, partition: &Partition) -> Result<HashSet<String>> {
+    let mut known = HashSet::new();
+    // The first table has whatever the last one has.
+    for laboratory in folders(&lake.join(LAKE_TABLES[0].name))? {
+        let below = Path::new(&laboratory).join(partition.below());
+        let whole = files(&lake.join(LAST).join(&below))?;
         for table in LAKE_TABLES.iter().filter(|table| table.name != LAST) {
-            let folder = self.folder(table.name);
-            for left in files(&folder)?.iter().filter(|name| !whole.contains(name)) {
-                let file = folder.join(left);
-                fs::remove_file(&file).map_err(|e| Error::file("remove", &file, e))?;
-            }
+            remove_others(&lake.join(table.name).join(&below), &whole)?;
         }
-        Ok(())
+        for name in &whole {
+            let file = lake.join(LAST).join(&below).join(name);
+            known.extend(texts(&file, "record_sha256")?);
+        }
     }
+    Ok(known)
+}
 
-    /// Sums of the records that are there.
-    fn known(&self, whole: &[OsString]) -> Result<HashSet<String>> {
-        let mut known = HashSet::new();
-        for name in whole {
-            known.extend(texts(&self.folder(LAST).join(name), "record_sha256")?);
-        }
-        Ok(known)
+/// Leaves these files in a folder alone.
+fn remove_others(folder: &Path, names: &[OsString]) -> Result<()> {
+    for left in files(folder)?.iter().filter(|name| !names.contains(name)) {
+        let file = folder.join(left);
+        fs::remove_file(&file).map_err(|e| Error::file("remove", &file, e))?;
     }
+    Ok(())
+}
+
+/// Names of the folders in a folder, which need not be there.
+fn folders(folder: &Path) -> Result<Vec<OsString>> {
+    let mut names = entries(folder)?;
+    names.retain(|name| folder.join(name).is_dir());
+    Ok(names)
 }
 
 /// Names of the Parquet files in a folder, which need not be there.
 fn files(folder: &Path) -> Result<Vec<OsString>> {
+    let mut names = entries(folder)?;
+    names.retain(|name| {
+        Path::new(name)
+            .extension()
+            .is_some_and(|is| is == "parquet")
+    });
+    Ok(names)
+}
+
+/// Names of what is in a folder, which need not be there.
+fn entries(folder: &Path) -> Result<Vec<OsString>> {
     let entries = match fs::read_dir(folder) {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
         entries => entries.map_err(|e| Error::file("read", folder, e))?,
     };
-    let mut names = Vec::new();
-    for entry in entries {
-        let name = entry
-            .map_err(|e| Error::file("read", folder, e))?
-            .file_name();
-        if Path::new(&name)
-            .extension()
-            .is_some_and(|is| is == "parquet")
-        {
-            names.push(name);
-        }
-    }
-    Ok(names)
+    let names = entries.map(|entry| entry.map(|entry| entry.file_name()));
+    let names: std::io::Result<Vec<OsString>> = names.collect();
+    names.map_err(|e| Error::file("read", folder, e))
 }
 
 /// The same records make the same file.

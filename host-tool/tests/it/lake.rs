@@ -56,6 +56,9 @@ fn a_record_is_in_the_lake_once_whoever_adds_it() {
     }
     let from_copy = add_to_lake(&copy, &lake, "Lab/1").expect("nothing new");
     assert_eq!(from_copy.records, 0);
+    // A laboratory that goes by another name now.
+    let renamed = add_to_lake(&copy, &lake, "Laboratory One").expect("nothing new");
+    assert_eq!(renamed.records, 0);
     first.keep(&later(4, "D 1", 0, 1.0)).expect("kept");
     let more = add_to_lake(&first, &lake, "Lab/1").expect("one more");
     assert_eq!((more.records, more.files.len()), (1, 5));
@@ -69,21 +72,36 @@ fn a_record_is_in_the_lake_once_whoever_adds_it() {
 
 #[test]
 fn an_addition_that_was_cut_off_leaves_nothing_twice() {
-    let folder = tempfile::tempdir().expect("folder");
-    let lake = folder.path().join("lake");
-    let mut logbook = with_records(folder.path(), 1..3);
-    add_to_lake(&logbook, &lake, "Lab").expect("added");
-    // As the power left it: everything but the last table.
-    for file in files(&lake, "records") {
-        std::fs::remove_file(file).expect("removed");
-    }
-    // The next call adds more records, so its files have other names.
-    logbook.keep(&later(3, "D 1", 1, 1.0)).expect("kept");
-    logbook.keep(&later(4, "D 1", 0, 1.0)).expect("kept");
-    let added = add_to_lake(&logbook, &lake, "Lab").expect("added");
-    assert_eq!(added.records, 4);
-    for table in TABLES {
-        assert_eq!(files(&lake, table).len(), 2, "{table}: leftovers");
+    // Two instruments' years, five tables: ten files, after each of which the power may fail.
+    for written in 0..=10 {
+        let folder = tempfile::tempdir().expect("folder");
+        let lake = folder.path().join("lake");
+        let mut logbook = with_records(folder.path(), 1..3);
+        let cut = add_to_lake(&logbook, &lake, "Lab").expect("added");
+        for file in &cut.files[written..] {
+            std::fs::remove_file(file).expect("removed");
+        }
+        let whole = written / 5;
+        // The next call adds more records, so its files have other names.
+        logbook.keep(&later(3, "D 1", 1, 1.0)).expect("kept");
+        logbook.keep(&later(4, "D 1", 0, 1.0)).expect("kept");
+        // It may also be the first by another name of the laboratory.
+        let name = ["Lab", "Laboratory"][written % 2];
+        let added = add_to_lake(&logbook, &lake, name).expect("added");
+        assert_eq!(added.records, 4 - whole, "cut after {written}");
+        let below = |table| -> Vec<PathBuf> {
+            let found = files(&lake, table).into_iter();
+            let inside = |file: PathBuf| file.strip_prefix(lake.join(table)).map(Path::to_owned);
+            found.map(|file| inside(file).expect("below")).collect()
+        };
+        assert_eq!(below("records").len(), 2 + whole);
+        for table in TABLES {
+            assert_eq!(
+                below(table),
+                below("records"),
+                "{table}, cut after {written}"
+            );
+        }
     }
 }
 
