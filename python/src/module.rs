@@ -138,13 +138,6 @@ fn in_toml(value: Value) -> toml::Value {
     }
 }
 
-/// A TOML document as JSON.
-fn to_json(given: &Bound<'_, PyTuple>) -> PyResult<String> {
-    let (text,): (String,) = given.extract()?;
-    let value: Value = toml::from_str(&text).map_err(unusable)?;
-    serde_json::to_string(&value).map_err(unusable)
-}
-
 fn unusable(error: impl std::fmt::Display) -> PyErr {
     PyValueError::new_err(error.to_string())
 }
@@ -153,7 +146,7 @@ fn unusable(error: impl std::fmt::Display) -> PyErr {
 type Function = fn(&Bound<'_, PyTuple>) -> PyResult<Py<PyAny>>;
 
 /// Functions by their names.
-const FUNCTIONS: [(&CStr, Function); 6] = [
+const FUNCTIONS: [(&CStr, Function); 5] = [
     (c"stop", |given| {
         stop(given.py(), given)?.into_py_any(given.py())
     }),
@@ -165,7 +158,6 @@ const FUNCTIONS: [(&CStr, Function); 6] = [
         verb(given.py(), given)?.into_py_any(given.py())
     }),
     (c"toml", |given| to_toml(given)?.into_py_any(given.py())),
-    (c"json", |given| to_json(given)?.into_py_any(given.py())),
 ];
 
 /// Puts the functions into the module.

@@ -43,11 +43,8 @@ impl Work {
             // Nobody listens to the rest of an interrupted verb.
             let _ = tell.send(heard);
         };
-        let work = move || {
-            let answered = catch_unwind(AssertUnwindSafe(|| answer(words, &inside, listener)));
-            answered.unwrap_or_else(|panic| Err(defect(panic.as_ref())))
-        };
         let thread = Builder::new().name("calib".into()).stack_size(STACK_BYTES);
+        let work = move || whole(|| answer(words, &inside, listener));
         let thread = thread.spawn(work).map_err(|error| Failure {
             error: format!("no thread for the work: {error}"),
             hint: Some("close other programs, and try again".into()),
@@ -75,6 +72,11 @@ impl Work {
 /// Nothing was said in time.
 #[derive(Debug)]
 pub(crate) struct Nothing;
+
+/// What a verb answers; its panic is a failure.
+fn whole(verb: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
+    catch_unwind(AssertUnwindSafe(verb)).unwrap_or_else(|panic| Err(defect(panic.as_ref())))
+}
 
 fn defect(panic: &(dyn Any + Send)) -> Failure {
     let text = panic.downcast_ref::<&str>().copied();
@@ -112,8 +114,7 @@ mod tests {
 
     #[test]
     fn a_panic_is_a_failure_that_says_what_to_do() {
-        let panic = catch_unwind(|| panic!("index {} of {}", 3, 2)).expect_err("panics");
-        let failure = defect(panic.as_ref());
+        let failure = whole(|| panic!("index {} of {}", 3, 2)).expect_err("panics");
         assert_eq!(failure.error, "a defect of calib: index 3 of 2");
         assert!(failure.hint.is_some());
     }
