@@ -5,6 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pandas
 import pytest
 from conftest import command_line
 
@@ -22,7 +23,7 @@ def executed(name, monkeypatch):
 
 
 def test_every_notebook_is_executed_here():
-    tested = {"budget", "drift", "first_calibration", "gap", "own_model"}
+    tested = {"budget", "drift", "first_calibration", "fleet_state", "gap", "own_model"}
     assert {path.stem for path in EXAMPLES.glob("*.ipynb")} == tested
 
 
@@ -68,6 +69,19 @@ def test_a_drift_study(monkeypatch):
     off = [(row.drift_rel_per_year - true[row.instrument_serial]) / row.standard_uncertainty_rel_per_year for row in rows.itertuples()]
     # Normal deviates: their root mean square over ten instruments is below 2 with a probability of 0.99999.
     assert (sum(one**2 for one in off) / len(off)) ** 0.5 < 2
+
+
+def test_the_state_of_a_fleet(monkeypatch):
+    space = executed("fleet_state", monkeypatch)
+    checks = pandas.read_parquet("state-lake/checks")
+    last = checks.groupby("instrument_serial").time.max().dt.tz_convert("UTC")
+    due = last + pandas.to_timedelta(checks.groupby("instrument_serial").every_days.first(), unit="D")
+    state = space["state"].set_index("instrument_serial").loc[last.index]
+    assert list(state.last_check) == list(last.dt.normalize()) and list(state.due) == list(due.dt.normalize()) and len(state) == 6
+    late = due.index[due.dt.normalize() < space["today"]]
+    assert set(space["overdue"].instrument_serial) == set(late) and len(late) >= 1
+    records = pandas.read_parquet("state-lake/records").groupby("instrument_serial").size()
+    assert list(state.records) == list(records)
 
 
 @pytest.mark.parametrize("script", ["first.py"])
