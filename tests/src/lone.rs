@@ -21,6 +21,10 @@ const RUNS: u64 = 4_000;
 /// either statement is as good.
 const NEAR_REL: f32 = 1.0e-6;
 
+/// Above some kHz a certificate has in U what a sweep shows of the mount, which the instrument does not know. Here a shift of
+/// a resonance of 20 kHz by a tenth is 2e-5, which makes the least U drawn larger by 1e-7.
+const WITHOUT_MOUNT_HZ: f32 = 200.0;
+
 struct Draws(ChaCha12Rng);
 
 impl Draws {
@@ -48,7 +52,7 @@ impl Draws {
             to_hz: if everywhere {
                 f32::MAX
             } else {
-                self.between(200.0, 8_000.0)
+                self.between(100.0, 200.0)
             },
             base: self.one_of(&[Base::Nominal, Base::Reference]),
             lower_rel: -half_rel,
@@ -69,8 +73,12 @@ impl Draws {
     }
 
     fn point(&mut self, spread_rel: f32, least_rel: f32) -> PointResult {
+        let low: Vec<f32> = PREFERRED_HZ
+            .into_iter()
+            .filter(|frequency_hz| *frequency_hz <= WITHOUT_MOUNT_HZ)
+            .collect();
         let spec = PointSpec {
-            frequency_hz: self.one_of(&PREFERRED_HZ),
+            frequency_hz: self.one_of(&low),
             acceleration_rms_ms2: self.one_of(&LEVELS_MS2),
         };
         let tone = Tone::nearest(spec.frequency_hz, 50_000.0);

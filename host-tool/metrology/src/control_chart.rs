@@ -202,13 +202,14 @@ mod tests {
         found.count() as f64 / SERIES as f64
     }
 
-    /// 0.27 % by definition; effective degrees of freedom are an approximation whose tail is the longer.
+    /// 0.27 % by definition; effective degrees of freedom are an approximation whose tail is the longer. Six results have
+    /// few degrees of freedom: of fourfold scatter three in four are told.
     #[test]
     fn scatter_that_grows_is_told_and_sound_scatter_seldom() {
         let sound = wider(1.0);
         assert!((0.001..0.008).contains(&sound), "{sound}");
         let grown = wider(4.0);
-        assert!(grown > 0.8, "{grown}");
+        assert!(grown > 0.75, "{grown}");
         assert!(!scatter_more(&[
             0.0, 1.0, 0.0, 1.0, 0.0, 9.0, 0.0, 9.0, 0.0, 9.0, 0.0
         ]));

@@ -309,7 +309,11 @@ fn faults_name_file_line_and_remedy() {
             1,
             "greater than zero",
         ),
-        (format!("coverage_probability = 95\n{good}"), 1, "below 1"),
+        (
+            format!("coverage_probability = 95\n{good}"),
+            1,
+            "not between 0.68 and 1",
+        ),
         (
             format!("{good}[[correlation]]\na='a'\nb='z'\nr=0\n"),
             8,
