@@ -19,7 +19,7 @@ const SEEN: f32 = 0.5;
 /// itself by 0.5 at the next one; 500 pairs of noise by 0.05 (one in the square root of their number).
 const MARGIN: f32 = 0.25;
 
-/// What a common signal shows.
+/// Alignment of the two channels, by a signal common to both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Alignment {

@@ -27,7 +27,7 @@ pub const RATIO_FREQUENCIES_HZ: [f32; MAX_CHANNEL_RATIO_POINTS] = [
 pub struct ChannelRatioPoint {
     /// Frequency, Hz.
     pub frequency_hz: f32,
-    /// What the device's channel reads over what the reference's reads, of the same voltage.
+    /// Reading of the device's channel over that of the reference's channel, of the same voltage.
     pub magnitude: f32,
     /// Phase of that, rad.
     pub phase_rad: f32,

@@ -1,4 +1,4 @@
-//! What became of the first point when it was repeated at the end of a list.
+//! Outcome of repeating the first point at the end of a list.
 //!
 //! A transducer that fades, warms up or works loose while a list is measured changes every point a little, and none
 //! of them shows it. So an instrument that measured tone after tone returns to the first point that was valid: what

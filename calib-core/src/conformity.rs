@@ -1,8 +1,9 @@
 //! Whether results conform to the tolerance of a list: what the lamps say of a run without a host.
 //!
-//! The same statements as a certificate makes of the same record, in f32: a test compares the two on random
-//! runs (`tests/src/lone.rs`). Of a deviation from the reference point they are bolder on the certificate, which knows
-//! what both points share: here both count as independent, which is never less.
+//! A certificate of the same record makes the same statements; a test compares the two on random runs
+//! (`tests/src/lone.rs`). Here they are computed in f32, and U of a deviation from the reference point counts both
+//! points as independent. That is never less than on the certificate, which knows what both points share and
+//! decides more often.
 //!
 //! # Source
 //! ILAC-G8:09/2019, 4.2; ISO/IEC 17025:2017, 7.8.6; reference point by ISO 16063-21:2003, 5.3.

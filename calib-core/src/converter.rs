@@ -36,7 +36,7 @@ impl Width {
         }
     }
 
-    /// The same behind a front end that adds dither.
+    /// This width behind a front end that adds dither.
     ///
     /// A sample is then the mean of conversions that lie apart by the dither. Those of a signal that comes
     /// too near to an end are cut off one by one, long before their mean is the last code.

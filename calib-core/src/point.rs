@@ -64,7 +64,7 @@ pub struct PointResult {
     /// Amplitude of what the mains may still do to the result, relative, and as many rad of phase: a sine of
     /// unknown phase ([`crate::hum`]). 0 where no line comes near, and with broadband excitation.
     pub hum_rel: f32,
-    /// What may be missing of the tone, relative: power beside tone and harmonics that is absent at rest, over
+    /// Part of the tone that may be missing, relative: power beside tone and harmonics that is absent at rest, over
     /// that of the tone, both channels as root sum square. 0 with broadband excitation.
     ///
     /// A contact that is open for a share `m` of the time at instants of its own takes `m` of the amplitude and leaves

@@ -17,7 +17,7 @@ pub const MAX_BANDS: usize = 6;
 /// Frequencies of a band that holds for all, Hz.
 pub const ANY_HZ: (f32, f32) = (0.0, f32::MAX);
 
-/// What the limits of a band are stated of.
+/// Sensitivity that the limits of a band refer to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Base {
     /// The nominal sensitivity.
@@ -42,7 +42,7 @@ pub struct Band {
     pub from_hz: f32,
     /// Highest frequency, Hz.
     pub to_hz: f32,
-    /// What the limits are stated of.
+    /// Sensitivity that the limits refer to.
     pub base: Base,
     /// Lower limit of the deviation from the base, relative, such as -0.05.
     pub lower_rel: f32,
@@ -81,7 +81,7 @@ impl Band {
     }
 }
 
-/// What a list is called and what its results are judged by.
+/// Name of a list, and the terms by which its results are judged.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ListTerms {
     /// Its name; empty: there is no list.

@@ -182,11 +182,11 @@ fn usable_harmonics(tone: Tone) -> usize {
     (1..=HARMONICS).take_while(below).count().max(1)
 }
 
-/// What both averaged periods are made of.
+/// Components of both averaged periods.
 struct Fit {
     /// Spectra of both channels, phases counted from the middle of the fold.
     spectra: [Spectrum; 2],
-    /// What is left of their means.
+    /// Remainder of their means.
     offsets: [f32; 2],
 }
 
@@ -230,7 +230,7 @@ fn correlate(mirror: &Mirror<'_>, means: [u32; 2], block: Block) -> Fit {
 /// Terms of the sums of a correlation: for each channel five cosine sums beside five sine sums, and a plain one.
 const TERMS: usize = 2 * (2 * HARMONICS + 1);
 
-/// What two places add to the sums, by the sum and the difference of their values.
+/// Terms that two places add to the sums, by the sum and the difference of their values.
 #[inline(always)]
 fn terms(phasors: &Spectrum, even: [f32; 2], odd: [f32; 2]) -> [f32; TERMS] {
     let mut terms = [0.0; TERMS];

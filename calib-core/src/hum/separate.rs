@@ -30,7 +30,7 @@ pub struct Span {
     pub start: Complex32,
 }
 
-/// What separating left.
+/// Remainder of the lines after separating them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Left {
     /// Amplitude of a sine of unknown phase that may still be in the result, relative to the tone.
@@ -46,9 +46,9 @@ struct Line {
     /// Multiple of the mains.
     multiple: f32,
     peak_rel: f32,
-    /// What it can do to the amplitude of a stretch.
+    /// Largest effect on the amplitude of a stretch.
     stretch_rel: f32,
-    /// What it can do to the mean amplitude.
+    /// Largest effect on the mean amplitude.
     mean_rel: f32,
 }
 
@@ -207,7 +207,7 @@ fn mean_of_turn(x: f32, samples: u32) -> Complex32 {
 
 /// A solution, relative to the mean amplitude.
 struct Fit {
-    /// What the tone is beside the mean.
+    /// Tone, beside the mean.
     tone_rel: Complex32,
     /// The lines, complex.
     lines_rel: [Complex32; MOST_FITTED],

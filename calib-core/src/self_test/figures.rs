@@ -1,4 +1,4 @@
-//! What blocks of sample pairs show of the converters.
+//! Figures of the converters from blocks of sample pairs.
 
 use crate::converter::{MID_SAMPLE, Width};
 use core::f32::consts::TAU;
@@ -70,7 +70,7 @@ pub fn fill_tone(codes: &mut [u16], width: Width) {
     }
 }
 
-/// What two consecutive blocks show of the tone, in the half of the device under test.
+/// Figures of the tone from two consecutive blocks, in the half of the device under test.
 ///
 /// # Equation
 /// A sine fit of known frequency to the mean of both blocks (IEEE Std 1057, three parameters, whole

@@ -16,7 +16,7 @@ pub const MAX_LINES: usize = 28;
 /// Volts at a pin from one sample to the next, with a reference of 3.3 V.
 const PIN_V: f32 = 3.3 / 65_536.0;
 
-/// What a line is about. Numbers on the wire, counted from 0 in this order: new ones at the end.
+/// Quantity of a line. Numbers on the wire, counted from 0 in this order: new ones at the end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Check {
     /// Supply of the converters by the internal reference, V.
@@ -35,9 +35,9 @@ pub enum Check {
     DriveGain,
     /// Mean of a tone of the drive's converter, V from mid-scale.
     DriveOffset,
-    /// What repeats in such a tone beside it, relative to the tone, r.m.s.
+    /// Repeating signal beside such a tone, relative to the tone, r.m.s.
     DriveDistortion,
-    /// What does not repeat, relative to the tone, r.m.s.
+    /// Signal beside it that does not repeat, relative to the tone, r.m.s.
     DriveNoise,
     /// Samples by which the device under test's half of a pair is later than the reference's.
     Alignment,
@@ -74,7 +74,7 @@ pub enum Check {
 /// One line: a value with its limits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Line {
-    /// What it is about, and with it the unit.
+    /// Its quantity, and with it the unit.
     pub check: Check,
     /// The value; none where it could not be measured.
     pub value: Option<f32>,
@@ -104,7 +104,7 @@ pub struct WrongWords {
     pub unreadable: u32,
 }
 
-/// What was measured on a board.
+/// Measurements of a board.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evidence {
     /// Supply of the converters, V.
@@ -117,7 +117,7 @@ pub struct Evidence {
     pub dithered: Option<[AtRest; 2]>,
     /// The drive's converter heard by ADC2.
     pub loopback: Option<Loopback>,
-    /// What a common signal showed.
+    /// Alignment by a common signal.
     pub alignment: Alignment,
     /// Times pairs were lost.
     pub lost_pairs: u32,
@@ -125,7 +125,7 @@ pub struct Evidence {
     pub stack_unused_bytes: u32,
     /// Stored records that cannot be read; none where the record area does not answer.
     pub records_unreadable: Option<u32>,
-    /// What the part was told on the bench.
+    /// Option bytes of the part, set on the bench.
     pub option_bytes: OptionBytes,
     /// Wrong words of the image.
     pub image: WrongWords,

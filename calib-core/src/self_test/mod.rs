@@ -6,7 +6,7 @@
 //! | [`judge`] | lines with limits |
 //! | [`option_bytes`] | what the part was told on the bench |
 //!
-//! What is measured here is the board and nothing on it: the drive's converter is heard on the chip,
+//! The self-test measures the board and nothing on it: the drive's converter is heard on the chip,
 //! with its pin let go, and the table stays where it is.
 
 pub mod figures;

@@ -1,4 +1,4 @@
-//! What no setting may pass: ends of the class of exciters this instrument is for.
+//! Ceilings that no setting passes: the ends of the class of exciters this instrument is for.
 
 use super::Limits;
 

@@ -22,7 +22,7 @@ const CONVERTER_NONLINEARITY_CODES: f32 = 10.0;
 /// (`the_dither_reaches_as_far_as_the_budget_says`).
 const DITHER_CODES: f32 = 7200.0;
 
-/// What differs from point to point; the reasons are in docs/metrology/measurement.md.
+/// Influences that differ from point to point; the reasons are in docs/metrology/measurement.md.
 const POINT_INFLUENCES: PointInfluences = PointInfluences {
     // Half a percent of bending between two transducers on a light table.
     relative_motion_at_10_khz_rel: 0.005,

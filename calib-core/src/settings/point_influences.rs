@@ -157,7 +157,7 @@ impl PointInfluences {
         ]
     }
 
-    /// What a characteristic within `I` of the line adds at most to the gain of a sine of `peak_v`.
+    /// Largest change of the gain of a sine of `peak_v` by a characteristic within `I` of the line.
     ///
     /// # Equation
     /// Dither that takes every voltage within `A` of the signal equally often makes of any characteristic

@@ -68,7 +68,7 @@ impl Gathered {
         libm::sqrtf(residual / signal.max(f32::MIN_POSITIVE) / samples.max(1) as f32)
     }
 
-    /// What may be missing of the tone, relative ([`PointResult::dropout_rel`](crate::point::PointResult)), by the
+    /// Part of the tone that may be missing, relative ([`PointResult::dropout_rel`](crate::point::PointResult)), by the
     /// mean squares of both channels at rest, codes squared.
     pub(super) fn dropout_rel(&self, rest_square: [f32; 2]) -> f32 {
         let channels = self.residual_square.iter().zip(self.signal_square);

@@ -5,7 +5,7 @@ use crate::correlation::{Block, Energy, Outline};
 use crate::hum::{Hum, WATCH_BLOCKS, Watch};
 use crate::tone::Tone;
 
-/// What was heard is good for a point far from every line, s.
+/// Time for which the mains as heard hold for a point far from every line, s.
 const GOOD_FOR_S: f32 = 60.0;
 /// And for one beside a line: the grid moves by 10 mHz in such a time.
 const GOOD_BESIDE_A_LINE_FOR_S: f32 = 5.0;
@@ -20,7 +20,7 @@ pub(super) struct Listening {
     watch: Watch,
     /// Mean square of both channels about their means over the last blocks, codes squared.
     noise_square: [f32; 2],
-    /// The same when a point last took over what was heard.
+    /// `noise_square` when a point last took over what was heard.
     rest_square: [f32; 2],
     /// A second was heard, and this was in it.
     heard: Option<Option<Hum>>,

@@ -24,7 +24,7 @@ const AGREE_OF_U: f32 = 0.01;
 const CHANCE_OF_NOISE: f32 = 2.6;
 
 impl Sequencer<'_> {
-    /// What the checks judge of `result`.
+    /// Values of `result` that the checks judge.
     pub(super) fn measured(&self, plan: &Plan, result: &PointResult) -> Measured {
         let rate_hz = self.sampling.sample_rate_hz;
         let frequency_hz = plan.tone.frequency_hz(rate_hz);
