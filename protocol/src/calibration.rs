@@ -34,7 +34,7 @@ pub struct Record {
     pub list: ListTerms,
     /// Where the time comes from of a run that no host began.
     pub clock: ClockReading,
-    /// What became of the first valid point when it was repeated at the end.
+    /// Outcome of repeating the first valid point at the end.
     pub closing: Closing,
     /// Results in the order measured.
     pub points: Vec<PointResult, MAX_POINTS>,

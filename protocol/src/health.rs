@@ -64,7 +64,7 @@ impl Defect {
         Self::Restarts,
     ];
 
-    /// What does not work, in words.
+    /// The defect in words.
     pub const fn text(self) -> &'static str {
         match self {
             Self::Archive => "its record area cannot be read",
@@ -77,7 +77,7 @@ impl Defect {
         }
     }
 
-    /// What to do.
+    /// Its remedy.
     pub const fn remedy(self) -> &'static str {
         match self {
             Self::Archive => "switch it off and on; if that does not help, the flash is worn out",
@@ -97,7 +97,7 @@ impl Defect {
     }
 }
 
-/// What does not work: any number of [`Defect`].
+/// Defects of an instrument: any number of [`Defect`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Defects(u32);
 
@@ -206,7 +206,7 @@ pub struct Deadline {
 /// How the instrument is.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Health {
-    /// What does not work.
+    /// Its defects.
     pub defects: Defects,
     /// Why it restarted, each time within a minute of the one before, oldest first.
     pub restarts: Vec<String<160>, MAX_RESTARTS>,

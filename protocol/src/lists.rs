@@ -30,7 +30,7 @@ pub struct KeptList {
     pub chosen: bool,
 }
 
-/// What is to become of the lists. Another result than before needs the button held.
+/// A change of the lists. One that leaves them other than before needs the button held.
 // It is built once and encoded: its size never matters.
 #[allow(clippy::large_enum_variant)]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -100,7 +100,7 @@ pub enum Request {
         /// First pair wanted, from 0.
         offset: u16,
     },
-    /// What does not work, and what the instrument went through.
+    /// Defects of the instrument, and what it went through.
     Health,
     /// Test the board. The exciter is cut off on the chip first: the table does not move.
     SelfTest,
@@ -186,7 +186,7 @@ pub enum Response {
     Health(Health),
     /// Answer to `SelfTest`.
     SelfTest {
-        /// What was looked at, in the order of [`calib_core::self_test::Check`].
+        /// Lines of the test, in the order of [`calib_core::self_test::Check`].
         lines: Vec<Line, MAX_LINES>,
     },
     /// Answer to `Key` and `MakeKey`; none: the instrument signs nothing.
@@ -271,7 +271,7 @@ pub enum Refusal {
     ImageOnTrial,
     /// No update was begun, or this block is not the next.
     UpdateOrder,
-    /// What was written is not the image of the manifest.
+    /// The image written is not the image of the manifest.
     ImageDamaged,
     /// The list cannot be measured or judged: a value is out of its range, a name, a point or a tolerance is
     /// missing, or a nominal sensitivity that a tolerance is stated of.

@@ -1,8 +1,8 @@
 //! Which settings a record was made with, and since when they are those.
 //!
-//! What is compared is the SHA-256 of all settings as [`crate::settings_form`] writes them: those in
-//! force now with those the last change of the reference's calibration left. Settings that were changed
-//! and changed back are the same.
+//! The SHA-256 of all settings as [`crate::settings_form`] writes them is compared: of those in force now, and
+//! of those the last change of the reference's calibration left. Settings that were changed and changed back
+//! are the same.
 
 use crate::head::Sha256Sum;
 use crate::record::digest;

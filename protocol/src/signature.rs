@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 /// Section of a record that holds its signature, the last one.
 const SIGNATURE: u8 = 8;
-/// What the section begins with: id, version and length of the content.
+/// First bytes of the section: id, version and length of the content.
 const FRONT: [u8; 3] = [SIGNATURE, 1, 96];
 /// First two bytes of a record.
 const MARK_BYTES: usize = 2;
@@ -28,7 +28,7 @@ pub const SIGNATURE_BYTES: usize = FRONT.len() + 96;
 /// A public key of Ed25519.
 pub type PublicKey = [u8; 32];
 
-/// What is signed of a record.
+/// Bytes that are signed for a record.
 pub type Message = [u8; 12 + 32];
 
 /// Public key of an instrument.
