@@ -165,7 +165,7 @@ impl Client {
         }
     }
 
-    /// What does not work, and what the instrument went through; none from a release that does not
+    /// Defects of the instrument, and what it went through; none from a release that does not
     /// know the question.
     pub fn health(&mut self) -> Result<Option<Health>> {
         match self.ask("its health", &Request::Health) {

@@ -94,7 +94,7 @@ pub enum LinkError {
     StopUnconfirmed {
         /// Address as given.
         address: String,
-        /// What came instead.
+        /// Error that came instead.
         source: Box<LinkError>,
     },
     /// Not a single byte came back.
@@ -234,7 +234,7 @@ fn reason(refusal: Refusal) -> String {
     known.to_owned()
 }
 
-/// What does not work, in words.
+/// The defects in words.
 fn degraded(defects: Defects) -> String {
     let texts: Vec<&str> = defects.iter().map(Defect::text).collect();
     match texts.is_empty() {

@@ -25,7 +25,7 @@ pub struct Progress {
     pub total: usize,
 }
 
-/// What an instrument was sent.
+/// Image that an instrument was sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sent {
     /// Version of the image.

@@ -7,7 +7,7 @@ use std::io;
 use std::sync::{Arc, Mutex, MutexGuard};
 use std::time::Duration;
 
-/// What the way back from the device does.
+/// Behaviour of the way back from the device.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Way {
     /// Noise comes byte by byte, with this pause before each, and never an answer.
@@ -18,7 +18,7 @@ pub(crate) enum Way {
     Silent,
 }
 
-/// What the device has seen, and the time of the link.
+/// Bytes the device has seen, and the time of the link.
 #[derive(Default)]
 pub(crate) struct Seen {
     pub(crate) clock: Duration,
@@ -28,7 +28,7 @@ pub(crate) struct Seen {
     stop_answer: Option<Vec<u8>>,
     /// The answer to the last request, with another number.
     old_frame: Vec<u8>,
-    /// What somebody does at a time.
+    /// Action of somebody at a time.
     due: Option<(Duration, Box<dyn FnOnce() + Send>)>,
 }
 
