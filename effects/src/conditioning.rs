@@ -62,7 +62,7 @@ pub static DUT_HIGHPASS_2: Entry = Entry {
     ..Entry::CALIBRATOR
 };
 
-/// The same of the reference: the ratio shows its inverse, the drive transfer the high-pass itself.
+/// High-pass of second order of the reference: the ratio shows its inverse, the drive transfer the high-pass itself.
 pub static REFERENCE_HIGHPASS_2: Entry = Entry {
     id: "reference_highpass_2",
     stage: Stage::Conditioning,

@@ -82,7 +82,7 @@ pub struct OwnNoise {
     pub outlier_rows: Vec<usize>,
 }
 
-/// What the leading set leaves.
+/// Remainder of the leading set.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Remainder {
     /// Observable in which most of it is.
@@ -166,7 +166,7 @@ pub struct Answer {
     pub next_measurement: String,
     /// How far the gap shrinks on held-out rows.
     pub gap: Gap,
-    /// What the leading set leaves; none where that is noise.
+    /// Remainder of the leading set; none where it is noise.
     pub remainder: Option<Remainder>,
     /// Noise that is not what is stated.
     pub noise: OwnNoise,

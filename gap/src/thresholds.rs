@@ -137,14 +137,14 @@ pub(crate) const COLOUR_SIGMA: f64 = 4.0;
 /// Share of its deviate that a row must remember to matter: a mean is then uncertain by 1.3 times as
 /// much.
 pub(crate) const LEAST_MEMORY: f64 = 0.25;
-/// What a row forgets at least of the one before: beyond that noise is a drift, and a table of some
+/// Least part of the row before that a row forgets. Noise that forgets less is a drift, and a table of some
 /// hundred rows holds one piece of it.
 pub(crate) const LEAST_FORGOTTEN: f64 = 0.01;
 /// Deviates at which a row stands out whatever the number of data.
 pub(crate) const OUTLIER_SIGMA: f64 = 5.0;
 /// Probability that one datum of so many stands out as much: of 10 000 tables one.
 pub(crate) const OUTLIER_P_VALUE: f64 = 1e-4;
-/// What a dropped row costs, in -2 ln of the posterior probability: that of one of a thousand, and of
+/// Cost of a dropped row, in -2 ln of the posterior probability: that of one of a thousand, and of
 /// which.
 pub(crate) const ROW_COST: f64 = 25.0;
 /// Rows that may be misread in any table.

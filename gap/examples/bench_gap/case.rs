@@ -21,7 +21,7 @@ pub(super) struct Outcome {
     pub(super) sigma: f64,
     /// Remainder of the best substitute, in the same unit (strata `withheld` and of several effects).
     pub(super) left_sigma: f64,
-    /// What each true effect adds to the others, in the same unit (strata `triples`, `beside`).
+    /// Size of each true effect beside the others, in the same unit (strata `triples`, `beside`).
     pub(super) conditional_sigma: Vec<f64>,
     /// How the noise differs from what is stated.
     pub(super) unkind: Unkind,
@@ -164,7 +164,7 @@ fn scatter(stratum: &str, index: u64) -> Scatter {
     }
 }
 
-/// What a case says of itself.
+/// A case as written: its truth, and how to diagnose it.
 pub(super) struct Written {
     pub(super) truth: Vec<&'static str>,
     /// How to diagnose it.

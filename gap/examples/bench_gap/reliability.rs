@@ -85,7 +85,7 @@ pub(super) fn text(all: &[Stratum<'_>]) -> String {
     text
 }
 
-/// The same as JSON.
+/// The table as JSON.
 pub(super) fn json(all: &[Stratum<'_>]) -> serde_json::Value {
     let of = |with_outside: bool| -> Vec<serde_json::Value> {
         let filled = classes(all, with_outside)

@@ -206,7 +206,7 @@ fn rates_of_withheld(cases: &Cases<'_>) -> Vec<Rate> {
     ]
 }
 
-/// What each of several effects adds to the others where it is asked for by name, in sigma.
+/// Size of each of several effects beside the others where it is asked for by name, in sigma.
 const CONDITIONAL_SIGMA: f64 = 12.0;
 /// Correlation of two shapes from which their names count as one.
 const SAME_SHAPE: f64 = 0.95;

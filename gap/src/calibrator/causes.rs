@@ -123,7 +123,7 @@ fn parameters(
     all
 }
 
-/// What speaks against a cause: a size that may be zero, a value at its bound.
+/// Cautions about a cause: a size that may be zero, a value at its bound.
 fn cautions(parameters: &BTreeMap<&'static str, BTreeMap<&'static str, Estimate>>) -> Vec<String> {
     let mut cautions = Vec::new();
     for (id, estimates) in parameters {

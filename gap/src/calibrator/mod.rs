@@ -134,7 +134,7 @@ fn leaves_structure(problem: &Problem, fit: &Fit) -> bool {
     left.p_value < thresholds::UNEXPLAINED_P_VALUE
 }
 
-/// What an answer is made of.
+/// Parts of an answer.
 struct Diagnosis<'a> {
     problem: &'a Problem,
     unseen: &'a Unseen<'a>,

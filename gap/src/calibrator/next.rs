@@ -8,7 +8,7 @@ use crate::observable::Group;
 use crate::summary::short;
 use calib_effects::{Of, named};
 
-/// What a next measurement follows from.
+/// Findings from which a next measurement follows.
 pub(super) struct Next<'a> {
     pub(super) causes: &'a [Cause],
     pub(super) left: &'a LackOfFit,
@@ -42,7 +42,7 @@ impl Next<'_> {
         }
     }
 
-    /// What is left beside a cause that is there.
+    /// Measurement for the remainder beside a cause.
     fn beside(&self, first: &Cause) -> String {
         let name = first.effects.join("+");
         if !self.noise.memory.is_empty() {
@@ -63,7 +63,7 @@ impl Next<'_> {
         )
     }
 
-    /// What "higher" and "lower" are beside.
+    /// Range measured so far, to which "higher" and "lower" refer.
     fn so_far(&self) -> String {
         let facts = &self.problem.facts;
         let (lowest, highest) = (short(facts.lowest_hz), short(facts.highest_hz));
@@ -103,7 +103,7 @@ fn way(axis: Axis) -> &'static str {
     }
 }
 
-/// What tells how the noise really is.
+/// Measurement that shows the true noise.
 fn settled_by(noise: &OwnNoise) -> String {
     let rows: Vec<String> = noise.outlier_rows.iter().map(ToString::to_string).collect();
     if !rows.is_empty() {
@@ -143,7 +143,7 @@ fn to_tell(first: &Cause, second: &Cause) -> String {
     )
 }
 
-/// What would show a cause once more, said so that nobody has to look its name up.
+/// Measurement that would show a cause once more, described without its name.
 fn to_confirm(id: &str) -> String {
     let entry = named(Of::Calibrator, id);
     entry.map_or_else(

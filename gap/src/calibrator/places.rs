@@ -80,7 +80,7 @@ pub(super) fn local(
         .collect()
 }
 
-/// What the leading set leaves, in the group of observables with most of it; none where it is noise.
+/// Remainder of the leading set, in the group of observables with most of it; none where it is noise.
 pub(super) fn remainder(
     problem: &Problem,
     left: &LackOfFit,

@@ -53,7 +53,7 @@ struct Growth {
     bases: usize,
     /// Predicted gain from which an effect is tried.
     floor: f64,
-    /// The same of the best of its kind of observable.
+    /// Predicted gain from which the best effect of its kind of observable is tried.
     least: f64,
 }
 

@@ -20,7 +20,7 @@ pub enum Verdict {
     Ambiguous,
     /// No set closes half of the gap.
     Unexplained,
-    /// What does not fit are stated uncertainties or single rows.
+    /// The stated uncertainties or single rows do not fit.
     Data,
 }
 

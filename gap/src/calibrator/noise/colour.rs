@@ -14,7 +14,7 @@ const FEWEST: usize = 12;
 /// Rows so near in time are no repetition of one another.
 const NEAR_ROWS: usize = 3;
 
-/// What it takes to believe that noise is not what is stated.
+/// Evidence needed to believe that noise is not as stated.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Demand {
     /// Of a group by itself.
@@ -23,7 +23,7 @@ pub(super) enum Demand {
     OfOthers,
 }
 
-/// What is left in a group.
+/// Remainder in a group.
 pub(super) struct Colour {
     /// Data, and the standard deviation of a correlation between so many of them.
     count: f64,
@@ -37,7 +37,7 @@ pub(super) struct Colour {
     least_in_time: f64,
     /// Correlation of rows at the same frequency, measured long after one another.
     again: Option<f64>,
-    /// What memory alone would make of it.
+    /// Correlation `again` that memory alone would give.
     remembered: f64,
 }
 

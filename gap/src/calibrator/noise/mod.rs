@@ -1,4 +1,4 @@
-//! What the data say of their own noise, where it is not what is stated.
+//! Noise as the data show it, where it is not as stated.
 //!
 //! No stated uncertainty is right to the last digit, and every long table has a misread row. Each set
 //! that a first search holds possible is fitted with the rows left out that it cannot hold
