@@ -25,7 +25,7 @@ use thiserror::Error;
 
 /// By how much the leads may differ: more is a broken one, or a source at one input alone.
 pub const LEADS_REL: f32 = 0.05;
-/// What the correlation itself may be off, relative and in rad (`calib_core::correlation`).
+/// Error bound of the correlation itself, relative and in rad (`calib_core::correlation`).
 const CORRELATION: f32 = 1e-6;
 /// Row of Table A.1 for the measurement of the ratio of the voltages.
 const RATIO_ROW: u8 = 3;
@@ -72,7 +72,7 @@ pub enum RatioError {
     Budget {
         /// Frequency, Hz.
         frequency_hz: f32,
-        /// What is wrong.
+        /// Error of the budget.
         error: BudgetError,
     },
 }
@@ -90,7 +90,7 @@ pub struct RatioLine {
     pub expanded_uncertainty_rel: f32,
     /// Expanded uncertainty of the phase (k = 2), degrees.
     pub expanded_uncertainty_phase_deg: f32,
-    /// What the leads differed by, relative, and cancelled.
+    /// Difference of the leads, relative; it cancelled.
     pub leads_rel: f32,
 }
 
@@ -178,7 +178,7 @@ fn check_runs(straight: &Record, exchanged: &Record) -> Result<(), RatioError> {
     }
 }
 
-/// What a run states over what is called acceleration: `R v2/v1`.
+/// Sensitivity a run states, over that of the reference's table: `R v2/v1`.
 fn channels_and_leads(record: &Record, point: &PointResult) -> Result<Complex32, RatioError> {
     let frequency_hz = point.spec.frequency_hz;
     let reference = record.settings.reference.at(frequency_hz);

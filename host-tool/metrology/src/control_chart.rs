@@ -62,7 +62,7 @@ pub struct ControlChart {
     pub degrees_of_freedom: f64,
     /// Half the width of the limits around the mean.
     pub half_width: f64,
-    /// What speaks against the latest result; nothing when it is in control.
+    /// Signals against the latest result; empty when it is in control.
     pub signals: Vec<Signal>,
 }
 

@@ -38,7 +38,7 @@ const UNTOLD_K: f64 = 10.0;
 const ANOMALY_MS2: f64 = 1.0e-3;
 const PLATE_PER_S2: f64 = 1.1e-6;
 
-/// What was read, and with what: a file.
+/// A file of readings, and of the equipment they were taken with.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TurnOverReadings {
@@ -74,7 +74,7 @@ fn usual_per_k() -> f64 {
 /// A row of the budget.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct TurnOverRow {
-    /// What it is.
+    /// The contribution, in words.
     pub what: String,
     /// Standard uncertainty, relative.
     pub standard_rel: f64,
@@ -82,7 +82,7 @@ pub struct TurnOverRow {
     pub stays: bool,
 }
 
-/// What turning over found.
+/// Result of turning over.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct TurnOver {
     /// Sensitivity at d.c., V/(m/s2); negative where the axis points the other way than was told.
@@ -103,7 +103,7 @@ pub struct TurnOver {
     pub budget: Vec<TurnOverRow>,
     /// Lowest frequency of the reference's table, Hz.
     pub certified_hz: f64,
-    /// What the certificate says there, V/(m/s2).
+    /// Sensitivity on the certificate at that frequency, V/(m/s2).
     pub certified_v_per_ms2: f64,
     /// Its relative expanded uncertainty (k = 2).
     pub certified_expanded_uncertainty_rel: f64,
@@ -394,7 +394,7 @@ mod tests {
         assert!((1200.0..1350.0).contains(&freedom), "{freedom}");
     }
 
-    /// What stays cancels between two, and a change of 0.5 % is one; the certificate has 1 % of its own.
+    /// Rows that stay cancel between two, and a change of 0.5 % is one; the certificate has 1 % of its own.
     #[test]
     fn a_change_is_told_from_the_certificate() {
         let baseline = found(&readings(0.0102, 0.0, &[1e-5, -1e-5, 0.0]));

@@ -218,7 +218,7 @@ fn point(table: &Table, row: &Row, chosen: &Chosen) -> Result<Point> {
     Ok(point)
 }
 
-/// What a column in another unit than its name says looks like: problem and way out.
+/// Refuses a point that looks like a column in another unit than its name says: problem and way out.
 fn believable(point: &Point) -> Result<(), (String, &'static str)> {
     if point.frequency_hz > HIGHEST_HZ {
         return Err((

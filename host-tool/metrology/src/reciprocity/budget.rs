@@ -22,7 +22,7 @@ const INDUCTANCE: &str = "inductance and eddy currents by position";
 const STIFFNESS: &str = "stiffness by position";
 const FORCE_FACTOR: &str = "Bl by position";
 
-/// What a row shares.
+/// Extent to which a row is one quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Spread {
@@ -37,9 +37,9 @@ pub enum Spread {
 /// A row of the budget.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Row {
-    /// What it is.
+    /// The contribution, in words.
     pub what: String,
-    /// What it shares.
+    /// Extent to which it is one quantity.
     pub spread: Spread,
     /// Even within bounds, sqrt(3) of its standard uncertainty wide to either side; else normal, or small.
     pub bounded: bool,
@@ -217,7 +217,7 @@ fn crosstalk_rel(at: &At, equipment: &Equipment) -> f64 {
     equipment.crosstalk_standard * sum.re / 2.0
 }
 
-/// What the coil's field adds in the reference's channel, by a voltage over current.
+/// Contribution of the coil's field in the reference's channel, by a voltage over current.
 fn stray(at: &At, volt_per_a: Complex64) -> f64 {
     (volt_per_a / at.bare.r + volt_per_a / at.loaded.r).re / 2.0
 }
@@ -234,7 +234,7 @@ fn travel_rel(at: &At, equipment: &Equipment) -> f64 {
     mean.hypot(deviation) * (bare * bare + loaded * loaded) / 2.0 / 4.0
 }
 
-/// What a coil elsewhere than without the mass does.
+/// Effect of a coil at another position than without the mass.
 struct Position {
     standard_m: f64,
     moved: Identified,

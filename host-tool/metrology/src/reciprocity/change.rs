@@ -38,7 +38,7 @@ pub struct Change {
     pub significant: bool,
 }
 
-/// What is compared at each frequency, and what a row's part is.
+/// Comparison over all frequencies, to which each row adds its part.
 struct Compared {
     logarithm: f64,
     count: usize,

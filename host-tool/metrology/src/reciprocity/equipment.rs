@@ -8,9 +8,9 @@ use std::path::Path;
 /// Temperature a reference is calibrated at, degrees Celsius (ISO 16063-21, 4.2).
 const CERTIFIED_C: f64 = 23.0;
 
-/// What a check needs beside the calibrator, with the standard uncertainties of the budget.
+/// Equipment of a check beside the calibrator, with the standard uncertainties of the budget.
 ///
-/// Left out values are those of `hardware/reciprocity.md`.
+/// Values left out are those of `hardware/reciprocity.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Equipment {
@@ -48,7 +48,7 @@ pub struct Equipment {
     pub force_factor_per_m2: [f64; 2],
     /// Coil's field in the reference's channel: standard uncertainty, V/A.
     pub stray_v_per_a: f64,
-    /// The same by induction, V s/A.
+    /// Coil's field in the reference's channel by induction: standard uncertainty, V s/A.
     pub stray_vs_per_a: f64,
     /// Rocking: standard uncertainty at 1 kHz, relative; it grows with the square of the frequency.
     pub rocking_at_1_khz_rel: f64,

@@ -41,7 +41,7 @@ pub struct CheckPoint {
     pub expanded_uncertainty_rel: f64,
     /// Expanded uncertainty of the phase (k = 2), degrees.
     pub expanded_uncertainty_phase_deg: f64,
-    /// What the certificate says, V/(m/s2).
+    /// Sensitivity on the certificate, V/(m/s2).
     pub certified_v_per_ms2: f64,
     /// Its relative expanded uncertainty (k = 2).
     pub certified_expanded_uncertainty_rel: f64,
@@ -49,7 +49,7 @@ pub struct CheckPoint {
     pub deviation_rel: f64,
 }
 
-/// What a check found.
+/// Result of a check.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Evaluation {
     /// Each frequency.

@@ -72,8 +72,8 @@ fn budget(evaluation: &Evaluation) -> String {
 /// U of the ratio of the channels that a check counts on, relative.
 const WANTED_RATIO_REL: f64 = 5e-4;
 
-/// What the ratio of the channels leaves open in a check; none where it is known well enough and, where there is a
-/// baseline, was measured anew since. The channels change as the reference may.
+/// Warning about the ratio of the channels in a check; none where the ratio is known well enough and, where there is
+/// a baseline, was measured anew since. The channels may change as the reference may.
 pub fn about_the_ratio(found: &Evaluation, baseline: Option<&Evaluation>) -> Option<String> {
     const REMEDY: &str = "`calib adjust ratio --write` before a check";
     if found.ratio.is_empty() {
@@ -101,7 +101,7 @@ pub fn about_the_ratio(found: &Evaluation, baseline: Option<&Evaluation>) -> Opt
     })
 }
 
-/// What is concluded, a line each.
+/// Conclusions, a line each.
 pub fn change_text(changes: &[Change]) -> String {
     let lines = changes.iter().map(|change| {
         let over = match change.frequencies {

@@ -31,7 +31,7 @@ pub struct Pair {
     pub divider: Vec<Reading>,
 }
 
-/// What is known of the reference at a frequency.
+/// Certified values of the reference at a frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Certified {
     /// Sensitivity, V/(m/s2).
@@ -64,7 +64,7 @@ pub struct Runs {
     pub bare: [Pair; 2],
     /// With it, in three orientations.
     pub loaded: [Pair; 3],
-    /// What the certificate says, at each frequency.
+    /// Certified values at each frequency.
     pub certified: Vec<Certified>,
     /// The ratio of the channels; empty where nobody measured it.
     pub ratio: Vec<RatioRow>,
@@ -75,7 +75,7 @@ pub struct Runs {
 /// A run of a check, in the order measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// What is at the device's input.
+    /// Signal at the device's input.
     pub input: &'static str,
     /// Where the mass is.
     pub mass: &'static str,
@@ -298,7 +298,7 @@ fn refused(record: &Record, frequency_hz: f32) -> RunError {
     }
 }
 
-/// What a run states over what is called acceleration: a ratio of voltages.
+/// Ratio of voltages: the sensitivity a run states, over that of the reference's table.
 fn readings(record: &Record) -> Result<Vec<Reading>, RunError> {
     let points = record.points.iter().map(|point| {
         let frequency_hz = point.spec.frequency_hz;

@@ -11,7 +11,7 @@ const FREQUENCIES_HZ: [f64; 15] = [
 const SENSITIVITY: f64 = 0.0102;
 const PHASE_RAD: f64 = -0.01;
 
-/// What one run of the calibrator is.
+/// One run of the calibrator.
 #[derive(Clone, Copy)]
 struct Case {
     mass_kg: f64,
@@ -113,7 +113,7 @@ fn a_calibrator_by_hand_gives_its_sensitivity() {
     }
 }
 
-/// What a constant does to both impedances cancels: leads, a blocked impedance of any kind.
+/// A constant in both impedances cancels: leads, a blocked impedance of any kind.
 #[test]
 fn the_blocked_impedance_cancels() {
     let found = evaluate(

@@ -10,7 +10,7 @@ use jiff::civil::Date;
 use roxmltree::{Document, Node, ParsingOptions};
 
 const DCC: &str = "https://ptb.de/dcc";
-/// What this tool's own certificates say where nothing was stated and the schema wants a word.
+/// Words of this tool's own certificates where nothing was stated and the schema wants a word.
 const NOT_STATED: [&str; 2] = ["not stated", "nicht angegeben"];
 const MOST_NODES: u32 = 200_000;
 const HINT: &str = "ask the laboratory for a DCC of schema 3 with one object, or write a CSV";

@@ -14,7 +14,7 @@ pub(super) struct Unit {
     coulomb: i32,
 }
 
-/// What a unit measures.
+/// Kind of quantity of a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// Hz.
@@ -105,7 +105,7 @@ impl Unit {
         Some(())
     }
 
-    /// What it measures, if it is one of what a certificate of a transducer has.
+    /// Its kind of quantity, if a certificate of a transducer has that kind.
     pub(super) fn kind(&self) -> Option<Kind> {
         let exponents = (
             self.volt,

@@ -26,7 +26,7 @@ use serde::Serialize;
 use std::f64::consts::PI;
 use std::path::Path;
 
-/// What a certificate says of a reference.
+/// Statements of a certificate about a reference.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct Certified {
     /// Serial number.
@@ -113,7 +113,7 @@ struct Placed {
     line: usize,
 }
 
-/// What is wrong with a point, if anything is.
+/// Refuses a point in which something is wrong.
 fn check(source: &Source, point: &CertifiedPoint, line: usize) -> Result<()> {
     let at = |problem: String, hint: &str| Err(source.at_line(line, problem, hint));
     let hz = point.frequency_hz;

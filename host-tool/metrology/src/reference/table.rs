@@ -211,7 +211,7 @@ fn first(table: &Table, all: &[(&[&str], f64)]) -> Result<Option<(Column, f64)>>
     Ok(None)
 }
 
-/// What a remark `# key: value` or a column says of the object; a column must say one thing.
+/// Value of a remark `# key: value` or of a column about the object; a column must hold one value.
 fn stated(table: &Table, keys: &[&str]) -> Option<String> {
     let remarks = table
         .source

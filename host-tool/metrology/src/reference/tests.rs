@@ -321,7 +321,7 @@ fn what_the_settings_have_no_room_for_is_refused() {
     refused(&read, "the day of calibration");
 }
 
-/// What somebody who means no good puts in.
+/// Values of somebody who means no good.
 const NASTY: [&str; 14] = [
     "-",
     "NaN",

@@ -18,7 +18,7 @@ pub fn read(path: &Path) -> Result<(Accelerometer, Vec<u8>)> {
     parse(&path.display().to_string(), content)
 }
 
-/// The same of what is at hand already; `place` names it in errors.
+/// Reads a virtual TEDS from bytes; `place` names it in errors.
 ///
 /// # Errors
 /// [`Error::Input`] when it is no TEDS of an accelerometer.
