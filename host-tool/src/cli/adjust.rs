@@ -25,7 +25,7 @@ pub(crate) struct Adjust {
 
 #[derive(Debug, Subcommand)]
 enum What {
-    /// The ratio of the two channels, with one source at both inputs.
+    /// Measures the ratio of the two channels, with one source at both inputs.
     Ratio(Ratio),
 }
 
@@ -34,14 +34,14 @@ enum What {
 #[command(after_help = "\
 Take the amplifier off the drive output and the transducers off the inputs. Lead the drive output
 through a divider of 5 to 1 (400 and 100 ohm) to both inputs. calib measures, asks for the two leads
-to be exchanged, and measures again: what the leads differ by cancels.
+to be exchanged, and measures again: the difference of the leads cancels.
 
   calib adjust ratio                              measures and prints
-  calib adjust ratio --write                      and stores, under a hand on the button
-  calib adjust ratio 12 13 --write                of two runs that were measured before
+  calib adjust ratio --write                      and stores, with a hand on the button
+  calib adjust ratio 12 13 --write                evaluates two runs measured before
 
-With a ratio in force every result is divided by it, and its uncertainty stands in the budget in place
-of the tolerance of the parts (row 3 of Table A.1).")]
+With a ratio in force every result is divided by it. In the budget its uncertainty replaces the
+tolerance of the parts (row 3 of Table A.1).")]
 struct Ratio {
     /// Two runs with one source at both inputs, the second with the leads exchanged: files, or numbers of
     /// records in the calibrator. Without them calib measures.
@@ -50,8 +50,8 @@ struct Ratio {
     /// Point list, .toml or .csv, of at most 16 frequencies; default: 20 Hz to 10 kHz.
     #[arg(long, short, value_name = "FILE", conflicts_with = "records")]
     points: Option<PathBuf>,
-    /// What the reference would call acceleration, m/s2 r.m.s.: 50 is 0.72 V peak at the inputs. The higher,
-    /// the less the step of the converters counts.
+    /// Level at the inputs, as acceleration by the reference's table, m/s2 r.m.s.: 50 is 0.72 V peak. The higher
+    /// it is, the less the step of the converters counts.
     #[arg(long, short, default_value_t = 50.0, value_name = "MS2", value_parser = positive::<f32>)]
     level: f32,
     /// Stores the ratio in the calibrator.

@@ -42,8 +42,8 @@ is measured for it leaves a record in the calibrator, like any other.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct CaptureVerb {
-    /// Frequency of the tone, Hz; with --level it is played, without it must be
-    /// the exact frequency of what is there.
+    /// Frequency of the tone, Hz. With --level the tone is played; without, this must be
+    /// the exact frequency of a tone that is there.
     #[arg(long, short, value_name = "HZ", value_parser = positive::<f64>)]
     frequency: Option<f64>,
     /// Play the tone at this acceleration, m/s2 r.m.s.

@@ -30,7 +30,7 @@ pub(crate) struct CertificateVerb {
     /// The latest record of this sensor in the logbook, instead of RECORD.
     #[arg(long, value_name = "SERIAL", conflicts_with = "record")]
     sensor: Option<String>,
-    /// Number of an issued certificate that this one takes the place of: made of its records, under a number
+    /// Number of an issued certificate that the new one replaces. It is made of the same records, under a number
     /// of its own, such as 17-A1 for 17.
     #[arg(
         long,
@@ -39,7 +39,7 @@ pub(crate) struct CertificateVerb {
         conflicts_with = "sensor"
     )]
     amend: Option<String>,
-    /// What was wrong with it; the new one prints it.
+    /// Mistake on the old certificate; the new one prints it.
     #[arg(long, value_name = "TEXT", requires = "amend")]
     reason: Option<String>,
     /// Customer, in place of the one in the files of particulars.
@@ -55,8 +55,8 @@ pub(crate) struct CertificateVerb {
     /// Language: en or de; else that of the particulars, else English.
     #[arg(long, short, value_name = "LANGUAGE")]
     language: Option<Language>,
-    /// TOML file with customer, conditions ...; may be given again, and what a
-    /// later one states wins. That of the laboratory comes first.
+    /// TOML file with customer, conditions ...; may be given again: later files
+    /// win. The laboratory's file comes first.
     #[arg(long, short, value_name = "FILE")]
     particulars: Vec<PathBuf>,
     #[command(flatten)]
@@ -64,8 +64,8 @@ pub(crate) struct CertificateVerb {
     /// File of the record from before an adjustment; RECORD is then from after it.
     #[arg(long, value_name = "FILE")]
     as_found: Option<PathBuf>,
-    /// Records of the same device taken off and mounted again (`calib run --remount`): means, with the scatter
-    /// between mountings in the budget. Files or numbers, separated by commas.
+    /// Records of the same device taken off and mounted again (`calib run --remount`): files or numbers, separated
+    /// by commas. The certificate states means, with the scatter between mountings in the budget.
     #[arg(
         long,
         value_name = "RECORD",
@@ -82,8 +82,8 @@ pub(crate) struct CertificateVerb {
     sign: Option<PathBuf>,
     #[command(flatten)]
     password: Password,
-    /// Writes the built-in page as certificate.typ into a directory, to begin one's
-    /// own with, and no certificate.
+    /// Writes the built-in page as certificate.typ into a directory, to begin your
+    /// own; writes no certificate.
     #[arg(
         long,
         value_name = "DIR",
@@ -277,7 +277,7 @@ fn complete(prepared: &Prepared) -> Result<()> {
 /// The file of the laboratory, for every verb that states or judges.
 #[derive(Clone, Debug, Args)]
 pub(super) struct Laboratory {
-    /// TOML file of the laboratory: who it is, its decision rule [default:
+    /// TOML file of the laboratory: its name, its decision rule [default:
     /// calib/laboratory.toml in the user's configuration directory, if there].
     #[arg(long, env = "CALIB_LABORATORY", value_name = "FILE")]
     laboratory: Option<PathBuf>,

@@ -17,18 +17,18 @@ level      m/s2 r.m.s. of points that state none, for run and adjust
 tolerance  of sensors that are added, as --tolerance takes it
 operator   as --operator takes it
 language   en or de, of certificates
-key        the laboratory's key, a PKCS#12 file: what is given out is signed
+key        the laboratory's key, a PKCS#12 file: it signs what is given out
 
-Whatever is said otherwise goes before it: on the command line, in the environment
-(CALIB_DEVICE, CALIB_OPERATOR, CALIB_LABORATORY_KEY), in a file of the job. CALIB_CONFIG names another file.")]
+The command line, the environment (CALIB_DEVICE, CALIB_OPERATOR, CALIB_LABORATORY_KEY) and a file of the job
+come before these defaults. CALIB_CONFIG names another file.")]
 pub(crate) struct ConfigVerb {
-    /// What is set; without it everything is shown.
+    /// Default to set; without it all are shown.
     #[arg(requires = "value")]
     key: Option<String>,
-    /// What it is set to.
+    /// Its value.
     #[arg(allow_hyphen_values = true)]
     value: Option<String>,
-    /// Sets this to nothing.
+    /// Removes this default.
     #[arg(long, value_name = "KEY", conflicts_with = "key")]
     unset: Option<String>,
 }

@@ -36,7 +36,7 @@ pub(crate) struct GlobalOptions {
         value_name = "ADDRESS"
     )]
     pub(crate) device: Option<String>,
-    /// The logbook; default: one of this user's.
+    /// The logbook; default: that of this user.
     #[arg(long, global = true, help_heading = EVERYWHERE, env = "CALIB_LOGBOOK", value_name = "FILE")]
     pub(crate) logbook: Option<PathBuf>,
     /// No progress and no remarks; errors are still printed.

@@ -18,7 +18,7 @@ pub(crate) struct Download {
     /// Running numbers of the records; `calib records` lists them.
     #[arg(required_unless_present = "all", value_name = "ID")]
     ids: Vec<u32>,
-    /// Every record there is.
+    /// Downloads every record.
     #[arg(long, conflicts_with = "ids")]
     all: bool,
     /// Directory for the files.

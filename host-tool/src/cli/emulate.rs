@@ -26,7 +26,7 @@ pub(crate) struct Emulate {
     /// TCP port on this computer, 0 for any free one.
     #[arg(long, value_name = "PORT", default_value_t = 5025)]
     tcp: u16,
-    /// A pseudo terminal instead, as a serial port would look.
+    /// Uses a pseudo terminal, which looks like a serial port, instead of TCP.
     #[arg(long, conflicts_with = "tcp")]
     pty: bool,
     /// Uses the board's USB port instead of its serial line.
@@ -35,11 +35,11 @@ pub(crate) struct Emulate {
     /// Writes what crosses the USB into a capture for Wireshark.
     #[arg(long, value_name = "FILE.pcap", requires = "usb")]
     usb_pcap: Option<PathBuf>,
-    /// A hand on the button for the first minute: the calibration of the reference
+    /// Holds the button for the first minute: the calibration of the reference
     /// can be changed meanwhile.
     #[arg(long)]
     hold_button: bool,
-    /// Keeps the record flash in this file from one call to the next.
+    /// Keeps the record flash in this file, from one call to the next.
     #[arg(long, value_name = "FILE")]
     flash: Option<PathBuf>,
 }

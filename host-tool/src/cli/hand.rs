@@ -22,7 +22,7 @@ pub(crate) struct Hand {
     /// How long to wait for a hand on the button.
     #[arg(long, value_name = "SECONDS", default_value_t = 30)]
     wait: u16,
-    /// Puts a hand on the button of the emulated calibrator (`--device emulated`).
+    /// Holds the button of the emulated calibrator (`--device emulated`).
     #[arg(long)]
     hold_button: bool,
 }

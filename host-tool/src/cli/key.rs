@@ -14,20 +14,20 @@ use serde::Serialize;
 /// `calib key`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The key is made once in the life of an instrument, by its own generator of random numbers,
-while the button on it is held; the half that signs never leaves it. From then on every record
-is signed, and the logbook refuses records of the instrument that are not. The public key
-enters the logbook, if there is one: compare its digits with those on the instrument's paper
-when another computer shows them. An instrument whose memory was erased makes another key, and
-counts its records anew: the logbook takes both only when --replaced says why, for a forger's
-instrument looks the same. Records of before stay with the key of before. What it proves and
-what not: docs/safety.md.")]
+An instrument makes its key once in its life, with its own generator of random numbers, while
+its button is held; the half that signs never leaves it. From then on every record is signed,
+and the logbook refuses unsigned records of the instrument. The public key enters the logbook,
+if there is one. When another computer shows its digits, compare them with those on the
+instrument's paper. An instrument whose memory was erased makes another key, and counts its
+records anew. The logbook takes both keys only when --replaced says why, for a forger's
+instrument looks the same. Earlier records stay with the earlier key. docs/safety.md says what
+the key proves and what it does not.")]
 pub(crate) struct Key {
     /// Makes the key of an instrument that has none.
     #[arg(long)]
     make: bool,
-    /// Why it has another key than the logbook knows, such as `memory erased in repair, order 4711`; it is kept
-    /// for good.
+    /// Reason why it has another key than the logbook knows, such as `memory erased in repair, order 4711`; it is
+    /// kept for good.
     #[arg(long, value_name = "REASON")]
     replaced: Option<String>,
     #[command(flatten)]

@@ -23,7 +23,7 @@ use std::path::PathBuf;
 #[command(after_help = "\
 A tap of the button on the instrument measures the chosen list, without a host, and the lamps
 say PASS, FAIL or NOT JUDGEABLE (docs/safety.md has the patterns). The record names the list and
-carries its limits. What the lamps say rests on a list, so each change waits for a hand on the
+carries its limits. The lamps judge by the list, so each change waits for a hand on the
 button.")]
 pub(crate) struct Lists {
     #[command(subcommand)]
@@ -32,7 +32,7 @@ pub(crate) struct Lists {
 
 #[derive(Debug, Subcommand)]
 enum What {
-    /// Lists the calibrator keeps, the chosen one marked.
+    /// Shows the lists the calibrator keeps, the chosen one marked.
     Show,
     /// Stores a list, in place of the one of its name.
     Store(Box<Store>),

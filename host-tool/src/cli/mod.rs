@@ -142,43 +142,43 @@ impl Arguments {
 /// The verbs.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// A whole calibration on an emulated calibrator.
+    /// Runs a whole calibration on an emulated calibrator.
     Demo(demo::Demo),
-    /// Serial ports, the likely calibrators first.
+    /// Lists serial ports, the likely calibrators first.
     Devices(devices::Devices),
-    /// Identity and health of the calibrator.
+    /// Shows identity and health of the calibrator.
     Info(info::Info),
     /// Tests the board, with the table at rest: each line with its limits.
     Selftest(selftest::SelfTest),
-    /// The key the calibrator signs its records with.
+    /// Shows or makes the key with which the calibrator signs its records.
     Key(key::Key),
-    /// Lists the calibrator keeps: a tap of its button measures the chosen one.
+    /// Shows or changes the lists the calibrator keeps for a tap of its button.
     Lists(lists::Lists),
-    /// Other firmware for the calibrator: sent, tried, confirmed.
+    /// Installs other firmware: sends it to the calibrator, tries it, confirms it.
     Update(update::Update),
     /// Measures a point list.
     Run(run::Run),
     /// Prints or replaces the calibrator's settings.
     Settings(settings::Settings),
-    /// Reads the certificate of the reference: shows it beside what is in force, and stores it.
+    /// Reads the certificate of the reference, shows it beside the one in force, and stores it.
     Reference(reference::Reference),
-    /// Measures what the channels differ by, and takes it away.
+    /// Measures by how much the channels differ, and corrects for it.
     Adjust(adjust::Adjust),
     /// Checks the reference on site by reciprocity: a mass and two voltages.
     Selfcheck(selfcheck::SelfcheckVerb),
-    /// Checks a reference that responds to d.c.: turned over in gravity.
+    /// Checks a reference that responds to d.c. by turning it over in gravity.
     Turnover(turnover::Turnover),
-    /// Waveforms of both channels: d.c., harmonics, noise, spectrum.
+    /// Captures waveforms of both channels: d.c., harmonics, noise, spectrum.
     Capture(capture::CaptureVerb),
     /// Stops a run and silences the exciter.
     Stop(stop::Stop),
-    /// Records stored in the calibrator.
+    /// Lists the records stored in the calibrator.
     Records(records::Records),
-    /// Lets records that were downloaded make room for new ones.
+    /// Lets downloaded records make room for new ones.
     Release(release::Release),
     /// Downloads a stored record into a file.
     Download(download::Download),
-    /// Fetches what the logbook lacks from every calibrator that is connected.
+    /// Fetches records the logbook lacks from every connected calibrator.
     Sync(sync::Sync),
     /// Draws a record in the terminal: S over f with U.
     Show(show::Show),
@@ -188,7 +188,7 @@ pub(crate) enum Command {
     Sign(sign::Sign),
     /// Writes the certificate of a record.
     Certificate(certificate::CertificateVerb),
-    /// An emulated calibrator that other programs use like hardware.
+    /// Runs an emulated calibrator that other programs use like hardware.
     Emulate(emulate::Emulate),
     /// Evaluates an uncertainty budget (ISO 16063-21 Annex A, GUM).
     Budget(budget::BudgetVerb),
@@ -198,15 +198,15 @@ pub(crate) enum Command {
     Identify(identify::Identify),
     /// Converts a sensitivity to acceleration, velocity or displacement (clause 6).
     Convert(convert::Convert),
-    /// Risks of decision rules over many sensors (JCGM 106:2012, clause 9).
+    /// Computes risks of decision rules over many sensors (JCGM 106:2012, clause 9).
     Risk(risk::Risk),
-    /// Sensitivity from readings: comparison, consecutive, calibrator (clause 6).
+    /// Computes sensitivity from readings: comparison, consecutive, calibrator (clause 6).
     Sensitivity(sensitivity::Sensitivity),
     /// Converts between acceleration, velocity and displacement (Annex C).
     Nomogram(nomogram::Nomogram),
-    /// Phase by comparison with the uncertainty of ISO 5347-9.
+    /// Computes phase by comparison, with the uncertainty of ISO 5347-9.
     Phase(phase::Phase),
-    /// Lists of points by ISO 16063-21 clause 5.
+    /// Writes lists of points by ISO 16063-21 clause 5.
     Points(points::Points),
     /// Judges a record by Tables 1 to 6 and clause 7 of ISO 16063-21.
     Check(check::Check),
@@ -214,27 +214,27 @@ pub(crate) enum Command {
     Predict(predict::Predict),
     /// Links comparisons, judges degrees of equivalence.
     Link(linking::Linking),
-    /// Sensors of the logbook.
+    /// Lists, adds and changes sensors of the logbook.
     Sensors(logbook::Sensors),
-    /// Drift of a sensor over the years, with U.
+    /// Shows the drift of a sensor over the years, with U.
     History(logbook::History),
-    /// Judges a check standard by its own results, before a job is begun.
+    /// Judges a check standard by its own results, before a job.
     Assure(logbook::Assure),
-    /// Records, certificates, instruments and operators that are kept.
+    /// Keeps records, certificates, instruments and operators, and checks them.
     Logbook(logbook::LogbookVerb),
-    /// The logbook for other programs.
+    /// Exports the logbook for other programs.
     Export(logbook::Export),
-    /// A local web page to start, watch and stop calibrations.
+    /// Serves a local web page to start, watch and stop calibrations.
     Serve(serve::Serve),
     /// Finds what keeps this computer from talking to a calibrator.
     Doctor(doctor::Doctor),
-    /// Shows or sets what need not be said each time: device, level, operator ...
+    /// Shows or sets this user's defaults: device, level, operator ...
     Config(config::ConfigVerb),
     /// Prints the completion script of a shell.
     Completions(completions::Completions),
     /// Writes the man pages.
     Man(completions::Man),
-    /// Versions of the tool, the protocol and the stored records.
+    /// Prints versions of the tool, the protocol and the stored records.
     Version(version::Version),
     /// Writes the JSON Schemas of all outputs.
     #[command(hide = true)]

@@ -20,12 +20,12 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 #[command(after_help = "\
 FILE is the laboratory's digital calibration certificate (DCC 3.x), or a CSV with frequency, sensitivity
-(or deviation), U in percent and coverage factor at each frequency, and phase with its U. What it says is
-shown beside what is in force: nothing changes without --write, and a hand on the button.
+(or deviation), U in percent and coverage factor at each frequency, and phase with its U. calib shows it
+beside the calibration in force. Nothing changes without --write and a hand on the button.
 
 Between calibrated frequencies the instrument interpolates over the logarithm of the frequency, with the
-larger U of both neighbours, and the error of that by the curvature of the table in the budget. Outside of
-the table it measures nothing.")]
+larger U of both neighbours. The budget has the error of that, by the curvature of the table. Outside of
+the table the instrument measures nothing.")]
 pub(crate) struct Reference {
     /// The certificate: DCC or CSV.
     file: PathBuf,
@@ -35,10 +35,10 @@ pub(crate) struct Reference {
     /// Reads and shows it, without a calibrator.
     #[arg(long, conflicts_with = "write")]
     offline: bool,
-    /// Of a DCC only results whose name holds this, such as `as left`.
+    /// Takes from a DCC only results whose name holds this, such as `as left`.
     #[arg(long, value_name = "TEXT")]
     result: Option<String>,
-    /// Sensitivity that deviations of a CSV are from, in the unit of --unit.
+    /// Sensitivity that the deviations of a CSV refer to, in the unit of --unit.
     #[arg(long, value_name = "NUMBER", value_parser = positive::<f64>)]
     sensitivity: Option<f64>,
     /// Unit of --sensitivity: mV/(m/s2) or mV/g.

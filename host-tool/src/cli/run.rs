@@ -31,7 +31,7 @@ pub(crate) struct Run {
     /// Point list, .toml or .csv; default: one-third octaves, 20 Hz to 10 kHz.
     #[arg(long, short, value_name = "FILE")]
     points: Option<PathBuf>,
-    /// Measures again what was refused in this record, and nothing else: a file, or the
+    /// Measures again only the points refused in this record: a file, or the
     /// running number of one in the calibrator. Device and mounting are those of the record
     /// unless stated.
     #[arg(long, value_name = "RECORD", conflicts_with_all = ["points", "level", "excitation"])]
@@ -54,7 +54,7 @@ pub(crate) struct Run {
     /// Device under test: serial number.
     #[arg(long, value_name = "TEXT", default_value = "")]
     serial: String,
-    /// Who calibrates.
+    /// Operator who calibrates.
     #[arg(long, value_name = "NAME", default_value = "", env = "CALIB_OPERATOR")]
     operator: String,
     /// Temperature of the transducer, degrees Celsius.
@@ -63,16 +63,16 @@ pub(crate) struct Run {
     /// How the device under test is mounted.
     #[arg(long, value_name = "TEXT", default_value = "")]
     mounting: String,
-    /// Measures the list so often, and asks for the device to be taken off and mounted again in between: the
-    /// scatter between mountings is evaluated (ISO 16063-21, 5.2). Each is a record of its own.
+    /// Measures the list this many times, and asks for the device to be taken off and mounted again in between. The
+    /// scatter between mountings is evaluated (ISO 16063-21, 5.2). Each mounting gives a record of its own.
     #[arg(long, value_name = "N", default_value_t = 1, conflicts_with = "retry", value_parser = clap::value_parser!(u8).range(1..=20))]
     remount: u8,
     /// Measures this standard first and then the device, both at the input of the device: S2 = S1 X2 / X1, in which
     /// the instrument's reference, its gain and the ratio of its channels cancel (ISO 16063-21, 4.5).
     #[arg(long, value_name = "CHECK", conflicts_with_all = ["retry", "remount", "excitation"])]
     substitute: Option<String>,
-    /// Table of the standard's certificate (CSV: frequency_hz, sensitivity_mv, expanded_uncertainty_percent); else
-    /// what `calib assure` was told of it.
+    /// Table of the standard's certificate (CSV: frequency_hz, sensitivity_mv, expanded_uncertainty_percent)
+    /// [default: what `calib assure` was told].
     #[arg(long, value_name = "FILE", requires = "substitute")]
     standard: Option<PathBuf>,
     /// Unit of the sensitivities shown: mV/(m/s2) or mV/g [default: that of the sensor].

@@ -32,36 +32,36 @@ const RUNS: usize = STEPS.len();
 /// `calib selfcheck`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The reference against a mass and the ratio of two voltages, without any other standard. It takes a shunt in
-the coil's circuit, a divider across coil and shunt, a mass of 50 g, and a direct current that carries it
+Compares the reference with a mass and the ratio of two voltages, without any other standard. It takes a shunt in
+the coil's circuit, a divider across coil and shunt, a mass of 50 g, and a direct current that carries the mass
 (hardware/reciprocity.md). calib asks for each of ten runs: no mass, the mass in three orientations, no mass
-again, each with shunt and divider at the device's input in turn. Before it, `calib adjust ratio --write`.
+again, each with shunt and divider at the device's input in turn. Give `calib adjust ratio --write` before.
 
 The first check after the reference came back from calibration is the baseline (--baseline); later ones are
-compared with it. What was found is kept in the logbook and stated on certificates; the table of the
-reference is never changed by it. Exit code 7 when the reference changed, or differs from its certificate.")]
+compared with it. The result is kept in the logbook and stated on certificates. It never changes the table of
+the reference. Exit code 7 when the reference changed, or differs from its certificate.")]
 pub(crate) struct SelfcheckVerb {
     /// The ten runs, measured before in this order: files, or numbers of records in the calibrator. Without them
     /// calib measures.
     #[arg(num_args = RUNS, value_name = "RECORD", conflicts_with_all = ["yes", "moving_mass"])]
     from: Vec<PathBuf>,
-    /// Mass, shunt and divider with their uncertainties (TOML); what it leaves out is that of
+    /// Mass, shunt and divider with their uncertainties (TOML); values left out are those of
     /// hardware/reciprocity.md.
     #[arg(long, short, value_name = "FILE")]
     equipment: Option<PathBuf>,
-    /// No direct current carries the mass: U is larger.
+    /// States that no direct current carries the mass: U is larger.
     #[arg(long)]
     not_held: bool,
     /// Moving mass without anything on the table, g: the current is then the same with the mass and without.
     #[arg(long, value_name = "GRAM", default_value_t = 50.0, value_parser = positive::<f64>)]
     moving_mass: f64,
-    /// This check is what later ones are compared with: the reference has just come back.
+    /// Makes this check the baseline of later ones: the reference has just come back from calibration.
     #[arg(long)]
     baseline: bool,
-    /// Nobody is asked: something else mounts the mass and switches the inputs before each run.
+    /// Asks nobody: something else mounts the mass and switches the inputs before each run.
     #[arg(long)]
     yes: bool,
-    /// Who checks.
+    /// Operator who checks.
     #[arg(long, value_name = "NAME", default_value = "", env = "CALIB_OPERATOR")]
     operator: String,
     /// Temperature of the calibrator, degrees Celsius.

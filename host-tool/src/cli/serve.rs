@@ -17,8 +17,8 @@ use std::sync::Arc;
 /// `calib serve`.
 #[derive(Debug, Args)]
 pub(crate) struct Serve {
-    /// Where to listen. Anything but loopback is asked for a token, which is part
-    /// of the address that is printed.
+    /// Address to listen on. Beyond loopback the page asks for a token, which is part
+    /// of the printed address.
     #[arg(long, value_name = "ADDRESS:PORT", default_value = "127.0.0.1:8160")]
     listen: SocketAddr,
     /// TOML file of the laboratory, for certificates [default:
@@ -31,7 +31,7 @@ pub(crate) struct Serve {
     sign: Option<PathBuf>,
     #[command(flatten)]
     password: Password,
-    /// Leaves the browser alone; it is opened when a person started this in a terminal.
+    /// Does not open the browser. Without this it is opened when a person starts this in a terminal.
     #[arg(long)]
     no_browser: bool,
 }

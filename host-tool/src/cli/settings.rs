@@ -16,7 +16,7 @@ influence quantities, the calibration table of the reference) and hand it back w
 `calib settings --write mine.toml`. All values are SI; phases are in radians.
 
 Settings change only while the button on the instrument is held: each of them enters a result, its
-uncertainty or a limit. calib waits for the hand. Each change is logged as a record, with the time and the
+uncertainty or a limit. calib waits until it is held. Each change is logged as a record, with the time and the
 operator. No setting passes the ceilings: 42 V, 1415 m/s2, 1.5 m/s, 12.7 mm peak.")]
 pub(crate) struct Settings {
     /// Stores the settings of this TOML file in the calibrator; nothing is changed

@@ -19,7 +19,7 @@ pub(crate) struct Show {
     /// File of a downloaded record, or the running number of one that is still
     /// in the calibrator (it is downloaded first).
     record: PathBuf,
-    /// Where a download goes.
+    /// Directory for a download.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
     /// Unit of the sensitivities: mV/(m/s2) or mV/g [default: that of the sensor].

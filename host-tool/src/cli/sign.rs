@@ -21,7 +21,7 @@ use std::sync::Arc;
 FILE.pdf gets a signature of PAdES (level B-B) as FILE.signed.pdf, FILE.dcc.xml an XML signature as
 FILE.signed.dcc.xml; FILE itself stays. `calib certificate --sign` does it as the certificate is
 made. Where the logbook has FILE as it was issued, the signed file and its signer are entered, and the
-journal is signed too. How a laboratory makes its key: docs/certificate.md.")]
+journal is signed too. docs/certificate.md says how a laboratory makes its key.")]
 pub(crate) struct Sign {
     /// Certificates: PDF or DCC.
     #[arg(required = true, value_name = "FILE")]

@@ -14,9 +14,9 @@ use std::path::Path;
 /// `calib sync`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Without --device every port that may be a calibrator is asked. Runs that a link broke in,
-that the button began, or that another computer followed are in the calibrator all the same:
-their records are downloaded and entered. Nothing is removed from the calibrator.")]
+Without --device calib asks every port that may be a calibrator. It downloads and enters records the
+logbook lacks: of runs in which a link broke, that the button began, or that another computer
+followed. Nothing is removed from the calibrator.")]
 pub(crate) struct Sync {}
 
 /// What came from a calibrator.

@@ -15,12 +15,12 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, Args)]
 #[command(after_help = "\
 For references that respond to steady acceleration (piezoresistive, capacitive, servo): a voltmeter reads the
-output with the axis up, down, down, up, and again, at least twice; the file has the readings and what they
-were read with (docs/metrology/reciprocity.md#turning-over-in-gravity). An IEPE or charge reference does not
-respond: `calib selfcheck`.
+output with the axis up, down, down, up, and again, at least twice. The file has the readings and the equipment
+(docs/metrology/reciprocity.md#turning-over-in-gravity). An IEPE or charge reference does not respond: use
+`calib selfcheck`.
 
-The first check after a calibration is the baseline (--baseline). What is found is kept in the logbook, is on
-the chart of `calib assure` and on certificates; it changes no table and extends no interval. Exit code 7 when
+The first check after a calibration is the baseline (--baseline). The result is kept in the logbook, and is on
+the chart of `calib assure` and on certificates. It changes no table and extends no interval. Exit code 7 when
 the reference changed, or differs from its certificate.")]
 pub(crate) struct Turnover {
     /// Readings, gravity, voltmeter and tilt (TOML).
@@ -30,7 +30,7 @@ pub(crate) struct Turnover {
     /// calibrator.
     #[arg(value_name = "RECORD")]
     record: PathBuf,
-    /// This check is what later ones are compared with: the reference has just come back.
+    /// Makes this check the baseline of later ones: the reference has just come back from calibration.
     #[arg(long)]
     baseline: bool,
 }

@@ -20,12 +20,12 @@ const BETWEEN: Duration = Duration::from_millis(500);
 /// `calib update`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-The new firmware goes to the slot of the flash that is not in use, and is tried once it is there
-as a whole and signed with the key the instrument trusts. What runs is never touched: after a
-failed supply or a broken link it runs on, and the same command begins again. The new firmware
-is confirmed as soon as it answers here; if it never does, the instrument starts the old one
-again after three starts. Firmware older than what runs needs the button held. Records and
-settings stay. What this protects from and what not: docs/safety.md.")]
+The new firmware goes to the slot of the flash that is not in use. It is tried once it is there
+as a whole and signed with the key the instrument trusts. The running firmware is never touched:
+after a failed supply or a broken link it runs on, and the same command begins again. The new
+firmware is confirmed as soon as it answers here. If it never answers, the instrument starts the
+old one again after three starts. Older firmware needs the button held. Records and settings
+stay. docs/safety.md says what this protects from and what it does not.")]
 pub(crate) struct Update {
     /// The update, `calib-*.update` of a release.
     file: PathBuf,

@@ -33,7 +33,7 @@ pub(crate) struct Diagnose {
     /// Score on this dataset instead of on held-out rows.
     #[arg(long, value_name = "DATASET")]
     validate: Option<PathBuf>,
-    /// Largest number of effects at a time; 2 if not stated, and up to 4 where two leave structure.
+    /// Largest number of effects at a time [default: 2, and up to 4 where two leave structure].
     #[arg(long, value_parser = clap::value_parser!(u8).range(0..=4))]
     max_effects: Option<u8>,
     /// Write a self-contained HTML report.

@@ -26,11 +26,11 @@ pub(crate) struct Gap {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Says where measurement and simulation differ, which effect does it, and how far the gap shrinks.
+    /// Says where measurement and simulation differ, which effect explains it, and how far the gap shrinks.
     Diagnose(diagnose::Diagnose),
     /// Lists the library of effects, or describes one of them.
     Effects(effects::Effects),
-    /// Finds the measurements that best separate what is still possible.
+    /// Finds the measurements that best separate the causes that are still possible.
     Plan(plan::PlanVerb),
     /// Writes a dataset of known cause, from the digital twin.
     Simulate(simulate::Simulate),
@@ -39,11 +39,11 @@ enum Command {
     /// The dataset has rig.toml (what the simulation believes) and points.csv (what was measured);
     /// `calib gap diagnose DATASET` reads it.
     ///
-    /// The beliefs come from --believed. A rig file (as twin/rigs/default.toml) is best: the
-    /// filters and resonances it states are known, and are taken out of the rows; rig.toml has no
-    /// place for them, and they would show as a gap.
+    /// --believed states what the simulation believes. A rig file (such as twin/rigs/default.toml) is
+    /// best: the filters and resonances it states are known, and are taken out of the rows. rig.toml
+    /// has no place for them, and they would show as a gap.
     ///
-    /// Conditions are what you state, as the calibrator has no sensor for them: one value for all
+    /// You state the conditions, as the calibrator has no sensor for them: one value for all
     /// runs, or one for each, as in --runs 4 --rotation 0,90,180,270. Before each run but the first
     /// you are asked to mount the device anew. docs/gap.md says what each column means.
     Record(record::RecordVerb),

@@ -18,7 +18,7 @@ const MOST_PAIRS: usize = 12;
 /// `calib gap plan`.
 #[derive(Debug, Args)]
 pub(crate) struct PlanVerb {
-    /// A dataset, or what a simulation believes: rig.toml, a rig file, `standard`.
+    /// A dataset, or the beliefs of a simulation: rig.toml, a rig file, `standard`.
     #[arg(value_name = "DATASET|RIG")]
     input: PathBuf,
     /// Most measurements.

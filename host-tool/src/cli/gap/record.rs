@@ -37,8 +37,8 @@ pub(crate) struct RecordVerb {
     /// or `standard`. With `--device emulated` it may be left out.
     #[arg(long, value_name = "RIG")]
     believed: Option<PathBuf>,
-    /// Record from an emulated calibrator on this rig file (`demo`: that of the demo). Believed is
-    /// then all that the file states but its effects.
+    /// Record from an emulated calibrator on this rig file (`demo`: that of the demo). The simulation
+    /// then believes all that the file states, except its effects.
     #[arg(long, value_name = "RIG", conflicts_with = "believed")]
     emulated: Option<PathBuf>,
     /// Point list, .toml or .csv; default: the diagnostic plan, 64 points at most.

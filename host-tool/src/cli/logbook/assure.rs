@@ -20,15 +20,15 @@ use serde::Serialize;
 A check standard is a sensor that is measured for no customer, to see whether the calibrator still
 gives what it gave (ISO/IEC 17025, 7.7.1). Name one with --every, measure it with `calib run --sensor`
 before a job, and ask here. From then on a certificate of this instrument is refused while its check
-standard is out of control or overdue, unless `check_override` under [calibration] says in writing
-why, which the certificate prints.
+standard is out of control or overdue, unless `check_override` under [calibration] gives a reason,
+which the certificate prints.
 
-Without SERIAL: every check standard, the drift they show together, which is that of the reference,
-and the interval between its calibrations that this advises (ILAC-G24). Exit code 7 when one is out of
-control or overdue, or does not agree with its certificate.
+Without SERIAL calib shows every check standard, the drift they show together, which is that of the
+reference, and the interval between its calibrations that follows (ILAC-G24). Exit code 7 when one is
+out of control or overdue, or does not agree with its certificate.
 
-References checked by `calib selfcheck` are listed with their change since the baseline and a chart; a
-significant change, or a chart that speaks against the latest check, is out of control likewise.")]
+References checked by `calib selfcheck` are listed with their change since the baseline and a chart. A
+significant change, or a chart that speaks against the latest check, is out of control too.")]
 pub(crate) struct Assure {
     /// Serial number of the check standard; all of them without.
     serial: Option<String>,
@@ -44,7 +44,7 @@ pub(crate) struct Assure {
     /// Names it a check standard that is measured every so many days at least.
     #[arg(long, value_name = "DAYS", requires = "serial", value_parser = clap::value_parser!(u32).range(1..=3650))]
     every: Option<u32>,
-    /// It is no check standard any more; its records stay.
+    /// Makes it a check standard no longer; its records stay.
     #[arg(long, requires = "serial", conflicts_with_all = ["every", "certified", "frequency"])]
     no_longer: bool,
 }

@@ -29,7 +29,7 @@ enum What {
         #[arg(required = true)]
         files: Vec<PathBuf>,
     },
-    /// Records, newest first.
+    /// Lists records, newest first.
     Records {
         /// Only those of this sensor.
         #[arg(long, value_name = "SERIAL")]
@@ -49,11 +49,11 @@ enum What {
         #[arg(long, short, value_name = "FILE")]
         out: PathBuf,
     },
-    /// Certificates in the order they were issued.
+    /// Lists certificates in the order they were issued.
     Certificates,
-    /// Instruments, with the references of their last records.
+    /// Lists instruments, with the references of their last records.
     Instruments,
-    /// Who is named on records.
+    /// Lists the operators named on records.
     Operators,
     /// Checks every sum, number and signature again.
     Check {

@@ -22,7 +22,7 @@ pub(crate) struct Export {
     /// A new folder for the data set.
     #[arg(long, value_name = "DIR", required_unless_present = "lake")]
     parquet: Option<PathBuf>,
-    /// A lake that many laboratories add to: what it has already is not written again.
+    /// A lake that many laboratories add to: records it has are not written again.
     #[arg(long, value_name = "DIR", conflicts_with = "parquet")]
     lake: Option<PathBuf>,
     /// Name of the laboratory in the lake [default: that in the file of the laboratory].

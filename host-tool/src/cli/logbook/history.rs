@@ -12,9 +12,9 @@ pub(super) const SIZE: (usize, usize) = (80, 12);
 /// `calib history SERIAL`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-A change between two calibrations is judged by its own expanded uncertainty: with one reference in
+A change between two calibrations is judged by its own expanded uncertainty. With one reference in
 one instrument, the reference's calibration, the gain and the ratio of the channels are common and not
-in it. E_n is the change over that; beyond 1 it is marked, and the exit code is 7.")]
+in it. E_n is the change over that uncertainty; beyond 1 it is marked, and the exit code is 7.")]
 pub(crate) struct History {
     /// Serial number of the sensor.
     serial: String,

@@ -18,13 +18,13 @@ pub(crate) struct Sensors {
 
 #[derive(Debug, Subcommand)]
 enum What {
-    /// Sensors of the logbook.
+    /// Lists the sensors of the logbook.
     List {
         /// Only those whose serial number, maker, model or owner holds this.
         #[arg(default_value = "")]
         text: String,
     },
-    /// Everything about one sensor.
+    /// Shows everything about one sensor.
     Show {
         /// Serial number.
         serial: String,

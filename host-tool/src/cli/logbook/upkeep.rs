@@ -30,7 +30,7 @@ pub(super) struct Signing {
     /// The laboratory's key with its certificate: a PKCS#12 file [default: that of `calib config key`].
     #[arg(long, env = "CALIB_LABORATORY_KEY", value_name = "FILE")]
     key: Option<PathBuf>,
-    /// Why the key is another than before, such as `the old one was lost`; it is signed with the rest.
+    /// Reason why the key is another than before, such as `the old one was lost`; it is signed with the rest.
     #[arg(long, value_name = "TEXT", default_value = "")]
     new_key: String,
     #[command(flatten)]

@@ -16,17 +16,17 @@ use std::path::{Path, PathBuf};
 /// `calib verify FILE...`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Nothing but the file and what is public is needed: no instrument and no logbook. Where there is a
-logbook, it says besides whether a certificate is one that was issued, signed or not. Of a record that
-is the key of its instrument, which `calib key --json` prints; without --key the logbook is asked
-for it. Of a certificate, PDF or DCC, it is the certificate of the laboratory's key, or that of the
+The file and a public key are enough: no instrument and no logbook is needed. Where there is a
+logbook, calib also says whether it knows a certificate as issued, signed or not. For a record the
+key is that of its instrument, which `calib key --json` prints; without --key the logbook gives
+it. For a certificate, PDF or DCC, it is the certificate of the laboratory's key, or that of the
 authority that issued it.
 Exit code 7 where a file is not proven to be theirs: it is not signed, was altered, or nobody
 here knows its key.
 
-What a signature proves: no byte was altered since the owner of the key signed. What not: that
-it was measured well; that time, operator and sensor are true, which a host stated; and when it
-was signed, which the signer stated. docs/safety.md says more.")]
+A signature proves that no byte was altered since the owner of the key signed. It does not prove
+that it was measured well; that time, operator and sensor are true, which a host stated; or when
+it was signed, which the signer stated. docs/safety.md says more.")]
 pub(crate) struct Verify {
     /// Downloaded records, certificates as PDF or DCC.
     #[arg(required = true, value_name = "FILE")]
