@@ -1,4 +1,4 @@
-//! What is stated of a sensor when it is registered: by options of a verb, and by the page.
+//! Statements about a sensor when it is registered: by options of a verb, and by the page.
 
 use crate::Result;
 use calib_certificate::SensitivityUnit;

@@ -6,10 +6,10 @@ use calib_certificate::{Amendment, Options, Particulars};
 use calib_logbook::{Logbook, Role, Sources};
 use calib_protocol::record::{self, Sha256Sum};
 
-/// What is wanted in place of a certificate.
+/// Certificate wanted in place of another.
 #[derive(Clone, Debug)]
 pub struct Amended {
-    /// What the new one says of the old one.
+    /// Statement of the new one about the old one.
     pub replaces: Amendment,
     /// Number of the new one, unless the laboratory states another.
     number: String,

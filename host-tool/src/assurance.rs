@@ -24,7 +24,7 @@ const DRIFT_ROW: u8 = 10;
 /// How a check standard stands.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct CheckState {
-    /// What it is.
+    /// The check standard itself.
     #[serde(flatten)]
     pub standard: CheckStandard,
     /// Its results.
@@ -33,7 +33,7 @@ pub struct CheckState {
     pub latest_unix_time_s: Option<i64>,
     /// The latest is older than it may be.
     pub overdue: bool,
-    /// What speaks against the latest; empty with fewer than six results.
+    /// Signals against the latest; empty with fewer than six results.
     pub signals: Vec<Signal>,
     /// The latest against its certificate: beyond 1 the two do not agree; none where none is stated.
     pub e_n: Option<f64>,
@@ -50,7 +50,7 @@ pub struct AssuranceReport {
     pub standards: Vec<CheckState>,
     /// References that were checked by reciprocity.
     pub references: Vec<ReferenceState>,
-    /// What the check standards show together; none with too few results.
+    /// Drift the check standards share; none with too few results.
     pub common_drift: Option<CommonDrift>,
     /// Relative drift the budget of the latest result allows for the reference, row 10.
     pub allowed_drift_rel: Option<f64>,

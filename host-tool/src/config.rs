@@ -1,4 +1,4 @@
-//! What a user need not say each time: `config.toml` in the folder of settings of this user.
+//! Defaults of a user: `config.toml` in the folder of settings of this user.
 //!
 //! Whatever is said otherwise goes before it: on the command line, in the environment, in a file of the job.
 
@@ -10,7 +10,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// What may be set, for messages.
+/// Keys that may be set, for messages.
 const KEYS: &str = "device, level, tolerance, operator, language and key may be set";
 
 /// Defaults of a user.

@@ -9,7 +9,7 @@ use calib_signing::{Kind, LaboratoryKey, verify};
 use jiff::Timestamp;
 use std::path::{Path, PathBuf};
 
-/// What the logbook enters with every file of a certificate.
+/// Data the logbook enters with every file of a certificate.
 #[derive(Debug)]
 pub struct Entries {
     record: Sha256Sum,
@@ -94,8 +94,8 @@ fn at_time(seal: &Seal, at: Timestamp) -> Seal {
     Seal { key, at }
 }
 
-/// What `sign` makes at the time of a signature by this key that was `entered`, or is at `path`, where that is
-/// it to the byte.
+/// Signature by `sign` at the time of one by this key that was `entered`, or is at `path`, where that is
+/// the same to the byte.
 ///
 /// # Errors
 /// Those of `sign`.
@@ -157,7 +157,7 @@ pub fn sign_journal(logbook: &Logbook, seal: Option<&Seal>) -> Result<Journal> {
 }
 
 impl Journal {
-    /// What is to be said of it; nothing of one that is signed.
+    /// Remark about it; none about one that is signed.
     pub fn remark(&self) -> Option<String> {
         match self {
             Self::Signed => None,

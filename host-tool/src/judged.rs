@@ -1,4 +1,4 @@
-//! What a certificate states and is judged by: the files of the laboratory and the job,
+//! Particulars and judgement of a certificate: the files of the laboratory and the job,
 //! completed by what the logbook knows of the sensor. Every verb and the page ask here.
 
 use crate::Result;

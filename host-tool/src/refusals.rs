@@ -19,7 +19,7 @@ pub struct Refused {
     pub reason: String,
     /// The reason in words.
     pub reason_text: String,
-    /// What to do about it.
+    /// Remedy.
     pub remedy: &'static str,
     /// Nominal frequencies of the points, Hz.
     pub frequencies_hz: Vec<f32>,
@@ -40,7 +40,7 @@ impl Refused {
     }
 }
 
-/// What to do about a refusal.
+/// Remedy for a refusal.
 pub fn remedy(reason: Reason) -> &'static str {
     match reason {
         Reason::Clipped => {

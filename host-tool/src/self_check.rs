@@ -13,7 +13,7 @@ use jiff::tz::TimeZone;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a check found, by its method.
+/// Result of a check, by its method.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum Found {
@@ -72,7 +72,7 @@ fn measured_s(record: &Record) -> i64 {
     }
 }
 
-/// What a check says against its baseline, if there is one with the same reference, certificate and equipment, and
+/// Changes by a check against its baseline, if there is one with the same reference, certificate and equipment, and
 /// against the certificate.
 ///
 /// # Errors
@@ -94,7 +94,7 @@ fn baseline_of(logbook: Option<&Logbook>, last: &Record, found: &Found) -> Resul
     baseline(&checks, measured_s(last) - 1, found.is_by_gravity())
 }
 
-/// What the ratio of the channels leaves open in a check, by the baseline it is compared with.
+/// Warning about the ratio of the channels in a check, by the baseline it is compared with.
 ///
 /// # Errors
 /// Those of the logbook.
@@ -202,9 +202,9 @@ pub struct ReferenceState {
     pub checks: usize,
     /// Time of the latest, s since 1970-01-01 UTC.
     pub latest_unix_time_s: i64,
-    /// What the latest says.
+    /// Change by the latest.
     pub latest: Option<Change>,
-    /// What speaks against the latest on the chart; empty with fewer than six checks.
+    /// Signals of the chart against the latest; empty with fewer than six checks.
     pub signals: Vec<Signal>,
     /// The chart can judge.
     pub judged: bool,

@@ -9,11 +9,11 @@ use jiff::civil::Date;
 pub struct FailedCheck {
     /// Its serial number.
     pub serial: String,
-    /// What speaks against the instrument.
+    /// Problem that speaks against the instrument.
     pub problem: CheckProblem,
 }
 
-/// What a check standard shows, with the day of the result meant.
+/// Problem that a check standard shows, with the day of the result meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CheckProblem {
     /// This result does not belong to those before it, or does not agree with its certificate.
@@ -42,7 +42,7 @@ pub struct ReferenceCheck {
 }
 
 impl ReferenceCheck {
-    /// What is stated of it: for information, unless it speaks against the reference.
+    /// Remark about it: for information, unless it speaks against the reference.
     pub(super) fn remark(&self) -> Remark {
         let percent = |value: f64| Value::Number(100.0 * value, 2, "%");
         let (severity, key) = match (self.significant, self.since_baseline) {

@@ -55,7 +55,7 @@ fn agreement_rel(budget: &CoreBudget<'_>) -> f64 {
     STORED_U_REL + 2.0 * share * STORED_REPEATABILITY_REL
 }
 
-/// What the uncertainties of a certificate are made of.
+/// Basis of the uncertainties of a certificate.
 pub(super) struct Basis<'a> {
     record: &'a Record,
     /// Settings that cover the temperature, too.
@@ -65,7 +65,7 @@ pub(super) struct Basis<'a> {
     /// Correlation of the reference's calibration between two frequencies.
     correlation: f64,
     mountings: &'a Mountings,
-    /// What the points show of the mounted resonance.
+    /// Mounted resonance as the points show it.
     pub(super) mounted: Mounted,
 }
 
@@ -220,7 +220,7 @@ impl<'a> Basis<'a> {
         Ok(budget)
     }
 
-    /// What the instrument stated.
+    /// Uncertainty the instrument stated.
     fn stored(&self, point: &PointResult) -> Uncertainty {
         Uncertainty {
             expanded_rel: f64::from(point.expanded_uncertainty_rel),

@@ -168,7 +168,7 @@ mod tests {
         );
     }
 
-    /// What one point has and the other has not stays, and what is called otherwise is not shared.
+    /// A row that only one point has stays, and rows of other names are not shared.
     #[test]
     fn what_is_no_row_of_both_counts_in_full() {
         let reference = budget(&[(6, 0.001, INFINITE)]);

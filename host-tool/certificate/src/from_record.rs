@@ -99,7 +99,7 @@ impl Certificate {
     }
 }
 
-/// What was judged at the instrument is judged by the limits in the record, unless a tolerance is stated.
+/// A record that was judged at the instrument is judged by its own limits, unless a tolerance is stated.
 fn judging(record: &Record, particulars: &Particulars) -> Particulars {
     let mut particulars = particulars.clone();
     let stated = particulars.decision.as_ref();
@@ -304,7 +304,7 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
     remarks
 }
 
-/// What the repetition of the first point at the end of the run said, where it said anything.
+/// Remark about the repetition of the first point at the end of the run, if any.
 pub(super) fn closing_remark(record: &Record) -> Option<Remark> {
     let (key, value) = match record.closing {
         Closing::None => return None,

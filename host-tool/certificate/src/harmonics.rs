@@ -1,7 +1,7 @@
 //! Harmonics that one channel has and the other has not: a conditioner with a dead zone, or one that bends.
 //!
 //! # Equation
-//! What bends a sine `X` evenly for both signs takes from its fundamental, or adds to it, three times the third
+//! A nonlinearity alike for both signs of a sine `X` takes from its fundamental, or adds to it, three times the third
 //! harmonic that it makes: a dead zone of `d` takes `4 d / (pi X)` and leaves `4 d / (3 pi X)`; a cube adds `3/4 c X^2`
 //! and leaves `1/4 c X^2`. The motion's own harmonics are in both channels alike, so that the channel's are the
 //! difference of both distortions, or more, since they add at any angle: `sqrt(2)` times it in the mean square. As

@@ -25,7 +25,7 @@ pub struct IntervalRule {
 const LONGEST_DAYS: u32 = 1826;
 
 impl IntervalRule {
-    /// What is wrong with the rule.
+    /// Problem of the rule, if any.
     pub(super) fn problem(&self) -> Option<String> {
         let days = [
             ("extend_days", self.extend_days),

@@ -41,9 +41,9 @@ type Statements = BTreeMap<&'static str, Option<String>>;
 pub struct Document {
     /// Number of the certificate.
     certificate: String,
-    /// What it is instead of a certificate: `simulated`, `draft`; empty for a complete one.
+    /// Marks of a document that is no complete certificate: `simulated`, `draft`; empty for a complete one.
     marks: Vec<Mark>,
-    /// What a draft lacks, in words.
+    /// Items a draft lacks, in words.
     missing: Vec<String>,
     /// The certificate that this one replaces, and why; none when it replaces none.
     replaces: Option<Amendment>,
@@ -60,7 +60,7 @@ pub struct Document {
     points: Vec<JudgedPoint>,
     /// Statements about the whole object.
     conformity: Stated,
-    /// The same in words, with what decided; none when no tolerance was stated.
+    /// Conformity in words, with the reason; none when no tolerance was stated.
     verdict: Option<Verdict>,
     /// Budget at the reference point.
     budget: Option<Budget>,
@@ -123,7 +123,7 @@ struct JudgedPoint {
     deviation_db: Option<f64>,
     /// Expanded uncertainty of the deviation, relative to the reference point; none there.
     expanded_uncertainty_deviation_rel: Option<f64>,
-    /// The same in dB.
+    /// Expanded uncertainty of the deviation, dB.
     expanded_uncertainty_deviation_db: Option<f64>,
     /// Its coverage factor.
     coverage_factor_deviation: Option<f64>,
@@ -288,8 +288,8 @@ struct Remark {
     text: String,
 }
 
-/// What a certificate of the record says of the first point's repetition at the end of the run, where that says
-/// anything: the sensitivity changed meanwhile, or nobody knows.
+/// Remark of a certificate of the record about the first point's repetition at the end of the run; none unless
+/// the sensitivity changed meanwhile, or nobody knows.
 pub fn said_of_closing(record: &Record, language: Language) -> Option<String> {
     closing_remark(record).map(|said| remark(&said, language).text)
 }

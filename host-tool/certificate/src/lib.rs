@@ -195,7 +195,7 @@ pub struct Options {
     pub remounted: Vec<Record>,
     /// Check standards that speak against it: without an override in writing it is refused.
     pub failed_checks: Vec<FailedCheck>,
-    /// What PDF and DCC are signed with.
+    /// Seal with which PDF and DCC are signed.
     pub seal: Option<Seal>,
 }
 
@@ -239,9 +239,9 @@ pub struct File {
     pub name: String,
     /// Its content.
     pub content: Vec<u8>,
-    /// The same without any signature, where it has one: what stays the same however often it is signed.
+    /// The content without any signature, where it has one: it stays the same however often it is signed.
     pub unsigned: Option<Vec<u8>>,
-    /// What its signature is over, where it has one.
+    /// Content its signature covers, where it has one.
     page: Option<Vec<u8>>,
 }
 

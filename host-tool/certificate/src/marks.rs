@@ -6,7 +6,7 @@ use super::words::Language;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What a document that looks like a certificate is.
+/// Mark of a document that looks like a certificate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Mark {
@@ -30,7 +30,7 @@ const REQUIRED: [(&str, &str); 9] = [
 ];
 
 impl Certificate {
-    /// What is missing, as keys of the message file; empty when it is complete.
+    /// Missing items, as keys of the message file; empty when it is complete.
     pub(crate) fn missing(&self) -> Vec<String> {
         let stated =
             |words: &Option<String>| words.as_deref().is_some_and(|w| !w.trim().is_empty());

@@ -49,7 +49,7 @@ pub struct Certificate {
     pub remarks: Vec<Remark>,
     /// Certificate from before an adjustment, when this is from after it.
     pub as_found: Option<Box<Certificate>>,
-    /// What the points show of the mounted resonance.
+    /// Mounted resonance as the points show it.
     pub resonance: Option<MountedResonance>,
     /// Place of the record in the chain, once somebody looked.
     pub chain: Option<Standing>,

@@ -17,7 +17,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
 
-/// What the mountings of a point show.
+/// Scatter between the mountings of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MountingScatter {
     /// Nominal frequency, Hz.
@@ -32,7 +32,7 @@ pub struct MountingScatter {
     pub phase_deg: f64,
     /// Relative experimental standard deviation of one mounting.
     pub scatter_rel: f64,
-    /// The same of the phase, degrees.
+    /// Scatter of the phase, degrees.
     pub scatter_phase_deg: f64,
     /// Relative standard uncertainty of the mean.
     pub standard_uncertainty_rel: f64,

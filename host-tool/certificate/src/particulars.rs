@@ -136,7 +136,7 @@ pub struct Calibration {
     pub approved_by: Option<String>,
     /// Additions to, deviations and exclusions from the method.
     pub deviations: Option<String>,
-    /// What was measured.
+    /// Measurand.
     pub measurand: Option<Measurand>,
     /// Why a reference was used although its calibration was overdue.
     pub overdue_reference: Option<String>,
@@ -157,11 +157,11 @@ pub struct Calibration {
 pub struct Amendment {
     /// Number of the certificate that is replaced.
     pub certificate: String,
-    /// What was wrong with it.
+    /// Mistake on it.
     pub reason: String,
 }
 
-/// What the sensitivity is one of.
+/// Object whose sensitivity is stated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Measurand {
@@ -332,7 +332,7 @@ impl Particulars {
     }
 }
 
-/// What a logbook knows of a device under test.
+/// Entries of a logbook about a device under test.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Known {
     /// Nominal sensitivity, V/(m/s2).

@@ -1,4 +1,4 @@
-//! What no certificate may say: refused before a file is written.
+//! Statements that no certificate may make: refused before a file is written.
 
 use super::interval::{InForce, in_force};
 use super::model::Certificate;
@@ -53,7 +53,7 @@ pub(super) fn check(certificate: &Certificate, record: &Record) -> Result<()> {
     Ok(())
 }
 
-/// What is wrong with an amendment, and the way out.
+/// Problem of an amendment, and the way out.
 fn wrong(amended: &Amendment, certificate: &Certificate) -> Option<(&'static str, &'static str)> {
     if amended.certificate.trim() == certificate.number.trim() {
         return Some((

@@ -7,7 +7,7 @@
 //! own U adds those of the points as if they all erred alike. A shift of `fr` by a part `s` changes `S` by
 //! `2 s q f^2`, to first order. Phase does not help: it turns by less than its U where Q is that of a transducer.
 //!
-//! What a sweep shows is device and mount together, `1/fr^2 = 1/fd^2 + 1/fm^2`: without a data sheet no sweep tells
+//! A sweep shows device and mount together, `1/fr^2 = 1/fd^2 + 1/fm^2`: without a data sheet no sweep tells
 //! one from the other.
 //!
 //! # Source
@@ -75,7 +75,7 @@ struct Fitted {
     points: usize,
 }
 
-/// What is known of the mounted resonance.
+/// Findings about the mounted resonance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Mounted {
     fitted: Option<Fitted>,
@@ -149,7 +149,7 @@ impl Mounted {
         beyond_s2 * square / left
     }
 
-    /// What the record says of it; none where it has no points that could.
+    /// Resonance as the record shows it; none where it has no points that could.
     pub(super) fn resonance(&self) -> Option<MountedResonance> {
         let fitted = self.fitted?;
         let hz = |inverse_square_s2: f64| inverse_square_s2.sqrt().recip();
@@ -273,7 +273,7 @@ fn kilohertz(hz: Option<f64>) -> Value {
 }
 
 impl MountedResonance {
-    /// What a certificate states; none where the points say nothing.
+    /// Statement of a certificate; none where the points say nothing.
     fn value(&self) -> Option<Value> {
         let spread = Value::Number(100.0 * self.spread_rel, 0, "%");
         let (key, hz) = match (self.frequency_hz, self.at_least_hz) {

@@ -23,12 +23,12 @@ pub(super) struct Sealed {
     pub(super) content: Vec<u8>,
     /// None where it has no signature.
     pub(super) unsigned: Option<Vec<u8>>,
-    /// What the signature is over: a PDF may have a signed DCC in it.
+    /// Content the signature covers: a PDF may have a signed DCC in it.
     pub(super) page: Option<Vec<u8>>,
 }
 
 impl Sealed {
-    /// What carries no signature.
+    /// Content without a signature.
     pub(super) fn plain(content: Vec<u8>) -> Self {
         Self {
             content,

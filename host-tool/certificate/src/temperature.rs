@@ -1,4 +1,4 @@
-//! What the temperature told for a calibration adds to its budget.
+//! Contribution to the budget of the temperature told for a calibration.
 //!
 //! The instrument knows no temperature but its own processor's: its row 11 covers what both transducers do
 //! within 3 K of 23 degrees Celsius. Who calibrates knows better, or does not say; row 11 of the certificate
@@ -85,7 +85,7 @@ impl Distance {
         Cow::Owned(settings)
     }
 
-    /// What the reader should know of it.
+    /// Remark for the reader.
     pub(super) fn remark(self) -> Option<Remark> {
         let (severity, key, kelvin) = match self {
             Self::Covered => return None,

@@ -15,7 +15,7 @@ pub struct Verdict {
     pub conformity: Stated,
     /// The verdict in capitals of the language, such as `PASS`.
     pub title: String,
-    /// What decided, in words: `+5.9 % of nominal, limit ±5 %, at 160 Hz`.
+    /// Reason in words: `+5.9 % of nominal, limit ±5 %, at 160 Hz`.
     pub because: String,
     /// Frequency of the point that decided, Hz; none when no point did.
     pub frequency_hz: Option<f64>,

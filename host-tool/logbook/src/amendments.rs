@@ -9,7 +9,7 @@ use calib_output::hex;
 use calib_protocol::record::Sha256Sum;
 use rusqlite::{Connection, OptionalExtension, Row, params};
 
-/// What a record is to a certificate that is made of several.
+/// Role of a record in a certificate that is made of several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
     /// From before an adjustment.
@@ -21,7 +21,7 @@ pub enum Role {
 /// A record that a certificate is made of beside its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Joined {
-    /// What it is to the certificate.
+    /// Its role in the certificate.
     pub role: Role,
     /// Its sum.
     pub record: Sha256Sum,
@@ -53,7 +53,7 @@ impl Role {
 }
 
 impl Logbook {
-    /// What the certificate of this number is made of; none when it was never issued here.
+    /// Records that the certificate of this number is made of; none when it was never issued here.
     ///
     /// # Errors
     /// Those of the file.

@@ -30,7 +30,7 @@ pub struct Issued {
     pub sha256: String,
     /// SHA-256 of the record it is made of, hexadecimal.
     pub record_sha256: String,
-    /// The same signed, and by whom.
+    /// Signed files of it, and by whom.
     pub signed: Vec<SignedFile>,
     /// Number of the certificate whose place it took.
     pub replaces: Option<String>,

@@ -21,7 +21,7 @@ pub struct CheckStandard {
     pub certified: Option<Certified>,
 }
 
-/// What the certificate of a check standard says.
+/// Certified values of a check standard.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Certified {
     /// Sensitivity, V/(m/s2).

@@ -12,7 +12,7 @@ use rusqlite::{Connection, OptionalExtension, Params, params};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
-/// What has entries.
+/// Things that have entries.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Subject {
     Sensor,
@@ -195,7 +195,7 @@ pub(super) fn check(connection: &Connection) -> rusqlite::Result<Vec<String>> {
 /// Sum of the last entry of each name that was not removed.
 type Last = BTreeMap<(String, String), Vec<u8>>;
 
-/// What the journal says is there, and where its chain does not hold.
+/// Things that are there by the journal, and places where its chain does not hold.
 fn read(connection: &Connection) -> rusqlite::Result<(Last, Vec<String>)> {
     let sql = "SELECT number, subject, name, sum, chain FROM journal ORDER BY number";
     let mut statement = connection.prepare(sql)?;

@@ -22,7 +22,7 @@ use std::ffi::OsString;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-/// What was added to a lake.
+/// Additions to a lake.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Addition {
     /// Files that are new.
@@ -226,7 +226,7 @@ fn entries(folder: &Path) -> Result<Vec<OsString>> {
     names.map_err(|e| Error::file("read", folder, e))
 }
 
-/// The same records make the same file.
+/// Name by the records: the same records make the same file.
 fn name(lines: &[Line]) -> OsString {
     let mut hash = Sha256::new();
     for (_, sum) in lines {

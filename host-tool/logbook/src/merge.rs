@@ -12,7 +12,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::Path;
 
-/// What was taken over, and what was not.
+/// Result of a merge: entries taken over, and not.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Merged {
     /// Records that are new here.
@@ -21,9 +21,9 @@ pub struct Merged {
     pub sensors: u32,
     /// Certificates that are new here, or signed files of one.
     pub certificates: u32,
-    /// What both had alike.
+    /// Entries that both had alike.
     pub known: u32,
-    /// What the other has otherwise, or what speaks against it, in words: it stays there alone.
+    /// Entries the other has otherwise, or that something speaks against, in words: they stay there alone.
     pub conflicts: Vec<String>,
 }
 

@@ -54,7 +54,7 @@ impl Kept {
         })
     }
 
-    /// What is signed.
+    /// Text that is signed.
     fn text(&self, chain: &[u8], before: Option<&[u8]>) -> String {
         let before = before.map(|signature| hex(&Sha256::digest(signature)));
         format!(
@@ -181,7 +181,7 @@ impl Logbook {
         Ok(held.collect())
     }
 
-    /// What of the signatures does not hold, or is none of `known`, in words; where nobody is known, only the
+    /// Signatures that do not hold, or are none of `known`, in words; where nobody is known, only the
     /// former.
     ///
     /// # Errors
@@ -224,7 +224,7 @@ impl Logbook {
     }
 }
 
-/// What speaks against a signature that holds.
+/// Doubt about a signature that holds.
 fn doubt(
     kept: &Kept,
     signature: &Signature,

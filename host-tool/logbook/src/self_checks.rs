@@ -18,7 +18,7 @@ pub struct SelfCheck {
     pub measured_s: i64,
     /// Later ones are compared with it.
     pub is_baseline: bool,
-    /// What was found, as JSON.
+    /// The result as JSON.
     pub evaluation: String,
 }
 

@@ -197,8 +197,8 @@ impl Logbook {
             .map_err(|error| self.failure(error))
     }
 
-    /// What judging a run of this sensor, begun at this time (s since 1970-01-01 UTC), needs to
-    /// know of it: nominal sensitivity, tolerance, and the calibration before.
+    /// Knowledge of this sensor needed to judge a run begun at this time (s since 1970-01-01 UTC):
+    /// nominal sensitivity, tolerance, and the calibration before.
     ///
     /// # Errors
     /// Those of the file.

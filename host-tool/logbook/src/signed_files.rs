@@ -47,7 +47,7 @@ impl SignedFile {
         })
     }
 
-    /// What is entered of a file.
+    /// Entry for a file.
     pub(super) fn of(signed: &Signed<'_>, entered_s: i64) -> Self {
         Self {
             sha256: calib_output::hex(&Sha256::digest(signed.content).into()),

@@ -52,7 +52,7 @@ fn private(_: &Path) -> Result<()> {
     Ok(())
 }
 
-/// What became of the records that waited.
+/// Outcome for the records that waited.
 #[derive(Debug, Default)]
 pub struct Entered {
     /// Places and numbers of those that are in the logbook now.
@@ -62,7 +62,7 @@ pub struct Entered {
 }
 
 impl Entered {
-    /// What was put aside, all of it; none where nothing was.
+    /// Error that names all files put aside; none where nothing was.
     pub fn objection(&self) -> Option<Error> {
         let said = self.refused.iter();
         let said = said.map(|(place, problem)| format!("{}: {problem}", place.display()));

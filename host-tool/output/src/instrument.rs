@@ -36,10 +36,10 @@ pub struct InfoView {
     pub stack_unused_bytes: u32,
     /// Temperature of the instrument's processor, degrees Celsius; none when not read.
     pub instrument_temperature_c: Option<f32>,
-    /// What does not work; while there is something, no run is started: `archive`, `settings`,
-    /// `converters`, `clock`, `restarts`. None from a release that does not say.
+    /// Defects; while there is one, no run is started: `archive`, `settings`, `converters`, `clock`,
+    /// `restarts`. None from a release that does not say.
     pub defects: Option<Vec<String>>,
-    /// The same in words, each with what to do.
+    /// Defects in words, each with its remedy.
     pub defect_texts: Vec<String>,
     /// Why it restarted, each time within a minute of the one before, oldest first.
     pub restarts: Vec<String>,
@@ -126,7 +126,7 @@ impl From<&Deadline> for DeadlineView {
 }
 
 impl InfoView {
-    /// What a calibrator answered; a release that does not know its health has none.
+    /// View of the answers of a calibrator; a release that does not know its health has none.
     pub fn new(info: &Info, health: Option<&Health>, image: Option<&RunningImage>) -> Self {
         let defects = || health.into_iter().flat_map(|health| health.defects.iter());
         let text = |defect: Defect| format!("{}: {}", defect.text(), defect.remedy());

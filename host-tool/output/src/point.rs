@@ -100,7 +100,7 @@ pub struct PointView {
     pub repeatability_phase_deg: Option<f64>,
     /// Amplitude of what the mains may still do to the result, relative; as many rad of phase.
     pub hum_rel: Option<f32>,
-    /// What may be missing of the tone, relative: power beside it that is absent at rest, over its own.
+    /// Part of the tone that may be missing, relative: power beside it that is absent at rest, over its own.
     pub dropout_rel: Option<f32>,
     /// Largest relative change of the acceleration amplitude while measuring.
     pub amplitude_stability_rel: Option<f32>,

@@ -5,12 +5,12 @@ use calib_core::self_test::{Check, Line};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What a self-test found.
+/// Result of a self-test.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct SelfTestView {
     /// Every line is within its limits.
     pub passed: bool,
-    /// What was looked at.
+    /// Lines of the test.
     pub lines: Vec<LineView>,
 }
 
@@ -19,9 +19,9 @@ pub struct SelfTestView {
 pub struct LineView {
     /// Number from 1, which `*TST?` answers for the first that failed.
     pub number: u8,
-    /// What it is about: `supply`, `drive_gain` ...
+    /// Its quantity: `supply`, `drive_gain` ...
     pub check: String,
-    /// What that is, in words.
+    /// The quantity in words.
     pub what: &'static str,
     /// The value, in `unit`; none where it could not be measured.
     pub value: Option<f32>,
@@ -33,7 +33,7 @@ pub struct LineView {
     pub upper: Option<f32>,
     /// The value is there and within its limits.
     pub passed: bool,
-    /// What to do, where it is not.
+    /// Remedy, where it is not.
     pub remedy: Option<&'static str>,
 }
 
@@ -66,7 +66,7 @@ impl From<&Line> for LineView {
     }
 }
 
-/// What a line is, its unit, and what to do when it fails.
+/// Words for a line, its unit, and its remedy when it fails.
 fn words(check: Check) -> (&'static str, &'static str, &'static str) {
     const INPUT: &str = "unplug the transducers; if it stays, look for a short or an open part in that \
                          input's divider, bias and clamp";

@@ -214,7 +214,7 @@ impl Evidence {
         of_bytes.or_else(|| self.listed.get(&id).copied())
     }
 
-    /// What speaks against the signature of a record.
+    /// Break by the signature of a record, if any.
     fn misgiving(&self, id: u32, signed: Signed) -> Option<Break> {
         match (signed, self.key) {
             (Signed::Falsely, _) => Some(Break::Forged { id }),

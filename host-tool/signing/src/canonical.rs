@@ -1,7 +1,7 @@
 //! Exclusive canonical XML 1.0 without comments (W3C, 18 July 2002): a document as bytes that do not depend on
 //! how it is written, so that a sum of it can be compared.
 //!
-//! What it leaves out could say something else to another reader: a document type, a processing instruction
+//! Parts it leaves out could say something else to another reader: a document type, a processing instruction
 //! or a comment is refused, in a number or a name as anywhere.
 
 use crate::Problem;
@@ -17,7 +17,7 @@ pub(crate) const SIGNATURE: &str = "http://www.w3.org/2000/09/xmldsig#";
 pub(crate) enum Part {
     /// All but the signatures within the root: what an enveloped signature is over.
     Enveloping,
-    /// What the signature states, `ds:SignedInfo`.
+    /// Statements of the signature, `ds:SignedInfo`.
     SignedInfo,
 }
 
@@ -75,7 +75,7 @@ pub(crate) fn canonical(xml: &str, part: Part) -> Result<String, Problem> {
     }
 }
 
-/// What it says of its form is not signed: it is the one form there is.
+/// The declared form is not signed: only one form is accepted.
 fn check_declaration(declaration: &BytesDecl<'_>) -> Result<(), Problem> {
     let version = declaration.version().map_err(malformed)?;
     let encoding = declaration.encoding().transpose().map_err(malformed)?;
@@ -186,7 +186,7 @@ impl Writer {
     }
 }
 
-/// What is bound within an element, and its other attributes.
+/// Prefixes bound within an element, and its other attributes.
 pub(crate) fn read_attributes(
     start: &BytesStart<'_>,
     mut bound: Bound,

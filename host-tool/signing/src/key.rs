@@ -14,7 +14,7 @@ use ring::signature::{RSA_PKCS1_SHA256, RsaKeyPair};
 use std::fmt;
 use std::path::Path;
 
-/// What is signed to learn that key and certificate belong together.
+/// Text that is signed to learn that key and certificate belong together.
 const TRIAL: &[u8] = b"calib: key and certificate are of one another";
 
 /// A private key with its certificate and those of its issuers.

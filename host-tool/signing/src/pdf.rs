@@ -170,7 +170,7 @@ fn appended(file: &[u8], room: usize, at: Timestamp) -> Result<Vec<u8>, Problem>
     Ok(append(&written, root, next + 2, &objects))
 }
 
-/// What is written after the file: the objects, their table, and the way to the one before.
+/// Part written after the file: the objects, their table, and the way to the table before.
 fn append(written: &Written<'_>, root: u32, size: u32, objects: &[(u32, Vec<u8>)]) -> Vec<u8> {
     let mut file = written.file.to_vec();
     if !file.ends_with(b"\n") {

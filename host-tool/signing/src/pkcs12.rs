@@ -52,7 +52,7 @@ impl From<Problem> for Closed {
     }
 }
 
-/// What such a file holds.
+/// Content of such a file.
 #[derive(Default)]
 pub(crate) struct Content {
     /// Private keys, PKCS#8.
@@ -104,7 +104,7 @@ impl Content {
     }
 }
 
-/// What stands within the explicit tag of a bag.
+/// Content of the explicit tag of a bag.
 fn inner<T>(value: &[u8]) -> Result<T, der::Error>
 where
     T: DecodeOwned<Error = der::Error> + der::Tagged,

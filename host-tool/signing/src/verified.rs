@@ -1,10 +1,10 @@
-//! What a signed file proves, whatever it is; and signing one.
+//! Proof by a signed file of any kind; and signing one.
 
 use crate::{Certificate, LaboratoryKey, Problem, cms, pdf, xml};
 use jiff::Timestamp;
 use sha2::{Digest, Sha256};
 
-/// What a file is, told by its first bytes.
+/// Kind of a file, by its first bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Certificate for people.
@@ -14,7 +14,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// What this is; none when it is neither.
+    /// Kind of this file; none when it is neither.
     pub fn of(file: &[u8]) -> Option<Self> {
         let mark = "\u{feff}".as_bytes();
         let text = file.strip_prefix(mark).unwrap_or(file).trim_ascii_start();

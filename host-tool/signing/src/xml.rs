@@ -133,7 +133,7 @@ struct Stated {
     certificates: Vec<Certificate>,
 }
 
-/// What a signature says, element by element, where it has the form this tool writes.
+/// Content of a signature, element by element, where it has the form this tool writes.
 struct Form(std::vec::IntoIter<Element>);
 
 impl Form {

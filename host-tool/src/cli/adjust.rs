@@ -61,7 +61,7 @@ struct Ratio {
     hand: Hand,
 }
 
-/// What was found.
+/// The result.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct Output {
     /// Each frequency.

@@ -38,7 +38,7 @@ impl Followed<'_> {
         }
     }
 
-    /// The same calibrator over a new link; the one that broke says what is wrong if there is none.
+    /// Connects the same calibrator over a new link; without one, the error of the link that broke.
     fn found_again(&self, broken: Error) -> Result<Client> {
         let id = self.record_id;
         // A board that this program itself emulates has no link that could come back.

@@ -12,8 +12,8 @@ use std::ffi::OsString;
 /// ends what the verb set moving.
 ///
 /// # Errors
-/// What went wrong and the way out, with the exit code the tool would end with. With 7 the work was done, and
-/// `listener` has its document.
+/// Carries out a command line. An error has the way out and the exit code the tool would end with. With 7 the work
+/// was done, and `listener` has its document.
 pub fn answer(
     words: impl IntoIterator<Item = OsString>,
     switch: &StopSwitch,

@@ -180,7 +180,7 @@ impl CertificateVerb {
         passed(prepared.verdict.as_ref())
     }
 
-    /// What is to be replaced.
+    /// Certificate to be replaced.
     fn amended(&self, logbook: Option<&Logbook>) -> Result<Option<Amended>> {
         let (Some(number), Some(reason)) = (&self.amend, &self.reason) else {
             return Ok(None);

@@ -33,7 +33,7 @@ pub(crate) struct ConfigVerb {
     unset: Option<String>,
 }
 
-/// What is set.
+/// Defaults that are set.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct ConfigView {
     /// The file, there or not.

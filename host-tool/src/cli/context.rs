@@ -65,7 +65,7 @@ pub(crate) struct Context {
     pub(crate) device: Option<String>,
     /// `--logbook`, or `CALIB_LOGBOOK`.
     pub(crate) logbook: Option<PathBuf>,
-    /// What this user need not say each time.
+    /// Defaults of this user.
     pub(crate) defaults: Config,
     /// Colour and moving progress are welcome on standard error.
     pub(crate) color: bool,

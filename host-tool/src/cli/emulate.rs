@@ -133,7 +133,7 @@ const LOOK: Duration = Duration::from_millis(250);
 struct Keeper<'a> {
     flash: Option<&'a FlashFile>,
     looked: Instant,
-    /// What the file holds.
+    /// Content of the file.
     content: Vec<u8>,
     /// How the last writing went.
     kept: Result<()>,

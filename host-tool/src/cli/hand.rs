@@ -1,4 +1,4 @@
-//! What only a hand at the instrument does: holding the button, and what else calib asks for.
+//! Actions that only a hand at the instrument does: holding the button, and what else calib asks for.
 
 use super::Context;
 use calib_core::settings::Settings;

@@ -283,7 +283,7 @@ fn overview(calib: &Command) -> String {
     text
 }
 
-/// What the verb says after its options, then the examples.
+/// Adds the examples to the text after the options of a verb.
 fn with_examples(verb: Command, examples: &[&str]) -> Command {
     let header = header();
     let mut text = verb

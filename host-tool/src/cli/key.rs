@@ -94,7 +94,7 @@ impl Key {
     }
 }
 
-/// What is missing for a statement.
+/// Error that says what is missing for a statement.
 fn nothing_to_enter(has_key: bool) -> Error {
     match has_key {
         true => Error::input(

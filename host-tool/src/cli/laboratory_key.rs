@@ -18,7 +18,7 @@ pub(super) fn file(named: Option<&Path>, context: &Context) -> Option<PathBuf> {
         .map(Path::to_owned)
 }
 
-/// The same for verbs that do nothing without one.
+/// The file of the key, for verbs that do nothing without one.
 ///
 /// # Errors
 /// [`Error::Files`] when there is none.

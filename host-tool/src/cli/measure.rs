@@ -72,7 +72,7 @@ pub(super) fn enter(
     Ok(entered.numbers)
 }
 
-/// What is to be measured, and how it is shown.
+/// A measurement asked for, and how it is shown.
 pub(super) struct Asked<'a> {
     pub(super) points: &'a [PointSpec],
     pub(super) excitation: ExcitationKind,

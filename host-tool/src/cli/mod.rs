@@ -124,10 +124,10 @@ pub(crate) struct Arguments {
 }
 
 impl Arguments {
-    /// What was typed.
+    /// Reads the command line.
     ///
     /// # Errors
-    /// What there is to say instead: help, the version, or what is wrong.
+    /// Text to print instead: help, the version, or what is wrong.
     pub(crate) fn read(
         words: impl IntoIterator<Item = OsString>,
         defaults: &Config,

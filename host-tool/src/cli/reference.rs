@@ -69,7 +69,7 @@ pub(crate) struct Reference {
 /// A certificate of the reference beside what is in force.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct Output {
-    /// What the certificate says.
+    /// Statements of the certificate.
     certified: Certified,
     /// Serial number of the reference in force; none without a calibrator.
     in_force_serial: Option<String>,
@@ -124,7 +124,7 @@ impl Reference {
         print(context, output)
     }
 
-    /// What the file says, and what the command line says in its place.
+    /// Statements of the file, and of the command line in their place.
     fn read(&self, context: &Context) -> Result<Certified> {
         let reading = Reading {
             result: self.result.clone(),
@@ -186,7 +186,7 @@ impl Reference {
     }
 }
 
-/// What a reader has to know before it is stored.
+/// Remarks for a reader before it is stored.
 fn remarks(new: &ReferenceCalibration, certified: &Certified) -> Vec<&'static str> {
     let said = [
         (

@@ -121,7 +121,7 @@ pub(super) struct RunResult {
     verdict: Option<Verdict>,
     /// Why points were refused, and what to do about it.
     refusals: Vec<Refused>,
-    /// What changed until the first point was repeated at the end, in words; none where nothing did.
+    /// Change until the first point was repeated at the end, in words; none where nothing changed.
     closing: Option<String>,
     /// The mounted resonance that the points show; none where there is none from 1 kHz on, or no record.
     mounted_resonance: Option<MountedResonance>,
@@ -400,7 +400,7 @@ fn frequencies(refused: &Refused) -> String {
     format!("{} Hz: {}", hz.join(", "), refused.reason_text)
 }
 
-/// What is printed after the points of a run: what was refused and why, the verdict on the sensor, and
+/// Text printed after the points of a run: what was refused and why, the verdict on the sensor, and
 /// where the record is.
 fn said(result: &RunResult) -> String {
     let advice = |refused: &Refused| format!("{}\n  {}", frequencies(refused), refused.remedy);

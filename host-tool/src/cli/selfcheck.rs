@@ -69,7 +69,7 @@ pub(crate) struct SelfcheckVerb {
     temperature: Option<f64>,
 }
 
-/// What was found.
+/// The result.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct Output {
     /// Each frequency.
@@ -82,7 +82,7 @@ pub(super) struct Output {
     budget: Vec<Row>,
     /// With what it was found.
     equipment: Equipment,
-    /// What the ratio of the channels leaves open; none where it is known well enough and anew.
+    /// Warning about the ratio of the channels; none where it is known well enough and anew.
     ratio: Option<String>,
     /// Running numbers of the ten records.
     record_ids: Vec<u32>,

@@ -33,7 +33,7 @@ pub(crate) struct Sign {
     password: Password,
 }
 
-/// What was written.
+/// Files that were written.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct Signed {
     files: Vec<PathBuf>,

@@ -4,7 +4,7 @@ use super::context::nobody_reads;
 use calib_host::{Error, Result};
 use std::io::Write;
 
-/// What a verb says on its way.
+/// Message of a verb on its way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Said<'a> {
     /// Its document, or a line of its stream.

@@ -12,7 +12,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::Path;
 
-/// What a substitution found.
+/// Result of a substitution.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct Substitution {
     /// Serial number of the standard.

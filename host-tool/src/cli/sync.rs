@@ -19,7 +19,7 @@ logbook lacks: of runs in which a link broke, that the button began, or that ano
 followed. Nothing is removed from the calibrator.")]
 pub(crate) struct Sync {}
 
-/// What came from a calibrator.
+/// Records that came from a calibrator.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct Synced {
     device: String,

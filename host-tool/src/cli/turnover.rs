@@ -35,7 +35,7 @@ pub(crate) struct Turnover {
     baseline: bool,
 }
 
-/// What was found.
+/// The result.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct Output {
     /// The sensitivity with its budget.

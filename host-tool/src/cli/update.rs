@@ -42,7 +42,7 @@ pub(super) struct UpdateView {
     version: String,
     /// Bytes that were sent; 0 where it was there already.
     sent_bytes: usize,
-    /// What runs now.
+    /// Image that runs now.
     image: ImageView,
 }
 

@@ -135,7 +135,7 @@ fn timebase(health: &Health) -> Option<Finding> {
     })
 }
 
-/// What the part was told on the bench.
+/// Findings about the option bytes, set on the bench.
 fn option_bytes(health: Option<&Health>) -> Vec<Finding> {
     let Some(options) = health.and_then(|health| health.option_bytes) else {
         return Vec::new();

@@ -71,7 +71,7 @@ impl Access {
         self.stop_port
     }
 
-    /// What the page may load and speak to, and who may frame it.
+    /// Addresses the page may load from and speak to, and who may frame it.
     pub fn content_policy(&self) -> String {
         let (page, port) = (self.address.port(), self.stop_port);
         format!(
@@ -204,7 +204,7 @@ mod tests {
         assert_ne!(url, again.url(), "a new one each time");
     }
 
-    /// What browsers say of the page a request comes from.
+    /// Browsers say of which page a request comes.
     #[test]
     fn other_sites_are_told_by_their_browser() {
         let access = access("127.0.0.1:8080");

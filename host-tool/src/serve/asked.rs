@@ -1,4 +1,4 @@
-//! What a page asks for: measurements, and sensors to be registered.
+//! Requests of a page: measurements, and sensors to be registered.
 
 use crate::about_sensor::{self, AboutSensor};
 use crate::clock::unix_time_s;

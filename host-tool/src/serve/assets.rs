@@ -67,7 +67,7 @@ mod tests {
         serde_json::from_str(table.trim_end().trim_end_matches(';')).expect("a table of texts")
     }
 
-    /// What lies between `before` and `after`, wherever it does.
+    /// Texts between `before` and `after`, wherever there are any.
     fn between(text: &str, before: &str, after: &str) -> Vec<String> {
         let parts = text.split(before).skip(1);
         let inner = parts.filter_map(|part| Some(part.split_once(after)?.0.trim().to_owned()));

@@ -325,7 +325,7 @@ fn show(shared: &Shared, progress: &Progress<'_>, begun: Instant) {
     });
 }
 
-/// What the page says of the lists for a tap of the button; none while the record area is busy or dead.
+/// Lists for a tap of the button, for the page; none while the record area is busy or dead.
 fn kept_lists(client: &mut Client) -> Result<Vec<KeptListView>> {
     let lists = match client.lists() {
         Err(calib_link::Error::Refused(_)) => Vec::new(),

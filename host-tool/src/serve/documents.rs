@@ -22,7 +22,7 @@ use std::sync::Arc;
 const ALONE: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; \
                      img-src data:; sandbox allow-scripts allow-modals; frame-ancestors 'none'";
 
-/// What the page states on a certificate beside the laboratory's files, and before them; empty is not stated.
+/// Statements of the page on a certificate, beside the laboratory's files and before them; empty is not stated.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Stated {
@@ -44,7 +44,7 @@ pub(super) struct Stated {
     approved_by: String,
     /// Number of the issued certificate that this one takes the place of.
     replaces: String,
-    /// What was wrong with that one.
+    /// Mistake on that one.
     reason: String,
 }
 
@@ -84,7 +84,7 @@ impl Stated {
 pub(super) struct Wanted {
     /// Name of its format.
     pub format: String,
-    /// What the page states on it.
+    /// Statements of the page on it.
     pub stated: Stated,
     /// Whether it is given out, so that the logbook says so from then on; else it is looked at.
     pub issues: bool,
@@ -177,7 +177,7 @@ fn made(
     Ok(answer(file))
 }
 
-/// What a certificate that is given out is signed with, if anything.
+/// Seal of a certificate that is given out, if any.
 fn seal(house: &House, issues: bool) -> Result<Option<Seal>> {
     let Some(key) = house.key.as_ref().filter(|_| issues) else {
         return Ok(None);

@@ -1,4 +1,4 @@
-//! What requests hold of the thread that speaks to the calibrator: the view, and ways to order and to stop.
+//! Handle of requests to the thread that speaks to the calibrator: the view, and ways to order and to stop.
 
 use super::stops::{NotStopped, StopState};
 use super::view::{RunView, Shared};

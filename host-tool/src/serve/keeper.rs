@@ -84,7 +84,7 @@ struct Keeping {
     logbook: PathBuf,
     shared: Shared,
     latest: Option<Waiting>,
-    /// What was said of a logbook that cannot be written.
+    /// Remark made about a logbook that cannot be written.
     told: Option<String>,
 }
 

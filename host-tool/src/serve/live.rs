@@ -21,7 +21,7 @@ const PATIENCE: Duration = Duration::from_secs(5);
 /// Longest message of a page.
 pub(super) const LONGEST: usize = 256;
 
-/// What a page sends.
+/// Message that a page sends.
 #[derive(Deserialize)]
 struct Stop {
     #[serde(flatten)]
@@ -30,7 +30,7 @@ struct Stop {
     id: u32,
 }
 
-/// What a page is sent.
+/// Message that a page is sent.
 #[derive(Serialize)]
 #[serde(rename_all = "snake_case")]
 enum Said<'a, T> {

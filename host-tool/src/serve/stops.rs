@@ -23,7 +23,7 @@ const LOOK: Duration = Duration::from_millis(5);
 /// Time between two looks at one that is late.
 const LATE_LOOK: Duration = Duration::from_millis(20);
 
-/// What a page sends.
+/// Stop that a page sends.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(default)]
 pub(super) struct Asked {
@@ -31,7 +31,7 @@ pub(super) struct Asked {
     pub(super) run: Option<u32>,
 }
 
-/// What is known of the latest stop.
+/// State of the latest stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum StopState {
@@ -50,7 +50,7 @@ pub struct StopView {
     pub number: u64,
     /// The run it ends; 0 when none of this server's went on.
     pub run: u32,
-    /// What is known of it.
+    /// Its state.
     pub state: StopState,
     /// Time to the confirmation, s.
     pub after_s: Option<f64>,

@@ -12,7 +12,7 @@ pub enum Name {
     Nominal(f64),
     /// Plus or minus percent of the sensitivity at the reference point.
     Relative(f64),
-    /// What the bands say: the tolerance of a sensor.
+    /// The bands: the tolerance of a sensor.
     Bands,
 }
 

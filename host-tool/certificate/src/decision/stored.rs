@@ -1,4 +1,4 @@
-//! What a list kept on an instrument is judged by: the same tolerance and rule, in single precision.
+//! Tolerance and rule of a list kept on an instrument, in single precision.
 
 use super::limits::{Band, Base};
 use super::request::{Request, RuleName};
@@ -9,7 +9,7 @@ use calib_core::stored_list::{self, ANY_HZ, ListTerms};
 use calib_output::number::{decimal, percent};
 
 impl Request {
-    /// What a record says it was judged by.
+    /// Tolerance and rule by which a record says it was judged.
     pub fn of_terms(terms: &ListTerms) -> Self {
         let nominal = Some(terms.nominal_v_per_ms2).filter(|nominal| *nominal > 0.0);
         Self {

@@ -20,7 +20,7 @@ use std::str::FromStr;
 /// Name of the preset.
 const API_670: &str = "api670";
 
-/// What a sensor may differ by; its text is what a logbook keeps.
+/// Tolerance of a sensor; a logbook keeps its text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Tolerance {
     /// API 670: 5 % of 100 mV/g at the reference point, 3 dB of it from 10 Hz to 10 kHz.

@@ -66,7 +66,7 @@ pub(in crate::cli) struct Assurance {
     /// Limits in which 99.73 % of sound results are.
     lower_v_per_ms2: f64,
     upper_v_per_ms2: f64,
-    /// What speaks against it; empty when it is in control.
+    /// Signals against it; empty when it is in control.
     signals: Vec<Signal>,
     /// Against its certificate: beyond 1 the two do not agree; null when none is stated.
     e_n: Option<f64>,
@@ -93,7 +93,7 @@ impl Assure {
         judged(context, &logbook, &standard)
     }
 
-    /// What was said before, and what is said now.
+    /// Statements of before, completed by those of now.
     fn standard(&self, serial: &str, known: Option<CheckStandard>) -> CheckStandard {
         let certified = self.certified.zip(self.certified_u);
         let certified = certified.map(|(mv, percent)| Certified {

@@ -5,7 +5,7 @@ use calib_signing::{Certificate, Kind, Signature};
 use jiff::Timestamp;
 use std::path::Path;
 
-/// What is known of a certificate.
+/// Proof of a certificate.
 pub(super) fn verify(file: &Path, kind: Kind, bytes: &[u8], known: &[Certificate]) -> Verified {
     let now = Timestamp::now();
     let (proof, signature, words) = match calib_signing::verify(kind, bytes) {

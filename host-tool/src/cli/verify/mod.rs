@@ -39,7 +39,7 @@ pub(crate) struct Verify {
     certificate: Vec<PathBuf>,
 }
 
-/// What is known of a file.
+/// Proof of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum Proof {
@@ -57,7 +57,7 @@ enum Proof {
     Altered,
 }
 
-/// What a file is.
+/// Kind of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 enum What {
@@ -87,7 +87,7 @@ pub(super) struct Verified {
     signed_unix_time_s: Option<i64>,
     /// The certificate of the logbook that this file is, if there is a logbook and it has one.
     issued: Option<Issued>,
-    /// The same in words.
+    /// The proof in words.
     words: String,
 }
 

@@ -8,7 +8,7 @@ use calib_protocol::signature::PublicKey;
 use calib_record::signature::{Signed, short, signed};
 use std::path::Path;
 
-/// What is known of a record.
+/// Proof of a record.
 pub(super) fn verify(
     context: &Context,
     file: &Path,
