@@ -29,7 +29,7 @@ pub const AIR_C: f64 = 23.0;
 /// 480 MHz) over some 42 K/W from junction to air.
 pub const SELF_HEATING_K: f64 = 25.0;
 
-/// What a trigger makes each input converter do.
+/// Conversions of each input converter at a trigger.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Conversions {
     /// Conversions whose mean is the sample, at least 1; the first is at the trigger.

@@ -41,7 +41,7 @@ pub(super) struct Pins {
     samples: u64,
     conversions: Conversions,
     drive_buffer: bool,
-    /// What the timer of the dither plays, and whether its pin is connected to it.
+    /// Wave the timer of the dither plays, and whether its pin is connected to it.
     wave: Option<Wave>,
     wave_on_pin: bool,
 }

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 
 use super::flash::{WORD_BYTES, bank_of, bank_range};
 
-/// What a read of a word whose check bits do not fit comes to.
+/// Result of reading a word whose check bits do not fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum Met {
     /// One bit was wrong, and is mended in what was read.
@@ -59,7 +59,7 @@ impl CheckBits {
         self.poisoned.union(&self.weak).copied().collect()
     }
 
-    /// What a read of `word` comes to, where its check bits do not fit.
+    /// Result of reading `word`, where its check bits do not fit.
     pub(super) fn met(&self, word: u64) -> Option<Met> {
         if self.poisoned.contains(&word) {
             return Some(Met::Poisoned);
@@ -72,7 +72,7 @@ impl CheckBits {
         self.by_dma.extend(self.met(word).map(|met| (word, met)));
     }
 
-    /// What DMA controllers have met since the last call.
+    /// Reads of misfitting words by DMA controllers since the last call.
     pub(super) fn take_met_by_dma(&mut self) -> Vec<(u64, Met)> {
         std::mem::take(&mut self.by_dma)
     }

@@ -37,7 +37,7 @@ const OUTPUT: [Register; 2] = [Register::Dor1, Register::Dor2];
 
 /// `TSEL` of a software trigger and of TIM6's (RM0433 Rev 9, table 225).
 const SOFTWARE: u64 = 0;
-/// What stands for an invalid output: no drive code is worse.
+/// Code that stands for an invalid output: no drive code is worse.
 const INVALID_CODE: u16 = 4095;
 const TIM6_TRGO: u64 = 5;
 
@@ -55,7 +55,7 @@ pub(super) struct Dac {
     pending: bool,
     /// Something was loaded since the reset.
     loaded: bool,
-    /// What is converted is invalid until the next reset.
+    /// The output is invalid until the next reset.
     spoiled: bool,
 }
 
@@ -65,7 +65,7 @@ rigless::store!(Dac {
     built: [channel, analog, flaws, lines],
 });
 
-/// What is between the output register and the pin.
+/// Stage between the output register and the pin.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stage {
     on_pin: bool,
@@ -123,7 +123,7 @@ impl Dac {
         stage.put(held, &mut flaws, &mut pins, context.now());
     }
 
-    /// What is behind the output register.
+    /// Stage behind the output register.
     pub(super) fn stage(&self, registers: &RegisterFile) -> Stage {
         let enabled = cr::EN1.is_set(self.own(registers, Register::Cr));
         // Modes 0 to 2 reach the pin, 1 and 3 the converters on the chip; 2 and 3 are those without the
@@ -149,7 +149,7 @@ impl Dac {
         asks.then_some((HOLDING[self.channel][0], DAC_CHANNELS[self.channel]))
     }
 
-    /// What the next trigger moves to the output.
+    /// Code that the next trigger moves to the output.
     pub(super) fn holding(&self) -> u16 {
         self.holding
     }

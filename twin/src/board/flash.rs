@@ -95,7 +95,7 @@ impl Operation {
 /// An operation that was cut.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct CutOff {
-    /// What was under way.
+    /// Operation that was under way.
     pub operation: Operation,
     /// How far it was, from 0 to 1.
     pub progress: f64,
@@ -329,7 +329,7 @@ impl FlashWatch {
             .for_each(|running| running.overwrites = true);
     }
 
-    /// What the driver of the run must see to; asked at every stop and access.
+    /// News for the driver of the run; asked at every stop and access.
     pub(crate) fn take_news(&self) -> Option<News> {
         let has = self.has_news.load(Ordering::Relaxed) && {
             self.has_news.swap(false, Ordering::Relaxed)
@@ -399,7 +399,7 @@ impl FlashWatch {
         }
     }
 
-    /// What DMA controllers have met since the last call.
+    /// Reads of misfitting words by DMA controllers since the last call.
     pub(super) fn take_met_by_dma(&self) -> Vec<(u64, Met)> {
         self.lock().check_bits.take_met_by_dma()
     }

@@ -47,7 +47,7 @@ pub(super) struct FlashBus {
     flash: FlashWatch,
     /// First addresses of the pages that are sent over the bus.
     routed: BTreeSet<u64>,
-    /// What they follow from, since the last reset: banks that go there as a whole, and pages with poisoned
+    /// State they follow from, since the last reset: banks that go there as a whole, and pages with poisoned
     /// words.
     followed: Option<([bool; 2], BTreeSet<u64>)>,
 }

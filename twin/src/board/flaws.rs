@@ -1,4 +1,4 @@
-//! What is wrong with the converters of a part, and what a sound one does on the way from DAC to ADC2.
+//! Flaws of the converters of a part, and the way from DAC to ADC2 in a sound one.
 //!
 //! Flaws outlive a reset, as silicon does. Those of the DAC show on its pin and on the chip alike, but
 //! for its noise, which only the way on the chip has: on the pin the rig's output stage has its own.
@@ -40,7 +40,7 @@ const INTERNAL_NOISE_PEAK: f64 = 16.0;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Flaws(Arc<Mutex<State>>);
 
-/// What a [`Flaws`] is a handle of.
+/// State behind the handle [`Flaws`].
 #[derive(Debug, Default)]
 pub(super) struct State {
     flaws: [Flaw; 3],
@@ -69,7 +69,7 @@ impl Flaws {
 }
 
 impl State {
-    /// What the DAC puts out for `code`.
+    /// Output of the DAC for `code`.
     pub(super) fn dac(&self, code: u16) -> u16 {
         self.flaws[Flawed::Dac as usize].of(code, 12, || 0.0)
     }
@@ -87,7 +87,7 @@ impl State {
         level.round().clamp(0.0, 65_535.0) as u16
     }
 
-    /// What ADC1 (0) and ADC2 (1) give for `codes`.
+    /// Results of ADC1 (0) and ADC2 (1) for `codes`.
     pub(super) fn adc(&self, codes: [u16; 2], now_ns: u64) -> [u16; 2] {
         [0, 1].map(|nth| self.flaws[nth].of(codes[nth], 16, || even(now_ns, nth as u64)))
     }

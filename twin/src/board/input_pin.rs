@@ -25,7 +25,7 @@ const TIM3: u64 = 2;
 /// Highest code of an input, which the rail has.
 const RAIL_CODE: f64 = 65_535.0;
 
-/// What the port does to an input pin.
+/// Pull of the port on an input pin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub(super) enum Pull {
     #[default]
@@ -48,7 +48,7 @@ impl Pull {
 }
 
 impl Part {
-    /// What the port does to the pins of reference and device under test.
+    /// Pulls of the port on the pins of reference and device under test.
     pub(super) fn input_pulls(&self) -> [Pull; 2] {
         self.schematic().inputs.map(|pin| self.pull(pin))
     }

@@ -270,7 +270,7 @@ impl Part {
         &self.pins.schematic
     }
 
-    /// What is broken.
+    /// Faults of the part.
     pub(super) fn faults(&self) -> &Lasting {
         &self.pins.faults
     }
@@ -287,7 +287,7 @@ impl Part {
             .map_or(0, |registers| registers.get(register))
     }
 
-    /// What is wrong with the converters.
+    /// Flaws of the converters.
     pub(super) fn flaws(&self) -> &Flaws {
         &self.pins.flaws
     }

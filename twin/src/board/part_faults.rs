@@ -43,8 +43,7 @@ pub enum PartFault {
     /// The part has the erratum of ES0392 by which data of ADC2 stand beside those of another trigger
     /// of ADC1, for good: with one DMA channel and data kept in an overrun.
     SlaveShifted,
-    /// The same without the configuration having a part in it, in so many of the next starts of the
-    /// converters.
+    /// The shift without a cause in the configuration, in so many of the next starts of the converters.
     StartsShifted {
         /// How many.
         starts: u32,
@@ -79,7 +78,7 @@ pub enum PartFault {
     Flaw {
         /// Which converter.
         of: Flawed,
-        /// What is wrong with it.
+        /// Its flaw.
         flaw: Flaw,
     },
     /// The supply of the converters, with the internal reference as the yardstick, until the next reset.
@@ -98,7 +97,7 @@ pub enum PartFault {
 #[derive(Debug, Clone, Default)]
 pub struct Lasting(Arc<Mutex<Broken>>);
 
-/// What is broken.
+/// Faults in force.
 #[derive(Debug, Clone, Copy, Default)]
 struct Broken {
     converters: [bool; 2],
@@ -121,7 +120,7 @@ impl Lasting {
         !self.lock().clock
     }
 
-    /// What is broken of the part becomes whole.
+    /// Mends all faults of the part.
     pub(crate) fn mend(&self) {
         *self.lock() = Broken::default();
     }

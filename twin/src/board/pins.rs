@@ -22,7 +22,7 @@ pub struct Pins {
     pub schematic: Arc<Schematic>,
     /// The rig on the analogue pins.
     pub analog: Analog,
-    /// What is wrong with the part's converters.
+    /// Flaws of the part's converters.
     pub(super) flaws: Flaws,
     /// The far end of the serial port.
     pub serial: SerialLine,
@@ -30,11 +30,11 @@ pub struct Pins {
     pub flash: FlashWatch,
     /// The USB connector.
     pub usb: UsbPort,
-    /// What waits to be written to the memory kept over a reset.
+    /// Buffer of writes to the memory kept over a reset.
     pub write_buffer: WriteBuffer,
     /// Instructions its core runs in a second.
     pub instructions_per_s: u64,
-    /// What is broken in the part until it is mended.
+    /// Faults of the part that last until it is mended.
     pub faults: Lasting,
 }
 

@@ -38,7 +38,7 @@ impl Tim3 {
         self.changed
     }
 
-    /// What the channel plays from now on, once after each change.
+    /// Wave the channel plays from now on, once after each change.
     pub(super) fn take_change(&mut self) -> Option<Option<Wave>> {
         std::mem::take(&mut self.changed).then_some(self.wave)
     }

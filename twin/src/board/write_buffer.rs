@@ -42,7 +42,7 @@ struct State {
 }
 
 impl WriteBuffer {
-    /// What the emulator is to look at.
+    /// Writes the emulator is to look at.
     pub(crate) fn watch() -> Watch {
         Watch::Writes {
             address: KEPT,
@@ -99,7 +99,7 @@ impl WriteBuffer {
         }
     }
 
-    /// What the last reset has undone: addresses of double words, and what they hold instead.
+    /// Writes the last reset has undone: addresses of double words, and what they hold instead.
     pub(crate) fn take_lost(&self) -> Vec<(u64, u64)> {
         if !self.0.has_lost.swap(false, Ordering::Relaxed) {
             return Vec::new();

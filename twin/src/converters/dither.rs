@@ -1,4 +1,4 @@
-//! What the front end makes of the square wave on the dither's pin, and adds to both inputs.
+//! Dither: the front end shapes the square wave on the dither's pin, and adds it to both inputs.
 //!
 //! Resistors and capacitors turn it into something near a triangle
 //! ([hardware/dither.cir](../../../hardware/dither.cir)): every code within its reach is taken about equally
@@ -56,7 +56,7 @@ impl Dithering {
         self.dither = dither.filter(|_| !self.wave_v.is_empty());
     }
 
-    /// What the pin plays now.
+    /// Dither the pin plays now.
     pub(crate) fn played(&self) -> Option<Dither> {
         self.dither
     }
@@ -102,7 +102,7 @@ fn wave() -> Vec<f64> {
     points.into_iter().map(|point| point / peak).collect()
 }
 
-/// What is behind the point of a number that is not negative: `f64::fract`, which asks a library here.
+/// Fraction of a number that is not negative: `f64::fract`, which asks a library here.
 fn fraction(value: f64) -> f64 {
     value - (value as i64) as f64
 }

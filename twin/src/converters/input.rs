@@ -44,7 +44,7 @@ pub(crate) struct InputConverter {
     settling_ns: f64,
     /// Code beside the line, by code, as the mean over the noise of a conversion; empty if ideal.
     curve: Vec<f32>,
-    /// What follows from how it is set: conversions of a trigger, their noise, and what is left in them of
+    /// Values that follow from how it is set: conversions of a trigger, their noise, and what is left in them of
     /// the trigger before.
     count: f64,
     own_noise_rms_v: f64,
@@ -133,7 +133,7 @@ impl InputConverter {
         }
     }
 
-    /// What the first conversion keeps of the sample before: its capacitor was charged to that.
+    /// Part of the sample before in the first conversion: its capacitor was charged to that.
     fn unsettled_v(&mut self, volt: f64) -> f64 {
         let before_v = std::mem::replace(&mut self.before_v, volt);
         match self.kept {
@@ -143,12 +143,12 @@ impl InputConverter {
     }
 }
 
-/// What an input converter has before it at a trigger.
+/// Signals at an input converter at a trigger.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Input {
     /// Mean over the conversions of the trigger with its noise, V.
     pub(crate) volt: f64,
-    /// The same of the other channel, V.
+    /// Voltage of the other channel, V.
     pub(crate) other_v: f64,
     /// Of the reference both channels see, of its peak: [`ripple`].
     pub(crate) ripple: f64,

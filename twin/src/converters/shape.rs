@@ -114,7 +114,7 @@ mod tests {
     use super::*;
     use rand::SeedableRng;
 
-    /// What a shape has at the code, from either side.
+    /// Value of a shape at the code, from either side.
     fn at(shape: Shape, code: usize) -> [f64; 2] {
         let mut random = ChaCha12Rng::seed_from_u64(4);
         let curve = shape.curve(Sheet::new(1.0), &mut random);

@@ -1,6 +1,6 @@
-//! What is known, or assumed, of the part's converters: the one table.
+//! The one table of what is known, or assumed, of the part's converters.
 
-/// What a value rests on.
+/// Basis of a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Basis {
     /// The part's data sheet, in the public copy docs/errata.md names.
@@ -32,13 +32,13 @@ pub(crate) enum Quantity {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entry {
     pub(crate) quantity: Quantity,
-    /// What it is.
+    /// The error in words.
     pub what: &'static str,
     /// Its value.
     pub value: f64,
     /// Unit of the value.
     pub unit: &'static str,
-    /// What that rests on.
+    /// Basis of the value.
     pub basis: Basis,
 }
 

@@ -1,9 +1,9 @@
-//! What a check of the reference by reciprocity adds to a calibrator: the coil's current or voltage in
-//! place of a device, a mass on the table, and what real ones do beside.
+//! Parts that a check of the reference by reciprocity adds to a calibrator: the coil's current or voltage in
+//! place of a device, a mass on the table, and the side effects of real ones.
 
 use serde::{Deserialize, Serialize};
 
-/// What the device's input reads in place of a device.
+/// Quantity the device's input reads in place of a device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CoilInput {
@@ -25,7 +25,7 @@ pub enum CoilInput {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Reciprocity {
-    /// What is read.
+    /// Quantity that is read.
     pub input: CoilInput,
     /// Resistance of the shunt, ohm.
     pub shunt_ohm: f64,
@@ -47,11 +47,11 @@ pub struct Reciprocity {
     pub table_n_per_m: f64,
     /// Damping there, N s/m.
     pub table_ns_per_m: f64,
-    /// What the coil's field induces in the reference's channel, V for 1 A/s.
+    /// Voltage the coil's field induces in the reference's channel, V for 1 A/s.
     pub stray_h: f64,
-    /// The same in phase with the current, V/A.
+    /// Voltage of the coil's field in phase with the current, V/A.
     pub stray_ohm: f64,
-    /// What rocking by a mass off the axis adds at the reference far above the mode, relative.
+    /// Acceleration that rocking by a mass off the axis adds at the reference far above the mode, relative.
     pub rocking_rel: f64,
     /// Frequency of the rocking mode, Hz.
     pub rocking_hz: f64,

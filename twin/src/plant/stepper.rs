@@ -86,7 +86,7 @@ impl Propagator {
     }
 }
 
-/// What (state, inputs) become after `duration_s`, the inputs being held; `matrix` as in
+/// Matrix that takes (state, inputs) over `duration_s`, the inputs being held; `matrix` as in
 /// [`Propagator::new`].
 fn transition(matrix: &DMatrix<f64>, duration_s: f64) -> DMatrix<f64> {
     let (states, width) = matrix.shape();
@@ -136,7 +136,7 @@ impl Stepper {
         }
     }
 
-    /// What (state, inputs) become after `duration_ns`, the inputs being held.
+    /// Matrix that takes (state, inputs) over `duration_ns`, the inputs being held.
     pub(super) fn transition(&self, duration_ns: u64) -> DMatrix<f64> {
         transition(&self.matrix, duration_ns as f64 * 1e-9)
     }

@@ -1,4 +1,4 @@
-//! What is drawn for a check by reciprocity: the one table, with what each line rests on.
+//! The one table of what is drawn for a check by reciprocity, with the basis of each line.
 
 use rand::RngExt;
 use rand_chacha::ChaCha12Rng;
@@ -18,7 +18,7 @@ pub enum Shape {
 /// A line of the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
-    /// What it is, with its unit.
+    /// The quantity in words, with its unit.
     pub what: &'static str,
     /// How it is drawn.
     pub shape: Shape,

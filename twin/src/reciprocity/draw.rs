@@ -26,7 +26,7 @@ pub enum Hold {
     None,
 }
 
-/// What whoever evaluates is told of the equipment.
+/// Values of the equipment as told to whoever evaluates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stated {
     /// Added mass, kg.
@@ -46,7 +46,7 @@ pub struct Mounting {
     pub seat_n_per_m: f64,
     /// Position of the coil from where it is without the mass, m, up.
     pub travel_m: f64,
-    /// What rocking adds at the reference, relative.
+    /// Acceleration that rocking adds at the reference, relative.
     pub rocking_rel: f64,
 }
 
@@ -82,7 +82,7 @@ pub(super) struct Reading {
 pub struct SelfCheckDraw {
     /// Without a mass, its coil cold, the shunt at the device's input.
     pub rig: Rig,
-    /// What is told of the equipment.
+    /// Values of the equipment as told.
     pub stated: Stated,
     /// Whether the position is held.
     pub hold: Hold,
@@ -94,7 +94,7 @@ pub struct SelfCheckDraw {
     pub certificate_error_rel: f64,
     /// Error of its phase, rad.
     pub certificate_error_rad: f64,
-    /// What the temperature of the reference changes beside what is read of it, relative.
+    /// Change by the temperature of the reference beyond that by the temperature read, relative.
     pub temperature_error_rel: f64,
     pub(super) warming: Warming,
     pub(super) reading: Reading,
@@ -213,7 +213,7 @@ impl SelfCheckDraw {
         first.on_another_day(0)
     }
 
-    /// The same calibrator with the same equipment at another check: what differs from day to day is drawn
+    /// Draws the same calibrator with the same equipment at another check: what differs from day to day is drawn
     /// anew.
     #[must_use]
     pub fn on_another_day(&self, day: u64) -> Self {

@@ -26,7 +26,7 @@ pub struct Motion {
     pub inputs_v: [Complex<f64>; 2],
 }
 
-/// What bends at the amplitude of a motion, as factors of the fundamental.
+/// Nonlinear changes at the amplitude of a motion, as factors of the fundamental.
 struct Bent {
     force: Complex<f64>,
     emf: Complex<f64>,

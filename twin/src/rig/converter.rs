@@ -48,11 +48,11 @@ pub struct Converter {
     /// Characteristic of the input converters beside the line; may be left out.
     #[serde(default, skip_serializing_if = "Shape::is_bits")]
     pub shape: Shape,
-    /// What the front end adds to both inputs of the square wave on the dither's pin, V peak as at the
+    /// Part of the square wave on the dither's pin that the front end adds to both inputs, V peak as at the
     /// connector: 0, which may be left out, for a front end without.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub dither_peak_v: f64,
-    /// What the part's converters do wrong ([`crate::converters::SHEET`]): 1 as the table has it, other
+    /// Errors of the part's converters ([`crate::converters::SHEET`]): 1 as the table has it, other
     /// factors are on what is assumed; 0, which may be left out, makes them ideal.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub errors: f64,

@@ -15,7 +15,7 @@ pub enum Execution {
 }
 
 impl Execution {
-    /// What `CALIB_EMULATOR` asks for: [`Execution::Plain`] where it says `plain`.
+    /// Execution `CALIB_EMULATOR` asks for: [`Execution::Plain`] where it says `plain`.
     #[must_use]
     pub fn asked() -> Self {
         match std::env::var(CHOICE) {

@@ -87,7 +87,7 @@ impl Firmware {
         }
     }
 
-    /// What its board has on its pins, with `rig` on the connectors.
+    /// Pins of its board, with `rig` on the connectors.
     pub(super) fn pins(&self, rig: Box<dyn RigPort>) -> Pins {
         let mut pins = Pins::new(self.schematic(), rig);
         pins.instructions_per_s = self.instructions_per_s;

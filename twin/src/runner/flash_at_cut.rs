@@ -22,7 +22,7 @@ pub struct FlashAtCut {
 }
 
 impl FlashAtCut {
-    /// What the cut tears.
+    /// Damage the cut does.
     #[must_use]
     pub fn torn(&self) -> Torn {
         self.cut.into()

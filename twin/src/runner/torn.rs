@@ -1,4 +1,4 @@
-//! What an operation on the flash leaves behind when it is cut.
+//! State of the flash after an operation on it was cut.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};

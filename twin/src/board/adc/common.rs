@@ -51,7 +51,7 @@ impl Common {
         self.pair.lock().unread = true;
     }
 
-    /// What the ports do to the pins of reference and device under test.
+    /// Sets the pulls of the ports on the pins of reference and device under test.
     pub(crate) fn set_pulls(&mut self, pulls: [Pull; INPUT_CHANNELS]) {
         self.pair.lock().pulls = pulls;
     }
@@ -66,7 +66,7 @@ impl Common {
         self.pair.lock().skew.spoil_starts(starts);
     }
 
-    /// What is wrong with the silicon stays wrong with it, whatever resets the registers.
+    /// Takes over the flaws of the silicon, which stay whatever resets the registers.
     pub(crate) fn inherit_silicon(&mut self, before: &Self) {
         let skew = before.pair.lock().skew;
         self.pair.lock().skew = skew;

@@ -70,7 +70,7 @@ struct Pair {
     /// Data not yet read from the pair's register.
     unread: bool,
     busy_until: VirtualNanos,
-    /// What the ports do to the pins of reference and device under test.
+    /// Pulls of the ports on the pins of reference and device under test.
     pulls: [Pull; INPUT_CHANNELS],
     skew: Skew,
 }
@@ -250,7 +250,7 @@ impl Pair {
         }
     }
 
-    /// What a trigger makes of the pair, of which both are set alike; `None` while the clock stands still.
+    /// Conversions of the pair at a trigger, both being set alike; `None` while the clock stands still.
     fn conversions(&self) -> Option<Conversions> {
         let master = &self.converters[0];
         let slowest = |half_cycles: fn(&State, u64) -> u64| {

@@ -30,7 +30,7 @@ impl Skew {
         self.bad_starts = self.bad_starts.saturating_sub(1);
     }
 
-    /// What the slave's half of the register shows for its conversion's `data`.
+    /// Value of the slave's half of the register for its conversion's `data`.
     ///
     /// ES0392, "ADC slave data may be shifted in Dual regular simultaneous mode": with one DMA channel
     /// for both and `OVRMOD` = 0, samples of the slave can end up beside those of another trigger.

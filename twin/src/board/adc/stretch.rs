@@ -25,7 +25,7 @@ impl Stretch<'_> {
     /// The register the data are fetched from, and the line they are asked for on.
     pub(crate) const SOURCE: (Register, usize) = (Register::Cdr, ADC1);
 
-    /// What the data register holds after a trigger at `now`.
+    /// Content of the data register after a trigger at `now`.
     pub(crate) fn word(&mut self, pins: &mut Pins, flaws: &State, now: VirtualNanos) -> u32 {
         let pair = &mut *self.pair;
         let [reference, dut] = pair.sample_of(pins, flaws, now);

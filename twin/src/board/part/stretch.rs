@@ -19,7 +19,7 @@ const MOST: usize = 64;
 /// Bytes of a pair.
 const PAIR_BYTES: usize = 4;
 
-/// What a stretch moves.
+/// Rings that a stretch moves.
 struct Rings {
     drive: Ring,
     pairs: Ring,

@@ -1,4 +1,4 @@
-//! What reads of flash words leave behind whose check bits do not fit, and the option bytes.
+//! Reads of flash words whose check bits do not fit, and the option bytes.
 
 use rigless::device::ResetCause;
 use rigless::mcu::{Mcu, Operate};
@@ -10,7 +10,7 @@ use super::Bench;
 use crate::board::{PartFault, RECORD_FLASH};
 use rigless::soc::Width;
 
-/// What `./run brown-out` has the probe write.
+/// Writes that `./run brown-out` has the probe do.
 #[path = "../../../../xtask/src/option_writes.rs"]
 mod option_writes;
 

@@ -140,7 +140,7 @@ fn a_stretch_of_samples_is_each_of_them() {
     }
 }
 
-/// What a sample leads to beside is not passed over: an overrun, an interrupt of the converters, a shut
+/// A stretch passes over no other consequence of a sample: an overrun, an interrupt of the converters, a shut
 /// gate, pins that change.
 #[test]
 fn a_stretch_ends_where_a_sample_does_more() {
