@@ -11,13 +11,13 @@
 use crate::layout::{MANIFEST_BYTES, Slot};
 use crate::manifest::Manifest;
 
-/// What the file begins with.
+/// First bytes of the file.
 pub const MAGIC: &[u8; 8] = b"calibupd";
 
 /// An image and what it says of itself.
 #[derive(Clone, Copy, Debug)]
 pub struct Part<'a> {
-    /// What the manifest says.
+    /// Content of the manifest.
     pub told: Manifest,
     /// The manifest.
     pub manifest: &'a [u8; MANIFEST_BYTES],

@@ -73,7 +73,7 @@ pub struct Trial {
     pub starts: u8,
 }
 
-/// What the journal says.
+/// State by the journal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Journal {
     /// The slot that was confirmed last.

@@ -1,5 +1,5 @@
-//! What starts: two slots for the image, what says that an image is whole and whose it is, and which
-//! slot is tried.
+//! Start of an image: two slots, the proof that an image is whole and whose it is, and which slot
+//! is tried.
 //!
 //! | who | uses |
 //! |---|---|

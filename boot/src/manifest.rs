@@ -1,4 +1,4 @@
-//! What an image says of itself, signed (Ed25519, RFC 8032).
+//! Statements of an image about itself, signed (Ed25519, RFC 8032).
 //!
 //! | bytes | content, little endian |
 //! |---|---|
@@ -52,7 +52,7 @@ impl core::fmt::Display for Version {
     }
 }
 
-/// What a manifest says.
+/// Content of a manifest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Manifest {
     /// Slot the image is linked for.

@@ -19,7 +19,7 @@ pub(crate) struct Model {
     pub(crate) is_off: bool,
 }
 
-/// What is left of the operation the supply fails in.
+/// State of the operation in which the supply fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Cut {
     /// It had not begun.

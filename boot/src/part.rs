@@ -28,7 +28,7 @@ const KEYR: u32 = 0x04;
 const CR: u32 = 0x0C;
 const SR: u32 = 0x10;
 const CCR: u32 = 0x14;
-/// What unlocks `CR`, in this order (4.5.1).
+/// Keys that unlock `CR`, in this order (4.5.1).
 const KEYS: [u32; 2] = [0x4567_0123, 0xCDEF_89AB];
 const LOCK: u32 = 1;
 const PG: u32 = 1 << 1;

@@ -15,7 +15,7 @@ use crate::manifest::{self, Manifest, ManifestError, PublicKey, Version};
 /// Bytes of an image in one block.
 pub const BLOCK_BYTES: usize = 1024;
 
-/// What an update is compared with.
+/// Running firmware with which an update is compared.
 #[derive(Clone, Copy, Debug)]
 pub struct Running<'a> {
     /// Slot the firmware runs from.
@@ -37,7 +37,7 @@ pub enum UpdateError {
     NotForHere,
     /// Older than what runs, and nobody allowed that.
     Older,
-    /// What runs was not confirmed: the other slot holds what it may fall back to.
+    /// The running image was not confirmed: the other slot holds the one it may fall back to.
     Unconfirmed,
     /// No update was begun, or this block is not the next.
     Order,

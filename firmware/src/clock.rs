@@ -5,7 +5,7 @@ use calib_protocol::clock::ClockReading;
 /// How far a count by the crystal may be off, ppm: tolerance, temperature and ageing of common ones add up to
 /// 100 at most.
 pub const CRYSTAL_PPM: u64 = 100;
-/// The same of the internal oscillator, where there is no clock at OSC_IN: 5 %, about twice what it does over all
+/// Error of the internal oscillator, where there is no clock at OSC_IN: 5 %, about twice its error over all
 /// temperatures.
 pub const INTERNAL_PPM: u64 = 50_000;
 

@@ -43,7 +43,7 @@ pub trait Instrument {
     fn admit(&mut self, request: &Request) -> Result<(), Refusal>;
     /// Identity and health.
     fn info(&mut self) -> Info;
-    /// What does not work, and what the instrument went through.
+    /// Defects, and what the instrument went through.
     fn health(&mut self) -> Health;
     /// Asks for the state.
     fn status(&mut self) -> Status;
@@ -213,7 +213,7 @@ fn update(step: &UpdateStep, instrument: &mut impl Instrument) -> Result<(), Ref
     instrument.update(step, older_allowed)
 }
 
-/// What the lamps say rests on a list: it changes only under a hand, as settings do.
+/// Changes the lists. The lamps judge by a list: it changes only with a hand on the button, as settings do.
 pub async fn change_lists(
     change: &ListChange,
     instrument: &mut impl Instrument,

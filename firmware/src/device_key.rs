@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 /// Words of the generator that are condensed to a key: twice as many as it has.
 pub const RANDOM_BYTES: usize = 64;
 
-/// What the key is made of, and from which record on it signs.
+/// Seed of the key, and from which record on it signs.
 #[derive(Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Secret {
     seed: [u8; 32],

@@ -24,7 +24,7 @@ pub(crate) struct Identity {
     pub(crate) last_panic: Option<Reason>,
     /// Why it restarted, each time within a minute of the one before.
     pub(crate) restarts: Vec<Reason, MAX_RESTARTS>,
-    /// What this start does without.
+    /// Parts this start does without.
     pub(crate) left_out: LeftOut,
     /// Cause of an unintended restart.
     pub(crate) incident: Option<Reason>,

@@ -1,4 +1,4 @@
-//! What the lamps say.
+//! Patterns of the lamps.
 //!
 //! | shown | green | yellow | red |
 //! |---|---|---|---|
@@ -29,14 +29,14 @@ const TURN: u32 = (120 / PERIOD_MS) as u32;
 /// Yellow is on or off for so long: a second.
 const SLOW: u32 = (1_000 / PERIOD_MS) as u32;
 
-/// What there is to be said.
+/// States the lamps show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
     /// Nothing happened, or a run of a host whose points are valid: nothing was judged.
     Ready,
     /// A run goes on.
     Running,
-    /// What the chosen list came to.
+    /// Result of the chosen list.
     Judged(Conformity),
     /// A point of a run was refused, or its record could not be stored.
     Refused,

@@ -76,8 +76,8 @@ impl LeftOut {
         Self(self.0 | other.0)
     }
 
-    /// What to do without as well after a start has ended too often in `stage`. A fault of what runs
-    /// may be anybody's: first nothing is measured and stored, then the port is closed too.
+    /// Parts to leave out as well after a start has ended too often in `stage`. A fault while running may come
+    /// from anywhere: first nothing is measured and stored, then the port is closed too.
     fn after(self, stage: Stage) -> Self {
         let measuring = Self::CONVERTERS.and(Self::ARCHIVE);
         match stage {
@@ -111,7 +111,7 @@ impl Way {
     }
 }
 
-/// What is kept over a reset.
+/// History kept over a reset.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct History {
     /// Restarts in a row.
@@ -201,7 +201,7 @@ impl History {
         }
     }
 
-    /// What this start does without.
+    /// Parts this start does without.
     pub fn left_out(&self) -> LeftOut {
         self.left_out
     }

@@ -22,11 +22,11 @@ use embassy_sync::signal::Signal;
 use embassy_time::{Duration, with_timeout};
 use heapless::Vec;
 
-/// What the acquiring task found.
+/// Findings of the acquiring task.
 #[derive(Clone, Copy)]
 pub(crate) struct Heard {
     pub(crate) at_rest: Option<[AtRest; 2]>,
-    /// The same by single conversions.
+    /// At rest by single conversions.
     pub(crate) dithered: Option<[AtRest; 2]>,
     pub(crate) loopback: Option<Loopback>,
     pub(crate) alignment: Alignment,

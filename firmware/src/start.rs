@@ -41,7 +41,7 @@ type BlockChannel = Channel<'static, CriticalSectionRawMutex, Block>;
 
 /// Brings everything up that can be; returns when all tasks run.
 ///
-/// What does not answer is noted and left out: links, lamps and button come up
+/// A part that does not answer is noted and left out: links, lamps and button come up
 /// in any case.
 pub(crate) async fn start(spawner: Spawner) {
     crate::fault::enable();

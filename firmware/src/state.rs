@@ -53,7 +53,7 @@ pub(crate) fn update_status(change: impl FnOnce(&mut Status)) {
 static DEFECTS: CriticalSectionMutex<Cell<Defects>> =
     CriticalSectionMutex::new(Cell::new(Defects::NONE));
 
-/// What does not work.
+/// Defects of the instrument.
 pub(crate) fn defects() -> Defects {
     DEFECTS.lock(Cell::get)
 }
@@ -75,7 +75,7 @@ pub(crate) fn note_defect(defect: Defect, is_there: bool) {
 static CONFORMITY: CriticalSectionMutex<Cell<Option<Conformity>>> =
     CriticalSectionMutex::new(Cell::new(None));
 
-/// What the chosen list came to, since a tap of the button measured it; none for any other run.
+/// Result of the chosen list, since a tap of the button measured it; none for any other run.
 pub(crate) fn conformity() -> Option<Conformity> {
     CONFORMITY.lock(Cell::get)
 }
@@ -127,7 +127,7 @@ pub(crate) struct Run {
     pub(crate) results: Vec<PointResult, MAX_POINTS>,
     /// Every point was attempted.
     pub(crate) complete: bool,
-    /// What became of the first valid point when it was repeated at the end.
+    /// Outcome of repeating the first valid point at the end.
     pub(crate) closing: Closing,
     /// Running number its record has or will have.
     pub(crate) record_id: u32,
@@ -238,7 +238,7 @@ pub(crate) static ACQUIRE_ALIVE: AtomicU32 = AtomicU32::new(0);
 pub(crate) static DRIVE_ALIVE: AtomicU32 = AtomicU32::new(0);
 /// The measurement wants the exciter driven.
 pub(crate) static PLAYS: AtomicBool = AtomicBool::new(false);
-/// What is played, or queued, is no silence.
+/// Something other than silence is played, or queued.
 pub(crate) static DRIVEN: AtomicBool = AtomicBool::new(false);
 /// Rises while blocks are worked on.
 pub(crate) static MEASURE_ALIVE: AtomicU32 = AtomicU32::new(0);
@@ -247,7 +247,7 @@ pub(crate) static MEASURE_ALIVE: AtomicU32 = AtomicU32::new(0);
 pub(crate) static ALIGNED: AtomicBool = AtomicBool::new(false);
 /// Samples come in and are worked on: acquire, drive and measure run.
 pub(crate) static MEASURES: AtomicBool = AtomicBool::new(false);
-/// What is stored has been read, or cannot be.
+/// The record area has been read, or cannot be.
 pub(crate) static STORED_READ: AtomicBool = AtomicBool::new(false);
 
 /// A block is being evaluated.

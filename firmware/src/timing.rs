@@ -66,7 +66,7 @@ pub(crate) fn turns_of<S>(work: Work, token: SpawnToken<S>) -> SpawnToken<S> {
     token
 }
 
-/// What took how long, and how long it may take.
+/// Times that pieces of work took, and may take.
 pub(crate) fn deadlines() -> Vec<Deadline, MAX_DEADLINES> {
     let told = Work::ALL.into_iter().zip(&WATCHED);
     told.map(|(work, watched)| Deadline {

@@ -44,7 +44,7 @@ fn start(flash: &mut Model) -> Option<Slot> {
     choose(flash, &public_key(&SEED))
 }
 
-/// What a host does; ends where the supply does.
+/// Updates as a host does; ends where the supply does.
 fn update(flash: &mut Model, from: Slot, new: &[u8]) -> Result<(), UpdateError> {
     let mut updater = Updater::NONE;
     let told = manifest(new, from.other(), [1, 1, 0]);

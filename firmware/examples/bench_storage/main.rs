@@ -98,7 +98,7 @@ fn wear() -> Result<(u32, u32), Fault> {
     Ok((least, erases.iter().max().copied().unwrap_or(0)))
 }
 
-/// What the cuts met.
+/// Counts over the cuts.
 #[derive(Default)]
 struct Met {
     /// Records compared with what was told.

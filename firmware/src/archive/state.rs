@@ -24,7 +24,7 @@ pub struct State {
     settings: Option<Settings>,
     /// Where they come from; its digest of them is taken anew for each record.
     provenance: Provenance,
-    /// What the key of the instrument is made of.
+    /// Secret of the key of the instrument.
     secret: Option<Secret>,
 }
 
@@ -91,7 +91,7 @@ impl State {
         }
     }
 
-    /// What the key is made of, once there is one.
+    /// Secret of the key, once there is one.
     pub(super) fn secret(&self) -> Option<&Secret> {
         self.secret.as_ref()
     }

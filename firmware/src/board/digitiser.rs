@@ -62,7 +62,7 @@ const CONVERSION_HZ: u32 = match CLOCKS.silicon {
     Silicon::V => CLOCK_HZ / 2,
 };
 const HALF_CYCLES: u32 = 65 + 1 + CONVERTERS.input.bits() as u32;
-/// What a sample is the mean of.
+/// Conversions of which a sample is the mean.
 pub(crate) const APERTURE: Aperture = Aperture {
     conversions: CONVERSIONS,
     apart_s: HALF_CYCLES as f32 / (2 * CONVERSION_HZ) as f32,

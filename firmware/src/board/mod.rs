@@ -78,7 +78,7 @@ use embassy_stm32::wdg::IndependentWatchdog;
 /// hang that keeps the drive task from running lets the ring repeat its 20 ms.
 const WATCHDOG_US: u32 = 250_000;
 
-/// The same until the tasks run: converters take 50 ms, a crystal less than 100.
+/// Time of the watchdog until the tasks run: converters take 50 ms, a crystal less than 100.
 const BOOT_WATCHDOG_US: u32 = 1_000_000;
 
 /// Silicon the image is for.

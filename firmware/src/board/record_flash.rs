@@ -39,7 +39,7 @@ const FLASH_START: u32 = 0x0800_0000;
 const WORD: usize = 32;
 /// Bytes of a sector.
 const SECTOR: usize = 128 * 1024;
-/// What unlocks them, in this order (RM0433 Rev 9, 4.5.1).
+/// Keys that unlock them, in this order (RM0433 Rev 9, 4.5.1).
 const KEYS: [u32; 2] = [0x4567_0123, 0xCDEF_89AB];
 /// `PSIZE`: 32 bits at once.
 const PARALLELISM: u8 = 2;
@@ -257,7 +257,7 @@ pub(crate) async fn wrong_words_of_image() -> WrongWords {
     wrong_words(start..start + SLOT_BYTES).await
 }
 
-/// The same of the record area, which must be at rest.
+/// Wrong words of the record area, which must be at rest.
 pub(crate) async fn wrong_words_of_records() -> WrongWords {
     wrong_words(RECORD_AREA).await
 }

@@ -1,4 +1,4 @@
-//! What the instrument is asked about itself: name, key, health, records.
+//! Questions to the instrument about itself: name, key, health, records.
 
 use super::errors::ScpiError;
 use crate::command::{self, Instrument, RecordPage};

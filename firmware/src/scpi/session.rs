@@ -169,7 +169,7 @@ impl Session {
         }
     }
 
-    /// What was done, or none with its error in the queue.
+    /// The result, or none with its error in the queue.
     fn noted<T>(&mut self, done: Result<T, ScpiError>) -> Option<T> {
         done.map_err(|error| self.status.push(error)).ok()
     }

@@ -229,7 +229,7 @@ fn line(link: &mut Link, bench: &mut Bench, line: &str) -> String {
     String::from_utf8(heard).expect("text")
 }
 
-/// What comes once the run is over, or before it.
+/// Answer once the run is over, or before it.
 fn waited(link: &mut Link, bench: &mut Bench) -> String {
     let future = pin!(link.link.poll(&mut link.console, bench));
     match future.poll(&mut Context::from_waker(Waker::noop())) {

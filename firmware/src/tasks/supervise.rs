@@ -152,7 +152,7 @@ fn show(lamps: &mut Lamps, state: RunState, periods: u32) {
     lamps.red.set(red);
 }
 
-/// What there is to be said, what matters most first.
+/// State the lamps show: the one that matters most.
 fn shown(state: RunState) -> Shown {
     let defects = state::defects();
     if !defects.is_none() {
