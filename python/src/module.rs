@@ -15,7 +15,7 @@ use std::time::Duration;
 /// Between two looks at Python's signals: Ctrl-C is felt as immediate.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// What a verb said (documents and lines, then remarks), and how it failed: error, hint, exit code.
+/// Output of a verb (documents and lines, then remarks), and how it failed: error, hint, exit code.
 type Answer = (
     Vec<String>,
     Vec<String>,
@@ -118,7 +118,7 @@ fn to_toml(given: &Bound<'_, PyTuple>) -> PyResult<String> {
     toml::to_string(&in_toml(value)).map_err(unusable)
 }
 
-/// The same value; numbers of JSON are texts inside, which TOML would write as such.
+/// A JSON value as TOML; numbers of JSON are texts inside, which TOML would write as such.
 fn in_toml(value: Value) -> toml::Value {
     match value {
         Value::Null => toml::Value::String(String::new()),
@@ -171,7 +171,7 @@ fn fill(py: Python<'_>, module: &Bound<'_, PyModule>) -> PyResult<()> {
     Ok(())
 }
 
-/// What the interpreter asks a module for when it is imported.
+/// Entry point that the interpreter calls when it imports the module.
 #[unsafe(no_mangle)]
 #[allow(non_snake_case, reason = "the name is the interpreter's")]
 extern "C" fn PyInit__calib() -> *mut ffi::PyObject {

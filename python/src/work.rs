@@ -14,7 +14,7 @@ const STACK_BYTES: usize = 8 << 20;
 /// Exit code of what is a mistake of ours.
 const DEFECT: u8 = 1;
 
-/// What a verb has said.
+/// Message of a verb.
 #[derive(Debug)]
 pub(crate) enum Heard {
     /// Its document, or a line of its stream.
@@ -53,7 +53,7 @@ impl Work {
         Ok(Self { said, thread })
     }
 
-    /// What it says next, waited for so long; `None` once it has said everything.
+    /// Its next message, waited for so long; `None` once it has said everything.
     pub(crate) fn next(&mut self, wait: Duration) -> Result<Option<Heard>, Nothing> {
         match self.said.recv_timeout(wait) {
             Ok(heard) => Ok(Some(heard)),
@@ -73,7 +73,7 @@ impl Work {
 #[derive(Debug)]
 pub(crate) struct Nothing;
 
-/// What a verb answers; its panic is a failure.
+/// Answer of a verb; its panic is a failure.
 fn whole(verb: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
     catch_unwind(AssertUnwindSafe(verb)).unwrap_or_else(|panic| Err(defect(panic.as_ref())))
 }

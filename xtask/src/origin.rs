@@ -1,6 +1,6 @@
 //! Where an image is built does not show in it: folders of the builder get other names.
 //!
-//! What a panic names and what a debugger is told begins with the names below instead. The same sources
+//! Paths in panics and for debuggers begin with the names below instead. The same sources
 //! built elsewhere give the same bytes, which [`check`] holds by building them there.
 
 use crate::elf;
@@ -11,11 +11,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// What the workspace is called: debuggers that are started there find the sources.
+/// Name of the workspace: debuggers that are started there find the sources.
 const WORKSPACE: &str = ".";
-/// What the folder of built things is called, wherever it is.
+/// Name of the folder of built things, wherever it is.
 const TARGET: &str = "./target";
-/// What the folder of fetched sources is called; below it are `NAME-VERSION/src/...`.
+/// Name of the folder of fetched sources; below it are `NAME-VERSION/src/...`.
 const FETCHED: &str = "registry";
 
 /// The folders a build reads from and writes to.
@@ -125,7 +125,7 @@ fn build_elsewhere(folder: &Path) -> Result<PathBuf> {
     elf::build_elsewhere(&Place::of(workspace, folder.join("built"), home)?)
 }
 
-/// What version control would put into a commit.
+/// Copies the files that version control would put into a commit.
 fn copy_sources(to: &Path) -> Result<()> {
     fs::create_dir_all(to)?;
     let mut list = Command::new("git");

@@ -161,7 +161,7 @@ fn depends(stage: &Path) -> Result<String> {
         .to_owned())
 }
 
-/// The same files for other Linux systems.
+/// Packs the files for other Linux systems.
 fn tar(stage: &Path, dist: &Path) -> Result<PathBuf> {
     let name = format!("calib-{VERSION}-{}-linux", std::env::consts::ARCH);
     let file = dist.join(format!("{name}.tar.xz"));
@@ -182,7 +182,7 @@ pub(crate) fn tar_of(file: &Path) -> Command {
     tar
 }
 
-/// What the program and the image are made of.
+/// Lists of the parts of the program and the image.
 fn materials(stage: &Path, image: &Path, dist: &Path) -> Result<[PathBuf; 2]> {
     let compiler = said(Command::new("rustc").arg("-vV"))?;
     let host = compiler

@@ -34,7 +34,7 @@ pub(crate) fn for_tests(program: &str, tests: &str) -> Result<Option<PathBuf>> {
     installed(program).map(Some)
 }
 
-/// The same for who asked for it by name: what is nothing without it installs it.
+/// Finds a program that was asked for by name; installs it where it is missing.
 pub(crate) fn installed(program: &str) -> Result<PathBuf> {
     if find(program).is_none() {
         install(&[package_of(program)])?;

@@ -10,7 +10,7 @@ use anyhow::Result;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What is installed, and how: of the second list the packages alone, without the browsers they would drive.
+/// Packages to install, and how: of the second list the packages alone, without the browsers they would drive.
 const LISTS: [(&str, &[&str]); 2] = [
     ("requirements.txt", &[]),
     ("requirements-alone.txt", &["--no-deps"]),

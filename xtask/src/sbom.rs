@@ -1,4 +1,4 @@
-//! What the program and the image are made of, as CycloneDX 1.5: one list for each.
+//! Parts of the program and the image, as CycloneDX 1.5: one list for each.
 //!
 //! Packages and their ties are cargo's own, of the build that ships: of the whole workspace for the program,
 //! of the one package for the image. What only ran while building is in it as `excluded`.
@@ -148,7 +148,7 @@ impl Packages {
     }
 }
 
-/// What one package alone asks for, as cargo resolves it, by name and version.
+/// Packages that one package alone asks for, as cargo resolves it, by name and version.
 fn asked_for(product: &Product<'_>) -> Result<BTreeSet<String>> {
     let mut ask = cargo("tree");
     ask.args(["--locked", "--edges", "normal,build", "--prefix", "none"]);

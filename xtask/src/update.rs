@@ -83,7 +83,7 @@ fn manifest(image: &[u8], slot: Slot, board: &str, seed: &Seed) -> Result<[u8; 2
     Ok(sign(&told, seed))
 }
 
-/// What an image has in its slot, up to its last byte; what lies in between is as erased.
+/// Bytes of an image in its slot, up to its last; gaps in between are as erased.
 fn flashed(path: &Path) -> Result<Vec<u8>> {
     let bytes = fs::read(path).with_context(|| format!("cannot read {}", path.display()))?;
     let header = FileHeader32::<Endianness>::parse(&*bytes)?;

@@ -90,7 +90,7 @@ fn copy_sources(from: &Path, to: &Path) -> Result<()> {
     Ok(())
 }
 
-/// What `pyproject.toml` says, in the form of core metadata 2.4.
+/// Content of `pyproject.toml`, in the form of core metadata 2.4.
 fn metadata() -> Result<String> {
     let folder = root().join("python");
     let project: toml::Table = toml::from_str(&fs::read_to_string(folder.join("pyproject.toml"))?)?;

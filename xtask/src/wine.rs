@@ -21,7 +21,7 @@ const RANDOM: &str = "\
 __declspec(dllexport) BOOL WINAPI ProcessPrng(PBYTE to, SIZE_T size) { return RtlGenRandom(to, (ULONG)size); }
 ";
 
-/// What a certificate in every format needs to be told.
+/// Particulars that a certificate in every format needs.
 const LABORATORY: &str = "\
 [laboratory]
 name = \"Example Calibration Ltd\"
