@@ -141,7 +141,7 @@ impl Browser {
         Ok(self.runtime.block_on(self.client.issue_cmd(command))?)
     }
 
-    /// What is wrong on this page for those who use it by keyboard, by ear or with little sight: each rule of
+    /// Faults of this page for those who use it by keyboard, by ear or with little sight: each rule of
     /// axe-core that is broken, with the places.
     ///
     /// # Errors

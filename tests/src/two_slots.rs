@@ -55,7 +55,7 @@ impl TwoSlots {
         self.commissioned_with(&self.update, Schematic::nucleo_h743zi2(), port)
     }
 
-    /// The same with slot A of another update, on the board of this schematic.
+    /// A commissioned board with slot A of another update, by this schematic.
     ///
     /// # Errors
     /// As there.

@@ -1,4 +1,4 @@
-//! What the images of a tone do to the sensitivity.
+//! Effect of the images of a tone on the sensitivity.
 //!
 //! The held output has, beside the tone at `f`, images at `k fs + f`. What the reconstruction
 //! filter leaves of them moves the table, what the anti-alias filter leaves of that is sampled, and
@@ -42,7 +42,7 @@ impl Filters<'_> {
         }
     }
 
-    /// What ngspice computed, at multiples of 1.25 kHz: `images.txt` of `response.cir`.
+    /// Filters as ngspice computed them, at multiples of 1.25 kHz: `images.txt` of `response.cir`.
     pub fn circuit(rows: &[Row]) -> Filters<'_> {
         // From the drive converter's code to volts and from volts to the pin: what is constant cancels.
         let at = |path: usize| -> Transfer<'_> {
@@ -59,7 +59,7 @@ impl Filters<'_> {
         }
     }
 
-    /// What both together take from `image_hz` against `tone_hz`, dB.
+    /// Attenuation of `image_hz` against `tone_hz` by each, dB.
     pub fn attenuation_db(&self, tone_hz: f64, image_hz: f64) -> [f64; 2] {
         [&self.reconstruction, &self.anti_alias]
             .map(|filter| 20.0 * (filter(tone_hz).norm() / filter(image_hz).norm()).log10())

@@ -8,7 +8,7 @@ use std::io::ErrorKind;
 use std::process::{Command, Output};
 use tempfile::TempDir;
 
-/// What a deck left.
+/// Output of a deck.
 #[derive(Debug)]
 pub struct Run {
     written: TempDir,

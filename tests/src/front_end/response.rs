@@ -46,7 +46,7 @@ pub struct Line {
     pub iepe: Value,
 }
 
-/// What `response.cir` gave, to 200 kHz.
+/// Response by `response.cir`, to 200 kHz.
 ///
 /// # Errors
 /// The file is not there or not as expected.
@@ -159,7 +159,7 @@ fn csv_line(line: &str) -> Result<Line, Fault> {
 
 /// Where `found` is not `committed`: the first frequency, or a count; nothing when they agree.
 ///
-/// What is allowed covers the digits of the file and another ngspice's rounding, and is a
+/// The tolerance covers the digits of the file and another ngspice's rounding, and is a
 /// hundredth of what the circuit may be off the twin.
 pub fn difference(committed: &[Line], found: &[Line]) -> Option<String> {
     if committed.len() != found.len() {

@@ -18,7 +18,7 @@ pub struct Spread {
     pub frequency_hz: f64,
     /// Standard uncertainty of the magnitude, relative.
     pub magnitude_rel: f64,
-    /// The same once the ratio at 160 Hz was measured and taken away.
+    /// Standard uncertainty of the magnitude once the ratio at 160 Hz was measured and taken away.
     pub shape_rel: f64,
     /// Standard uncertainty of the phase, degrees.
     pub phase_deg: f64,

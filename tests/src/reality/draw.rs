@@ -25,9 +25,9 @@ pub const BANDS_HZ: [[f64; 2]; 5] = [
 
 /// A rig on a site, and the truth about it.
 pub struct Draw {
-    /// What the plant simulates.
+    /// Rig the plant simulates.
     pub rig: Rig,
-    /// What is certified about the reference.
+    /// Certified values of the reference.
     pub certificate: Vec<CalibrationPoint>,
     /// One point in each band, the level the same as far as the exciter's travel goes.
     pub points: Vec<PointSpec>,

@@ -45,7 +45,7 @@ pub const PAIR: &str = "pair";
 pub struct Stratum {
     /// In the order of [`BANDS_HZ`], by certificates that are told the temperature alone.
     pub bands: Bands,
-    /// The same runs by certificates that are told the mounted resonance of the device's data sheet as well.
+    /// These runs by certificates that are told the mounted resonance of the device's data sheet as well.
     pub with_data_sheet: Bands,
     /// How often points were refused, by reason in words.
     pub reasons: BTreeMap<String, u32>,
@@ -88,7 +88,7 @@ pub fn strata(sizes: &Sizes) -> Vec<String> {
     all.map(str::to_owned).collect()
 }
 
-/// What measures.
+/// Part that measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Through {
     /// The shipping image on the emulated board.
@@ -154,7 +154,7 @@ fn by_firmware(bench: &mut Option<Bench>, draw: &Draw) -> Result<Record, Fault> 
     Ok(record::decode(&bench.record(run.record_id)?)?)
 }
 
-/// What the operator tells.
+/// Labels the operator tells.
 fn labels(draw: &Draw) -> RunLabels {
     RunLabels {
         temperature_centi_c: Some((100.0 * draw.temperature_c) as i16),
@@ -199,7 +199,7 @@ fn judge(draw: &Draw, record: &Record, seed: u64) -> Stratum {
     counts
 }
 
-/// What became of the points of a run by its certificate.
+/// Outcomes of the points of a run by its certificate.
 fn fates(draw: &Draw, record: &Record, particulars: &Particulars) -> [Fate; BANDS_HZ.len()] {
     let certificate = Certificate::from_record(record, particulars);
     let warns = |remark: &Remark| WARNINGS.contains(&remark.key);
@@ -239,7 +239,7 @@ impl Fate {
     }
 }
 
-/// What became of a point.
+/// Outcome of a point.
 fn fate(draw: &Draw, result: &PointResult, certified: Option<&PointValues>, told: bool) -> Fate {
     let Some(certified) = certified else {
         return Fate::Refused;

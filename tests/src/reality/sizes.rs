@@ -11,7 +11,7 @@ const FILE: &str = include_str!("../../reality/sizes.toml");
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sizes {
-    /// What every draw has.
+    /// Conditions of every draw.
     pub condition: Vec<Condition>,
     /// Parameters of the effects and faults.
     pub size: Vec<Size>,
@@ -109,7 +109,7 @@ impl Sizes {
     /// The sizes of the file.
     ///
     /// # Errors
-    /// What is wrong with the file, and where.
+    /// An error that says what is wrong with the file, and where.
     pub fn read() -> Result<Self, toml::de::Error> {
         toml::from_str(FILE)
     }

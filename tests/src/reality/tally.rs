@@ -1,8 +1,8 @@
-//! What came of the points of a stratum.
+//! Outcomes of the points of a stratum.
 
 use serde::Serialize;
 
-/// What became of a point.
+/// Outcome of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Fate {
     /// Passed: error over U of magnitude and phase, and U of the magnitude.
@@ -43,7 +43,7 @@ pub struct Tally {
     pub beyond_2_u: u32,
     /// Largest error over U of a point that passed, magnitude.
     pub worst_magnitude: f64,
-    /// The same of the phase.
+    /// Largest error over U of a point that passed, phase.
     pub worst_phase: f64,
     /// Sum of U of the magnitude over the points that passed.
     pub expanded_sum_rel: f64,
