@@ -29,7 +29,7 @@ const LONGEST_STALL_MS: f32 = 6.0;
 /// Longest evaluation of a block, ms (docs/safety.md).
 const EVALUATION_MS: f32 = 17.0;
 
-/// What a test found wrong.
+/// Fault that a test found.
 type Wrong = &'static str;
 
 /// Carries out all tests. Ends the program of a debugger that hears it, with 0 if all passed.

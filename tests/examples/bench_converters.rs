@@ -1,4 +1,4 @@
-//! What the errors of the part's converters do to the sensitivity: `./run bench converters [UNITS]`.
+//! Errors of the sensitivity by those of the part's converters: `./run bench converters [UNITS]`.
 //!
 //! The core on the plant, without a board between; the reference is known exactly, and nothing else is
 //! wrong, so that the whole deviation is the converters'.

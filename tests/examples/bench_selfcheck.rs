@@ -116,7 +116,7 @@ fn by_the_image(rigs: u64, first_seed: u64) -> Result<Vec<String>, Fault> {
         .collect())
 }
 
-/// What is wrong with a check, and what it says then.
+/// Prints each fault of a check, and the answers to it.
 fn print_unsound(rigs: u64, first_seed: u64) {
     println!(
         "\n{rigs} checks each of sound references, %\n\n{:<42} {:>8} {:>8} {:>9} {:>9}",

@@ -121,7 +121,7 @@ fn is_of_response(terms: &ListTerms) -> bool {
     terms.bands.iter().any(|band| band.base == Base::Reference)
 }
 
-/// What a certificate states of the record of such a run.
+/// Statement of a certificate about the record of such a run.
 fn certified(terms: &ListTerms, points: &[PointResult], closing: Closing) -> Stated {
     let record = Record {
         head: RecordHead {
@@ -147,7 +147,7 @@ fn certified(terms: &ListTerms, points: &[PointResult], closing: Closing) -> Sta
     Certificate::from_record(&record, &particulars).stated_conformity()
 }
 
-/// What the lamps say of it, be it on either side of a limit that a value is next to.
+/// Statements of the lamps about it, on either side of a limit that a value is next to.
 fn judgements(terms: &ListTerms, points: &[PointResult], closing: Closing) -> [Stated; 3] {
     [1.0, 1.0 - NEAR_REL, 1.0 + NEAR_REL].map(|factor| {
         let mut points = points.to_vec();

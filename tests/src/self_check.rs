@@ -54,7 +54,7 @@ pub fn plan(moving_mass_kg: f64, added_kg: f64) -> Plan {
     }
 }
 
-/// What is told of the equipment.
+/// Equipment as it is told.
 pub fn equipment(draw: &SelfCheckDraw) -> Equipment {
     Equipment {
         mass_kg: draw.stated.mass_kg,
@@ -68,7 +68,7 @@ pub fn equipment(draw: &SelfCheckDraw) -> Equipment {
 /// A check measured and evaluated.
 ///
 /// # Errors
-/// What the evaluation refuses.
+/// Errors of the evaluation.
 pub fn check(draw: &SelfCheckDraw, plan: &Plan, day: u64) -> Result<Evaluation, ReciprocityError> {
     let read = |reading: &session::Reading| Reading {
         frequency_hz: reading.frequency_hz,
@@ -151,7 +151,7 @@ const READ_RMS_MS2: [f32; 5] = [20.0, 14.0, 10.0, 7.0, 5.0];
 /// Where, Hz.
 const READ_HZ: f32 = 160.0;
 
-/// What the converters of a unit do to the readings of a check: deviation of the ratio from the truth at each of
+/// Errors of the readings of a check by the converters of a unit: deviation of the ratio from the truth at each of
 /// some levels, relative, by the core on the plant.
 pub fn reading_errors_rel(unit: u64, shape: Shape, input: CoilInput) -> Vec<f64> {
     let mut draw = SelfCheckDraw::new(unit, Hold::Current);
@@ -174,14 +174,14 @@ pub fn reading_errors_rel(unit: u64, shape: Shape, input: CoilInput) -> Vec<f64>
     results.iter().filter_map(error).collect()
 }
 
-/// What is true of a reference. Changes and differences have either sign.
+/// Truths about a reference. Changes and differences have either sign.
 pub const TRUTHS: [&str; 4] = [
     "sound",
     "changed by 0.5 % since the baseline",
     "changed by 1.75 % since the baseline",
     "off its certificate by 1.75 % from the start",
 ];
-/// What a check says of it.
+/// Answers of a check about it.
 pub const ANSWERS: [&str; 4] = [
     "neither",
     "changed since the baseline",
@@ -189,7 +189,7 @@ pub const ANSWERS: [&str; 4] = [
     "both",
 ];
 
-/// What drawn calibrators showed.
+/// Counts over drawn calibrators.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
     /// Calibrators.
@@ -198,7 +198,7 @@ pub struct Tally {
     pub refused: Vec<(u64, String)>,
     /// At each frequency: how often the truth was inside of U, and of how many.
     pub inside: [(u64, u64); FREQUENCIES_HZ.len()],
-    /// The same of the phase.
+    /// `inside` for the phase.
     pub phase_inside: [(u64, u64); FREQUENCIES_HZ.len()],
     /// By [`TRUTHS`] and [`ANSWERS`], how often.
     pub answers: [[u64; ANSWERS.len()]; TRUTHS.len()],
@@ -206,7 +206,7 @@ pub struct Tally {
     pub expanded_rel: [Vec<f64>; FREQUENCIES_HZ.len()],
     /// Sound references suspected, changed ones found, and of how many; against a baseline.
     pub baseline: [(u64, u64); 2],
-    /// The same against the certificate.
+    /// `baseline` against the certificate.
     pub certificate: [(u64, u64); 2],
     /// Square sum of the error over its standard uncertainty against the baseline, of sound references.
     pub baseline_chi2: f64,
@@ -359,12 +359,12 @@ fn one(seed: u64, hold: Hold) -> Tally {
 
 /// A check that something is wrong with, which no drawn calibrator has.
 pub struct Unsound {
-    /// What it is.
+    /// The fault in words.
     pub what: &'static str,
     spoil: fn(&mut SelfCheckDraw),
 }
 
-/// What a hand or a part may do to a check.
+/// Faults by a hand or a part in a check.
 pub const UNSOUND: [Unsound; 9] = [
     Unsound {
         what: "the mass was forgotten",
@@ -420,7 +420,7 @@ fn of_circuit(draw: &mut SelfCheckDraw, change: impl FnMut(&mut Reciprocity)) {
     draw.rig.reciprocity.iter_mut().for_each(change);
 }
 
-/// What became of unsound checks of sound references.
+/// Outcomes of unsound checks of sound references.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UnsoundTally {
     /// Refused.
@@ -475,8 +475,8 @@ pub fn spoilt(unsound: &Unsound, rigs: u64, first_seed: u64) -> UnsoundTally {
 mod tests {
     use super::*;
 
-    /// What [`calib_twin::reciprocity::distributions`] has of it: a reading is off by 5e-5 beside what is the same
-    /// at all levels, which the ratio of the channels takes away.
+    /// The bound of [`calib_twin::reciprocity::distributions`]: a reading is off by 5e-5 beside the error that is the
+    /// same at all levels, which the ratio of the channels takes away.
     #[test]
     fn the_converters_disturb_a_ratio_of_levels() {
         let mut squares = Vec::new();

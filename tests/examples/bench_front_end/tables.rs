@@ -68,7 +68,7 @@ pub(crate) const FAULTS: [Printed; 9] = [
     ),
 ];
 
-/// What a deck printed, in words.
+/// Prints the numbers of a deck, in words.
 pub(crate) fn printed(title: &str, run: &Run, numbers: &[Printed]) -> Result<Value, Fault> {
     println!("\n{title}");
     let mut document = json!({});

@@ -12,18 +12,18 @@ use std::time::{Duration, Instant};
 /// Runs of the default list after the first, of which the median is stated.
 const WARM_RUNS: usize = 3;
 
-/// What runs of the default list took, and what they did.
+/// Times of runs of the default list, and what they did.
 struct Speed {
     /// Virtual time over the wall's: the first run, with the translation of the image; one after it.
     cold: f64,
     warm: f64,
-    /// The same over the time of the processor, which other work on the computer moves less.
+    /// Virtual time over that of the processor, which other work on the computer moves less.
     warm_of_processor: f64,
     instructions_per_s: f64,
     done: Done,
 }
 
-/// What both have to have in common.
+/// Results that both must have in common.
 #[derive(Debug, PartialEq)]
 struct Done {
     /// SHA-256 of every record, chained.

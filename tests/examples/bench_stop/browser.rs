@@ -41,12 +41,12 @@ const WATCH: &str = "(() => {
         window.alarms += 1; window.alarm_ms = Math.max(window.alarm_ms, now() - window.clicked_ms); } })
         .observe(alarm, { attributes: true, attributeFilter: ['hidden'] }); })()";
 
-/// What became of the clicks.
+/// Outcomes of the clicks.
 #[derive(Default)]
 pub(crate) struct Clicks {
     /// From the click to the beginning of rest, less what the board was behind.
     pub(crate) times: Vec<Duration>,
-    /// The same with it.
+    /// Times with that lag.
     pub(crate) with_lag: Vec<Duration>,
     /// Full screen, at its time.
     pub(crate) alarms: u64,

@@ -81,7 +81,7 @@ impl Host {
     }
 }
 
-/// What is in the way, as long as it is kept.
+/// Obstacles, in the way as long as this is kept.
 #[derive(Default)]
 pub(crate) struct Obstacles {
     connections: Vec<TcpStream>,

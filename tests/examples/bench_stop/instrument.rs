@@ -12,7 +12,7 @@ use std::time::Duration;
 
 /// One look at the drive.
 const LOOK: Duration = Duration::from_millis(1);
-/// What does not rest by then never does.
+/// A drive that does not rest by then never does.
 const LONGEST: Duration = Duration::from_millis(500);
 /// Long enough to be no zero crossing of a tone.
 const REST: Duration = Duration::from_millis(5);

@@ -32,7 +32,7 @@ const PROMISED: Duration = Duration::from_millis(200);
 /// Longest on one that does not.
 const PROMISED_BAD: Duration = Duration::from_millis(500);
 
-/// What is in the way of a stop.
+/// Obstacle in the way of a stop.
 struct Situation {
     name: &'static str,
     way: Way,
@@ -98,7 +98,7 @@ const SITUATIONS: [Situation; 8] = [
     },
 ];
 
-/// What is in the way of a click beside ten tabs of the page.
+/// Obstacles in the way of a click beside ten tabs of the page.
 const CLICKS: [Situation; 4] = [
     Situation {
         name: "ten tabs",

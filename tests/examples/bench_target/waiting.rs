@@ -13,7 +13,7 @@ use std::num::NonZeroU64;
 /// Cycles for an instruction: tightly coupled memory or a cache that hits, and flash with wait states and none.
 const CYCLES: [u64; 2] = [1, 3];
 
-/// What a default list came to.
+/// Course of a default list.
 struct Course {
     deadlines: Vec<Deadline>,
     overruns: u32,

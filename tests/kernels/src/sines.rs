@@ -11,14 +11,14 @@ pub(crate) fn kernel_sines(mut walk: PhaseWalk) -> [f32; 2] {
     sums([(); PAIRS].iter().map(|()| walk.next_cos_sin()))
 }
 
-/// The same of angles in radians, by `libm`.
+/// Sums of cosines and sines of angles in radians, by `libm`.
 #[unsafe(no_mangle)]
 #[inline(never)]
 pub(crate) fn kernel_sines_libm(angles: &[f32; PAIRS]) -> [f32; 2] {
     sums(angles.iter().map(|&x| (libm::cosf(x), libm::sinf(x))))
 }
 
-/// The same by `micromath`.
+/// Sums of cosines and sines of angles in radians, by `micromath`.
 #[unsafe(no_mangle)]
 #[inline(never)]
 pub(crate) fn kernel_sines_micromath(angles: &[f32; PAIRS]) -> [f32; 2] {

@@ -227,7 +227,7 @@ impl Notes {
     }
 }
 
-/// What a pretended calibrator says of itself.
+/// Identity of a pretended calibrator.
 pub fn info() -> Info {
     Info {
         protocol_version: PROTOCOL_VERSION,

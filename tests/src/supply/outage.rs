@@ -1,10 +1,10 @@
-//! What comes of a cut: the supply fails, or a second board is asked how it would have been.
+//! Outcome of a cut: the supply fails, or a second board is asked how it would have been.
 
 use super::link::Cut;
 use crate::bench::Fault;
 use calib_twin::runner::Emulator;
 
-/// What follows an instant at which the supply might fail.
+/// Event after an instant at which the supply might fail.
 pub(super) enum Next {
     /// It fails.
     Fail,
@@ -22,7 +22,7 @@ pub(super) trait Outage: Send {
     /// The instant of a cut has come; `board` stands at it.
     ///
     /// # Errors
-    /// What would have been lost.
+    /// Losses there would have been.
     fn come(&mut self, board: &mut Emulator) -> Result<Next, Fault>;
 
     /// A start is done: the host has looked for everything it was told.

@@ -28,7 +28,7 @@ pub(super) struct Plan {
     random: u64,
 }
 
-/// What is done at a cut besides a look at the second board.
+/// Actions at a cut besides a look at the second board.
 #[derive(Clone, Debug)]
 pub(super) struct Fate {
     /// Cuts of the second board's start, one after the other.
@@ -68,7 +68,7 @@ impl Plan {
         }
     }
 
-    /// What becomes of the cut that has come.
+    /// Fate of the cut that has come.
     pub(super) fn fate(&mut self, tears_a_sector: bool) -> Fate {
         self.number += 1;
         let again = match self.number {

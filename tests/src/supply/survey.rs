@@ -9,17 +9,17 @@ use crate::bench::Fault;
 use calib_twin::runner::{Emulator, FlashAtCut, Torn};
 use std::path::Path;
 
-/// What a restart is called that nothing but the supply has caused.
+/// Name of a restart that nothing but the supply has caused.
 const POWER_ON: &str = "PowerOn";
 
 /// Looks at every cut of a desk's session on a second board.
 pub struct Survey {
     second: Desk,
-    /// What the first host knows.
+    /// Knowledge of the first host.
     told: Told,
     plan: Plan,
     tally: Tally,
-    /// What the first host was told by the last cut.
+    /// Number of things the first host was told by the last cut.
     heard: u32,
     /// So many cuts end it, the last of which comes.
     wanted: u32,
@@ -109,7 +109,7 @@ impl Survey {
 }
 
 impl Outage for Survey {
-    /// What is told from memory and not from flash is lost in the instants after.
+    /// A cut is due after each thing told: something told from memory and not from flash is lost then.
     fn is_due(&self) -> bool {
         self.told.known().tells != self.heard
     }

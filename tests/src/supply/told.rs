@@ -120,7 +120,7 @@ impl Told {
         Self(Arc::new(Mutex::new(self.known().clone())))
     }
 
-    /// What is known at this instant. No request may be made while it is held.
+    /// Knowledge at this instant. No request may be made while it is held.
     pub(super) fn known(&self) -> MutexGuard<'_, Known> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }

@@ -19,7 +19,7 @@ static KNOWN: LazyLock<Vec<Certificate>> =
     LazyLock::new(|| Certificate::read(&file("rsa.pem")).expect("a certificate"));
 static SEEDS: LazyLock<Vec<(&'static str, Vec<u8>)>> = LazyLock::new(seeds);
 
-/// What is taken for the laboratory's is what the laboratory signed: a PDF to the byte but for the case of the
+/// A file is taken for the laboratory's only if the laboratory signed it: a PDF to the byte but for the case of the
 /// digits of its signature, a DCC to the same text in canonical form, which begins with its root.
 pub fn signed(data: &[u8]) {
     let Some(kind) = Kind::of(data) else {
