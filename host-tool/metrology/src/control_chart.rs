@@ -202,14 +202,15 @@ mod tests {
         found.count() as f64 / SERIES as f64
     }
 
-    /// 0.27 % by definition; effective degrees of freedom are an approximation whose tail is the longer. Six results have
-    /// few degrees of freedom: of fourfold scatter three in four are told.
+    /// Both variances are quadratic forms of normal values: the share where one exceeds the F quantile times the other is
+    /// 0.260 % of sound and 77.63 % of fourfold scatter (Imhof, Biometrika 48 (1961), 419, in numpy by the eigenvalues of
+    /// the differences). 20 000 series scatter by 0.036 and 0.29 %; four of these are allowed.
     #[test]
     fn scatter_that_grows_is_told_and_sound_scatter_seldom() {
         let sound = wider(1.0);
-        assert!((0.001..0.008).contains(&sound), "{sound}");
+        assert!((sound - 0.002_60).abs() < 4.0 * 0.000_36, "{sound}");
         let grown = wider(4.0);
-        assert!(grown > 0.75, "{grown}");
+        assert!((grown - 0.7763).abs() < 4.0 * 0.0029, "{grown}");
         assert!(!scatter_more(&[
             0.0, 1.0, 0.0, 1.0, 0.0, 9.0, 0.0, 9.0, 0.0, 9.0, 0.0
         ]));

@@ -25,6 +25,15 @@ const CALLS: &str = "?write,?writev,?pwrite64,?pwritev,?pwritev2,?copy_file_rang
     ?mkdir,?mkdirat,?rmdir,?chmod,?fchmod,?fchmodat,?fchmodat2";
 /// Where certificates go.
 const OUT: &str = "out";
+/// Asks for a certificate of the record that is new.
+const ISSUE: [&str; 6] = [
+    "certificate",
+    "new.calibrec",
+    "--out",
+    OUT,
+    "--particulars",
+    "house.toml",
+];
 
 /// strace; `None`, after saying so, where it is not installed. In CI that is a failure.
 fn strace() -> Option<PathBuf> {
@@ -373,17 +382,9 @@ fn a_kill_in_every_write_of_the_logbook_leaves_it_whole() {
 fn a_kill_in_every_write_of_a_signature_leaves_none_that_nobody_knows() {
     let Some(strace) = strace() else { return };
     let begun = begun();
-    let made = [
-        "certificate",
-        "new.calibrec",
-        "--out",
-        OUT,
-        "--particulars",
-        "house.toml",
-    ];
     let made = calib(
         begun.path(),
-        &[&made[..], &["--format", "pdf,dcc"]].concat(),
+        &[&ISSUE[..], &["--format", "pdf,dcc"]].concat(),
     );
     assert!(made.status.success(), "{}", text(&made.stderr));
     let names = certificates(begun.path()).into_iter();
@@ -448,14 +449,6 @@ fn a_kill_in_every_write_of_what_an_instrument_gives_loses_nothing() {
 fn a_disk_that_is_full_at_any_call_leaves_what_was_kept_and_says_so() {
     let Some(strace) = strace() else { return };
     let begun = begun();
-    let issue = [
-        "certificate",
-        "new.calibrec",
-        "--out",
-        OUT,
-        "--particulars",
-        "house.toml",
-    ];
     let sealed = ["--format", "dcc,csv", "--sign", "rsa.p12"];
     let has = |at: &Path| drop(opened(at).record(2).expect("entered"));
     let issued = |at: &Path| assert_eq!(certificates(at).len(), 2);
@@ -464,7 +457,7 @@ fn a_disk_that_is_full_at_any_call_leaves_what_was_kept_and_says_so() {
             &["logbook", "add", "new.calibrec"][..],
             &has as &dyn Fn(&Path),
         ),
-        (&[&issue[..], &sealed].concat(), &issued),
+        (&[&ISSUE[..], &sealed].concat(), &issued),
     ] {
         let request = Request {
             arguments,
@@ -482,21 +475,13 @@ fn a_kill_in_every_write_of_a_certificate_leaves_none_that_nobody_knows() {
     let Some(strace) = strace() else { return };
     let begun = begun();
     let all = |count: usize| move |at: &Path| assert_eq!(certificates(at).len(), count);
-    let usual = [
-        "certificate",
-        "new.calibrec",
-        "--out",
-        OUT,
-        "--particulars",
-        "house.toml",
-    ];
     for (more, done) in [
         (&["--format", "csv,json"][..], &all(2) as &dyn Fn(&Path)),
         (&["--format", "dcc,csv", "--sign", "rsa.p12"], &all(2)),
         (&["--format", "pdf,dcc", "--sign", "p256.p12"], &all(2)),
     ] {
         let request = Request {
-            arguments: &[&usual[..], more].concat(),
+            arguments: &[&ISSUE[..], more].concat(),
             from: begun.path(),
             done,
         };
