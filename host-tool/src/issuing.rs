@@ -1,12 +1,13 @@
 //! Certificates given out: entered in the logbook with who signed them, whose journal the same key signs. The
 //! verbs and the page ask here.
 
-use crate::Result;
-use calib_certificate::{Amendment, File, Options, Prepared, Seal};
+use crate::{Error, Result};
+use calib_certificate::{Amendment, File, Options, Particulars, Prepared, Seal};
 use calib_logbook::{Issue, Joined, Logbook, Role, Signed, SignedFile};
 use calib_protocol::record::{Record, Sha256Sum, digest};
 use calib_signing::{Kind, LaboratoryKey, verify};
-use jiff::Timestamp;
+use jiff::tz::TimeZone;
+use jiff::{SignedDuration, Timestamp};
 use std::path::{Path, PathBuf};
 
 /// Data the logbook enters with every file of a certificate.
@@ -58,6 +59,29 @@ impl Entries {
             replaces: self.replaces.as_ref(),
         };
         prepared.files.iter().zip(paths).map(issue).collect()
+    }
+}
+
+/// A day begins this long before it does in UTC, where it begins first.
+const FIRST_ZONE: SignedDuration = SignedDuration::from_hours(14);
+
+/// Refuses a date of issue that has come nowhere yet.
+///
+/// # Errors
+/// [`Error::Input`] with that date and this computer's.
+pub fn has_come(particulars: &Particulars, now: Timestamp) -> Result<()> {
+    let today = |at: Timestamp| at.to_zoned(TimeZone::UTC).date();
+    let latest = today(now.saturating_add(FIRST_ZONE).unwrap_or(now));
+    match particulars.calibration.issued {
+        Some(issued) if issued > latest => Err(Error::input(
+            "certificate",
+            format!(
+                "would be issued on {issued}, which is still to come: this computer has {}",
+                today(now)
+            ),
+            "correct `issued` under [calibration], or the computer's clock",
+        )),
+        _ => Ok(()),
     }
 }
 

@@ -125,6 +125,7 @@ impl CertificateVerb {
             seal: self.seal(context)?,
             ..self.options(context, record, logbook.as_ref())?
         };
+        issuing::has_come(&options.particulars, jiff::Timestamp::now())?;
         let check = self_check::of_certificate(logbook.as_ref(), record)?;
         options.particulars.reference_check = check;
         if let (Some(amended), Some(logbook)) = (&amended, &logbook) {

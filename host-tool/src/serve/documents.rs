@@ -146,6 +146,7 @@ fn made(
     let kept = logbook.as_ref();
     let mut particulars = judged::of_record(&house.particulars, &record, kept)?;
     wanted.stated.complete(&mut particulars)?;
+    issuing::has_come(&particulars, jiff::Timestamp::now())?;
     particulars.reference_check = self_check::of_certificate(kept, &record)?;
     let mut options = Options {
         particulars,

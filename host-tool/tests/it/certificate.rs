@@ -175,6 +175,24 @@ fn a_stored_record_gives_every_form_and_the_same_bytes_again() {
 }
 
 #[test]
+fn a_date_of_issue_that_is_still_to_come_is_refused() {
+    let folder = folder(&sample::record(&[160.0]));
+    let house = folder.path().join("lab.toml");
+    std::fs::write(house, "[calibration]\nissued = 2999-01-01\n").expect("written");
+    let output = calib(
+        folder.path(),
+        &[&ALL[..], &["--particulars", "lab.toml"]].concat(),
+    );
+    assert_eq!(output.status.code(), Some(6), "{}", text(&output.stderr));
+    let said = text(&output.stderr);
+    assert!(
+        said.contains("2999-01-01, which is still to come"),
+        "{said}"
+    );
+    assert!(!folder.path().join("out").exists());
+}
+
+#[test]
 fn a_certificate_that_was_issued_is_not_overwritten() {
     let folder = folder(&sample::record(&[160.0]));
     assert!(calib(folder.path(), &ALL).status.success());
