@@ -5,11 +5,13 @@
 
 use crate::packages::{find, install};
 use crate::shell::{self, cargo};
-use crate::{demo, elf};
+use crate::{demo, elf, python, wheel};
 use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
 
 const PROGRAMS: [&str; 2] = ["chromedriver", "chromium"];
+/// What makes pages of notebooks.
+const NOTEBOOKS: &str = "nbconvert==7.* ipykernel==6.*";
 const INSTALL: &str = "apt-get install chromium chromium-driver";
 
 /// The WebDriver tests are given, when there is one.
@@ -33,6 +35,9 @@ pub(crate) fn screenshots() -> Result<()> {
     let driver = driver()?.with_context(|| format!("screenshots need a browser: {INSTALL}"))?;
     let image = elf::build()?;
     demo::build_tool()?;
+    let interpreter = wheel::interpreter()?;
+    python::with(&interpreter, NOTEBOOKS)?;
+    wheel::installed(&interpreter)?;
     let mut command = cargo("run");
     command
         .args(["--release", "--package", "calib-tests"])
@@ -40,6 +45,7 @@ pub(crate) fn screenshots() -> Result<()> {
         .arg(shell::root().join("docs").join("images"))
         .env("CALIB_FIRMWARE_ELF", image)
         .env("CALIB_TOOL", demo::tool())
+        .env("CALIB_PYTHON", interpreter)
         .env("CALIB_CHROMEDRIVER", driver);
     shell::run(&mut command)
 }

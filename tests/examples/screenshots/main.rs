@@ -1,7 +1,8 @@
 //! Pictures for the documentation, made by `./run screenshots` from what is there today: a whole calibration of
-//! the emulated calibrator in a browser, its certificate, and a report of the gap.
+//! the emulated calibrator in a browser, its certificate, a report of the gap, and notebooks.
 
 mod moving;
+mod notebooks;
 
 use calib_tests::bench::Fault;
 use calib_tests::browser::{Browser, driver};
@@ -18,6 +19,7 @@ fn main() -> Result<(), Fault> {
     let driver = driver().ok_or("CALIB_CHROMEDRIVER names no driver")?;
     let page = Browser::start(&driver)?;
     gap(&page, folder)?;
+    notebooks::pictures(&page, folder)?;
     let bench = tempfile::tempdir()?;
     let live = Live::power_on(Rig::draw(2))?;
     let laboratory = laboratory(bench.path())?;
