@@ -68,6 +68,16 @@ def test_a_sealed_set_is_answered_and_scored(place):
         "--json", "gap", "score", "a.jsonl", "set-truth.json")[0]
 
 
+@pytest.mark.parametrize("cause", ["corner_hz:45e3,bessel:0", "corner_hz:31e3,bessel:1", "corner_hz:80e3,bessel:1"])
+def test_a_steep_filter_far_above_the_band_is_named(cause, place):
+    # At 10 kHz the phase of Butterworth's at 45 kHz is bent by 11 of its u, and Bessel's at 80 kHz loses 25 u of the ratio.
+    folder = calib.gap.simulate("standard", f"dut_lowpass_4={cause}", seed=3, out="steep")
+    answer = calib.gap.diagnose(folder)
+    assert answer.verdict == "explained" and answer.effects() == ["dut_lowpass_4"], answer
+    found = answer.causes[0].parameters.dut_lowpass_4.corner_hz
+    assert abs(found.value - float(cause.split(",")[0].split(":")[1])) < 4 * found.standard_uncertainty
+
+
 def test_an_unusable_dataset_of_several_is_an_error_beside_answers(dataset, place):
     with pytest.raises(calib.InputError, match="1 of 2"):
         calib.gap.diagnose([dataset, place / "absent"])

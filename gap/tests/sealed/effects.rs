@@ -255,7 +255,7 @@ const LATER: [Case; 10] = [
     (
         "dut_lowpass_4",
         &[
-            (One("dut_lowpass_4.f"), Log(1.1e4, 2.5e4)),
+            (One("dut_lowpass_4.f"), Log(1.1e4, 5.5e4)),
             (One("dut_lowpass_4.bessel"), Sign),
         ],
     ),
