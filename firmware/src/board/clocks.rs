@@ -5,8 +5,8 @@ use super::selected::CLOCKS;
 use embassy_stm32::Config;
 use embassy_stm32::pac;
 use embassy_stm32::rcc::{
-    AHBPrescaler, APBPrescaler, Hse, HseMode, Hsi48Config, Pll, PllDiv, PllMul, PllPreDiv,
-    PllSource, Sysclk, VoltageScale, mux,
+    AHBPrescaler, APBPrescaler, Hse, HseMode, Hsi48Config, LsConfig, Pll, PllDiv, PllMul,
+    PllPreDiv, PllSource, Sysclk, VoltageScale, mux,
 };
 use embassy_stm32::time::Hertz;
 
@@ -90,6 +90,9 @@ pub(crate) fn config(clocked: bool) -> Config {
         divq: Some(PllDiv::from_bits(CLOCKS.usb_divider - 1)),
         divr: None,
     });
+    // Nobody reads the RTC. On the LSI, a dip of the supply could make it run too fast, and the watchdog with it, which
+    // starts that oscillator itself (ES0392 Rev 13, 2.2.19).
+    rcc.ls = LsConfig::off();
     rcc.sys = Sysclk::PLL1_P;
     rcc.ahb_pre = const {
         match CLOCKS.bus_divider {
