@@ -224,6 +224,10 @@ pub async fn change_lists(
     if !change.is_usable() {
         return Err(Refusal::List);
     }
+    if let ListChange::Store(list) = change {
+        let (settings, sample_rate_hz) = (instrument.settings(), instrument.info().sample_rate_hz);
+        check_list(&list.points, &settings, sample_rate_hz)?;
+    }
     // Asked first: a short press for what is so already is no tap either.
     let held = instrument.button_held();
     instrument.change_lists(change, held).await
@@ -263,15 +267,23 @@ fn check_conditions(labels: &RunLabels) -> Result<(), Refusal> {
     }
 }
 
-/// Whether every point of a list can be measured, so that none moves the table before another is refused. Broadband
-/// excitation moves points to its lines, at a level of all of them.
+/// Whether every point of a run can be measured. Broadband excitation moves points to its lines, at a level of all of them.
 fn check_possible(spec: &RunSpec, instrument: &mut impl Instrument) -> Result<(), Refusal> {
     if spec.excitation.is_broadband() {
         return Ok(());
     }
     let (settings, sample_rate_hz) = (instrument.settings(), instrument.info().sample_rate_hz);
-    for (index, point) in spec.points.iter().enumerate() {
-        possible(*point, &settings, sample_rate_hz).map_err(|reason| Refusal::PointImpossible {
+    check_list(&spec.points, &settings, sample_rate_hz)
+}
+
+/// Whether every point of a list can be measured, so that none moves the table before another is refused.
+pub fn check_list(
+    points: &[PointSpec],
+    settings: &Settings,
+    sample_rate_hz: f32,
+) -> Result<(), Refusal> {
+    for (index, point) in points.iter().enumerate() {
+        possible(*point, settings, sample_rate_hz).map_err(|reason| Refusal::PointImpossible {
             // A list has 200 points at most.
             index: index as u16,
             reason,
