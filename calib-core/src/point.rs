@@ -14,6 +14,14 @@ pub struct PointSpec {
     pub acceleration_rms_ms2: f32,
 }
 
+impl PointSpec {
+    /// Whether frequency and level are numbers above zero.
+    pub fn is_usable(&self) -> bool {
+        let usable = |value: f32| value.is_finite() && value > 0.0;
+        usable(self.frequency_hz) && usable(self.acceleration_rms_ms2)
+    }
+}
+
 /// How the exciter is driven (4.4, Note 1).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

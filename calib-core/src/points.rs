@@ -1,7 +1,12 @@
 //! Point lists from the preferred series of ISO 16063-21, 5.1.
 
+use crate::control::limits::check_level;
 use crate::point::PointSpec;
 use crate::polarity::wrap;
+use crate::settings::Settings;
+use crate::tone::Tone;
+use crate::verdict::Reason;
+use core::f32::consts::SQRT_2;
 use heapless::Vec;
 
 /// One-third-octave midband frequencies of ISO 266 from 5 Hz to 10 kHz, Hz.
@@ -72,6 +77,20 @@ pub fn linearity_points(frequency_hz: f32, low_rms_ms2: f32, high_rms_ms2: f32) 
         .collect()
 }
 
+/// Whether a point can be measured at all, by what is known before anything moves.
+///
+/// # Errors
+/// [`Reason::FrequencyUnavailable`] without a tone of the sample clock or a calibration of the reference there, and
+/// those of [`check_level`].
+pub fn possible(spec: PointSpec, settings: &Settings, sample_rate_hz: f32) -> Result<(), Reason> {
+    let none = Reason::FrequencyUnavailable;
+    let tone = Tone::nearest(spec.frequency_hz, sample_rate_hz).ok_or(none)?;
+    let frequency_hz = tone.frequency_hz(sample_rate_hz);
+    settings.reference.at(frequency_hz).ok_or(none)?;
+    let peak_ms2 = SQRT_2 * spec.acceleration_rms_ms2;
+    check_level(&settings.limits.under_ceilings(), frequency_hz, peak_ms2)
+}
+
 /// A sensitivity relative to that at the reference point (5.3).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
@@ -109,6 +128,29 @@ pub fn default_points() -> PointList {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_an_instrument_cannot_measure_is_known_before() {
+        let settings = Settings::field_calibrator();
+        let reason = |frequency_hz, acceleration_rms_ms2| {
+            let spec = PointSpec {
+                frequency_hz,
+                acceleration_rms_ms2,
+            };
+            possible(spec, &settings, 50_000.0).err()
+        };
+        assert_eq!(reason(160.0, 10.0), None);
+        // Its reference is calibrated from 5 Hz to 10 kHz.
+        assert_eq!(reason(4.0, 1.0), Some(Reason::FrequencyUnavailable));
+        assert_eq!(reason(12_500.0, 1.0), Some(Reason::FrequencyUnavailable));
+        assert_eq!(reason(30_000.0, 1.0), Some(Reason::FrequencyUnavailable));
+        // By hand: 212 m/s2 peak of 200; at 20 Hz 100 m/s2 r.m.s. are 1.13 m/s of 1, and 60 m/s2 5.4 mm of 5.
+        assert_eq!(reason(1000.0, 150.0), Some(Reason::AccelerationLimit));
+        assert_eq!(reason(20.0, 100.0), Some(Reason::VelocityLimit));
+        assert_eq!(reason(20.0, 60.0), Some(Reason::DisplacementLimit));
+        assert_eq!(reason(20.0, 50.0), None);
+        assert_eq!(reason(160.0, f32::NAN), Some(Reason::AccelerationLimit));
+    }
 
     #[test]
     fn the_default_list_begins_at_the_reference_point_and_covers_the_range() {

@@ -3,7 +3,8 @@
 //! Every request that can be read gets exactly one answer; what is done lies
 //! behind [`Instrument`], which the tasks implement on the board.
 
-use calib_core::point::PointResult;
+use calib_core::point::{PointResult, PointSpec};
+use calib_core::points::possible;
 use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
 use calib_protocol::capture::CapturePart;
@@ -118,6 +119,8 @@ async fn carry_out(
         Request::Start(spec) => {
             check_points(&spec)?;
             check_conditions(&spec.labels)?;
+            instrument.ready().await?;
+            check_possible(&spec, instrument)?;
             let record_id = instrument.start(spec).await?;
             Response::Started { record_id }
         }
@@ -221,6 +224,10 @@ pub async fn change_lists(
     if !change.is_usable() {
         return Err(Refusal::List);
     }
+    if let ListChange::Store(list) = change {
+        let (settings, sample_rate_hz) = (instrument.settings(), instrument.info().sample_rate_hz);
+        check_list(&list.points, &settings, sample_rate_hz)?;
+    }
     // Asked first: a short press for what is so already is no tap either.
     let held = instrument.button_held();
     instrument.change_lists(change, held).await
@@ -260,19 +267,41 @@ fn check_conditions(labels: &RunLabels) -> Result<(), Refusal> {
     }
 }
 
+/// Whether every point of a run can be measured. Broadband excitation moves points to its lines, at a level of all of them.
+fn check_possible(spec: &RunSpec, instrument: &mut impl Instrument) -> Result<(), Refusal> {
+    if spec.excitation.is_broadband() {
+        return Ok(());
+    }
+    let (settings, sample_rate_hz) = (instrument.settings(), instrument.info().sample_rate_hz);
+    check_list(&spec.points, &settings, sample_rate_hz)
+}
+
+/// Whether every point of a list can be measured, so that none moves the table before another is refused.
+pub fn check_list(
+    points: &[PointSpec],
+    settings: &Settings,
+    sample_rate_hz: f32,
+) -> Result<(), Refusal> {
+    for (index, point) in points.iter().enumerate() {
+        possible(*point, settings, sample_rate_hz).map_err(|reason| Refusal::PointImpossible {
+            // A list has 200 points at most.
+            index: index as u16,
+            reason,
+        })?;
+    }
+    Ok(())
+}
+
 /// Whether every value of a list is finite and positive, and there is one; a
 /// broadband run has one level.
 fn check_points(spec: &RunSpec) -> Result<(), Refusal> {
-    let usable = |value: f32| value.is_finite() && value > 0.0;
     let points = &spec.points;
     let level = points.first().map(|point| point.acceleration_rms_ms2);
     let one_level = !spec.excitation.is_broadband()
         || points
             .iter()
             .all(|point| Some(point.acceleration_rms_ms2) == level);
-    let all = points
-        .iter()
-        .all(|point| usable(point.frequency_hz) && usable(point.acceleration_rms_ms2));
+    let all = points.iter().all(PointSpec::is_usable);
     if points.is_empty() || !all || !one_level {
         return Err(Refusal::PointList);
     }

@@ -13,7 +13,7 @@ use calib_core::settings::Settings;
 use calib_core::stored_list::StoredList;
 use calib_core::thermometer::may_work_at;
 use calib_core::verdict::Reason;
-use calib_firmware::command::{Instrument, RecordPage, RecordPart};
+use calib_firmware::command::{Instrument, RecordPage, RecordPart, check_list};
 use calib_firmware::lease::Lease;
 use calib_firmware::restarts::MINUTE_MS;
 use calib_firmware::session::LinkName;
@@ -62,10 +62,13 @@ impl Calibrator {
     }
 
     async fn start_alone(&mut self) -> Result<(), Refusal> {
+        let settings = state::settings();
         let points = self.archive.chosen(|list| match list {
-            Some(list) => list.points.len(),
-            None => default_points().len(),
-        })?;
+            // Settings may be others than when it was stored.
+            Some(list) => check_list(&list.points, &settings, crate::board::SAMPLE_RATE_HZ as f32)
+                .map(|()| list.points.len()),
+            None => Ok(default_points().len()),
+        })??;
         let record_id = self.may_start(points).await?;
         // No await from here on.
         self.archive.chosen(|list| {

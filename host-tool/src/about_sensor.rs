@@ -1,7 +1,7 @@
 //! Statements about a sensor when it is registered: by options of a verb, and by the page.
 
-use crate::Result;
-use calib_certificate::SensitivityUnit;
+use crate::{Error, Result};
+use calib_certificate::SensorKind;
 use calib_certificate::decision::Tolerance;
 use calib_logbook::Sensor;
 use calib_metrology::teds;
@@ -23,10 +23,12 @@ pub struct AboutSensor {
     /// Nominal sensitivity, in the unit of --unit.
     #[arg(long, value_name = "NUMBER")]
     sensitivity: Option<f64>,
-    /// Unit its sensitivity is specified in: mV/(m/s2) or mV/g [default: mV/(m/s2)].
+    /// Unit its sensitivity is specified in, which is its kind: mV/(m/s2), mV/g, mV/(mm/s), mV/um; "pC/g at 10 mV/pC
+    /// +-0.5%", with the gain of the charge amplifier and its U (k = 2); "mA/(mm/s) at 250 ohm +-0.1%", with the burden
+    /// [default: mV/(m/s2)].
     #[arg(long, value_name = "UNIT")]
     #[serde(deserialize_with = "as_typed")]
-    unit: Option<SensitivityUnit>,
+    unit: Option<SensorKind>,
     /// Tolerance it is judged by: percent of nominal, such as 5; 5:nominal:reference (at the
     /// reference point alone), 10:reference:20-5000 (of the reference point, 20 Hz to 5 kHz),
     /// 2:last (of its last calibration), -5/+10:nominal; several after commas; or api670.
@@ -67,18 +69,25 @@ impl AboutSensor {
     /// The sensor with what is stated here in place of what it had.
     ///
     /// # Errors
-    /// Those of the sensor's unit.
+    /// Those of the sensor's unit; [`Error::Usage`] when it becomes one of another quantity, of which no sensitivity
+    /// is known.
     pub fn onto(self, sensor: Sensor) -> Result<Sensor> {
-        let unit = self.unit.unwrap_or(sensor.unit()?);
+        let before = sensor.kind()?;
+        let kind = self.unit.unwrap_or(before);
+        let kept = sensor.sensitivity.filter(|_| self.sensitivity.is_none());
+        if let (Some(_), Err(problem)) = (kept, before.shown_in(kind.unit())) {
+            let hint = "state its nominal sensitivity anew with --sensitivity";
+            return Err(Error::usage(problem, hint));
+        }
         Ok(Sensor {
-            unit: Some(unit.name().to_owned()),
+            unit: Some(kind.to_string()),
             tolerance: self.tolerance.map(|t| t.to_string()).or(sensor.tolerance),
             manufacturer: self.manufacturer.unwrap_or(sensor.manufacturer),
             model: self.model.unwrap_or(sensor.model),
-            sensitivity_v_per_ms2: self
+            sensitivity: self
                 .sensitivity
-                .map(|stated| unit.to_v_per_ms2(stated))
-                .or(sensor.sensitivity_v_per_ms2),
+                .map(|stated| kind.unit().to_si(stated))
+                .or(kept),
             range_ms2: self.range.or(sensor.range_ms2),
             resonance_hz: self.resonance.or(sensor.resonance_hz),
             iepe: self.iepe.or(sensor.iepe),
@@ -108,7 +117,7 @@ pub fn from_teds(read: &teds::Accelerometer, bytes: Vec<u8>, serial: Option<Stri
             "{} {}{}",
             basic.model_number, basic.version_letter, basic.version_number
         ),
-        sensitivity_v_per_ms2: read.sensitivity_v_per_ms2,
+        sensitivity: read.sensitivity_v_per_ms2,
         resonance_hz: read.resonance_hz,
         // Template 25 is for constant current supply alone.
         iepe: Some(true),

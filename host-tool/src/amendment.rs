@@ -64,7 +64,8 @@ impl Amended {
     /// # Errors
     /// As [`Self::record`].
     pub fn join(&self, options: &mut Options, logbook: &Logbook) -> Result<()> {
-        if options.as_found.is_some() || !options.remounted.is_empty() {
+        let beside = [&options.remounted, &options.retried];
+        if options.as_found.is_some() || beside.iter().any(|records| !records.is_empty()) {
             return Ok(());
         }
         for joined in &self.sources.joined {
@@ -76,6 +77,7 @@ impl Amended {
             match joined.role {
                 Role::AsFound => options.as_found = Some(record),
                 Role::Remounted => options.remounted.push(record),
+                Role::Retried => options.retried.push(record),
             }
         }
         Ok(())

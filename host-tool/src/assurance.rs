@@ -254,9 +254,12 @@ mod tests {
     fn results(values: &[f64]) -> Vec<HistoryResult> {
         let one = |(day, value): (i64, &f64)| HistoryResult {
             record: day,
+            record_id: day as u32,
             unix_time_s: day * DAY_S,
             instrument: "CAL".into(),
+            frequency_hz: 160.0,
             sensitivity_v_per_ms2: *value,
+            sensitivity: 1e3 * *value,
             expanded_uncertainty_rel: 0.01,
             drift_rel: None,
             u_drift_rel: None,

@@ -68,10 +68,10 @@ impl Error {
         }
     }
 
-    /// Message and remedy in one line, for a page.
+    /// Message, and its remedy on a line below, for a page.
     pub(crate) fn with_hint(&self) -> String {
         match self.hint() {
-            Some(hint) => format!("{self}: {hint}"),
+            Some(hint) => format!("{self}\n{hint}"),
             None => self.to_string(),
         }
     }

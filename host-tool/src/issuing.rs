@@ -29,9 +29,10 @@ impl Entries {
         };
         let found = options.as_found.iter().map(joined(Role::AsFound));
         let remounted = options.remounted.iter().map(joined(Role::Remounted));
+        let retried = options.retried.iter().map(joined(Role::Retried));
         Self {
             record: calib_certificate::digest(record),
-            joined: found.chain(remounted).collect(),
+            joined: found.chain(remounted).chain(retried).collect(),
             replaces: options.particulars.calibration.replaces.clone(),
         }
     }

@@ -1,8 +1,8 @@
 //! Particulars and judgement of a certificate: the files of the laboratory and the job,
 //! completed by what the logbook knows of the sensor. Every verb and the page ask here.
 
-use crate::Result;
-use calib_certificate::{Around, Certificate, Known, Language, Particulars, Verdict};
+use crate::{Error, Result};
+use calib_certificate::{Around, Certificate, Known, Language, Particulars, SensorKind, Verdict};
 use calib_logbook::Logbook;
 use calib_protocol::record::{Record, RecordHead, RunLabels};
 use calib_record::hash_chain::{Evidence, Standing};
@@ -26,6 +26,25 @@ pub fn particulars(
     };
     particulars.for_device(&known)?;
     Ok(particulars)
+}
+
+/// Has results stated in this unit. That of a sensor whose kind is known is another unit of the same sensitivity.
+///
+/// # Errors
+/// [`crate::Error::Files`] when it is none.
+pub fn show_in(particulars: &mut Particulars, unit: Option<SensorKind>) -> Result<()> {
+    let Some(unit) = unit else { return Ok(()) };
+    let shown = match particulars.item.unit {
+        Some(known) => known.shown_in(unit.unit()).map_err(|problem| {
+            Error::usage(
+                problem,
+                "`calib convert` turns one sensitivity into another",
+            )
+        })?,
+        None => unit,
+    };
+    particulars.item.unit = Some(shown);
+    Ok(())
 }
 
 /// [`particulars`] for the certificate of a record that was made: where it has no time, what is known of it by the

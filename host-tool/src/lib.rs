@@ -19,6 +19,7 @@ pub mod doctor;
 pub mod emulated;
 mod error;
 pub mod gap;
+pub mod in_unit;
 pub mod issuing;
 pub mod judged;
 pub mod refusals;

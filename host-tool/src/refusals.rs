@@ -2,15 +2,13 @@
 //! docs/troubleshooting.md share. The names are those of [`Reason`], the words its own.
 
 use calib_certificate::{Language, REASONS};
-use calib_core::control::limits::check_level;
 use calib_core::point::{PointResult, PointSpec};
+use calib_core::points::possible;
 use calib_core::settings::Settings;
-use calib_core::tone::Tone;
 use calib_core::verdict::{Reason, Verdict};
 use calib_output::code;
 use schemars::JsonSchema;
 use serde::Serialize;
-use std::f32::consts::SQRT_2;
 
 /// A reason with the points it refused.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -168,15 +166,6 @@ pub fn impossible(list: &[PointSpec], settings: &Settings, sample_rate_hz: f32) 
         })
         .collect();
     of(&refused)
-}
-
-fn possible(spec: PointSpec, settings: &Settings, sample_rate_hz: f32) -> Result<(), Reason> {
-    let none = Reason::FrequencyUnavailable;
-    let tone = Tone::nearest(spec.frequency_hz, sample_rate_hz).ok_or(none)?;
-    let frequency_hz = tone.frequency_hz(sample_rate_hz);
-    settings.reference.at(frequency_hz).ok_or(none)?;
-    let peak_ms2 = spec.acceleration_rms_ms2 * SQRT_2;
-    check_level(&settings.limits.under_ceilings(), frequency_hz, peak_ms2)
 }
 
 #[cfg(test)]

@@ -22,6 +22,12 @@ impl Plot {
     /// without any point, or without room.
     #[must_use]
     pub fn terminal(&self, width: usize, height: usize) -> String {
+        self.terminal_marked(width, height, &across_ticks(&self.x))
+    }
+
+    /// The same with ticks of one's own on the horizontal axis: places from 0 at its left end to 1, and labels.
+    #[must_use]
+    pub fn terminal_marked(&self, width: usize, height: usize, ticks: &[(f64, String)]) -> String {
         let points = || self.points().filter(|p| self.is_drawn(p));
         let columns = width.saturating_sub(LABEL + 2);
         if points().next().is_none() || columns < 10 || height < 3 {
@@ -48,7 +54,7 @@ impl Plot {
         for (index, row) in canvas.iter().enumerate().rev() {
             text += &values.row(index, row);
         }
-        text + &self.foot(columns)
+        text + &self.foot(columns, ticks)
     }
 
     fn points(&self) -> impl Iterator<Item = &Point> {
@@ -63,12 +69,12 @@ impl Plot {
     }
 
     /// The horizontal axis with its ticks, as many labels as there is room for, and the unit.
-    fn foot(&self, columns: usize) -> String {
+    fn foot(&self, columns: usize, ticks: &[(f64, String)]) -> String {
         let mut line = vec!['─'; columns];
         let mut names = vec![' '; columns];
         let mut taken = 0;
-        for (at, name) in across_ticks(&self.x) {
-            let cell = cell(at, columns);
+        for (at, name) in ticks {
+            let cell = cell(*at, columns);
             line[cell] = '┬';
             let length = name.chars().count();
             let start = cell

@@ -6,7 +6,7 @@ use crate::provenance::Provenance;
 use crate::signature::PublicKey;
 use crate::update::ImageOrigin;
 use calib_core::closing::Closing;
-use calib_core::point::PointResult;
+use calib_core::point::{PointResult, PointSpec};
 use calib_core::settings::Settings;
 use calib_core::stored_list::ListTerms;
 use heapless::{String, Vec};
@@ -38,6 +38,8 @@ pub struct Record {
     pub closing: Closing,
     /// Results in the order measured.
     pub points: Vec<PointResult, MAX_POINTS>,
+    /// Points of the list that were never attempted, because the run ended before.
+    pub untried: Vec<PointSpec, MAX_POINTS>,
     /// [Digest](crate::record::digest) of the bytes it was read from; none of a record that was not read.
     pub sha256: Option<Sha256Sum>,
     /// Key that the bytes it was read from are said to be signed by; whether they are is for a host to verify.
@@ -57,6 +59,7 @@ impl Record {
         clock: ClockReading::NONE,
         closing: Closing::None,
         points: Vec::new(),
+        untried: Vec::new(),
         sha256: None,
         signed_by: None,
     };

@@ -35,6 +35,7 @@ use crate::update::{RunningImage, UpdateStep};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
+use calib_core::verdict::Reason;
 use heapless::{String, Vec};
 use serde::{Deserialize, Serialize};
 
@@ -282,6 +283,13 @@ pub enum Refusal {
     ListUnknown,
     /// The exciter is still driven 100 ms after the stop.
     StillDriven,
+    /// This point of the list cannot be measured: nothing was moved.
+    PointImpossible {
+        /// Its place in the list, from 0.
+        index: u16,
+        /// Why.
+        reason: Reason,
+    },
 }
 
 /// New settings, and what the log of a change says of it.

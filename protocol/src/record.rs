@@ -42,6 +42,7 @@ use crate::stored_point::{self, InColumns};
 use crate::text::tame;
 use crate::update::ImageOrigin;
 use calib_core::closing::Closing;
+use calib_core::point::PointSpec;
 use calib_core::settings::{ReferenceChannel, Settings};
 use calib_core::stored_list::ListTerms;
 use core::ops::Range;
@@ -60,6 +61,7 @@ const IMAGE: u8 = 9;
 const LIST: u8 = 10;
 const CLOCK: u8 = 11;
 const CLOSING: u8 = 12;
+const UNTRIED: u8 = 13;
 
 /// One line of the record list.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -120,6 +122,7 @@ pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> 
         List(&record.list),
         Counted(record.clock),
         Closed(&record.closing),
+        Untried(&record.untried),
     );
     seal(RecordKind::Calibration, &content, buffer)
 }
@@ -199,6 +202,18 @@ impl Serialize for Closed<'_> {
         match *self.0 == Closing::None {
             true => ().serialize(serializer),
             false => section(CLOSING, self.0).serialize(serializer),
+        }
+    }
+}
+
+/// The section of what was never attempted; none where everything was.
+struct Untried<'a>(&'a [PointSpec]);
+
+impl Serialize for Untried<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0.is_empty() {
+            true => ().serialize(serializer),
+            false => section(UNTRIED, self.0).serialize(serializer),
         }
     }
 }
@@ -297,6 +312,11 @@ impl<'a> Content<'a> {
         }
         if let Some((_, content)) = find(self.bytes, CLOSING, 1)? {
             record.closing = Fields(content).take()?;
+        }
+        if let Some((_, content)) = find(self.bytes, UNTRIED, 1)? {
+            record.untried = Fields(content).take()?;
+            // What is no point cannot be measured.
+            record.untried.retain(PointSpec::is_usable);
         }
         stored_point::read(needed(self.bytes, POINTS)?, &mut record.points)
     }
@@ -447,7 +467,7 @@ mod tests {
     use super::*;
     use crate::update::ImageSigner;
     use calib_core::closing::Change;
-    use calib_core::point::{PointResult, PointSpec};
+    use calib_core::point::PointResult;
     use calib_core::stored_list::{Band, Base, Rule};
     use calib_core::verdict::{Reason, Verdict};
 
@@ -495,6 +515,28 @@ mod tests {
         let read = decode(&bytes[..length]).expect("whole");
         assert_eq!(read.settings, record.settings);
         assert_eq!(read.points, record.points);
+    }
+
+    /// Frequency and level of each, their number, and what says that it is a section: 3. What no run can measure is
+    /// not taken from a record that was tampered with.
+    #[test]
+    fn points_that_were_never_tried_are_kept_and_a_record_without_is_read() {
+        let point = |frequency_hz| PointSpec {
+            frequency_hz,
+            acceleration_rms_ms2: 10.0,
+        };
+        let mut record = record();
+        record.untried = [20.0, 25.0].map(point).into_iter().collect();
+        let mut bytes = vec![0; 1024];
+        let length = encode(&record, &mut bytes).expect("fits");
+        assert_eq!(length, stored().len() + 2 * 8 + 1 + 3);
+        let read = decode(&bytes[..length]).expect("whole");
+        assert_eq!(read.untried, record.untried);
+        assert!(decode(&stored()).expect("whole").untried.is_empty());
+        record.untried = [f32::NAN, -1.0, 31.5].map(point).into_iter().collect();
+        let length = encode(&record, &mut bytes).expect("fits");
+        let read = decode(&bytes[..length]).expect("whole");
+        assert_eq!(read.untried[..], [point(31.5)]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use calib_core::point::ExcitationKind;
 use calib_core::settings::{MAX_INFLUENCES, MAX_REFERENCE_POINTS, Settings};
 use calib_core::stored_list::{MAX_BANDS, MAX_LIST_POINTS, MAX_LISTS};
+use calib_core::verdict::Reason;
 use calib_protocol::capture::{CAPTURE_CHUNK_PAIRS, CapturePart, MAX_CAPTURE_PAIRS};
 use calib_protocol::frame::{Frame, MAX_FRAME, MAX_MESSAGE, PROTOCOL_VERSION, encode};
 use calib_protocol::health::{Defects, Health};
@@ -190,6 +191,10 @@ fn the_table_lists_every_reason_with_its_number() {
         Refusal::ListsFull,
         Refusal::ListUnknown,
         Refusal::StillDriven,
+        Refusal::PointImpossible {
+            index: 2,
+            reason: Reason::DisplacementLimit,
+        },
     ];
     assert_eq!(rows("reason"), reasons.each_ref().map(variant));
     expect_no_more::<Refusal>(reasons.len());

@@ -33,15 +33,25 @@ class Record:
         self.document: Document = self._shown()
 
     @classmethod
-    def of_logbook(cls, number: int, *, logbook: Union[str, "os.PathLike[str]", None] = None) -> "Record":
-        """A record of the logbook, by its ``number`` there (``calib.verb("logbook", "records")`` lists them).
+    def of_logbook(
+        cls,
+        number: int,
+        *,
+        instrument: Optional[str] = None,
+        series: Optional[int] = None,
+        logbook: Union[str, "os.PathLike[str]", None] = None,
+    ) -> "Record":
+        """A record of the logbook, by its ``number`` (``calib.verb("logbook", "records")`` lists them).
 
         Args:
-            number: in the logbook, not on the instrument.
+            number: its instrument's.
+            instrument: where several instruments have one of this number, the serial number of one, or how it ends.
+            series: where an instrument began to count anew, 0 for what it had before, 1 for what it has since.
             logbook: default: that of this user.
         """
         with _tables.folder() as into:
-            verb("logbook", "get", number, out=into / _FILE, logbook=logbook)
+            which = {"instrument": instrument, "series": series, "logbook": logbook}
+            verb("logbook", "get", number, out=into / _FILE, **which)
             return cls(into / _FILE)
 
     def _shown(self) -> Document:

@@ -83,7 +83,7 @@ def test_a_certificate_is_written_once_and_entered(measured, place):
     issued = calib.verb("logbook", "certificates")
     assert sorted(one.format for one in issued) == ["csv", "json"]
     (kept,) = calib.verb("logbook", "records")
-    assert calib.Record.of_logbook(kept.logbook_record) == run.record
+    assert calib.Record.of_logbook(kept.record_id) == run.record
 
 
 def test_a_certificate_in_the_universal_file_format_is_read_by_pyuff(measured, place):

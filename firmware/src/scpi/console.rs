@@ -1,7 +1,7 @@
 //! One link's lines of text: collected, carried out, answered.
 
-use super::MAX_LINE;
 use super::session::{Answer, Session};
+use super::{Answering, MAX_LINE};
 use crate::command::Instrument;
 
 /// The line being received, and what its sender has configured.
@@ -85,14 +85,31 @@ impl Text<'_> {
     }
 }
 
-impl core::fmt::Write for Text<'_> {
-    fn write_str(&mut self, text: &str) -> core::fmt::Result {
-        let end = self.length + text.len();
-        let room = self.buffer.len() - usize::from(text != "\n");
+impl Text<'_> {
+    /// Writes bytes up to a place in the buffer.
+    fn write(&mut self, bytes: &[u8], room: usize) -> core::fmt::Result {
+        let end = self.length + bytes.len();
         let place = self.buffer.get_mut(self.length..end);
         let place = place.filter(|_| end <= room).ok_or(core::fmt::Error)?;
-        place.copy_from_slice(text.as_bytes());
+        place.copy_from_slice(bytes);
         self.length = end;
         Ok(())
+    }
+}
+
+impl core::fmt::Write for Text<'_> {
+    fn write_str(&mut self, text: &str) -> core::fmt::Result {
+        let room = self.buffer.len() - usize::from(text != "\n");
+        self.write(text.as_bytes(), room)
+    }
+}
+
+impl Answering for Text<'_> {
+    fn write_bytes(&mut self, bytes: &[u8]) -> core::fmt::Result {
+        self.write(bytes, self.buffer.len() - 1)
+    }
+
+    fn room(&self) -> usize {
+        (self.buffer.len() - 1).saturating_sub(self.length)
     }
 }

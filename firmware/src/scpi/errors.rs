@@ -26,6 +26,8 @@ pub enum ScpiError {
     DataOutOfRange = -222,
     /// A name that nothing has.
     IllegalParameter = -224,
+    /// No record has this number, or it is shorter than the offset.
+    IllegalRecord = -256,
     /// The answer has no room.
     TooMuchData = -223,
     /// Something of the instrument does not work.
@@ -64,6 +66,7 @@ impl ScpiError {
             Self::InitIgnored => "Init ignored;a run is going on",
             Self::HandMissing => "Settings conflict;hold the button on the instrument",
             Self::DataOutOfRange => "Data out of range",
+            Self::IllegalRecord => "File name not found;see MMEM:CAT?",
             Self::IllegalParameter => "Illegal parameter value;see LIST:CAT?",
             Self::TooMuchData => "Too much data",
             Self::Hardware => "Hardware error;see DIAG:DEF?",

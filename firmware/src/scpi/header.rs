@@ -9,6 +9,8 @@ pub(super) enum Quantity {
     Phase,
     Uncertainty,
     Verdict,
+    /// All of them at every point of a list.
+    List,
 }
 
 impl Quantity {
@@ -20,6 +22,7 @@ impl Quantity {
             Self::Phase => "FETC:PHAS?",
             Self::Uncertainty => "FETC:UNC?",
             Self::Verdict => "FETC:VERD?",
+            Self::List => "FETC:LIST?",
         }
     }
 }
@@ -48,12 +51,16 @@ pub(super) enum Command {
     FrequencyIs,
     Acceleration,
     AccelerationIs,
+    SetList,
+    SetListIs,
     Initiate,
+    InitiateList,
     Abort,
     Fetch(Quantity),
     Read(Quantity),
     Measure(Quantity),
     Catalog,
+    Data,
     Defects,
     Lists,
     ChooseList,
@@ -87,7 +94,10 @@ const HEADERS: &[(&str, Command)] = &[
     ("CONFigure:FREQuency?", FrequencyIs),
     ("CONFigure:ACCeleration", Acceleration),
     ("CONFigure:ACCeleration?", AccelerationIs),
+    ("CONFigure:LIST", SetList),
+    ("CONFigure:LIST?", SetListIs),
     ("INITiate", Initiate),
+    ("INITiate:LIST", InitiateList),
     ("INITiate:IMMediate", Initiate),
     ("ABORt", Abort),
     ("FETCh?", Fetch(All)),
@@ -95,17 +105,21 @@ const HEADERS: &[(&str, Command)] = &[
     ("FETCh:PHASe?", Fetch(Phase)),
     ("FETCh:UNCertainty?", Fetch(Uncertainty)),
     ("FETCh:VERDict?", Fetch(Verdict)),
+    ("FETCh:LIST?", Fetch(List)),
     ("READ?", Read(All)),
     ("READ:SENSitivity?", Read(Sensitivity)),
     ("READ:PHASe?", Read(Phase)),
     ("READ:UNCertainty?", Read(Uncertainty)),
     ("READ:VERDict?", Read(Verdict)),
+    ("READ:LIST?", Read(List)),
     ("MEASure?", Measure(All)),
     ("MEASure:SENSitivity?", Measure(Sensitivity)),
     ("MEASure:PHASe?", Measure(Phase)),
     ("MEASure:UNCertainty?", Measure(Uncertainty)),
     ("MEASure:VERDict?", Measure(Verdict)),
+    ("MEASure:LIST?", Measure(List)),
     ("MMEMory:CATalog?", Catalog),
+    ("MMEMory:DATA?", Data),
     ("DIAGnostic:DEFects?", Defects),
     ("LIST:CATalog?", Lists),
     ("LIST:CHOose", ChooseList),
@@ -179,7 +193,7 @@ mod unit {
         ] {
             assert_eq!(find(header), None, "{header}");
         }
-        for quantity in [All, Sensitivity, Phase, Uncertainty, Verdict] {
+        for quantity in [All, Sensitivity, Phase, Uncertainty, Verdict, List] {
             assert_eq!(find(quantity.fetch()), Some(Fetch(quantity)));
         }
     }

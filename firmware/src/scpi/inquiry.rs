@@ -1,5 +1,6 @@
 //! Questions to the instrument about itself: name, key, health, records.
 
+use super::Answering;
 use super::errors::ScpiError;
 use crate::command::{self, Instrument, RecordPage};
 use calib_protocol::message::{Refusal, Request, Response};
@@ -102,6 +103,55 @@ pub(super) async fn catalog(
             _ => return Ok(()),
         }
     }
+}
+
+/// Most digits of a block's length.
+const BLOCK_HEADER: usize = 2 + 4;
+
+/// Bytes of a record from an offset on, as a block of definite length: as many as there is room for. What is left is
+/// asked for with the next offset.
+pub(super) async fn data(
+    parameter: &str,
+    instrument: &mut impl Instrument,
+    out: &mut impl Answering,
+) -> Result<(), ScpiError> {
+    let (id, offset) = parameter.split_once(',').unwrap_or((parameter, "0"));
+    let whole = |text: &str| match text.trim() {
+        "" => Err(ScpiError::MissingParameter),
+        text => text.parse::<u32>().map_err(|_| ScpiError::DataType),
+    };
+    let (id, mut offset) = match (whole(id), whole(offset)) {
+        (Ok(id), Ok(offset)) => (id, offset),
+        (Err(error), _) | (_, Err(error)) => return nothing(out, error),
+    };
+    let Ok(part) = instrument.read_record(id, offset).await else {
+        return nothing(out, ScpiError::IllegalRecord);
+    };
+    let left = part.total.saturating_sub(offset) as usize;
+    let length = left.min(out.room().saturating_sub(BLOCK_HEADER)).min(9_999);
+    let _ = write!(out, "#4{length:04}");
+    let mut part = part.data;
+    let mut missing = length;
+    while missing > 0 {
+        let piece = part.get(..missing.min(part.len())).unwrap_or_default();
+        let written = out.write_bytes(piece);
+        written.map_err(|_| ScpiError::TooMuchData)?;
+        (missing, offset) = (missing - piece.len(), offset + piece.len() as u32);
+        if missing > 0 {
+            let next = instrument.read_record(id, offset).await;
+            part = next.map_err(|_| ScpiError::StorageFault)?.data;
+        }
+        if part.is_empty() {
+            return Err(ScpiError::StorageFault);
+        }
+    }
+    Ok(())
+}
+
+/// An empty block for who waits for one, and why it is empty.
+fn nothing(out: &mut impl Write, error: ScpiError) -> Result<(), ScpiError> {
+    let _ = out.write_str("#10");
+    Err(error)
 }
 
 async fn page_of(instrument: &mut impl Instrument, from: u32) -> Result<RecordPage, ScpiError> {

@@ -11,17 +11,41 @@ use calib_protocol::message::{Refusal, Request, Response, RunSpec};
 use calib_protocol::record::RunLabels;
 use core::f32::consts::SQRT_2;
 use core::fmt::Write;
+use heapless::Vec;
 
 /// True while a run is going on.
 pub(super) fn is_running(instrument: &mut impl Instrument) -> bool {
     instrument.status().state.is_running()
 }
 
-/// The point that was configured, and whether it was measured.
+/// What a run is of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum What {
+    /// The configured point.
+    Point,
+    /// The configured list.
+    List,
+}
+
+impl From<Quantity> for What {
+    fn from(quantity: Quantity) -> Self {
+        match quantity {
+            Quantity::List => Self::List,
+            _ => Self::Point,
+        }
+    }
+}
+
+/// Frequencies of a list: as many as a line holds.
+const MAX_LIST: usize = 32;
+
+/// The point and the list that were configured, and which of them was measured.
 pub(super) struct Measurement {
     pub(super) point: PointSpec,
-    /// A run was begun here, and nothing configured since.
-    initiated: bool,
+    /// Frequencies, Hz, at the level of the point.
+    list: Vec<f32, MAX_LIST>,
+    /// A run of this was begun here, and nothing configured since.
+    initiated: Option<What>,
 }
 
 impl Measurement {
@@ -31,7 +55,8 @@ impl Measurement {
             frequency_hz: 160.0,
             acceleration_rms_ms2: 10.0,
         },
-        initiated: false,
+        list: Vec::new(),
+        initiated: None,
     };
 
     /// Takes a frequency that this instrument can generate.
@@ -40,16 +65,58 @@ impl Measurement {
         text: &str,
         instrument: &mut impl Instrument,
     ) -> Result<(), ScpiError> {
-        let frequency_hz = number(text, &[("HZ", 1.0), ("KHZ", 1e3)])?;
-        let tone = Tone::nearest(frequency_hz, instrument.info().sample_rate_hz);
-        tone.ok_or(ScpiError::DataOutOfRange)?;
-        self.point.frequency_hz = frequency_hz;
-        self.initiated = false;
+        self.point.frequency_hz = frequency(text, instrument)?;
+        self.initiated = None;
         Ok(())
     }
 
+    /// Takes frequencies of a list, or keeps the one there is where none is stated.
+    pub(super) fn set_list(
+        &mut self,
+        text: &str,
+        instrument: &mut impl Instrument,
+    ) -> Result<(), ScpiError> {
+        self.initiated = None;
+        if text.is_empty() {
+            return match self.list.is_empty() {
+                false => Ok(()),
+                true => Err(ScpiError::MissingParameter),
+            };
+        }
+        let mut list = Vec::new();
+        for stated in text.split(',').map(str::trim) {
+            let frequency_hz = frequency(stated, instrument)?;
+            list.push(frequency_hz)
+                .map_err(|_| ScpiError::TooMuchData)?;
+        }
+        self.list = list;
+        Ok(())
+    }
+
+    /// Writes the frequencies of the list; nothing where there is none.
+    pub(super) fn put_list(&self, out: &mut impl Write) {
+        for (index, frequency_hz) in self.list.iter().enumerate() {
+            let _ = out.write_str(if index == 0 { "" } else { "," });
+            put(out, *frequency_hz);
+        }
+    }
+
+    /// Points of what is to be measured.
+    fn points(&self, what: What) -> impl Iterator<Item = PointSpec> {
+        let own = core::slice::from_ref(&self.point.frequency_hz);
+        let frequencies = match what {
+            What::Point => own,
+            What::List => &self.list[..],
+        };
+        let acceleration_rms_ms2 = self.point.acceleration_rms_ms2;
+        frequencies.iter().map(move |&frequency_hz| PointSpec {
+            frequency_hz,
+            acceleration_rms_ms2,
+        })
+    }
+
     /// Takes a level within the limit of the table. Whether velocity and displacement allow it at the
-    /// frequency is the verdict's to say.
+    /// frequency is looked at when the run begins.
     pub(super) fn set_acceleration(
         &mut self,
         text: &str,
@@ -60,7 +127,7 @@ impl Measurement {
             return Err(ScpiError::DataOutOfRange);
         }
         self.point.acceleration_rms_ms2 = rms_ms2;
-        self.initiated = false;
+        self.initiated = None;
         Ok(())
     }
 
@@ -72,7 +139,7 @@ impl Measurement {
     ) -> Result<(), ScpiError> {
         let before = self.point;
         let set = self.set_each(text, instrument);
-        self.initiated = false;
+        self.initiated = None;
         if set.is_err() {
             self.point = before;
         }
@@ -96,19 +163,21 @@ impl Measurement {
 
     pub(super) async fn initiate(
         &mut self,
+        what: What,
         instrument: &mut impl Instrument,
     ) -> Result<(), ScpiError> {
         if is_running(instrument) {
             return Err(ScpiError::InitIgnored);
         }
         let spec = RunSpec {
-            points: core::iter::once(self.point).collect(),
+            points: self.points(what).collect(),
             excitation: ExcitationKind::SingleSine,
             labels: RunLabels::default(),
         };
         // The same road a frame takes, with the same rule who may start.
         let response = command::answer(Request::Start(spec), instrument).await;
-        self.initiated = matches!(response, Response::Started { .. });
+        let begun = matches!(response, Response::Started { .. });
+        self.initiated = begun.then_some(what);
         let Response::Refused(refusal) = response else {
             return Ok(());
         };
@@ -116,20 +185,56 @@ impl Measurement {
             Refusal::Busy => ScpiError::InitIgnored,
             Refusal::OtherHost => ScpiError::OtherHost,
             Refusal::StorageFull => ScpiError::OutOfMemory,
-            Refusal::PointList => ScpiError::DataOutOfRange,
+            Refusal::PointList | Refusal::PointImpossible { .. } => ScpiError::DataOutOfRange,
             Refusal::Degraded(_) => ScpiError::Hardware,
             _ => ScpiError::StorageFault,
         })
     }
 
-    /// The result of the run that was initiated here, once it is over.
-    fn result(&self, instrument: &mut impl Instrument) -> Result<PointResult, ScpiError> {
-        let over = self.initiated && !is_running(instrument);
-        let result = if over { instrument.point(0) } else { None };
+    /// The result of a point of the run that was initiated here, once it is over.
+    fn result(
+        &self,
+        what: What,
+        index: u16,
+        spec: PointSpec,
+        instrument: &mut impl Instrument,
+    ) -> Result<PointResult, ScpiError> {
+        let over = self.initiated == Some(what) && !is_running(instrument);
+        let result = if over { instrument.point(index) } else { None };
         // Another host may have run a list of its own since.
         result
-            .filter(|result| result.spec == self.point)
+            .filter(|result| result.spec == spec)
             .ok_or(ScpiError::DataStale)
+    }
+
+    /// Writes frequency, sensitivity, phase, uncertainty and verdict of every point of the list.
+    fn fetch_list(
+        &self,
+        instrument: &mut impl Instrument,
+        out: &mut impl Write,
+    ) -> Result<(), ScpiError> {
+        let mut worst = Ok(());
+        if self.list.is_empty() {
+            return Err(ScpiError::DataStale);
+        }
+        for (index, spec) in self.points(What::List).enumerate() {
+            let _ = out.write_str(if index == 0 { "" } else { "," });
+            put(out, spec.frequency_hz);
+            // A list has 32 points at most.
+            let result = self.result(What::List, index as u16, spec, instrument);
+            let valid = valid(result);
+            for value in VALUES {
+                let _ = out.write_str(",");
+                put(out, valid.as_ref().map_or(NOT_A_NUMBER, value));
+            }
+            let _ = match result.map(|result| result.verdict) {
+                Ok(Verdict::Pass) => out.write_str(",VALID"),
+                Ok(Verdict::Refused(reason)) => write!(out, ",{reason:?}"),
+                Err(_) => out.write_str(",NONE"),
+            };
+            worst = worst.and(valid.map(drop));
+        }
+        worst
     }
 
     /// Writes a quantity of the result, or what stands for it where there is none.
@@ -139,22 +244,22 @@ impl Measurement {
         instrument: &mut impl Instrument,
         out: &mut impl Write,
     ) -> Result<(), ScpiError> {
-        let result = self.result(instrument);
+        if quantity == Quantity::List {
+            return self.fetch_list(instrument, out);
+        }
+        let result = self.result(What::Point, 0, self.point, instrument);
         if quantity == Quantity::Verdict {
             put_verdict(out, result);
             return result.map(drop);
         }
-        let valid = result.and_then(|result| match result.verdict {
-            Verdict::Pass => Ok(result),
-            Verdict::Refused(_) => Err(ScpiError::PointRefused),
-        });
+        let valid = valid(result);
         let mut put_one = |value: fn(&PointResult) -> f32| {
             put(out, valid.as_ref().map_or(NOT_A_NUMBER, value));
         };
         match quantity {
             Quantity::Phase => put_one(phase_deg),
             Quantity::Uncertainty => put_one(expanded_uncertainty),
-            _ => put_one(|result| result.sensitivity_v_per_ms2),
+            _ => put_one(sensitivity),
         }
         if quantity == Quantity::All {
             for value in [phase_deg, expanded_uncertainty] {
@@ -166,6 +271,28 @@ impl Measurement {
         }
         valid.map(drop)
     }
+}
+
+/// Numbers of a point, in the order they are told.
+const VALUES: [fn(&PointResult) -> f32; 3] = [sensitivity, phase_deg, expanded_uncertainty];
+
+/// A frequency that this instrument can generate.
+fn frequency(text: &str, instrument: &mut impl Instrument) -> Result<f32, ScpiError> {
+    let frequency_hz = number(text, &[("HZ", 1.0), ("KHZ", 1e3)])?;
+    let tone = Tone::nearest(frequency_hz, instrument.info().sample_rate_hz);
+    tone.map(|_| frequency_hz).ok_or(ScpiError::DataOutOfRange)
+}
+
+/// A result that may be used.
+fn valid(result: Result<PointResult, ScpiError>) -> Result<PointResult, ScpiError> {
+    result.and_then(|result| match result.verdict {
+        Verdict::Pass => Ok(result),
+        Verdict::Refused(_) => Err(ScpiError::PointRefused),
+    })
+}
+
+fn sensitivity(result: &PointResult) -> f32 {
+    result.sensitivity_v_per_ms2
 }
 
 fn phase_deg(result: &PointResult) -> f32 {

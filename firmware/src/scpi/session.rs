@@ -1,10 +1,10 @@
 //! Session of a SCPI controller: the effect of its lines.
 
 use super::errors::{ScpiError, Status};
-use super::header::{self, Command};
-use super::measurement::{Measurement, is_running};
+use super::header::{self, Command, Quantity};
+use super::measurement::{Measurement, What, is_running};
 use super::number::{mask, put};
-use super::{MAX_LINE, inquiry, lists};
+use super::{Answering, MAX_LINE, inquiry, lists};
 use crate::command::Instrument;
 use core::fmt::Write;
 use heapless::String;
@@ -74,7 +74,7 @@ impl Session {
         &mut self,
         line: &str,
         instrument: &mut impl Instrument,
-        out: &mut impl Write,
+        out: &mut impl Answering,
     ) -> Answer {
         self.units(line, "", false, instrument, out).await
     }
@@ -83,7 +83,7 @@ impl Session {
     pub async fn resume(
         &mut self,
         instrument: &mut impl Instrument,
-        out: &mut impl Write,
+        out: &mut impl Answering,
     ) -> Answer {
         let over = self.waits() && !is_running(instrument);
         match self.waiting.take_if(|_| over) {
@@ -102,7 +102,7 @@ impl Session {
         mut before: &'a str,
         mut answered: bool,
         instrument: &mut impl Instrument,
-        out: &mut impl Write,
+        out: &mut impl Answering,
     ) -> Answer {
         let mut rest = line;
         while !rest.is_empty() {
@@ -117,6 +117,11 @@ impl Session {
             }
             let Some(command) = header::find_after(before, header) else {
                 self.status.push(ScpiError::UndefinedHeader);
+                // Who asked waits for something: it gets an empty answer.
+                if header.ends_with('?') {
+                    let _ = out.write_str(if answered { ";" } else { "" });
+                    answered = true;
+                }
                 continue;
             };
             before = if header.starts_with('*') {
@@ -156,13 +161,16 @@ impl Session {
             Command::IsComplete => is_running(instrument).then_some("*OPC?"),
             Command::Wait => is_running(instrument).then_some(""),
             Command::Read(quantity) if parameter.is_empty() => {
-                let begun = self.measurement.initiate(instrument).await;
+                let begun = self.measurement.initiate(quantity.into(), instrument).await;
                 self.noted(begun).map(|()| quantity.fetch())
             }
             Command::Measure(quantity) => {
-                let set = self.measurement.set(parameter, instrument);
+                let set = match quantity {
+                    Quantity::List => self.measurement.set_list(parameter, instrument),
+                    _ => self.measurement.set(parameter, instrument),
+                };
                 self.noted(set)?;
-                let begun = self.measurement.initiate(instrument).await;
+                let begun = self.measurement.initiate(quantity.into(), instrument).await;
                 self.noted(begun).map(|()| quantity.fetch())
             }
             _ => None,
@@ -195,7 +203,7 @@ impl Session {
         command: Command,
         parameter: &str,
         instrument: &mut impl Instrument,
-        out: &mut impl Write,
+        out: &mut impl Answering,
     ) -> Result<(), ScpiError> {
         if !takes_number(command) && !parameter.is_empty() {
             return Err(ScpiError::ParameterNotAllowed);
@@ -213,7 +221,11 @@ impl Session {
             Command::Acceleration => self.measurement.set_acceleration(parameter, instrument)?,
             Command::FrequencyIs => put(out, self.measurement.point.frequency_hz),
             Command::AccelerationIs => put(out, self.measurement.point.acceleration_rms_ms2),
-            Command::Initiate => self.measurement.initiate(instrument).await?,
+            Command::SetList => self.measurement.set_list(parameter, instrument)?,
+            Command::SetListIs => self.measurement.put_list(out),
+            Command::Initiate => self.measurement.initiate(What::Point, instrument).await?,
+            Command::InitiateList => self.measurement.initiate(What::List, instrument).await?,
+            Command::Data => inquiry::data(parameter, instrument, out).await?,
             Command::Abort => stop(instrument).await?,
             Command::Catalog => inquiry::catalog(instrument, out).await?,
             Command::Defects => inquiry::defects(instrument, out),
@@ -234,7 +246,7 @@ impl Session {
         command: Command,
         parameter: &str,
         instrument: &mut impl Instrument,
-        out: &mut impl Write,
+        out: &mut impl Answering,
     ) -> Result<(), ScpiError> {
         self.note_end(instrument);
         let answer = match command {
@@ -288,6 +300,8 @@ fn takes_number(command: Command) -> bool {
         command,
         Command::Frequency
             | Command::Acceleration
+            | Command::SetList
+            | Command::Data
             | Command::Measure(_)
             | Command::ChooseList
             | Command::EventMask

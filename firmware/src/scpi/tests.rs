@@ -13,7 +13,8 @@ use calib_protocol::frame::{self, Frame, MAX_FRAME};
 use calib_protocol::health::{Defect, Defects, Health};
 use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{
-    Info, Refusal, Request, ResetCause, Response, RunSpec, RunState, SettingsChange, Status,
+    Info, RECORD_CHUNK, Refusal, Request, ResetCause, Response, RunSpec, RunState, SettingsChange,
+    Status,
 };
 use calib_protocol::record::{RecordKind, RecordSummary};
 use calib_protocol::signature::DeviceKey;
@@ -37,6 +38,14 @@ impl Link {
     fn forget(&mut self) {
         self.link.forget(&mut self.console);
     }
+}
+
+/// Bytes of a record: every value there is, LF and zero among them.
+fn stored(id: u32) -> Vec<u8> {
+    let length = if id == 1 { 1500 } else { 9000 };
+    (0..length)
+        .map(|place: u32| (place * 7 + id) as u8)
+        .collect()
 }
 
 /// Measures 0.01 V/(m/s2) at once; its run is over when a test says so.
@@ -136,8 +145,16 @@ impl Instrument for Bench {
             more: from.max(1) + 16 <= self.records,
         })
     }
-    async fn read_record(&mut self, _: u32, _: u32) -> Result<RecordPart, Refusal> {
-        Err(Refusal::RecordNotFound)
+    async fn read_record(&mut self, id: u32, offset: u32) -> Result<RecordPart, Refusal> {
+        let record = stored(id);
+        match record.get(offset as usize..) {
+            Some(left) if (1..=self.records).contains(&id) => Ok(RecordPart {
+                total: record.len() as u32,
+                data: left.iter().copied().take(RECORD_CHUNK).collect(),
+            }),
+            Some(_) => Err(Refusal::RecordNotFound),
+            None => Err(Refusal::OffsetOutOfRange),
+        }
     }
     async fn release(&mut self, _: u32) -> Result<(), Refusal> {
         Ok(())
@@ -269,7 +286,7 @@ fn a_point_is_measured_by_text_alone() {
     );
     assert_eq!(say(b, "*RST;*CLS"), "");
     // The second header goes on where the first one was; the third is none.
-    assert_eq!(say(b, "CONF:FREQ?;ACC?;PHAS?"), "1.6E2;1E1\n");
+    assert_eq!(say(b, "CONF:FREQ?;ACC?;PHAS?"), "1.6E2;1E1;\n");
     assert_eq!(say(b, "SYST:ERR?"), "-113,\"Undefined header\"\n");
     assert_eq!(say(b, "CONF:FREQ 0.25 kHz; CONF:ACC 50\r"), "");
     assert_eq!(say(b, "conf:freq?;conf:acceleration?"), "2.5E2;5E1\n");
@@ -414,8 +431,10 @@ fn the_status_byte_sums_up_what_its_masks_let_through() {
     // Bit 6 has no mask; what is no whole number is rounded.
     assert_eq!(say("*SRE 255;*SRE?;*ESE 3.6;*ESE?"), "191;4\n");
     assert_eq!(say("*SRE 32;*ESE 32;*STB?"), "0\n");
-    // Unknown questions are answered by the queue alone, and hold up nobody.
-    assert_eq!(say("NO:SUCH?"), "");
+    // Unknown questions have an empty answer, so that nobody waits for one; the queue says why.
+    assert_eq!(say("NO:SUCH?"), "\n");
+    assert_eq!(say("*CLS;NO:SUCH?;SYST:VERS?;NOR:THIS?"), ";1999.0;\n");
+    say("*CLS;NO:SUCH?");
     // Error waits (4), event (32), and the summary (64).
     assert_eq!(say("*STB?;SYST:ERR:COUN?"), "100;1\n");
     assert!(say("SYST:ERR?").starts_with("-113,"));
@@ -599,4 +618,127 @@ fn lists_are_named_and_chosen_under_a_hand_alone() {
     assert!(ask(&mut bench, "SYST:ERR?").starts_with("-224,"));
     assert_eq!(ask(&mut bench, "LIST:CHO?"), "\"field\"\n");
     assert_eq!(ask(&mut bench, "LIST:CHO '';CHO?"), "\"\"\n");
+}
+
+#[test]
+fn a_list_is_measured_by_text_alone() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    assert_eq!(line(&mut link, &mut bench, "CONF:LIST?"), "\n");
+    assert_eq!(
+        line(&mut link, &mut bench, "CONF:LIST 160, 80, 0.5 kHz;ACC 20"),
+        ""
+    );
+    assert_eq!(line(&mut link, &mut bench, "CONF:LIST?"), "1.6E2,8E1,5E2\n");
+    assert_eq!(
+        line(&mut link, &mut bench, "FETC:LIST?;SYST:ERR?")
+            .split(';')
+            .count(),
+        3
+    );
+    line(&mut link, &mut bench, "*CLS");
+    assert_eq!(
+        line(&mut link, &mut bench, "READ:LIST?"),
+        "",
+        "answered at its end"
+    );
+    let spec = bench.spec.clone().expect("a run");
+    let points: Vec<(f32, f32)> = spec
+        .points
+        .iter()
+        .map(|point| (point.frequency_hz, point.acceleration_rms_ms2))
+        .collect();
+    assert_eq!(points, [(160.0, 20.0), (80.0, 20.0), (500.0, 20.0)]);
+    bench.running = false;
+    let all = waited(&mut link, &mut bench);
+    let words: Vec<&str> = all.trim().split(',').collect();
+    assert_eq!(words.len(), 15);
+    assert_eq!(
+        (words[0], words[1], words[2], words[4]),
+        ("1.6E2", "1E-2", "9E1", "VALID")
+    );
+    assert_eq!((words[10], words[14]), ("5E2", "VALID"));
+    // One point that was measured is no list, and a list no point.
+    assert_eq!(line(&mut link, &mut bench, "FETC:SENS?"), "9.91E37\n");
+    bench.refused = Some(Reason::Hum);
+    let refused = line(&mut link, &mut bench, "*CLS;FETC:LIST?");
+    assert!(
+        refused.ends_with("5E2,9.91E37,9.91E37,9.91E37,Hum\n"),
+        "{refused}"
+    );
+    assert!(line(&mut link, &mut bench, "SYST:ERR?").starts_with("-300,"));
+    // Said anew and measured in one question.
+    assert_eq!(line(&mut link, &mut bench, "MEAS:LIST? 20,40"), "");
+    assert_eq!(bench.spec.as_ref().expect("a run").points.len(), 2);
+    bench.running = false;
+    assert_eq!(waited(&mut link, &mut bench).split(',').count(), 10);
+}
+
+#[test]
+fn a_list_that_cannot_be_is_refused_and_changes_nothing() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    let many = vec!["99"; 33].join(",");
+    for (text, code) in [
+        ("CONF:LIST 160,30 kHz", "-222,"),
+        ("CONF:LIST 160,,80", "-109,"),
+        ("CONF:LIST 160,x", "-104,"),
+        (&format!("CONF:LIST {many}"), "-223,"),
+        ("CONF:LIST", "-109,"),
+        ("INIT:LIST", "-222,"),
+    ] {
+        assert_eq!(line(&mut link, &mut bench, text), "", "{text}");
+        let error = line(&mut link, &mut bench, "SYST:ERR?");
+        assert!(error.starts_with(code), "{text}: {error}");
+        assert_eq!(line(&mut link, &mut bench, "CONF:LIST?"), "\n", "{text}");
+    }
+    // 100 m/s2 at 20 Hz are more than the exciter's velocity: nothing moves.
+    let answer = line(
+        &mut link,
+        &mut bench,
+        "CONF:ACC 100;:MEAS:LIST? 160,20;SYST:ERR?",
+    );
+    assert!(answer.contains("NONE;-222,"), "{answer}");
+    assert!(bench.spec.is_none());
+}
+
+#[test]
+fn a_record_is_read_as_blocks() {
+    let (mut link, mut bench) = (Link::new(), Bench::default());
+    bench.records = 2;
+    let mut block = |link: &mut Link, text: &str| {
+        let answer = send(link, &mut bench, format!("{text}\n").as_bytes());
+        assert_eq!(answer[..2], *b"#4", "{text}");
+        let length: usize = String::from_utf8_lossy(&answer[2..6])
+            .parse()
+            .expect("digits");
+        assert_eq!(
+            (answer.len(), answer.last()),
+            (6 + length + 1, Some(&b'\n')),
+            "{text}"
+        );
+        answer[6..6 + length].to_vec()
+    };
+    assert_eq!(block(&mut link, "MMEM:DATA? 1"), stored(1));
+    assert_eq!(block(&mut link, "MMEM:DATA? 1, 1400"), stored(1)[1400..]);
+    assert_eq!(block(&mut link, "MMEM:DATA? 1,1500"), Vec::<u8>::new());
+    // Longer than an answer: in pieces.
+    let mut whole = Vec::new();
+    loop {
+        let piece = block(&mut link, &format!("MMEM:DATA? 2,{}", whole.len()));
+        if piece.is_empty() {
+            break;
+        }
+        whole.extend(piece);
+    }
+    assert_eq!(whole, stored(2));
+    for (text, code) in [
+        ("MMEM:DATA? 3", "-256,"),
+        ("MMEM:DATA? 1,1501", "-256,"),
+        ("MMEM:DATA?", "-109,"),
+        ("MMEM:DATA? x", "-104,"),
+        ("MMEM:DATA? 1,-1", "-104,"),
+    ] {
+        assert_eq!(line(&mut link, &mut bench, text), "#10\n", "{text}");
+        let error = line(&mut link, &mut bench, "SYST:ERR?");
+        assert!(error.starts_with(code), "{text}: {error}");
+    }
 }

@@ -231,6 +231,11 @@ pub(crate) async fn store(
             record.points.clear();
             // The same capacity: all of them fit.
             let _ = record.points.extend_from_slice(&run.results);
+            record.untried.clear();
+            let untried = run.spec.points.get(run.results.len()..);
+            let _ = record
+                .untried
+                .extend_from_slice(untried.unwrap_or_default());
         });
         // A stop may come while the first point is repeated: every point was attempted then.
         let stopped = match record.closing {

@@ -60,8 +60,8 @@ fn state(certificate: &mut Certificate) {
 
 /// Change of the sensitivity by the adjustment, in percent of as found.
 pub(super) fn change_percent(found: Option<&Point>, left: &Point) -> Option<f64> {
-    let found = found?.values()?.sensitivity_v_per_ms2;
-    let left = left.values()?.sensitivity_v_per_ms2;
+    let found = found?.values()?.sensitivity;
+    let left = left.values()?.sensitivity;
     Some(100.0 * (left / found - 1.0))
 }
 

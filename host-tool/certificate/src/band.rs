@@ -10,7 +10,7 @@ use crate::decision::{Limits, Specification};
 /// Places per area on the logarithmic axis; steps have places of their own.
 const PLACES: u32 = 64;
 
-/// A frequency and the limits there, V/(m/s2).
+/// A frequency and the limits there, SI unit of the kind.
 pub(super) type Place = (f64, Limits);
 
 /// Areas of the tolerance between two frequencies, left to right.
@@ -44,18 +44,18 @@ pub(super) fn at_reference(certificate: &Certificate) -> Option<Place> {
     differ.then_some((point.frequency_hz, own))
 }
 
-fn at(frequency_hz: f64, reference_v_per_ms2: f64, at_reference_point: bool) -> Where {
+fn at(frequency_hz: f64, reference: f64, at_reference_point: bool) -> Where {
     Where {
         frequency_hz,
         at_reference_point,
-        reference_v_per_ms2,
+        reference,
     }
 }
 
 fn judged_by(certificate: &Certificate) -> Option<(&Specification, f64)> {
     let decision = certificate.decision.as_ref()?;
     let (_, values) = certificate.reference_result()?;
-    Some((&decision.specification, values.sensitivity_v_per_ms2))
+    Some((&decision.specification, values.sensitivity))
 }
 
 /// Even steps on the logarithmic axis, and both sides of every edge of a band.

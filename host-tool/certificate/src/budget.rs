@@ -7,9 +7,11 @@
 //! as it does that of the recomputed budget.
 
 use super::deviation::{
-    OfRatio, of_ratio, within_a_response, within_a_substitution, within_an_instrument,
+    OF_CONDITIONER, OF_FREQUENCY, OfRatio, of_ratio, within_a_response, within_a_substitution,
+    within_an_instrument,
 };
 use super::harmonics;
+use super::kind::SensorKind;
 use super::model::{Budget, BudgetRow, Certificate, Remark, Severity, Value};
 use super::mountings::Mountings;
 use super::particulars::Particulars;
@@ -24,6 +26,12 @@ use std::borrow::Cow;
 
 /// Row of Table A.1 for the distortion.
 const DISTORTION: u8 = 4;
+/// Row of Table A.1 for the gain of the conditioner.
+const GAIN: u8 = 2;
+/// Row of Table A.1 for the frequency.
+const FREQUENCY: u8 = 12;
+/// Half width of the frequency, relative: the clock's, 50 ppm (docs/hardware.md), and as much again.
+const FREQUENCY_REL: f32 = 1.0e-4;
 /// Row of Table A.1 for the mounting.
 const MOUNTING: u8 = 8;
 /// That for what is left: repeatability.
@@ -67,6 +75,8 @@ pub(super) struct Basis<'a> {
     mountings: &'a Mountings,
     /// Mounted resonance as the points show it.
     pub(super) mounted: Mounted,
+    /// Kind of the sensor: gain or burden, and the frequency, enter what is stated of it.
+    pub(super) kind: SensorKind,
 }
 
 /// Expanded uncertainties of a point.
@@ -98,6 +108,7 @@ impl<'a> Basis<'a> {
             correlation: correlation.unwrap_or(1.0),
             mountings,
             mounted: Mounted::UNKNOWN,
+            kind: particulars.kind(),
         };
         // The resonance is that of this mounting: what another would do is no part of its U.
         basis.shift_mounting(0.0);
@@ -144,7 +155,7 @@ impl<'a> Basis<'a> {
         let bounded = |p: &PointResult| self.excess_rel(p) > 0.0 || self.bent_rel(p) > 0.0;
         let gives_way = self.record.points.iter().any(bounded);
         let told = self.distance == Distance::Covered && !self.mountings.are_repeated();
-        told && !changed && !shifts && !gives_way
+        told && !changed && !shifts && !gives_way && self.kind.is_as_measured()
     }
 
     fn shift_mounting(&mut self, at_10_khz_rel: f32) {
@@ -163,7 +174,8 @@ impl<'a> Basis<'a> {
     /// By how much a channel that bends may have changed a point, relative.
     fn bent_rel(&self, point: &PointResult) -> f32 {
         let rate_hz = self.record.head.sample_rate_hz;
-        harmonics::half_width_rel(point, rate_hz, self.mounted.cautious_s2()) as f32
+        let resonance_s2 = self.mounted.cautious_s2();
+        harmonics::half_width_rel(point, rate_hz, resonance_s2, self.kind.steps()) as f32
     }
 
     /// Budget with everything that is known.
@@ -217,7 +229,29 @@ impl<'a> Basis<'a> {
                 added.map_err(|error| error.to_string())?;
             }
         }
+        for component in self.of_kind() {
+            let added = budget.magnitude.add(component);
+            added.map_err(|error| error.to_string())?;
+        }
         Ok(budget)
+    }
+
+    /// Components by which the chain's sensitivity to acceleration becomes the sensor's: gain or burden, and the
+    /// frequency, as often as it enters.
+    fn of_kind(&self) -> impl Iterator<Item = Component<'static>> {
+        let gain = self.kind.expanded_rel_of_gain().map(|expanded_rel| {
+            let half = Distribution::Normal {
+                coverage_factor: 2.0,
+            };
+            Component::new(Row::a1(GAIN), expanded_rel as f32, half).labelled(OF_CONDITIONER)
+        });
+        let steps = self.kind.steps() as f32;
+        let frequency = (steps > 0.0).then(|| {
+            let half_width_rel = steps * FREQUENCY_REL;
+            let row = Row::a1(FREQUENCY);
+            Component::new(row, half_width_rel, Distribution::Rectangular).labelled(OF_FREQUENCY)
+        });
+        gain.into_iter().chain(frequency)
     }
 
     /// Uncertainty the instrument stated.

@@ -3,7 +3,6 @@
 use super::model::{Certificate, Line, PointValues, Remark, Section, Severity, Value};
 use crate::decision::specification::Name;
 use crate::decision::{Assessment, Base, Decision, Place, Rule, Specification, assess};
-use crate::units::STANDARD_GRAVITY_MS2;
 
 /// Judges every point that has a result, if a decision is asked for, and adds
 /// the statement ISO/IEC 17025 7.8.6.2 wants: results, specification, rule.
@@ -35,14 +34,14 @@ pub(super) fn attach(certificate: &mut Certificate) {
 fn judge(certificate: &mut Certificate, decision: &Decision) {
     let reference = certificate
         .reference_result()
-        .map(|(_, values)| values.sensitivity_v_per_ms2);
+        .map(|(_, values)| values.sensitivity);
     let index_of_reference = certificate.reference;
     let Some(reference) = reference else { return };
     for (index, point) in certificate.points.iter_mut().enumerate() {
         let place = Place {
             frequency_hz: point.nominal_frequency_hz,
             at_reference_point: Some(index) == index_of_reference,
-            reference_v_per_ms2: reference,
+            reference,
         };
         if let Ok(values) = point.outcome.as_mut() {
             values.assessment = judged(decision, place, values);
@@ -55,9 +54,9 @@ fn judge(certificate: &mut Certificate, decision: &Decision) {
 /// statement counts.
 fn judged(decision: &Decision, place: Place, values: &PointValues) -> Option<Assessment> {
     let specification = &decision.specification;
-    let value = values.sensitivity_v_per_ms2;
-    let by = |limits, percent_v_per_ms2: f64, percent: f64, factor| {
-        let expanded = percent_v_per_ms2 * percent / 100.0;
+    let value = values.sensitivity;
+    let by = |limits, of: f64, percent: f64, factor| {
+        let expanded = of * percent / 100.0;
         assess(decision.rule, limits, value, expanded, factor)
     };
     let own = (values.expanded_uncertainty_percent, values.coverage_factor);
@@ -66,12 +65,8 @@ fn judged(decision: &Decision, place: Place, values: &PointValues) -> Option<Ass
     let deviation = values.deviation.and_then(|deviation| deviation.uncertainty);
     let of_deviation = match deviation {
         // The reference point deviates by nothing from itself, whatever its U.
-        _ if place.at_reference_point => (place.reference_v_per_ms2, CERTAIN_PERCENT, 2.0),
-        Some(u) => (
-            place.reference_v_per_ms2,
-            u.expanded_percent,
-            u.coverage_factor,
-        ),
+        _ if place.at_reference_point => (place.reference, CERTAIN_PERCENT, 2.0),
+        Some(u) => (place.reference, u.expanded_percent, u.coverage_factor),
         None => (value, own.0, own.1),
     };
     let relative = specification.limits_of(place, |base| base == Base::Reference);
@@ -101,8 +96,10 @@ fn statement(certificate: &Certificate, decision: &Decision) -> Section {
             false => Value::Number(100.0 * largest, 2, "%"),
         })
     };
-    let nominal = decision.specification.nominal_v_per_ms2;
-    let per_g = STANDARD_GRAVITY_MS2;
+    let nominal = decision.specification.nominal;
+    // As accelerometers are specified.
+    let unit = certificate.kind.per_g_unit();
+    let unit = unit.unwrap_or_else(|| certificate.kind.stated_unit());
     let lines = [
         (
             "specification",
@@ -112,7 +109,7 @@ fn statement(certificate: &Certificate, decision: &Decision) -> Section {
         (
             "nominal",
             "",
-            nominal.map(|v| Value::Number(v * 1000.0 * per_g, 2, "mV/g")),
+            nominal.map(|v| Value::Number(unit.of_si(v), 2, unit.printed())),
         ),
         ("rule", "ISO/IEC 17025 7.8.6.2 c", Some(rule(decision.rule))),
         (

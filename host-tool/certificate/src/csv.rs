@@ -5,6 +5,7 @@
 //! points have empty results. Text that Excel would take for a formula is led
 //! by an apostrophe.
 
+use super::kind::{SensitivityUnit, SensorKind};
 use super::measured::MEASURED;
 use super::model::{Certificate, Point, PointValues};
 use super::words::Language;
@@ -13,8 +14,14 @@ use calib_files::{Error, Result};
 use calib_output::code;
 use calib_output::number::{self, decimal};
 
+/// Stand in headings for the unit of the sensitivity, and for that per standard acceleration of free fall.
+const UNIT: &str = "{unit}";
+const PER_G: &str = "{per_g}";
+/// Stands for the motion of the sensor with its unit, where it is no acceleration.
+const MOTION: &str = "{motion}";
+
 /// Headings of the columns before what is measured.
-const RESULT: [&str; 17] = [
+const RESULT: [&str; 18] = [
     "certificate",
     "dut_model",
     "dut_serial",
@@ -22,8 +29,9 @@ const RESULT: [&str; 17] = [
     "frequency_hz",
     "actual_frequency_hz",
     "acceleration_rms_ms2",
-    "sensitivity_mv_per_ms2",
-    "sensitivity_mv_per_g",
+    "{motion}",
+    "sensitivity_{unit}",
+    "sensitivity_{per_g}",
     "expanded_uncertainty_percent",
     "coverage_factor",
     "deviation_percent",
@@ -40,11 +48,11 @@ const JUDGEMENT: [&str; 17] = [
     "state",
     "reason",
     "conformity",
-    "lower_limit_mv_per_ms2",
-    "upper_limit_mv_per_ms2",
+    "lower_limit_{unit}",
+    "upper_limit_{unit}",
     "false_accept_percent",
     "false_reject_percent",
-    "as_found_sensitivity_mv_per_ms2",
+    "as_found_sensitivity_{unit}",
     "as_found_expanded_uncertainty_percent",
     "change_percent",
     "coherence",
@@ -55,10 +63,22 @@ const JUDGEMENT: [&str; 17] = [
     "replaced_because",
 ];
 
-/// Headings of all columns: scripts can rely on these names.
-fn headings() -> impl Iterator<Item = &'static str> {
+/// Headings of all columns: scripts can rely on these names. Sensors that are no accelerometers have no column per g, and
+/// one of their motion beside the acceleration.
+fn headings(kind: SensorKind) -> impl Iterator<Item = String> {
     let measured = MEASURED.iter().map(|one| one.key);
-    RESULT.into_iter().chain(measured).chain(JUDGEMENT)
+    let all = RESULT.into_iter().chain(measured).chain(JUDGEMENT);
+    all.filter_map(move |heading| {
+        let own = [
+            (UNIT, Some(kind.stated_unit().slug())),
+            (PER_G, kind.per_g_unit().map(SensitivityUnit::slug)),
+            (MOTION, kind.amplitude_slug()),
+        ];
+        match own.iter().find(|(place, _)| heading.contains(place)) {
+            Some((place, own)) => Some(heading.replace(place, (*own)?)),
+            None => Some(heading.to_owned()),
+        }
+    })
 }
 
 /// The table as CSV.
@@ -76,7 +96,7 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
         .from_writer(vec![0xef, 0xbb, 0xbf]);
     let broken = |error: String| Error::input("CSV", error, "report this as a defect");
     writer
-        .write_record(headings())
+        .write_record(headings(certificate.kind))
         .map_err(|e| broken(e.to_string()))?;
     for (point, found) in certificate.pairs() {
         let mut row = row(certificate, point, language);
@@ -125,9 +145,18 @@ fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<Stri
         number(point.frequency_hz),
         number(point.acceleration_ms2),
     ];
+    let motion = certificate.kind.amplitude_slug();
+    row.extend(motion.map(|_| number(point.amplitude_rms)));
     match &point.outcome {
         Ok(values) => row.extend(results(values, language)),
-        Err(_) => row.extend(std::iter::repeat_n(String::new(), 10)),
+        Err(_) => {
+            let columns = if certificate.kind.per_g_unit().is_some() {
+                10
+            } else {
+                9
+            };
+            row.extend(std::iter::repeat_n(String::new(), columns));
+        }
     }
     let measured = MEASURED.iter().map(|one| (one.of)(&point.measured));
     row.extend(measured.map(|value| value.map(number).unwrap_or_default()));
@@ -139,12 +168,13 @@ fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<Stri
         code(&certificate.conformity_of(point)),
     ]);
     let judged = point.values().and_then(|values| values.assessment);
-    row.extend(judged.map_or_else(Default::default, |judged| limits(&judged, language)));
+    let unit = certificate.kind.stated_unit();
+    row.extend(judged.map_or_else(Default::default, |judged| limits(&judged, unit, language)));
     row
 }
 
-/// Limits and risks of a judged point.
-fn limits(judged: &Assessment, language: Language) -> [String; 4] {
+/// Limits in this unit and risks of a judged point.
+fn limits(judged: &Assessment, unit: SensitivityUnit, language: Language) -> [String; 4] {
     // Limits are products of decimal numbers.
     let number = |value: f64| match value.is_finite() {
         true => language.shortest(number::shortened(value, 12)),
@@ -156,8 +186,8 @@ fn limits(judged: &Assessment, language: Language) -> [String; 4] {
             .unwrap_or_default()
     };
     [
-        number(1000.0 * judged.tolerance.lower),
-        number(1000.0 * judged.tolerance.upper),
+        number(unit.of_si(judged.tolerance.lower)),
+        number(unit.of_si(judged.tolerance.upper)),
         percent(judged.false_accept),
         percent(judged.false_reject),
     ]
@@ -170,7 +200,7 @@ fn as_found(left: &Point, found: Option<&Point>, language: Language) -> [String;
     };
     let fixed = |value: f64, decimals: usize| fixed(value, decimals, language);
     let (uncertainty, decimals) = values.printed_uncertainty_percent;
-    let printed = values.printed_mv_per_ms2;
+    let printed = values.printed;
     let change = super::adjustment::change_percent(found, left);
     [
         fixed(printed.value, printed.decimals),
@@ -188,17 +218,17 @@ fn replaces(certificate: &Certificate) -> [String; 2] {
 }
 
 /// Results as printed: what is on paper and what is in the file is one number.
-fn results(values: &PointValues, language: Language) -> [String; 10] {
+fn results(values: &PointValues, language: Language) -> Vec<String> {
     let fixed = |value: f64, decimals: usize| fixed(value, decimals, language);
     let (uncertainty, decimals) = values.printed_uncertainty_percent;
-    let per_ms2 = values.printed_mv_per_ms2;
-    let per_g = values.printed_mv_per_g;
+    let printed = values.printed;
+    let per_g = values.printed_per_g;
     let phase = values.printed_phase_deg;
     let deviation = values.deviation;
     let of_deviation = deviation.and_then(|d| Some((d.uncertainty?, d.decimals)));
-    [
-        fixed(per_ms2.value, per_ms2.decimals),
-        fixed(per_g.value, per_g.decimals),
+    let mut row = vec![fixed(printed.value, printed.decimals)];
+    row.extend(per_g.map(|per_g| fixed(per_g.value, per_g.decimals)));
+    row.extend([
         fixed(uncertainty, decimals),
         fixed(values.coverage_factor, 2),
         deviation
@@ -219,7 +249,8 @@ fn results(values: &PointValues, language: Language) -> [String; 10] {
         phase
             .map(|r| fixed(r.uncertainty, r.decimals))
             .unwrap_or_default(),
-    ]
+    ]);
+    row
 }
 
 fn fixed(value: f64, decimals: usize, language: Language) -> String {

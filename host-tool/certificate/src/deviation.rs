@@ -22,6 +22,11 @@ const OF_A_RESPONSE: [u8; 5] = [REFERENCE, 2, 3, 10, 11];
 /// temperature, are not.
 const OF_AN_INSTRUMENT: [u8; 3] = [REFERENCE, 2, 3];
 
+/// Label of the gain of the sensor's own charge amplifier, or of its burden: one number for a whole response.
+pub(super) const OF_CONDITIONER: &str = "gain of the charge amplifier, or burden";
+/// Label of the frequency in what is stated of a sensor to velocity or displacement: one clock.
+pub(super) const OF_FREQUENCY: &str = "conversion by the frequency";
+
 /// Correlation of a row of Table A.1 between two results.
 pub(super) type Correlation = dyn Fn(u8) -> f64;
 
@@ -112,9 +117,10 @@ fn add(
         add(u0, other.degrees_of_freedom)?;
         return Some(());
     }
-    let shared = match own.label == own.row.source() {
-        true => correlation(own.row.number),
-        false => 0.0,
+    let shared = match own.label {
+        OF_CONDITIONER | OF_FREQUENCY => 1.0,
+        label if label == own.row.source() => correlation(own.row.number),
+        _ => 0.0,
     };
     let variance = u * u + u0 * u0 - 2.0 * shared * u.min(u0).powi(2);
     add(variance.max(0.0).sqrt(), own.degrees_of_freedom)?;

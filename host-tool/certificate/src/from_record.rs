@@ -5,6 +5,7 @@ use super::budget::{self, Basis};
 use super::conformity;
 use super::decision::Request;
 use super::interval::{InForce, in_force};
+use super::kind::{OfSensor, SensitivityUnit, SensorKind, Specified};
 use super::linearity;
 use super::model::{Certificate, Refusal, Remark, Severity, Value};
 use super::model::{Deviation, Point, PointValues};
@@ -14,7 +15,6 @@ use super::resonance;
 use super::rounding::{Rounded, round_uncertainty};
 use super::sections::{is_traceable, sections};
 use super::stored::{run_day, unix_day};
-use super::units::STANDARD_GRAVITY_MS2;
 use calib_core::closing::Closing;
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
@@ -59,9 +59,19 @@ impl Certificate {
             a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
         });
         let particulars = &judging(record, particulars);
+        let kind = particulars.kind();
         let basis = Basis::new(record, particulars, mountings);
-        let mut points: Vec<Point> = measured.iter().map(|p| point(p, &basis, record)).collect();
+        let of_polarity = |inverted: bool| -> Vec<Point> {
+            let points = measured.iter();
+            points.map(|p| point(p, &basis, record, inverted)).collect()
+        };
+        let mut points = of_polarity(false);
         let reference = reference_point(&points);
+        let inverted = reference
+            .is_some_and(|index| kind.is_inverted(measured[index], points[index].frequency_hz));
+        if inverted {
+            points = of_polarity(true);
+        }
         state_deviations(&mut points, reference, &basis);
         let between = particulars.around.between(record);
         let one_day = between.and_then(|(first, last)| (first == last).then_some(first));
@@ -71,7 +81,8 @@ impl Certificate {
             between,
             particulars: particulars.clone(),
             sections: sections(record, particulars),
-            inverted: reference.is_some_and(|index| measured[index].inverted),
+            inverted,
+            kind,
             reference,
             points,
             budget: None,
@@ -80,6 +91,11 @@ impl Certificate {
             as_found: None,
             resonance: None,
             chain: None,
+            untried_hz: record
+                .untried
+                .iter()
+                .map(|point| decimal(point.frequency_hz))
+                .collect(),
             is_closed: !matches!(record.closing, Closing::Refused(_)),
             simulated: is_emulated(&record.head.instrument_serial),
             traceable: is_traceable(record, particulars),
@@ -104,9 +120,19 @@ fn judging(record: &Record, particulars: &Particulars) -> Particulars {
     let mut particulars = particulars.clone();
     let stated = particulars.decision.as_ref();
     if stated.is_none_or(Request::is_open) && !record.list.is_none() {
-        particulars.decision = Some(Request::of_terms(&record.list));
+        particulars.decision = of_list(record, particulars.kind());
     }
     particulars
+}
+
+/// What the instrument judged by; nothing of a sensor it cannot judge.
+fn of_list(record: &Record, kind: SensorKind) -> Option<Request> {
+    let mut request = Request::of_terms(&record.list);
+    request.nominal = request.nominal.map(|nominal| {
+        let of_sensor = kind.of_v_per_ms2(nominal.si, 160.0);
+        Specified::of_si(of_sensor, kind.unit())
+    });
+    (kind.steps() == 0 && !kind.is_reported_only()).then_some(request)
 }
 
 fn number(record: &Record, particulars: &Particulars) -> String {
@@ -114,20 +140,24 @@ fn number(record: &Record, particulars: &Particulars) -> String {
     stated.unwrap_or_else(|| format!("{}-{:06}", record.head.instrument_serial, record.head.id))
 }
 
-fn point(result: &PointResult, basis: &Basis<'_>, record: &Record) -> Point {
+fn point(result: &PointResult, basis: &Basis<'_>, record: &Record, inverted: bool) -> Point {
     let mut view = PointView::new(result, record.head.sample_rate_hz);
-    let outcome = outcome(result, basis);
+    let nominal_frequency_hz = decimal(result.spec.frequency_hz);
+    let frequency_hz = view.actual_frequency_hz.unwrap_or(nominal_frequency_hz);
+    let of_sensor = basis.kind.of_result(result, frequency_hz, inverted);
+    let outcome = outcome(result, of_sensor, basis);
     match &outcome {
         Err(_) if view.is_valid() => view.refuse("not_reportable"),
         Ok(values) if !basis.is_the_instruments() => state_uncertainty(&mut view, values),
         _ => {}
     }
-    let nominal_frequency_hz = decimal(result.spec.frequency_hz);
+    let acceleration_ms2 = decimal(result.acceleration_rms_ms2);
     Point {
         nominal_frequency_hz,
-        frequency_hz: view.actual_frequency_hz.unwrap_or(nominal_frequency_hz),
+        frequency_hz,
         nominal_acceleration_ms2: decimal(result.spec.acceleration_rms_ms2),
-        acceleration_ms2: decimal(result.acceleration_rms_ms2),
+        acceleration_ms2,
+        amplitude_rms: basis.kind.amplitude(acceleration_ms2, frequency_hz),
         outcome,
         measured: *result,
         view,
@@ -143,30 +173,38 @@ fn state_uncertainty(view: &mut PointView, values: &PointValues) {
     view.expanded_uncertainty_phase_deg = Some(values.expanded_uncertainty_phase_deg);
 }
 
-fn outcome(result: &PointResult, basis: &Basis<'_>) -> Result<PointValues, Refusal> {
+fn outcome(
+    result: &PointResult,
+    of_sensor: OfSensor,
+    basis: &Basis<'_>,
+) -> Result<PointValues, Refusal> {
     match result.verdict {
         Verdict::Refused(reason) => Err(Refusal(format!("{reason:?}"))),
         // A result without a valid U is none, whatever the verdict says.
-        Verdict::Pass => values(result, basis).ok_or_else(|| Refusal("NotReportable".to_owned())),
+        Verdict::Pass => {
+            values(result, of_sensor, basis).ok_or_else(|| Refusal("NotReportable".to_owned()))
+        }
     }
 }
 
-fn values(result: &PointResult, basis: &Basis<'_>) -> Option<PointValues> {
+fn values(result: &PointResult, of_sensor: OfSensor, basis: &Basis<'_>) -> Option<PointValues> {
     let stated = basis.uncertainty(result)?;
-    let sensitivity_v_per_ms2 = decimal(result.sensitivity_v_per_ms2);
+    let OfSensor {
+        magnitude,
+        phase_deg,
+    } = of_sensor;
     let relative = stated.expanded_rel;
-    let phase_deg = f64::from(result.phase_rad).to_degrees();
     let phase_u_deg = stated.expanded_phase_rad.to_degrees();
     let coverage_factor = stated.coverage_factor;
-    let in_mv = |factor: f64| {
-        let value = sensitivity_v_per_ms2 * 1000.0 * factor;
+    let rounded = |unit: SensitivityUnit| {
+        let value = unit.of_si(magnitude);
         Rounded::new(value, value * relative)
     };
     let (rounded_u, digit) = round_uncertainty(relative * 100.0, 2)?;
-    let usable = sensitivity_v_per_ms2 > 0.0 && coverage_factor > 0.0 && phase_deg.is_finite();
+    let usable = magnitude > 0.0 && coverage_factor > 0.0 && phase_deg.is_finite();
     usable.then_some(())?;
     Some(PointValues {
-        sensitivity_v_per_ms2,
+        sensitivity: magnitude,
         expanded_uncertainty_percent: relative * 100.0,
         coverage_factor,
         effective_degrees_of_freedom: stated.effective_degrees_of_freedom,
@@ -175,8 +213,8 @@ fn values(result: &PointResult, basis: &Basis<'_>) -> Option<PointValues> {
         coverage_factor_phase: stated.coverage_factor_phase,
         deviation: None,
         assessment: None,
-        printed_mv_per_ms2: in_mv(1.0)?,
-        printed_mv_per_g: in_mv(STANDARD_GRAVITY_MS2)?,
+        printed: rounded(basis.kind.stated_unit())?,
+        printed_per_g: basis.kind.per_g_unit().and_then(rounded),
         printed_phase_deg: Rounded::new(phase_deg, phase_u_deg),
         printed_uncertainty_percent: (rounded_u, usize::try_from(digit).unwrap_or(0)),
     })
@@ -216,7 +254,7 @@ fn reference_point(points: &[Point]) -> Option<usize> {
 fn state_deviations(points: &mut [Point], reference: Option<usize>, basis: &Basis<'_>) {
     let Some(at) = reference else { return };
     let of_reference = points[at].measured;
-    let Some(reference_v_per_ms2) = points[at].values().map(|v| v.sensitivity_v_per_ms2) else {
+    let Some(of_reference_point) = points[at].values().map(|v| v.sensitivity) else {
         return;
     };
     for (index, point) in points.iter_mut().enumerate() {
@@ -225,7 +263,7 @@ fn state_deviations(points: &mut [Point], reference: Option<usize>, basis: &Basi
             false => basis.of_ratio(&point.measured, &of_reference),
         };
         if let Ok(values) = &mut point.outcome {
-            let ratio = values.sensitivity_v_per_ms2 / reference_v_per_ms2;
+            let ratio = values.sensitivity / of_reference_point;
             let decimals = values.printed_uncertainty_percent.1;
             values.deviation = Some(Deviation::new(ratio, uncertainty, decimals));
         }
@@ -250,8 +288,16 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
     if certificate.reference.is_none() {
         say(Severity::Error, "no_result", vec![]);
     }
-    if !record.complete {
-        say(Severity::Warning, "incomplete", vec![]);
+    match certificate.untried_hz.len() {
+        0 if record.complete => {}
+        0 => say(Severity::Warning, "incomplete", vec![]),
+        untried => {
+            let hz = |hz: &f64| Value::Exact(*hz, "Hz");
+            let all = certificate.untried_hz.iter().map(hz).collect();
+            let of = count(untried + certificate.points.len());
+            let values = vec![count(untried), of, Value::List(all)];
+            say(Severity::Warning, "untried", values);
+        }
     }
     if refused > 0 {
         say(
@@ -285,6 +331,9 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
     }
     if record.provenance.differs_from_reference() {
         say(Severity::Warning, "settings_changed", changes(record));
+    }
+    if certificate.kind.is_reported_only() {
+        say(Severity::Note, "reported_only", Vec::new());
     }
     if record.image.signer == ImageSigner::Development {
         say(Severity::Warning, "development_image", Vec::new());

@@ -7,6 +7,7 @@
 //! ```
 
 use super::from_record::closing_remark;
+use super::kind::{Output, SensorKind};
 use super::marks::Mark;
 use super::model::{self, Certificate, Point, Section, Severity};
 use super::particulars::Amendment;
@@ -14,7 +15,7 @@ use super::resonance::MountedResonance;
 use super::rounding::Rounded;
 use super::verdict::Verdict;
 use super::words::Language;
-use crate::decision::Stated;
+use crate::decision::{Limits, Stated};
 use calib_files::{Error, Result};
 use calib_output::{PointView, SetPoint, json};
 use calib_protocol::record::Record;
@@ -52,7 +53,9 @@ pub struct Document {
     /// Statements by section.
     #[serde(flatten)]
     sections: BTreeMap<&'static str, Statements>,
-    /// The object is inverted in the sense of Annex B.
+    /// What `in_unit` of the points is in.
+    kind: Kind,
+    /// The object is inverted in the sense of Annex B, against its own motion.
     inverted: bool,
     /// The reference point (ISO 16063-21, 5.3); none when no point is valid.
     reference: Option<JudgedPoint>,
@@ -92,6 +95,7 @@ impl Document {
             sections: sections
                 .map(|section| (section.key, statements(section, language)))
                 .collect(),
+            kind: Kind::from(certificate.kind),
             inverted: certificate.inverted,
             reference: certificate
                 .reference
@@ -129,28 +133,37 @@ struct JudgedPoint {
     coverage_factor_deviation: Option<f64>,
     /// Statements about the point.
     conformity: Stated,
-    /// Lower limit of the tolerance, V/(m/s2).
+    /// Lower limit of the tolerance, V/(m/s2); none for sensors of another kind.
     lower_limit_v_per_ms2: Option<f64>,
-    /// Upper limit of the tolerance, V/(m/s2).
+    /// Upper limit of the tolerance, V/(m/s2); none for sensors of another kind.
     upper_limit_v_per_ms2: Option<f64>,
     /// Probability of a false acceptance; none when it is not accepted.
     false_accept_probability: Option<f64>,
     /// Probability of a false rejection; none when it is accepted.
     false_reject_probability: Option<f64>,
-    /// Sensitivity and U as printed, mV/(m/s2).
+    /// Result in the quantity and unit of the sensor (`kind`); what the instrument measured stands beside it as it is,
+    /// volts of the whole chain against acceleration.
+    in_unit: Option<InUnit>,
+    /// Sensitivity and U as printed, mV/(m/s2); none for sensors of another kind.
     printed_mv_per_ms2: Option<Rounded>,
-    /// Sensitivity and U as printed, mV per standard acceleration of free fall.
+    /// Sensitivity and U as printed, mV per standard acceleration of free fall; none for sensors of another kind.
     printed_mv_per_g: Option<Rounded>,
-    /// Phase and U as printed, degrees.
+    /// Phase against the motion of the kind and its U as printed, degrees.
     printed_phase_deg: Option<Rounded>,
 }
 
 fn judged(certificate: &Certificate) -> impl Iterator<Item = JudgedPoint> {
-    let point = |point: &Point| {
+    let (kind, as_measured) = (certificate.kind, certificate.kind.is_as_measured());
+    let unit = kind.unit();
+    let point = move |point: &Point| {
         let values = point.values();
         let judged = values.and_then(|v| v.assessment);
         let deviation = values.and_then(|v| v.deviation);
         let of_deviation = deviation.and_then(|d| d.uncertainty);
+        let limit = |of: fn(Limits) -> f64| {
+            let limit = judged.map(|judged| of(judged.tolerance));
+            limit.filter(|limit| limit.is_finite())
+        };
         JudgedPoint {
             measured: point.view.clone(),
             deviation_rel: deviation.map(|d| d.percent / 100.0),
@@ -159,16 +172,66 @@ fn judged(certificate: &Certificate) -> impl Iterator<Item = JudgedPoint> {
             expanded_uncertainty_deviation_db: of_deviation.map(|u| u.expanded_db),
             coverage_factor_deviation: of_deviation.map(|u| u.coverage_factor),
             conformity: certificate.conformity_of(point),
-            lower_limit_v_per_ms2: judged.map(|j| j.tolerance.lower).filter(|v| v.is_finite()),
-            upper_limit_v_per_ms2: judged.map(|j| j.tolerance.upper).filter(|v| v.is_finite()),
+            lower_limit_v_per_ms2: limit(|tolerance| tolerance.lower).filter(|_| as_measured),
+            upper_limit_v_per_ms2: limit(|tolerance| tolerance.upper).filter(|_| as_measured),
             false_accept_probability: judged.and_then(|j| j.false_accept),
             false_reject_probability: judged.and_then(|j| j.false_reject),
-            printed_mv_per_ms2: values.map(|v| v.printed_mv_per_ms2),
-            printed_mv_per_g: values.map(|v| v.printed_mv_per_g),
+            in_unit: values.map(|v| InUnit {
+                sensitivity: unit.of_si(v.sensitivity),
+                expanded_uncertainty: unit.of_si(v.sensitivity) * v.expanded_uncertainty_percent
+                    / 100.0,
+                phase_deg: v.phase_deg,
+                amplitude_rms: point.amplitude_rms,
+                lower_limit: limit(|tolerance| tolerance.lower).map(|si| unit.of_si(si)),
+                upper_limit: limit(|tolerance| tolerance.upper).map(|si| unit.of_si(si)),
+            }),
+            printed_mv_per_ms2: values.map(|v| v.printed).filter(|_| as_measured),
+            printed_mv_per_g: values.and_then(|v| v.printed_per_g).filter(|_| as_measured),
             printed_phase_deg: values.and_then(|v| v.printed_phase_deg),
         }
     };
     certificate.points.iter().map(point)
+}
+
+/// What a sensitivity is one of.
+#[derive(Clone, Serialize, JsonSchema)]
+struct Kind {
+    /// Motion: `acceleration`, `velocity` or `displacement`.
+    quantity: &'static str,
+    /// What the sensor gives: `voltage`, `charge` or `current`.
+    output: Output,
+    /// Unit of the sensitivity.
+    unit: &'static str,
+    /// Gain of the charge amplifier or burden, with its expanded uncertainty; none of a voltage.
+    conditioner: Option<String>,
+}
+
+impl From<SensorKind> for Kind {
+    fn from(kind: SensorKind) -> Self {
+        Self {
+            quantity: kind.quantity_name(),
+            output: kind.unit().output(),
+            unit: kind.unit().name(),
+            conditioner: kind.conditioner_words(),
+        }
+    }
+}
+
+/// A result in the unit of `kind`.
+#[derive(Clone, Serialize, JsonSchema)]
+struct InUnit {
+    /// Magnitude of the sensitivity.
+    sensitivity: f64,
+    /// Its expanded uncertainty.
+    expanded_uncertainty: f64,
+    /// Phase against the motion of the kind, degrees; polarity is apart.
+    phase_deg: f64,
+    /// Motion that was reached, r.m.s.: m/s2, mm/s or um.
+    amplitude_rms: f64,
+    /// Lower limit of the tolerance.
+    lower_limit: Option<f64>,
+    /// Upper limit of the tolerance.
+    upper_limit: Option<f64>,
 }
 
 /// The certificate as found, and the change of each point since.

@@ -11,6 +11,7 @@
 //! | `refused` | what no certificate may say |
 //! | `assurance` | check standards that speak against it |
 //! | `budget` | the budgets of the points, recomputed and compared |
+//! | `retried` | what had no result, measured again |
 //! | `mountings` | several mountings of one device as one result |
 //! | `substitution` | a standard and then the device in one channel |
 //! | `deviation` | uncertainty of the deviation from the reference point |
@@ -22,6 +23,7 @@
 //! | `verdict` | the verdict on the whole object, for every output |
 //! | `conformity` | judgement of the results by a decision rule |
 //! | `rounding` | two digits of U, the value to the same digit |
+//! | `kind` | accelerometers, velocity and displacement transducers, charge, current: quantity and unit |
 //! | `present` | [`Certificate`] to strings in a language |
 //! | `seal` | PDF and DCC signed with the laboratory's key |
 //! | `square` | number, sum and where to verify, for a telephone |
@@ -47,6 +49,7 @@ mod harmonics;
 mod html;
 mod interval;
 mod json;
+mod kind;
 mod linearity;
 mod marks;
 mod measured;
@@ -60,6 +63,7 @@ mod present;
 pub(crate) mod python;
 mod refused;
 mod resonance;
+mod retried;
 pub mod rounding;
 mod seal;
 mod sections;
@@ -72,6 +76,8 @@ mod temperature;
 mod tests;
 #[cfg(test)]
 mod tests_dcc;
+#[cfg(test)]
+mod tests_kind;
 #[cfg(test)]
 mod tests_lone;
 #[cfg(test)]
@@ -87,7 +93,6 @@ mod tests_uff;
 #[cfg(test)]
 mod tests_uncertainty;
 mod uff;
-mod units;
 mod verdict;
 mod words;
 
@@ -97,17 +102,18 @@ pub use calib_files::file::Existing;
 pub use change::expanded_uncertainty_of_change_rel;
 pub use interval::IntervalRule;
 pub use json::{Document, said_of_closing};
+pub use kind::{OfSensor, Output, SensitivityUnit, SensorKind, Specified};
 pub use marks::Mark;
 pub use model::Certificate;
 pub use mountings::{MountingScatter, scatter as mounting_scatter};
 pub use particulars::{Adjustment, Amendment, Known, Particulars};
 pub use present::Presented;
 pub use resonance::MountedResonance;
+pub use retried::{complete, completes, without_result};
 pub use seal::Seal;
 pub use standing::digest;
 pub use substitution::{StandardPoint, Substituted, substitute};
 pub use temperature::instrument_covers;
-pub use units::SensitivityUnit;
 pub use verdict::Verdict;
 pub use words::{Language, REASONS};
 
@@ -193,6 +199,8 @@ pub struct Options {
     pub chain: Option<Standing>,
     /// Records of the same device mounted again, beside `record`.
     pub remounted: Vec<Record>,
+    /// Records that measured again what had no result in `record`.
+    pub retried: Vec<Record>,
     /// Check standards that speak against it: without an override in writing it is refused.
     pub failed_checks: Vec<FailedCheck>,
     /// Seal with which PDF and DCC are signed.
@@ -266,8 +274,10 @@ impl File {
 /// [`calib_files::Error::Input`] when something stated makes no sense, the reference was
 /// overdue or a check standard failed without an override, or a template does not render, [`calib_files::Error::File`] when a template cannot be read.
 pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result<Prepared> {
+    let record = &retried::complete(record, &options.retried)?;
     let mut certificate =
         Certificate::from_records(record, &options.remounted, &options.particulars)?;
+    retried::state(&mut certificate, &options.retried);
     refused::check(&certificate, record)?;
     assurance::attach(&mut certificate, &options.failed_checks)?;
     if let Some(found) = &options.as_found {

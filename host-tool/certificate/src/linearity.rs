@@ -4,6 +4,7 @@
 use super::budget::Basis;
 use super::model::{Certificate, Entry, Point, Value};
 use super::sections::RESULTS;
+use calib_output::number::shortened;
 
 /// Fewest levels that make a statement.
 const FEWEST_LEVELS: usize = 3;
@@ -38,9 +39,9 @@ fn of(levels: &[&Point], basis: &Basis<'_>) -> Option<Value> {
         let octaves = |point: &Point| (point.nominal_acceleration_ms2 / BASE_MS2).log2().abs();
         octaves(a).total_cmp(&octaves(b))
     })?;
-    let of_base = base.values()?.sensitivity_v_per_ms2;
+    let of_base = base.values()?.sensitivity;
     let deviation_percent = |point: &Point| {
-        let sensitivity = point.values()?.sensitivity_v_per_ms2;
+        let sensitivity = point.values()?.sensitivity;
         Some(100.0 * (sensitivity / of_base - 1.0))
     };
     let others = levels.iter().filter(|point| !std::ptr::eq(**point, base));
@@ -48,7 +49,13 @@ fn of(levels: &[&Point], basis: &Basis<'_>) -> Option<Value> {
     let (at, largest) = deviating.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))?;
     let expanded = basis.of_ratio(&at.measured, &base.measured)?.expanded_rel;
     let expanded_percent = 100.0 * (1.0 + largest / 100.0) * expanded;
-    let level = |point: &Point| Value::Exact(point.nominal_acceleration_ms2, "m/s²");
+    let kind = basis.kind;
+    let level = |point: &Point| {
+        let amplitude = kind.amplitude(point.nominal_acceleration_ms2, point.frequency_hz);
+        // What was set of another motion has as many digits as anybody reads.
+        let digits = if kind.steps() == 0 { 15 } else { 4 };
+        Value::Exact(shortened(amplitude, digits), kind.amplitude_unit())
+    };
     let percent = |value| Value::Number(value, 2, "%");
     (levels.len() >= FEWEST_LEVELS).then(|| {
         let values = vec![

@@ -9,6 +9,7 @@
 //! uncertainties expanded. A missing item is `None` and is printed as missing.
 
 use super::deviation::OfRatio;
+use super::kind::SensorKind;
 use super::particulars::Particulars;
 use super::present::remark_text;
 use super::resonance::MountedResonance;
@@ -33,6 +34,8 @@ pub struct Certificate {
     pub between: Option<(Date, Date)>,
     /// Statements beside the record.
     pub particulars: Particulars,
+    /// What the sensitivities are ones of, and in which unit.
+    pub kind: SensorKind,
     /// Statements in the order they are printed.
     pub sections: Vec<Section>,
     /// True when the object is inverted in the sense of Annex B.
@@ -53,6 +56,8 @@ pub struct Certificate {
     pub resonance: Option<MountedResonance>,
     /// Place of the record in the chain, once somebody looked.
     pub chain: Option<Standing>,
+    /// Points of the list that were never attempted, Hz.
+    pub untried_hz: Vec<f64>,
     /// No first point was asked again at the end of the run and refused.
     pub is_closed: bool,
     /// Measured by an emulated instrument.
@@ -80,7 +85,8 @@ impl Certificate {
     pub fn conformity(&self) -> Option<Conformity> {
         let judged = self.results().filter_map(|(_, values)| values.assessment);
         let worst = judged.map(|assessment| assessment.conformity).max()?;
-        let whole = self.is_closed && self.points.iter().all(|point| point.outcome.is_ok());
+        let every = self.untried_hz.is_empty() && self.points.iter().all(|p| p.outcome.is_ok());
+        let whole = self.is_closed && every;
         (whole || worst == Conformity::Fail).then_some(worst)
     }
 
@@ -213,6 +219,8 @@ pub struct Point {
     pub nominal_acceleration_ms2: f64,
     /// Acceleration reached, m/s2 r.m.s.
     pub acceleration_ms2: f64,
+    /// Motion of the sensor's kind reached, r.m.s.: m/s2, mm/s or um.
+    pub amplitude_rms: f64,
     /// Results, or the reason why there are none.
     pub outcome: Result<PointValues, Refusal>,
     /// The point as the record has it.
@@ -235,15 +243,15 @@ pub struct Refusal(pub String);
 /// Results of a point that passed its checks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointValues {
-    /// Magnitude of the sensitivity, V/(m/s2), not rounded.
-    pub sensitivity_v_per_ms2: f64,
+    /// Magnitude of the sensitivity, SI unit of the sensor's kind, not rounded.
+    pub sensitivity: f64,
     /// Relative expanded uncertainty of the magnitude, %, not rounded.
     pub expanded_uncertainty_percent: f64,
     /// Coverage factor.
     pub coverage_factor: f64,
     /// Effective degrees of freedom, possibly infinite.
     pub effective_degrees_of_freedom: f64,
-    /// Phase, degrees, not rounded.
+    /// Phase against the motion of the kind, degrees, not rounded.
     pub phase_deg: f64,
     /// Coverage factor of the phase, where its budget gives the stated U.
     pub coverage_factor_phase: Option<f64>,
@@ -251,12 +259,12 @@ pub struct PointValues {
     pub expanded_uncertainty_phase_deg: f64,
     /// Deviation from the reference point.
     pub deviation: Option<Deviation>,
-    /// Judgement by the decision rule, V/(m/s2), where something is specified.
+    /// Judgement by the decision rule, SI unit of the kind, where something is specified.
     pub assessment: Option<Assessment>,
-    /// Sensitivity and U in mV/(m/s2), as printed.
-    pub printed_mv_per_ms2: Rounded,
-    /// Sensitivity and U in mV/g, as printed.
-    pub printed_mv_per_g: Rounded,
+    /// Sensitivity and U in the unit that certificates of this kind state, as printed.
+    pub printed: Rounded,
+    /// The same per standard acceleration of free fall, of a sensor to acceleration.
+    pub printed_per_g: Option<Rounded>,
     /// Phase and U in degrees, as printed; `None` when the phase has no U.
     pub printed_phase_deg: Option<Rounded>,
     /// U in %, as printed, with its decimals.

@@ -24,6 +24,7 @@ use crate::around::Around;
 use crate::assurance::ReferenceCheck;
 use crate::decision;
 use crate::interval::IntervalRule;
+use crate::kind::{SensorKind, Specified};
 use calib_files::{Error, Result, text};
 use jiff::civil::Date;
 use schemars::JsonSchema;
@@ -105,6 +106,8 @@ pub struct Item {
     pub model: Option<String>,
     /// Serial number, if the record does not state it.
     pub serial: Option<String>,
+    /// Unit its sensitivity is stated in, with the gain or burden before the input: its kind.
+    pub unit: Option<SensorKind>,
     /// Identification by the customer.
     pub customer_id: Option<String>,
     /// Mounted resonance by its data sheet, Hz; else that of the logbook.
@@ -335,13 +338,15 @@ impl Particulars {
 /// Entries of a logbook about a device under test.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Known {
-    /// Nominal sensitivity, V/(m/s2).
-    pub nominal_v_per_ms2: Option<f64>,
+    /// Its kind; none where nobody said.
+    pub kind: Option<SensorKind>,
+    /// Nominal sensitivity.
+    pub nominal: Option<Specified>,
     /// Its tolerance.
     pub tolerance: Option<decision::Tolerance>,
     /// Mounted resonance by its data sheet, Hz.
     pub resonance_hz: Option<f64>,
-    /// Sensitivities of its last calibration before this one, Hz and V/(m/s2).
+    /// Sensitivities of its last calibration before this one, as they were measured: Hz and V/(m/s2).
     pub last: Vec<(f64, f64)>,
 }
 
@@ -351,28 +356,36 @@ impl Particulars {
     /// also for the sensor's own tolerance.
     ///
     /// # Errors
-    /// [`Error::Input`] when nobody stated the nominal sensitivity it needs.
+    /// [`Error::Input`] when nobody stated the nominal sensitivity it needs, or sensors of its kind cannot be judged so.
     pub fn for_device(&mut self, known: &Known) -> Result<()> {
         let stated = self.item.mounted_resonance_hz;
         self.item.mounted_resonance_hz = stated.or(known.resonance_hz);
+        self.item.unit = self.item.unit.or(known.kind);
+        let kind = self.kind();
         if let Some(tolerance) = &known.tolerance {
             tolerance.complete(self.decision.get_or_insert_default());
         }
         let Some(request) = self.decision.as_mut().filter(|request| !request.is_open()) else {
             return Ok(());
         };
-        if let Some(nominal) = known.nominal_v_per_ms2 {
+        if let Some(nominal) = known.nominal {
             request.know_nominal(nominal);
         }
-        request.last.clone_from(&known.last);
+        let of_kind = |&(hz, v_per_ms2)| (hz, kind.of_v_per_ms2(v_per_ms2, hz));
+        request.last = known.last.iter().map(of_kind).collect();
         let hint = "state it there, or the sensor's with `calib sensors add`";
-        let built = request.build();
+        let built = request.fits(kind).and_then(|()| request.build());
         built.map_err(|problem| Error::input("particulars", problem, hint))?;
         Ok(())
     }
 }
 
 impl Particulars {
+    /// Kind of the object; an accelerometer with a voltage where nobody said.
+    pub fn kind(&self) -> SensorKind {
+        self.item.unit.unwrap_or_default()
+    }
+
     /// Checks that conditions can be: nobody calibrates at -300 degC or 400 % of humidity. `place` names
     /// where they were stated.
     ///

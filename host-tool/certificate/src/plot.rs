@@ -5,23 +5,26 @@ use super::model::{Certificate, Point as Row, PointValues};
 use super::words::Language;
 use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale, Shape};
 
-/// Sensitivity in mV/(m/s2) with the deviation from the reference point.
+/// Sensitivity in the unit of the kind with the deviation from the reference point.
 pub(super) fn sensitivity(certificate: &Certificate, language: Language) -> String {
+    let unit = certificate.kind.stated_unit();
     let points = points(certificate, language, |values| {
-        let value = values.sensitivity_v_per_ms2 * 1000.0;
+        let value = unit.of_si(values.sensitivity);
         Some((value, value * values.expanded_uncertainty_percent / 100.0))
     });
     let x = frequencies(certificate, language);
-    let in_mv = |(hz, limits): band::Place| (hz, 1000.0 * limits.lower, 1000.0 * limits.upper);
-    let area = |area: Vec<band::Place>| area.into_iter().map(in_mv).collect();
+    let shown =
+        |(hz, limits): band::Place| (hz, unit.of_si(limits.lower), unit.of_si(limits.upper));
+    let area = |area: Vec<band::Place>| area.into_iter().map(shown).collect();
     let areas = band::areas(certificate, x.low, x.high);
     let areas: Vec<Vec<_>> = areas.into_iter().map(area).collect();
-    let own = band::at_reference(certificate).map(in_mv);
+    let own = band::at_reference(certificate).map(shown);
     let limits = areas.iter().flatten().chain(&own);
     let ends = points.iter().flat_map(Point::ends);
     let ends = ends.chain(limits.flat_map(|(_, lower, upper)| [*lower, *upper]));
     let y = Axis::around(Scale::Linear, ends);
-    let mut plot = Plot::new(language.word("plot.sensitivity"), x, y);
+    let title = language.phrase("plot.sensitivity_in", &[unit.printed()]);
+    let mut plot = Plot::new(title, x, y);
     plot.right = deviations(certificate, &plot.y, language);
     let band = |places| Mark::Band {
         places,
@@ -54,7 +57,7 @@ fn frequencies(certificate: &Certificate, language: Language) -> Axis {
 /// The scale of `y` in percent of the sensitivity at the reference point.
 fn deviations(certificate: &Certificate, y: &Axis, language: Language) -> Option<Axis> {
     let (_, values) = certificate.reference_result()?;
-    let reference = values.sensitivity_v_per_ms2 * 1000.0;
+    let reference = certificate.kind.stated_unit().of_si(values.sensitivity);
     let percent = |value: f64| (value / reference - 1.0) * 100.0;
     let axis = Axis::new(Scale::Linear, percent(y.low), percent(y.high));
     Some(axis.titled(language.word("plot.deviation")))

@@ -191,9 +191,14 @@ fn rises(record: &Record, basis: &Basis<'_>) -> Vec<Rise> {
     let Some(reference) = reference.filter(|point| hz(point) < FROM_HZ) else {
         return Vec::new();
     };
+    // In the quantity of the sensor: against acceleration that of a velocity transducer falls by its own law.
+    let own = |point: &PointResult| {
+        let measured = f64::from(point.sensitivity_v_per_ms2);
+        basis.kind.of_v_per_ms2(measured, hz(point))
+    };
     let of = |point: &PointResult| {
         let OfRatio { expanded_rel, .. } = basis.of_ratio(point, reference)?;
-        let ratio = f64::from(reference.sensitivity_v_per_ms2 / point.sensitivity_v_per_ms2);
+        let ratio = own(reference) / own(point);
         let rise_rel = 1.0 - ratio;
         let square = hz(reference).powi(2);
         let rise = Rise {
@@ -401,6 +406,22 @@ mod tests {
                 "{text}: {found} {expected}"
             );
         }
+    }
+
+    /// What a velocity transducer gives against acceleration falls with the frequency, by 6 dB an octave.
+    #[test]
+    fn the_resonance_of_a_velocity_transducer_is_that_of_its_own_response() {
+        let mut record = swept(&THIRD_OCTAVES_HZ);
+        for point in &mut record.points {
+            point.sensitivity_v_per_ms2 *= 160.0 / point.spec.frequency_hz;
+        }
+        let of = |record: &Record, text: &str| {
+            let found = shown(&certified(record, text));
+            found.frequency_hz.expect("shown")
+        };
+        let accelerometer = of(&swept(&THIRD_OCTAVES_HZ), "");
+        let velocity = of(&record, "[item]\nunit = \"mV/(mm/s)\"");
+        assert!((velocity / accelerometer - 1.0).abs() < 1e-3, "{velocity}");
     }
 
     #[test]

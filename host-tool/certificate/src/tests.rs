@@ -1,7 +1,9 @@
 //! Every format against the numbers the record was made from.
 
 use super::model::{Certificate, Value};
-use super::{Format, Known, Language, Options, Particulars, render, write_with};
+use super::{
+    Format, Known, Language, Options, Particulars, SensitivityUnit, Specified, render, write_with,
+};
 use crate::decision::Conformity;
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::Record;
@@ -37,14 +39,14 @@ fn the_reference_point_is_160_hz_and_states_its_uncertainty() {
     // 10.2 mV/(m/s2) raised by 1/(1 - (160/32000)^2) = 2.5e-5: 10.20026.
     // U = 2 sqrt(0.25^2 + (0.25^2+0.2^2+0.05^2+0.15^2+0.36^2)/3 + 0.015^2) %
     //   = 2 sqrt(0.0625 + 0.2571/3 + 0.000225) = 0.7705 %, 0.0786 mV/(m/s2).
-    let printed = values.printed_mv_per_ms2;
+    let printed = values.printed;
     assert_eq!(
         (printed.value, printed.uncertainty, printed.decimals),
         (10.2, 0.079, 3)
     );
     assert_eq!(values.printed_uncertainty_percent, (0.77, 2));
     // 10.20026 x 9.80665 = 100.0304 mV/g with U = 0.7705.
-    let printed = values.printed_mv_per_g;
+    let printed = values.printed_per_g.expect("an accelerometer");
     assert_eq!(
         (printed.value, printed.uncertainty, printed.decimals),
         (100.03, 0.77, 2)
@@ -186,7 +188,7 @@ fn a_failure_stays_one_when_another_point_was_refused() {
 fn judged(nominal_mv: f64, tolerance: &str, rule: &str, last: &[(f64, f64)]) -> Certificate {
     let mut particulars: Particulars = toml::from_str(rule).expect("TOML");
     let known = Known {
-        nominal_v_per_ms2: Some(nominal_mv / 1000.0),
+        nominal: Some(Specified::new(nominal_mv, SensitivityUnit::default())),
         tolerance: Some(tolerance.parse().expect("a tolerance")),
         last: last.to_vec(),
         ..Known::default()

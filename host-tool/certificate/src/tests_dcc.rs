@@ -35,7 +35,18 @@ fn variants() -> Vec<Vec<u8>> {
     });
     let mut left = of(&record(&[160.0, 16_000.0]), &full);
     left.as_found = Some(Box::new(of(&record(&[160.0]), &full)));
+    let of_kind = |text: &str| {
+        let mut particulars = bare.clone();
+        particulars.item.unit = Some(text.parse().expect(text));
+        xml(&of(&record(&[160.0, 1000.0]), &particulars), Language::De)
+    };
     vec![
+        of_kind("mV/(mm/s)"),
+        of_kind("mV/um"),
+        of_kind("pC/g at 10 mV/pC +-0.5%"),
+        of_kind("mA/g at 250 ohm +-0.1%"),
+        of_kind("mA/(mm/s) at 250 ohm +-0.1%"),
+        of_kind("mA/um at 250 ohm +-0.1%"),
         // 16 kHz is beyond API 670: judged and others.
         xml(&left, Language::En),
         xml(&of(&record(&THIRD_OCTAVES_HZ), &full), Language::De),

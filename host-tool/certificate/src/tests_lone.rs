@@ -2,7 +2,8 @@
 
 use super::decision::{Stated, Tolerance};
 use super::{
-    Around, Certificate, Document, Format, Known, Language, Options, Particulars, prepare,
+    Around, Certificate, Document, Format, Known, Language, Options, Particulars, SensitivityUnit,
+    Specified, prepare,
 };
 use calib_core::stored_list::{Band, Base, ListTerms, Rule};
 use calib_protocol::clock::ClockReading;
@@ -48,7 +49,7 @@ fn a_run_of_a_list_is_judged_again_by_the_limits_in_its_record() {
     wider
         .for_device(&Known {
             tolerance: Some(tolerance),
-            nominal_v_per_ms2: Some(0.009_632),
+            nominal: Some(Specified::of_si(0.009_632, SensitivityUnit::default())),
             ..Known::default()
         })
         .expect("complete");

@@ -8,9 +8,11 @@
 //! Universal File Datasets, dataset 58 (University of Cincinnati, Structural
 //! Dynamics Research Laboratory): records 1 to 12.
 
+use super::kind::{Output, SensorKind};
 use super::model::Certificate;
 use super::present;
 use super::words::Language;
+use calib_core::quantity::MotionQuantity;
 use calib_record::hash_chain::Standing;
 use std::fmt::Write;
 
@@ -39,17 +41,18 @@ pub(super) fn render(certificate: &Certificate) -> Vec<u8> {
         0.0,
         0.0
     );
-    // Records 8 to 11: abscissa frequency (18), ordinate numerator voltage
-    // (general, 1), denominator acceleration (12), no third axis.
+    // Records 8 to 11: abscissa frequency (18), ordinate numerator voltage, charge or current
+    // (general, 1), denominator acceleration (12), velocity (11) or displacement (8), no third axis.
     axis(&mut file, 18, "Frequency", "Hz");
-    axis(&mut file, 1, "Voltage", "V");
-    axis(&mut file, 12, "Acceleration", "m/s2");
+    let (output, motion) = (output(certificate.kind), motion(certificate.kind));
+    axis(&mut file, 1, output.0, output.1);
+    axis(&mut file, motion.0, motion.1, motion.2);
     axis(&mut file, 0, "NONE", "NONE");
     for (point, values) in results {
         let phase_rad = values.phase_deg.to_radians();
         // Annex B polarity is part of the transfer function.
         let sign = if certificate.inverted { -1.0 } else { 1.0 };
-        let magnitude = sign * values.sensitivity_v_per_ms2;
+        let magnitude = sign * values.sensitivity;
         let (sine, cosine) = phase_rad.sin_cos();
         let _ = writeln!(
             file,
@@ -62,6 +65,24 @@ pub(super) fn render(certificate: &Certificate) -> Vec<u8> {
     }
     file.push_str("    -1\n");
     file.into_bytes()
+}
+
+/// Name and unit of what the sensor gives.
+fn output(kind: SensorKind) -> (&'static str, &'static str) {
+    match kind.unit().output() {
+        Output::Voltage => ("Voltage", "V"),
+        Output::Charge => ("Charge", "C"),
+        Output::Current => ("Current", "A"),
+    }
+}
+
+/// Type, name and unit of the motion.
+fn motion(kind: SensorKind) -> (u32, &'static str, &'static str) {
+    match kind.quantity() {
+        MotionQuantity::Acceleration => (12, "Acceleration", "m/s2"),
+        MotionQuantity::Velocity => (11, "Velocity", "m/s"),
+        MotionQuantity::Displacement => (8, "Displacement", "m"),
+    }
 }
 
 /// As Fortran writes it: two digits of exponent, with its sign.
@@ -85,7 +106,17 @@ fn identification(certificate: &Certificate) -> [String; 5] {
     };
     let last = match certificate.overrides().join("; ") {
         reasons if reasons.is_empty() => {
-            "complex sensitivity in V/(m/s2), acceleration r.m.s.".into()
+            let (output, motion) = (output(certificate.kind), motion(certificate.kind));
+            let per = if motion.2.contains('/') {
+                format!("({})", motion.2)
+            } else {
+                motion.2.to_owned()
+            };
+            format!(
+                "complex sensitivity in {}/{per}, {} r.m.s.",
+                output.1,
+                motion.1.to_lowercase()
+            )
         }
         // Units are in records 8 to 10, too.
         reasons => format!("in spite of: {reasons}"),

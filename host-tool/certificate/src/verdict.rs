@@ -57,9 +57,11 @@ impl Certificate {
         if self.chain == Some(Standing::Broken) {
             return Some(plain(language.word("verdict.chain_broken").to_owned()));
         }
-        let without = self.points.iter().filter(|p| p.outcome.is_err()).count();
+        let refused = self.points.iter().filter(|p| p.outcome.is_err()).count();
+        let without = refused + self.untried_hz.len();
         if self.conformity().is_none() && without > 0 {
-            let counts = [without.to_string(), self.points.len().to_string()];
+            let all = self.points.len() + self.untried_hz.len();
+            let counts = [without.to_string(), all.to_string()];
             let because = language.phrase("verdict.without", &[&counts[0], &counts[1]]);
             return Some(plain(because));
         }
@@ -109,10 +111,10 @@ impl Certificate {
         let place = Place {
             frequency_hz: point.nominal_frequency_hz,
             at_reference_point: Some(index) == self.reference,
-            reference_v_per_ms2: reference.sensitivity_v_per_ms2,
+            reference: reference.sensitivity,
         };
-        let (band, base) = specification.decisive(place, values.sensitivity_v_per_ms2)?;
-        let deviation_percent = 100.0 * (values.sensitivity_v_per_ms2 / base - 1.0);
+        let (band, base) = specification.decisive(place, values.sensitivity)?;
+        let deviation_percent = 100.0 * (values.sensitivity / base - 1.0);
         Some(Decisive {
             point,
             values,

@@ -198,6 +198,12 @@ pub struct Refused {
 fn reason(refusal: Refusal) -> String {
     let known = match refusal {
         Refusal::Degraded(defects) => return degraded(defects),
+        Refusal::PointImpossible { index, reason } => {
+            return format!(
+                "point {} of the list: {reason}; nothing was moved",
+                index + 1
+            );
+        }
         Refusal::Busy => "a run is going on, or it is busy with its flash",
         Refusal::RecordNotFound => "it has no record of this number",
         Refusal::OffsetOutOfRange => "the record or capture is shorter than that",
@@ -301,6 +307,7 @@ impl Refused {
                 "reset the instrument and repeat; if it happens again, the flash is worn out"
             }
             Refusal::PointList => "correct the point list",
+            Refusal::PointImpossible { .. } => "take the point out of the list, or lower its level",
             Refusal::Conditions => "state -55 to 200 degrees Celsius, or none",
             Refusal::KeyExists => "`calib key` shows it, and enters it in the logbook",
             Refusal::NoRandomness => {

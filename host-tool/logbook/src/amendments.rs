@@ -16,6 +16,8 @@ pub enum Role {
     AsFound,
     /// Of the same device mounted again.
     Remounted,
+    /// That measured again what had no result.
+    Retried,
 }
 
 /// A record that a certificate is made of beside its own.
@@ -41,12 +43,14 @@ impl Role {
         match self {
             Self::AsFound => "as_found",
             Self::Remounted => "remounted",
+            Self::Retried => "retried",
         }
     }
 
     fn of(word: &str) -> Self {
         match word {
             "as_found" => Self::AsFound,
+            "retried" => Self::Retried,
             _ => Self::Remounted,
         }
     }

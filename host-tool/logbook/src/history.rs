@@ -1,7 +1,7 @@
 //! Drift of one sensor over its calibrations, beside the uncertainty.
 
 use super::Logbook;
-use calib_certificate::expanded_uncertainty_of_change_rel;
+use calib_certificate::{SensitivityUnit, expanded_uncertainty_of_change_rel};
 use calib_protocol::record;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -9,16 +9,22 @@ use serde::Serialize;
 /// Result of one calibration.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Result {
-    /// Number of the record in the logbook.
+    /// Key of the record in the logbook.
     #[serde(rename = "logbook_record")]
     pub record: i64,
+    /// Number of the record, its instrument's.
+    pub record_id: u32,
     /// Time of the calibration, s since 1970-01-01 UTC.
     pub unix_time_s: i64,
     /// Serial number of the instrument it was made with.
     #[serde(rename = "instrument_serial")]
     pub instrument: String,
-    /// Sensitivity, V/(m/s2).
+    /// Nominal frequency of the point, Hz.
+    pub frequency_hz: f64,
+    /// Sensitivity as it was measured, V/(m/s2).
     pub sensitivity_v_per_ms2: f64,
+    /// Sensitivity of the sensor, in the unit of the history.
+    pub sensitivity: f64,
     /// Its relative expanded uncertainty.
     pub expanded_uncertainty_rel: f64,
     /// Relative change since the calibration before; none for the first.
@@ -40,6 +46,8 @@ pub struct History {
     pub sensor: String,
     /// Frequency compared, Hz.
     pub frequency_hz: f64,
+    /// Unit of `sensitivity`: that the sensor is specified in.
+    pub unit: &'static str,
     /// Results of the calibrations.
     pub results: Vec<Result>,
 }
@@ -55,9 +63,15 @@ impl Logbook {
         let u_of_change =
             |before: &Result, now: &Result| self.u_of_change(before, now, frequency_hz);
         state_drift(&mut results, u_of_change);
+        let kind = self.kind_of(sensor)?;
+        for result in &mut results {
+            let si = kind.of_v_per_ms2(result.sensitivity_v_per_ms2, result.frequency_hz);
+            result.sensitivity = kind.unit().of_si(si);
+        }
         Ok(History {
             sensor: sensor.to_owned(),
             frequency_hz,
+            unit: kind.unit().name(),
             results,
         })
     }
@@ -68,7 +82,8 @@ impl Logbook {
     /// Those of the file.
     pub fn results(&self, sensor: &str, frequency_hz: f64) -> calib_files::Result<Vec<Result>> {
         let sql = "SELECT records.id, unix_time_s, points.sensitivity_v_per_ms2,
-                   points.expanded_uncertainty_rel, instrument, min(position)
+                   points.expanded_uncertainty_rel, instrument, points.frequency_hz,
+                   number, min(position)
                    FROM records JOIN points ON record = id
                    WHERE sensor_serial = ?1 AND verdict = 'valid'
                    AND frequency_hz BETWEEN 0.99 * ?2 AND 1.01 * ?2
@@ -78,8 +93,11 @@ impl Logbook {
         self.all(sql, rusqlite::params![sensor, frequency_hz], |row| {
             Ok(Result {
                 record: row.get(0)?,
+                record_id: row.get(6)?,
                 unix_time_s: row.get(1)?,
+                frequency_hz: row.get(5)?,
                 sensitivity_v_per_ms2: row.get(2)?,
+                sensitivity: SensitivityUnit::default().of_si(row.get(2)?),
                 expanded_uncertainty_rel: row.get(3)?,
                 instrument: row.get(4)?,
                 drift_rel: None,
@@ -150,9 +168,12 @@ mod tests {
     fn a_change_within_the_uncertainty_is_none() {
         let result = |sensitivity_v_per_ms2, expanded_uncertainty_rel| Result {
             record: 1,
+            record_id: 1,
             unix_time_s: 0,
             instrument: String::new(),
+            frequency_hz: 160.0,
             sensitivity_v_per_ms2,
+            sensitivity: 1e3 * sensitivity_v_per_ms2,
             expanded_uncertainty_rel,
             drift_rel: None,
             u_drift_rel: None,

@@ -62,7 +62,7 @@ impl Subject {
             // In the order of the columns; a resonance that nobody stated adds nothing to what was entered before there
             // was one.
             Self::Sensor => {
-                "SELECT serial, serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe, mounting, owner, \
+                "SELECT serial, serial, manufacturer, model, sensitivity, range_ms2, iepe, mounting, owner, \
                  due_day, teds, tolerance, \
                  CASE WHEN resonance_hz IS NULL THEN unit ELSE coalesce(unit, '') || ' ' || resonance_hz END \
                  FROM sensors"

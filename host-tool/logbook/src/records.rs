@@ -1,9 +1,10 @@
 //! Records of both kinds: kept as they were downloaded, listed by what people look for.
 
 use super::Logbook;
+use super::Sensor;
 use super::journal::{self, Subject};
 use super::keys::place;
-use calib_certificate::{Certificate, Particulars};
+use calib_certificate::{Certificate, Particulars, SensorKind};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
@@ -13,6 +14,7 @@ use calib_protocol::record::{self, Record, RecordError, RecordHead, RecordKind, 
 use rusqlite::{Connection, OptionalExtension, Transaction, params};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::collections::HashMap;
 
 /// Fate of a record that was handed in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,13 +28,13 @@ pub enum Kept {
 /// One line of the list.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Listed {
-    /// Number in the logbook.
+    /// Key in the logbook.
     #[serde(rename = "logbook_record")]
     pub id: i64,
     /// Serial number of the instrument.
     #[serde(rename = "instrument_serial")]
     pub instrument: String,
-    /// Running number of the instrument.
+    /// Number of the record, its instrument's.
     #[serde(rename = "record_id")]
     pub number: u32,
     /// Seconds since 1970-01-01 UTC; 0 = not known.
@@ -54,10 +56,24 @@ pub struct Listed {
     pub kind: RecordKind,
     /// Frequency of the reference point (clause 5.3), Hz.
     pub reference_frequency_hz: Option<f64>,
-    /// Sensitivity there, V/(m/s2).
+    /// Sensitivity there as it was measured, V/(m/s2).
     pub sensitivity_v_per_ms2: Option<f64>,
+    /// Sensitivity of the sensor there, in `unit`.
+    pub sensitivity: Option<f64>,
+    /// Unit the sensor is specified in.
+    pub unit: &'static str,
     /// Its relative expanded uncertainty.
     pub expanded_uncertainty_rel: Option<f64>,
+}
+
+impl Listed {
+    /// States the sensitivity of a sensor of this kind.
+    fn state(&mut self, kind: SensorKind) {
+        let measured = self.sensitivity_v_per_ms2.zip(self.reference_frequency_hz);
+        let si = measured.map(|(v_per_ms2, hz)| kind.of_v_per_ms2(v_per_ms2, hz));
+        self.sensitivity = si.map(|si| kind.unit().of_si(si));
+        self.unit = kind.unit().name();
+    }
 }
 
 /// Which records are wanted; all by default.
@@ -160,7 +176,21 @@ impl Logbook {
         );
         let from_s = filter.from_s.unwrap_or(i64::MIN);
         let before_s = filter.before_s.unwrap_or(i64::MAX);
-        self.all(&sql, params![from_s, before_s, filter.sensor], listed)
+        let kinds = self.kinds()?;
+        self.all(&sql, params![from_s, before_s, filter.sensor], |row| {
+            let mut line = listed(row)?;
+            let kind = kinds.get(&line.sensor_serial.to_lowercase());
+            line.state(kind.copied().unwrap_or_default());
+            Ok(line)
+        })
+    }
+
+    /// Kinds of the sensors by serial number, whose capitals do not matter. One that this release does not know is
+    /// left out.
+    fn kinds(&self) -> Result<HashMap<String, SensorKind>> {
+        let kind = |sensor: Sensor| Some((sensor.serial.to_lowercase(), sensor.kind().ok()?));
+        let sensors = self.sensors("")?;
+        Ok(sensors.into_iter().filter_map(kind).collect())
     }
 
     /// The bytes of an instrument's record, by its running number in this series.
@@ -175,6 +205,41 @@ impl Logbook {
             .optional()
             .map_err(|error| self.failure(error))?;
         id.map(|id| self.record(id)).transpose()
+    }
+
+    /// The bytes of the record of this number, of the instrument whose serial number ends so and of this series of its
+    /// numbers; any where none is named.
+    ///
+    /// # Errors
+    /// [`Error::Input`] when there is none, or several; a wrong sum.
+    pub fn record_of(
+        &self,
+        number: u32,
+        instrument: Option<&str>,
+        series: Option<i64>,
+    ) -> Result<Vec<u8>> {
+        let place = || format!("record {number} of {}", self.path.display());
+        let sql = "SELECT id, instrument, series FROM records WHERE number = ?1 ORDER BY instrument, series";
+        let all: Vec<(i64, String, i64)> = self.all(sql, [number], |row| {
+            Ok((row.get(0)?, row.get(1)?, row.get(2)?))
+        })?;
+        let wanted = |(_, serial, of): &&(i64, String, i64)| {
+            instrument.is_none_or(|end| serial.ends_with(end)) && series.is_none_or(|s| s == *of)
+        };
+        match all.iter().filter(wanted).collect::<Vec<_>>()[..] {
+            [(id, ..)] => self.record(*id),
+            [] => Err(Error::input(
+                place(),
+                "is not there",
+                "`calib logbook records` lists them, `calib sync` fetches what is missing",
+            )),
+            ref several => Err(Error::input(
+                place(),
+                format!("there are {}: {}", several.len(), of_several(several)),
+                "`calib logbook get` writes one of them into a file: name it with --instrument, and with --series \
+                 where its instrument began to count anew",
+            )),
+        }
     }
 
     /// Times, s since 1970-01-01 UTC, of the records of an instrument that are next to this number of its series and have
@@ -230,6 +295,15 @@ impl Logbook {
     }
 }
 
+/// Whose they are, in words.
+fn of_several(several: &[&(i64, String, i64)]) -> String {
+    let of = |(_, serial, series): &&(i64, String, i64)| match series {
+        0 => serial.clone(),
+        later => format!("{serial} in its series {later}"),
+    };
+    several.iter().map(of).collect::<Vec<_>>().join(", ")
+}
+
 fn listed(row: &rusqlite::Row<'_>) -> rusqlite::Result<Listed> {
     Ok(Listed {
         id: row.get(0)?,
@@ -243,6 +317,8 @@ fn listed(row: &rusqlite::Row<'_>) -> rusqlite::Result<Listed> {
         refused: row.get(8)?,
         reference_frequency_hz: row.get(9)?,
         sensitivity_v_per_ms2: row.get(10)?,
+        sensitivity: None,
+        unit: "",
         expanded_uncertainty_rel: row.get(11)?,
         kind: match row.get_ref(12)?.as_str()? {
             REFERENCE_CHANGE => RecordKind::ReferenceChange,
@@ -358,7 +434,7 @@ fn insert_line(
             points.len() as i64,
             refused.count() as i64,
             reference.map(|(point, _)| point.nominal_frequency_hz),
-            reference.map(|(_, values)| values.sensitivity_v_per_ms2),
+            reference.map(|(_, values)| values.sensitivity),
             // The instrument's: conditions that others state later are no part of the list.
             reference.map(
                 |(point, _)| 100.0 * f64::from(point.measured.expanded_uncertainty_rel) / 100.0

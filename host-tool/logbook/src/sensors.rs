@@ -3,8 +3,9 @@
 use super::Logbook;
 use super::journal::Subject;
 use calib_certificate::decision::Tolerance;
-use calib_certificate::{Known, SensitivityUnit};
+use calib_certificate::{Known, SensorKind, Specified};
 use calib_files::{Error, Result};
+use calib_output::number::shortened;
 use calib_protocol::text::is_plain;
 use rusqlite::{OptionalExtension, params};
 use schemars::JsonSchema;
@@ -12,6 +13,7 @@ use serde::Serialize;
 
 /// A transducer that comes for calibration.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
+#[serde(into = "SensorView")]
 pub struct Sensor {
     /// Serial number; a logbook has each once.
     pub serial: String,
@@ -19,8 +21,8 @@ pub struct Sensor {
     pub manufacturer: String,
     /// Model.
     pub model: String,
-    /// Nominal sensitivity, V/(m/s2).
-    pub sensitivity_v_per_ms2: Option<f64>,
+    /// Nominal sensitivity, SI unit of its kind.
+    pub sensitivity: Option<f64>,
     /// Measuring range, m/s2 peak.
     pub range_ms2: Option<f64>,
     /// Mounted resonance by its data sheet, Hz.
@@ -35,17 +37,72 @@ pub struct Sensor {
     pub due_day: Option<String>,
     /// Tolerance it is judged by, such as `5:nominal`; see [`Tolerance`].
     pub tolerance: Option<String>,
-    /// Unit its sensitivity is specified in, such as `mV/g`.
+    /// Its kind: the unit its sensitivity is specified in, such as `mV/g`, with what stands before the input; see
+    /// [`SensorKind`].
     pub unit: Option<String>,
     /// The virtual TEDS it was made of.
-    #[serde(skip)]
     pub teds: Option<Vec<u8>>,
+}
+
+/// [`Sensor`] as programs read it.
+#[derive(Clone, Serialize, JsonSchema)]
+struct SensorView {
+    /// Serial number; a logbook has each once.
+    serial: String,
+    /// Manufacturer.
+    manufacturer: String,
+    /// Model.
+    model: String,
+    /// Nominal sensitivity, in the unit that `unit` begins with.
+    sensitivity: Option<f64>,
+    /// The same, V/(m/s2); none for sensors of another kind.
+    sensitivity_v_per_ms2: Option<f64>,
+    /// Measuring range, m/s2 peak.
+    range_ms2: Option<f64>,
+    /// Mounted resonance by its data sheet, Hz.
+    resonance_hz: Option<f64>,
+    /// True when it has IEPE electronics.
+    iepe: Option<bool>,
+    /// How it is mounted for calibration.
+    mounting: Option<String>,
+    /// Who it belongs to.
+    owner: Option<String>,
+    /// Day the next calibration is due, ISO 8601.
+    due_day: Option<String>,
+    /// Tolerance it is judged by, such as `5:nominal`.
+    tolerance: Option<String>,
+    /// Its kind: the unit its sensitivity is specified in, such as `mV/g`, with what stands before the input, such as
+    /// `pC/g at 10 mV/pC +-0.5%`.
+    unit: Option<String>,
+}
+
+impl From<Sensor> for SensorView {
+    fn from(sensor: Sensor) -> Self {
+        let kind = sensor.kind().ok();
+        let in_unit = kind.zip(sensor.sensitivity);
+        let as_measured = kind.is_some_and(SensorKind::is_as_measured);
+        Self {
+            serial: sensor.serial,
+            manufacturer: sensor.manufacturer,
+            model: sensor.model,
+            sensitivity: in_unit.map(|(kind, si)| shortened(kind.unit().of_si(si), 12)),
+            sensitivity_v_per_ms2: sensor.sensitivity.filter(|_| as_measured),
+            range_ms2: sensor.range_ms2,
+            resonance_hz: sensor.resonance_hz,
+            iepe: sensor.iepe,
+            mounting: sensor.mounting,
+            owner: sensor.owner,
+            due_day: sensor.due_day,
+            tolerance: sensor.tolerance,
+            unit: sensor.unit,
+        }
+    }
 }
 
 /// Mounted resonances there are, from a seat pad to a shock sensor.
 const RESONANCES_HZ: std::ops::RangeInclusive<f64> = 500.0..=1.0e6;
 
-const COLUMNS: &str = "serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe, \
+const COLUMNS: &str = "serial, manufacturer, model, sensitivity, range_ms2, iepe, \
                        mounting, owner, due_day, teds, tolerance, unit, resonance_hz";
 
 impl Sensor {
@@ -56,15 +113,15 @@ impl Sensor {
             .to_owned()
     }
 
-    /// Unit its sensitivity is specified in.
+    /// Its kind.
     ///
     /// # Errors
     /// [`Error::Input`] when the logbook names one there is not.
-    pub fn unit(&self) -> Result<SensitivityUnit> {
+    pub fn kind(&self) -> Result<SensorKind> {
         let place = || format!("sensor {}", self.serial);
         let hint = "state it anew with `calib sensors change`";
         match self.unit.as_deref().map(str::parse) {
-            None => Ok(SensitivityUnit::default()),
+            None => Ok(SensorKind::default()),
             Some(unit) => unit.map_err(|problem: String| Error::input(place(), problem, hint)),
         }
     }
@@ -86,7 +143,7 @@ impl Sensor {
         if !self.texts().all(is_plain) {
             return wrong("what is said about a sensor is one line, without control characters");
         }
-        if !positive(self.sensitivity_v_per_ms2) || !positive(self.range_ms2) {
+        if !positive(self.sensitivity) || !positive(self.range_ms2) {
             return wrong("sensitivity and range are above zero");
         }
         let plausible = |hz: f64| RESONANCES_HZ.contains(&hz);
@@ -98,8 +155,15 @@ impl Sensor {
             return wrong(problem);
         }
         let of_nominal = matches!(&tolerance, Some(Ok(tolerance)) if tolerance.needs_nominal());
-        if of_nominal && self.sensitivity_v_per_ms2.is_none() {
+        if of_nominal && self.sensitivity.is_none() {
             return wrong("a tolerance of nominal needs the nominal sensitivity");
+        }
+        let kind = self.kind()?;
+        if kind.is_reported_only() && tolerance.is_some() {
+            return wrong("a transmitter with a current is reported only: it has no tolerance");
+        }
+        if matches!(tolerance, Some(Ok(Tolerance::Api670))) && !kind.is_as_measured() {
+            return wrong("API 670 is for accelerometers of 100 mV/g");
         }
         let day = self.due_day.as_deref();
         if day.is_some_and(|day| day.parse::<jiff::civil::Date>().is_err()) {
@@ -113,7 +177,7 @@ impl Sensor {
             serial: row.get(0)?,
             manufacturer: row.get(1)?,
             model: row.get(2)?,
-            sensitivity_v_per_ms2: row.get(3)?,
+            sensitivity: row.get(3)?,
             range_ms2: row.get(4)?,
             iepe: row.get(5)?,
             mounting: row.get(6)?,
@@ -154,7 +218,7 @@ impl Logbook {
             sensor.serial,
             sensor.manufacturer,
             sensor.model,
-            sensor.sensitivity_v_per_ms2,
+            sensor.sensitivity,
             sensor.range_ms2,
             sensor.iepe,
             sensor.mounting,
@@ -197,6 +261,15 @@ impl Logbook {
             .map_err(|error| self.failure(error))
     }
 
+    /// Kind of a sensor; an accelerometer with a voltage where nobody registered it.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn kind_of(&self, serial: &str) -> Result<SensorKind> {
+        let sensor = self.sensor(serial)?;
+        sensor.map_or(Ok(SensorKind::default()), |sensor| sensor.kind())
+    }
+
     /// Knowledge of this sensor needed to judge a run begun at this time (s since 1970-01-01 UTC):
     /// nominal sensitivity, tolerance, and the calibration before.
     ///
@@ -211,8 +284,11 @@ impl Logbook {
         let hint = "state it anew with `calib sensors change`";
         let tolerance = tolerance.transpose();
         let before_s = i64::try_from(unix_time_s).unwrap_or(i64::MAX);
+        let kind = sensor.kind()?;
+        let nominal = |si| Specified::of_si(si, kind.unit());
         Ok(Known {
-            nominal_v_per_ms2: sensor.sensitivity_v_per_ms2,
+            kind: Some(kind),
+            nominal: sensor.sensitivity.map(nominal),
             resonance_hz: sensor.resonance_hz,
             tolerance: tolerance.map_err(|problem| Error::input(place(), problem, hint))?,
             last: self.last_calibration(&sensor.serial, before_s)?,

@@ -142,7 +142,9 @@ pub(super) const TABLES: &[Table] = &[
             ("unit", Text),
             ("resonance_hz", Real),
         ],
-        select: "SELECT NULL, serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe,
+        // Of other kinds V/(m/s2) is no number.
+        select: "SELECT NULL, serial, manufacturer, model,
+                 CASE WHEN unit IS NULL OR unit IN ('mV/(m/s2)', 'mV/g') THEN sensitivity END, range_ms2, iepe,
                  mounting, owner, due_day, tolerance, unit, CAST(resonance_hz AS REAL) FROM sensors ORDER BY serial",
     },
     Table {

@@ -61,9 +61,18 @@ pub(crate) struct CertificateVerb {
     particulars: Vec<PathBuf>,
     #[command(flatten)]
     laboratory: Laboratory,
-    /// File of the record from before an adjustment; RECORD is then from after it.
-    #[arg(long, value_name = "FILE")]
+    /// The record from before an adjustment, a file or its number; RECORD is then from after it.
+    #[arg(long, value_name = "RECORD")]
     as_found: Option<PathBuf>,
+    /// Records that measured again what had no result in RECORD (`calib run --retry`), files or numbers, separated by
+    /// commas. With --sensor those of the last day are found.
+    #[arg(
+        long,
+        value_name = "RECORD",
+        value_delimiter = ',',
+        conflicts_with = "remounted"
+    )]
+    retried: Vec<PathBuf>,
     /// Records of the same device taken off and mounted again (`calib run --remount`): files or numbers, separated
     /// by commas. The certificate states means, with the scatter between mountings in the budget.
     #[arg(
@@ -116,12 +125,13 @@ impl CertificateVerb {
         }
         let mut logbook = context.logbook_if_there()?;
         let amended = self.amended(logbook.as_ref())?;
-        let found = self.found(context, logbook.as_ref(), amended.as_ref())?;
+        let (found, retried) = self.found(context, logbook.as_ref(), amended.as_ref())?;
         let record = found.calibration()?;
         let mut options = Options {
             chain: Some(found.standing),
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
-            remounted: self.remounted(context)?,
+            remounted: self.read(context, &self.remounted)?,
+            retried,
             seal: self.seal(context)?,
             ..self.options(context, record, logbook.as_ref())?
         };
@@ -193,23 +203,32 @@ impl CertificateVerb {
         Amended::find(logbook.ok_or_else(none)?, number, reason).map(Some)
     }
 
-    /// The record, by whatever names it.
+    /// The record, by whatever names it, and those that complete it.
     fn found(
         &self,
         context: &Context,
         logbook: Option<&Logbook>,
         amended: Option<&Amended>,
-    ) -> Result<Found> {
-        match (&self.sensor, &self.record, logbook.zip(amended)) {
-            (Some(serial), _, _) => source::latest(context, serial),
+    ) -> Result<(Found, Vec<Record>)> {
+        let named = self.read(context, &self.retried)?;
+        let found = match (&self.sensor, &self.record, logbook.zip(amended)) {
+            (Some(serial), _, _) => {
+                let (found, retried) = source::latest(context, serial)?;
+                let retried = if named.is_empty() { retried } else { named };
+                if !retried.is_empty() {
+                    context.remark(&completed(found.calibration()?, &retried));
+                }
+                return Ok((found, retried));
+            }
             // What is stated of its neighbours is what the logbook has, or nothing is issued.
-            (None, Some(name), _) => source::find_beside(context, logbook, name, &self.out),
+            (None, Some(name), _) => source::find_beside(context, logbook, name, &self.out)?,
             (None, None, Some((logbook, amended))) => {
-                source::of_logbook(logbook, &amended.record(logbook)?)
+                source::of_logbook(logbook, &amended.record(logbook)?)?
             }
             // The command line asks for one of them.
-            (None, None, None) => source::find(context, Path::new(""), &self.out),
-        }
+            (None, None, None) => source::find(context, Path::new(""), &self.out)?,
+        };
+        Ok((found, named))
     }
 
     fn seal(&self, context: &Context) -> Result<Option<Seal>> {
@@ -221,12 +240,12 @@ impl CertificateVerb {
         Ok(Some(Seal { key, at }))
     }
 
-    fn remounted(&self, context: &Context) -> Result<Vec<Record>> {
+    fn read(&self, context: &Context, names: &[PathBuf]) -> Result<Vec<Record>> {
         let read = |name: &PathBuf| {
             let found = source::find(context, name, &self.out)?;
             found.calibration().cloned()
         };
-        self.remounted.iter().map(read).collect()
+        names.iter().map(read).collect()
     }
 
     fn options(
@@ -245,10 +264,20 @@ impl CertificateVerb {
         Ok(Options {
             particulars,
             existing: Existing::Keep,
-            as_found: self.as_found.as_deref().map(source::read).transpose()?,
+            as_found: self.read(context, self.as_found.as_slice())?.pop(),
             ..Options::default()
         })
     }
+}
+
+/// Which records a certificate is made of.
+fn completed(record: &Record, retried: &[Record]) -> String {
+    let ids: Vec<String> = retried.iter().map(|r| r.head.id.to_string()).collect();
+    format!(
+        "record {}, completed by what record {} measured again",
+        record.head.id,
+        ids.join(", ")
+    )
 }
 
 fn print(context: &Context, files: Vec<PathBuf>) -> Result<()> {

@@ -1,7 +1,7 @@
 //! `calib demo`: a whole calibration without hardware.
 
 use super::{Context, measure, progress, progress::RunProgress, time};
-use calib_certificate::SensitivityUnit;
+use calib_certificate::SensorKind;
 use calib_host::demo::{self, DemoReport, Event};
 use calib_host::{Error, Result};
 use clap::Args;
@@ -35,7 +35,7 @@ impl Demo {
                     sample_rate_hz,
                 } => shown
                     .get_or_insert_with(|| {
-                        RunProgress::new(context, *sample_rate_hz, SensitivityUnit::default())
+                        RunProgress::new(context, *sample_rate_hz, SensorKind::default())
                     })
                     .show(progress, list),
             }

@@ -3,8 +3,8 @@
 use super::Context;
 use super::hand::Hand;
 use super::number::positive;
-use calib_certificate::SensitivityUnit;
 use calib_certificate::decision::{RuleName, Tolerance};
+use calib_certificate::{SensitivityUnit, SensorKind, Specified};
 use calib_core::stored_list::{ListTerms, MAX_LIST_POINTS, Rule, StoredList};
 use calib_host::{Error, Result};
 use calib_link::Client;
@@ -73,9 +73,9 @@ struct Store {
     /// Nominal sensitivity, in the unit of --unit.
     #[arg(long, value_name = "NUMBER", value_parser = positive::<f64>)]
     sensitivity: Option<f64>,
-    /// Unit the sensitivity is specified in: mV/(m/s2) or mV/g [default: mV/(m/s2)].
+    /// Unit the sensitivity is specified in, as of `calib sensors add`; of a sensor to acceleration [default: mV/(m/s2)].
     #[arg(long, value_name = "UNIT")]
-    unit: Option<SensitivityUnit>,
+    unit: Option<SensorKind>,
     /// Tolerance, as of `calib sensors add`: percent of nominal, such as 5; of the reference point, such as
     /// 10:reference:20-5000; several after commas; or api670.
     #[arg(long, value_name = "TOLERANCE", allow_hyphen_values = true)]
@@ -182,9 +182,10 @@ impl Store {
             Some(serial) => context.logbook()?.known_sensor(serial)?,
             None => calib_logbook::Sensor::default(),
         };
-        let unit = self.unit.unwrap_or(sensor.unit()?);
-        let stated = self.sensitivity.map(|value| unit.to_v_per_ms2(value));
-        let nominal = stated.or(sensor.sensitivity_v_per_ms2);
+        let kind = self.unit.unwrap_or(sensor.kind()?);
+        let stated = self.sensitivity.map(|value| kind.unit().to_si(value));
+        let nominal = stated.or(sensor.sensitivity);
+        let nominal = nominal.map(|si| Specified::of_si(si, kind.unit()));
         let of_sensor = sensor.tolerance.as_deref().map(str::parse).transpose();
         let unusable =
             |problem: String| Error::usage(problem, "`calib lists store --help` shows tolerances");
@@ -199,13 +200,21 @@ impl Store {
             RuleOption::Simple => RuleName::Simple,
             RuleOption::GuardBand => RuleName::GuardBand,
         };
-        let terms = tolerance.request(rule, nominal).terms();
+        let terms = tolerance.request(rule, nominal).terms(kind);
         let hint = "state --sensitivity and --unit with a tolerance of nominal; a tolerance of the last \
                     calibration is judged on the host alone";
         Ok(ListTerms {
-            unit: label("--unit", unit.name())?,
+            // What the instrument measures of others are volts per m/s2.
+            unit: label("--unit", shown(kind).name())?,
             ..terms.map_err(|problem| Error::usage(problem, hint))?
         })
+    }
+}
+
+fn shown(kind: SensorKind) -> SensitivityUnit {
+    match kind.is_as_measured() {
+        true => kind.unit(),
+        false => SensitivityUnit::default(),
     }
 }
 
@@ -240,7 +249,7 @@ fn table(lists: &[ListView]) -> String {
     for list in lists {
         let unit = list.unit.parse::<SensitivityUnit>().unwrap_or_default();
         let nominal = list.nominal_sensitivity_v_per_ms2;
-        let nominal = nominal.map(|v| format!("{:.5} {}", unit.of_v_per_ms2(v), unit.name()));
+        let nominal = nominal.map(|v| format!("{:.5} {}", unit.of_si(v), unit.name()));
         table.row([
             if list.chosen { "->" } else { "" }.to_owned(),
             list.name.clone(),

@@ -2,7 +2,7 @@
 
 use super::again::Followed;
 use super::{Context, alarm, progress::RunProgress, source};
-use calib_certificate::SensitivityUnit;
+use calib_certificate::SensorKind;
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::verdict::Verdict;
 use calib_host::refusals;
@@ -77,7 +77,7 @@ pub(super) struct Asked<'a> {
     pub(super) points: &'a [PointSpec],
     pub(super) excitation: ExcitationKind,
     pub(super) sample_rate_hz: f32,
-    pub(super) unit: SensitivityUnit,
+    pub(super) kind: SensorKind,
 }
 
 /// Runs a list with progress, over another link if this one breaks. Ctrl-C stops it and silences the exciter.

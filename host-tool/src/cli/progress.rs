@@ -2,10 +2,11 @@
 
 use super::context::Form;
 use super::{Context, text};
-use calib_certificate::SensitivityUnit;
+use calib_certificate::SensorKind;
 use calib_core::point::{PointResult, PointSpec};
+use calib_host::in_unit::{StatedPoint, Stating};
 use calib_link::session::{self, Progress};
-use calib_output::{PointView, StatusView};
+use calib_output::StatusView;
 use calib_protocol::message::RunState;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use schemars::JsonSchema;
@@ -56,7 +57,7 @@ pub(crate) enum RunEvent<'a, R> {
         left_s: Option<f64>,
     },
     /// A point was measured.
-    Point(PointView),
+    Point(StatedPoint),
     /// The document that `--json` prints.
     Result(&'a R),
 }
@@ -76,8 +77,7 @@ pub(crate) fn print_result<R: Serialize + JsonSchema>(
 /// A bar for a run: points, frequency, level, time left.
 pub(crate) struct RunProgress<'a> {
     context: &'a Context,
-    sample_rate_hz: f32,
-    unit: SensitivityUnit,
+    stating: Stating,
     bar: ProgressBar,
     begun: Instant,
     shown: usize,
@@ -88,12 +88,11 @@ pub(crate) struct RunProgress<'a> {
 
 impl<'a> RunProgress<'a> {
     /// A bar at zero, of a calibrator with this many samples per second; sensitivities are
-    /// shown in this unit.
-    pub(crate) fn new(context: &'a Context, sample_rate_hz: f32, unit: SensitivityUnit) -> Self {
+    /// shown as those of this kind of sensor.
+    pub(crate) fn new(context: &'a Context, sample_rate_hz: f32, kind: SensorKind) -> Self {
         Self {
             context,
-            sample_rate_hz,
-            unit,
+            stating: Stating::new(kind, sample_rate_hz),
             bar: bar(context, "[{bar:24}] {msg}"),
             begun: Instant::now(),
             shown: 0,
@@ -114,14 +113,16 @@ impl<'a> RunProgress<'a> {
             .set_position((progress.fraction * STEPS as f64) as u64);
         let left = session::time_left(self.begun.elapsed(), progress.fraction);
         self.bar.set_message(message(progress, list, left));
-        self.stream(progress, left);
         self.show_points(progress.points);
+        self.stream(progress, left);
     }
 
     /// One line for each point that was not shown yet. A run goes on, whoever stopped reading.
     fn show_points(&mut self, points: &[PointResult]) {
         for point in points.iter().skip(self.shown) {
-            let line = text::point_line(point, self.unit);
+            let stated = self.stating.point(point);
+            let line = text::point_line(point, &stated, self.stating.kind().unit());
+            let _ = self.context.stream(&RunEvent::<()>::Point(stated));
             if self.points_are_result {
                 let _ = self.bar.suspend(|| self.context.line(&line));
             } else if self.bar.is_hidden() && !self.silent {
@@ -138,10 +139,6 @@ impl<'a> RunProgress<'a> {
 
     /// A run goes on, whoever stopped reading.
     fn stream(&self, progress: &Progress<'_>, left: Option<Duration>) {
-        for point in progress.points.iter().skip(self.shown) {
-            let point = PointView::new(point, self.sample_rate_hz);
-            let _ = self.context.stream(&RunEvent::<()>::Point(point));
-        }
         let _ = self.context.stream(&RunEvent::<()>::Progress {
             status: StatusView::from(&progress.status),
             fraction: progress.fraction,

@@ -3,7 +3,7 @@
 use super::Context;
 use super::hand::Hand;
 use super::number::positive;
-use calib_certificate::SensitivityUnit;
+use calib_certificate::SensorKind;
 use calib_core::settings::ReferenceCalibration;
 use calib_host::{Error, Result, terminal};
 use calib_metrology::reference::{self, Certified, Compared, Reading};
@@ -42,8 +42,8 @@ pub(crate) struct Reference {
     #[arg(long, value_name = "NUMBER", value_parser = positive::<f64>)]
     sensitivity: Option<f64>,
     /// Unit of --sensitivity: mV/(m/s2) or mV/g.
-    #[arg(long, value_name = "UNIT", default_value = "mV/(m/s2)")]
-    unit: SensitivityUnit,
+    #[arg(long, value_name = "UNIT", default_value = "mV/(m/s2)", value_parser = of_reference)]
+    unit: SensorKind,
     /// Takes a certificate without phase: phases of results then have U = 180 degrees.
     #[arg(long)]
     without_phase: bool,
@@ -81,6 +81,15 @@ pub(super) struct Output {
     lost_hz: Vec<f64>,
     /// Whether the calibrator has stored it.
     stored: bool,
+}
+
+/// Unit of a reference, which is an accelerometer with a voltage.
+fn of_reference(text: &str) -> Result<SensorKind, String> {
+    let kind: SensorKind = text.parse()?;
+    let usable = kind.is_as_measured();
+    usable
+        .then_some(kind)
+        .ok_or_else(|| "a reference is stated in mV/(m/s2) or mV/g".to_owned())
 }
 
 impl Reference {
@@ -130,7 +139,7 @@ impl Reference {
             result: self.result.clone(),
             sensitivity_v_per_ms2: self
                 .sensitivity
-                .map(|stated| self.unit.to_v_per_ms2(stated)),
+                .map(|stated| self.unit.unit().to_si(stated)),
         };
         self.signature(context)?;
         let read = reference::read(&self.file, &reading)?;

@@ -6,18 +6,18 @@ use super::remount::{self, Mountings, Remounting};
 use super::substitute::{self, Standard, Substitution};
 use super::{Context, logbook, number::positive, progress, progress::RunProgress, source, time};
 use calib_certificate::{
-    Certificate, Language, MountedResonance, Particulars, SensitivityUnit, Verdict,
-    instrument_covers, said_of_closing,
+    Certificate, Language, MountedResonance, Particulars, SensorKind, Verdict, instrument_covers,
+    said_of_closing,
 };
-use calib_core::point::{ExcitationKind, PointResult, PointSpec};
+use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::settings::Settings;
-use calib_core::verdict::Verdict as PointVerdict;
+use calib_host::in_unit::{StatedPoint, Stating};
 use calib_host::refusals::{self, Refused};
 use calib_host::{Error, Result, judged, terminal};
 use calib_link::session::{self, Outcome, label, temperature_centi_c};
 use calib_link::{Client, StopSwitch};
 use calib_logbook::Sensor;
-use calib_output::{PointView, code};
+use calib_output::code;
 use calib_protocol::message::RunState;
 use calib_protocol::record::{Record, RunLabels};
 use clap::{Args, ValueEnum};
@@ -31,9 +31,8 @@ pub(crate) struct Run {
     /// Point list, .toml or .csv; default: one-third octaves, 20 Hz to 10 kHz.
     #[arg(long, short, value_name = "FILE")]
     points: Option<PathBuf>,
-    /// Measures again only the points refused in this record: a file, or the
-    /// running number of one in the calibrator. Device and mounting are those of the record
-    /// unless stated.
+    /// Measures again only what this record refused or never tried, because it ended early: a file, or the number of a
+    /// record. Device and mounting are those of the record unless stated; the verdict is that of both.
     #[arg(long, value_name = "RECORD", conflicts_with_all = ["points", "level", "excitation"])]
     retry: Option<PathBuf>,
     /// Set acceleration of points that state none, m/s2 r.m.s.
@@ -75,9 +74,9 @@ pub(crate) struct Run {
     /// [default: what `calib assure` was told].
     #[arg(long, value_name = "FILE", requires = "substitute")]
     standard: Option<PathBuf>,
-    /// Unit of the sensitivities shown: mV/(m/s2) or mV/g [default: that of the sensor].
+    /// Unit of the sensitivities shown, as of `calib sensors add` [default: that of the sensor].
     #[arg(long, value_name = "UNIT")]
-    unit: Option<SensitivityUnit>,
+    unit: Option<SensorKind>,
     #[command(flatten)]
     laboratory: Laboratory,
 }
@@ -115,8 +114,10 @@ pub(super) struct RunResult {
     /// Time of the instrument's own clock from the order to its end, s; with `--remount` of the last mounting. None
     /// where it did not say.
     instrument_s: Option<f64>,
+    /// Unit of `in_unit` of the points.
+    unit: &'static str,
     /// Every point in the order measured.
-    points: Vec<PointView>,
+    points: Vec<StatedPoint>,
     /// The verdict on the sensor by its tolerance; none when it has none.
     verdict: Option<Verdict>,
     /// Why points were refused, and what to do about it.
@@ -135,12 +136,14 @@ impl Run {
     /// Measures, follows, and says how it ended.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let before = self.record_before(context)?;
+        let completed = before.clone();
         let mut points = self.points(before.as_ref())?;
         let sensor = self.sensor(context, before.as_ref())?;
-        let labels = self.labels(&sensor)?;
+        let labels = self.labels(&sensor, before.as_ref())?;
         // What cannot be judged afterwards is said before anything moves.
-        let particulars = self.particulars(context, &labels)?;
-        let unit = self.unit(&sensor)?;
+        let mut particulars = self.particulars(context, &labels)?;
+        judged::show_in(&mut particulars, self.unit)?;
+        let kind = particulars.kind();
         let standard = self.standard(context)?;
         let mut client = context.connect()?;
         let info = client.info()?;
@@ -150,13 +153,13 @@ impl Run {
         }
         possible(&points, &client.settings()?, info.sample_rate_hz)?;
         if !context.for_program() {
-            remark_on_temperature(context, self.temperature);
+            remark_on_temperature(context, labels.temperature_centi_c);
         }
         let asked = Asked {
             points: &points,
             excitation,
             sample_rate_hz: info.sample_rate_hz,
-            unit,
+            kind,
         };
         let switch = switch_of_interrupts(context);
         let before = match &standard {
@@ -178,20 +181,24 @@ impl Run {
             }
             None => None,
         };
-        let of_kept = |kept: &Kept| Certificate::from_record(&kept.record, &particulars);
-        let certificate = kept.as_ref().map(of_kept);
-        let of_record = |_: &Kept| mountings.verdict(&particulars);
+        let whole = kept.as_ref().map(|kept| match &completed {
+            Some(first) => completed_by(first, &kept.record),
+            None => kept.record.clone(),
+        });
+        let of_record = |record: &Record| Certificate::from_record(record, &particulars);
+        let certificate = whole.as_ref().map(of_record);
+        let verdict = |record: &Record| match &completed {
+            Some(_) => judged::verdict(record, &particulars),
+            None => mountings.verdict(&particulars),
+        };
         let result = RunResult {
             record_id: outcome.record_id,
             logbook_record: kept.as_ref().and_then(|kept| kept.id),
             state: code(&outcome.state),
             instrument_s,
-            points: outcome
-                .points
-                .iter()
-                .map(|point| PointView::new(point, info.sample_rate_hz))
-                .collect(),
-            verdict: kept.as_ref().and_then(of_record),
+            unit: kind.unit().name(),
+            points: Stating::new(kind, info.sample_rate_hz).all(&outcome.points),
+            verdict: whole.as_ref().and_then(verdict),
             refusals: refusals::of(&outcome.points),
             closing: kept
                 .as_ref()
@@ -232,7 +239,7 @@ impl Run {
             dut_model: label("--substitute", "standard of a substitution")?,
             ..labels.clone()
         };
-        let progress = RunProgress::new(context, asked.sample_rate_hz, asked.unit);
+        let progress = RunProgress::new(context, asked.sample_rate_hz, asked.kind);
         let mut progress = progress.with_points_as_result();
         let outcome = measure(context, client, asked, labels, switch, &mut progress)?;
         progress.end(&outcome.points);
@@ -257,7 +264,7 @@ impl Run {
     ) -> Result<(Mountings, Outcome, Option<Kept>, Option<f64>)> {
         let mut mountings = Mountings::default();
         loop {
-            let progress = RunProgress::new(context, asked.sample_rate_hz, asked.unit);
+            let progress = RunProgress::new(context, asked.sample_rate_hz, asked.kind);
             let mut progress = progress.with_points_as_result();
             let begun_ms = clock_ms(client);
             let outcome = measure(
@@ -298,7 +305,7 @@ impl Run {
 
     fn points(&self, before: Option<&Record>) -> Result<Vec<PointSpec>> {
         if let Some(record) = before {
-            return refused_points(record);
+            return points_left(record);
         }
         match &self.points {
             Some(path) => Ok(session::read_points(path, self.level)?),
@@ -325,26 +332,34 @@ impl Run {
         judged::particulars(&files, labels, logbook.as_ref())
     }
 
-    /// The unit that was asked for, else that of the sensor.
-    fn unit(&self, sensor: &Sensor) -> Result<SensitivityUnit> {
-        Ok(self.unit.unwrap_or(sensor.unit()?))
-    }
-
-    fn labels(&self, sensor: &Sensor) -> Result<RunLabels> {
+    /// Labels of the run: what is stated, else that of the record it completes, if that is of the same day.
+    fn labels(&self, sensor: &Sensor, before: Option<&Record>) -> Result<RunLabels> {
+        let now_s = time::unix_time_s();
+        let fresh = |record: &&Record| now_s.abs_diff(record.head.labels.unix_time_s) < DAY_S;
+        let before = before.filter(fresh).map(|record| &record.head.labels);
+        let operator = match self.operator.as_str() {
+            "" => before.map_or("", |labels| labels.operator.as_str()),
+            stated => stated,
+        };
+        let temperature_centi_c = temperature_centi_c("--temperature", self.temperature)?;
         let mounting = match self.mounting.as_str() {
             "" => sensor.mounting.as_deref().unwrap_or_default(),
             stated => stated,
         };
         Ok(RunLabels {
-            unix_time_s: time::unix_time_s(),
+            unix_time_s: now_s,
             dut_model: label("--model", &sensor.name())?,
             dut_serial: label("--serial", &sensor.serial)?,
-            operator: label("--operator", &self.operator)?,
-            temperature_centi_c: temperature_centi_c("--temperature", self.temperature)?,
+            operator: label("--operator", operator)?,
+            temperature_centi_c: temperature_centi_c
+                .or(before.and_then(|labels| labels.temperature_centi_c)),
             mounting: label("--mounting", mounting)?,
         })
     }
 }
+
+/// A day, s.
+const DAY_S: u64 = 86_400;
 
 /// The clock of the instrument, if it answers.
 fn clock_ms(client: &mut Client) -> Option<u64> {
@@ -365,20 +380,20 @@ fn of_labels(context: &Context, labels: &RunLabels) -> Result<Sensor> {
     }))
 }
 
-/// The points of a record that were refused.
-fn refused_points(record: &Record) -> Result<Vec<PointSpec>> {
-    let refused = |point: &&PointResult| point.verdict != PointVerdict::Pass;
-    let points: Vec<PointSpec> = record
-        .points
-        .iter()
-        .filter(refused)
-        .map(|p| p.spec)
-        .collect();
+/// A record with what a later one measured of it.
+fn completed_by(record: &Record, later: &Record) -> Record {
+    let whole = calib_certificate::complete(record, std::slice::from_ref(later));
+    whole.unwrap_or_else(|_| record.clone())
+}
+
+/// The points of a record that have no result.
+fn points_left(record: &Record) -> Result<Vec<PointSpec>> {
+    let points: Vec<PointSpec> = calib_certificate::without_result(record).collect();
     match points.is_empty() {
         false => Ok(points),
         true => Err(Error::input(
             format!("record {}", record.head.id),
-            "has no refused point",
+            "has a result for every point",
             "there is nothing to measure again",
         )),
     }
@@ -411,7 +426,7 @@ fn said(result: &RunResult) -> String {
     lines.extend(result.substitution.as_ref().map(substitute::text));
     lines.extend(result.verdict.as_ref().map(terminal::verdict));
     let next = match result.logbook_record {
-        Some(kept) => format!("kept in the logbook as record {kept}"),
+        Some(_) => "kept in the logbook".to_owned(),
         None => format!("calib download {}", result.record_id),
     };
     lines.push(format!("record {}: {next}", result.record_id));
@@ -419,8 +434,8 @@ fn said(result: &RunResult) -> String {
 }
 
 /// Says where certificates will state a larger U than the instrument, which is printed.
-fn remark_on_temperature(context: &Context, told_c: Option<f64>) {
-    match told_c {
+fn remark_on_temperature(context: &Context, told_centi_c: Option<i16>) {
+    match told_centi_c.map(|centi_c| f64::from(centi_c) / 100.0) {
         None => context.remark(
             "no --temperature: certificates state U for all that ISO 16063-21, 4.2 allows",
         ),

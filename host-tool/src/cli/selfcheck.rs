@@ -5,7 +5,7 @@ use super::measure::{Asked, judge, keep, measure, switch_of_interrupts};
 use super::number::positive;
 use super::progress::{RunProgress, print_result};
 use super::{Context, source, substitute, time};
-use calib_certificate::SensitivityUnit;
+use calib_certificate::SensorKind;
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_host::self_check::{self, Found};
 use calib_host::{Error, Result};
@@ -196,7 +196,7 @@ impl SelfcheckVerb {
             // Small differences of large ratios need all blocks.
             excitation: ExcitationKind::HeldSine,
             sample_rate_hz: info.sample_rate_hz,
-            unit: SensitivityUnit::default(),
+            kind: SensorKind::default(),
         };
         let labels = RunLabels {
             unix_time_s: time::unix_time_s(),
@@ -205,7 +205,7 @@ impl SelfcheckVerb {
             temperature_centi_c: temperature_centi_c("--temperature", self.temperature)?,
             ..RunLabels::default()
         };
-        let mut progress = RunProgress::new(context, asked.sample_rate_hz, asked.unit);
+        let mut progress = RunProgress::new(context, asked.sample_rate_hz, asked.kind);
         let outcome = measure(context, client, &asked, labels, switch, &mut progress)?;
         progress.end(&outcome.points);
         keep(context, client, &outcome)?;

@@ -3,7 +3,7 @@
 use super::Context;
 use super::certificate::Laboratory;
 use super::source::{self, Content};
-use calib_certificate::{self as certificate, Certificate, Language, SensitivityUnit};
+use calib_certificate::{self as certificate, Certificate, Language, SensorKind};
 use calib_host::{Result, judged, terminal};
 use calib_output::ChangeView;
 use calib_record::hash_chain::Standing;
@@ -22,9 +22,9 @@ pub(crate) struct Show {
     /// Directory for a download.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
-    /// Unit of the sensitivities: mV/(m/s2) or mV/g [default: that of the sensor].
+    /// Unit of the sensitivities, as of `calib sensors add` [default: that of the sensor].
     #[arg(long, value_name = "UNIT")]
-    unit: Option<SensitivityUnit>,
+    unit: Option<SensorKind>,
     #[command(flatten)]
     laboratory: Laboratory,
 }
@@ -46,19 +46,11 @@ impl Show {
             context.remark("the chain of records is broken: this one, or the one before, was altered or removed");
         }
         let logbook = context.logbook_if_there()?;
-        let labels = &record.head.labels;
         let files = self.laboratory.before(&[]);
-        let particulars = judged::of_record(&files, record, logbook.as_ref())?;
-        let sensor = match &logbook {
-            Some(logbook) => logbook.sensor(&labels.dut_serial)?,
-            None => None,
-        };
-        let usual = sensor.unwrap_or_default().unit()?;
-        let unit = self.unit.unwrap_or(usual);
+        let mut particulars = judged::of_record(&files, record, logbook.as_ref())?;
+        judged::show_in(&mut particulars, self.unit)?;
         let certificate = Certificate::from_record(record, &particulars);
         let document = certificate::Document::new(&certificate, Language::default());
-        context.print(&document, || {
-            terminal::show(record, &certificate, unit, COLUMNS)
-        })
+        context.print(&document, || terminal::show(record, &certificate, COLUMNS))
     }
 }

@@ -1,9 +1,10 @@
 //! A record as named on the command line: a file, or one in the calibrator.
 
 use super::Context;
+use calib_certificate::{complete, completes};
 use calib_files::file::Existing;
 use calib_host::{Error, Result, judged};
-use calib_link::session;
+use calib_link::{Client, session};
 use calib_logbook::{Filter, Logbook};
 use calib_protocol::change::{self, ReferenceChange};
 use calib_protocol::record::{self, Record, RecordError, RecordKind};
@@ -47,7 +48,7 @@ pub(super) fn find(context: &Context, path: &Path, out: &Path) -> Result<Found> 
 }
 
 /// The record of this file or, when its name is a number and no file, the one of
-/// this running number in the calibrator, which is downloaded into `out` first.
+/// this number in the calibrator, which is downloaded into `out` first. Without a calibrator it is that of the logbook.
 pub(super) fn find_beside(
     context: &Context,
     logbook: Option<&Logbook>,
@@ -56,8 +57,10 @@ pub(super) fn find_beside(
 ) -> Result<Found> {
     match path.to_str().map(str::parse) {
         Some(Ok(id)) if !path.exists() => {
-            let mut client = context.connect()?;
-            client.info()?;
+            let mut client = match connected(context) {
+                Ok(client) => client,
+                Err(error) => return without_calibrator(context, logbook, id, error),
+            };
             let fetched = session::fetch(&mut client, id, out, Existing::Keep, |_| ())?;
             let fetched = [fetched];
             let evidence = session::evidence(&mut client, &fetched, out)?;
@@ -71,8 +74,33 @@ pub(super) fn find_beside(
     }
 }
 
-/// The latest calibration of this sensor in the logbook.
-pub(super) fn latest(context: &Context, serial: &str) -> Result<Found> {
+fn connected(context: &Context) -> Result<Client> {
+    let mut client = context.connect()?;
+    client.info()?;
+    Ok(client)
+}
+
+/// The record of the logbook, if it has one of this number; else why there is no calibrator to be asked.
+fn without_calibrator(
+    context: &Context,
+    logbook: Option<&Logbook>,
+    id: u32,
+    error: Error,
+) -> Result<Found> {
+    let Some(logbook) = logbook else {
+        return Err(error);
+    };
+    let kept = match logbook.records(&Filter::default())? {
+        all if all.iter().all(|record| record.number != id) => return Err(error),
+        _ => logbook.record_of(id, None, None)?,
+    };
+    context.remark(&format!("record {id} of the logbook: {error}"));
+    of_logbook(logbook, &kept)
+}
+
+/// The latest calibration of this sensor in the logbook, and the records that measured again what had no result in
+/// it, oldest first.
+pub(super) fn latest(context: &Context, serial: &str) -> Result<(Found, Vec<Record>)> {
     let none = || {
         Error::input(
             format!("sensor {serial}"),
@@ -85,8 +113,32 @@ pub(super) fn latest(context: &Context, serial: &str) -> Result<Found> {
         sensor: Some(serial.to_owned()),
         ..Filter::default()
     };
-    let newest = logbook.records(&of_sensor)?.into_iter().next();
-    of_logbook(&logbook, &logbook.record(newest.ok_or_else(none)?.id)?)
+    let mut found = None;
+    for listed in logbook.records(&of_sensor)?.into_iter().take(MOST_RETRIES) {
+        let earlier = of_logbook(&logbook, &logbook.record(listed.id)?)?;
+        found = Some(match found.take() {
+            None => (earlier, Vec::new()),
+            Some((later, retried)) => join(earlier, later, retried)?,
+        });
+    }
+    let (found, retried) = found.ok_or_else(none)?;
+    Ok((found, retried))
+}
+
+/// Records of a sensor that are looked at for the one that the latest completes.
+const MOST_RETRIES: usize = 10;
+
+/// The earlier record and those that complete it, if the later is one of them.
+fn join(earlier: Found, later: Found, retried: Vec<Record>) -> Result<(Found, Vec<Record>)> {
+    let (first, next) = (earlier.calibration()?, later.calibration()?);
+    if !completes(first, next) {
+        return Ok((later, retried));
+    }
+    let mut all = vec![next.clone()];
+    all.extend(retried);
+    // One in which everything was refused again adds nothing.
+    all.retain(|record| complete(first, std::slice::from_ref(record)).is_ok());
+    Ok((earlier, all))
 }
 
 /// A record of the logbook, with those beside it there.

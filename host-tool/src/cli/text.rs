@@ -3,28 +3,39 @@
 use calib_certificate::SensitivityUnit;
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
-use calib_output::number::decimal;
+use calib_host::in_unit::StatedPoint;
 
 /// One line about a measured point, its sensitivity in this unit.
-pub(crate) fn point_line(point: &PointResult, unit: SensitivityUnit) -> String {
+pub(crate) fn point_line(
+    point: &PointResult,
+    stated: &StatedPoint,
+    unit: SensitivityUnit,
+) -> String {
     let frequency_hz = point.spec.frequency_hz;
-    match point.verdict {
-        Verdict::Pass => format!(
-            "{frequency_hz:>7} Hz  {:>9.4} {}  {:+8.3} deg  U = {:.2} %{}{}",
-            unit.of_v_per_ms2(decimal(point.sensitivity_v_per_ms2)),
+    match (point.verdict, stated.in_unit) {
+        (Verdict::Pass, Some(own)) => format!(
+            "{frequency_hz:>7} Hz  {:>9} {}  {:+8.3} deg  U = {:.2} %{}{}",
+            sensitivity(own.sensitivity),
             unit.name(),
-            f64::from(point.phase_rad).to_degrees(),
+            own.phase_deg,
             100.0 * point.expanded_uncertainty_rel,
             coherence(point),
-            if point.inverted { "  inverted" } else { "" },
+            if own.inverted { "  inverted" } else { "" },
         ),
-        Verdict::Refused(reason) => {
+        (Verdict::Pass, None) => format!("{frequency_hz:>7} Hz  no tone"),
+        (Verdict::Refused(reason), _) => {
             format!(
                 "{frequency_hz:>7} Hz  refused: {reason}{}",
                 coherence(point)
             )
         }
     }
+}
+
+/// A sensitivity with four decimals, more where it is small: five figures that count at least.
+pub(crate) fn sensitivity(value: f64) -> String {
+    let zeros = (-value.abs().log10().floor()).clamp(0.0, 6.0);
+    format!("{value:.*}", 4 + zeros as usize)
 }
 
 fn coherence(point: &PointResult) -> String {

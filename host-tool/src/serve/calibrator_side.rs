@@ -7,14 +7,16 @@
 
 use super::handle::{Handle, Order};
 use super::keeper::Keeper;
-use super::view::{KeptListView, Link, Shared};
+use super::view::{KeptListView, Link, RunView, Shared};
 use super::waveforms::Eye;
 use crate::clock::unix_time_s;
-use crate::{Device, Error, Result, refusals};
-use calib_core::point::{ExcitationKind, PointSpec};
+use crate::in_unit::{StatedPoint, Stating};
+use crate::refusals::{self, Refused};
+use crate::{Device, Error, Result};
+use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_link::session::{self, Outcome, Progress};
 use calib_link::{Client, StopSwitch};
-use calib_output::{InfoView, PointView, StatusView};
+use calib_output::{InfoView, StatusView};
 use calib_protocol::lists::KeptList;
 use calib_protocol::message::RunState;
 use calib_protocol::record::RunLabels;
@@ -186,12 +188,27 @@ impl Worker {
         }
     }
 
+    /// Points of a list that this calibrator cannot measure.
+    fn impossible(&mut self, points: &[PointSpec]) -> calib_link::Result<Vec<Refused>> {
+        let sample_rate_hz = self.shared.sample_rate_hz();
+        let Some(client) = &mut self.client else {
+            return Ok(Vec::new());
+        };
+        let settings = client.settings()?;
+        Ok(refusals::impossible(points, &settings, sample_rate_hz))
+    }
+
     fn run(&mut self, number: u32, points: &[PointSpec], labels: RunLabels) {
         // Stops from before are none of this run.
         self.pass_stop();
         if self.shared.is_stopped(number) {
             self.shared.not_begun("stopped before it began");
             return;
+        }
+        match self.impossible(points) {
+            Ok(impossible) if impossible.is_empty() => {}
+            Ok(impossible) => return self.shared.refuse_list(impossible),
+            Err(error) => return self.did_not_begin(&error.into()),
         }
         let Some(client) = &mut self.client else {
             self.shared.not_begun("there is no calibrator: connect one");
@@ -200,11 +217,13 @@ impl Worker {
         match session::begin(client, points, ExcitationKind::SingleSine, labels) {
             Ok(record) => self.follow(record, points),
             Err(calib_link::Error::Stopped) => self.shared.not_begun("stopped before it began"),
-            Err(error) => {
-                self.shared.not_begun("did not begin");
-                self.judge(&error.into());
-            }
+            Err(error) => self.did_not_begin(&error.into()),
         }
+    }
+
+    fn did_not_begin(&mut self, error: &Error) {
+        self.shared.not_begun("did not begin");
+        self.judge(error);
     }
 
     fn follow(&mut self, record: u32, points: &[PointSpec]) {
@@ -246,10 +265,9 @@ impl Worker {
             self.judge(&error);
         }
         let sample_rate_hz = self.shared.sample_rate_hz();
-        let view = |point| PointView::new(point, sample_rate_hz);
         self.shared.change_run(|run| {
             run.running = false;
-            run.points = outcome.points.iter().map(view).collect();
+            run.points = stated(run, sample_rate_hz, &outcome.points);
             run.fraction = 1.0;
             run.ended = match outcome.state {
                 RunState::Finished => "finished",
@@ -271,7 +289,7 @@ impl Worker {
         let bytes = std::fs::read(&download.path)
             .map_err(|error| Error::file("read", &download.path, error))?;
         // Whatever becomes of the logbook, there is a certificate.
-        self.shared.keep_record(Some(bytes.clone()));
+        self.shared.keep_record(bytes.clone());
         // A link that breaks here keeps no record from the logbook: the key enters with the next.
         let key = session::stated_key(client).ok().flatten();
         let waited = self.keeper.keep(&bytes, key)?;
@@ -314,15 +332,18 @@ impl Worker {
 fn show(shared: &Shared, progress: &Progress<'_>, begun: Instant) {
     let left = session::time_left(begun.elapsed(), progress.fraction);
     let sample_rate_hz = shared.sample_rate_hz();
-    let view = |point| PointView::new(point, sample_rate_hz);
     shared.change_run(|run| {
         run.left_s = left.map(|left| left.as_secs_f64());
         run.status = Some(StatusView::from(&progress.status));
         run.fraction = progress.fraction;
-        let known = run.points.len().min(progress.points.len());
-        let new = progress.points.iter().skip(known).map(view);
-        run.points.extend(new);
+        run.points = stated(run, sample_rate_hz, progress.points);
     });
+}
+
+/// Points in the unit of the sensor of a run.
+fn stated(run: &RunView, sample_rate_hz: f32, points: &[PointResult]) -> Vec<StatedPoint> {
+    let new = Stating::new(run.measured.kind, sample_rate_hz).all(points);
+    run.measured.kept.iter().cloned().chain(new).collect()
 }
 
 /// Lists for a tap of the button, for the page; none while the record area is busy or dead.

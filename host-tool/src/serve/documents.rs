@@ -97,6 +97,9 @@ impl Wanted {
     }
 }
 
+/// Stored forms of a record, and of those that measured again what had no result in it.
+pub(super) type Stored<'a> = (&'a [u8], &'a [Vec<u8>]);
+
 /// The certificate of a record's stored form.
 ///
 /// # Errors
@@ -104,7 +107,7 @@ impl Wanted {
 /// damaged, the laboratory states nonsense, its key is out of date, or another content was issued under
 /// this number.
 pub(super) fn certificate(
-    stored: &[u8],
+    stored: Stored<'_>,
     wanted: &Wanted,
     house: &House,
     shared: &Shared,
@@ -125,7 +128,7 @@ pub(super) fn amended(wanted: &Wanted, house: &House, shared: &Shared) -> Result
     let amended = Amended::find(&logbook, replaces, reason)?;
     let stored = amended.record(&logbook)?;
     made(
-        &stored,
+        (&stored, &[]),
         wanted,
         (house, shared),
         Some(logbook),
@@ -134,7 +137,7 @@ pub(super) fn amended(wanted: &Wanted, house: &House, shared: &Shared) -> Result
 }
 
 fn made(
-    stored: &[u8],
+    (stored, retried): Stored<'_>,
     wanted: &Wanted,
     (house, shared): (&House, &Shared),
     mut logbook: Option<Logbook>,
@@ -153,6 +156,7 @@ fn made(
         chain: Some(judged::standing(&record.head, stored, kept)?),
         failed_checks: assurance::failed_checks(kept, &record)?,
         as_found: wanted.stated.found(kept)?,
+        retried: all(retried)?,
         seal: seal(house, wanted.issues)?,
         ..Options::default()
     };
@@ -203,12 +207,12 @@ fn seal(house: &House, issues: bool) -> Result<Option<Seal>> {
 /// # Errors
 /// [`Error::Input`] when the record is damaged, or the laboratory states nonsense.
 pub(super) fn judged(
-    stored: &[u8],
+    (stored, retried): (&Vec<u8>, &[Vec<u8>]),
     stated: &Stated,
     particulars: &[PathBuf],
     logbook: &Path,
 ) -> Result<certificate::Document> {
-    let record = read(stored)?;
+    let record = certificate::complete(&read(stored)?, &all(retried)?)?;
     let logbook = Logbook::open_if_there(logbook)?;
     let mut particulars = judged::of_record(particulars, &record, logbook.as_ref())?;
     stated.complete(&mut particulars)?;
@@ -216,6 +220,10 @@ pub(super) fn judged(
     let language = stated.language.or(particulars.language).unwrap_or_default();
     let certificate = Certificate::from_record(&record, &particulars);
     Ok(certificate::Document::new(&certificate, language))
+}
+
+fn all(stored: &[Vec<u8>]) -> Result<Vec<Record>> {
+    stored.iter().map(|stored| read(stored)).collect()
 }
 
 fn read(stored: &[u8]) -> Result<Record> {

@@ -2,6 +2,7 @@
 
 use super::stops::{NotStopped, StopState};
 use super::view::{RunView, Shared};
+use crate::in_unit::StatedPoint;
 use calib_core::point::PointSpec;
 use calib_link::StopSwitch;
 use calib_output::SetPoint;
@@ -56,14 +57,20 @@ impl Handle {
 
     /// Accepts a run, unless one is accepted or goes on: one look and one change, so that of two that come
     /// at once one is refused. A stop from here on is meant for this run.
-    pub(super) fn accept_run(&self, points: &[PointSpec]) -> Option<u32> {
+    /// Of a retry, `kept` is what the last run measured already.
+    pub(super) fn accept_run(
+        &self,
+        points: &[PointSpec],
+        kept: Option<Vec<StatedPoint>>,
+    ) -> Option<u32> {
         let list = points.iter().map(SetPoint::from).collect();
         let run = RunView {
             running: true,
             list,
+            points: kept.clone().unwrap_or_default(),
             ..RunView::default()
         };
-        self.shared.accept_run(run)
+        self.shared.accept_run(run, kept.is_some())
     }
 
     /// Changes the calibrator, unless a run goes on.

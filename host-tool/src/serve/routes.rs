@@ -28,6 +28,7 @@ use super::documents::{self, Stated, Wanted};
 use super::handle::{Handle, Order};
 use super::options::Options;
 use super::stops::{self, Asked, NotStopped};
+use super::view::RunView;
 use super::{assets, live};
 use crate::{Error, refusals};
 use axum::extract::ws::WebSocketUpgrade;
@@ -194,8 +195,15 @@ async fn sensors(State(app): State<App>) -> Result<Response, Failure> {
     .await
 }
 
-async fn register(State(app): State<App>, Json(new): Json<NewSensor>) -> Result<Response, Failure> {
-    aside(move || Ok(said(&new.register(&app.options.logbook)?))).await
+async fn register(
+    State(app): State<App>,
+    Json(body): Json<serde_json::Value>,
+) -> Result<Response, Failure> {
+    aside(move || {
+        let new = NewSensor::read(body)?;
+        Ok(said(&new.register(&app.options.logbook)?))
+    })
+    .await
 }
 
 async fn records(State(app): State<App>) -> Result<Response, Failure> {
@@ -299,21 +307,21 @@ async fn amended(app: App, wanted: Wanted) -> Result<Response, Failure> {
 }
 
 async fn last_certificate(app: App, wanted: Wanted) -> Result<Response, Failure> {
-    aside(move || match app.handle.shared.record() {
-        Some(stored) => document(&app, &stored, &wanted),
-        None => Ok((StatusCode::NOT_FOUND, "no run has ended yet").into_response()),
+    aside(move || match app.handle.shared.records().split_first() {
+        Some((stored, retried)) => document(&app, stored, retried, &wanted),
+        None => Ok(none_ended()),
     })
     .await
 }
 
 async fn judged(State(app): State<App>, Query(stated): Query<Stated>) -> Result<Response, Failure> {
-    aside(move || match app.handle.shared.record() {
+    aside(move || match app.handle.shared.records().split_first() {
         Some(stored) => {
             let options = &app.options;
             let (files, logbook) = (&options.particulars, &options.logbook);
-            Ok(said(&documents::judged(&stored, &stated, files, logbook)?))
+            Ok(said(&documents::judged(stored, &stated, files, logbook)?))
         }
-        None => Ok((StatusCode::NOT_FOUND, "no run has ended yet").into_response()),
+        None => Ok(none_ended()),
     })
     .await
 }
@@ -321,18 +329,27 @@ async fn judged(State(app): State<App>, Query(stated): Query<Stated>) -> Result<
 async fn certificate(app: App, id: i64, wanted: Wanted) -> Result<Response, Failure> {
     aside(
         move || match Logbook::open_if_there(&app.options.logbook)? {
-            Some(logbook) => document(&app, &logbook.record(id)?, &wanted),
+            Some(logbook) => document(&app, &logbook.record(id)?, &[], &wanted),
             None => Ok((StatusCode::NOT_FOUND, "there is no logbook").into_response()),
         },
     )
     .await
 }
 
-fn document(app: &App, stored: &[u8], wanted: &Wanted) -> Result<Response, Error> {
+fn none_ended() -> Response {
+    (StatusCode::NOT_FOUND, "no run has ended yet").into_response()
+}
+
+fn document(
+    app: &App,
+    stored: &[u8],
+    retried: &[Vec<u8>],
+    wanted: &Wanted,
+) -> Result<Response, Error> {
     if !wanted.may_be_given() {
         return Ok(only_posted());
     }
-    documents::certificate(stored, wanted, &app.options, &app.handle.shared)
+    documents::certificate((stored, retried), wanted, &app.options, &app.handle.shared)
 }
 
 fn only_posted() -> Response {
@@ -386,21 +403,27 @@ async fn stop_and_say(handle: Handle, asked: Asked) -> Result<Response, NotStopp
 }
 
 async fn run(State(app): State<App>, Json(asked): Json<Run>) -> Result<Response, Failure> {
-    let points = asked.points()?;
+    let last = app.handle.shared.snapshot().run;
+    let points = asked.points(last.as_ref())?;
     // Accepted before the logbook is looked at, which may take its time: a stop meanwhile is for this run.
-    let Some(number) = app.handle.accept_run(&points) else {
+    let kept = last.as_ref().filter(|_| asked.retry).map(RunView::valid);
+    let Some(number) = app.handle.accept_run(&points, kept) else {
         return Ok((StatusCode::CONFLICT, "a run is going on").into_response());
     };
     aside(move || {
-        let labels = asked.labels(&app.options.logbook);
-        let labels = labels.inspect_err(|_| app.handle.shared.not_begun("did not begin"))?;
-        app.handle
-            .shared
-            .change_run(|run| run.dut_serial = labels.dut_serial.to_string());
+        let shared = &app.handle.shared;
+        let measured = asked.measured(&app.options.logbook, last.as_ref());
+        let measured = measured.inspect_err(|_| shared.not_begun("did not begin"))?;
+        let labels = Box::new(measured.labels.clone());
+        shared.change_run(|run| {
+            run.dut_serial = labels.dut_serial.to_string();
+            run.unit = measured.kind.unit().name();
+            run.measured = measured;
+        });
         app.handle.order(Order::Run {
             number,
             points,
-            labels: Box::new(labels),
+            labels,
         });
         Ok(StatusCode::ACCEPTED.into_response())
     })

@@ -2,8 +2,13 @@
 
 use super::stops::{NotStopped, StopState, StopView};
 use super::waveforms::Waveforms;
+use crate::in_unit::StatedPoint;
+use crate::refusals::Refused;
+use calib_certificate::SensorKind;
+use calib_core::point::PointSpec;
 use calib_link::StopSwitch;
-use calib_output::{InfoView, PointView, SetPoint, StatusView};
+use calib_output::{InfoView, SetPoint, StatusView};
+use calib_protocol::record::RunLabels;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -40,13 +45,50 @@ pub struct RunView {
     /// Time left by this computer's clock, s; none at the beginning.
     pub left_s: Option<f64>,
     /// Results, in the order of the list.
-    pub points: Vec<PointView>,
+    pub points: Vec<StatedPoint>,
+    /// Unit of `in_unit` of the points.
+    pub unit: &'static str,
+    /// Points of the list that cannot be measured, and why: nothing was moved.
+    pub impossible: Vec<Refused>,
     /// Serial number of the device under test.
     pub dut_serial: String,
     /// Running number of the record in the calibrator.
     pub record_id: Option<u32>,
     /// Number of the record in the logbook.
     pub logbook_record: Option<i64>,
+    /// What was measured, and how it is stated.
+    #[serde(skip)]
+    pub(super) measured: Measured,
+}
+
+/// The device under test of a run.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Measured {
+    pub(super) labels: RunLabels,
+    pub(super) kind: SensorKind,
+    /// Results of the run that this one completes.
+    pub(super) kept: Vec<StatedPoint>,
+}
+
+impl RunView {
+    /// Points that have one.
+    pub(super) fn valid(&self) -> Vec<StatedPoint> {
+        let valid = self.points.iter().filter(|point| point.measured.is_valid());
+        valid.cloned().collect()
+    }
+
+    /// Points of the list that have no valid result: refused, or never tried.
+    pub(super) fn without_result(&self) -> Vec<PointSpec> {
+        let is_valid = |set: &&SetPoint| {
+            let of = |point: &StatedPoint| point.measured.is_valid() && point.measured.set == **set;
+            !self.points.iter().any(of)
+        };
+        self.list
+            .iter()
+            .filter(is_valid)
+            .map(PointSpec::from)
+            .collect()
+    }
 }
 
 /// A list the calibrator keeps for a tap of its button.
@@ -92,8 +134,8 @@ pub struct Snapshot {
 pub(super) struct Shared {
     snapshot: Arc<Mutex<Snapshot>>,
     version: Arc<watch::Sender<u64>>,
-    /// Stored form of the last run's record.
-    record: Arc<Mutex<Option<Vec<u8>>>>,
+    /// Stored forms of the last run's record, and of what it completes, oldest first.
+    records: Arc<Mutex<Vec<Vec<u8>>>>,
     /// Too large to go with every view.
     waveforms: Arc<Mutex<Waveforms>>,
 }
@@ -103,7 +145,7 @@ impl Shared {
         Self {
             snapshot: Arc::default(),
             version: Arc::new(watch::Sender::new(0)),
-            record: Arc::default(),
+            records: Arc::default(),
             waveforms: Arc::default(),
         }
     }
@@ -127,8 +169,8 @@ impl Shared {
         });
     }
 
-    /// Takes a run under the next number, unless one is taken already.
-    pub(super) fn accept_run(&self, mut new: RunView) -> Option<u32> {
+    /// Takes a run under the next number, unless one is taken already. One that completes the last keeps its record.
+    pub(super) fn accept_run(&self, mut new: RunView, completes: bool) -> Option<u32> {
         let mut snapshot = self.lock();
         let before = snapshot.run.as_ref();
         if before.is_some_and(|run| run.running) {
@@ -139,9 +181,17 @@ impl Shared {
         snapshot.run = Some(new);
         snapshot.trouble = None;
         drop(snapshot);
-        self.keep_record(None);
+        if !completes {
+            self.lock_records().clear();
+        }
         self.tell();
         Some(number)
+    }
+
+    /// Ends a run whose list holds points that cannot be measured.
+    pub(super) fn refuse_list(&self, impossible: Vec<Refused>) {
+        self.change_run(|run| run.impossible = impossible);
+        self.not_begun("nothing was moved: the list holds points that cannot be measured");
     }
 
     /// Ends a run that never began.
@@ -231,15 +281,17 @@ impl Shared {
         self.version.subscribe()
     }
 
-    pub(super) fn keep_record(&self, bytes: Option<Vec<u8>>) {
-        *self.record.lock().unwrap_or_else(PoisonError::into_inner) = bytes;
+    pub(super) fn keep_record(&self, bytes: Vec<u8>) {
+        self.lock_records().push(bytes);
     }
 
-    pub(super) fn record(&self) -> Option<Vec<u8>> {
-        self.record
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone()
+    /// Records of the last run, oldest first; none before one has ended.
+    pub(super) fn records(&self) -> Vec<Vec<u8>> {
+        self.lock_records().clone()
+    }
+
+    fn lock_records(&self) -> MutexGuard<'_, Vec<Vec<u8>>> {
+        self.records.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Keeps waveforms under the next number, and tells everybody that they are there.

@@ -12,13 +12,9 @@ use std::fmt::Write;
 /// Rows of the plot.
 const ROWS: usize = 14;
 
-/// The record in words, as a plot and as a table, `width` columns wide, sensitivities in `unit`.
-pub fn show(
-    record: &Record,
-    certificate: &Certificate,
-    unit: SensitivityUnit,
-    width: usize,
-) -> String {
+/// The record in words, as a plot and as a table, `width` columns wide, in the quantity and unit of the sensor.
+pub fn show(record: &Record, certificate: &Certificate, width: usize) -> String {
+    let unit = certificate.kind.unit();
     let mut text = heading(record, certificate);
     if let Some(verdict) = certificate.verdict(Language::En) {
         text += &super::verdict(&verdict);
@@ -73,14 +69,14 @@ fn response(certificate: &Certificate, unit: SensitivityUnit, width: usize) -> S
     let Some((point, reference)) = certificate.reference_result() else {
         return "no point passed: there is nothing to draw\n".to_owned();
     };
-    let deviation = |point| deviation(point, reference.sensitivity_v_per_ms2);
+    let deviation = |point| deviation(point, reference.sensitivity);
     let deviations = certificate.points.iter().filter_map(deviation).collect();
     let caption = "deviation from it in %, bars are U";
     let plot = Plot::spanning(caption, Scale::Logarithmic, "Hz", deviations);
     format!(
         "S({} Hz) = {:.5} {}, U = {:.2} % (k = {:.2})\n\n{}",
         point.nominal_frequency_hz,
-        unit.of_v_per_ms2(reference.sensitivity_v_per_ms2),
+        unit.of_si(reference.sensitivity),
         unit.name(),
         reference.expanded_uncertainty_percent,
         reference.coverage_factor,
@@ -88,9 +84,9 @@ fn response(certificate: &Certificate, unit: SensitivityUnit, width: usize) -> S
     )
 }
 
-fn deviation(point: &Point, reference_v_per_ms2: f64) -> Option<calib_plot::Point> {
+fn deviation(point: &Point, of_reference: f64) -> Option<calib_plot::Point> {
     let values = point.outcome.as_ref().ok()?;
-    let relative = values.sensitivity_v_per_ms2 / reference_v_per_ms2;
+    let relative = values.sensitivity / of_reference;
     let percent = 100.0 * (relative - 1.0);
     let half_bar = values.expanded_uncertainty_percent * relative;
     Some(calib_plot::Point::new(point.nominal_frequency_hz, percent).with_bar(half_bar))
@@ -124,7 +120,7 @@ fn line(
         Ok(values) => format!(
             "{frequency:>7}  {:>9.3}  {:>13.5}  {:>5.2}  {:>11.3}  {verdict}\n",
             point.acceleration_ms2,
-            unit.of_v_per_ms2(values.sensitivity_v_per_ms2),
+            unit.of_si(values.sensitivity),
             values.expanded_uncertainty_percent,
             phase_deg(values),
         ),

@@ -305,6 +305,7 @@ impl Device {
             );
             stored.points.push(point).expect("fits");
         }
+        stored.untried = run.spec.points.iter().skip(done).copied().collect();
         self.store(stored);
     }
 

@@ -221,7 +221,7 @@ fn a_sensor_of_any_name_is_found_again() {
     let sensor = Sensor {
         serial: "O'Neill \u{1f4a5} \"1\"; --".to_owned(),
         manufacturer: "Müller & Söhne".to_owned(),
-        sensitivity_v_per_ms2: Some(0.01),
+        sensitivity: Some(0.01),
         ..Sensor::default()
     };
     logbook.add_sensor(&sensor).expect("added");
@@ -240,7 +240,7 @@ fn a_sensor_of_any_name_is_found_again() {
             ..Sensor::default()
         },
         Sensor {
-            sensitivity_v_per_ms2: Some(f64::NAN),
+            sensitivity: Some(f64::NAN),
             ..sensor.clone()
         },
         Sensor {

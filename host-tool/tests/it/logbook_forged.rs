@@ -22,7 +22,7 @@ fn kept(folder: &Path) -> PathBuf {
         serial: "S-1".to_owned(),
         model: "352C33".to_owned(),
         owner: Some("Plant 3".to_owned()),
-        sensitivity_v_per_ms2: Some(0.01),
+        sensitivity: Some(0.01),
         resonance_hz: Some(36_000.0),
         tolerance: Some("5:nominal".to_owned()),
         ..Sensor::default()
@@ -131,7 +131,7 @@ fn what_another_program_changes_is_noticed() {
         "DELETE FROM points WHERE record = 3",
         "UPDATE operators SET last_s = 1",
         "UPDATE instruments SET reference_certificate = 'X'",
-        "UPDATE sensors SET sensitivity_v_per_ms2 = 0.011",
+        "UPDATE sensors SET sensitivity = 0.011",
         "UPDATE sensors SET owner = 'Somebody', tolerance = '50:nominal'",
         "DELETE FROM sensors",
         "INSERT INTO sensors (serial, manufacturer, model) VALUES ('S-2', '', '')",
@@ -352,6 +352,13 @@ fn a_key_in_place_of_another_is_taken_from_a_person_alone_and_keeps_what_was() {
     let number = |series, number| logbook.numbered(&serial, series, number).expect("read");
     assert_eq!(number(0, 2).as_deref(), Some(&old[1][..]));
     assert_eq!(number(1, 2).as_deref(), Some(&again[1][..]));
+    // By its number it is one of two, each of which can be named.
+    let of = |series| logbook.record_of(2, Some(&serial), series);
+    let said = of(None).expect_err("two");
+    assert!(said.to_string().contains("in its series 1"), "{said}");
+    assert!(said.hint().expect("a way out").contains("--series"));
+    assert_eq!(of(Some(0)).expect("of before"), old[1]);
+    assert_eq!(of(Some(1)).expect("since"), again[1]);
     let path = logbook.path().to_owned();
     drop(logbook);
     a_statement_is_none_by_another_program(&path, &serial);

@@ -35,7 +35,7 @@ fn sensor(serial: &str, owner: &str) -> Sensor {
     Sensor {
         serial: serial.to_owned(),
         owner: Some(owner.to_owned()),
-        sensitivity_v_per_ms2: Some(0.01),
+        sensitivity: Some(0.01),
         ..Sensor::default()
     }
 }
@@ -90,7 +90,7 @@ fn rewrite_journal(file: &Connection) {
     for (number, subject, name) in rows {
         let table = match subject.as_str() {
             "sensor" => {
-                "SELECT serial, manufacturer, model, sensitivity_v_per_ms2, range_ms2, iepe, mounting, owner, \
+                "SELECT serial, manufacturer, model, sensitivity, range_ms2, iepe, mounting, owner, \
                  due_day, teds, tolerance, unit FROM sensors WHERE serial = ?1"
             }
             "record" => "SELECT sha256 FROM records WHERE id = CAST(?1 AS INTEGER)",

@@ -105,5 +105,68 @@ fn retry_measures_what_was_refused_and_nothing_else() {
     let nothing = ["run", "--retry", "2", "-d", &address];
     let nothing = calib(folder.path(), &nothing);
     assert_eq!(nothing.status.code(), Some(6));
-    assert!(text(&nothing.stderr).contains("no refused point"));
+    assert!(text(&nothing.stderr).contains("a result for every point"));
+}
+
+/// Before: a list that ended early was retried at what was refused alone, and the verdict was that of these points.
+#[test]
+fn what_was_never_tried_is_measured_too_and_the_verdict_is_that_of_both() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut dead = Device::new();
+    dead.silent_hz = vec![160.0];
+    let (device, address) = serve(dead);
+    list(folder.path(), "160 315 1250");
+    let laboratory = "[decision]\nspecification = 'relative'\ntolerance_percent = 5\n";
+    std::fs::write(folder.path().join("l.toml"), laboratory).expect("file");
+    let go = |line: &str| {
+        let words: Vec<&str> = line.split(' ').chain(["-d", &address]).collect();
+        calib(folder.path(), &words)
+    };
+    let run =
+        "run --points p.csv --serial S1 --operator N. --temperature 23 --laboratory l.toml --json";
+    let first: serde_json::Value = serde_json::from_slice(&go(run).stdout).expect("JSON");
+    assert_eq!(first["verdict"]["conformity"], "not_judgeable");
+    assert!(
+        first["points"].as_array().expect("points").len() < 3,
+        "ended early"
+    );
+    device.lock().expect("device").silent_hz.clear();
+    let id = first["record_id"].to_string();
+    let again = go(&format!("run --retry {id} --laboratory l.toml --json"));
+    assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
+    let again = json(&again);
+    let points = again["points"].as_array().expect("points");
+    let hz: Vec<&serde_json::Value> = points.iter().map(|point| &point["frequency_hz"]).collect();
+    assert_eq!(hz, [160.0, 315.0, 1250.0]);
+    assert_eq!(again["verdict"]["conformity"], "pass");
+    // What was stated in the morning is stated still.
+    let record = again["record_id"].to_string();
+    go(&format!("download {record}"));
+    let file = format!(
+        "record-{:05}.calibrec",
+        again["record_id"].as_u64().expect("a number")
+    );
+    let bytes = std::fs::read(folder.path().join(file)).expect("a record");
+    let labels = calib_protocol::record::decode(&bytes)
+        .expect("whole")
+        .head
+        .labels;
+    assert_eq!(
+        (labels.operator.as_str(), labels.temperature_centi_c),
+        ("N.", Some(2300))
+    );
+    let made = go(&format!(
+        "certificate {id} --retried {record} --laboratory l.toml --format json --out c"
+    ));
+    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+    let file = folder.path().join(text(&made.stdout).trim());
+    let certificate = std::fs::read_to_string(file).expect("written");
+    let certificate: serde_json::Value = serde_json::from_str(&certificate).expect("JSON");
+    assert_eq!(certificate["points"].as_array().expect("points").len(), 3);
+    let said = certificate["calibration"]["retried"]
+        .as_str()
+        .expect("said");
+    assert!(said.starts_with(&format!("record {record} of ")), "{said}");
+    let wrong = go(&format!("certificate {record} --retried {id} --out c"));
+    assert_eq!(wrong.status.code(), Some(6));
 }

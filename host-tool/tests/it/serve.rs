@@ -359,6 +359,136 @@ fn a_stop_ends_a_run_and_one_while_idle_reaches_the_calibrator_too() {
     assert_eq!(view["run"]["ended"], "finished");
 }
 
+/// Before, every sensitivity was refused: "invalid type: map, expected f64".
+#[test]
+fn sensors_of_every_kind_are_registered_and_measured_in_their_unit() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (_, address) = serve_device(Device::new());
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    let register = |sensor: &Value| server.post("/api/sensors", sensor);
+    let charge = json!({
+        "serial": "C1", "sensitivity": 1, "unit": "pC/(m/s2) at 10 mV/pC +-0.5%", "tolerance": "5",
+        "range": 500.5, "iepe": false
+    });
+    assert_eq!(register(&charge), 200);
+    let velocity = json!({ "serial": "V1", "sensitivity": 4.5, "unit": "mV/(mm/s)" });
+    assert_eq!(register(&velocity), 200);
+    for wrong in [
+        json!({ "serial": "X", "sensitivity": "much" }),
+        json!({ "serial": "X", "unit": "pC/g" }),
+        json!({ "serial": "C1", "sensitivity": 1 }),
+        json!({ "sensitivity": 1 }),
+    ] {
+        assert_eq!(register(&wrong), 400, "{wrong}");
+    }
+    let sensors: Value = serde_json::from_str(&server.get("/api/sensors").1).expect("JSON");
+    let of = |serial: &str| {
+        let all = sensors.as_array().expect("a list");
+        all.iter()
+            .find(|sensor| sensor["serial"] == serial)
+            .expect(serial)
+            .clone()
+    };
+    assert_eq!(
+        (&of("C1")["sensitivity"], &of("V1")["sensitivity"]),
+        (&json!(1.0), &json!(4.5))
+    );
+    assert_eq!(of("V1")["sensitivity_v_per_ms2"], Value::Null);
+    // The device measures 10 mV/(m/s2): 1 pC/(m/s2) through 10 mV/pC.
+    let run = json!({ "sensor": "C1", "frequencies_hz": [160] });
+    assert_eq!(server.post("/api/run", &run), 202);
+    let view = server.until("ended", has_ended);
+    assert_eq!(view["run"]["unit"], "pC/(m/s2)");
+    let own = view["run"]["points"][0]["in_unit"]["sensitivity"]
+        .as_f64()
+        .expect("a number");
+    assert!((own - 1.0).abs() < 1e-6, "{own}");
+    let records: Value = serde_json::from_str(&server.get("/api/records").1).expect("JSON");
+    assert_eq!(records[0]["unit"], "pC/(m/s2)");
+    let judged: Value = serde_json::from_str(&server.get("/api/judged").1).expect("JSON");
+    assert_eq!(judged["verdict"]["conformity"], "pass");
+}
+
+#[test]
+fn a_list_that_cannot_be_measured_names_its_points_and_moves_nothing() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (device, address) = serve_device(Device::new());
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    // The reference is calibrated to 20 kHz; 10 m/s2 at 6 Hz need 9.95 mm of 5.
+    let run = json!({ "frequencies_hz": [160, 30000, 6] });
+    assert_eq!(server.post("/api/run", &run), 202);
+    let view = server.until("ended", has_ended);
+    let run = &view["run"];
+    let ended = run["ended"].as_str().expect("words");
+    assert!(ended.starts_with("nothing was moved"), "{ended}");
+    let impossible = run["impossible"].as_array().expect("reasons");
+    let of = |reason: &str| {
+        let found = impossible
+            .iter()
+            .find(|refused| refused["reason"] == reason);
+        found.map(|refused| refused["frequencies_hz"].clone())
+    };
+    assert_eq!(of("frequency_unavailable"), Some(json!([30000.0])));
+    assert_eq!(of("displacement_limit"), Some(json!([6.0])));
+    let starts = device.lock().expect("device").starts;
+    assert_eq!(starts, 0);
+}
+
+/// Before: the page sent frequencies again at the level of its form, and showed and certified those alone.
+#[test]
+fn a_retry_measures_what_has_no_result_and_both_runs_are_one_calibration() {
+    let folder = tempfile::tempdir().expect("folder");
+    let mut dead = Device::new();
+    dead.silent_hz = vec![160.0, 315.0];
+    let (device, address) = serve_device(dead);
+    let server = Server::start(folder.path(), LOOPBACK, &["--device", &address]);
+    server.connected();
+    let of_form = json!({
+        "dut_serial": "S1", "frequencies_hz": [80, 160, 315, 630], "set_acceleration_rms_ms2": 5
+    });
+    assert_eq!(server.post("/api/run", &of_form), 202);
+    let first = server.until("ended", has_ended);
+    assert_eq!(first["run"]["unit"], "mV/(m/s2)");
+    device.lock().expect("device").silent_hz.clear();
+    assert_eq!(server.post("/api/run", &json!({ "retry": true })), 202);
+    let view = server.until("both", |view| view["run"]["number"] == 2 && has_ended(view));
+    let points = view["run"]["points"].as_array().expect("points");
+    assert_eq!(points.len(), 4);
+    assert!(
+        points.iter().all(|point| point["state"] == "valid"),
+        "{points:?}"
+    );
+    let last = device
+        .lock()
+        .expect("device")
+        .requests
+        .iter()
+        .rev()
+        .find_map(|request| match request {
+            Request::Start(spec) => Some(spec.clone()),
+            _ => None,
+        });
+    let spec = last.expect("a start");
+    let again: Vec<(f32, f32)> = spec
+        .points
+        .iter()
+        .map(|p| (p.frequency_hz, p.acceleration_rms_ms2))
+        .collect();
+    assert_eq!(again, [(160.0, 5.0), (315.0, 5.0)]);
+    assert_eq!(spec.labels.dut_serial.as_str(), "S1");
+    let judged: Value = serde_json::from_str(&server.get("/api/judged").1).expect("JSON");
+    assert_eq!(judged["points"].as_array().expect("points").len(), 4);
+    let (status, certificate) = server.issue("/api/certificate/json");
+    assert_eq!(status, 200, "{certificate}");
+    let certificate: Value = serde_json::from_str(&certificate).expect("JSON");
+    assert_eq!(certificate["points"].as_array().expect("points").len(), 4);
+    assert!(certificate["calibration"]["retried"].is_string());
+    // Nothing is left.
+    assert_eq!(server.post("/api/run", &json!({ "retry": true })), 400);
+}
+
 /// A link that can be cut: bytes to and from a device, until it is.
 struct Cable {
     address: String,

@@ -3,6 +3,7 @@
 use calib_core::conformity::{Conformity, judge};
 use calib_core::point::PointSpec;
 use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList};
+use calib_core::verdict::Reason;
 use calib_host::emulated::EmulatedTransport;
 use calib_link::{Client, Error, session};
 use calib_protocol::clock::ClockReading;
@@ -67,6 +68,12 @@ fn lists_change_under_a_hand_alone_and_are_kept_through_a_power_cut() -> Result<
         assert_eq!(
             refusal(client.change_lists(&store(&useless)))?,
             Refusal::List
+        );
+        let impossible = list("high", &[long[0], point(30_000.0, 10.0)], 0.0, 0.05);
+        let reason = Reason::FrequencyUnavailable;
+        assert_eq!(
+            refusal(client.change_lists(&store(&impossible)))?,
+            Refusal::PointImpossible { index: 1, reason }
         );
         Ok(client.change_lists(&choice("short"))?)
     })?;
@@ -206,6 +213,26 @@ fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<
     let folder = tempfile::tempdir()?;
     let download = session::download(&mut bench.client, record_id, folder.path(), |_| ())?;
     assert!(download.record.list.is_none());
+    Ok(())
+}
+
+/// Limits that were lowered since the list was stored: its first point could still be measured.
+#[test]
+fn a_tap_of_a_list_that_can_no_longer_be_measured_moves_nothing() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    let list = list("pump", &[point(160.0, 5.0), point(160.0, 10.0)], 0.0, 0.05);
+    bench.under_a_hand(|client| {
+        client.change_lists(&ListChange::Store(list.clone()))?;
+        Ok(client.change_lists(&choice("pump"))?)
+    })?;
+    // 10 m/s2 r.m.s. are 14.1 m/s2 peak.
+    bench.adjust(|settings| settings.limits.acceleration_peak_ms2 = 10.0)?;
+    let before = bench.client.records()?.len();
+    bench.under_a_hand(|_| Ok(()))?;
+    bench.client.wait(Duration::from_millis(300))?;
+    assert!(!bench.client.status()?.state.is_running());
+    assert_eq!(seen(&mut bench)?, NOT_JUDGEABLE);
+    assert_eq!(bench.client.records()?.len(), before);
     Ok(())
 }
 

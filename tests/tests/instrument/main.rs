@@ -22,6 +22,7 @@ mod hitl;
 mod hostile_hosts;
 mod hum;
 mod image;
+mod kinds;
 mod lease;
 mod lone;
 mod power_cut;

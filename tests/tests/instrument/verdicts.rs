@@ -3,6 +3,7 @@
 use calib_core::point::PointSpec;
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::message::RunState;
+use calib_protocol::record::{RecordKind, RecordSummary};
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::rig::Rig;
 use std::time::Duration;
@@ -54,11 +55,25 @@ fn a_level_beyond_the_amplifier_is_refused() -> Result<(), Fault> {
 
 #[test]
 fn a_level_beyond_the_stroke_is_refused_before_the_table_moves() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
     // 60 m/s2 r.m.s. at 20 Hz are 5.4 mm peak, above the limit of 5 mm, and
-    // 0.68 m/s peak, below the limit of 1 m/s.
-    expect(
-        &Rig::standard(),
-        point(20.0, 60.0),
-        Reason::DisplacementLimit,
-    )
+    // 0.68 m/s peak, below the limit of 1 m/s. The points before it do not move the table either.
+    let list = [point(160.0, 10.0), point(80.0, 10.0), point(20.0, 60.0)];
+    let refused = bench
+        .run(&list)
+        .map(drop)
+        .expect_err("before anything moves");
+    let said = refused.to_string();
+    assert!(
+        said.contains("point 3 of the list: the level exceeds the displacement limit"),
+        "{said}"
+    );
+    bench.expect_silence(Duration::from_millis(500))?;
+    assert!(!bench.client.status()?.state.is_running());
+    let calibrations = |record: &RecordSummary| record.kind == RecordKind::Calibration;
+    assert!(
+        !bench.client.records()?.iter().any(calibrations),
+        "no run began"
+    );
+    Ok(())
 }

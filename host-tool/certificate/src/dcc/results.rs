@@ -3,14 +3,14 @@
 use super::administrative::{identification, one_software, stated};
 use super::xml::Xml;
 use crate::decision::Conformity;
+use crate::kind::SensorKind;
 use crate::model::{Certificate, Deviation, Point, PointValues, Value};
 use crate::present;
 use crate::rounding::Rounded;
 use crate::words::Language;
 use calib_core::budget::coverage::PROBABILITY_K2;
-use calib_output::number::fixed;
-
-const PER_MS2: &str = r"\milli\volt\metre\tothe{-1}\second\tothe{2}";
+use calib_core::quantity::MotionQuantity;
+use calib_output::number::{fixed, shortened};
 
 /// Values with their expanded uncertainties; all lists are equally long.
 struct List<'a> {
@@ -273,17 +273,31 @@ fn lists(xml: &mut Xml, certificate: &Certificate, points: &[Measured<'_>], lang
         points,
         |p| p.acceleration_ms2.to_string(),
     );
-    let magnitudes = magnitudes(points, language);
-    let lists = [frequencies, accelerations, magnitudes].into_iter();
-    let lists = lists.chain(phases(points, language));
+    let motions = motions(certificate.kind, points, language);
+    let magnitudes = magnitudes(certificate.kind, points, language);
+    let lists = [frequencies, accelerations].into_iter().chain(motions);
+    let lists = lists.chain([magnitudes]).chain(phases(points, language));
     for list in lists.chain(deviations(points, language)) {
         write_list(xml, certificate, language, &list);
     }
 }
 
-fn magnitudes<'a>(points: &[Measured<'_>], language: Language) -> List<'a> {
+/// Velocities or displacements of a sensor to them.
+fn motions<'a>(kind: SensorKind, points: &[Measured<'_>], language: Language) -> Option<List<'a>> {
+    // Motions are in mm/s and um.
+    let (ref_type, unit, per_si) = match kind.quantity() {
+        MotionQuantity::Acceleration => return None,
+        MotionQuantity::Velocity => ("vib_velocity", r"\metre\second\tothe{-1}", 1.0e-3),
+        MotionQuantity::Displacement => ("vib_displacement", r"\metre", 1.0e-6),
+    };
+    let name = language.word("column.amplitude");
+    let si = |point: &Point| shortened(per_si * point.amplitude_rms, 7).to_string();
+    Some(plain(name, ref_type, unit, points, si))
+}
+
+fn magnitudes<'a>(kind: SensorKind, points: &[Measured<'_>], language: Language) -> List<'a> {
     let printed = |number: fn(&Rounded) -> f64| -> Vec<String> {
-        let of_point = points.iter().map(|(_, values)| &values.printed_mv_per_ms2);
+        let of_point = points.iter().map(|(_, values)| &values.printed);
         of_point
             .map(|rounded| fixed(number(rounded), rounded.decimals))
             .collect()
@@ -293,7 +307,8 @@ fn magnitudes<'a>(points: &[Measured<'_>], language: Language) -> List<'a> {
     List {
         name: language.word("result.sensitivity"),
         ref_type: "vib_sensitivityMagnitude",
-        unit: PER_MS2,
+        // Every kind has a unit of D-SI among those alike.
+        unit: kind.stated_unit().d_si().unwrap_or_default(),
         values: printed(|r| r.value),
         uncertainties: Some((printed(|r| r.uncertainty), factors.collect())),
         conformity: judged.map(|a| a.conformity.name()).collect(),

@@ -20,6 +20,7 @@ pub mod specification;
 mod stored;
 mod tolerance;
 
+use crate::kind::{SensitivityUnit, Specified};
 pub use limits::{Band, Base, Limits};
 pub use request::{Request, RuleName};
 pub use rule::{Assessment, Conformity, Rule, Stated, assess};
@@ -54,7 +55,7 @@ impl Request {
     /// As [`Self::build`].
     pub fn check(&self) -> Result<(), String> {
         let mut request = self.clone();
-        request.know_nominal(1.0);
+        request.know_nominal(Specified::of_si(1.0, SensitivityUnit::default()));
         request.build().map(drop)
     }
 }

@@ -1,8 +1,9 @@
 //! Specification and rule as a file asks for them, not yet checked.
 
 use super::limits::Band;
-use crate::units::STANDARD_GRAVITY_MS2;
-use serde::Deserialize;
+use crate::kind::SensitivityUnit::{MillivoltPerG, MillivoltPerMs2};
+use crate::kind::{SensorKind, Specified};
+use serde::{Deserialize, Deserializer};
 
 /// The `[decision]` part of a TOML file.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
@@ -10,6 +11,9 @@ use serde::Deserialize;
 pub struct Request {
     /// `api670`, `nominal`, `relative`; or a name of one's own with bands.
     pub specification: String,
+    /// Nominal sensitivity with its unit, such as `4 mV/(mm/s)`.
+    #[serde(deserialize_with = "specified")]
+    pub nominal: Option<Specified>,
     /// Nominal sensitivity, mV/g.
     pub nominal_mv_per_g: Option<f64>,
     /// Nominal sensitivity, mV/(m/s2).
@@ -23,7 +27,7 @@ pub struct Request {
     pub rule: RuleName,
     /// Largest probability of false acceptance, %, for `max_false_accept`.
     pub max_false_accept_percent: Option<f64>,
-    /// Sensitivities of the last calibration, Hz and V/(m/s2); from the logbook.
+    /// Sensitivities of the last calibration, Hz and the SI unit of the sensor's kind; from the logbook.
     #[serde(skip)]
     pub last: Vec<(f64, f64)>,
 }
@@ -48,19 +52,45 @@ impl Request {
         self.specification.is_empty() && self.bands.is_empty()
     }
 
-    /// Takes a nominal sensitivity, V/(m/s2), if none is stated. API 670 states
-    /// one itself.
-    pub fn know_nominal(&mut self, v_per_ms2: f64) {
-        if self.nominal_v_per_ms2().is_none() && self.specification != "api670" {
-            self.nominal_mv_per_ms2 = Some(1000.0 * v_per_ms2);
+    /// Takes a nominal sensitivity if none is stated. API 670 states one itself.
+    pub fn know_nominal(&mut self, nominal: Specified) {
+        if self.stated_nominal().is_none() && self.specification != API_670 {
+            self.nominal = Some(nominal);
         }
     }
 
-    /// Nominal sensitivity in V/(m/s2), if it is stated.
-    pub(crate) fn nominal_v_per_ms2(&self) -> Option<f64> {
-        let per_g = self
-            .nominal_mv_per_g
-            .map(|mv| mv / 1000.0 / STANDARD_GRAVITY_MS2);
-        self.nominal_mv_per_ms2.map(|mv| mv / 1000.0).or(per_g)
+    /// Nominal sensitivity, if it is stated.
+    pub(crate) fn stated_nominal(&self) -> Option<Specified> {
+        let of = |unit, stated: Option<f64>| Some(Specified::new(stated?, unit));
+        self.nominal
+            .or(of(MillivoltPerMs2, self.nominal_mv_per_ms2))
+            .or(of(MillivoltPerG, self.nominal_mv_per_g))
     }
+
+    /// Whether sensors of this kind can be judged by it.
+    ///
+    /// # Errors
+    /// A sentence that names what does not fit.
+    pub(crate) fn fits(&self, kind: SensorKind) -> Result<(), String> {
+        if kind.is_reported_only() && !self.is_open() {
+            return Err(format!(
+                "decision: a transmitter in {} is reported only: it has no tolerance",
+                kind.unit().name()
+            ));
+        }
+        if self.specification == API_670 && !kind.is_as_measured() {
+            return Err("decision: API 670 is for accelerometers of 100 mV/g".to_owned());
+        }
+        let nominal = self.stated_nominal();
+        nominal.map_or(Ok(()), |nominal| kind.shown_in(nominal.unit).map(drop))
+    }
+}
+
+/// Name of the preset.
+pub(super) const API_670: &str = "api670";
+
+fn specified<'de, D: Deserializer<'de>>(stated: D) -> Result<Option<Specified>, D::Error> {
+    let text = Option::<String>::deserialize(stated)?;
+    let parsed = text.map(|text| text.parse().map_err(serde::de::Error::custom));
+    parsed.transpose()
 }

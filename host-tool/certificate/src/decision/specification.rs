@@ -1,7 +1,8 @@
 //! Tolerances: bands over frequency around a nominal or the reference.
 
 use super::limits::{Band, Base, Limits};
-use super::request::Request;
+use super::request::{API_670, Request};
+use crate::kind::SensitivityUnit::MillivoltPerG;
 
 /// Name of a specification.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,11 +22,11 @@ pub enum Name {
 pub struct Specification {
     /// Its name.
     pub name: Name,
-    /// Nominal sensitivity, V/(m/s2).
-    pub nominal_v_per_ms2: Option<f64>,
+    /// Nominal sensitivity, SI unit of the sensor's kind.
+    pub nominal: Option<f64>,
     /// Bands; where several apply, all must be met.
     pub bands: Vec<Band>,
-    /// Sensitivities of the last calibration, Hz and V/(m/s2).
+    /// Sensitivities of the last calibration, Hz and the same unit.
     pub last: Vec<(f64, f64)>,
 }
 
@@ -36,8 +37,8 @@ pub struct Place {
     pub frequency_hz: f64,
     /// True at the reference point.
     pub at_reference_point: bool,
-    /// Sensitivity measured at the reference point, V/(m/s2).
-    pub reference_v_per_ms2: f64,
+    /// Sensitivity measured at the reference point, SI unit of the sensor's kind.
+    pub reference: f64,
 }
 
 /// A sensor of API 670: 100 mV/g within 5 % at the reference point, response
@@ -46,13 +47,12 @@ const API_670_MV_PER_G: f64 = 100.0;
 
 impl Specification {
     pub(super) fn build(request: &Request) -> Result<Self, String> {
-        let mut nominal = request.nominal_v_per_ms2();
+        let mut nominal = request.stated_nominal().map(|nominal| nominal.si);
         let (name, bands) = match request.specification.as_str() {
             "" if !request.bands.is_empty() => (Name::Bands, request.bands.clone()),
             "" => return Err("decision.specification: say api670, nominal, relative, or a name of your own with [[decision.band]]".to_owned()),
-            "api670" => {
-                let per_g = Request { nominal_mv_per_g: Some(API_670_MV_PER_G), ..Request::default() };
-                nominal = nominal.or(per_g.nominal_v_per_ms2());
+            API_670 => {
+                nominal = nominal.or(Some(MillivoltPerG.to_si(API_670_MV_PER_G)));
                 (Name::Own("API 670".to_owned()), api_670().to_vec())
             }
             "nominal" => {
@@ -67,7 +67,7 @@ impl Specification {
         };
         let specification = Self {
             name,
-            nominal_v_per_ms2: nominal,
+            nominal,
             bands,
             last: request.last.clone(),
         };
@@ -95,9 +95,9 @@ impl Specification {
             }
         }
         let nominal = self.bands.iter().any(|band| band.base == Base::Nominal);
-        match self.nominal_v_per_ms2 {
+        match self.nominal {
             None if nominal => {
-                Err("decision: state nominal_mv_per_g or nominal_mv_per_ms2".to_owned())
+                Err("decision: state nominal_mv_per_g, nominal_mv_per_ms2, or nominal = \"4 mV/(mm/s)\"".to_owned())
             }
             Some(value) if !(value.is_finite() && value > 0.0) => {
                 Err("decision: the nominal sensitivity must be positive".to_owned())
@@ -106,7 +106,7 @@ impl Specification {
         }
     }
 
-    /// Limits of the sensitivity, V/(m/s2), at a frequency; `None` where
+    /// Limits of the sensitivity at a frequency; `None` where
     /// nothing is specified. Of a base that is not known no limit is a number.
     pub fn limits(&self, place: Place) -> Option<Limits> {
         self.limits_of(place, |_| true)
@@ -131,8 +131,7 @@ impl Specification {
         })
     }
 
-    /// The band a value, V/(m/s2), comes nearest to leaving or leaves furthest, and
-    /// its base, V/(m/s2).
+    /// The band a value comes nearest to leaving or leaves furthest, and its base.
     pub fn decisive(&self, place: Place, value: f64) -> Option<(&Band, f64)> {
         let margin = |(band, base): &(&Band, f64)| {
             let limits = band.around(*base);
@@ -153,8 +152,8 @@ impl Specification {
     fn base(&self, base: Base, place: Place) -> f64 {
         let near = |(hz, _): &&(f64, f64)| (hz / place.frequency_hz - 1.0).abs() < 0.01;
         match base {
-            Base::Nominal => self.nominal_v_per_ms2.unwrap_or(f64::NAN),
-            Base::Reference => place.reference_v_per_ms2,
+            Base::Nominal => self.nominal.unwrap_or(f64::NAN),
+            Base::Reference => place.reference,
             Base::Last => self.last.iter().find(near).map_or(f64::NAN, |last| last.1),
         }
     }
@@ -209,11 +208,11 @@ mod tests {
         toml::from_str(text).expect("TOML")
     }
 
-    fn place(frequency_hz: f64, reference_v_per_ms2: f64, at_reference_point: bool) -> Place {
+    fn place(frequency_hz: f64, reference: f64, at_reference_point: bool) -> Place {
         Place {
             frequency_hz,
             at_reference_point,
-            reference_v_per_ms2,
+            reference,
         }
     }
 

@@ -5,6 +5,7 @@ use super::request::{Request, RuleName};
 use super::rule::Rule;
 use super::specification::everywhere;
 use super::tolerance::Tolerance;
+use crate::kind::{SensitivityUnit, SensorKind, Specified};
 use calib_core::stored_list::{self, ANY_HZ, ListTerms};
 use calib_output::number::{decimal, percent};
 
@@ -13,7 +14,7 @@ impl Request {
     pub fn of_terms(terms: &ListTerms) -> Self {
         let nominal = Some(terms.nominal_v_per_ms2).filter(|nominal| *nominal > 0.0);
         Self {
-            nominal_mv_per_ms2: nominal.map(|nominal| 1000.0 * decimal(nominal)),
+            nominal: nominal.map(|nominal| as_measured(decimal(nominal))),
             bands: terms.bands.iter().map(from_instrument).collect(),
             rule: match terms.rule {
                 stored_list::Rule::Simple => RuleName::Simple,
@@ -23,11 +24,19 @@ impl Request {
         }
     }
 
-    /// Tolerance, rule and nominal sensitivity of this request as an instrument keeps them, without a name.
+    /// Tolerance, rule and nominal sensitivity of this request, for a sensor of this kind, as an instrument keeps
+    /// them, without a name.
     ///
     /// # Errors
     /// A sentence that names what is missing, or what an instrument cannot judge by.
-    pub fn terms(&self) -> Result<ListTerms, String> {
+    pub fn terms(&self, kind: SensorKind) -> Result<ListTerms, String> {
+        if kind.steps() != 0 {
+            return Err(format!(
+                "an instrument by itself judges sensors to acceleration, and not in {}",
+                kind.unit().name()
+            ));
+        }
+        self.fits(kind)?;
         let decision = self.build()?;
         let rule = match decision.rule {
             Rule::Simple => stored_list::Rule::Simple,
@@ -36,7 +45,9 @@ impl Request {
                 return Err("an instrument judges by the rules simple and guard_band".to_owned());
             }
         };
-        let nominal = decision.specification.nominal_v_per_ms2;
+        let nominal = decision.specification.nominal;
+        // Of a sensor to acceleration it is one number for all frequencies.
+        let nominal = nominal.map(|nominal| kind.to_v_per_ms2(nominal, 160.0));
         let mut terms = ListTerms {
             nominal_v_per_ms2: nominal.map_or(0.0, |nominal| nominal as f32),
             rule,
@@ -59,18 +70,23 @@ impl Tolerance {
         Self::Bands(terms.bands.iter().map(from_instrument).collect())
     }
 
-    /// A request for this tolerance by this rule, of a sensor of this nominal sensitivity, V/(m/s2).
-    pub fn request(&self, rule: RuleName, nominal_v_per_ms2: Option<f64>) -> Request {
+    /// A request for this tolerance by this rule, of a sensor of this nominal sensitivity.
+    pub fn request(&self, rule: RuleName, nominal: Option<Specified>) -> Request {
         let mut request = Request {
             rule,
             ..Request::default()
         };
         self.complete(&mut request);
-        if let Some(nominal) = nominal_v_per_ms2 {
+        if let Some(nominal) = nominal {
             request.know_nominal(nominal);
         }
         request
     }
+}
+
+/// V/(m/s2), which an instrument measures and keeps.
+fn as_measured(v_per_ms2: f64) -> Specified {
+    Specified::of_si(v_per_ms2, SensitivityUnit::default())
 }
 
 fn from_instrument(band: &stored_list::Band) -> Band {
@@ -124,7 +140,9 @@ mod tests {
 
     fn kept(tolerance: &str, rule: RuleName) -> Result<ListTerms, String> {
         let tolerance: Tolerance = tolerance.parse().expect(tolerance);
-        tolerance.request(rule, Some(0.0102)).terms()
+        tolerance
+            .request(rule, Some(as_measured(0.0102)))
+            .terms(SensorKind::default())
     }
 
     #[test]
@@ -138,7 +156,7 @@ mod tests {
             assert_eq!(Tolerance::of_terms(&terms).to_string(), text);
             let again = Request::of_terms(&terms);
             assert_eq!(again.rule, RuleName::Simple);
-            assert_eq!(again.terms(), Ok(terms));
+            assert_eq!(again.terms(SensorKind::default()), Ok(terms));
         }
         // 3 dB of the reference point, and 5 % of 100 mV/g.
         let api_670 = kept("api670", RuleName::GuardBand).expect("preset");
@@ -156,7 +174,9 @@ mod tests {
         let many = kept("5,4,3,2,1,6,7", RuleName::Simple).expect_err("seven");
         assert!(many.contains("6 bands"), "{many}");
         let tolerance: Tolerance = "5".parse().expect("percent");
-        let without = tolerance.request(RuleName::Simple, None).terms();
+        let without = tolerance
+            .request(RuleName::Simple, None)
+            .terms(SensorKind::default());
         assert!(without.expect_err("no nominal").contains("nominal"));
     }
 }

@@ -12,13 +12,10 @@
 //! Several, separated by commas, must all be met where they apply.
 
 use super::limits::{Band, Base};
-use super::request::Request;
+use super::request::{API_670, Request};
 use super::specification::everywhere;
 use std::fmt;
 use std::str::FromStr;
-
-/// Name of the preset.
-const API_670: &str = "api670";
 
 /// Tolerance of a sensor; a logbook keeps its text.
 #[derive(Clone, Debug, PartialEq)]

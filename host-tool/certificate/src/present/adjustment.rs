@@ -13,12 +13,13 @@ pub(super) fn as_found(certificate: &Certificate, language: Language) -> Option<
         let word = language.word(&format!("column.{key}")).to_owned();
         (word, unit.to_owned())
     };
+    let unit = certificate.kind.stated_unit().printed();
     let mut columns = vec![
         heading("frequency", "Hz"),
         heading("acceleration", "m/s²"),
-        heading("as_found", "mV/(m/s²)"),
+        heading("as_found", unit),
         heading("uncertainty", "%"),
-        heading("as_left", "mV/(m/s²)"),
+        heading("as_left", unit),
         heading("uncertainty", "%"),
         heading("change", "%"),
     ];
@@ -62,7 +63,7 @@ fn state(point: &Point, language: Language) -> [String; 2] {
         Some(language.number(percent, decimals))
     };
     [
-        cell(point, |v| Some(value_of(&v.printed_mv_per_ms2, language))),
+        cell(point, |v| Some(value_of(&v.printed, language))),
         cell(point, uncertainty),
     ]
 }

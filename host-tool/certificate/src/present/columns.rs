@@ -1,6 +1,7 @@
 //! The columns a table over frequency can have.
 
 use crate::decision::Stated;
+use crate::kind::{SensitivityUnit, SensorKind};
 use crate::measured::{Heading, MEASURED, Measured};
 use crate::model::{Point, PointValues};
 use crate::rounding::Rounded;
@@ -13,9 +14,20 @@ pub(crate) struct Column {
     pub(crate) name: &'static str,
     /// Printed where the layout names no columns.
     pub(super) usual: bool,
-    /// Unit, empty for none.
-    pub(super) unit: &'static str,
+    unit: Unit,
     what: What,
+}
+
+/// Unit of a column.
+enum Unit {
+    /// One for all; empty for none.
+    Fixed(&'static str),
+    /// That of the sensitivity.
+    Stated,
+    /// The same per standard acceleration of free fall.
+    PerG,
+    /// That of the motion, where it is no acceleration.
+    Motion,
 }
 
 /// Where the cells of a column come from.
@@ -32,6 +44,16 @@ impl Column {
         match &self.what {
             What::Result(key, _) => language.word(&format!("column.{key}")).to_owned(),
             What::Measured(_, heading) => language.one_of(heading.words).to_owned(),
+        }
+    }
+
+    /// Unit, empty for none; no unit where sensors of this kind have no such column.
+    pub(super) fn unit(&self, kind: SensorKind) -> Option<&'static str> {
+        match self.unit {
+            Unit::Fixed(unit) => Some(unit),
+            Unit::Stated => Some(kind.stated_unit().printed()),
+            Unit::PerG => kind.per_g_unit().map(SensitivityUnit::printed),
+            Unit::Motion => (kind.steps() > 0).then(|| kind.amplitude_unit()),
         }
     }
 
@@ -52,25 +74,30 @@ pub(crate) fn columns() -> impl Iterator<Item = Column> {
         Some(Column {
             name: heading.name,
             usual: heading.usual,
-            unit: heading.unit,
+            unit: Unit::Fixed(heading.unit),
             what: What::Measured(one, heading),
         })
     });
     RESULTS.into_iter().chain(measured).chain(VERDICTS)
 }
 
-const RESULTS: [Column; 11] = [
+const RESULTS: [Column; 12] = [
     column("frequency", "frequency", "Hz", |p, l| {
         l.shortest(p.nominal_frequency_hz)
     }),
     column("acceleration", "acceleration", "m/s²", |p, l| {
         l.number(p.acceleration_ms2, 3)
     }),
-    column("sensitivity", "sensitivity", "mV/(m/s²)", |p, l| {
-        cell(p, |v| Some(value_of(&v.printed_mv_per_ms2, l)))
+    of_unit("amplitude", "amplitude", Unit::Motion, |p, l| {
+        // As many figures as the acceleration has.
+        let digits = 4 - p.amplitude_rms.log10().floor() as i32;
+        l.number(p.amplitude_rms, usize::try_from(digits).unwrap_or(0).min(6))
     }),
-    column("sensitivity_per_g", "sensitivity", "mV/g", |p, l| {
-        cell(p, |v| Some(value_of(&v.printed_mv_per_g, l)))
+    of_unit("sensitivity", "sensitivity", Unit::Stated, |p, l| {
+        cell(p, |v| Some(value_of(&v.printed, l)))
+    }),
+    of_unit("sensitivity_per_g", "sensitivity", Unit::PerG, |p, l| {
+        cell(p, |v| Some(value_of(&v.printed_per_g?, l)))
     }),
     column("uncertainty", "uncertainty", "%", |p, l| {
         cell(p, |v| {
@@ -128,6 +155,21 @@ const fn column(
     name: &'static str,
     key: &'static str,
     unit: &'static str,
+    cell: fn(&Point, Language) -> String,
+) -> Column {
+    Column {
+        name,
+        usual: true,
+        unit: Unit::Fixed(unit),
+        what: What::Result(key, cell),
+    }
+}
+
+/// A column in a unit of the sensor's kind.
+const fn of_unit(
+    name: &'static str,
+    key: &'static str,
+    unit: Unit,
     cell: fn(&Point, Language) -> String,
 ) -> Column {
     Column {

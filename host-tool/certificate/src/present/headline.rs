@@ -11,9 +11,9 @@ use serde::Serialize;
 pub struct Headline {
     /// "at 160 Hz and 10 m/s2 r.m.s."
     pub at: String,
-    /// Sensitivity with U in mV/(m/s2).
-    pub per_ms2: String,
-    /// Sensitivity with U in mV/g.
+    /// Sensitivity with U.
+    pub sensitivity: String,
+    /// The same per standard acceleration of free fall; empty where sensors of this kind have none.
     pub per_g: String,
     /// U in %.
     pub uncertainty: String,
@@ -42,10 +42,17 @@ pub(super) fn headline(certificate: &Certificate, language: Language) -> Option<
     } else {
         "result.not_inverted"
     };
+    let per_g = values.printed_per_g.zip(certificate.kind.per_g_unit());
     Some(Headline {
         at: language.phrase("result.at", &[&at[0], &at[1]]),
-        per_ms2: rounded(&values.printed_mv_per_ms2, "mV/(m/s²)", language),
-        per_g: rounded(&values.printed_mv_per_g, "mV/g", language),
+        sensitivity: rounded(
+            &values.printed,
+            certificate.kind.stated_unit().printed(),
+            language,
+        ),
+        per_g: per_g.map_or_else(String::new, |(printed, unit)| {
+            rounded(&printed, unit.printed(), language)
+        }),
         uncertainty: with_unit(language.number(uncertainty, decimals), "%"),
         phase: values.printed_phase_deg.map_or_else(
             || language.word("missing").to_owned(),

@@ -32,7 +32,8 @@ pub(super) fn table(certificate: &Certificate, language: Language) -> Table {
         .points
         .iter()
         .any(|p| p.view.coherence.is_some());
-    let columns: Vec<Column> = match wanted.is_empty() {
+    let kind = certificate.kind;
+    let mut columns: Vec<Column> = match wanted.is_empty() {
         true => columns()
             .filter(|column| column.usual && (column.name != "coherence" || broadband))
             .collect(),
@@ -41,7 +42,11 @@ pub(super) fn table(certificate: &Certificate, language: Language) -> Table {
             .filter_map(|name| columns().find(|column| column.name == name))
             .collect(),
     };
-    let heading = |column: &Column| (column.heading(language), column.unit.to_owned());
+    columns.retain(|column| column.unit(kind).is_some());
+    let heading = |column: &Column| {
+        let unit = column.unit(kind).unwrap_or_default();
+        (column.heading(language), unit.to_owned())
+    };
     let row = |(index, point): (usize, &Point)| Row {
         cells: columns
             .iter()

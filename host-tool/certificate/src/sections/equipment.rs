@@ -12,6 +12,7 @@ use calib_record::origin::is_emulated;
 
 pub(super) fn amplifier(record: &Record, particulars: &Particulars) -> Section {
     let stated = &particulars.amplifier;
+    let gain = particulars.kind().conditioner_words().map(Value::Text);
     let lower = exact(stated.lower_cutoff_hz, "Hz");
     let upper = exact(stated.upper_cutoff_hz, "Hz");
     let slope = exact(stated.slope_db_per_octave, "dB/oct");
@@ -19,7 +20,7 @@ pub(super) fn amplifier(record: &Record, particulars: &Particulars) -> Section {
     let reference = scale(record.settings.reference_input);
     let lines = [
         ("description", clause::AMPLIFIER, said(&stated.description)),
-        ("gain", clause::AMPLIFIER, said(&stated.gain)),
+        ("gain", clause::AMPLIFIER, said(&stated.gain).or(gain)),
         ("lower_cutoff", clause::AMPLIFIER, lower),
         ("upper_cutoff", clause::AMPLIFIER, upper),
         ("slope", clause::AMPLIFIER, slope),

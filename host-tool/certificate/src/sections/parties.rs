@@ -1,7 +1,7 @@
 //! The object, who calibrated it and for whom.
 
 use super::clause;
-use super::value::{either, said, text};
+use super::value::{either, phrase, said, text};
 use crate::model::{Section, Value};
 use crate::particulars::{Contact, Particulars};
 use calib_protocol::record::Record;
@@ -12,6 +12,13 @@ pub(super) fn item(record: &Record, particulars: &Particulars) -> Section {
     let model = either(&labels.dut_model, &item.model);
     let serial = either(&labels.dut_serial, &item.serial);
     let received = item.received.map(Value::Day);
+    let kind = particulars.kind();
+    // That of an accelerometer with a voltage goes without saying.
+    let stated = (!kind.is_as_measured()).then(|| {
+        let key = format!("kind.{}", kind.quantity_name());
+        let said = phrase(key, &[kind.stated_unit().printed().to_owned()]);
+        ("kind", clause::METHOD, said)
+    });
     let lines = [
         ("description", clause::ITEM, said(&item.description)),
         ("model", clause::ITEM, model),
@@ -20,7 +27,7 @@ pub(super) fn item(record: &Record, particulars: &Particulars) -> Section {
         ("condition", clause::ITEM, said(&item.condition)),
         ("received", clause::RECEIVED, received),
     ];
-    Section::new("item", lines)
+    Section::new("item", lines.into_iter().chain(stated))
 }
 
 pub(super) fn laboratory(particulars: &Particulars) -> Section {

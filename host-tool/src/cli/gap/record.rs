@@ -4,7 +4,7 @@ use super::super::Context;
 use super::super::measure::stop_on_interrupt;
 use super::super::number::positive;
 use super::super::progress::RunProgress;
-use calib_certificate::SensitivityUnit;
+use calib_certificate::SensorKind;
 use calib_core::point::PointSpec;
 use calib_host::emulated::{self, EmulatedBoard};
 use calib_host::gap::design::diagnostic_points;
@@ -304,7 +304,7 @@ impl RecordVerb {
         };
         let points = self.points(client, known, setting)?;
         let sample_rate_hz = client.info()?.sample_rate_hz;
-        let mut progress = RunProgress::new(context, sample_rate_hz, SensitivityUnit::default());
+        let mut progress = RunProgress::new(context, sample_rate_hz, SensorKind::default());
         let waveforms = !self.no_waveforms;
         let recorded = record(
             client,

@@ -3,6 +3,7 @@
 use super::history::{SIZE, plot};
 use super::sensors::cut;
 use crate::cli::{Context, number::positive, time};
+use calib_certificate::SensorKind;
 use calib_host::assurance::{self, AssuranceReport, CheckState};
 use calib_host::self_check::ReferenceState;
 use calib_host::{Error, Result, terminal};
@@ -35,8 +36,9 @@ pub(crate) struct Assure {
     /// Frequency to compare at, Hz [default: that it was named with, else 160].
     #[arg(long, value_name = "HZ", requires = "serial", value_parser = positive::<f64>)]
     frequency: Option<f64>,
-    /// Sensitivity at that frequency on its own certificate, from elsewhere, mV/(m/s2).
-    #[arg(long, value_name = "MV", requires_all = ["certified_u", "serial"], value_parser = positive::<f64>)]
+    /// Sensitivity at that frequency on its own certificate, from elsewhere: mV/(m/s2), or what
+    /// certificates of its kind state.
+    #[arg(long, value_name = "NUMBER", requires_all = ["certified_u", "serial"], value_parser = positive::<f64>)]
     certified: Option<f64>,
     /// Its expanded uncertainty (k = 2), %.
     #[arg(long, value_name = "PERCENT", requires = "certified", value_parser = positive::<f64>)]
@@ -54,7 +56,9 @@ pub(crate) struct Assure {
 pub(in crate::cli) struct Assurance {
     dut_serial: String,
     frequency_hz: f64,
-    /// Number in the logbook of the record judged.
+    /// Number of the record judged, its instrument's.
+    record_id: u32,
+    /// Its key in the logbook.
     logbook_record: i64,
     /// Results before it.
     results_before: usize,
@@ -85,7 +89,7 @@ impl Assure {
             return all(context, &logbook);
         }
         let known = logbook.check_standard(serial)?;
-        let standard = self.standard(serial, known);
+        let standard = self.standard(serial, known, logbook.kind_of(serial)?);
         if self.every.is_some() {
             logbook.put_check_standard(&standard)?;
             return print(context, &assurance::report(&logbook, now_s())?);
@@ -94,17 +98,24 @@ impl Assure {
     }
 
     /// Statements of before, completed by those of now.
-    fn standard(&self, serial: &str, known: Option<CheckStandard>) -> CheckStandard {
-        let certified = self.certified.zip(self.certified_u);
-        let certified = certified.map(|(mv, percent)| Certified {
-            sensitivity_v_per_ms2: mv / 1000.0,
-            expanded_uncertainty_rel: percent / 100.0,
-        });
+    fn standard(
+        &self,
+        serial: &str,
+        known: Option<CheckStandard>,
+        kind: SensorKind,
+    ) -> CheckStandard {
         let known_every = known.as_ref().map(|known| known.every_days);
         let known_hz = known.as_ref().map(|known| known.frequency_hz);
+        let frequency_hz = self.frequency.or(known_hz).unwrap_or(160.0);
+        let certified = self.certified.zip(self.certified_u);
+        let certified = certified.map(|(stated, percent)| Certified {
+            sensitivity_v_per_ms2: kind
+                .to_v_per_ms2(kind.stated_unit().to_si(stated), frequency_hz),
+            expanded_uncertainty_rel: percent / 100.0,
+        });
         CheckStandard {
             serial: serial.to_owned(),
-            frequency_hz: self.frequency.or(known_hz).unwrap_or(160.0),
+            frequency_hz,
             every_days: self.every.or(known_every).unwrap_or(1),
             certified: certified.or(known.and_then(|known| known.certified)),
         }
@@ -234,7 +245,8 @@ fn judged(context: &Context, logbook: &Logbook, standard: &CheckStandard) -> Res
     let chart = control_chart(&values).ok_or_else(too_few)?;
     let latest = history.results.last().ok_or_else(too_few)?;
     let assurance = judge(standard, &history, latest, chart);
-    context.print(&assurance, || text(&assurance, &history))?;
+    let kind = logbook.kind_of(&standard.serial)?;
+    context.print(&assurance, || text(&assurance, &history, kind))?;
     match assurance.in_control {
         true => Ok(()),
         false => Err(Error::NotPassed(format!(
@@ -265,6 +277,7 @@ fn judge(
     Assurance {
         dut_serial: history.sensor.clone(),
         frequency_hz: history.frequency_hz,
+        record_id: latest.record_id,
         logbook_record: latest.record,
         results_before: history.results.len() - 1,
         sensitivity_v_per_ms2: latest.sensitivity_v_per_ms2,
@@ -278,16 +291,21 @@ fn judge(
     }
 }
 
-fn text(assurance: &Assurance, history: &History) -> String {
-    let mv = |value: f64| format!("{:.5}", 1000.0 * value);
+fn text(assurance: &Assurance, history: &History, kind: SensorKind) -> String {
+    let unit = kind.stated_unit();
+    let shown = |v_per_ms2: f64| {
+        let si = kind.of_v_per_ms2(v_per_ms2, assurance.frequency_hz);
+        format!("{:.5}", unit.of_si(si))
+    };
     let mut lines = vec![
         plot(history),
         format!(
-            "record {}: {} mV/(m/s2), limits {} to {} by {} results before",
-            assurance.logbook_record,
-            mv(assurance.sensitivity_v_per_ms2),
-            mv(assurance.lower_v_per_ms2),
-            mv(assurance.upper_v_per_ms2),
+            "record {}: {} {}, limits {} to {} by {} results before",
+            assurance.record_id,
+            shown(assurance.sensitivity_v_per_ms2),
+            unit.name(),
+            shown(assurance.lower_v_per_ms2),
+            shown(assurance.upper_v_per_ms2),
             assurance.results_before,
         ),
     ];

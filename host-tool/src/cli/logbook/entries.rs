@@ -2,12 +2,15 @@
 
 use super::sensors::cut;
 use super::upkeep::{self, Signing};
+use crate::cli::text::sensitivity;
 use crate::cli::{Context, time};
 use calib_files::file;
 use calib_host::{Error, Result};
 use calib_logbook::{Filter, Instrument, Issued, Kept, Listed, Logbook, Operator};
 use calib_metrology::text::Table;
+use calib_protocol::record;
 use calib_protocol::record::RecordKind;
+use calib_record::hash_chain;
 use clap::{Args, Subcommand};
 use jiff::{civil::Date, tz::TimeZone};
 use schemars::JsonSchema;
@@ -43,11 +46,17 @@ enum What {
     },
     /// Writes a record into a file, as it was downloaded.
     Get {
-        /// Number of the record in the logbook.
-        id: i64,
-        /// The file.
+        /// Number of the record, its instrument's.
+        record: u32,
+        /// Serial number of the instrument, or how it ends, where several have a record of this number.
+        #[arg(long, value_name = "SERIAL")]
+        instrument: Option<String>,
+        /// Series of its numbers: 0 is the first, 1 since its memory was erased or its board changed, and so on.
+        #[arg(long, value_name = "N")]
+        series: Option<i64>,
+        /// The file [default: such as record-00012.calibrec].
         #[arg(long, short, value_name = "FILE")]
-        out: PathBuf,
+        out: Option<PathBuf>,
     },
     /// Lists certificates in the order they were issued.
     Certificates,
@@ -79,7 +88,9 @@ enum What {
 #[derive(Serialize, JsonSchema)]
 pub(in crate::cli) struct Added {
     file: PathBuf,
-    /// Number of the record in the logbook.
+    /// Number of the record, its instrument's.
+    record_id: u32,
+    /// Key of the record in the logbook.
     logbook_record: i64,
     /// False when it was there already.
     new: bool,
@@ -111,9 +122,18 @@ impl LogbookVerb {
                 })?;
                 context.print(&records, || record_table(&records))
             }
-            What::Get { id, out } => {
-                file::create(&out, &logbook.record(id)?)?;
-                let written = Written { file: out };
+            What::Get {
+                record,
+                instrument,
+                series,
+                out,
+            } => {
+                let bytes = logbook.record_of(record, instrument.as_deref(), series)?;
+                let usual = || hash_chain::file_name(record);
+                let written = Written {
+                    file: out.unwrap_or_else(usual),
+                };
+                file::create(&written.file, &bytes)?;
                 context.print(&written, || written.file.display().to_string())
             }
             What::Certificates => {
@@ -152,8 +172,16 @@ fn add(context: &Context, mut logbook: Logbook, files: Vec<PathBuf>) -> Result<(
             Kept::Added(id) => (id, true),
             Kept::Known(id) => (id, false),
         };
+        let link = record::link(&bytes).map_err(|error| {
+            Error::input(
+                path.display().to_string(),
+                error.to_string(),
+                "download it again",
+            )
+        })?;
         added.push(Added {
             file: path,
+            record_id: link.id,
             logbook_record,
             new,
         });
@@ -164,7 +192,7 @@ fn add(context: &Context, mut logbook: Logbook, files: Vec<PathBuf>) -> Result<(
             format!(
                 "{}: record {}{known}\n",
                 added.file.display(),
-                added.logbook_record
+                added.record_id
             )
         };
         added.iter().map(line).collect()
@@ -177,36 +205,65 @@ fn when(unix_time_s: i64) -> String {
 
 fn record_table(records: &[Listed]) -> String {
     let mut table = Table::new(&[
-        "id",
+        "record",
         "measured",
         "sensor",
-        "points",
-        "refused",
+        "valid",
         "f/Hz",
-        "mV/(m/s2)",
+        "S",
+        "",
         "U/%",
+        // Several instruments have records of one number.
+        if several(records) { "instrument" } else { "" },
     ]);
     let number = |value: Option<f64>, factor: f64, decimals: usize| {
         value.map_or(String::new(), |v| format!("{:.decimals$}", factor * v))
     };
     for record in records {
         table.row([
-            record.id.to_string(),
+            record.number.to_string(),
             when(record.unix_time_s),
             match record.kind {
                 RecordKind::Calibration => cut(&record.sensor_serial, 16),
                 RecordKind::ReferenceChange => "(settings)".to_owned(),
             },
-            record.points.to_string(),
-            record.refused.to_string(),
+            match record.kind {
+                RecordKind::Calibration => valid_of(record),
+                RecordKind::ReferenceChange => String::new(),
+            },
             record
                 .reference_frequency_hz
                 .map_or(String::new(), |hz| hz.to_string()),
-            number(record.sensitivity_v_per_ms2, 1000.0, 4),
+            record.sensitivity.map_or(String::new(), sensitivity),
+            record.sensitivity.map_or("", |_| record.unit).to_owned(),
             number(record.expanded_uncertainty_rel, 100.0, 2),
+            match several(records) {
+                true => cut_front(&record.instrument, 8),
+                false => String::new(),
+            },
         ]);
     }
     table.to_string()
+}
+
+/// Valid points, of how many.
+fn valid_of(record: &Listed) -> String {
+    let valid = record.points.saturating_sub(record.refused);
+    format!("{valid}/{}", record.points)
+}
+
+/// Whether the records are of more than one instrument.
+fn several(records: &[Listed]) -> bool {
+    let first = records.first().map(|record| &record.instrument);
+    records
+        .iter()
+        .any(|record| Some(&record.instrument) != first)
+}
+
+/// The last letters of a serial number, by which an instrument is named.
+fn cut_front(serial: &str, letters: usize) -> String {
+    let count = serial.chars().count();
+    serial.chars().skip(count.saturating_sub(letters)).collect()
 }
 
 fn certificate_table(issued: &[Issued]) -> String {

@@ -65,7 +65,7 @@ fn text(history: &Drift) -> String {
     let mut table = Table::new(&[
         "measured",
         "record",
-        "mV/(m/s2)",
+        history.unit,
         "U/%",
         "drift/%",
         "U of it/%",
@@ -76,8 +76,8 @@ fn text(history: &Drift) -> String {
         let drift = result.drift_rel;
         table.row([
             time::date_and_minute(u64::try_from(result.unix_time_s).unwrap_or(0)),
-            result.record.to_string(),
-            format!("{:.5}", 1000.0 * result.sensitivity_v_per_ms2),
+            result.record_id.to_string(),
+            format!("{:.5}", result.sensitivity),
             format!("{:.2}", 100.0 * result.expanded_uncertainty_rel),
             drift.map_or(String::new(), |drift| format!("{:+.2}", 100.0 * drift)),
             result

@@ -6,6 +6,7 @@ use calib_host::{Error, Result};
 use calib_logbook::Sensor;
 use calib_metrology::teds;
 use calib_metrology::text::Table;
+use calib_output::number::shortened;
 use clap::{Args, Subcommand};
 use std::path::PathBuf;
 
@@ -103,12 +104,12 @@ impl Sensors {
 }
 
 fn table(sensors: &[Sensor]) -> String {
-    let mut table = Table::new(&["serial", "sensor", "mV/(m/s2)", "due", "owner"]);
+    let mut table = Table::new(&["serial", "sensor", "sensitivity", "due", "owner"]);
     for sensor in sensors {
         table.row([
             cut(&sensor.serial, 16),
             cut(&sensor.name(), 26),
-            millivolt(sensor),
+            sensitivity(sensor).unwrap_or_default(),
             sensor.due_day.clone().unwrap_or_default(),
             cut(sensor.owner.as_deref().unwrap_or_default(), 12),
         ]);
@@ -116,16 +117,12 @@ fn table(sensors: &[Sensor]) -> String {
     table.to_string()
 }
 
-fn millivolt(sensor: &Sensor) -> String {
-    let shown = |v: f64| format!("{:.5}", 1000.0 * v);
-    sensor.sensitivity_v_per_ms2.map(shown).unwrap_or_default()
-}
-
 /// Nominal sensitivity in the unit it is specified in.
 fn sensitivity(sensor: &Sensor) -> Option<String> {
-    let unit = sensor.unit().unwrap_or_default();
-    let value = unit.of_v_per_ms2(sensor.sensitivity_v_per_ms2?);
-    Some(format!("{value:.5} {}", unit.name()))
+    let kind = sensor.kind().unwrap_or_default();
+    let value = kind.unit().of_si(sensor.sensitivity?);
+    // As it was typed, without the tail that binary numbers have.
+    Some(format!("{} {kind}", shortened(value, 9)))
 }
 
 /// The first letters, so that a table fits 80 columns.

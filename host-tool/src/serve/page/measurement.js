@@ -1,7 +1,7 @@
 // The running or last run: where it stands, its points, its certificate.
 import { around, chart } from "./chart.js";
 import { certificate } from "./server.js";
-import { decimals, figures, say } from "./words.js";
+import { decimals, figures, say, sensitivity } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
 const frequency = () => ({ log: true, label: say("frequency, Hz") });
@@ -47,21 +47,34 @@ export function know(table) {
 
 const in_words = (reason) => (reasons.get(reason) || { reason_text: reason.replaceAll("_", " ") }).reason_text;
 
-/** What to do about the refusals of a run that ended. */
-function advice(run, running) {
-  const codes = run && !running ? [...new Set(run.points.filter((p) => !valid(p)).map((p) => p.reason))] : [];
-  const lines = codes.filter((reason) => reasons.has(reason)).map((reason) => {
-    const line = document.createElement("p"), { reason_text, remedy } = reasons.get(reason);
-    line.textContent = reason_text + ": " + say(remedy);
-    return line;
-  });
-  $("advice").replaceChildren(...lines);
-  $("retry").hidden = !codes.length;
-  $("advice-card").hidden = !codes.length;
+const hertz = (all) => all.map((hz) => figures(hz, 5)).join(", ") + " Hz";
+
+function paragraph(text) {
+  const line = document.createElement("p");
+  line.textContent = text;
+  return line;
 }
 
-/** Frequencies of what was refused, for Retry. */
-export const refused = (run) => run.points.filter((p) => !valid(p)).map((p) => p.frequency_hz);
+/** Points of a list that was measured which nobody came to. */
+const untried = (run) => run.list.filter((set) => !run.points.some((p) => same(p, set)));
+
+/** What to do about the refusals of a run that ended, or of a list that was not begun. */
+function advice(run, running) {
+  const ended = run && !running ? run : null, impossible = ended ? ended.impossible : [];
+  const codes = ended ? [...new Set(ended.points.filter((p) => !valid(p)).map((p) => p.reason))] : [];
+  const lines = codes.filter((reason) => reasons.has(reason)).map((reason) => {
+    const { reason_text, remedy } = reasons.get(reason);
+    return paragraph(reason_text + ": " + say(remedy));
+  });
+  for (const { frequencies_hz, reason, remedy } of impossible) {
+    lines.push(paragraph(hertz(frequencies_hz) + ": " + in_words(reason) + ". " + say(remedy)));
+  }
+  const left = ended && ended.points.length ? untried(ended) : [];
+  if (left.length) lines.push(paragraph(say("Never tried, because the run ended before: {0}", hertz(left.map((set) => set.frequency_hz)))));
+  $("advice").replaceChildren(...lines);
+  $("retry").hidden = !codes.length && !left.length;
+  $("advice-card").hidden = !lines.length;
+}
 
 const failed = (state) => state === "fail" || state === "conditional_fail";
 
@@ -99,18 +112,26 @@ function tiles(run, running) {
   put("acceleration", working && working.acceleration_rms_ms2, 3);
   put("drive", working && working.drive_peak_v, 3);
   $("level-bar").value = working ? working.acceleration_rms_ms2 / working.set_acceleration_rms_ms2 : 0;
-  put("sensitivity", last && 1000 * last.sensitivity_v_per_ms2, 4);
-  put("phase", last && last.phase_deg, 2);
+  $("sensitivity").textContent = last && last.in_unit ? sensitivity(last.in_unit.sensitivity) : "–";
+  put("phase", last && last.in_unit && last.in_unit.phase_deg, 2);
   put("uncertainty", last && 100 * last.expanded_uncertainty_rel, 2);
 }
 
+/** A unit as it is printed. */
+export const printed = (unit) => (unit || "mV/(m/s2)").replace("s2", "s²").replace("um", "µm");
+
 function table(run) {
-  const heads = ["Hz", "m/s²", "S, mV/(m/s²)", "U, %", say("phase, °"), say("settled, s"), ""];
-  return (run ? run.points : []).map((p) => valid(p)
-    ? row([figures(p.frequency_hz, 5), decimals(p.acceleration_rms_ms2, 3), decimals(1000 * p.sensitivity_v_per_ms2, 4),
-        decimals(100 * p.expanded_uncertainty_rel, 2), decimals(p.phase_deg, 2), decimals(p.settling_s, 2),
+  const heads = ["Hz", "m/s²", "S, " + printed(run && run.unit), "U, %", say("phase, °"), say("settled, s"), ""];
+  const without = (hz, words) => row([figures(hz, 5), "", "", "", "", "", words], "refused", heads);
+  const lines = (run ? run.points : []).map((p) => valid(p)
+    ? row([figures(p.frequency_hz, 5), decimals(p.acceleration_rms_ms2, 3), sensitivity(p.in_unit.sensitivity),
+        decimals(100 * p.expanded_uncertainty_rel, 2), decimals(p.in_unit.phase_deg, 2), decimals(p.settling_s, 2),
         say(stated(run, p).replaceAll("_", " "))], failed(stated(run, p)) ? "failed" : "", heads)
-    : row([figures(p.frequency_hz, 5), "", "", "", "", "", say("refused: {0}", in_words(p.reason))], "refused", heads));
+    : without(p.frequency_hz, say("refused: {0}", in_words(p.reason))));
+  for (const { frequencies_hz, reason } of run && !run.running ? run.impossible : []) {
+    lines.push(...frequencies_hz.map((hz) => without(hz, say("cannot be measured: {0}", in_words(reason)))));
+  }
+  return lines;
 }
 
 function certificates(run, running) {
@@ -128,7 +149,7 @@ function certificates(run, running) {
     $("verdict-title").textContent = verdict.title;
     $("verdict-because").textContent = verdict.because;
   }
-  $("kept").textContent = run.logbook_record === null ? "" : say("kept in the logbook as record {0}", run.logbook_record);
+  $("kept").textContent = say(run.logbook_record === null ? "record {0}" : "record {0}, kept in the logbook", run.record_id);
   for (const link of document.querySelectorAll("#certificates a")) {
     link.href = certificate("api/certificate/" + link.dataset.format);
   }
@@ -148,16 +169,16 @@ export function draw(run) {
   const x = { ...frequency(), min: Math.min(...all) / 1.15, max: Math.max(...all) * 1.15 };
   const reference = points.find((p) => p.frequency_hz === 160) || points[0];
   const marks = points.map((p) => {
-    const ratio = p.sensitivity_v_per_ms2 / reference.sensitivity_v_per_ms2;
+    const ratio = p.in_unit.sensitivity / reference.in_unit.sensitivity;
     const y = 100 * (ratio - 1), u = 100 * ratio * p.expanded_uncertainty_rel;
-    const title = figures(p.frequency_hz, 5) + " Hz: S = " + decimals(1000 * p.sensitivity_v_per_ms2, 4) + " mV/(m/s²), "
+    const title = figures(p.frequency_hz, 5) + " Hz: S = " + sensitivity(p.in_unit.sensitivity) + " " + printed(run.unit) + ", "
       + decimals(y, 2) + " %, U = " + decimals(u, 2) + " %";
     return { x: p.frequency_hz, y, u, title, class: failed(stated(run, p)) ? "outside" : "" };
   });
   const top = 1.15 * Math.max(1, ...marks.map((m) => Math.abs(m.y) + m.u));
   chart($("plot"), x, { min: -top, max: top }, [{ kind: "marks", points: marks }]);
-  const phases = points.map((p) => ({ x: p.frequency_hz, y: p.phase_deg, u: p.expanded_uncertainty_phase_deg,
-    title: figures(p.frequency_hz, 5) + " Hz: " + decimals(p.phase_deg, 2) + "°" }));
+  const phases = points.map((p) => ({ x: p.frequency_hz, y: p.in_unit.phase_deg, u: p.expanded_uncertainty_phase_deg,
+    title: figures(p.frequency_hz, 5) + " Hz: " + decimals(p.in_unit.phase_deg, 2) + "°" }));
   const ends = phases.flatMap((p) => [p.y - p.u, p.y + p.u]);
   chart($("phase-plot"), x, around(ends.length ? ends : [0], 2), [{ kind: "marks", points: phases }]);
 }
@@ -171,8 +192,10 @@ export function show(run) {
   $("left").textContent = left(run, running);
   $("progress").value = run ? run.fraction : 0;
   tiles(run, running);
-  $("points").replaceChildren(...table(run));
-  $("no-points").hidden = Boolean(run && run.points.length);
+  for (const place of document.querySelectorAll(".unit")) place.textContent = printed(run && run.unit);
+  const lines = table(run);
+  $("points").replaceChildren(...lines);
+  $("no-points").hidden = lines.length > 0;
   certificates(run, running);
   advice(run, running);
   draw(run);

@@ -6,7 +6,7 @@ import { show_records } from "./records.js";
 import { show_sensors, take_sensors } from "./sensors.js";
 import { certificate, load, load_at, post, save, stated } from "./server.js";
 import * as waveforms from "./waveforms.js";
-import { choose, current, say as word, translate } from "./words.js";
+import { choose, current, say as word, tell, translate } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
 let last = null, ended = "", refusal = "", answers = true;
@@ -14,7 +14,7 @@ let last = null, ended = "", refusal = "", answers = true;
 function say() {
   const lost = !answers ? "the server does not answer; it is being tried again. STOP cannot reach it: use the button on the instrument"
     : last && last.link === "lost" ? "STOP reaches the calibrator when the link is back: until then use the button on the instrument" : "";
-  const problem = [refusal, last && last.trouble, lost].filter(Boolean).map((text) => word(text)).join(". ");
+  const problem = [refusal, last && last.trouble, lost].filter(Boolean).map((text) => tell(text)).join(". ");
   $("trouble").textContent = problem;
   $("trouble").hidden = !problem;
 }
@@ -28,9 +28,16 @@ async function ask(path, body) {
   refuse(await post(path, body));
 }
 
+/** Begins a run; what becomes of it stands above what was asked for. */
+async function begin(body) {
+  $("late").hidden = true;
+  await ask("api/run", body);
+  if (!refusal) $("now").scrollIntoView({ block: "nearest" });
+}
+
 /** Silence was asked for and nobody can say that it is there: nothing else matters on the screen. */
 function alarm(why) {
-  $("alarm-why").textContent = word(why);
+  $("alarm-why").textContent = tell(why);
   $("alarm").hidden = !why;
   if (why) $("alarm-stop").focus();
 }
@@ -85,9 +92,8 @@ function frequencies() {
 
 /** Measures these frequencies; the rest as the form says. */
 function measure(frequencies_hz) {
-  $("late").hidden = true;
   const typed = (id) => $(id).value.trim();
-  ask("api/run", {
+  begin({
     sensor: $("sensor").value,
     dut_model: typed("model"),
     dut_serial: typed("serial"),
@@ -103,7 +109,7 @@ $("run").addEventListener("submit", (event) => {
   event.preventDefault();
   measure(frequencies());
 });
-$("retry").addEventListener("click", () => measure(measurement.refused(last.run)));
+$("retry").addEventListener("click", () => begin({ retry: true }));
 $("sensor").addEventListener("change", () => {
   for (const field of document.querySelectorAll(".typed")) field.hidden = $("sensor").value !== "";
 });

@@ -1,8 +1,8 @@
 // The logbook: what was measured before, and how sensors drift.
 import { around, chart } from "./chart.js";
-import { row } from "./measurement.js";
+import { printed, row } from "./measurement.js";
 import { certificate, load } from "./server.js";
-import { decimals, figures, say } from "./words.js";
+import { decimals, figures, say, sensitivity } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
 const fixed = (value, digits) => value === null ? "" : decimals(value, digits);
@@ -27,10 +27,11 @@ function line(record) {
   const sensor = document.createElement("button");
   sensor.textContent = record.dut_serial || say("not stated");
   sensor.addEventListener("click", () => show_history(record.dut_serial));
-  const cells = row([day(record), sensor, fixed(record.sensitivity_v_per_ms2 && 1000 * record.sensitivity_v_per_ms2, 4),
+  const found = record.sensitivity === null ? "" : sensitivity(record.sensitivity) + " " + printed(record.unit);
+  const cells = row([record.record_id, day(record), sensor, found,
     fixed(record.expanded_uncertainty_rel && 100 * record.expanded_uncertainty_rel, 2), record.refused, links(record)], "",
-  [say("measured"), say("sensor"), "S, mV/(m/s²)", "U, %", say("refused"), say("certificate")]);
-  for (const place of [0, 1]) cells.children[place].className = "text";
+  [say("record"), say("measured"), say("sensor"), "S", "U, %", say("refused"), say("certificate")]);
+  for (const place of [0, 1, 2]) cells.children[place].className = "text";
   return cells;
 }
 
@@ -39,7 +40,7 @@ function show_found(records) {
   const [last] = records, before = records.filter((r) => r !== last && last.dut_serial && r.dut_serial === last.dut_serial);
   const kept = $("as_found").value;
   $("as_found").replaceChildren(new Option(say("not stated"), ""), ...before.map((r) => new Option(
-    say("record {0}, {1}", r.logbook_record, day(r)), r.logbook_record)));
+    say("record {0}, {1}", r.record_id, day(r)), r.logbook_record)));
   $("as_found").value = before.some((r) => String(r.logbook_record) === kept) ? kept : "";
 }
 
@@ -63,10 +64,10 @@ async function show_history(serial) {
       + (last.e_n === null ? "" : ", E_n " + decimals(last.e_n, 2)) + (last.drift_exceeds_uncertainty ? say(": changed") : "");
   $("drift").textContent = say("{0} at {1} Hz: {2}", serial, figures(history.frequency_hz, 5), words);
   $("drift").className = last.drift_exceeds_uncertainty ? "exceeds" : "";
-  const points = results.map((r) => ({ x: year(r), y: 1000 * r.sensitivity_v_per_ms2,
-    u: 1000 * r.sensitivity_v_per_ms2 * r.expanded_uncertainty_rel, class: r.drift_exceeds_uncertainty ? "outside" : "",
-    title: new Date(1000 * r.unix_time_s).toISOString().slice(0, 10) + ": " + decimals(1000 * r.sensitivity_v_per_ms2, 4) + " mV/(m/s²)" }));
-  const x = { ...around(points.map((p) => p.x), 0.2), label: say("day; S in mV/(m/s²) with U"), spacing: 80,
+  const points = results.map((r) => ({ x: year(r), y: r.sensitivity,
+    u: r.sensitivity * r.expanded_uncertainty_rel, class: r.drift_exceeds_uncertainty ? "outside" : "",
+    title: new Date(1000 * r.unix_time_s).toISOString().slice(0, 10) + ": " + sensitivity(r.sensitivity) + " " + printed(history.unit) }));
+  const x = { ...around(points.map((p) => p.x), 0.2), label: say("day; S in {0} with U", printed(history.unit)), spacing: 80,
     text: (value) => new Date(31557600000 * (value - 1970)).toISOString().slice(0, points.at(-1).x - points[0].x > 1 ? 7 : 10) };
   chart($("history-plot"), x, around(points.flatMap((p) => [p.y - p.u, p.y + p.u]), 0), [{ kind: "marks", points }]);
 }

@@ -35,6 +35,14 @@ function show_due() {
   $("due").hidden = !due.length;
 }
 
+/** What stands between a charge or a current and the input. */
+function show_between() {
+  const between = $("new-unit").selectedOptions[0].dataset.between;
+  $("between").hidden = !between;
+  for (const field of [$("between-value"), $("between-u")]) field.required = Boolean(between);
+  $("between-what").textContent = say(between === "ohm" ? "Burden, ohm" : "Charge amplifier, mV/pC");
+}
+
 async function register(sensor, say_why) {
   const why = await post("api/sensors", sensor);
   say_why(why);
@@ -52,12 +60,15 @@ export function take_sensors(say_why) {
   $("register").addEventListener("submit", (event) => {
     event.preventDefault();
     const stated = [...new FormData($("register"))].map(([key, value]) => [key, value.trim()]).filter(([, value]) => value);
-    const sensor = Object.fromEntries(stated);
+    const sensor = Object.fromEntries(stated), between = $("new-unit").selectedOptions[0].dataset.between;
+    if (between) sensor.unit += " at " + $("between-value").value + " " + between + " +-" + $("between-u").value + "%";
     if (sensor.sensitivity) sensor.sensitivity = Number(sensor.sensitivity);
     // One number with a decimal comma, and not two tolerances.
     if (/^\d+,\d+$/.test(sensor.tolerance)) sensor.tolerance = sensor.tolerance.replace(",", ".");
     register(sensor, say_why);
   });
+  $("new-unit").addEventListener("change", show_between);
+  $("register").addEventListener("reset", () => setTimeout(show_between));
   $("teds").addEventListener("change", async () => {
     const [file] = $("teds").files;
     if (file) register({ teds: hexadecimal(await file.arrayBuffer()) }, say_why);

@@ -1,5 +1,6 @@
 // The language of the page: the files speak English, and other words are looked up.
 import { german } from "./de.js";
+import { failures } from "./errors.js";
 
 const known = { en: {}, de: german };
 const kept = "calib.language";
@@ -23,6 +24,34 @@ export function say(text, ...values) {
   return found.replace(/\{(\d)\}/g, (_, place) => values[place]);
 }
 
+/** Failures the server tells of: an expression for what it says, and what the page says. */
+const told = Object.entries(failures).map(([text, words]) => {
+  const [en, de] = Array.isArray(words) ? words : [text, words];
+  const parts = text.split(/\{\d\}/).map((part) => part.replace(/[.*+?^${}()|[\]\\]/g, "\\$&"));
+  return { expression: new RegExp("^" + parts.join("(.+?)") + "$", "s"), en, de, open: parts.length - 1 };
+});
+// What has no places for values says most.
+told.sort((a, b) => a.open - b.open);
+
+function known_failure(text) {
+  for (const one of told) {
+    const found = one.expression.exec(text);
+    if (found) return one[language].replace(/\{(\d)\}/g, (_, place) => tell(found[Number(place) + 1]));
+  }
+  return null;
+}
+
+/** What the server says of a failure, in words of the page: a place before a colon, a message, and on a line of its own
+ *  what to do about it. What it does not know stays as it is. */
+export function tell(text) {
+  const [message, ...hints] = text.split("\n");
+  if (hints.length) return tell(message) + ": " + tell(hints.join("\n"));
+  const whole = known[language][text] || known_failure(text);
+  if (whole) return whole;
+  const at = text.indexOf(": ");
+  return at < 0 ? text : (known_failure(text.slice(0, at)) || text.slice(0, at)) + ": " + tell(text.slice(at + 2));
+}
+
 const formats = new Map();
 
 function format(key, options) {
@@ -34,6 +63,9 @@ function format(key, options) {
 /** A number with so many decimals. */
 export const decimals = (value, count) =>
   format("." + count, { minimumFractionDigits: count, maximumFractionDigits: count }).format(value);
+
+/** A sensitivity with four decimals, more where it is small. */
+export const sensitivity = (value) => decimals(value, 4 + Math.min(6, Math.max(0, Math.ceil(-Math.log10(Math.abs(value) || 1)))));
 
 /** A number with at most so many figures. */
 export const figures = (value, count) => format("#" + count, { maximumSignificantDigits: count }).format(value);
