@@ -15,6 +15,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &INPUT_DELAY,
     &INPUT_SATURATION,
     &OUTPUT_HIGHPASS,
+    &OUTPUT_LOWPASS,
     &SECOND_MODE,
     &DEAD_ZONE,
     &HYSTERESIS,
@@ -83,7 +84,7 @@ pub static INPUT_DELAY: Entry = Entry {
     formula: "a(t - tau)",
     parameters: &[Parameter::linear("tau_s", "s", [0.0, 1.0], 3e-4).on_site(0.0, 0.01)],
     plain: "the input acts with a delay",
-    confused_with: &["second_mode", "output_highpass"],
+    confused_with: &["output_lowpass", "second_mode", "output_highpass"],
     separate_by: "frequencies far above the resonance",
     ..Entry::OSCILLATOR
 };
@@ -109,6 +110,19 @@ pub static OUTPUT_HIGHPASS: Entry = Entry {
     plain: "the output loses its slow part",
     confused_with: &["quadratic_stiffness", "input_delay"],
     separate_by: "frequencies far below the resonance",
+    ..Entry::OSCILLATOR
+};
+
+/// First order, as of a filter before the converter. Far below its corner it is a delay, which any
+/// record that is sampled a few times a period tells from it.
+pub static OUTPUT_LOWPASS: Entry = Entry {
+    id: "output_lowpass",
+    stage: Stage::Conditioning,
+    formula: "1/(1 + s/wc)",
+    parameters: &[Parameter::linear("corner_hz", "Hz", [1e-5, 1e5], 200.0).on_site(0.1, 1e4)],
+    plain: "the output loses its fast part",
+    confused_with: &["input_delay", "second_mode"],
+    separate_by: "frequencies far above the resonance, magnitude and phase",
     ..Entry::OSCILLATOR
 };
 

@@ -7,7 +7,7 @@ use crate::thresholds;
 use calib_effects::{Entry, oscillator};
 
 /// Candidate terms.
-pub(crate) const TERMS: [Term; 11] = [
+pub(crate) const TERMS: [Term; 12] = [
     Term {
         entry: &oscillator::CUBIC_STIFFNESS,
         leading: true,
@@ -57,6 +57,12 @@ pub(crate) const TERMS: [Term; 11] = [
         values: &[HighpassCorner],
     },
     Term {
+        entry: &oscillator::OUTPUT_LOWPASS,
+        leading: true,
+        has_kink: false,
+        values: &[Lag],
+    },
+    Term {
         entry: &oscillator::SECOND_MODE,
         leading: true,
         has_kink: false,
@@ -89,12 +95,14 @@ pub(crate) struct Term {
     pub(crate) values: &'static [Parameter],
 }
 
-/// Parameters of the state at the first sample with the given terms.
-pub(super) fn states(terms: &[usize]) -> Vec<Parameter> {
+/// Parameters of the state at the first sample with the given terms, as far as the samples from
+/// there on show them.
+pub(super) fn states(terms: &[usize], values: &OscillatorParameters) -> Vec<Parameter> {
     let mut states = vec![Displacement, Velocity];
     for term in terms {
         match TERMS[*term].values[0] {
             HighpassCorner => states.push(HeldBack),
+            Lag if values[Lag] > thresholds::LAG_SEEN => states.push(Lagging),
             ModeGain => states.extend([ModeDisplacement, ModeVelocity]),
             _ => {}
         }
@@ -107,8 +115,9 @@ pub(super) fn free(terms: &[usize], values: &OscillatorParameters, record: &Run)
     let duration_s = record.interval_s * record.input.len() as f64;
     let forgets = values[HighpassCorner] * duration_s > thresholds::REMEMBERED;
     let of_terms = terms.iter().flat_map(|t| TERMS[*t].values).copied();
-    let states = states(terms).into_iter().filter(|s| match s {
+    let states = states(terms, values).into_iter().filter(|s| match s {
         HeldBack => forgets,
+        Lagging => values[Lag] > thresholds::LAG_REMEMBERED,
         state => !LINEAR.contains(state),
     });
     LINEAR.into_iter().chain(of_terms).chain(states).collect()

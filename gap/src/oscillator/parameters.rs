@@ -36,6 +36,8 @@ pub(crate) enum Parameter {
     Saturation,
     /// Corner of the output's high-pass, in rad/s.
     HighpassCorner,
+    /// Time constant of the output's low-pass, in samples.
+    Lag,
     /// Gain of the second mode over that of the first.
     ModeGain,
     /// ln of the frequency of the second mode over w0.
@@ -50,6 +52,8 @@ pub(crate) enum Parameter {
     LnYieldDeflection,
     /// State of the high-pass at the first sample.
     HeldBack,
+    /// What the low-pass is ahead at the first sample of where a steady motion leaves it.
+    Lagging,
     /// Displacement of the second mode at the first sample.
     ModeDisplacement,
     /// Velocity of the second mode at the first sample.
@@ -109,6 +113,9 @@ pub(super) fn bound(
             QuadraticDamping | CubicDamping | CoulombFriction => (0.0, f64::INFINITY),
             Saturation => (0.0, f64::INFINITY),
             HighpassCorner => (0.0, half_rate),
+            // Less would forget its state within rounding.
+            Lag if moved.contains(&Lagging) => (thresholds::LAG_SEEN, record.input.len() as f64),
+            Lag => (0.0, record.input.len() as f64),
             ModeLnRatio => (-7.0, half_rate.ln() - values[LnResonance]),
             ModeDamping => (1e-4, 1.0),
             DeadZone => (0.0, 10.0 * unit),
@@ -125,7 +132,7 @@ pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, un
     match parameter {
         LnResonance => 1e-6,
         Delta | Gain | ModeGain => 1e-5,
-        Offset | Displacement | Velocity | HeldBack | ModeDisplacement | ModeVelocity
+        Offset | Displacement | Velocity | HeldBack | Lagging | ModeDisplacement | ModeVelocity
         | CoulombFriction => 1e-5 * unit,
         CubicStiffness => 1e-3 / (unit * unit),
         QuadraticStiffness => 1e-3 / unit,
@@ -133,8 +140,7 @@ pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, un
         CubicDamping => 1e-4 / (unit * unit),
         Saturation => 1e-4 * values[Saturation].max(1e-9),
         DeadZone => 1e-4 * unit,
-        Delay | HighpassCorner | ModeLnRatio | ModeDamping | YieldingShare | LnYieldDeflection => {
-            1e-3
-        }
+        Delay | HighpassCorner | Lag | ModeLnRatio | ModeDamping | YieldingShare
+        | LnYieldDeflection => 1e-3,
     }
 }

@@ -5,7 +5,8 @@
 //! of the input by polynomials of degree six; the terms are integrated with the
 //! classical Runge-Kutta method in the frame of that motion (Lawson 1967).
 
-use super::mode::{Follower, Mode, NODES, State};
+use super::channel::Channel;
+use super::mode::{Mode, NODES, State};
 use super::parameters::{OscillatorParameters, Parameter};
 use super::run::Run;
 use super::terms::Terms;
@@ -107,9 +108,6 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
         offset: values[Parameter::Offset],
         step,
     };
-    let rate = values[Parameter::HighpassCorner] / w0;
-    let mut held_back = values[Parameter::HeldBack];
-    let follower = (rate > 0.0 || held_back != 0.0).then(|| Follower::new(rate, step));
     let input = run.driven(values[Parameter::Delay]);
     let state = |x: Parameter, v: Parameter| [values[x], values[v]];
     let mut moving = Moving {
@@ -117,11 +115,12 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
         second: state(Parameter::ModeDisplacement, Parameter::ModeVelocity),
         yielding: 0.0,
     };
+    let mut channel = Channel::new(values, run, moving.seen(), step);
     let count = run.input.len();
     let mut output = Vec::with_capacity(count);
     for n in 0..count {
         let seen = moving.seen()[0];
-        output.push(seen - held_back);
+        output.push(channel.output(seen));
         if seen.is_nan() || seen.abs() >= 1e6 {
             return None;
         }
@@ -132,9 +131,7 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
                 break;
             };
             let next = stepper.advance(&moving, nodes);
-            if let Some(follower) = &follower {
-                held_back = follower.follow(held_back, moving.seen(), next.seen());
-            }
+            channel.follow(moving.seen(), next.seen());
             moving = next;
         }
     }

@@ -76,19 +76,37 @@ pub(super) fn begin(
         for (parameter, value) in values.iter().zip(start) {
             candidate[*parameter] = value;
         }
+        as_before(&mut candidate, values[0], record);
         bound(&mut candidate, values, record, unit);
         candidate
     });
     let Some((mut best, size)) = most_promising(record, base, candidates) else {
         return *base;
     };
-    // A width or a threshold is no amplitude.
+    // A width, a threshold or a time is no amplitude.
+    use Parameter::{DeadZone, Lag, Saturation};
     let amplitude = values[0];
-    if !matches!(amplitude, Parameter::DeadZone | Parameter::Saturation) {
+    if !matches!(amplitude, DeadZone | Saturation | Lag) {
         best[amplitude] *= size;
     }
     bound(&mut best, values, record, unit);
     best
+}
+
+/// Moves the linear values so that a low-pass leaves the output about as large as it was.
+fn as_before(values: &mut OscillatorParameters, term: Parameter, record: &Run) {
+    use Parameter::{Displacement, Gain, Lag, Lagging, LnResonance, Velocity};
+    if term != Lag {
+        return;
+    }
+    let lag = values[Lag] * values[LnResonance].exp() * record.interval_s;
+    let seen = values[Displacement];
+    for value in [Gain, Displacement, Velocity] {
+        values[value] *= lag.hypot(1.0);
+    }
+    if values[Lag] > thresholds::LAG_REMEMBERED {
+        values[Lagging] = seen - values[Displacement] + lag * values[Velocity];
+    }
 }
 
 /// Values of a term, known by its first, that are tried; none for a term that is linear in its own.
@@ -107,6 +125,9 @@ fn starts(record: &Run, base: &OscillatorParameters, term: Parameter, unit: f64)
             let shares = [0.97, 0.9, 0.8, 0.65, 0.5, 0.35, 0.2];
             shares.map(|share| vec![1.0 / (share * largest)]).into()
         }
+        Parameter::Lag => [0.1, 1.0, 3.0, 10.0, 30.0, 100.0]
+            .map(|lag| vec![lag])
+            .into(),
         Parameter::DeadZone => {
             let widths = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
             widths.map(|width| vec![width * unit]).into()

@@ -34,6 +34,7 @@ fn every_effect_of_an_oscillator_is_named() {
         ("input_delay", "tau_s", 0.0004),
         ("input_saturation", "threshold", 0.08),
         ("output_highpass", "corner_hz", 1.0),
+        ("output_lowpass", "corner_hz", 300.0),
         ("second_mode", "gain", 0.1),
         ("dead_zone", "half_width", 0.01),
         ("hysteresis", "alpha", 0.2),
@@ -83,6 +84,25 @@ fn a_linear_oscillator_has_no_gap() {
     let text = record(&Default::default(), SAMPLES, &mut Random::new(899));
     let answer = answer("linear", &text);
     assert_eq!(answer.verdict, Verdict::NoGap, "{:?}", answer.gap);
+}
+
+/// A corner below the resonance holds back most of the motion, one far above it delays it by a tenth of
+/// a sample.
+#[test]
+fn a_low_pass_is_found_wherever_its_corner_is() {
+    for (seed, corner_hz) in [(880, 10.0), (881, 30.0), (882, 1500.0)] {
+        let filtered = Added {
+            lowpass_hz: corner_hz,
+            ..Added::default()
+        };
+        let text = record(&filtered, SAMPLES, &mut Random::new(seed));
+        let answer = answer(&format!("lowpass-{corner_hz}"), &text);
+        let first = &answer.causes[0];
+        assert_eq!(first.effects, ["output_lowpass"], "{corner_hz}");
+        assert_eq!(answer.verdict, Verdict::Explained, "{:?}", answer.gap);
+        let found = &first.parameters["output_lowpass"]["corner_hz"];
+        assert!((found.value - corner_hz).abs() < 5.0 * found.u, "{found:?}");
+    }
 }
 
 #[test]

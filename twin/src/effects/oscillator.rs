@@ -11,7 +11,7 @@ pub type OscillatorAction = fn(&[f64], &mut Oscillator);
 /// An effect of an oscillator.
 pub type OscillatorEffect = Effect<OscillatorAction>;
 
-static EFFECTS: [OscillatorEffect; 11] = [
+static EFFECTS: [OscillatorEffect; 12] = [
     Effect::new(&oscillator::COULOMB_FRICTION, |values, oscillator| {
         oscillator.friction += values[0];
     }),
@@ -36,6 +36,9 @@ static EFFECTS: [OscillatorEffect; 11] = [
     }),
     Effect::new(&oscillator::OUTPUT_HIGHPASS, |values, oscillator| {
         oscillator.output_corner_hz = values[0];
+    }),
+    Effect::new(&oscillator::OUTPUT_LOWPASS, |values, oscillator| {
+        oscillator.output_lowpass_hz = values[0];
     }),
     Effect::new(&oscillator::QUADRATIC_DAMPING, |values, oscillator| {
         oscillator.quadratic_damping += values[0];

@@ -71,6 +71,15 @@ fn linear_effects_have_their_response() {
                 response(frequency_hz) * s / (s + TAU * 2.0),
             ),
             (
+                "output_lowpass=corner_hz:30",
+                response(frequency_hz) / (1.0 + s / (TAU * 30.0)),
+            ),
+            // Its decay is the shortest time of all.
+            (
+                "output_lowpass=corner_hz:20000",
+                response(frequency_hz) / (1.0 + s / (TAU * 20_000.0)),
+            ),
+            (
                 "second_mode=gain:0.2,mode_hz:60,damping:0.1",
                 response(frequency_hz) + second,
             ),
