@@ -16,6 +16,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &INPUT_SATURATION,
     &OUTPUT_HIGHPASS,
     &OUTPUT_LOWPASS,
+    &OUTPUT_CLIPPING,
     &SECOND_MODE,
     &DEAD_ZONE,
     &HYSTERESIS,
@@ -96,7 +97,7 @@ pub static INPUT_SATURATION: Entry = Entry {
     formula: "clip(a, +-a0)",
     parameters: &[Parameter::linear("threshold", "input", [1e-9, 1e9], 0.1)],
     plain: "the input is cut at large values",
-    confused_with: &["cubic_stiffness", "cubic_damping"],
+    confused_with: &["output_clipping", "cubic_stiffness", "cubic_damping"],
     separate_by: "an input of half the peak value, and the input as it arrives",
     ..Entry::OSCILLATOR
 };
@@ -123,6 +124,18 @@ pub static OUTPUT_LOWPASS: Entry = Entry {
     plain: "the output loses its fast part",
     confused_with: &["input_delay", "second_mode"],
     separate_by: "frequencies far above the resonance, magnitude and phase",
+    ..Entry::OSCILLATOR
+};
+
+/// The converter, or the amplifier before it, runs into its rails: alike to both sides.
+pub static OUTPUT_CLIPPING: Entry = Entry {
+    id: "output_clipping",
+    stage: Stage::Digitiser,
+    formula: "clip(y, +-y0)",
+    parameters: &[Parameter::linear("threshold", "output", [1e-9, 1e9], 0.1)],
+    plain: "the output is cut at large values",
+    confused_with: &["input_saturation", "cubic_stiffness"],
+    separate_by: "the range of the converter doubled, or half the input",
     ..Entry::OSCILLATOR
 };
 

@@ -4,15 +4,36 @@ use super::mode::{Follower, State};
 use super::parameters::{OscillatorParameters, Parameter};
 use super::run::Run;
 
+/// Largest output that the channel lets through.
+fn rail(values: &OscillatorParameters) -> f64 {
+    match values[Parameter::Clipping] {
+        0.0 => f64::INFINITY,
+        clipping => 1.0 / clipping,
+    }
+}
+
 /// Slope of the output at a sample with a value that acts behind the motion; `None` for the others.
-pub(super) fn slope(values: &OscillatorParameters, parameter: Parameter, at: usize) -> Option<f64> {
+/// On the rails nothing moves it; within rounding an output there is there.
+pub(super) fn slope(
+    values: &OscillatorParameters,
+    parameter: Parameter,
+    at: usize,
+    output: f64,
+) -> Option<f64> {
+    let free = |slope: f64| {
+        Some(if output.abs() < (1.0 - 1e-12) * rail(values) {
+            slope
+        } else {
+            0.0
+        })
+    };
     match parameter {
-        Parameter::Lagging => Some((-(at as f64) / values[Parameter::Lag]).exp()),
+        Parameter::Lagging => free((-(at as f64) / values[Parameter::Lag]).exp()),
         _ => None,
     }
 }
 
-/// A high-pass, and a low-pass behind it.
+/// A high-pass, a low-pass behind it, and the rails of what comes last.
 pub(super) struct Channel {
     high: Option<Follower>,
     low: Option<Follower>,
@@ -22,6 +43,8 @@ pub(super) struct Channel {
     held_back: f64,
     /// What the low-pass has let through.
     passed: f64,
+    /// Largest output.
+    rail: f64,
 }
 
 impl Channel {
@@ -37,6 +60,7 @@ impl Channel {
             rate,
             held_back,
             passed: 0.0,
+            rail: rail(values),
         };
         let [x, v] = channel.above(start, held_back);
         channel.passed = x - lag * v + values[Parameter::Lagging];
@@ -66,9 +90,10 @@ impl Channel {
 
     /// The output while the motion is at `x`.
     pub(super) fn output(&self, x: f64) -> f64 {
-        match self.low {
+        let filtered = match self.low {
             Some(_) => self.passed,
             None => x - self.held_back,
-        }
+        };
+        filtered.clamp(-self.rail, self.rail)
     }
 }

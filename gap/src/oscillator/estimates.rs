@@ -48,7 +48,9 @@ fn estimate(fit: &Fitted, parameter: Parameter, row: usize, interval_s: f64) -> 
         }
         Parameter::Delay => (value * interval_s, variance.sqrt() * interval_s),
         Parameter::LnYieldDeflection => relative(value.exp(), variance),
-        Parameter::Saturation => (1.0 / value, variance.sqrt() / (value * value)),
+        Parameter::Saturation | Parameter::Clipping => {
+            (1.0 / value, variance.sqrt() / (value * value))
+        }
         Parameter::Lag => relative(1.0 / (TAU * value * interval_s), variance / (value * value)),
         Parameter::HighpassCorner => (value / TAU, variance.sqrt() / TAU),
         _ => (value, variance.sqrt()),

@@ -162,7 +162,10 @@ fn columns(
 ) -> Option<Vec<Column<()>>> {
     let unit = scale_of(record);
     let of = |&parameter: &Parameter| {
-        let direct = |at| channel::slope(values, parameter, at);
+        let direct = |at: usize| {
+            let simulated = record.output[at] - left[at - samples.start];
+            channel::slope(values, parameter, at, simulated)
+        };
         if let Some(slopes) = samples.clone().map(direct).collect() {
             return Some(Column::of_one_block(slopes));
         }

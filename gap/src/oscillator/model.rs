@@ -7,7 +7,7 @@ use crate::thresholds;
 use calib_effects::{Entry, oscillator};
 
 /// Candidate terms.
-pub(crate) const TERMS: [Term; 12] = [
+pub(crate) const TERMS: [Term; 13] = [
     Term {
         entry: &oscillator::CUBIC_STIFFNESS,
         leading: true,
@@ -61,6 +61,12 @@ pub(crate) const TERMS: [Term; 12] = [
         leading: true,
         has_kink: false,
         values: &[Lag],
+    },
+    Term {
+        entry: &oscillator::OUTPUT_CLIPPING,
+        leading: true,
+        has_kink: false,
+        values: &[Clipping],
     },
     Term {
         entry: &oscillator::SECOND_MODE,

@@ -38,6 +38,8 @@ pub(crate) enum Parameter {
     HighpassCorner,
     /// Time constant of the output's low-pass, in samples.
     Lag,
+    /// One over the output at which it is clipped.
+    Clipping,
     /// Gain of the second mode over that of the first.
     ModeGain,
     /// ln of the frequency of the second mode over w0.
@@ -111,7 +113,7 @@ pub(super) fn bound(
             Delta => (1e-5, 2.0),
             // Friction and damping take energy out.
             QuadraticDamping | CubicDamping | CoulombFriction => (0.0, f64::INFINITY),
-            Saturation => (0.0, f64::INFINITY),
+            Saturation | Clipping => (0.0, f64::INFINITY),
             HighpassCorner => (0.0, half_rate),
             // Less would forget its state within rounding.
             Lag if moved.contains(&Lagging) => (thresholds::LAG_SEEN, record.input.len() as f64),
@@ -138,7 +140,7 @@ pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, un
         QuadraticStiffness => 1e-3 / unit,
         QuadraticDamping => 1e-4 / unit,
         CubicDamping => 1e-4 / (unit * unit),
-        Saturation => 1e-4 * values[Saturation].max(1e-9),
+        Saturation | Clipping => 1e-4 * values[parameter].max(1e-9),
         DeadZone => 1e-4 * unit,
         Delay | HighpassCorner | Lag | ModeLnRatio | ModeDamping | YieldingShare
         | LnYieldDeflection => 1e-3,

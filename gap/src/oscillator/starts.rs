@@ -84,9 +84,9 @@ pub(super) fn begin(
         return *base;
     };
     // A width, a threshold or a time is no amplitude.
-    use Parameter::{DeadZone, Lag, Saturation};
+    use Parameter::{Clipping, DeadZone, Lag, Saturation};
     let amplitude = values[0];
-    if !matches!(amplitude, DeadZone | Saturation | Lag) {
+    if !matches!(amplitude, DeadZone | Saturation | Clipping | Lag) {
         best[amplitude] *= size;
     }
     bound(&mut best, values, record, unit);
@@ -128,6 +128,11 @@ fn starts(record: &Run, base: &OscillatorParameters, term: Parameter, unit: f64)
         Parameter::Lag => [0.1, 1.0, 3.0, 10.0, 30.0, 100.0]
             .map(|lag| vec![lag])
             .into(),
+        Parameter::Clipping => {
+            let largest = record.output.iter().fold(0.0, |m: f64, y| m.max(y.abs()));
+            let shares = [1.0, 0.97, 0.9];
+            shares.map(|share| vec![1.0 / (share * largest)]).into()
+        }
         Parameter::DeadZone => {
             let widths = [0.003, 0.01, 0.03, 0.1, 0.3, 1.0];
             widths.map(|width| vec![width * unit]).into()

@@ -35,6 +35,7 @@ fn every_effect_of_an_oscillator_is_named() {
         ("input_saturation", "threshold", 0.08),
         ("output_highpass", "corner_hz", 1.0),
         ("output_lowpass", "corner_hz", 300.0),
+        ("output_clipping", "threshold", 0.2),
         ("second_mode", "gain", 0.1),
         ("dead_zone", "half_width", 0.01),
         ("hysteresis", "alpha", 0.2),

@@ -11,7 +11,7 @@ pub type OscillatorAction = fn(&[f64], &mut Oscillator);
 /// An effect of an oscillator.
 pub type OscillatorEffect = Effect<OscillatorAction>;
 
-static EFFECTS: [OscillatorEffect; 12] = [
+static EFFECTS: [OscillatorEffect; 13] = [
     Effect::new(&oscillator::COULOMB_FRICTION, |values, oscillator| {
         oscillator.friction += values[0];
     }),
@@ -33,6 +33,9 @@ static EFFECTS: [OscillatorEffect; 12] = [
     }),
     Effect::new(&oscillator::INPUT_SATURATION, |values, oscillator| {
         oscillator.input_threshold = oscillator.input_threshold.min(values[0]);
+    }),
+    Effect::new(&oscillator::OUTPUT_CLIPPING, |values, oscillator| {
+        oscillator.output_threshold = oscillator.output_threshold.min(values[0]);
     }),
     Effect::new(&oscillator::OUTPUT_HIGHPASS, |values, oscillator| {
         oscillator.output_corner_hz = values[0];

@@ -85,11 +85,12 @@ pub(super) fn simulate_in_steps(
 }
 
 fn seen(oscillator: &Oscillator, state: &State) -> f64 {
-    if oscillator.output_lowpass_hz.is_finite() {
+    let filtered = if oscillator.output_lowpass_hz.is_finite() {
         state[6]
     } else {
         above_the_corner(oscillator, state)
-    }
+    };
+    filtered.clamp(-oscillator.output_threshold, oscillator.output_threshold)
 }
 
 /// The motion behind the high-pass.

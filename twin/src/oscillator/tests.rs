@@ -162,6 +162,27 @@ fn a_saturated_input_loses_its_fundamental() {
 }
 
 #[test]
+fn a_clipped_output_is_the_linear_one_up_to_the_rails() {
+    let largest = response(8.0).norm();
+    let clipped = tone(
+        &[&format!("output_clipping=threshold:{}", 0.9 * largest)],
+        8.0,
+        1.0,
+    );
+    let b = 0.9_f64.acos();
+    let gain = 1.0 - (2.0 * b - (2.0 * b).sin()) / PI;
+    // The corners fall between samples, 125 of which make a period: (pi/125)^2 of what is cut off.
+    assert!((clipped[1].norm() / largest / gain - 1.0).abs() < 6e-4);
+    // As in the Fourier series of a clipped sine: the third harmonic of what is left.
+    let third = ((2.0 * b).sin() / 2.0 - (4.0 * b).sin() / 4.0) * 2.0 / (3.0 * PI);
+    assert!(
+        (clipped[3].norm() / largest / third - 1.0).abs() < 2e-3,
+        "{} {third}",
+        clipped[3]
+    );
+}
+
+#[test]
 fn hysteresis_stiffens_and_damps() {
     // Far below yield the state follows the deflection: stiffness 1 + alpha. Far above it turns to
     // friction of alpha zy.
