@@ -17,6 +17,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &OUTPUT_HIGHPASS,
     &OUTPUT_LOWPASS,
     &OUTPUT_CLIPPING,
+    &OUTPUT_TREND,
     &SECOND_MODE,
     &DEAD_ZONE,
     &HYSTERESIS,
@@ -109,7 +110,7 @@ pub static OUTPUT_HIGHPASS: Entry = Entry {
     formula: "s/wc / (1 + s/wc)",
     parameters: &[Parameter::linear("corner_hz", "Hz", [1e-5, 1e5], 0.5).on_site(1e-3, 10.0)],
     plain: "the output loses its slow part",
-    confused_with: &["quadratic_stiffness", "input_delay"],
+    confused_with: &["quadratic_stiffness", "input_delay", "output_trend"],
     separate_by: "frequencies far below the resonance",
     ..Entry::OSCILLATOR
 };
@@ -136,6 +137,23 @@ pub static OUTPUT_CLIPPING: Entry = Entry {
     plain: "the output is cut at large values",
     confused_with: &["input_saturation", "cubic_stiffness"],
     separate_by: "the range of the converter doubled, or half the input",
+    ..Entry::OSCILLATOR
+};
+
+/// The zero of the output drifts, evenly over the record: its first sample is at time 0.
+pub static OUTPUT_TREND: Entry = Entry {
+    id: "output_trend",
+    stage: Stage::Conditioning,
+    formula: "y + b t",
+    parameters: &[Parameter::linear(
+        "drift_per_s",
+        "output/s",
+        [-1e6, 1e6],
+        0.01,
+    )],
+    plain: "the zero of the output drifts",
+    confused_with: &["output_highpass"],
+    separate_by: "the output at rest before and after the record",
     ..Entry::OSCILLATOR
 };
 

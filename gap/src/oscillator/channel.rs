@@ -18,6 +18,7 @@ pub(super) fn slope(
     values: &OscillatorParameters,
     parameter: Parameter,
     at: usize,
+    run: &Run,
     output: f64,
 ) -> Option<f64> {
     let free = |slope: f64| {
@@ -28,12 +29,13 @@ pub(super) fn slope(
         })
     };
     match parameter {
+        Parameter::Trend => free((run.before + at) as f64),
         Parameter::Lagging => free((-(at as f64) / values[Parameter::Lag]).exp()),
         _ => None,
     }
 }
 
-/// A high-pass, a low-pass behind it, and the rails of what comes last.
+/// A high-pass, a low-pass behind it, a zero that drifts, and the rails of what comes last.
 pub(super) struct Channel {
     high: Option<Follower>,
     low: Option<Follower>,
@@ -43,6 +45,9 @@ pub(super) struct Channel {
     held_back: f64,
     /// What the low-pass has let through.
     passed: f64,
+    /// Growth of the zero in a sample, and samples of it before the first one.
+    trend: f64,
+    before: usize,
     /// Largest output.
     rail: f64,
 }
@@ -60,6 +65,8 @@ impl Channel {
             rate,
             held_back,
             passed: 0.0,
+            trend: values[Parameter::Trend],
+            before: run.before,
             rail: rail(values),
         };
         let [x, v] = channel.above(start, held_back);
@@ -88,12 +95,13 @@ impl Channel {
         self.held_back = held_back;
     }
 
-    /// The output while the motion is at `x`.
-    pub(super) fn output(&self, x: f64) -> f64 {
+    /// The output of a sample while the motion is at `x`.
+    pub(super) fn output(&self, at: usize, x: f64) -> f64 {
         let filtered = match self.low {
             Some(_) => self.passed,
             None => x - self.held_back,
         };
-        filtered.clamp(-self.rail, self.rail)
+        let shifted = filtered + self.trend * (self.before + at) as f64;
+        shifted.clamp(-self.rail, self.rail)
     }
 }

@@ -46,6 +46,7 @@ fn estimate(fit: &Fitted, parameter: Parameter, row: usize, interval_s: f64) -> 
                 + 2.0 * own * of_delta * c[(1, row)];
             (value / linear, variance.max(0.0).sqrt())
         }
+        Parameter::Trend => (value / interval_s, variance.sqrt() / interval_s),
         Parameter::Delay => (value * interval_s, variance.sqrt() * interval_s),
         Parameter::LnYieldDeflection => relative(value.exp(), variance),
         Parameter::Saturation | Parameter::Clipping => {

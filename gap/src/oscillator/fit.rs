@@ -164,7 +164,7 @@ fn columns(
     let of = |&parameter: &Parameter| {
         let direct = |at: usize| {
             let simulated = record.output[at] - left[at - samples.start];
-            channel::slope(values, parameter, at, simulated)
+            channel::slope(values, parameter, at, record, simulated)
         };
         if let Some(slopes) = samples.clone().map(direct).collect() {
             return Some(Column::of_one_block(slopes));

@@ -39,6 +39,7 @@ pub(super) fn parts(record: &Record, validate: Option<&Dataset>) -> Result<[Reco
 fn cut(record: &Record, from: usize, to: usize) -> Record {
     Record {
         interval_s: record.interval_s,
+        before: record.before + from,
         input: record.input[from..to].to_vec(),
         output: record.output[from..to].to_vec(),
     }

@@ -7,7 +7,7 @@ use crate::thresholds;
 use calib_effects::{Entry, oscillator};
 
 /// Candidate terms.
-pub(crate) const TERMS: [Term; 13] = [
+pub(crate) const TERMS: [Term; 14] = [
     Term {
         entry: &oscillator::CUBIC_STIFFNESS,
         leading: true,
@@ -67,6 +67,12 @@ pub(crate) const TERMS: [Term; 13] = [
         leading: true,
         has_kink: false,
         values: &[Clipping],
+    },
+    Term {
+        entry: &oscillator::OUTPUT_TREND,
+        leading: true,
+        has_kink: false,
+        values: &[Trend],
     },
     Term {
         entry: &oscillator::SECOND_MODE,

@@ -38,6 +38,8 @@ pub(crate) enum Parameter {
     HighpassCorner,
     /// Time constant of the output's low-pass, in samples.
     Lag,
+    /// Growth of the output's zero in a sample.
+    Trend,
     /// One over the output at which it is clipped.
     Clipping,
     /// Gain of the second mode over that of the first.
@@ -142,6 +144,8 @@ pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, un
         CubicDamping => 1e-4 / (unit * unit),
         Saturation | Clipping => 1e-4 * values[parameter].max(1e-9),
         DeadZone => 1e-4 * unit,
+        // Over the samples of a short record as much as an offset.
+        Trend => 1e-8 * unit,
         Delay | HighpassCorner | Lag | ModeLnRatio | ModeDamping | YieldingShare
         | LnYieldDeflection => 1e-3,
     }

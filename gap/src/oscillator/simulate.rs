@@ -120,7 +120,7 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
     let mut output = Vec::with_capacity(count);
     for n in 0..count {
         let seen = moving.seen()[0];
-        output.push(channel.output(seen));
+        output.push(channel.output(n, seen));
         if seen.is_nan() || seen.abs() >= 1e6 {
             return None;
         }

@@ -36,6 +36,7 @@ fn every_effect_of_an_oscillator_is_named() {
         ("output_highpass", "corner_hz", 1.0),
         ("output_lowpass", "corner_hz", 300.0),
         ("output_clipping", "threshold", 0.2),
+        ("output_trend", "drift_per_s", 0.02),
         ("second_mode", "gain", 0.1),
         ("dead_zone", "half_width", 0.01),
         ("hysteresis", "alpha", 0.2),
@@ -104,6 +105,22 @@ fn a_low_pass_is_found_wherever_its_corner_is() {
         let found = &first.parameters["output_lowpass"]["corner_hz"];
         assert!((found.value - corner_hz).abs() < 5.0 * found.u, "{found:?}");
     }
+}
+
+#[test]
+fn a_trend_beside_a_cubic_spring_is_found_with_it() {
+    let both = Added {
+        drift_per_s: -0.01,
+        ..added("cubic_stiffness")
+    };
+    let answer = answer("both", &record(&both, SAMPLES, &mut Random::new(887)));
+    let first = &answer.causes[0];
+    let mut effects = first.effects.clone();
+    effects.sort_unstable();
+    assert_eq!(effects, ["cubic_stiffness", "output_trend"]);
+    assert_eq!(answer.verdict, Verdict::Explained, "{:?}", answer.gap);
+    let found = &first.parameters["output_trend"]["drift_per_s"];
+    assert!((found.value + 0.01).abs() < 5.0 * found.u, "{found:?}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ pub type OscillatorAction = fn(&[f64], &mut Oscillator);
 /// An effect of an oscillator.
 pub type OscillatorEffect = Effect<OscillatorAction>;
 
-static EFFECTS: [OscillatorEffect; 13] = [
+static EFFECTS: [OscillatorEffect; 14] = [
     Effect::new(&oscillator::COULOMB_FRICTION, |values, oscillator| {
         oscillator.friction += values[0];
     }),
@@ -42,6 +42,9 @@ static EFFECTS: [OscillatorEffect; 13] = [
     }),
     Effect::new(&oscillator::OUTPUT_LOWPASS, |values, oscillator| {
         oscillator.output_lowpass_hz = values[0];
+    }),
+    Effect::new(&oscillator::OUTPUT_TREND, |values, oscillator| {
+        oscillator.output_drift_per_s += values[0];
     }),
     Effect::new(&oscillator::QUADRATIC_DAMPING, |values, oscillator| {
         oscillator.quadratic_damping += values[0];

@@ -71,7 +71,8 @@ pub(super) fn simulate_in_steps(
     let mut output = Vec::with_capacity(count);
     for sample in 0..settle + count {
         if sample >= settle {
-            output.push(seen(oscillator, &state));
+            let time_s = (sample - settle) as f64 / sample_rate_hz;
+            output.push(seen(oscillator, &state, time_s));
         }
         let start_s = (sample as f64 - settle as f64) / sample_rate_hz - oscillator.input_delay_s;
         // Runge-Kutta looks at both ends and the middle of each step.
@@ -84,13 +85,14 @@ pub(super) fn simulate_in_steps(
     output
 }
 
-fn seen(oscillator: &Oscillator, state: &State) -> f64 {
+fn seen(oscillator: &Oscillator, state: &State, time_s: f64) -> f64 {
     let filtered = if oscillator.output_lowpass_hz.is_finite() {
         state[6]
     } else {
         above_the_corner(oscillator, state)
     };
-    filtered.clamp(-oscillator.output_threshold, oscillator.output_threshold)
+    let shifted = filtered + oscillator.output_drift_per_s * time_s;
+    shifted.clamp(-oscillator.output_threshold, oscillator.output_threshold)
 }
 
 /// The motion behind the high-pass.

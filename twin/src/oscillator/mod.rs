@@ -15,7 +15,7 @@ pub use self::multisine::Multisine;
 /// `x'' + 2 delta w0 x' (1 + d2 |x'|/w0 + d3 (x'/w0)^2) + w0^2 F = rho a(t - tau)` with the spring
 /// `F = dz(x) + k2 x^2 + k3 x^3 + alpha z + xc sign(x')`, where dz leaves out the play and
 /// `z' = x' - (|x'| z + x' |z|)/(2 zy)`. The output is `x + x2` through a high-pass and a low-pass,
-/// clipped.
+/// with a trend, clipped.
 ///
 /// # Source
 /// ISO 16063-43:2015, 7.1, formula (1) for the linear part.
@@ -51,6 +51,8 @@ pub struct Oscillator {
     pub output_corner_hz: f64,
     /// Corner of the output's low-pass, Hz; infinite is none.
     pub output_lowpass_hz: f64,
+    /// Growth of the output's zero from the first sample on, per s.
+    pub output_drift_per_s: f64,
     /// The output is clipped here; infinite if it is not.
     pub output_threshold: f64,
     /// Gain of a second mode.
@@ -80,6 +82,7 @@ impl Oscillator {
             input_threshold: f64::INFINITY,
             output_corner_hz: 0.0,
             output_lowpass_hz: f64::INFINITY,
+            output_drift_per_s: 0.0,
             output_threshold: f64::INFINITY,
             second_gain: 0.0,
             second_hz: 1.0,

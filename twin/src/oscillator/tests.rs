@@ -183,6 +183,17 @@ fn a_clipped_output_is_the_linear_one_up_to_the_rails() {
 }
 
 #[test]
+fn a_trend_starts_at_the_first_sample_and_is_evenly_steep() {
+    let input = Multisine::new(8.0, 8.0, 0.7, 1);
+    let of = |effects: &[&str]| simulate(&oscillator(effects), &input, RATE_HZ, 1000, 5.0);
+    let (plain, drifting) = (of(&[]), of(&["output_trend=drift_per_s:0.25"]));
+    for at in [0, 1, 500, 999] {
+        let drift = drifting[at] - plain[at];
+        assert!((drift - 0.25e-3 * at as f64).abs() < 1e-12, "{at} {drift}");
+    }
+}
+
+#[test]
 fn hysteresis_stiffens_and_damps() {
     // Far below yield the state follows the deflection: stiffness 1 + alpha. Far above it turns to
     // friction of alpha zy.

@@ -18,6 +18,7 @@ fn run(steps: usize) -> Run {
     let output = vec![0.0; input.len()];
     let record = Record {
         interval_s: INTERVAL_S,
+        before: 0,
         input,
         output,
     };
