@@ -14,6 +14,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &COULOMB_FRICTION,
     &INPUT_DELAY,
     &INPUT_SATURATION,
+    &INPUT_OFFSET,
     &OUTPUT_HIGHPASS,
     &OUTPUT_LOWPASS,
     &OUTPUT_CLIPPING,
@@ -40,7 +41,7 @@ pub static QUADRATIC_STIFFNESS: Entry = Entry {
     formula: "w0^2 (x + k2 x^2)",
     parameters: &[Parameter::linear("k2", "1/output", [-1e6, 1e6], 0.3)],
     plain: "the spring is stiffer to one side",
-    confused_with: &["output_highpass"],
+    confused_with: &["input_offset", "output_highpass"],
     separate_by: "the same input with its sign turned, and one with a steady offset",
     ..Entry::OSCILLATOR
 };
@@ -100,6 +101,20 @@ pub static INPUT_SATURATION: Entry = Entry {
     plain: "the input is cut at large values",
     confused_with: &["output_clipping", "cubic_stiffness", "cubic_damping"],
     separate_by: "an input of half the peak value, and the input as it arrives",
+    ..Entry::OSCILLATOR
+};
+
+/// A steady force, as of weight or a magnet, or an amplifier with an offset. It moves the rest of the
+/// spring. Only a spring that is not straight shows that: on a straight one, or where a quadratic part is
+/// in question, it is one with the zero of the output.
+pub static INPUT_OFFSET: Entry = Entry {
+    id: "input_offset",
+    stage: Stage::Amplifier,
+    formula: "a + a0",
+    parameters: &[Parameter::linear("offset", "input", [-1e9, 1e9], 0.01)],
+    plain: "a steady force acts beside the input",
+    confused_with: &["quadratic_stiffness"],
+    separate_by: "the output at rest with the input on and off, and a record about another rest",
     ..Entry::OSCILLATOR
 };
 

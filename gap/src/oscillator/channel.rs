@@ -29,6 +29,7 @@ pub(super) fn slope(
         })
     };
     match parameter {
+        Parameter::Offset => free(1.0),
         Parameter::Trend => free((run.before + at) as f64),
         Parameter::Lagging => free((-(at as f64) / values[Parameter::Lag]).exp()),
         _ => None,
@@ -45,7 +46,9 @@ pub(super) struct Channel {
     held_back: f64,
     /// What the low-pass has let through.
     passed: f64,
-    /// Growth of the zero in a sample, and samples of it before the first one.
+    /// Output at rest, at the first sample of the file.
+    zero: f64,
+    /// Growth of it in a sample, and samples of it before the first one.
     trend: f64,
     before: usize,
     /// Largest output.
@@ -65,6 +68,7 @@ impl Channel {
             rate,
             held_back,
             passed: 0.0,
+            zero: values[Parameter::Offset],
             trend: values[Parameter::Trend],
             before: run.before,
             rail: rail(values),
@@ -101,7 +105,7 @@ impl Channel {
             Some(_) => self.passed,
             None => x - self.held_back,
         };
-        let shifted = filtered + self.trend * (self.before + at) as f64;
+        let shifted = filtered + self.zero + self.trend * (self.before + at) as f64;
         shifted.clamp(-self.rail, self.rail)
     }
 }

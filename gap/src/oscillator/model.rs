@@ -1,4 +1,4 @@
-//! The oscillator with its candidate terms: x'' + 2 delta w0 x' + w0^2 x + terms(x, x') = w0^2 gain u + offset.
+//! The oscillator with its candidate terms: x'' + 2 delta w0 x' + w0^2 x + terms(x, x') = w0^2 gain u + force.
 
 use super::parameters::Parameter::{self, *};
 use super::parameters::{LINEAR, OscillatorParameters};
@@ -7,7 +7,7 @@ use crate::thresholds;
 use calib_effects::{Entry, oscillator};
 
 /// Candidate terms.
-pub(crate) const TERMS: [Term; 14] = [
+pub(crate) const TERMS: [Term; 15] = [
     Term {
         entry: &oscillator::CUBIC_STIFFNESS,
         leading: true,
@@ -49,6 +49,12 @@ pub(crate) const TERMS: [Term; 14] = [
         leading: true,
         has_kink: true,
         values: &[Saturation],
+    },
+    Term {
+        entry: &oscillator::INPUT_OFFSET,
+        leading: false,
+        has_kink: false,
+        values: &[SteadyForce],
     },
     Term {
         entry: &oscillator::OUTPUT_HIGHPASS,
@@ -105,6 +111,16 @@ pub(crate) struct Term {
     pub(crate) has_kink: bool,
     /// Its values in a simulation; all of them zero: there is no such term.
     pub(crate) values: &'static [Parameter],
+}
+
+/// Whether a term shows beside others. A steady force moves what is straight as another zero of the
+/// output does.
+pub(super) fn shows(term: usize, beside: &[usize]) -> bool {
+    let bends = |t: &usize| {
+        let value = TERMS[*t].values[0];
+        matches!(value, CubicStiffness | QuadraticStiffness | DeadZone)
+    };
+    TERMS[term].values[0] != SteadyForce || beside.iter().any(bends)
 }
 
 /// Parameters of the state at the first sample with the given terms, as far as the samples from

@@ -14,7 +14,7 @@ pub(crate) enum Parameter {
     Delta,
     /// x over the input, at rest.
     Gain,
-    /// Steady force.
+    /// Output at rest.
     Offset,
     /// Displacement at the first sample.
     Displacement,
@@ -30,6 +30,8 @@ pub(crate) enum Parameter {
     CubicDamping,
     /// Force against the velocity.
     CoulombFriction,
+    /// Steady force.
+    SteadyForce,
     /// Delay of the input, in samples.
     Delay,
     /// One over the input at which it saturates.
@@ -97,6 +99,7 @@ impl OscillatorParameters {
     /// Sets the motion at the first sample.
     pub(super) fn set_first_state(&mut self, record: &Run) {
         (self[Displacement], self[Velocity]) = record.first_state(self[LnResonance]);
+        self[Displacement] -= self[Offset];
     }
 }
 
@@ -136,8 +139,8 @@ pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, un
     match parameter {
         LnResonance => 1e-6,
         Delta | Gain | ModeGain => 1e-5,
-        Offset | Displacement | Velocity | HeldBack | Lagging | ModeDisplacement | ModeVelocity
-        | CoulombFriction => 1e-5 * unit,
+        Offset | SteadyForce | Displacement | Velocity | HeldBack | Lagging | ModeDisplacement
+        | ModeVelocity | CoulombFriction => 1e-5 * unit,
         CubicStiffness => 1e-3 / (unit * unit),
         QuadraticStiffness => 1e-3 / unit,
         QuadraticDamping => 1e-4 / unit,

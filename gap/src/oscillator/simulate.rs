@@ -1,6 +1,6 @@
 //! The simulation of an oscillator over a record.
 //!
-//! x'' + 2 delta x' + x = gain u + offset - terms(x, x'), in time of 1/w0. The
+//! x'' + 2 delta x' + x = gain u + force - terms(x, x'), in time of 1/w0. The
 //! linear part and its input are propagated exactly, but for the interpolation
 //! of the input by polynomials of degree six; the terms are integrated with the
 //! classical Runge-Kutta method in the frame of that motion (Lawson 1967).
@@ -20,7 +20,7 @@ struct Stepper<'a> {
     first: Mode,
     second: Option<Mode>,
     gain: f64,
-    offset: f64,
+    force: f64,
     step: f64,
 }
 
@@ -41,13 +41,13 @@ impl Moving {
 
 impl Stepper<'_> {
     fn advance(&self, m: &Moving, input: &[f64; NODES]) -> Moving {
-        let half = |mode: &Mode, s, gain, offset| mode.moved(true, s, input, gain, offset);
-        let full = |mode: &Mode, s, gain, offset| mode.moved(false, s, input, gain, offset);
-        let mut end = full(&self.first, m.first, self.gain, self.offset);
+        let half = |mode: &Mode, s, gain, force| mode.moved(true, s, input, gain, force);
+        let full = |mode: &Mode, s, gain, force| mode.moved(false, s, input, gain, force);
+        let mut end = full(&self.first, m.first, self.gain, self.force);
         let mut yielding = 0.0;
         let lacking = [2, 3, 4].map(|k| self.terms.lacking(input[k]));
         if self.terms.some {
-            let middle = half(&self.first, m.first, self.gain, self.offset);
+            let middle = half(&self.first, m.first, self.gain, self.force);
             (end, yielding) = self.bent(m, middle, end, lacking);
         }
         let second = self.second.as_ref().map_or([0.0; 2], |mode| {
@@ -105,7 +105,7 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
         first: Mode::new(1.0, values[Parameter::Delta], step),
         second: (values[Parameter::ModeGain] != 0.0).then(second),
         gain: values[Parameter::Gain],
-        offset: values[Parameter::Offset],
+        force: values[Parameter::SteadyForce],
         step,
     };
     let input = run.driven(values[Parameter::Delay]);

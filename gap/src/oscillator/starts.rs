@@ -83,29 +83,39 @@ pub(super) fn begin(
     let Some((mut best, size)) = most_promising(record, base, candidates) else {
         return *base;
     };
-    // A width, a threshold or a time is no amplitude.
-    use Parameter::{Clipping, DeadZone, Lag, Saturation};
+    // A width, a threshold or a time is no amplitude, and a spring's rest moves by more than a little.
+    use Parameter::{Clipping, DeadZone, Lag, Saturation, SteadyForce};
     let amplitude = values[0];
-    if !matches!(amplitude, DeadZone | Saturation | Clipping | Lag) {
+    if !matches!(
+        amplitude,
+        DeadZone | Saturation | Clipping | Lag | SteadyForce
+    ) {
         best[amplitude] *= size;
     }
     bound(&mut best, values, record, unit);
     best
 }
 
-/// Moves the linear values so that a low-pass leaves the output about as large as it was.
+/// Moves the linear values so that a term leaves the output about where it was: its size behind a
+/// low-pass, its mean under a steady force.
 fn as_before(values: &mut OscillatorParameters, term: Parameter, record: &Run) {
-    use Parameter::{Displacement, Gain, Lag, Lagging, LnResonance, Velocity};
-    if term != Lag {
-        return;
-    }
-    let lag = values[Lag] * values[LnResonance].exp() * record.interval_s;
-    let seen = values[Displacement];
-    for value in [Gain, Displacement, Velocity] {
-        values[value] *= lag.hypot(1.0);
-    }
-    if values[Lag] > thresholds::LAG_REMEMBERED {
-        values[Lagging] = seen - values[Displacement] + lag * values[Velocity];
+    use Parameter::{Displacement, Gain, Lag, Lagging, LnResonance, Offset, SteadyForce, Velocity};
+    match term {
+        Lag => {
+            let lag = values[Lag] * values[LnResonance].exp() * record.interval_s;
+            let seen = values[Displacement];
+            for value in [Gain, Displacement, Velocity] {
+                values[value] *= lag.hypot(1.0);
+            }
+            if values[Lag] > thresholds::LAG_REMEMBERED {
+                values[Lagging] = seen - values[Displacement] + lag * values[Velocity];
+            }
+        }
+        SteadyForce => {
+            values[Offset] -= values[SteadyForce];
+            values[Displacement] += values[SteadyForce];
+        }
+        _ => {}
     }
 }
 
@@ -127,6 +137,9 @@ fn starts(record: &Run, base: &OscillatorParameters, term: Parameter, unit: f64)
         }
         Parameter::Lag => [0.1, 1.0, 3.0, 10.0, 30.0, 100.0]
             .map(|lag| vec![lag])
+            .into(),
+        Parameter::SteadyForce => [0.03, 0.1, 0.3, 1.0, -0.03, -0.1, -0.3, -1.0]
+            .map(|force| vec![force * unit])
             .into(),
         Parameter::Clipping => {
             let largest = record.output.iter().fold(0.0, |m: f64, y| m.max(y.abs()));

@@ -11,7 +11,7 @@ pub type OscillatorAction = fn(&[f64], &mut Oscillator);
 /// An effect of an oscillator.
 pub type OscillatorEffect = Effect<OscillatorAction>;
 
-static EFFECTS: [OscillatorEffect; 14] = [
+static EFFECTS: [OscillatorEffect; 15] = [
     Effect::new(&oscillator::COULOMB_FRICTION, |values, oscillator| {
         oscillator.friction += values[0];
     }),
@@ -30,6 +30,9 @@ static EFFECTS: [OscillatorEffect; 14] = [
     }),
     Effect::new(&oscillator::INPUT_DELAY, |values, oscillator| {
         oscillator.input_delay_s += values[0];
+    }),
+    Effect::new(&oscillator::INPUT_OFFSET, |values, oscillator| {
+        oscillator.input_offset += values[0];
     }),
     Effect::new(&oscillator::INPUT_SATURATION, |values, oscillator| {
         oscillator.input_threshold = oscillator.input_threshold.min(values[0]);

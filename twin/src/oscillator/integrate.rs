@@ -136,7 +136,7 @@ fn rate(oscillator: &Oscillator, state: &State, force: f64) -> State {
     let [x, v, z, x2, v2, held_back, passed] = *state;
     let omega = TAU * oscillator.resonance_hz;
     let force = force.clamp(-oscillator.input_threshold, oscillator.input_threshold);
-    let drive = oscillator.rho * force;
+    let drive = oscillator.rho * (force + oscillator.input_offset);
     let speed = v / omega;
     let drag =
         1.0 + oscillator.quadratic_damping * speed.abs() + oscillator.cubic_damping * speed * speed;

@@ -194,6 +194,21 @@ fn a_trend_starts_at_the_first_sample_and_is_evenly_steep() {
 }
 
 #[test]
+fn a_steady_force_moves_the_rest_and_with_it_the_stiffness() {
+    // rho over w0^2 is 1: the force is the deflection it would hold.
+    let moved = tone(&["input_offset=offset:0.3"], 8.0, 0.5);
+    assert!((moved[0].re / 2.0 - 0.3).abs() < 1e-6, "{}", moved[0]);
+    assert!((moved[1] / 0.5 / response(8.0) - 1.0).norm() < 1e-6);
+    // At rest x + k3 x^3 = 0.327; about it the spring is 1 + 3 k3 x^2 = 1.27 as stiff.
+    let effects = ["cubic_stiffness=k3:1", "input_offset=offset:0.327"];
+    let sagged = tone(&effects, 8.0, 1e-4);
+    assert!((sagged[0].re / 2.0 - 0.3).abs() < 1e-6, "{}", sagged[0]);
+    let q: f64 = 0.4;
+    let expected = 1.0 / Complex::new(1.27 - q * q, 0.1 * q);
+    assert!((sagged[1] / 1e-4 / expected - 1.0).norm() < 1e-4);
+}
+
+#[test]
 fn hysteresis_stiffens_and_damps() {
     // Far below yield the state follows the deflection: stiffness 1 + alpha. Far above it turns to
     // friction of alpha zy.
