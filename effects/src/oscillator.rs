@@ -14,7 +14,11 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &COULOMB_FRICTION,
     &INPUT_DELAY,
     &INPUT_SATURATION,
+    &INPUT_OFFSET,
     &OUTPUT_HIGHPASS,
+    &OUTPUT_LOWPASS,
+    &OUTPUT_CLIPPING,
+    &OUTPUT_TREND,
     &SECOND_MODE,
     &DEAD_ZONE,
     &HYSTERESIS,
@@ -37,7 +41,7 @@ pub static QUADRATIC_STIFFNESS: Entry = Entry {
     formula: "w0^2 (x + k2 x^2)",
     parameters: &[Parameter::linear("k2", "1/output", [-1e6, 1e6], 0.3)],
     plain: "the spring is stiffer to one side",
-    confused_with: &["output_highpass"],
+    confused_with: &["input_offset", "output_highpass"],
     separate_by: "the same input with its sign turned, and one with a steady offset",
     ..Entry::OSCILLATOR
 };
@@ -83,7 +87,7 @@ pub static INPUT_DELAY: Entry = Entry {
     formula: "a(t - tau)",
     parameters: &[Parameter::linear("tau_s", "s", [0.0, 1.0], 3e-4).on_site(0.0, 0.01)],
     plain: "the input acts with a delay",
-    confused_with: &["second_mode", "output_highpass"],
+    confused_with: &["output_lowpass", "second_mode", "output_highpass"],
     separate_by: "frequencies far above the resonance",
     ..Entry::OSCILLATOR
 };
@@ -95,8 +99,22 @@ pub static INPUT_SATURATION: Entry = Entry {
     formula: "clip(a, +-a0)",
     parameters: &[Parameter::linear("threshold", "input", [1e-9, 1e9], 0.1)],
     plain: "the input is cut at large values",
-    confused_with: &["cubic_stiffness", "cubic_damping"],
+    confused_with: &["output_clipping", "cubic_stiffness", "cubic_damping"],
     separate_by: "an input of half the peak value, and the input as it arrives",
+    ..Entry::OSCILLATOR
+};
+
+/// A steady force, as of weight or a magnet, or an amplifier with an offset. It moves the rest of the
+/// spring. Only a spring that is not straight shows that: on a straight one, or where a quadratic part is
+/// in question, it is one with the zero of the output.
+pub static INPUT_OFFSET: Entry = Entry {
+    id: "input_offset",
+    stage: Stage::Amplifier,
+    formula: "a + a0",
+    parameters: &[Parameter::linear("offset", "input", [-1e9, 1e9], 0.01)],
+    plain: "a steady force acts beside the input",
+    confused_with: &["quadratic_stiffness"],
+    separate_by: "the output at rest with the input on and off, and a record about another rest",
     ..Entry::OSCILLATOR
 };
 
@@ -107,8 +125,50 @@ pub static OUTPUT_HIGHPASS: Entry = Entry {
     formula: "s/wc / (1 + s/wc)",
     parameters: &[Parameter::linear("corner_hz", "Hz", [1e-5, 1e5], 0.5).on_site(1e-3, 10.0)],
     plain: "the output loses its slow part",
-    confused_with: &["quadratic_stiffness", "input_delay"],
+    confused_with: &["quadratic_stiffness", "input_delay", "output_trend"],
     separate_by: "frequencies far below the resonance",
+    ..Entry::OSCILLATOR
+};
+
+/// First order, as of a filter before the converter. Far below its corner it is a delay, which any
+/// record that is sampled a few times a period tells from it.
+pub static OUTPUT_LOWPASS: Entry = Entry {
+    id: "output_lowpass",
+    stage: Stage::Conditioning,
+    formula: "1/(1 + s/wc)",
+    parameters: &[Parameter::linear("corner_hz", "Hz", [1e-5, 1e5], 200.0).on_site(0.1, 1e4)],
+    plain: "the output loses its fast part",
+    confused_with: &["input_delay", "second_mode"],
+    separate_by: "frequencies far above the resonance, magnitude and phase",
+    ..Entry::OSCILLATOR
+};
+
+/// The converter, or the amplifier before it, runs into its rails: alike to both sides.
+pub static OUTPUT_CLIPPING: Entry = Entry {
+    id: "output_clipping",
+    stage: Stage::Digitiser,
+    formula: "clip(y, +-y0)",
+    parameters: &[Parameter::linear("threshold", "output", [1e-9, 1e9], 0.1)],
+    plain: "the output is cut at large values",
+    confused_with: &["input_saturation", "cubic_stiffness"],
+    separate_by: "the range of the converter doubled, or half the input",
+    ..Entry::OSCILLATOR
+};
+
+/// The zero of the output drifts, evenly over the record: its first sample is at time 0.
+pub static OUTPUT_TREND: Entry = Entry {
+    id: "output_trend",
+    stage: Stage::Conditioning,
+    formula: "y + b t",
+    parameters: &[Parameter::linear(
+        "drift_per_s",
+        "output/s",
+        [-1e6, 1e6],
+        0.01,
+    )],
+    plain: "the zero of the output drifts",
+    confused_with: &["output_highpass"],
+    separate_by: "the output at rest before and after the record",
     ..Entry::OSCILLATOR
 };
 

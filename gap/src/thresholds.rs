@@ -274,8 +274,13 @@ pub(crate) const STEP_WORTH: f64 = 1e-6;
 /// Damping of a second mode where a fit starts. x0.5: 1 of 11 records changes.
 pub(crate) const MODE_DAMPING: f64 = 0.05;
 /// Times a record is longer than the memory of a high-pass from which what it held back before is
-/// fitted; left free in a slower one it would be an offset of the output.
-pub(crate) const REMEMBERED: f64 = 8.0;
+/// fitted; left free in a slower one it would be an offset of the output, or a trend.
+pub(crate) const REMEMBERED: f64 = 1.0;
+/// Lag of a low-pass, in samples, above which its state at the first sample shows in the next ones:
+/// e^-5 of it.
+pub(crate) const LAG_SEEN: f64 = 0.2;
+/// Lag above which it shows after the samples that only settle: e^-10 of it.
+pub(crate) const LAG_REMEMBERED: f64 = 5.0;
 /// Logarithm of half the rate over the lowest resonance that is tried.
 pub(crate) const LOWEST_LN: f64 = 20.0;
 

@@ -14,6 +14,8 @@ const STEPS_S: std::ops::RangeInclusive<f64> = 1e-12..=1e6;
 pub(crate) struct Record {
     /// Sampling interval, in s.
     pub(crate) interval_s: f64,
+    /// Samples of the file before the first one here.
+    pub(crate) before: usize,
     /// Input, in the unit of the file.
     pub(crate) input: Vec<f64>,
     /// Output, in the unit of the file.
@@ -55,6 +57,7 @@ pub(super) fn read(input: impl Read) -> Result<Record, GapError> {
     varies("output", &output)?;
     Ok(Record {
         interval_s,
+        before: 0,
         input,
         output,
     })

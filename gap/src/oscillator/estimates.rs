@@ -46,9 +46,20 @@ fn estimate(fit: &Fitted, parameter: Parameter, row: usize, interval_s: f64) -> 
                 + 2.0 * own * of_delta * c[(1, row)];
             (value / linear, variance.max(0.0).sqrt())
         }
+        Parameter::SteadyForce => {
+            // Stated at the input, over the gain that is fitted itself.
+            let gain = fit.values[Parameter::Gain];
+            let offset = value / gain;
+            let variance = variance + offset * offset * c[(2, 2)] - 2.0 * offset * c[(2, row)];
+            (offset, variance.max(0.0).sqrt() / gain.abs())
+        }
+        Parameter::Trend => (value / interval_s, variance.sqrt() / interval_s),
         Parameter::Delay => (value * interval_s, variance.sqrt() * interval_s),
         Parameter::LnYieldDeflection => relative(value.exp(), variance),
-        Parameter::Saturation => (1.0 / value, variance.sqrt() / (value * value)),
+        Parameter::Saturation | Parameter::Clipping => {
+            (1.0 / value, variance.sqrt() / (value * value))
+        }
+        Parameter::Lag => relative(1.0 / (TAU * value * interval_s), variance / (value * value)),
         Parameter::HighpassCorner => (value / TAU, variance.sqrt() / TAU),
         _ => (value, variance.sqrt()),
     };

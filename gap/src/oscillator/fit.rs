@@ -1,5 +1,6 @@
 //! Least squares of the simulated against the recorded output.
 
+use super::channel;
 use super::model::free;
 use super::parameters::{OscillatorParameters, Parameter, bound, slope_step};
 use super::run::{REACH, Run};
@@ -122,8 +123,7 @@ impl LeastSquares for Model<'_> {
     }
 
     fn equations(&mut self, at: &Place) -> Option<Equations> {
-        let errors = |values: &_| errors(values, self.record, self.samples.clone());
-        let columns = columns(&at.values, &at.left, self.free, self.unit, errors)?;
+        let columns = columns(self.record, &at.values, &at.left, self.free, &self.samples)?;
         let block = OneBlock(at.left.len());
         Some(Equations::new(&block, &columns, &[], &at.left, &[]))
     }
@@ -148,23 +148,31 @@ pub(super) fn slopes(
     left: &[f64],
     moved: &[Parameter],
 ) -> Option<Vec<Column<()>>> {
-    let errors = |values: &_| residual(values, record);
-    columns(values, left, moved, scale_of(record), errors)
+    columns(record, values, left, moved, &judged(record))
 }
 
-/// Columns by differences, from values where a simulation leaves `left`.
+/// Columns from values where a simulation leaves `left` of some samples: by differences, but for
+/// those of the output's channel.
 fn columns(
+    record: &Run,
     values: &OscillatorParameters,
     left: &[f64],
     moved: &[Parameter],
-    unit: f64,
-    errors: impl Fn(&OscillatorParameters) -> Option<Vec<f64>>,
+    samples: &Range<usize>,
 ) -> Option<Vec<Column<()>>> {
+    let unit = scale_of(record);
     let of = |&parameter: &Parameter| {
+        let direct = |at: usize| {
+            let simulated = record.output[at] - left[at - samples.start];
+            channel::slope(values, parameter, at, record, simulated)
+        };
+        if let Some(slopes) = samples.clone().map(direct).collect() {
+            return Some(Column::of_one_block(slopes));
+        }
         let mut there = *values;
         let step = slope_step(values, parameter, unit);
         there[parameter] += step;
-        let there = errors(&there)?;
+        let there = errors(&there, record, samples.clone())?;
         let change = left.iter().zip(there).map(|(a, b)| (a - b) / step);
         Some(Column::of_one_block(change.collect()))
     };

@@ -3,7 +3,7 @@
 use super::fit::{Fitted, refine};
 use super::integration::{MOST_STEPS, REFINED, integrate_finely};
 use super::lack_of_fit::{Left, examine};
-use super::model::TERMS;
+use super::model::{TERMS, shows};
 use super::model_selection::{Tried, cost_of_last};
 use super::run::Run;
 use super::starts::{SPRING, begin, bent_spring};
@@ -69,7 +69,7 @@ pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<St
 
 fn may_add(base: &Fitted, term: usize, options: &Options) -> bool {
     let withheld = options.without.iter().any(|w| w == TERMS[term].entry.id);
-    !withheld && !base.terms.contains(&term)
+    !withheld && !base.terms.contains(&term) && shows(term, &base.terms)
 }
 
 /// Every further term beside those of a fit, best first; `far` is one that was found otherwise.

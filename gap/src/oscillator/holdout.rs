@@ -39,6 +39,7 @@ pub(super) fn parts(record: &Record, validate: Option<&Dataset>) -> Result<[Reco
 fn cut(record: &Record, from: usize, to: usize) -> Record {
     Record {
         interval_s: record.interval_s,
+        before: record.before + from,
         input: record.input[from..to].to_vec(),
         output: record.output[from..to].to_vec(),
     }
@@ -55,7 +56,7 @@ const LOOKED_AT: [(usize, usize); 3] = [(SETTLING / 4, 2), (SETTLING / 2, 1), (S
 fn validation(fit: &Fitted, record: &Run) -> Option<Vec<f64>> {
     let head = record.head(HEAD);
     let mut values = fit.values;
-    let states = states(&fit.terms);
+    let states = states(&fit.terms, &values);
     states.iter().for_each(|state| values[*state] = 0.0);
     values.set_first_state(&head);
     for (count, steps) in LOOKED_AT {

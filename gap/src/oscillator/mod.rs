@@ -4,6 +4,7 @@
 //! model, terms      the terms, and what they do at one instant
 //! parameters        values of a simulation: names, bounds, steps for slopes
 //! run, mode         a record on a fine grid, and a linear oscillator driven by it
+//! channel           what the channel of the output makes of the motion
 //! simulate          the oscillator over a record; integration: in steps as fine as it takes
 //! fit               the estimator's model: simulated against recorded output
 //! starts            where the fit of the oscillator, and of a term, begins
@@ -15,6 +16,7 @@
 //! ```
 
 mod answer;
+mod channel;
 mod estimates;
 mod fit;
 mod grow;

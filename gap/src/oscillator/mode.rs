@@ -106,7 +106,25 @@ fn transition(frequency: f64, damping: f64, t: f64) -> [State; 2] {
     ]
 }
 
-/// The state of a high-pass follows the motion; over a step that is a cubic through both ends.
+/// Integrals over u from 0 to 1 of r e^(-r u) u^k, k from 0 to 3; `keeps` is e^-r.
+fn moments(r: f64, keeps: f64) -> [f64; 4] {
+    let mut moments = [1.0 - keeps; 4];
+    if r > 1.0 {
+        for k in 1..4 {
+            moments[k] = k as f64 / r * moments[k - 1] - keeps;
+        }
+    } else {
+        // There the recursion cancels.
+        moments = std::array::from_fn(|k| {
+            let at = |(u, weight): (f64, f64)| weight * r * (-r * u).exp() * u.powi(k as i32);
+            GAUSS.into_iter().map(at).sum()
+        });
+    }
+    moments
+}
+
+/// The state of a filter of first order follows the motion; over a step that is a cubic through both
+/// ends.
 pub(super) struct Follower {
     keeps: f64,
     /// Weights of displacement and velocity before, and of those after.
@@ -115,23 +133,16 @@ pub(super) struct Follower {
 
 impl Follower {
     pub(super) fn new(rate: f64, step: f64) -> Self {
-        let mut weights = [0.0; 4];
-        for (t, weight) in GAUSS {
-            let share = weight * step * rate * (-rate * step * (1.0 - t)).exp();
-            let cubic = [
-                (1.0 + 2.0 * t) * (1.0 - t).powi(2),
-                step * t * (1.0 - t).powi(2),
-                t * t * (3.0 - 2.0 * t),
-                step * t * t * (t - 1.0),
-            ];
-            for (sum, value) in weights.iter_mut().zip(cubic) {
-                *sum += share * value;
-            }
-        }
-        Self {
-            keeps: (-rate * step).exp(),
-            weights,
-        }
+        let keeps = (-rate * step).exp();
+        let [m0, m1, m2, m3] = moments(rate * step, keeps);
+        // The cubics of Hermite in powers of the time that is left.
+        let weights = [
+            3.0 * m2 - 2.0 * m3,
+            step * (m2 - m3),
+            m0 - 3.0 * m2 + 2.0 * m3,
+            -step * (m1 - 2.0 * m2 + m3),
+        ];
+        Self { keeps, weights }
     }
 
     pub(super) fn follow(&self, held: f64, before: State, after: State) -> f64 {

@@ -1,4 +1,4 @@
-//! The oscillator with its candidate terms: x'' + 2 delta w0 x' + w0^2 x + terms(x, x') = w0^2 gain u + offset.
+//! The oscillator with its candidate terms: x'' + 2 delta w0 x' + w0^2 x + terms(x, x') = w0^2 gain u + force.
 
 use super::parameters::Parameter::{self, *};
 use super::parameters::{LINEAR, OscillatorParameters};
@@ -7,7 +7,7 @@ use crate::thresholds;
 use calib_effects::{Entry, oscillator};
 
 /// Candidate terms.
-pub(crate) const TERMS: [Term; 11] = [
+pub(crate) const TERMS: [Term; 15] = [
     Term {
         entry: &oscillator::CUBIC_STIFFNESS,
         leading: true,
@@ -51,10 +51,34 @@ pub(crate) const TERMS: [Term; 11] = [
         values: &[Saturation],
     },
     Term {
+        entry: &oscillator::INPUT_OFFSET,
+        leading: false,
+        has_kink: false,
+        values: &[SteadyForce],
+    },
+    Term {
         entry: &oscillator::OUTPUT_HIGHPASS,
         leading: true,
         has_kink: false,
         values: &[HighpassCorner],
+    },
+    Term {
+        entry: &oscillator::OUTPUT_LOWPASS,
+        leading: true,
+        has_kink: false,
+        values: &[Lag],
+    },
+    Term {
+        entry: &oscillator::OUTPUT_CLIPPING,
+        leading: true,
+        has_kink: false,
+        values: &[Clipping],
+    },
+    Term {
+        entry: &oscillator::OUTPUT_TREND,
+        leading: true,
+        has_kink: false,
+        values: &[Trend],
     },
     Term {
         entry: &oscillator::SECOND_MODE,
@@ -89,12 +113,24 @@ pub(crate) struct Term {
     pub(crate) values: &'static [Parameter],
 }
 
-/// Parameters of the state at the first sample with the given terms.
-pub(super) fn states(terms: &[usize]) -> Vec<Parameter> {
+/// Whether a term shows beside others. A steady force moves what is straight as another zero of the
+/// output does.
+pub(super) fn shows(term: usize, beside: &[usize]) -> bool {
+    let bends = |t: &usize| {
+        let value = TERMS[*t].values[0];
+        matches!(value, CubicStiffness | QuadraticStiffness | DeadZone)
+    };
+    TERMS[term].values[0] != SteadyForce || beside.iter().any(bends)
+}
+
+/// Parameters of the state at the first sample with the given terms, as far as the samples from
+/// there on show them.
+pub(super) fn states(terms: &[usize], values: &OscillatorParameters) -> Vec<Parameter> {
     let mut states = vec![Displacement, Velocity];
     for term in terms {
         match TERMS[*term].values[0] {
             HighpassCorner => states.push(HeldBack),
+            Lag if values[Lag] > thresholds::LAG_SEEN => states.push(Lagging),
             ModeGain => states.extend([ModeDisplacement, ModeVelocity]),
             _ => {}
         }
@@ -107,8 +143,9 @@ pub(super) fn free(terms: &[usize], values: &OscillatorParameters, record: &Run)
     let duration_s = record.interval_s * record.input.len() as f64;
     let forgets = values[HighpassCorner] * duration_s > thresholds::REMEMBERED;
     let of_terms = terms.iter().flat_map(|t| TERMS[*t].values).copied();
-    let states = states(terms).into_iter().filter(|s| match s {
+    let states = states(terms, values).into_iter().filter(|s| match s {
         HeldBack => forgets,
+        Lagging => values[Lag] > thresholds::LAG_REMEMBERED,
         state => !LINEAR.contains(state),
     });
     LINEAR.into_iter().chain(of_terms).chain(states).collect()

@@ -14,7 +14,7 @@ pub(crate) enum Parameter {
     Delta,
     /// x over the input, at rest.
     Gain,
-    /// Steady force.
+    /// Output at rest.
     Offset,
     /// Displacement at the first sample.
     Displacement,
@@ -30,12 +30,20 @@ pub(crate) enum Parameter {
     CubicDamping,
     /// Force against the velocity.
     CoulombFriction,
+    /// Steady force.
+    SteadyForce,
     /// Delay of the input, in samples.
     Delay,
     /// One over the input at which it saturates.
     Saturation,
     /// Corner of the output's high-pass, in rad/s.
     HighpassCorner,
+    /// Time constant of the output's low-pass, in samples.
+    Lag,
+    /// Growth of the output's zero in a sample.
+    Trend,
+    /// One over the output at which it is clipped.
+    Clipping,
     /// Gain of the second mode over that of the first.
     ModeGain,
     /// ln of the frequency of the second mode over w0.
@@ -50,6 +58,8 @@ pub(crate) enum Parameter {
     LnYieldDeflection,
     /// State of the high-pass at the first sample.
     HeldBack,
+    /// What the low-pass is ahead at the first sample of where a steady motion leaves it.
+    Lagging,
     /// Displacement of the second mode at the first sample.
     ModeDisplacement,
     /// Velocity of the second mode at the first sample.
@@ -89,6 +99,7 @@ impl OscillatorParameters {
     /// Sets the motion at the first sample.
     pub(super) fn set_first_state(&mut self, record: &Run) {
         (self[Displacement], self[Velocity]) = record.first_state(self[LnResonance]);
+        self[Displacement] -= self[Offset];
     }
 }
 
@@ -107,8 +118,11 @@ pub(super) fn bound(
             Delta => (1e-5, 2.0),
             // Friction and damping take energy out.
             QuadraticDamping | CubicDamping | CoulombFriction => (0.0, f64::INFINITY),
-            Saturation => (0.0, f64::INFINITY),
+            Saturation | Clipping => (0.0, f64::INFINITY),
             HighpassCorner => (0.0, half_rate),
+            // Less would forget its state within rounding.
+            Lag if moved.contains(&Lagging) => (thresholds::LAG_SEEN, record.input.len() as f64),
+            Lag => (0.0, record.input.len() as f64),
             ModeLnRatio => (-7.0, half_rate.ln() - values[LnResonance]),
             ModeDamping => (1e-4, 1.0),
             DeadZone => (0.0, 10.0 * unit),
@@ -125,16 +139,17 @@ pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, un
     match parameter {
         LnResonance => 1e-6,
         Delta | Gain | ModeGain => 1e-5,
-        Offset | Displacement | Velocity | HeldBack | ModeDisplacement | ModeVelocity
-        | CoulombFriction => 1e-5 * unit,
+        Offset | SteadyForce | Displacement | Velocity | HeldBack | Lagging | ModeDisplacement
+        | ModeVelocity | CoulombFriction => 1e-5 * unit,
         CubicStiffness => 1e-3 / (unit * unit),
         QuadraticStiffness => 1e-3 / unit,
         QuadraticDamping => 1e-4 / unit,
         CubicDamping => 1e-4 / (unit * unit),
-        Saturation => 1e-4 * values[Saturation].max(1e-9),
+        Saturation | Clipping => 1e-4 * values[parameter].max(1e-9),
         DeadZone => 1e-4 * unit,
-        Delay | HighpassCorner | ModeLnRatio | ModeDamping | YieldingShare | LnYieldDeflection => {
-            1e-3
-        }
+        // Over the samples of a short record as much as an offset.
+        Trend => 1e-8 * unit,
+        Delay | HighpassCorner | Lag | ModeLnRatio | ModeDamping | YieldingShare
+        | LnYieldDeflection => 1e-3,
     }
 }

@@ -22,6 +22,8 @@ const BETA: f64 = 14.0;
 /// Input and output of a record, and how finely it is integrated.
 pub(super) struct Run {
     pub(super) interval_s: f64,
+    /// Samples of the file before the first one here.
+    pub(super) before: usize,
     pub(super) input: Vec<f64>,
     pub(super) output: Vec<f64>,
     pub(super) steps: usize,
@@ -32,24 +34,20 @@ pub(super) struct Run {
 
 impl Run {
     pub(super) fn new(record: &Record, steps: usize) -> Self {
-        Self::of(
-            record.interval_s,
-            record.input.clone(),
-            record.output.clone(),
-            steps,
-        )
+        Self::of(record.clone(), steps)
     }
 
-    fn of(interval_s: f64, input: Vec<f64>, output: Vec<f64>, steps: usize) -> Self {
+    fn of(record: Record, steps: usize) -> Self {
         let mut steps = steps;
-        while steps > FEWEST_STEPS && 2 * steps * input.len() > MOST_VALUES {
+        while steps > FEWEST_STEPS && 2 * steps * record.input.len() > MOST_VALUES {
             steps /= 2;
         }
-        let grid = Arc::new(grid(&input, steps, 0.0));
+        let grid = Arc::new(grid(&record.input, steps, 0.0));
         Self {
-            interval_s,
-            input,
-            output,
+            interval_s: record.interval_s,
+            before: record.before,
+            input: record.input,
+            output: record.output,
             steps,
             grid,
             delayed: Mutex::new(None),
@@ -64,8 +62,13 @@ impl Run {
     /// The first samples, with a number of steps per sample.
     pub(super) fn stretch(&self, count: usize, steps: usize) -> Self {
         let count = self.input.len().min(count);
-        let (input, output) = (&self.input[..count], &self.output[..count]);
-        Self::of(self.interval_s, input.into(), output.into(), steps)
+        let record = Record {
+            interval_s: self.interval_s,
+            before: self.before,
+            input: self.input[..count].to_vec(),
+            output: self.output[..count].to_vec(),
+        };
+        Self::of(record, steps)
     }
 
     /// Displacement and velocity at the first sample, from the first three; `ln_w0` as in a simulation.
@@ -81,9 +84,7 @@ impl Run {
 
     /// Takes a quarter of the steps, if there are so many.
     pub(super) fn coarser(&self) -> Self {
-        let steps = (self.steps / 4).max(FEWEST_STEPS);
-        let (input, output) = (self.input.clone(), self.output.clone());
-        Self::of(self.interval_s, input, output, steps)
+        self.stretch(usize::MAX, (self.steps / 4).max(FEWEST_STEPS))
     }
 
     /// Doubles the steps per sample, if that is possible.
@@ -91,8 +92,7 @@ impl Run {
         if self.steps >= MOST_STEPS {
             return None;
         }
-        let (input, output) = (self.input.clone(), self.output.clone());
-        let finer = Self::of(self.interval_s, input, output, 2 * self.steps);
+        let finer = self.stretch(usize::MAX, 2 * self.steps);
         (finer.steps > self.steps).then_some(finer)
     }
 

@@ -1,11 +1,12 @@
 //! The simulation of an oscillator over a record.
 //!
-//! x'' + 2 delta x' + x = gain u + offset - terms(x, x'), in time of 1/w0. The
+//! x'' + 2 delta x' + x = gain u + force - terms(x, x'), in time of 1/w0. The
 //! linear part and its input are propagated exactly, but for the interpolation
 //! of the input by polynomials of degree six; the terms are integrated with the
 //! classical Runge-Kutta method in the frame of that motion (Lawson 1967).
 
-use super::mode::{Follower, Mode, NODES, State};
+use super::channel::Channel;
+use super::mode::{Mode, NODES, State};
 use super::parameters::{OscillatorParameters, Parameter};
 use super::run::Run;
 use super::terms::Terms;
@@ -19,7 +20,7 @@ struct Stepper<'a> {
     first: Mode,
     second: Option<Mode>,
     gain: f64,
-    offset: f64,
+    force: f64,
     step: f64,
 }
 
@@ -40,13 +41,13 @@ impl Moving {
 
 impl Stepper<'_> {
     fn advance(&self, m: &Moving, input: &[f64; NODES]) -> Moving {
-        let half = |mode: &Mode, s, gain, offset| mode.moved(true, s, input, gain, offset);
-        let full = |mode: &Mode, s, gain, offset| mode.moved(false, s, input, gain, offset);
-        let mut end = full(&self.first, m.first, self.gain, self.offset);
+        let half = |mode: &Mode, s, gain, force| mode.moved(true, s, input, gain, force);
+        let full = |mode: &Mode, s, gain, force| mode.moved(false, s, input, gain, force);
+        let mut end = full(&self.first, m.first, self.gain, self.force);
         let mut yielding = 0.0;
         let lacking = [2, 3, 4].map(|k| self.terms.lacking(input[k]));
         if self.terms.some {
-            let middle = half(&self.first, m.first, self.gain, self.offset);
+            let middle = half(&self.first, m.first, self.gain, self.force);
             (end, yielding) = self.bent(m, middle, end, lacking);
         }
         let second = self.second.as_ref().map_or([0.0; 2], |mode| {
@@ -104,12 +105,9 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
         first: Mode::new(1.0, values[Parameter::Delta], step),
         second: (values[Parameter::ModeGain] != 0.0).then(second),
         gain: values[Parameter::Gain],
-        offset: values[Parameter::Offset],
+        force: values[Parameter::SteadyForce],
         step,
     };
-    let rate = values[Parameter::HighpassCorner] / w0;
-    let mut held_back = values[Parameter::HeldBack];
-    let follower = (rate > 0.0 || held_back != 0.0).then(|| Follower::new(rate, step));
     let input = run.driven(values[Parameter::Delay]);
     let state = |x: Parameter, v: Parameter| [values[x], values[v]];
     let mut moving = Moving {
@@ -117,11 +115,12 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
         second: state(Parameter::ModeDisplacement, Parameter::ModeVelocity),
         yielding: 0.0,
     };
+    let mut channel = Channel::new(values, run, moving.seen(), step);
     let count = run.input.len();
     let mut output = Vec::with_capacity(count);
     for n in 0..count {
         let seen = moving.seen()[0];
-        output.push(seen - held_back);
+        output.push(channel.output(n, seen));
         if seen.is_nan() || seen.abs() >= 1e6 {
             return None;
         }
@@ -132,9 +131,7 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
                 break;
             };
             let next = stepper.advance(&moving, nodes);
-            if let Some(follower) = &follower {
-                held_back = follower.follow(held_back, moving.seen(), next.seen());
-            }
+            channel.follow(moving.seen(), next.seen());
             moving = next;
         }
     }

@@ -76,19 +76,47 @@ pub(super) fn begin(
         for (parameter, value) in values.iter().zip(start) {
             candidate[*parameter] = value;
         }
+        as_before(&mut candidate, values[0], record);
         bound(&mut candidate, values, record, unit);
         candidate
     });
     let Some((mut best, size)) = most_promising(record, base, candidates) else {
         return *base;
     };
-    // A width or a threshold is no amplitude.
+    // A width, a threshold or a time is no amplitude, and a spring's rest moves by more than a little.
+    use Parameter::{Clipping, DeadZone, Lag, Saturation, SteadyForce};
     let amplitude = values[0];
-    if !matches!(amplitude, Parameter::DeadZone | Parameter::Saturation) {
+    if !matches!(
+        amplitude,
+        DeadZone | Saturation | Clipping | Lag | SteadyForce
+    ) {
         best[amplitude] *= size;
     }
     bound(&mut best, values, record, unit);
     best
+}
+
+/// Moves the linear values so that a term leaves the output about where it was: its size behind a
+/// low-pass, its mean under a steady force.
+fn as_before(values: &mut OscillatorParameters, term: Parameter, record: &Run) {
+    use Parameter::{Displacement, Gain, Lag, Lagging, LnResonance, Offset, SteadyForce, Velocity};
+    match term {
+        Lag => {
+            let lag = values[Lag] * values[LnResonance].exp() * record.interval_s;
+            let seen = values[Displacement];
+            for value in [Gain, Displacement, Velocity] {
+                values[value] *= lag.hypot(1.0);
+            }
+            if values[Lag] > thresholds::LAG_REMEMBERED {
+                values[Lagging] = seen - values[Displacement] + lag * values[Velocity];
+            }
+        }
+        SteadyForce => {
+            values[Offset] -= values[SteadyForce];
+            values[Displacement] += values[SteadyForce];
+        }
+        _ => {}
+    }
 }
 
 /// Values of a term, known by its first, that are tried; none for a term that is linear in its own.
@@ -105,6 +133,17 @@ fn starts(record: &Run, base: &OscillatorParameters, term: Parameter, unit: f64)
         Parameter::Saturation => {
             let largest = record.input.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
             let shares = [0.97, 0.9, 0.8, 0.65, 0.5, 0.35, 0.2];
+            shares.map(|share| vec![1.0 / (share * largest)]).into()
+        }
+        Parameter::Lag => [0.1, 1.0, 3.0, 10.0, 30.0, 100.0]
+            .map(|lag| vec![lag])
+            .into(),
+        Parameter::SteadyForce => [0.03, 0.1, 0.3, 1.0, -0.03, -0.1, -0.3, -1.0]
+            .map(|force| vec![force * unit])
+            .into(),
+        Parameter::Clipping => {
+            let largest = record.output.iter().fold(0.0, |m: f64, y| m.max(y.abs()));
+            let shares = [1.0, 0.97, 0.9];
             shares.map(|share| vec![1.0 / (share * largest)]).into()
         }
         Parameter::DeadZone => {

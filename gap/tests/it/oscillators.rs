@@ -34,6 +34,9 @@ fn every_effect_of_an_oscillator_is_named() {
         ("input_delay", "tau_s", 0.0004),
         ("input_saturation", "threshold", 0.08),
         ("output_highpass", "corner_hz", 1.0),
+        ("output_lowpass", "corner_hz", 300.0),
+        ("output_clipping", "threshold", 0.2),
+        ("output_trend", "drift_per_s", 0.02),
         ("second_mode", "gain", 0.1),
         ("dead_zone", "half_width", 0.01),
         ("hysteresis", "alpha", 0.2),
@@ -83,6 +86,126 @@ fn a_linear_oscillator_has_no_gap() {
     let text = record(&Default::default(), SAMPLES, &mut Random::new(899));
     let answer = answer("linear", &text);
     assert_eq!(answer.verdict, Verdict::NoGap, "{:?}", answer.gap);
+}
+
+/// What a slow high-pass held back before the record still shows at its end.
+#[test]
+fn a_slow_high_pass_is_found() {
+    let filtered = Added {
+        corner_hz: 0.2,
+        ..Added::default()
+    };
+    let answer = answer("slow", &record(&filtered, SAMPLES, &mut Random::new(879)));
+    assert_eq!(answer.causes[0].effects, ["output_highpass"]);
+    assert_eq!(answer.verdict, Verdict::Explained, "{:?}", answer.gap);
+}
+
+/// A corner below the resonance holds back most of the motion, one far above it delays it by a tenth of
+/// a sample.
+#[test]
+fn a_low_pass_is_found_wherever_its_corner_is() {
+    for (seed, corner_hz) in [(880, 10.0), (881, 30.0), (882, 1500.0)] {
+        let filtered = Added {
+            lowpass_hz: corner_hz,
+            ..Added::default()
+        };
+        let text = record(&filtered, SAMPLES, &mut Random::new(seed));
+        let answer = answer(&format!("lowpass-{corner_hz}"), &text);
+        let first = &answer.causes[0];
+        assert_eq!(first.effects, ["output_lowpass"], "{corner_hz}");
+        assert_eq!(answer.verdict, Verdict::Explained, "{:?}", answer.gap);
+        let found = &first.parameters["output_lowpass"]["corner_hz"];
+        assert!((found.value - corner_hz).abs() < 5.0 * found.u, "{found:?}");
+    }
+}
+
+/// The zero of a sensor and a steady force move a linear oscillator alike: their sum is its offset.
+#[test]
+fn offsets_of_a_linear_oscillator_are_no_gap() {
+    for (seed, zero, steady) in [(883, 0.05, 0.0), (884, 0.0, -0.03), (885, -0.3, 0.02)] {
+        let shifted = Added {
+            zero,
+            steady,
+            ..Added::default()
+        };
+        let text = record(&shifted, SAMPLES, &mut Random::new(seed));
+        let answer = answer(&format!("offset-{seed}"), &text);
+        assert_eq!(answer.verdict, Verdict::NoGap, "{:?}", answer.gap);
+        let offset = &answer.nominal_parameters["offset"];
+        assert!(
+            (offset.value - zero - steady).abs() < 5.0 * offset.u,
+            "{offset:?}"
+        );
+    }
+}
+
+/// The spring is bent about its rest, not about the zero of the sensor.
+#[test]
+fn the_zero_of_a_sensor_does_not_bend_a_spring_to_one_side() {
+    let shifted = Added {
+        zero: 0.05,
+        ..added("cubic_stiffness")
+    };
+    let answer = answer("zero", &record(&shifted, SAMPLES, &mut Random::new(886)));
+    assert_eq!(answer.causes[0].effects, ["cubic_stiffness"]);
+    assert_eq!(answer.verdict, Verdict::Explained, "{:?}", answer.causes);
+    let offset = &answer.nominal_parameters["offset"];
+    assert!(
+        (offset.value - 0.05).abs() < 5.0 * offset.u + 1e-6,
+        "{offset:?}"
+    );
+}
+
+#[test]
+fn a_trend_beside_a_cubic_spring_is_found_with_it() {
+    let both = Added {
+        drift_per_s: -0.01,
+        ..added("cubic_stiffness")
+    };
+    let answer = answer("both", &record(&both, SAMPLES, &mut Random::new(887)));
+    let first = &answer.causes[0];
+    let mut effects = first.effects.clone();
+    effects.sort_unstable();
+    assert_eq!(effects, ["cubic_stiffness", "output_trend"]);
+    assert_eq!(answer.verdict, Verdict::Explained, "{:?}", answer.gap);
+    let found = &first.parameters["output_trend"]["drift_per_s"];
+    assert!((found.value + 0.01).abs() < 5.0 * found.u, "{found:?}");
+}
+
+/// Play lies about the rest of the spring, wherever a steady force holds it.
+#[test]
+fn a_steady_force_is_found_beside_play() {
+    let held = Added {
+        steady: 0.03,
+        ..added("dead_zone")
+    };
+    let answer = answer("held", &record(&held, SAMPLES, &mut Random::new(888)));
+    let first = &answer.causes[0];
+    let mut effects = first.effects.clone();
+    effects.sort_unstable();
+    assert_eq!(effects, ["dead_zone", "input_offset"], "{:?}", answer.gap);
+    let found = &first.parameters["input_offset"]["offset"];
+    assert!(
+        (found.value - 0.03).abs() < 5.0 * found.u + 3e-4,
+        "{found:?}"
+    );
+}
+
+/// A cubic spring about a rest that is not its middle has a quadratic part: with the zero of the sensor
+/// unknown the two are one and the same.
+#[test]
+fn a_steady_force_on_a_cubic_spring_may_be_an_asymmetric_spring() {
+    let held = Added {
+        steady: 0.05,
+        ..added("cubic_stiffness")
+    };
+    let answer = answer("sagged", &record(&held, SAMPLES, &mut Random::new(889)));
+    assert_eq!(answer.verdict, Verdict::Ambiguous, "{:?}", answer.gap);
+    let listed: Vec<String> = answer.causes.iter().map(|c| c.effects.join("+")).collect();
+    for expected in ["quadratic_stiffness", "input_offset"] {
+        let expected = format!("cubic_stiffness+{expected}");
+        assert!(listed.contains(&expected), "{listed:?}");
+    }
 }
 
 #[test]

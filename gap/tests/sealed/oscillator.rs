@@ -29,6 +29,16 @@ pub(crate) struct Added {
     pub(crate) yields_at: f64,
     /// Spring force sin(c x)/c, as of a pendulum.
     pub(crate) sine: f64,
+    /// Corner of the output's low-pass.
+    pub(crate) lowpass_hz: f64,
+    /// Output at which its channel clips.
+    pub(crate) clips_at: f64,
+    /// Growth of the output's zero in a second.
+    pub(crate) drift_per_s: f64,
+    /// Zero of the output.
+    pub(crate) zero: f64,
+    /// Steady part of the input, which no one records.
+    pub(crate) steady: f64,
     /// Factor on the input of the last quarter.
     pub(crate) louder: f64,
 }
@@ -77,6 +87,18 @@ pub(crate) fn added(name: &str) -> Added {
             yields_at: 0.05,
             ..none
         },
+        "output_lowpass" => Added {
+            lowpass_hz: 300.0,
+            ..none
+        },
+        "output_clipping" => Added {
+            clips_at: 0.2,
+            ..none
+        },
+        "output_trend" => Added {
+            drift_per_s: 0.02,
+            ..none
+        },
         other => panic!("no oscillator with {other}"),
     }
 }
@@ -88,17 +110,36 @@ fn lines(random: &mut Random) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// x, v, x2, v2, z, and the low-pass of the output.
-type State = [f64; 6];
+/// x, v, x2, v2, z, what the high-pass of the output holds back, and what its low-pass lets through.
+type State = [f64; 7];
+
+/// The motion behind the high-pass.
+fn high_passed(a: &Added, s: &State) -> f64 {
+    s[0] + s[2] - if a.corner_hz > 0.0 { s[5] } else { 0.0 }
+}
+
+/// What is recorded of a state, some time into the record.
+fn seen(a: &Added, s: &State, time_s: f64) -> f64 {
+    let mut seen = high_passed(a, s);
+    if a.lowpass_hz > 0.0 {
+        seen = s[6];
+    }
+    seen += a.zero + a.drift_per_s * time_s;
+    if a.clips_at > 0.0 {
+        seen = seen.clamp(-a.clips_at, a.clips_at);
+    }
+    seen
+}
 
 fn rate(a: &Added, s: &State, input: f64) -> State {
     let w0 = TAU * RESONANCE_HZ;
-    let [x, v, x2, v2, z, low] = *s;
+    let [x, v, x2, v2, z, low, late] = *s;
     let input = if a.saturates_at > 0.0 {
         input.clamp(-a.saturates_at, a.saturates_at)
     } else {
         input
     };
+    let input = input + a.steady;
     let bar = if a.sine > 0.0 {
         (a.sine * x).sin() / a.sine
     } else {
@@ -124,6 +165,7 @@ fn rate(a: &Added, s: &State, input: f64) -> State {
         w0 * w0 * a.second_gain * input - 0.04 * w2 * v2 - w2 * w2 * x2,
         v - slip,
         TAU * a.corner_hz * (x + x2 - low),
+        TAU * a.lowpass_hz * (high_passed(a, s) - late),
     ]
 }
 
@@ -152,14 +194,9 @@ pub(crate) fn record_with(a: &Added, samples: usize, noise: f64, random: &mut Ra
     for n in 0..settle + samples {
         let t = n as f64 / RATE_HZ;
         if n >= settle {
-            let seen = s[0] + s[2] - if a.corner_hz > 0.0 { s[5] } else { 0.0 };
-            let noisy = seen + noise * random.normal();
-            let _ = writeln!(
-                text,
-                "{:.6},{:.9e},{noisy:.9e}",
-                (n - settle) as f64 / RATE_HZ,
-                input(t)
-            );
+            let time_s = (n - settle) as f64 / RATE_HZ;
+            let noisy = seen(a, &s, time_s) + noise * random.normal();
+            let _ = writeln!(text, "{time_s:.6},{:.9e},{noisy:.9e}", input(t));
         }
         // Between the samples the input is followed on a parabola through three points: 2e-7 of it.
         let grid: [f64; 9] =

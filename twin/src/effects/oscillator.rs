@@ -11,7 +11,7 @@ pub type OscillatorAction = fn(&[f64], &mut Oscillator);
 /// An effect of an oscillator.
 pub type OscillatorEffect = Effect<OscillatorAction>;
 
-static EFFECTS: [OscillatorEffect; 11] = [
+static EFFECTS: [OscillatorEffect; 15] = [
     Effect::new(&oscillator::COULOMB_FRICTION, |values, oscillator| {
         oscillator.friction += values[0];
     }),
@@ -31,11 +31,23 @@ static EFFECTS: [OscillatorEffect; 11] = [
     Effect::new(&oscillator::INPUT_DELAY, |values, oscillator| {
         oscillator.input_delay_s += values[0];
     }),
+    Effect::new(&oscillator::INPUT_OFFSET, |values, oscillator| {
+        oscillator.input_offset += values[0];
+    }),
     Effect::new(&oscillator::INPUT_SATURATION, |values, oscillator| {
         oscillator.input_threshold = oscillator.input_threshold.min(values[0]);
     }),
+    Effect::new(&oscillator::OUTPUT_CLIPPING, |values, oscillator| {
+        oscillator.output_threshold = oscillator.output_threshold.min(values[0]);
+    }),
     Effect::new(&oscillator::OUTPUT_HIGHPASS, |values, oscillator| {
         oscillator.output_corner_hz = values[0];
+    }),
+    Effect::new(&oscillator::OUTPUT_LOWPASS, |values, oscillator| {
+        oscillator.output_lowpass_hz = values[0];
+    }),
+    Effect::new(&oscillator::OUTPUT_TREND, |values, oscillator| {
+        oscillator.output_drift_per_s += values[0];
     }),
     Effect::new(&oscillator::QUADRATIC_DAMPING, |values, oscillator| {
         oscillator.quadratic_damping += values[0];

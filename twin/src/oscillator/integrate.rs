@@ -5,12 +5,16 @@ use std::f64::consts::TAU;
 use super::{Multisine, Oscillator};
 use crate::model::friction;
 
-/// Deflection, velocity, hysteretic state, deflection and velocity of the second mode, low-pass of
-/// the output (whose difference to it is the high-pass).
-type State = [f64; 6];
+/// Deflection, velocity, hysteretic state, deflection and velocity of the second mode, what the
+/// high-pass holds back, output of the low-pass.
+type State = [f64; 7];
 
 /// Phase of the fastest mode per step, rad: `x^4/120` is 5e-10 of the motion per radian.
 const PHASE_PER_STEP: f64 = 0.015;
+
+/// Share of the corner of a low-pass that a mode may have and take as many steps: a decay of it per
+/// step, where Runge-Kutta is stable up to 2.8.
+const SHARE_OF_CORNER: f64 = PHASE_PER_STEP;
 
 /// Output of `oscillator` at `count` instants from 0 in steps of `1 / sample_rate_hz`, starting at
 /// rest `settle_s` earlier.
@@ -44,10 +48,13 @@ pub(super) fn simulate_in_steps(
     settle_s: f64,
     phase_per_step: f64,
 ) -> Vec<f64> {
-    let highest_hz = oscillator.resonance_hz.max(match oscillator.second_gain {
+    let mut highest_hz = oscillator.resonance_hz.max(match oscillator.second_gain {
         0.0 => 0.0,
         _ => oscillator.second_hz,
     });
+    if oscillator.output_lowpass_hz.is_finite() {
+        highest_hz = highest_hz.max(SHARE_OF_CORNER * oscillator.output_lowpass_hz);
+    }
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -64,7 +71,8 @@ pub(super) fn simulate_in_steps(
     let mut output = Vec::with_capacity(count);
     for sample in 0..settle + count {
         if sample >= settle {
-            output.push(seen(oscillator, &state));
+            let time_s = (sample - settle) as f64 / sample_rate_hz;
+            output.push(seen(oscillator, &state, time_s));
         }
         let start_s = (sample as f64 - settle as f64) / sample_rate_hz - oscillator.input_delay_s;
         // Runge-Kutta looks at both ends and the middle of each step.
@@ -77,7 +85,18 @@ pub(super) fn simulate_in_steps(
     output
 }
 
-fn seen(oscillator: &Oscillator, state: &State) -> f64 {
+fn seen(oscillator: &Oscillator, state: &State, time_s: f64) -> f64 {
+    let filtered = if oscillator.output_lowpass_hz.is_finite() {
+        state[6]
+    } else {
+        above_the_corner(oscillator, state)
+    };
+    let shifted = filtered + oscillator.output_drift_per_s * time_s;
+    shifted.clamp(-oscillator.output_threshold, oscillator.output_threshold)
+}
+
+/// The motion behind the high-pass.
+fn above_the_corner(oscillator: &Oscillator, state: &State) -> f64 {
     let total = state[0] + state[3];
     if oscillator.output_corner_hz == 0.0 {
         total
@@ -114,10 +133,10 @@ fn advance(oscillator: &Oscillator, state: &mut State, force: &[f64], step_s: f6
 }
 
 fn rate(oscillator: &Oscillator, state: &State, force: f64) -> State {
-    let [x, v, z, x2, v2, low] = *state;
+    let [x, v, z, x2, v2, held_back, passed] = *state;
     let omega = TAU * oscillator.resonance_hz;
     let force = force.clamp(-oscillator.input_threshold, oscillator.input_threshold);
-    let drive = oscillator.rho * force;
+    let drive = oscillator.rho * (force + oscillator.input_offset);
     let speed = v / omega;
     let drag =
         1.0 + oscillator.quadratic_damping * speed.abs() + oscillator.cubic_damping * speed * speed;
@@ -134,6 +153,11 @@ fn rate(oscillator: &Oscillator, state: &State, force: f64) -> State {
         oscillator.second_gain * drive
             - 2.0 * oscillator.second_damping * second * v2
             - second * second * x2,
-        TAU * oscillator.output_corner_hz * (x + x2 - low),
+        TAU * oscillator.output_corner_hz * (x + x2 - held_back),
+        if oscillator.output_lowpass_hz.is_finite() {
+            TAU * oscillator.output_lowpass_hz * (above_the_corner(oscillator, state) - passed)
+        } else {
+            0.0
+        },
     ]
 }

@@ -12,9 +12,10 @@ pub use self::multisine::Multisine;
 /// An oscillator, effects included; amplitudes in the unit of the output.
 ///
 /// # Equation
-/// `x'' + 2 delta w0 x' (1 + d2 |x'|/w0 + d3 (x'/w0)^2) + w0^2 F = rho a(t - tau)` with the spring
+/// `x'' + 2 delta w0 x' (1 + d2 |x'|/w0 + d3 (x'/w0)^2) + w0^2 F = rho (a(t - tau) + a0)` with the spring
 /// `F = dz(x) + k2 x^2 + k3 x^3 + alpha z + xc sign(x')`, where dz leaves out the play and
-/// `z' = x' - (|x'| z + x' |z|)/(2 zy)`. The output is `x + x2` through a high-pass.
+/// `z' = x' - (|x'| z + x' |z|)/(2 zy)`. The output is `x + x2` through a high-pass and a low-pass,
+/// with a trend, clipped.
 ///
 /// # Source
 /// ISO 16063-43:2015, 7.1, formula (1) for the linear part.
@@ -46,8 +47,16 @@ pub struct Oscillator {
     pub input_delay_s: f64,
     /// The input saturates here; infinite if it does not.
     pub input_threshold: f64,
+    /// a0, beside what saturation lets through; input.
+    pub input_offset: f64,
     /// Corner of the output's high-pass, Hz; 0 is none.
     pub output_corner_hz: f64,
+    /// Corner of the output's low-pass, Hz; infinite is none.
+    pub output_lowpass_hz: f64,
+    /// Growth of the output's zero from the first sample on, per s.
+    pub output_drift_per_s: f64,
+    /// The output is clipped here; infinite if it is not.
+    pub output_threshold: f64,
     /// Gain of a second mode.
     pub second_gain: f64,
     /// Its frequency, Hz.
@@ -73,7 +82,11 @@ impl Oscillator {
             yield_deflection: 1.0,
             input_delay_s: 0.0,
             input_threshold: f64::INFINITY,
+            input_offset: 0.0,
             output_corner_hz: 0.0,
+            output_lowpass_hz: f64::INFINITY,
+            output_drift_per_s: 0.0,
+            output_threshold: f64::INFINITY,
             second_gain: 0.0,
             second_hz: 1.0,
             second_damping: 1.0,

@@ -71,6 +71,15 @@ fn linear_effects_have_their_response() {
                 response(frequency_hz) * s / (s + TAU * 2.0),
             ),
             (
+                "output_lowpass=corner_hz:30",
+                response(frequency_hz) / (1.0 + s / (TAU * 30.0)),
+            ),
+            // Its decay is the shortest time of all.
+            (
+                "output_lowpass=corner_hz:20000",
+                response(frequency_hz) / (1.0 + s / (TAU * 20_000.0)),
+            ),
+            (
                 "second_mode=gain:0.2,mode_hz:60,damping:0.1",
                 response(frequency_hz) + second,
             ),
@@ -150,6 +159,53 @@ fn a_saturated_input_loses_its_fundamental() {
     let gain = 1.0 - (2.0 * b - (2.0 * b).sin()) / PI;
     // The corners fall within a step: 1e-4.
     assert!((clipped[1].norm() / response(8.0).norm() / gain - 1.0).abs() < 2e-4);
+}
+
+#[test]
+fn a_clipped_output_is_the_linear_one_up_to_the_rails() {
+    let largest = response(8.0).norm();
+    let clipped = tone(
+        &[&format!("output_clipping=threshold:{}", 0.9 * largest)],
+        8.0,
+        1.0,
+    );
+    let b = 0.9_f64.acos();
+    let gain = 1.0 - (2.0 * b - (2.0 * b).sin()) / PI;
+    // The corners fall between samples, 125 of which make a period: (pi/125)^2 of what is cut off.
+    assert!((clipped[1].norm() / largest / gain - 1.0).abs() < 6e-4);
+    // As in the Fourier series of a clipped sine: the third harmonic of what is left.
+    let third = ((2.0 * b).sin() / 2.0 - (4.0 * b).sin() / 4.0) * 2.0 / (3.0 * PI);
+    assert!(
+        (clipped[3].norm() / largest / third - 1.0).abs() < 2e-3,
+        "{} {third}",
+        clipped[3]
+    );
+}
+
+#[test]
+fn a_trend_starts_at_the_first_sample_and_is_evenly_steep() {
+    let input = Multisine::new(8.0, 8.0, 0.7, 1);
+    let of = |effects: &[&str]| simulate(&oscillator(effects), &input, RATE_HZ, 1000, 5.0);
+    let (plain, drifting) = (of(&[]), of(&["output_trend=drift_per_s:0.25"]));
+    for at in [0, 1, 500, 999] {
+        let drift = drifting[at] - plain[at];
+        assert!((drift - 0.25e-3 * at as f64).abs() < 1e-12, "{at} {drift}");
+    }
+}
+
+#[test]
+fn a_steady_force_moves_the_rest_and_with_it_the_stiffness() {
+    // rho over w0^2 is 1: the force is the deflection it would hold.
+    let moved = tone(&["input_offset=offset:0.3"], 8.0, 0.5);
+    assert!((moved[0].re / 2.0 - 0.3).abs() < 1e-6, "{}", moved[0]);
+    assert!((moved[1] / 0.5 / response(8.0) - 1.0).norm() < 1e-6);
+    // At rest x + k3 x^3 = 0.327; about it the spring is 1 + 3 k3 x^2 = 1.27 as stiff.
+    let effects = ["cubic_stiffness=k3:1", "input_offset=offset:0.327"];
+    let sagged = tone(&effects, 8.0, 1e-4);
+    assert!((sagged[0].re / 2.0 - 0.3).abs() < 1e-6, "{}", sagged[0]);
+    let q: f64 = 0.4;
+    let expected = 1.0 / Complex::new(1.27 - q * q, 0.1 * q);
+    assert!((sagged[1] / 1e-4 / expected - 1.0).norm() < 1e-4);
 }
 
 #[test]

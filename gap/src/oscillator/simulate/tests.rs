@@ -18,6 +18,7 @@ fn run(steps: usize) -> Run {
     let output = vec![0.0; input.len()];
     let record = Record {
         interval_s: INTERVAL_S,
+        before: 0,
         input,
         output,
     };
@@ -76,6 +77,8 @@ fn every_smooth_term_is_integrated() {
         (Parameter::QuadraticDamping, 0.02),
         (Parameter::CubicDamping, 0.02),
         (Parameter::HighpassCorner, 20.0),
+        (Parameter::Lag, 0.05),
+        (Parameter::Lag, 20.0),
     ];
     for (term, value) in terms {
         let mut values = oscillator();
@@ -113,8 +116,9 @@ fn midpoint(values: &OscillatorParameters) -> Vec<f64> {
     const STEPS: usize = 400;
     let w0 = values[Parameter::LnResonance].exp();
     let of = |parameter: Parameter| values[parameter];
-    let rate = |s: [f64; 3], t: f64| {
-        let [x, v, low] = s;
+    let lag_s = of(Parameter::Lag) * INTERVAL_S;
+    let rate = |s: [f64; 4], t: f64| {
+        let [x, v, low, late] = s;
         let loss = v
             * (0.04
                 + of(Parameter::QuadraticDamping) * v.abs()
@@ -128,13 +132,14 @@ fn midpoint(values: &OscillatorParameters) -> Vec<f64> {
             w0 * v,
             w0 * (force(t) - spring - loss),
             of(Parameter::HighpassCorner) * (x - low),
+            (x - low - late) / lag_s,
         ]
     };
     let h = INTERVAL_S / STEPS as f64;
-    let mut s = [0.0; 3];
+    let mut s = [0.0; 4];
     let mut output = Vec::new();
     for n in 0..900 {
-        output.push(s[0] - s[2]);
+        output.push(if lag_s > 0.0 { s[3] } else { s[0] - s[2] });
         for step in 0..STEPS {
             let t = n as f64 * INTERVAL_S + step as f64 * h;
             let k = rate(s, t);
