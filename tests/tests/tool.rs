@@ -543,7 +543,7 @@ heard['mistake'] = calibrator.query('SYST:ERR?')
 heard['self_test'] = calibrator.query('*TST?')
 heard['version'] = calibrator.query('SYST:VERS?')
 heard['before'] = calibrator.query('*CLS;*ESE 32;*SRE 32;*STB?;*ESE?;*SRE?')
-calibrator.write('NO:SUCH?')
+heard['none'] = calibrator.query('NO:SUCH?')
 calibrator.write('CONF:FREQ 30 kHz')
 heard['after'] = calibrator.query('*STB?;SYST:ERR:COUN?')
 heard['range'] = calibrator.query('SYST:ERR?;:SYST:ERR?;*ESR?')
@@ -591,7 +591,8 @@ fn scpi_agrees_with_the_record(arguments: &[&str], resource: impl Fn(&str) -> St
         (words("self_test"), words("version")),
         ("0".into(), "1999.0".into())
     );
-    // A question that is none leaves an error (4) and an event (32, summary 64).
+    // A question that is none is answered by an empty line, an error (4) and an event (32, summary 64).
+    assert_eq!(words("none"), "", "{heard}");
     assert_eq!(words("before"), "0;32;32", "{heard}");
     assert_eq!(words("after"), "100;2", "{heard}");
     let range = words("range");
