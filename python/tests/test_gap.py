@@ -1,7 +1,10 @@
 """The diagnosis: of folders, frames and sealed sets; the document of the command line."""
 
+import html
 import json
+import os
 import pickle
+import tempfile
 
 import pandas
 import polars
@@ -38,6 +41,11 @@ def test_a_frame_with_a_rig_is_the_same_dataset(dataset):
         answer = calib.gap.diagnose(data, rig=dataset / "rig.toml")
         for key in ("verdict", "causes", "gap", "where"):
             assert answer[key] == by_folder[key], key
+        # Under the name that was given, not that of a folder of the package's own.
+        name = "table" if data is frame or isinstance(data, polars.DataFrame) else str(data)
+        page = html.unescape(answer._page)
+        assert answer.dataset.path == name and f'<p class="path">{name}</p>' in page
+        assert os.path.join(tempfile.gettempdir(), "calib-") not in page
     assert open("folder.html").read() == by_folder.save_report("again.html").read_text("utf-8")
     assert "<html" in open("folder.html").read()
     (several,) = calib.gap.diagnose([dataset])

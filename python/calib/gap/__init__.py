@@ -1,5 +1,6 @@
 """Why reality differs from a simulation: the diagnosis of docs/gap.md, of the library's beliefs or of your own model."""
 
+import html
 import os
 from pathlib import Path
 from typing import Any, Iterable, List, Optional, Union
@@ -88,7 +89,11 @@ def diagnose(
         found = carry_out(["gap", "diagnose", str(folder)], {**options, "report": page}, hide=str(into))
         if isinstance(found, list):
             return [Answer(one) if "verdict" in one else one for one in found]
-        answer = Answer(found, page.read_text(encoding="utf-8"))
+        # Under the name that was given, not that of a folder of ours.
+        name = os.fspath(data) if _tables.is_path(data) else "table"
+        found["dataset"]["path"] = name
+        shown = page.read_text(encoding="utf-8").replace(_escaped(str(folder)), _escaped(name))
+        answer = Answer(found, shown)
         if report is not None:
             answer.save_report(report)
         return answer
@@ -197,6 +202,11 @@ def _are_folders(data: Any) -> bool:
 
 def _listed(answers: Any) -> List[Any]:
     return answers if isinstance(answers, list) else [answers]
+
+
+def _escaped(text: str) -> str:
+    """Text as the report's template writes it."""
+    return html.escape(text).replace("/", "&#x2f;")
 
 
 def _dataset(data: Any, rig: Optional[Content], into: Path) -> Path:
