@@ -381,7 +381,8 @@ impl SensorKind {
             Velocity => 1.0e3,
             Displacement => 1.0e6,
         };
-        scale * acceleration_ms2 / (TAU * frequency_hz).powi(self.steps())
+        // In the digits of the level it is made of.
+        decimal((scale * acceleration_ms2 / (TAU * frequency_hz).powi(self.steps())) as f32)
     }
 
     /// Unit of [`Self::amplitude`], as printed.

@@ -104,6 +104,9 @@ fn every_format_speaks_in_the_quantity_of_the_sensor() {
         csv.contains("lower_limit_mv_per_mm_per_s") && !csv.contains("per_ms2,"),
         "{csv}"
     );
+    // A single-precision number has at most nine digits, and no computed ones behind them.
+    let velocity = csv.lines().nth(1).and_then(|line| line.split(',').nth(7));
+    assert!(velocity.is_some_and(|v| v.len() <= 10), "{velocity:?}");
     let columns = |line: &str| line.matches(',').count();
     let counts: Vec<usize> = csv.lines().map(columns).collect();
     assert!(
