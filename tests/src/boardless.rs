@@ -127,6 +127,7 @@ impl<'m> Calibrator<'m> {
             sample_rate_hz: RATE_HZ,
             aperture: acquisition.aperture(),
             latency_samples: 2 * BLOCK as u32 + 2,
+            rest_samples: BLOCK as u32,
         };
         let mut calibrator = Self {
             sequencer: Sequencer::new(fold, sampling, settings.clone()),

@@ -23,6 +23,8 @@ const SEARCH_FACTOR: f32 = 4.0;
 const APPROACH_REL: f32 = 0.7;
 /// Noise of a block above which its gain is not trusted for the approach.
 const PROBE_NOISE_REL: f32 = 0.05;
+/// And above which it is not trusted for the set level.
+const TRUSTED_PROBE_NOISE_REL: f32 = 0.01;
 /// Blocks agree within this before the drive is raised on them: loosely at the
 /// probe, since the approach stays 30 % below the set level, closely after it. At the set level a block more
 /// takes less time than a trim to what still rings, and its undoing.
@@ -41,6 +43,13 @@ const TELLING_CHANGE: f32 = 0.005;
 const TELLING_NOISE: f32 = 15.0;
 const LEAST_EXPONENT: f32 = 0.7;
 const GREATEST_EXPONENT: f32 = 1.4;
+/// Logarithm of a gain at the set level over that at the probe from which on the exciter bends too much to be
+/// taken to the set level at once: with the same again it would be 5 % above it.
+const GREATEST_BEND: f32 = 0.2;
+/// Below this a block holds so few cycles that it shows the suspension's ringing as level, Hz.
+const RINGING_HZ: f32 = 200.0;
+/// Part of the set level that follows the probe where it rings, or where the bend is known from a frequency far away.
+const NEAR_REL: f32 = 0.92;
 /// Blocks waited for agreement before the last one is believed.
 const MAX_WAITS: u8 = 8;
 /// Blocks after which the loop gives up.
@@ -58,6 +67,17 @@ pub struct LevelLoop {
     drive_limit_peak_v: f32,
     probe_peak_v: f32,
     search_limit_peak_v: f32,
+    /// A block shows the suspension's ringing.
+    rings: bool,
+}
+
+/// How much an exciter's gain changes between the probe and the set level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bend {
+    /// Logarithm of the gain at the set level over that at the probe.
+    pub log_gain: f32,
+    /// It was seen at a frequency so near that it is much the same.
+    pub near: bool,
 }
 
 /// Level of one block.
@@ -92,6 +112,10 @@ pub struct LevelState {
     origin: Option<(f32, f32)>,
     /// Level grows with this power of the drive, as far as known.
     exponent: f32,
+    /// As a point before showed it.
+    bend: Option<Bend>,
+    /// Gain the probe showed in the end, m/s2 per V; 0 before.
+    probe_gain: f32,
     waits: u8,
     blocks: u16,
     highest_peak_ms2: f32,
@@ -111,6 +135,8 @@ impl LevelState {
             previous: None,
             origin: None,
             exponent: 1.0,
+            bend: None,
+            probe_gain: 0.0,
             waits: 0,
             blocks: 0,
             highest_peak_ms2: 0.0,
@@ -126,6 +152,19 @@ impl LevelState {
     /// Highest level seen so far, m/s2 peak.
     pub fn highest_peak_ms2(&self) -> f32 {
         self.highest_peak_ms2
+    }
+
+    /// True behind the first block of a new drive, whose noise may be a motion that still rings: no reason for a
+    /// longer one.
+    pub fn may_ring(&self) -> bool {
+        self.waits == 1
+    }
+
+    /// Logarithm of the gain at `peak_ms2`, reached with the drive now, over that at the probe; none if the exciter
+    /// bends so much that it says nothing of another point.
+    pub fn bend(&self, peak_ms2: f32) -> Option<f32> {
+        let bend = libm::logf(peak_ms2 / self.drive_peak_v / self.probe_gain);
+        (bend.abs() < GREATEST_BEND).then_some(bend)
     }
 }
 
@@ -157,6 +196,7 @@ impl LevelLoop {
             drive_limit_peak_v: limits.drive_peak_v,
             probe_peak_v: share.min(PROBE_REL) * limits.drive_peak_v,
             search_limit_peak_v: share.min(SEARCH_REL) * limits.drive_peak_v,
+            rings: frequency_hz < RINGING_HZ,
         })
     }
 
@@ -165,10 +205,12 @@ impl LevelLoop {
         self.set_peak_ms2
     }
 
-    /// The state before the first block, with the drive to begin with.
-    pub fn start(&self) -> LevelState {
+    /// The state before the first block, with the drive to begin with. `bend` is that of another point, if there was
+    /// one: then the probe is followed by about the set level at once.
+    pub fn start(&self, bend: Option<Bend>) -> LevelState {
         LevelState {
             drive_peak_v: self.probe_peak_v,
+            bend,
             ..LevelState::silent()
         }
     }
@@ -208,10 +250,10 @@ impl LevelLoop {
     /// The level to compare the next block with, unless this one agrees with
     /// the block before or follows so small a change that it need not.
     fn unsteady(&self, state: &LevelState, level: Level) -> Option<f32> {
-        let agreement = match state.stage {
-            Stage::Probe => PROBE_AGREEMENT_REL,
-            Stage::Approach => APPROACH_AGREEMENT_REL,
-            Stage::Trim => TRIM_AGREEMENT_REL,
+        let agreement = match (state.stage, state.bend) {
+            (Stage::Probe, None) => PROBE_AGREEMENT_REL,
+            (Stage::Probe, Some(_)) | (Stage::Approach, _) => APPROACH_AGREEMENT_REL,
+            (Stage::Trim, _) => TRIM_AGREEMENT_REL,
         };
         let allowed = agreement * level.peak_ms2 + 3.0 * level.noise_ms2;
         let agrees = |previous: f32| (level.peak_ms2 - previous).abs() <= allowed;
@@ -237,8 +279,21 @@ impl LevelLoop {
             let wanted = SEARCH_FACTOR * level.peak_ms2;
             return self.drive_for(state, level, wanted, Stage::Probe);
         }
-        let wanted = APPROACH_REL * self.set_peak_ms2;
-        self.drive_for(state, level, wanted, Stage::Approach)
+        state.probe_gain = level.peak_ms2 / state.drive_peak_v;
+        match state.bend {
+            Some(bend) if level.noise_ms2 <= TRUSTED_PROBE_NOISE_REL * level.peak_ms2 => {
+                let wanted = match bend.near && !self.rings {
+                    true => self.set_peak_ms2,
+                    false => NEAR_REL * self.set_peak_ms2,
+                };
+                let wanted = wanted * libm::expf(-bend.log_gain);
+                self.drive_for(state, level, wanted, Stage::Trim)
+            }
+            _ => {
+                let wanted = APPROACH_REL * self.set_peak_ms2;
+                self.drive_for(state, level, wanted, Stage::Approach)
+            }
+        }
     }
 
     fn trim(&self, state: &mut LevelState, level: Level) -> Next {
@@ -346,8 +401,13 @@ mod tests {
     /// `shown(block)` of what there is; how it ended, and the highest true
     /// level on the way.
     fn run(shown: impl Fn(u16) -> f32) -> (Next, f32) {
-        let level_loop = LevelLoop::new(&LIMITS, 160.0, SET_PEAK_MS2).expect("within limits");
-        let mut state = level_loop.start();
+        run_knowing(None, shown)
+    }
+
+    /// As [`run`], knowing how the exciter bends.
+    fn run_knowing(bend: Option<Bend>, shown: impl Fn(u16) -> f32) -> (Next, f32) {
+        let level_loop = LevelLoop::new(&LIMITS, 250.0, SET_PEAK_MS2).expect("within limits");
+        let mut state = level_loop.start(bend);
         let mut highest = 0.0_f32;
         for block in 0..=MAX_BLOCKS {
             let truth = GAIN * state.drive_peak_v();
@@ -373,23 +433,61 @@ mod tests {
         assert!(highest <= 1.26 * SET_PEAK_MS2);
     }
 
+    /// What another point may have told of this exciter, which does not bend.
+    const TOLD: [Option<Bend>; 4] = [
+        None,
+        Some(Bend {
+            log_gain: 0.0,
+            near: true,
+        }),
+        Some(Bend {
+            log_gain: -0.05,
+            near: true,
+        }),
+        Some(Bend {
+            log_gain: 0.05,
+            near: false,
+        }),
+    ];
+
     #[test]
     fn no_reference_that_fails_makes_the_table_run_away() {
-        for from in 1..12 {
-            for percent in 0..100 {
-                let left = percent as f32 / 100.0;
-                let (end, highest) = run(|block| if block < from { 1.0 } else { left });
-                assert!(
-                    highest <= 1.5 * SET_PEAK_MS2,
-                    "{left} from block {from}: {highest}, {end:?}"
-                );
+        let limit = 1.5 * SET_PEAK_MS2;
+        for bend in TOLD {
+            for from in 1..12 {
+                for percent in 0..100 {
+                    let left = percent as f32 / 100.0;
+                    let (end, highest) =
+                        run_knowing(bend, |block| if block < from { 1.0 } else { left });
+                    assert!(
+                        highest <= limit,
+                        "{left} from block {from}: {highest}, {end:?}"
+                    );
+                }
+            }
+            // And one that fades block by block, slowly or fast.
+            for percent in 1..50 {
+                let kept = 1.0 - percent as f32 / 100.0;
+                let (end, highest) = run_knowing(bend, |block| libm::powf(kept, f32::from(block)));
+                assert!(highest <= limit, "{kept}: {highest}, {end:?}");
             }
         }
-        // And one that fades block by block, slowly or fast.
-        for percent in 1..50 {
-            let kept = 1.0 - percent as f32 / 100.0;
-            let (end, highest) = run(|block| libm::powf(kept, f32::from(block)));
-            assert!(highest <= 1.5 * SET_PEAK_MS2, "{kept}: {highest}, {end:?}");
+    }
+
+    /// Two drives instead of three where it is known, and never more above the set level than what was told is wrong.
+    #[test]
+    fn a_bend_that_is_known_saves_the_approach() {
+        for bend in TOLD {
+            let blocks = core::cell::Cell::new(0);
+            let (end, highest) = run_knowing(bend, |block| {
+                blocks.set(block);
+                1.0
+            });
+            assert_eq!(end, Next::Settled);
+            assert!(highest <= 1.052 * SET_PEAK_MS2, "{bend:?}: {highest}");
+            let exact = bend.is_some_and(|bend| bend.log_gain == 0.0);
+            // Two blocks for each drive that is far from the last.
+            assert_eq!(blocks.get(), if exact { 3 } else { 5 }, "{bend:?}");
         }
     }
 
@@ -403,7 +501,7 @@ mod tests {
     /// of drive shows `left` of the motion that is to go.
     fn run_ringing(set_peak_ms2: f32, gain: f32, left: f32) -> (Next, f32) {
         let level_loop = LevelLoop::new(&LIMITS, 80.0, set_peak_ms2).expect("within limits");
-        let mut state = level_loop.start();
+        let mut state = level_loop.start(None);
         let (mut drive, mut ringing, mut highest) = (0.0_f32, 0.0_f32, 0.0_f32);
         for _ in 0..=MAX_BLOCKS {
             if state.drive_peak_v() != drive {
@@ -445,12 +543,12 @@ mod tests {
         // 0.5 % of the drive limit that higher levels begin with would be 50 mV:
         // 1 m/s2, five times the level.
         let level_loop = LevelLoop::new(&LIMITS, 160.0, 0.2).expect("within limits");
-        assert!((level_loop.start().drive_peak_v() - 0.005).abs() < 1.0e-6);
+        assert!((level_loop.start(None).drive_peak_v() - 0.005).abs() < 1.0e-6);
         let (end, highest) = run_ringing(0.2, 20.0, 0.0);
         assert_eq!(end, Next::Settled);
         assert!(highest <= 0.2 * 1.001, "{highest}");
         // And nothing is searched beyond it.
-        let mut state = level_loop.start();
+        let mut state = level_loop.start(None);
         let nothing = Level {
             peak_ms2: 0.0,
             noise_ms2: 1.0e-4,

@@ -8,10 +8,13 @@
 //!  is seen
 //! ```
 //!
+//! A point before at this level has shown how the gain changes from probe to set level: then the approach is left
+//! out.
+//!
 //! Every state may end in a [`Reason`](crate::verdict::Reason) instead.
 
 pub mod level_loop;
 pub mod limits;
 
-pub use level_loop::{Level, LevelLoop, LevelState, Next};
+pub use level_loop::{Bend, Level, LevelLoop, LevelState, Next};
 pub use limits::{check_level, full_output_peak_ms2};

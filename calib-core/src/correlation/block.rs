@@ -12,6 +12,8 @@ pub const MAX_PASSES: u32 = 32_767;
 
 /// Most fractional cycles, per cycle, of a block of the level loop.
 const MAX_CYCLE_ERROR_REL: f32 = 1.0e-3;
+/// And of one that only shows whether something is there.
+const ROUGH_CYCLE_ERROR_REL: f32 = 1.0e-2;
 
 /// Shape of a block: a fold of `fold_samples`, passed `passes` times.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,13 +43,28 @@ impl Block {
         }
     }
 
-    /// About `samples` samples to be passed over.
+    /// At least `samples` samples to be passed over, and at most one in a thousand more.
     pub fn discard(tone: Tone, samples: u32) -> Self {
+        let passes = samples
+            .div_ceil(u32::from(MAX_PERIOD_SAMPLES))
+            .clamp(1, MAX_PASSES);
+        let fold = samples.div_ceil(passes).max(1);
         Self {
             tone,
-            fold_samples: MIN_FOLD_SAMPLES as u16,
-            passes: samples.div_ceil(MIN_FOLD_SAMPLES).clamp(1, MAX_PASSES),
+            fold_samples: fold.min(u32::from(MAX_PERIOD_SAMPLES)) as u16,
+            passes,
         }
+    }
+
+    /// As many whole cycles, within 1 % of one each, as `most_samples` hold; none where that is less than one. Good
+    /// enough to see whether something is there.
+    pub fn within(tone: Tone, most_samples: u32) -> Option<Self> {
+        let period = u32::from(tone.period_samples).max(1);
+        let cycles = u32::from(tone.cycles).max(1);
+        let most = most_samples.min(u32::from(MAX_PERIOD_SAMPLES)) * cycles / period;
+        (1..=most)
+            .rev()
+            .find_map(|whole| Self::of_cycles(tone, whole, ROUGH_CYCLE_ERROR_REL))
     }
 
     /// The shortest block good enough for the amplitude loop.
@@ -65,22 +82,23 @@ impl Block {
     /// asks for, in steps of a cycle where the period has several.
     pub fn control_of(tone: Tone, min_samples: u32) -> Self {
         let min_samples = min_samples.max(MIN_FOLD_SAMPLES);
-        let cycles = u32::from(tone.cycles);
-        let period = u32::from(tone.period_samples).max(1);
-        for whole in 1..cycles {
-            let samples = (whole * period + cycles / 2) / cycles;
-            let error = (samples * cycles).abs_diff(whole * period);
-            let allowed = MAX_CYCLE_ERROR_REL * (whole * period) as f32;
-            if samples >= min_samples && error as f32 <= allowed {
-                let approximate = Self {
-                    tone,
-                    fold_samples: samples as u16,
-                    passes: 1,
-                };
-                return approximate;
-            }
-        }
-        Self::measuring(tone, min_samples)
+        (1..u32::from(tone.cycles))
+            .filter_map(|whole| Self::of_cycles(tone, whole, MAX_CYCLE_ERROR_REL))
+            .find(|block| block.samples() >= min_samples)
+            .unwrap_or_else(|| Self::measuring(tone, min_samples))
+    }
+
+    /// One pass over the samples nearest to so many cycles, if they are as near as `error_rel` per cycle.
+    fn of_cycles(tone: Tone, whole: u32, error_rel: f32) -> Option<Self> {
+        let (period, cycles) = (u32::from(tone.period_samples), u32::from(tone.cycles));
+        let samples = (whole * period + cycles / 2) / cycles.max(1);
+        let error = (samples * cycles).abs_diff(whole * period);
+        let allowed = error_rel * (whole * period) as f32;
+        (error as f32 <= allowed).then_some(Self {
+            tone,
+            fold_samples: samples as u16,
+            passes: 1,
+        })
     }
 
     /// True when every pass is whole periods of the tone.

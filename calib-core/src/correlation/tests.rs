@@ -196,6 +196,31 @@ fn control_blocks_grow_by_cycles() {
 }
 
 #[test]
+fn blocks_within_a_time_hold_all_whole_cycles_it_has() {
+    // 160 Hz: 312.5 samples a cycle, 313 are 0.2 % off. 40 Hz: 1250. 3150 Hz: 15.87 samples, 31 cycles are 492.02.
+    for (nominal_hz, most, samples) in [
+        (160.0, 500, Some(313)),
+        (125.0, 500, Some(400)),
+        (40.0, 500, None),
+        (3150.0, 500, Some(492)),
+    ] {
+        let block = Block::within(tone(nominal_hz), most);
+        assert_eq!(block.map(Block::samples), samples, "{nominal_hz}");
+    }
+}
+
+#[test]
+fn passed_over_is_what_was_asked_and_at_most_a_thousandth_more() {
+    for samples in [1, 499, 1502, 2002, 12_000, 12_001, 100_003] {
+        let passed = Block::discard(tone(160.0), samples).samples();
+        assert!(
+            passed >= samples && passed - samples <= samples / 1000,
+            "{samples}: {passed}"
+        );
+    }
+}
+
+#[test]
 fn sums_cannot_overflow_in_the_longest_block() {
     for nominal_hz in PREFERRED_HZ {
         let block = Block::measuring(tone(nominal_hz), u32::MAX);

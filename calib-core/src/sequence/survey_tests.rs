@@ -47,6 +47,7 @@ fn survey(
         sample_rate_hz: RATE_HZ,
         aperture: Aperture::POINT,
         latency_samples: 2 * BLOCK as u32,
+        rest_samples: BLOCK as u32,
     };
     let mut survey = Survey::new(&mut spectra, sampling, settings.clone());
     let mut output = Output::new(&mut period, Converters::FIELD.drive, 10.0, 1);

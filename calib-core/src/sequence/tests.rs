@@ -81,6 +81,16 @@ pub(super) struct Plant {
     pub(super) dut_v_per_ms2: f64,
     random: u64,
     pub(super) peak_ms2: f64,
+    field: Field,
+    steps: u64,
+}
+
+/// A tone that has nothing to do with the drive: in the device's signal, and in the motion of the table.
+#[derive(Clone, Copy, Default)]
+struct Field {
+    hz: f64,
+    dut_codes: f64,
+    table_ms2: f64,
 }
 
 const TAU: f64 = std::f64::consts::TAU;
@@ -104,6 +114,8 @@ impl Plant {
             dut_v_per_ms2: 0.0098,
             random: 88_172_645_463_325_252,
             peak_ms2: 0.0,
+            field: Field::default(),
+            steps: 0,
         }
     }
 
@@ -129,9 +141,13 @@ impl Plant {
         let volt = (f64::from(dac) - 2048.0) / 2048.0 * 10.0;
         let linear = self.gain * self.suspension.step(self.resonance.step(volt));
         let bent = (linear / 14.0).clamp(-1.6, 1.6);
-        let acceleration = linear * (1.0 + self.hardening * bent * bent);
+        self.steps += 1;
+        let field = (TAU * self.field.hz * self.steps as f64 / RATE_HZ).sin();
+        let acceleration =
+            linear * (1.0 + self.hardening * bent * bent) + self.field.table_ms2 * field;
         self.peak_ms2 = self.peak_ms2.max(acceleration.abs());
-        let dut = self.dut.step(acceleration) * self.dut_v_per_ms2;
+        let dut_field_v = self.field.dut_codes * field * 10.0 / 65_536.0;
+        let dut = self.dut.step(acceleration) * self.dut_v_per_ms2 + dut_field_v;
         let reference = if self.reference_works {
             acceleration * 0.0102
         } else {
@@ -151,6 +167,8 @@ struct Rig<'m> {
     generator: Generator,
     plant: Plant,
     waiting: VecDeque<Vec<u16>>,
+    /// Turns that began while a point was being measured.
+    measuring_turns: u32,
 }
 
 impl<'m> Rig<'m> {
@@ -160,6 +178,7 @@ impl<'m> Rig<'m> {
             sample_rate_hz: RATE_HZ as f32,
             aperture: Aperture::POINT,
             latency_samples: ((delay + 1) * HALF) as u32,
+            rest_samples: (delay * HALF) as u32,
         };
         let mut sequencer = Sequencer::new(memory, sampling, Settings::field_calibrator());
         // An instrument has rested for a while before it is asked: it has heard its noise, and that there is no hum.
@@ -172,6 +191,7 @@ impl<'m> Rig<'m> {
             generator: Generator::new(Converters::FIELD.drive, 10.0, 1),
             plant,
             waiting: (0..delay).map(|_| vec![2048; HALF]).collect(),
+            measuring_turns: 0,
         }
     }
 
@@ -184,6 +204,8 @@ impl<'m> Rig<'m> {
 
     /// One buffer: out of the plant, through the sequencer, into the queue.
     fn turn(&mut self) -> Option<PointResult> {
+        let measuring = self.sequencer.progress().activity == Activity::Measuring;
+        self.measuring_turns += u32::from(measuring);
         let mut codes = vec![0; HALF];
         self.generator.fill(&mut codes);
         self.waiting.push_back(codes);
@@ -236,21 +258,20 @@ fn every_default_point_is_reached_in_time_and_measured() {
             assert!(result.overshoot_rel <= 0.05, "{hz} Hz: {result:?}");
             let played_hz = f64::from(result.tone.frequency_hz(RATE_HZ as f32));
             let (magnitude, phase) = dut.response(played_hz);
-            // Noise of 1 code on 945 codes peak, 3 blocks of 5000 samples and
-            // more: sqrt(2 / 15 000) / 945 = 1.2e-5 per channel; 5 sigma of both
-            // are 9e-5. Quantisation adds 0.29 codes to the noise.
+            // Noise of 1 code, 1.04 with that of quantisation, on 945 codes peak, 3 blocks of 2000 samples and
+            // more: 1.04 sqrt(2 / 6000) / 945 = 2.0e-5 per channel; 5 sigma of both are 1.4e-4.
             assert_eq!(result.blocks, 3, "{hz} Hz");
             let expected = 0.0098 * magnitude;
             let error = f64::from(result.sensitivity_v_per_ms2) / expected - 1.0;
-            assert!(error.abs() < 9.0e-5, "{hz} Hz: {error}");
+            assert!(error.abs() < 1.4e-4, "{hz} Hz: {error}");
             assert!(
-                (f64::from(result.phase_rad) - phase).abs() < 9.0e-5,
+                (f64::from(result.phase_rad) - phase).abs() < 1.4e-4,
                 "{hz} Hz"
             );
             assert!(!result.inverted && result.coverage_factor == 2.0);
-            // The residual is taken from each 13th of 5000 samples and more: its square scatters by
-            // sqrt(2 / 385), 0.31 dB, from block to block. The worst of them lies below the mean, by
-            // less than 6 sigma.
+            // The residual is taken from each 13th of 2000 samples and more: its square scatters by
+            // sqrt(2 / 154), 0.47 dB, from block to block. The worst of them lies below the mean, by
+            // less than 4 sigma.
             let worst_db = result.signal_to_noise_worst_block_db.expect("measured");
             let below_db = result.signal_to_noise_dut_db - worst_db;
             assert!((0.0..1.9).contains(&below_db), "{hz} Hz: {below_db} dB");
@@ -259,11 +280,74 @@ fn every_default_point_is_reached_in_time_and_measured() {
     }
 }
 
+/// A field beside the tone in one channel turns too slowly for short blocks to show it: they are taken only where nothing
+/// was there at rest, where the noise is small, and where a point is not held. What shakes both channels alike counts
+/// as nothing.
+#[test]
+fn blocks_are_short_only_where_nothing_is_beside_the_tone() {
+    let measured_s =
+        |hz: f32, dut_field: f64, table_ms2: f64, dut_noise_codes: f64, holds: bool| {
+            let mut memory = Box::new(FoldMemory::new());
+            let mut plant = Plant::new();
+            plant.field = Field {
+                hz: f64::from(hz) + 0.3,
+                dut_codes: dut_field * 945.0,
+                table_ms2,
+            };
+            plant.dut_noise_codes = dut_noise_codes;
+            let mut rig = Rig::new(&mut memory, plant, 2);
+            rig.sequencer.start_run(Settings::field_calibrator(), holds);
+            let result = rig.point(hz, 10.0);
+            assert_eq!(result.verdict, Verdict::Pass, "{result:?}");
+            f64::from(rig.measuring_turns) * HALF as f64 / RATE_HZ / f64::from(result.blocks)
+        };
+    for hz in [20.0, 125.0, 160.0, 1000.0, 8000.0] {
+        let block_s = measured_s(hz, 0.0, 0.0, 0.0, false);
+        assert!((0.039..0.056).contains(&block_s), "{hz}: {block_s}");
+        // A hundredth of the set level.
+        let block_s = measured_s(hz, 0.01, 0.0, 0.0, false);
+        assert!((0.09..0.11).contains(&block_s), "{hz}: {block_s}");
+        let block_s = measured_s(hz, 0.0, 0.1, 0.0, false);
+        assert!((0.039..0.056).contains(&block_s), "{hz}: {block_s}");
+        let block_s = measured_s(hz, 0.0, 0.0, 20.0, false);
+        assert!((0.09..0.11).contains(&block_s), "{hz}: {block_s}");
+        let block_s = measured_s(hz, 0.0, 0.0, 0.0, true);
+        assert!((0.09..0.11).contains(&block_s), "{hz}: {block_s}");
+    }
+}
+
+/// 10 % less gain at the set level than at the probe, as amplifiers and magnets do: the first point approaches, the
+/// next one knows it.
+#[test]
+fn the_point_before_tells_how_the_exciter_bends() {
+    for hardening in [-0.1, 0.15] {
+        let mut memory = Box::new(FoldMemory::new());
+        let mut plant = Plant::new();
+        plant.hardening = hardening;
+        let mut rig = Rig::new(&mut memory, plant, 2);
+        let settling_s = [800.0, 1000.0].map(|hz| {
+            let result = rig.point(hz, 10.0);
+            assert_eq!(result.verdict, Verdict::Pass, "{result:?}");
+            assert!(result.overshoot_rel < 0.05, "{result:?}");
+            result.settling_s
+        });
+        // A drive less: 25 ms on its way and back, and two blocks of 10 ms.
+        let saved_s = settling_s[0] - settling_s[1];
+        assert!(saved_s > 0.03, "{settling_s:?}");
+        // Nothing is known at another level.
+        let other_level = rig.point(1000.0, 5.0);
+        assert!(
+            other_level.settling_s > settling_s[1] + 0.03,
+            "{other_level:?}"
+        );
+    }
+}
+
 /// U of the default settings is 0.83 %: a point has enough once type A is 0.04 % of it. By the noise of the device
 /// alone, sqrt(2 / 5000 n) of it over 950 codes peak: 0.024 % after three blocks of 20 codes, 0.067 % after ten of 100.
 #[test]
 fn a_point_takes_the_blocks_its_noise_needs() {
-    for (noise_codes, blocks) in [(20.0, 3..=3), (40.0, 4..=9), (100.0, 10..=10)] {
+    for (noise_codes, blocks) in [(20.0, 3..=3), (35.0, 4..=9), (100.0, 10..=10)] {
         let mut memory = Box::new(FoldMemory::new());
         let mut plant = Plant::new();
         plant.dut_noise_codes = noise_codes;

@@ -22,12 +22,13 @@ use embassy_sync::zerocopy_channel::Receiver;
 /// From a change of command to the first pair taken under it, at most: the
 /// rest of the block in which the change was decided, the block that is
 /// queued, one more that was played as before because the decision came late, and
-/// the two samples by which the converters follow each other.
+/// the two samples by which the converters follow each other. At least, one block is queued.
 const SAMPLING: Sampling = Sampling {
     input: CONVERTERS.input,
     sample_rate_hz: SAMPLE_RATE_HZ as f32,
     aperture: APERTURE,
     latency_samples: 3 * BLOCK_PAIRS as u32 + 2,
+    rest_samples: BLOCK_PAIRS as u32,
 };
 
 /// Works on every block.

@@ -1,7 +1,7 @@
 //! Listening while the exciter rests: to the mains, and to how much noise there is.
 
 use super::{Plan, Sampling, Sequencer, Stage};
-use crate::correlation::{Block, Energy, Outline};
+use crate::correlation::{Block, Energy, Outline, PairEstimate};
 use crate::hum::{Hum, WATCH_BLOCKS, Watch};
 use crate::tone::Tone;
 
@@ -47,6 +47,15 @@ impl Listening {
     /// The lines there are.
     pub(super) fn hum(&self) -> Option<Hum> {
         self.heard.flatten()
+    }
+
+    /// The largest line of a channel, codes; 0 as long as nobody listened.
+    pub(super) fn largest_line_peak(&self, channel: usize) -> f32 {
+        let hum = self.hum();
+        let lines = hum.iter().flat_map(|hum| &hum.lines_peak);
+        lines
+            .filter_map(|peaks| peaks.get(channel))
+            .fold(0.0, |a, b| a.max(*b))
     }
 
     /// Mean square of both channels with the exciter at rest, codes squared: what has nothing to do with
@@ -138,10 +147,30 @@ impl Sequencer<'_> {
         })
     }
 
-    /// The first drive of a point.
+    /// The first drive of a point, and what is at its tone without it: samples show that until the drive can be in
+    /// them, or before it where a cycle is longer than that.
     pub(super) fn begin_driving(&mut self) {
-        if let Some(plan) = self.plan {
+        let Some(plan) = self.plan else { return };
+        let meanwhile = Block::within(plan.tone, self.sampling.rest_samples);
+        if meanwhile.is_some() {
             self.drive(plan.tone, self.level.drive_peak_v());
+        }
+        let block = meanwhile.unwrap_or(Block::control(plan.tone));
+        self.stage = Stage::Resting {
+            driven: meanwhile.is_some(),
+        };
+        self.correlator.start(block, self.index);
+    }
+
+    /// Keeps what is at rest at the tone.
+    pub(super) fn rested(&mut self, plan: &Plan, estimate: &PairEstimate, driven: bool) {
+        self.rest = Some([estimate.reference.amplitude, estimate.dut.amplitude]);
+        match driven {
+            true => self.wait(plan.tone, estimate.block.samples()),
+            false => {
+                self.elapsed = 0;
+                self.drive(plan.tone, self.level.drive_peak_v());
+            }
         }
     }
 }

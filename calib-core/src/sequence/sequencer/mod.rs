@@ -7,9 +7,11 @@ mod result;
 use super::checks::judge;
 use crate::aperture::Aperture;
 use crate::control::level_loop::OVERLOAD_REL;
-use crate::control::{Level, LevelLoop, LevelState, Next};
+use crate::control::{Bend, Level, LevelLoop, LevelState, Next};
 use crate::converter::Width;
-use crate::correlation::{Block, Correlator, Energy, FoldMemory, PairEstimate, SQUARE_STRIDE};
+use crate::correlation::{
+    Block, ChannelEstimate, Correlator, Energy, FoldMemory, PairEstimate, SQUARE_STRIDE,
+};
 use crate::generator::{Drive, ramp_samples};
 use crate::output::Command;
 use crate::point::{PointResult, PointSpec};
@@ -21,9 +23,17 @@ use crate::verdict::{Reason, Verdict};
 use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};
 use gathered::Gathered;
 use listen::Listening;
+use num_complex::Complex32;
 
-/// Shortest measuring block, s.
-const MEASURING_BLOCK_S: f32 = 0.1;
+/// Shortest measuring block, s: of a point that nothing disturbs, and of any other. The latter is as long as three
+/// cycles of 31.5 Hz, the longest period of a preferred frequency, and not twice that.
+const QUIET_BLOCK_S: f32 = 0.04;
+const MEASURING_BLOCK_S: f32 = 0.095;
+/// A point is disturbed by what is at rest at its tone, or by lines of the mains, from this share of the set level on:
+/// an eighth of the smallest U.
+const QUIET_REL: f32 = 1.5e-3;
+/// And by noise from this standard deviation of a short block on.
+const QUIET_NOISE_REL: f32 = 4.0e-4;
 /// Longest block of the level loop for noisy signals, s.
 const LONGEST_CONTROL_BLOCK_S: f32 = 0.1;
 /// Noise of a block, relative to the set level, the level loop likes to see.
@@ -34,6 +44,9 @@ const OPEN_NOISE_FACTOR: f32 = 10.0;
 const OPEN_CODES: f32 = 0.5;
 /// Level relative to the set one below which the reference has died.
 const DEAD_REL: f32 = 0.002;
+/// Factors of frequency and level within which an exciter bends alike.
+const NEAR_FREQUENCY: f32 = 1.7;
+const NEAR_LEVEL: f32 = 1.3;
 /// Level relative to the set one below which measuring makes no sense.
 const LOST_REL: f32 = 0.5;
 
@@ -50,6 +63,8 @@ pub struct Sampling {
     /// the first pair taken while the generator plays it: the buffers on both
     /// ways. Ramps are not counted here.
     pub latency_samples: u32,
+    /// Lower bound of the same: so many pairs after the command show the exciter as it was.
+    pub rest_samples: u32,
 }
 
 /// Phase of the sequence.
@@ -82,6 +97,25 @@ pub struct Progress {
     pub drive_peak_v: f32,
 }
 
+/// How much the exciter's gain changed between the probe and the set level of a point.
+#[derive(Clone, Copy, Debug)]
+struct Bent {
+    spec: PointSpec,
+    bend: f32,
+}
+
+impl Bent {
+    /// What it says of another point: nothing at another level.
+    fn of(&self, spec: &PointSpec) -> Option<Bend> {
+        let near = |a: f32, b: f32, factor: f32| a < factor * b && b < factor * a;
+        let level = spec.acceleration_rms_ms2;
+        near(self.spec.acceleration_rms_ms2, level, NEAR_LEVEL).then_some(Bend {
+            log_gain: self.bend,
+            near: near(self.spec.frequency_hz, spec.frequency_hz, NEAR_FREQUENCY),
+        })
+    }
+}
+
 /// Everything known of a point before its first sample.
 #[derive(Clone, Copy, Debug)]
 struct Plan {
@@ -105,6 +139,10 @@ enum Stage {
     Idle,
     /// Listening to the mains before the exciter is driven.
     Listening,
+    /// The first drive is not in the samples yet: what is there at the tone without it.
+    Resting {
+        driven: bool,
+    },
     /// A change of drive is on its way.
     Waiting,
     Settling,
@@ -129,6 +167,12 @@ pub struct Sequencer<'m> {
     command: Command,
     gathered: Gathered,
     listening: Listening,
+    /// Complex amplitudes of both channels at the tone before its first drive, codes; none where they are not known.
+    rest: Option<[Complex32; 2]>,
+    /// Samples of a measuring block.
+    measuring_samples: u32,
+    /// How the exciter bent at the point before.
+    bent: Option<Bent>,
     /// Number of the next sample, modulo the period of the tone.
     index: u32,
     /// Its value at the first sample that was measured.
@@ -157,6 +201,9 @@ impl<'m> Sequencer<'m> {
             command: Command::Mute,
             gathered: Gathered::default(),
             listening: Listening::new(),
+            rest: None,
+            measuring_samples: 0,
+            bent: None,
             index: 0,
             measured_from: 0,
             elapsed: 0,
@@ -172,6 +219,7 @@ impl<'m> Sequencer<'m> {
         self.settings = settings;
         self.holds = holds;
         self.polarity = Polarity::default();
+        self.bent = None;
         if !matches!(self.stage, Stage::Idle) {
             self.rest();
         }
@@ -186,11 +234,13 @@ impl<'m> Sequencer<'m> {
         self.elapsed = 0;
         self.settling_samples = 0;
         self.reference_mean = None;
+        self.rest = None;
         self.last_level_peak_ms2 = 0.0;
         match self.plan(spec) {
             Ok(plan) => {
                 self.plan = Some(plan);
-                self.level = plan.level_loop.start();
+                let bend = self.bent.and_then(|bent| bent.of(&spec));
+                self.level = plan.level_loop.start(bend);
                 if self.must_listen(&plan) {
                     self.stage = Stage::Listening;
                 } else {
@@ -255,7 +305,9 @@ impl<'m> Sequencer<'m> {
         Progress {
             activity: match self.stage {
                 Stage::Idle => Activity::Idle,
-                Stage::Listening | Stage::Waiting | Stage::Settling => Activity::Settling,
+                Stage::Listening | Stage::Resting { .. } | Stage::Waiting | Stage::Settling => {
+                    Activity::Settling
+                }
                 Stage::Measuring => Activity::Measuring,
                 Stage::Silencing { .. } => Activity::Silencing,
             },
@@ -353,6 +405,7 @@ impl<'m> Sequencer<'m> {
             return;
         };
         match self.stage {
+            Stage::Resting { driven } => self.rested(&plan, &estimate, driven),
             Stage::Settling => self.control(&plan, &estimate),
             Stage::Measuring => self.measure(&plan, &estimate),
             Stage::Waiting | Stage::Idle | Stage::Listening | Stage::Silencing { .. } => {}
@@ -368,10 +421,15 @@ impl<'m> Sequencer<'m> {
     /// Changes the drive and waits until it is in force.
     fn drive(&mut self, tone: Tone, peak_v: f32) {
         self.command = Command::Play(Drive { tone, peak_v });
+        self.wait(tone, 0);
+    }
+
+    /// Waits until a drive is in force for which `passed` samples were waited already.
+    fn wait(&mut self, tone: Tone, passed: u32) {
         let wait = self.sampling.latency_samples + u32::from(ramp_samples(tone));
         self.stage = Stage::Waiting;
-        self.correlator
-            .start(Block::discard(tone, wait), self.index);
+        let block = Block::discard(tone, wait.saturating_sub(passed));
+        self.correlator.start(block, self.index);
     }
 
     /// One step of the level loop.
@@ -381,10 +439,22 @@ impl<'m> Sequencer<'m> {
             return self.refuse(Reason::Clipped);
         }
         match plan.level_loop.step(&mut self.level, level) {
+            Next::Hold if self.level.may_ring() => self.settle(Block::control(plan.tone)),
             Next::Hold => self.settle(self.control_block(plan, level, estimate)),
             Next::Drive(peak_v) => self.drive(plan.tone, peak_v),
             Next::Settled => {
                 self.settling_samples = self.elapsed;
+                self.bent = self.level.bend(level.peak_ms2).map(|bend| Bent {
+                    spec: plan.spec,
+                    bend,
+                });
+                let quiet = !self.holds && self.is_quiet(estimate);
+                let block_s = if quiet {
+                    QUIET_BLOCK_S
+                } else {
+                    MEASURING_BLOCK_S
+                };
+                self.measuring_samples = (block_s * self.sampling.sample_rate_hz) as u32;
                 self.begin_measuring(plan.tone);
             }
             Next::Failed(reason) => self.refuse(reason),
@@ -410,8 +480,27 @@ impl<'m> Sequencer<'m> {
     }
 
     fn measuring_block(&self, tone: Tone) -> Block {
-        let shortest = (MEASURING_BLOCK_S * self.sampling.sample_rate_hz) as u32;
-        Block::measuring(tone, shortest)
+        Block::measuring(tone, self.measuring_samples)
+    }
+
+    /// Whether nothing beside the tone reaches its ratio, and so little noise that three short blocks are enough.
+    ///
+    /// A motion that was there at rest, or still rang then, is in both channels alike and leaves their ratio.
+    fn is_quiet(&self, estimate: &PairEstimate) -> bool {
+        let channels = [&estimate.reference, &estimate.dut];
+        let samples = estimate.block.samples();
+        let short = QUIET_BLOCK_S * self.sampling.sample_rate_hz;
+        let noise_factor = libm::sqrtf(samples as f32 / short);
+        let is_calm = |(channel, seen): (usize, &&ChannelEstimate)| {
+            let peak = seen.amplitude_peak();
+            self.listening.largest_line_peak(channel) <= QUIET_REL * peak
+                && noise_factor * seen.amplitude_noise(samples) <= QUIET_NOISE_REL * peak
+        };
+        let apart = self.rest.map(|[reference, dut]| {
+            let beside = dut / estimate.dut.amplitude - reference / estimate.reference.amplitude;
+            beside.norm()
+        });
+        apart.is_some_and(|apart| apart <= QUIET_REL) && channels.iter().enumerate().all(is_calm)
     }
 
     /// Adds one measured block, or ends the point.
