@@ -3,8 +3,8 @@
 //! The instrument stored U; the certificate prints where it comes from. Both
 //! are the same function of calib-core on the same numbers, so they agree to the
 //! digits a record keeps; a record whose settings do not give its U is not trusted.
-//! A temperature beyond what the settings cover enlarges U in the same proportion
-//! as it does that of the recomputed budget.
+//! A temperature that is told, or not, changes U in the same proportion as it does
+//! that of the recomputed budget.
 
 use super::deviation::{
     OF_CONDITIONER, OF_FREQUENCY, OfRatio, of_ratio, within_a_response, within_a_substitution,
@@ -20,9 +20,9 @@ use super::temperature::Distance;
 use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, Row, point_budget};
 use calib_core::point::PointResult;
 use calib_core::settings::{Distribution, Settings};
+use calib_core::verdict::Verdict;
 use calib_output::number::decimal;
 use calib_protocol::record::Record;
-use std::borrow::Cow;
 
 /// Row of Table A.1 for the distortion.
 const DISTORTION: u8 = 4;
@@ -67,7 +67,7 @@ fn agreement_rel(budget: &CoreBudget<'_>) -> f64 {
 pub(super) struct Basis<'a> {
     record: &'a Record,
     /// Settings that cover the temperature, too.
-    settings: Cow<'a, Settings>,
+    settings: Settings,
     /// How far the temperature was from that of the settings.
     pub(super) distance: Distance,
     /// Correlation of the reference's calibration between two frequencies.
@@ -117,9 +117,17 @@ impl<'a> Basis<'a> {
         basis
     }
 
-    /// Uncertainty of a point; none where a temperature counts and no budget can say how.
+    /// Uncertainty of a point; none where it has none, or no budget can say how the temperature counts.
     pub(super) fn uncertainty(&self, point: &PointResult) -> Option<Uncertainty> {
         let stored = self.stored(point);
+        let stated = [
+            stored.expanded_rel,
+            stored.coverage_factor,
+            stored.expanded_phase_rad,
+        ];
+        if !stated.into_iter().all(f64::is_finite) {
+            return None;
+        }
         if self.is_the_instruments() {
             return Some(stored);
         }
@@ -150,19 +158,14 @@ impl<'a> Basis<'a> {
     pub(super) fn is_the_instruments(&self) -> bool {
         let of_change = |point: &PointResult| self.record.closing.half_widths(point);
         let changed = self.record.points.iter().any(|p| of_change(p) != [0.0; 2]);
-        let mounting = |settings: &Settings| settings.point_influences.mounting_at_10_khz_rel;
-        let shifts = mounting(&self.settings) != mounting(&self.record.settings);
         let bounded = |p: &PointResult| self.excess_rel(p) > 0.0 || self.bent_rel(p) > 0.0;
         let gives_way = self.record.points.iter().any(bounded);
-        let told = self.distance == Distance::Covered && !self.mountings.are_repeated();
-        told && !changed && !shifts && !gives_way && self.kind.is_as_measured()
+        let as_set = self.settings == self.record.settings && !self.mountings.are_repeated();
+        as_set && !changed && !gives_way && self.kind.is_as_measured()
     }
 
     fn shift_mounting(&mut self, at_10_khz_rel: f32) {
-        if self.settings.point_influences.mounting_at_10_khz_rel != at_10_khz_rel {
-            let settings = self.settings.to_mut();
-            settings.point_influences.mounting_at_10_khz_rel = at_10_khz_rel;
-        }
+        self.settings.point_influences.mounting_at_10_khz_rel = at_10_khz_rel;
     }
 
     /// By how much the mount may have raised a point, relative.
@@ -326,6 +329,18 @@ impl<'a> Basis<'a> {
     fn magnitude(&self, point: &PointResult) -> Option<CoreBudget<'static>> {
         Some(self.certified(point).ok()?.magnitude)
     }
+}
+
+/// Says why no point has a budget, where that is why there is no result.
+pub(super) fn say_why_none(certificate: &mut Certificate, basis: &Basis<'_>) {
+    let valid = |point: &&PointResult| point.verdict == Verdict::Pass;
+    let mut points = basis.record.points.iter().filter(valid);
+    let problem = points.find_map(|point| basis.certified(point).err());
+    certificate.remarks.extend(problem.map(|problem| Remark {
+        severity: Severity::Error,
+        key: "budget_failed",
+        values: vec![Value::Text(problem)],
+    }));
 }
 
 /// Recomputes the budget of `point` and compares it with the stored U.

@@ -42,15 +42,15 @@ mod tests {
     use super::*;
     use calib_record::sample::{record, text};
 
-    /// In one instrument: rows 8, 10, 11 (0.05, 0.15, 0.36 %) and the scatter of 0.015 % count twice. In another,
-    /// all of U = 0.846 %.
+    /// In one instrument: rows 8, 10, 11 (0.05, 0.15, and for 1.1 K 0.132 %) and the scatter of 0.015 % count twice. In another,
+    /// all of U = 0.666 %.
     #[test]
     fn what_two_calibrations_share_is_not_in_their_difference() {
         let (before, mut now) = (record(&[160.0]), record(&[160.0]));
         let changed = |now: &Record| {
             expanded_uncertainty_of_change_rel(&before, now, 160.0).expect("both have it")
         };
-        let rows = (0.05_f64.powi(2) + 0.15_f64.powi(2) + 0.36_f64.powi(2)) / 3.0;
+        let rows = (0.05_f64.powi(2) + 0.15_f64.powi(2) + 0.132_f64.powi(2)) / 3.0;
         let u_percent = (2.0 * (rows + 0.015_f64.powi(2))).sqrt();
         assert!((changed(&now) / (0.02 * u_percent) - 1.0).abs() < 1e-3);
         let whole = rows + (0.25_f64.powi(2) + 0.2_f64.powi(2)) / 3.0 + 0.0625 + 0.015_f64.powi(2);

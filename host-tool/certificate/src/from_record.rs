@@ -104,12 +104,12 @@ impl Certificate {
         linearity::attach(&mut certificate, &basis);
         certificate.remarks = remarks(record, &certificate);
         certificate.remarks.extend(closing_remark(record));
-        let temperature = basis.distance.remark();
-        certificate.remarks.extend(temperature);
+        certificate.remarks.push(basis.distance.remark());
         resonance::attach(&mut certificate, &basis.mounted);
         conformity::attach(&mut certificate);
-        if let Some(index) = reference {
-            budget::attach(&mut certificate, &basis, measured[index]);
+        match reference {
+            Some(index) => budget::attach(&mut certificate, &basis, measured[index]),
+            None => budget::say_why_none(&mut certificate, &basis),
         }
         certificate
     }

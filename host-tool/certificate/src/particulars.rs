@@ -208,6 +208,8 @@ pub struct Conditions {
     pub ambient_temperature_c: Option<f64>,
     /// Estimated difference of the transducer from it, K.
     pub temperature_difference_k: Option<f64>,
+    /// Uncertainty of the temperature told, half-width, K; 1 where nobody states one, 3 where only the air's is told.
+    pub temperature_uncertainty_k: Option<f64>,
     /// Relative humidity, %.
     pub humidity_percent: Option<f64>,
 }
@@ -405,6 +407,12 @@ impl Particulars {
                 conditions.temperature_difference_k,
                 -200.0,
                 500.0,
+            ),
+            (
+                "conditions.temperature_uncertainty_k",
+                conditions.temperature_uncertainty_k,
+                0.1,
+                20.0,
             ),
             (
                 "conditions.humidity_percent",
@@ -617,7 +625,8 @@ mod tests {
         let read = Particulars::read(&[path]).expect("valid");
         let record = calib_record::sample::record(&[160.0]);
         let certificate = crate::Certificate::from_record(&record, &read);
-        assert_eq!(certificate.remarks, []);
+        let keys: Vec<&str> = certificate.remarks.iter().map(|r| r.key).collect();
+        assert_eq!(keys, ["temperature_told"]);
         let entries = certificate.sections.iter().flat_map(|s| &s.entries);
         let missing: Vec<_> = entries
             .filter(|e| e.value.is_none())

@@ -386,7 +386,9 @@ mod tests {
             let values = at(&certificate, 10_000.0);
             values.expanded_uncertainty_percent / values.coverage_factor
         };
-        let record = swept(&THIRD_OCTAVES_HZ);
+        let mut record = swept(&THIRD_OCTAVES_HZ);
+        // Told within 1 K: the 3 K of the settings.
+        record.head.labels.temperature_centi_c = Some(2500);
         let mut without = record.clone();
         without.settings.point_influences.mounting_at_10_khz_rel = 0.0;
         let rest = of(&without, "");

@@ -37,19 +37,20 @@ fn the_reference_point_is_160_hz_and_states_its_uncertainty() {
     let (point, values) = certificate.reference_result().expect("a reference point");
     assert_eq!(point.nominal_frequency_hz, 160.0);
     // 10.2 mV/(m/s2) raised by 1/(1 - (160/32000)^2) = 2.5e-5: 10.20026.
-    // U = 2 sqrt(0.25^2 + (0.25^2+0.2^2+0.05^2+0.15^2+0.36^2)/3 + 0.015^2) %
-    //   = 2 sqrt(0.0625 + 0.2571/3 + 0.000225) = 0.7705 %, 0.0786 mV/(m/s2).
+    // Row 11 for 23.1 degrees, told to 1 K: 0.12 % x 1.1.
+    // U = 2 sqrt(0.25^2 + (0.25^2+0.2^2+0.05^2+0.15^2+0.132^2)/3 + 0.015^2) %
+    //   = 2 sqrt(0.0625 + 0.14492/3 + 0.000225) = 0.6664 %, 0.0680 mV/(m/s2).
     let printed = values.printed;
     assert_eq!(
         (printed.value, printed.uncertainty, printed.decimals),
-        (10.2, 0.079, 3)
+        (10.2, 0.068, 3)
     );
-    assert_eq!(values.printed_uncertainty_percent, (0.77, 2));
-    // 10.20026 x 9.80665 = 100.0304 mV/g with U = 0.7705.
+    assert_eq!(values.printed_uncertainty_percent, (0.67, 2));
+    // 10.20026 x 9.80665 = 100.0304 mV/g with U = 0.6664 %.
     let printed = values.printed_per_g.expect("an accelerometer");
     assert_eq!(
         (printed.value, printed.uncertainty, printed.decimals),
-        (100.03, 0.77, 2)
+        (100.03, 0.67, 2)
     );
 }
 
@@ -199,14 +200,14 @@ fn judged(nominal_mv: f64, tolerance: &str, rule: &str, last: &[(f64, f64)]) -> 
 
 #[test]
 fn the_verdict_says_what_decided() {
-    // 10.20026 / 9.63 - 1 = 5.92 %; conditional within U = 0.77 % of the limit of 5 %, not beyond.
+    // 10.20026 / 9.63 - 1 = 5.92 %; conditional within U = 0.67 % of the limit of 5 %, not beyond.
     let minus = '\u{2212}';
     let cases = [
         (
             9.63,
             "5",
             "FAIL",
-            "+5.92 % of nominal, limit ±5 %, at 160 Hz (U = 0.77 %)".to_owned(),
+            "+5.92 % of nominal, limit ±5 %, at 160 Hz (U = 0.67 %)".to_owned(),
         ),
         (
             9.68,
@@ -230,7 +231,7 @@ fn the_verdict_says_what_decided() {
             10.2,
             "0.5",
             "NOT JUDGEABLE",
-            "U = 0.77 % is too large for this limit".to_owned(),
+            "U = 0.67 % is too large for this limit".to_owned(),
         ),
         (
             10.2,
@@ -294,7 +295,12 @@ fn the_rule_is_the_laboratorys_and_the_tolerance_the_sensors() {
     let particulars: Particulars = toml::from_str("[decision]\nrule = 'simple'").expect("TOML");
     let certificate = Certificate::from_record(&record(&[160.0]), &particulars);
     assert_eq!(certificate.verdict(Language::En), None);
-    assert_eq!(certificate.remarks, []);
+    assert!(
+        certificate
+            .remarks
+            .iter()
+            .all(|r| r.key == "temperature_told")
+    );
 }
 
 #[test]
@@ -526,7 +532,8 @@ fn a_diagnostic_that_is_no_number_is_left_empty() {
 #[test]
 fn the_budget_adds_up_to_the_stated_uncertainty() {
     let certificate = Certificate::from_record(&record(&[160.0]), &Particulars::default());
-    assert_eq!(certificate.remarks, []);
+    let keys: Vec<&str> = certificate.remarks.iter().map(|r| r.key).collect();
+    assert_eq!(keys, ["temperature_told"]);
     let budget = certificate.budget.expect("a budget");
     // Rows 1, 2, 3, 8, 10, 11 and 18, and 5, which is zero without hum; the sum is worked out in
     // `the_reference_point_is_160_hz_and_states_its_uncertainty`.
@@ -537,10 +544,10 @@ fn the_budget_adds_up_to_the_stated_uncertainty() {
         .iter()
         .map(|row| row.contribution_percent.powi(2))
         .sum();
-    assert!((2.0 * sum.sqrt() / 0.770_52 - 1.0).abs() < 1.0e-4);
-    assert!((budget.expanded_percent / 0.770_52 - 1.0).abs() < 1.0e-4);
-    // 0.36 % rectangular is 0.208 %.
-    assert!((budget.rows[6].contribution_percent - 0.207_85).abs() < 1.0e-5);
+    assert!((2.0 * sum.sqrt() / 0.666_43 - 1.0).abs() < 1.0e-4);
+    assert!((budget.expanded_percent / 0.666_43 - 1.0).abs() < 1.0e-4);
+    // 0.132 % rectangular is 0.0762 %.
+    assert!((budget.rows[6].contribution_percent - 0.076_21).abs() < 1.0e-5);
 }
 
 #[test]
@@ -558,6 +565,8 @@ fn a_stored_uncertainty_that_the_settings_do_not_give_is_an_error() {
 #[test]
 fn a_record_that_was_stored_still_agrees_with_its_settings() {
     let mut record = record(&[160.0]);
+    // Told within 1 K: the 3 K of the settings.
+    record.head.labels.temperature_centi_c = Some(2500);
     // Repeatability dominates: what rounding in a record does to U is largest.
     record.points[0].repeatability_rel = 0.010_03;
     let exact = Certificate::from_record(&record, &Particulars::default());

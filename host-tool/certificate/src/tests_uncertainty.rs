@@ -26,18 +26,19 @@ fn remark<'a>(json: &'a serde_json::Value, key: &str) -> Option<&'a str> {
 /// The sample's budget with row 11 for so many kelvin: U of magnitude and phase, relative and degrees.
 /// 10 K are 1.2 %, beside 0.32 % of all the rest: not dominant (EA-4/02), so k = 2.
 fn expanded(kelvin: f64) -> (f64, f64) {
-    let row_11 = 0.36 * (kelvin / 3.0).max(1.0);
+    let row_11 = 0.12 * kelvin;
     let rectangular = [0.25, 0.2, 0.05, 0.15, row_11].map(|half: f64| half * half / 3.0);
     let u_percent = (0.25_f64.powi(2) + rectangular.iter().sum::<f64>() + 0.015_f64.powi(2)).sqrt();
-    let phase_11 = 1e-3 * (kelvin / 3.0).max(1.0);
+    let phase_11 = 1e-3 * kelvin / 3.0;
     let u_phase = (2.5e-3_f64.powi(2) + (4.0e-6 + phase_11 * phase_11) / 3.0 + 4.0e-8).sqrt();
     (0.02 * u_percent, 2.0 * u_phase.to_degrees())
 }
 
-/// A device 10 K warmer, told to the tool, left U at 0.79 %.
+/// A device 10 K warmer, told to the tool, left U at 0.79 %; one at 23.1 degrees had the U of 26. What is told is good
+/// to 1 K, and the air of 22.6 degrees is that of the reference.
 #[test]
 fn a_temperature_that_was_told_is_in_the_budget_of_every_point() {
-    for (centi_c, kelvin) in [(2310, 0.1), (2600, 3.0), (3300, 10.0), (1500, 8.0)] {
+    for (centi_c, kelvin) in [(2310, 1.4), (2500, 3.0), (3300, 11.0), (1500, 9.0)] {
         let mut warm = record(&[160.0, 1000.0]);
         warm.head.labels.temperature_centi_c = Some(centi_c);
         let json = json(&warm, particulars(FULL));
@@ -56,11 +57,10 @@ fn a_temperature_that_was_told_is_in_the_budget_of_every_point() {
         }
         let budget = json["budget"]["expanded_uncertainty_rel"].as_f64();
         assert!((budget.expect("a budget") / expected_rel - 1.0).abs() < 1e-3);
-        let beyond = kelvin > 3.0;
-        assert_eq!(
-            remark(&json, "temperature_told").is_some(),
-            beyond,
-            "{centi_c}"
+        let said = remark(&json, "temperature_told").expect("said");
+        assert!(
+            said.contains(&format!("{kelvin:.1}").replace('.', ",")),
+            "{said}"
         );
         assert_eq!(remark(&json, "budget_mismatch"), None);
     }
@@ -77,8 +77,8 @@ fn where_nobody_told_a_temperature_u_is_that_of_the_whole_range_of_clause_4_2() 
     assert!(remark.contains("10.0\u{a0}K"), "{remark}");
 }
 
-/// Three mountings, 1 % apart: means, and 0.577 % with two degrees of freedom in row 8. With the 0.394 % of all
-/// the rest, `nu_eff = 2 (0.700 / 0.577)^4 = 4.33`.
+/// Three mountings, 1 % apart: means, and 0.577 % with two degrees of freedom in row 8. With the 0.339 % of all
+/// the rest, `nu_eff = 2 (0.664 / 0.572)^4 = 3.65`.
 #[test]
 fn scatter_between_mountings_is_in_the_budget_with_its_degrees_of_freedom() {
     let mounted = |number: u32, factor: f32| {
@@ -102,7 +102,7 @@ fn scatter_between_mountings_is_in_the_budget_with_its_degrees_of_freedom() {
     let key = "sensitivity_v_per_ms2";
     assert!((of(&json, key) / of(&once, key) - 1.01).abs() < 1e-6);
     let between = 0.01 / 1.01 / 3.0_f64.sqrt();
-    let rest = expanded(0.1).0 / 2.0;
+    let rest = expanded(1.4).0 / 2.0;
     let u = between.hypot(rest);
     let degrees = 2.0 * (u / between).powi(4);
     let stated = of(&json, "effective_degrees_of_freedom");
@@ -110,8 +110,8 @@ fn scatter_between_mountings_is_in_the_budget_with_its_degrees_of_freedom() {
     let k = of(&json, "coverage_factor");
     let expanded = of(&json, "expanded_uncertainty_rel");
     assert!((expanded / (k * u) - 1.0).abs() < 2e-3, "{expanded}");
-    // Student's t at 95.45 % lies between that of 4 (2.87) and 5 (2.65) degrees of freedom.
-    assert!((2.65..2.87).contains(&k), "{k}");
+    // Student's t at 95.45 % lies between that of 3 (3.31) and 4 (2.87) degrees of freedom.
+    assert!((2.87..3.31).contains(&k), "{k}");
     let said = |json: &serde_json::Value| {
         json["mounting"]["repeated"]
             .as_str()

@@ -440,7 +440,7 @@ fn remark_on_temperature(context: &Context, told_centi_c: Option<i16>) {
             "no --temperature: certificates state U for all that ISO 16063-21, 4.2 allows",
         ),
         Some(told_c) if !instrument_covers(told_c) => context.remark(&format!(
-            "{told_c} degrees: certificates state a larger U than the instrument, which covers 20 to 26",
+            "{told_c} degrees: certificates state a larger U than the instrument, which covers 3 K to either side of 23",
         )),
         Some(_) => {}
     }
