@@ -68,15 +68,16 @@ pub fn judge(example: Example, measured: &Measured) -> Verdict {
             measured.distortion_rel <= table.distortion_at(frequency_hz),
             Reason::Distortion,
         ),
-        (
-            measured.dut_distortion_rel
-                <= DUT_DISTORTION_FACTOR * measured.distortion_rel + DUT_DISTORTION_REL,
-            Reason::DutDistortion,
-        ),
+        // Before the device's harmonics: in the noise of a loose contact there are some.
         (
             2.0 * measured.repeatability_rel <= attainable_rel
                 && measured.dut_signal_to_noise_db >= MIN_DUT_SIGNAL_TO_NOISE_DB,
             Reason::SignalToNoise,
+        ),
+        (
+            measured.dut_distortion_rel
+                <= DUT_DISTORTION_FACTOR * measured.distortion_rel + DUT_DISTORTION_REL,
+            Reason::DutDistortion,
         ),
         // Of a sine of unknown phase u is the amplitude over sqrt(2).
         (SQRT_2 * measured.hum_rel <= attainable_rel, Reason::Hum),
@@ -106,6 +107,17 @@ mod tests {
             Verdict::Pass => None,
             Verdict::Refused(reason) => Some(reason),
         }
+    }
+
+    #[test]
+    fn harmonics_in_noise_are_noise() {
+        let loose_contact = Measured {
+            dut_distortion_rel: 0.4,
+            dut_signal_to_noise_db: 5.0,
+            ..GOOD
+        };
+        let told = reason(Example::Example2, loose_contact);
+        assert_eq!(told, Some(Reason::SignalToNoise));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! record, with every record from before still there. The scenarios are the files in
 //! `scenarios/board`.
 
+use calib_core::point::ExcitationKind;
 use calib_core::verdict::Verdict;
 use calib_link::session;
 use calib_protocol::message::{ResetCause, RunSpec, RunState};
@@ -233,7 +234,8 @@ fn run_of_one() -> RunSpec {
     RunSpec {
         points: [point(160.0, 10.0)].into_iter().collect(),
         labels: RunLabels::default(),
-        excitation: Default::default(),
+        // For all of its blocks, or it might be over before the fault.
+        excitation: ExcitationKind::HeldSine,
     }
 }
 
