@@ -29,6 +29,9 @@ pub(super) struct Fitted {
     pub(super) covariance: DMatrix<f64>,
     /// Estimated error of the integration, r.m.s.; zero where nobody asked.
     pub(super) integration: f64,
+    /// Sum of squared simulation errors on the part that is held out; infinite where the simulation
+    /// diverges there, and where nobody asked.
+    pub(super) unseen: f64,
 }
 
 impl Fitted {
@@ -47,15 +50,24 @@ pub(super) fn refine(
     terms: &[usize],
     most_steps: usize,
 ) -> Option<Fitted> {
-    let free = free(terms, &start, record);
-    let (place, equations) = descend_from(start, &free, record, judged(record), most_steps)?;
-    let variance = place.square() / (record.output.len() as f64 - free.len() as f64);
+    let descend =
+        |start, moved: &[Parameter]| descend_from(start, moved, record, judged(record), most_steps);
+    let mut moved = free(terms, &start, record);
+    let (mut place, mut equations) = descend(start, &moved)?;
+    // Where the fit has come to, the samples may show a state that they did not where it began.
+    let shown = free(terms, &place.values, record);
+    if shown.len() > moved.len() {
+        (place, equations) = descend(place.values, &shown)?;
+        moved = shown;
+    }
+    let variance = place.square() / (record.output.len() as f64 - moved.len() as f64);
     Some(Fitted {
         square: place.square(),
         values: place.values,
         terms: terms.to_vec(),
         covariance: equations.covariance()? * variance,
         integration: 0.0,
+        unseen: f64::INFINITY,
     })
 }
 

@@ -1,12 +1,14 @@
 //! One term at a time: what is tried, and when it stops.
 
-use super::fit::{Fitted, refine};
+use super::fit::{Fitted, compared, refine};
+use super::holdout::square_on;
 use super::integration::{MOST_STEPS, REFINED, integrate_finely};
 use super::lack_of_fit::{Left, examine};
 use super::model::{TERMS, shows};
 use super::model_selection::{Tried, cost_of_last};
 use super::run::Run;
 use super::starts::{SPRING, begin, bent_spring};
+use crate::estimation::veto::stands;
 use crate::options::Options;
 use crate::thresholds;
 use rayon::prelude::*;
@@ -19,7 +21,7 @@ pub(super) struct Step {
     pub(super) fit: Fitted,
     /// Residuals of the fit.
     pub(super) left: Left,
-    /// The sets of its size that were tried.
+    /// The sets of its size that were tried and stand on what is held out.
     pub(super) tried: Vec<Fitted>,
 }
 
@@ -30,9 +32,16 @@ impl Step {
     }
 }
 
-/// From the linear oscillator on, the best term is added until none is worth a name.
-pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<Step>, Run)> {
+/// From the linear oscillator on, the best term is added until none is worth a name; what is `held` out has
+/// a veto.
+pub(super) fn grow(
+    run: Run,
+    mut start: Fitted,
+    held: &Run,
+    options: &Options,
+) -> Option<(Vec<Step>, Run)> {
     let mut run = run;
+    start.unseen = square_on(&run, held, &start);
     let left = examine(&run, &start)?;
     let mut steps = vec![Step {
         fit: start,
@@ -53,7 +62,13 @@ pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<St
         let mut tried = tried(&run, &base.fit, far.map(|f| f.0), options);
         run = integrate_finely(run, &mut tried);
         let Some(best) = tried.first() else { break };
-        let left = examine(&run, best)?;
+        let (led, mut left) = (best.terms.clone(), examine(&run, best)?);
+        let held = held.stretch(usize::MAX, run.steps);
+        strike(&mut tried, &steps, &left, [&run, &held]);
+        let Some(best) = tried.first() else { break };
+        if best.terms != led {
+            left = examine(&run, best)?;
+        }
         if !worth(&base.fit, best, &left) {
             break;
         }
@@ -104,10 +119,27 @@ fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Ve
     tried
 }
 
+/// Strikes the sets that what is held out speaks against. `before` are the steps so far, `left` is what the
+/// best set leaves of the part that is fitted.
+fn strike(tried: &mut Vec<Fitted>, before: &[Step], left: &Left, [part, held]: [&Run; 2]) {
+    tried
+        .par_iter_mut()
+        .for_each(|fit| fit.unseen = square_on(part, held, fit));
+    let clean = left.leaves_noise();
+    let samples = left.independent(compared(&held.output).len() as f64);
+    let misfit = |fit: &Fitted| samples * fit.unseen.ln();
+    let smaller = &before[before.len() - 1].tried;
+    tried.retain(|fit| {
+        let part = |of: &&Fitted| of.terms.iter().all(|term| fit.terms.contains(term));
+        let without = smaller.iter().filter(part).map(misfit);
+        stands(misfit(fit), misfit(&before[0].fit), without, clean)
+    });
+}
+
 /// Whether the last term of a set says more than chance: by the likelihood where
 /// it leaves noise, by a share of the error where it leaves more.
 fn worth(base: &Fitted, best: &Fitted, left: &Left) -> bool {
-    if left.p_value >= thresholds::UNEXPLAINED_P_VALUE {
+    if left.leaves_noise() {
         left.samples * (base.square / best.square).ln() > cost_of_last(best, left.samples)
     } else {
         best.square < base.square * (1.0 - thresholds::WORTH_NAMING)

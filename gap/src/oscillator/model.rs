@@ -124,12 +124,18 @@ pub(super) fn shows(term: usize, beside: &[usize]) -> bool {
 }
 
 /// Parameters of the state at the first sample with the given terms, as far as the samples from
-/// there on show them.
-pub(super) fn states(terms: &[usize], values: &OscillatorParameters) -> Vec<Parameter> {
+/// there on show them. What a slow high-pass held back would be a zero of the record's own.
+pub(super) fn states(
+    terms: &[usize],
+    values: &OscillatorParameters,
+    record: &Run,
+) -> Vec<Parameter> {
+    let duration_s = record.interval_s * record.input.len() as f64;
+    let forgets = values[HighpassCorner] * duration_s > thresholds::REMEMBERED;
     let mut states = vec![Displacement, Velocity];
     for term in terms {
         match TERMS[*term].values[0] {
-            HighpassCorner => states.push(HeldBack),
+            HighpassCorner if forgets => states.push(HeldBack),
             Lag if values[Lag] > thresholds::LAG_SEEN => states.push(Lagging),
             ModeGain => states.extend([ModeDisplacement, ModeVelocity]),
             _ => {}
@@ -140,11 +146,9 @@ pub(super) fn states(terms: &[usize], values: &OscillatorParameters) -> Vec<Para
 
 /// Parameters that a fit moves from there: of the linear oscillator, of the terms, of their states.
 pub(super) fn free(terms: &[usize], values: &OscillatorParameters, record: &Run) -> Vec<Parameter> {
-    let duration_s = record.interval_s * record.input.len() as f64;
-    let forgets = values[HighpassCorner] * duration_s > thresholds::REMEMBERED;
     let of_terms = terms.iter().flat_map(|t| TERMS[*t].values).copied();
-    let states = states(terms, values).into_iter().filter(|s| match s {
-        HeldBack => forgets,
+    let states = states(terms, values, record);
+    let states = states.into_iter().filter(|s| match s {
         Lagging => values[Lag] > thresholds::LAG_REMEMBERED,
         state => !LINEAR.contains(state),
     });

@@ -94,6 +94,32 @@ impl Stepper<'_> {
 ///
 /// Returns `None` where the simulation diverges.
 pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f64>> {
+    followed(values, run).map(|(output, ..)| output)
+}
+
+/// States with a long memory that follow from the motion: what the high-pass holds back, and the second mode.
+pub(super) const LINEAR_STATES: [Parameter; 3] = [
+    Parameter::HeldBack,
+    Parameter::ModeDisplacement,
+    Parameter::ModeVelocity,
+];
+
+/// The values with [`LINEAR_STATES`] as they are at the first sample behind the record.
+pub(super) fn states_behind(
+    values: &OscillatorParameters,
+    run: &Run,
+) -> Option<OscillatorParameters> {
+    let (_, moving, channel) = followed(values, run)?;
+    let mut behind = *values;
+    let [x2, v2] = moving.second;
+    for (state, value) in LINEAR_STATES.into_iter().zip([channel.held_back(), x2, v2]) {
+        behind[state] = value;
+    }
+    Some(behind)
+}
+
+/// The output over the record, and motion and channel behind it.
+fn followed(values: &OscillatorParameters, run: &Run) -> Option<(Vec<f64>, Moving, Channel)> {
     let w0 = values[Parameter::LnResonance].exp();
     let step = w0 * run.interval_s / run.steps as f64;
     let second = || {
@@ -135,5 +161,5 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
             moving = next;
         }
     }
-    Some(output)
+    Some((output, moving, channel))
 }

@@ -135,9 +135,9 @@ fn starts(record: &Run, base: &OscillatorParameters, term: Parameter, unit: f64)
             let shares = [0.97, 0.9, 0.8, 0.65, 0.5, 0.35, 0.2];
             shares.map(|share| vec![1.0 / (share * largest)]).into()
         }
-        Parameter::Lag => [0.1, 1.0, 3.0, 10.0, 30.0, 100.0]
-            .map(|lag| vec![lag])
-            .into(),
+        Parameter::Lag => (-3..8)
+            .map(|octave| vec![f64::exp2(octave.into())])
+            .collect(),
         Parameter::SteadyForce => [0.03, 0.1, 0.3, 1.0, -0.03, -0.1, -0.3, -1.0]
             .map(|force| vec![force * unit])
             .into(),

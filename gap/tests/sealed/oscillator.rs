@@ -41,6 +41,8 @@ pub(crate) struct Added {
     pub(crate) steady: f64,
     /// Factor on the input of the last quarter.
     pub(crate) louder: f64,
+    /// Time at which the zero is back at its start, if it ever is: a cable was touched.
+    pub(crate) snaps_back_s: f64,
 }
 
 /// An effect of a usual size by its name; the motion has an r.m.s. value near 0.1.
@@ -124,7 +126,8 @@ fn seen(a: &Added, s: &State, time_s: f64) -> f64 {
     if a.lowpass_hz > 0.0 {
         seen = s[6];
     }
-    seen += a.zero + a.drift_per_s * time_s;
+    let snapped = a.snaps_back_s > 0.0 && time_s > a.snaps_back_s;
+    seen += a.zero + if snapped { 0.0 } else { a.drift_per_s * time_s };
     if a.clips_at > 0.0 {
         seen = seen.clamp(-a.clips_at, a.clips_at);
     }
