@@ -39,7 +39,7 @@ impl Fitted {
     pub(super) fn off(&self, run: &Run, finer: &Run) -> Option<f64> {
         let (here, there) = (simulate(&self.values, run)?, simulate(&self.values, finer)?);
         let off: Vec<f64> = here.iter().zip(&there).map(|(a, b)| a - b).collect();
-        Some(rms(compared(&off)))
+        Some(rms(compared(&off, run)))
     }
 }
 
@@ -204,19 +204,19 @@ fn errors(values: &OscillatorParameters, record: &Run, samples: Range<usize>) ->
 }
 
 /// Samples a fit is judged by: the first settle the state, and at the last the input that follows
-/// is not known.
+/// is not known. Where there is no input, all of them.
 fn judged(record: &Run) -> Range<usize> {
-    judged_of(record.output.len())
-}
-
-fn judged_of(samples: usize) -> Range<usize> {
+    let samples = record.output.len();
+    if !record.driven {
+        return 0..samples;
+    }
     let end = samples.saturating_sub(ENDING).max(SETTLING).min(samples);
     SETTLING.min(end)..end
 }
 
-/// The samples a fit is judged by.
-pub(super) fn compared(values: &[f64]) -> &[f64] {
-    &values[judged_of(values.len())]
+/// Of values at the samples of a record those that a fit is judged by.
+pub(super) fn compared<'v>(values: &'v [f64], record: &Run) -> &'v [f64] {
+    &values[judged(record)]
 }
 
 /// Root mean square.

@@ -15,6 +15,8 @@ use rayon::prelude::*;
 
 /// Steps after which terms are compared.
 const FIRST_STEPS: usize = 4;
+/// Steps of the fit that leads; most need one or two of them.
+const TO_THE_END: usize = 40;
 
 /// One step of a diagnosis that adds a term at a time.
 pub(super) struct Step {
@@ -53,7 +55,7 @@ pub(super) fn grow(
         if base.left.unresolved {
             break;
         }
-        let far = may_add(&base.fit, SPRING, options)
+        let far = may_add(&run, &base.fit, SPRING, options)
             .then(|| bent_spring(&run, &base.fit))
             .flatten();
         if let Some((_, steps)) = &far {
@@ -72,6 +74,13 @@ pub(super) fn grow(
         if !worth(&base.fit, best, &left) {
             break;
         }
+        if let Some(better) = without_one(&run, best, &steps, &left, &held) {
+            let last = steps.last_mut()?;
+            last.left = examine(&run, &better)?;
+            last.tried.insert(0, better.clone());
+            last.fit = better;
+            continue;
+        }
         let step = Step {
             fit: best.clone(),
             left,
@@ -82,9 +91,9 @@ pub(super) fn grow(
     Some((steps, run))
 }
 
-fn may_add(base: &Fitted, term: usize, options: &Options) -> bool {
+fn may_add(run: &Run, base: &Fitted, term: usize, options: &Options) -> bool {
     let withheld = options.without.iter().any(|w| w == TERMS[term].entry.id);
-    !withheld && !base.terms.contains(&term) && shows(term, &base.terms)
+    !withheld && !base.terms.contains(&term) && shows(term, &base.terms, run)
 }
 
 /// Every further term beside those of a fit, best first; `far` is one that was found otherwise.
@@ -105,7 +114,7 @@ fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Ve
             .min_by(|a, b| a.square.total_cmp(&b.square))
     };
     let free: Vec<usize> = (0..TERMS.len())
-        .filter(|t| may_add(base, *t, options))
+        .filter(|t| may_add(run, base, *t, options))
         .collect();
     let mut tried: Vec<Fitted> = free.into_par_iter().filter_map(with).collect();
     tried.sort_by(|a, b| a.square.total_cmp(&b.square));
@@ -116,7 +125,34 @@ fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Ve
         }
     });
     tried.sort_by(|a, b| a.square.total_cmp(&b.square));
+    // Of what a fit that ends early leaves, a further term would take its share.
+    if let Some(best) = tried.first_mut()
+        && let Some(further) = refine(run, best.values, &best.terms, TO_THE_END)
+    {
+        *best = further;
+    }
     tried
+}
+
+/// A set less one of its earlier terms, where that does as well: a first term may have stood for what the
+/// last one is. It errs less than the set that was grown from.
+fn without_one(run: &Run, set: &Fitted, steps: &[Step], left: &Left, held: &Run) -> Option<Fitted> {
+    let (last, before) = steps.split_last()?;
+    let earlier = set.terms.split_last().map_or(&[][..], |(_, terms)| terms);
+    let less = earlier.iter().filter_map(|term| {
+        let mut values = set.values;
+        TERMS[*term].values.iter().for_each(|v| values[*v] = 0.0);
+        let kept: Vec<usize> = set.terms.iter().copied().filter(|t| t != term).collect();
+        refine(run, values, &kept, MOST_STEPS)
+    });
+    let mut less: Vec<Fitted> = less
+        .filter(|fit| fit.square < last.fit.square && !worth(fit, set, left))
+        .collect();
+    if !less.is_empty() {
+        strike(&mut less, before, left, [run, held]);
+    }
+    less.into_iter()
+        .min_by(|a, b| a.square.total_cmp(&b.square))
 }
 
 /// Strikes the sets that what is held out speaks against. `before` are the steps so far, `left` is what the
@@ -126,7 +162,7 @@ fn strike(tried: &mut Vec<Fitted>, before: &[Step], left: &Left, [part, held]: [
         .par_iter_mut()
         .for_each(|fit| fit.unseen = square_on(part, held, fit));
     let clean = left.leaves_noise();
-    let samples = left.independent(compared(&held.output).len() as f64);
+    let samples = left.independent(compared(&held.output, held).len() as f64);
     let misfit = |fit: &Fitted| samples * fit.unseen.ln();
     let smaller = &before[before.len() - 1].tried;
     tried.retain(|fit| {

@@ -101,7 +101,7 @@ impl Scored {
         let floor = noise_floor(held).min(unpredicted(&errors[1]));
         let observable = ObservableGap::of_errors([before, after], floor, rms(&held.output));
         let slices = slices::Errors {
-            output: compared(&held.output),
+            output: compared(&held.output, held),
             before: &errors[0],
             after: &errors[1],
             noise: floor,

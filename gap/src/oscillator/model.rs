@@ -4,10 +4,10 @@ use super::parameters::Parameter::{self, *};
 use super::parameters::{LINEAR, OscillatorParameters};
 use super::run::Run;
 use crate::thresholds;
-use calib_effects::{Entry, oscillator};
+use calib_effects::{Entry, Stage, oscillator};
 
 /// Candidate terms.
-pub(crate) const TERMS: [Term; 15] = [
+pub(crate) const TERMS: [Term; 16] = [
     Term {
         entry: &oscillator::CUBIC_STIFFNESS,
         leading: true,
@@ -81,6 +81,12 @@ pub(crate) const TERMS: [Term; 15] = [
         values: &[Trend],
     },
     Term {
+        entry: &oscillator::RESONANCE_DRIFT,
+        leading: true,
+        has_kink: false,
+        values: &[ResonanceDrift],
+    },
+    Term {
         entry: &oscillator::SECOND_MODE,
         leading: true,
         has_kink: false,
@@ -114,13 +120,14 @@ pub(crate) struct Term {
 }
 
 /// Whether a term shows beside others. A steady force moves what is straight as another zero of the
-/// output does.
-pub(super) fn shows(term: usize, beside: &[usize]) -> bool {
+/// output does, and nothing is known of an amplifier without an input.
+pub(super) fn shows(term: usize, beside: &[usize], record: &Run) -> bool {
     let bends = |t: &usize| {
         let value = TERMS[*t].values[0];
         matches!(value, CubicStiffness | QuadraticStiffness | DeadZone)
     };
-    TERMS[term].values[0] != SteadyForce || beside.iter().any(bends)
+    let force = record.driven || TERMS[term].entry.stage != Stage::Amplifier;
+    force && (TERMS[term].values[0] != SteadyForce || beside.iter().any(bends))
 }
 
 /// Parameters of the state at the first sample with the given terms, as far as the samples from

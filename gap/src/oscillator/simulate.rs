@@ -126,7 +126,7 @@ fn followed(values: &OscillatorParameters, run: &Run) -> Option<(Vec<f64>, Movin
         let ratio = values[Parameter::ModeLnRatio].exp();
         Mode::new(ratio, values[Parameter::ModeDamping], step)
     };
-    let stepper = Stepper {
+    let mut stepper = Stepper {
         terms: Terms::new(values, step),
         first: Mode::new(1.0, values[Parameter::Delta], step),
         second: (values[Parameter::ModeGain] != 0.0).then(second),
@@ -134,7 +134,7 @@ fn followed(values: &OscillatorParameters, run: &Run) -> Option<(Vec<f64>, Movin
         force: values[Parameter::SteadyForce],
         step,
     };
-    let input = run.driven(values[Parameter::Delay]);
+    let input = run.input_at(values[Parameter::Delay]);
     let state = |x: Parameter, v: Parameter| [values[x], values[v]];
     let mut moving = Moving {
         first: state(Parameter::Displacement, Parameter::Velocity),
@@ -156,6 +156,9 @@ fn followed(values: &OscillatorParameters, run: &Run) -> Option<(Vec<f64>, Movin
             let Some(nodes) = input.get(at..).and_then(|i| i.first_chunk::<NODES>()) else {
                 break;
             };
+            // The spring is as it is in the middle of the step.
+            let middle = (part as f64 + 0.5) / run.steps as f64;
+            stepper.terms.at_sample((run.before + n) as f64 + middle);
             let next = stepper.advance(&moving, nodes);
             channel.follow(moving.seen(), next.seen());
             moving = next;

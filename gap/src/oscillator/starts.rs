@@ -204,10 +204,11 @@ const FOLLOWED: (usize, usize) = (12, 2);
 pub(super) const SPRING: usize = 0;
 
 /// A cubic spring fitted from far away, and the steps per sample it takes; `None` where the linear
-/// fit is not poor.
+/// fit of a driven record is not poor.
 pub(super) fn bent_spring(run: &Run, base: &Fitted) -> Option<(Fitted, usize)> {
     let size = rms(&run.output);
-    if base.square < thresholds::POOR * size * size * run.output.len() as f64 {
+    // A decay has many periods of a pitch that changes: a spring is no neighbour of none there.
+    if run.driven && base.square < thresholds::POOR * size * size * run.output.len() as f64 {
         return None;
     }
     let terms = [base.terms.as_slice(), &[SPRING]].concat();

@@ -39,6 +39,7 @@ fn every_effect_of_an_oscillator_is_named() {
         ("output_lowpass", "corner_hz", 300.0),
         ("output_clipping", "threshold", 0.2),
         ("output_trend", "drift_per_s", 0.02),
+        ("resonance_drift", "drift_per_s", 0.01),
         ("second_mode", "gain", 0.1),
         ("dead_zone", "half_width", 0.01),
         ("hysteresis", "alpha", 0.2),
@@ -166,6 +167,121 @@ fn a_trend_that_the_held_out_quarter_refutes_is_not_listed() {
         assert_eq!(leads, name == "cubic", "{}", answer.summary);
         assert_ne!(answer.verdict, Verdict::Explained, "{}", answer.summary);
     }
+}
+
+/// A record that nothing drives: pulled aside and let go. A spring changes its pitch, air its decay.
+#[test]
+fn a_free_decay_is_answered() {
+    for (seed, name) in [
+        (870, "linear"),
+        (871, "cubic_stiffness"),
+        (872, "quadratic_damping"),
+    ] {
+        let effect = match name {
+            "linear" => Added::default(),
+            name => added(name),
+        };
+        let released = Added {
+            released_at: 0.4,
+            ..effect
+        };
+        let text = record(&released, SAMPLES, &mut Random::new(seed));
+        let answer = answer(&format!("decay-{name}"), &text);
+        if name == "linear" {
+            assert_eq!(answer.verdict, Verdict::NoGap, "{:?}", answer.gap);
+        } else {
+            assert_eq!(answer.causes[0].effects, [name], "{}", answer.summary);
+            assert_eq!(answer.verdict, Verdict::Explained, "{:?}", answer.gap);
+        }
+        let values = &answer.nominal_parameters;
+        assert!(!values.contains_key("gain"));
+        for (value, truth) in [("resonance_hz", 61.0), ("delta", 0.03)] {
+            let found = &values[value];
+            assert!(
+                (found.value - truth).abs() < 5.0 * found.u + 1e-4 * truth,
+                "{name}: {value} {found:?}"
+            );
+        }
+    }
+}
+
+/// Dry friction ends a decay after a few swings. How the mass then creeps, or sticks, is another matter.
+#[test]
+fn friction_leads_where_a_decay_ends_soon() {
+    let released = Added {
+        released_at: 0.4,
+        ..added("coulomb_friction")
+    };
+    let text = record(&released, SAMPLES, &mut Random::new(873));
+    let answer = answer("decay-friction", &text);
+    let first = &answer.causes[0];
+    assert_eq!(first.effects[0], "coulomb_friction", "{}", answer.summary);
+    let found = &first.parameters["coulomb_friction"]["deflection"];
+    assert!((found.value / 0.003 - 1.0).abs() < 0.01, "{found:?}");
+}
+
+/// Springs that soften as a sine, harden with the fifth power, and friction that is larger at rest: the
+/// family is named, and with it most of the gap is gone.
+#[test]
+fn another_form_is_named_by_its_family() {
+    let none = Added::default;
+    let forms = [
+        (
+            "cubic_stiffness",
+            Added {
+                sine: 2.0,
+                ..none()
+            },
+        ),
+        (
+            "cubic_stiffness",
+            Added {
+                cubic: -1.0,
+                ..none()
+            },
+        ),
+        (
+            "cubic_stiffness",
+            Added {
+                quintic: 20.0,
+                ..none()
+            },
+        ),
+        (
+            "cubic_stiffness",
+            Added {
+                quintic: 100.0,
+                ..none()
+            },
+        ),
+        (
+            "coulomb_friction",
+            Added {
+                sticking: 0.5,
+                ..added("coulomb_friction")
+            },
+        ),
+    ];
+    let wrong: Vec<String> = forms
+        .par_iter()
+        .enumerate()
+        .filter_map(|(n, (family, form))| {
+            let text = record(form, SAMPLES, &mut Random::new(860 + n as u64));
+            let answer = answer(&format!("form-{n}"), &text);
+            let named = answer
+                .causes
+                .first()
+                .is_some_and(|c| c.effects.contains(family));
+            let said = matches!(
+                answer.verdict,
+                Verdict::Explained | Verdict::PartlyExplained | Verdict::Ambiguous
+            );
+            let (verdict, closed) = (answer.verdict, answer.gap.closed);
+            (!named || !said)
+                .then(|| format!("{n} {family}: {verdict:?} {closed:?} {}", answer.summary))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// The zero of a sensor and a steady force move a linear oscillator alike: their sum is its offset.
