@@ -19,6 +19,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &OUTPUT_LOWPASS,
     &OUTPUT_CLIPPING,
     &OUTPUT_TREND,
+    &RESONANCE_DRIFT,
     &SECOND_MODE,
     &DEAD_ZONE,
     &HYSTERESIS,
@@ -169,6 +170,18 @@ pub static OUTPUT_TREND: Entry = Entry {
     plain: "the zero of the output drifts",
     confused_with: &["output_highpass"],
     separate_by: "the output at rest before and after the record",
+    ..Entry::OSCILLATOR
+};
+
+/// A spring that warms, a mass that loads or a clamp that works loose: the resonance moves evenly over the
+/// record, from its value at the first sample.
+pub static RESONANCE_DRIFT: Entry = Entry {
+    id: "resonance_drift",
+    formula: "w0^2 (1 + r t)^2 x",
+    parameters: &[Parameter::linear("drift_per_s", "1/s", [-1e3, 1e3], 0.01)],
+    plain: "the resonance drifts",
+    confused_with: &["cubic_stiffness", "output_trend"],
+    separate_by: "the same record once more, after a rest",
     ..Entry::OSCILLATOR
 };
 

@@ -11,6 +11,7 @@ use super::search::{Search, search};
 use crate::answer::Verdict;
 use crate::dataset::{Dataset, Rig};
 use crate::estimation::gap::Gap;
+use crate::estimation::veto;
 use crate::thresholds;
 
 /// Where the score comes from, with the rig as it is stated there.
@@ -81,29 +82,21 @@ impl<'a> Unseen<'a> {
         )
     }
 
-    /// Strikes sets that the unseen rows speak against: those that make them worse, and those with a
-    /// partner that does not help there. Where a set leaves noise on the rows it was fitted to, noise
-    /// may have made it worse on the others.
+    /// Strikes sets that the unseen rows speak against.
     pub(super) fn veto(&self, problem: &Problem, found: &mut Search) {
         let plain = self.misfit(problem, &found.nominal);
         let count = problem.len() as f64;
         let noise = count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt();
         let stands = |fit: &Fit| {
-            let here = self.misfit(problem, fit);
-            let clean = fit.objective < noise;
-            let (worse, helps) = if clean {
-                (thresholds::WORSE_BY_NOISE, -thresholds::WORSE_BY_NOISE)
-            } else {
-                (0.0, thresholds::PARTNER_HELPS)
-            };
             let alone = |leave: usize| {
                 let mut single = fit.clone();
                 single.effects.remove(leave);
                 self.misfit(problem, &single)
             };
-            here < plain + worse
-                && (fit.effects.len() < 2
-                    || (0..fit.effects.len()).all(|leave| here + helps < alone(leave)))
+            let partners = 0..fit.effects.len();
+            let without = partners.filter(|_| fit.effects.len() > 1).map(alone);
+            let clean = fit.objective < noise;
+            veto::stands(self.misfit(problem, fit), plain, without, clean)
         };
         found.strike(|set| {
             set.fit.effects.is_empty()

@@ -16,7 +16,7 @@ pub(crate) struct Record {
     pub(crate) interval_s: f64,
     /// Samples of the file before the first one here.
     pub(crate) before: usize,
-    /// Input, in the unit of the file.
+    /// Input, in the unit of the file; zeros where it is the same in all rows.
     pub(crate) input: Vec<f64>,
     /// Output, in the unit of the file.
     pub(crate) output: Vec<f64>,
@@ -53,8 +53,8 @@ pub(super) fn read(input: impl Read) -> Result<Record, GapError> {
     }
     let [time, input, output] = columns;
     let interval_s = interval(&time)?;
-    varies("input", &input)?;
     varies("output", &output)?;
+    let input = without_rest(input);
     Ok(Record {
         interval_s,
         before: 0,
@@ -119,6 +119,14 @@ fn interval(time_s: &[f64]) -> Result<f64, GapError> {
         });
     }
     Ok(interval)
+}
+
+/// An input that stays where it is only moves the rest, and so does the zero of the output.
+fn without_rest(input: Vec<f64>) -> Vec<f64> {
+    match input.windows(2).all(|w| w[0] == w[1]) {
+        true => vec![0.0; input.len()],
+        false => input,
+    }
 }
 
 /// A constant says nothing about an oscillator, and cannot be scaled.

@@ -7,7 +7,8 @@
 //! selection     what a cause costs, probabilities of sets, how often each leads when drawn again
 //! significance  tail probabilities; lack of fit, its null distribution simulated
 //! gap           distance between simulation and measurement, before and after
-//! verdict       the four outcomes
+//! verdict       the outcomes
+//! veto          what data that took no part say against a set
 //! ```
 //!
 //! `calibrator` and `oscillator` are its two models.
@@ -19,3 +20,4 @@ pub(crate) mod selection;
 pub(crate) mod significance;
 pub(crate) mod tangent;
 pub(crate) mod verdict;
+pub(crate) mod veto;

@@ -62,7 +62,7 @@ pub(super) fn answer(
         confusable,
         next_measurement: next_measurement(verdict, &causes),
         gap: scored.gap,
-        nominal_parameters: linear_parameters(&last.fit),
+        nominal_parameters: linear_parameters(&last.fit, part.driven),
         dataset,
         confirmation: None,
         pictures: trace(held, scored.errors),
@@ -163,7 +163,7 @@ fn trace(held: &Run, [before, after]: [Vec<f64>; 2]) -> Pictures {
     };
     Pictures::Record(Trace {
         interval_s: held.interval_s,
-        measured: drawn(compared(&held.output)),
+        measured: drawn(compared(&held.output, held)),
         before: drawn(&before),
         after: drawn(&after),
     })

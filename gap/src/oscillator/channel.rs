@@ -99,6 +99,11 @@ impl Channel {
         self.held_back = held_back;
     }
 
+    /// What the high-pass keeps from the rest.
+    pub(super) fn held_back(&self) -> f64 {
+        self.held_back
+    }
+
     /// The output of a sample while the motion is at `x`.
     pub(super) fn output(&self, at: usize, x: f64) -> f64 {
         let filtered = match self.low {

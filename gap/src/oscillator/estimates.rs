@@ -53,7 +53,9 @@ fn estimate(fit: &Fitted, parameter: Parameter, row: usize, interval_s: f64) -> 
             let variance = variance + offset * offset * c[(2, 2)] - 2.0 * offset * c[(2, row)];
             (offset, variance.max(0.0).sqrt() / gain.abs())
         }
-        Parameter::Trend => (value / interval_s, variance.sqrt() / interval_s),
+        Parameter::Trend | Parameter::ResonanceDrift => {
+            (value / interval_s, variance.sqrt() / interval_s)
+        }
         Parameter::Delay => (value * interval_s, variance.sqrt() * interval_s),
         Parameter::LnYieldDeflection => relative(value.exp(), variance),
         Parameter::Saturation | Parameter::Clipping => {
@@ -66,8 +68,8 @@ fn estimate(fit: &Fitted, parameter: Parameter, row: usize, interval_s: f64) -> 
     Estimate { value, u }
 }
 
-/// Resonance, damping, gain and offset.
-pub(super) fn linear_parameters(fit: &Fitted) -> BTreeMap<&'static str, Estimate> {
+/// Resonance, damping, gain and offset; no gain where nothing drives the oscillator.
+pub(super) fn linear_parameters(fit: &Fitted, driven: bool) -> BTreeMap<&'static str, Estimate> {
     let of = |parameter: Parameter, row: usize| Estimate {
         value: fit.values[parameter],
         u: fit.covariance[(row, row)].sqrt(),
@@ -78,10 +80,13 @@ pub(super) fn linear_parameters(fit: &Fitted) -> BTreeMap<&'static str, Estimate
         value: resonance_hz,
         u: resonance_hz * ln_resonance.u,
     };
-    BTreeMap::from([
+    let mut values = BTreeMap::from([
         ("resonance_hz", resonance),
         ("delta", of(Parameter::Delta, 1)),
-        ("gain", of(Parameter::Gain, 2)),
         ("offset", of(Parameter::Offset, 3)),
-    ])
+    ]);
+    if driven {
+        values.insert("gain", of(Parameter::Gain, 2));
+    }
+    values
 }

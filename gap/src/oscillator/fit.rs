@@ -29,6 +29,9 @@ pub(super) struct Fitted {
     pub(super) covariance: DMatrix<f64>,
     /// Estimated error of the integration, r.m.s.; zero where nobody asked.
     pub(super) integration: f64,
+    /// Sum of squared simulation errors on the part that is held out; infinite where the simulation
+    /// diverges there, and where nobody asked.
+    pub(super) unseen: f64,
 }
 
 impl Fitted {
@@ -36,7 +39,7 @@ impl Fitted {
     pub(super) fn off(&self, run: &Run, finer: &Run) -> Option<f64> {
         let (here, there) = (simulate(&self.values, run)?, simulate(&self.values, finer)?);
         let off: Vec<f64> = here.iter().zip(&there).map(|(a, b)| a - b).collect();
-        Some(rms(compared(&off)))
+        Some(rms(compared(&off, run)))
     }
 }
 
@@ -47,15 +50,24 @@ pub(super) fn refine(
     terms: &[usize],
     most_steps: usize,
 ) -> Option<Fitted> {
-    let free = free(terms, &start, record);
-    let (place, equations) = descend_from(start, &free, record, judged(record), most_steps)?;
-    let variance = place.square() / (record.output.len() as f64 - free.len() as f64);
+    let descend =
+        |start, moved: &[Parameter]| descend_from(start, moved, record, judged(record), most_steps);
+    let mut moved = free(terms, &start, record);
+    let (mut place, mut equations) = descend(start, &moved)?;
+    // Where the fit has come to, the samples may show a state that they did not where it began.
+    let shown = free(terms, &place.values, record);
+    if shown.len() > moved.len() {
+        (place, equations) = descend(place.values, &shown)?;
+        moved = shown;
+    }
+    let variance = place.square() / (record.output.len() as f64 - moved.len() as f64);
     Some(Fitted {
         square: place.square(),
         values: place.values,
         terms: terms.to_vec(),
         covariance: equations.covariance()? * variance,
         integration: 0.0,
+        unseen: f64::INFINITY,
     })
 }
 
@@ -192,19 +204,19 @@ fn errors(values: &OscillatorParameters, record: &Run, samples: Range<usize>) ->
 }
 
 /// Samples a fit is judged by: the first settle the state, and at the last the input that follows
-/// is not known.
+/// is not known. Where there is no input, all of them.
 fn judged(record: &Run) -> Range<usize> {
-    judged_of(record.output.len())
-}
-
-fn judged_of(samples: usize) -> Range<usize> {
+    let samples = record.output.len();
+    if !record.driven {
+        return 0..samples;
+    }
     let end = samples.saturating_sub(ENDING).max(SETTLING).min(samples);
     SETTLING.min(end)..end
 }
 
-/// The samples a fit is judged by.
-pub(super) fn compared(values: &[f64]) -> &[f64] {
-    &values[judged_of(values.len())]
+/// Of values at the samples of a record those that a fit is judged by.
+pub(super) fn compared<'v>(values: &'v [f64], record: &Run) -> &'v [f64] {
+    &values[judged(record)]
 }
 
 /// Root mean square.

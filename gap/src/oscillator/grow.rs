@@ -1,25 +1,29 @@
 //! One term at a time: what is tried, and when it stops.
 
-use super::fit::{Fitted, refine};
+use super::fit::{Fitted, compared, refine};
+use super::holdout::square_on;
 use super::integration::{MOST_STEPS, REFINED, integrate_finely};
 use super::lack_of_fit::{Left, examine};
 use super::model::{TERMS, shows};
 use super::model_selection::{Tried, cost_of_last};
 use super::run::Run;
 use super::starts::{SPRING, begin, bent_spring};
+use crate::estimation::veto::stands;
 use crate::options::Options;
 use crate::thresholds;
 use rayon::prelude::*;
 
 /// Steps after which terms are compared.
 const FIRST_STEPS: usize = 4;
+/// Steps of the fit that leads; most need one or two of them.
+const TO_THE_END: usize = 40;
 
 /// One step of a diagnosis that adds a term at a time.
 pub(super) struct Step {
     pub(super) fit: Fitted,
     /// Residuals of the fit.
     pub(super) left: Left,
-    /// The sets of its size that were tried.
+    /// The sets of its size that were tried and stand on what is held out.
     pub(super) tried: Vec<Fitted>,
 }
 
@@ -30,9 +34,16 @@ impl Step {
     }
 }
 
-/// From the linear oscillator on, the best term is added until none is worth a name.
-pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<Step>, Run)> {
+/// From the linear oscillator on, the best term is added until none is worth a name; what is `held` out has
+/// a veto.
+pub(super) fn grow(
+    run: Run,
+    mut start: Fitted,
+    held: &Run,
+    options: &Options,
+) -> Option<(Vec<Step>, Run)> {
     let mut run = run;
+    start.unseen = square_on(&run, held, &start);
     let left = examine(&run, &start)?;
     let mut steps = vec![Step {
         fit: start,
@@ -44,7 +55,7 @@ pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<St
         if base.left.unresolved {
             break;
         }
-        let far = may_add(&base.fit, SPRING, options)
+        let far = may_add(&run, &base.fit, SPRING, options)
             .then(|| bent_spring(&run, &base.fit))
             .flatten();
         if let Some((_, steps)) = &far {
@@ -53,9 +64,22 @@ pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<St
         let mut tried = tried(&run, &base.fit, far.map(|f| f.0), options);
         run = integrate_finely(run, &mut tried);
         let Some(best) = tried.first() else { break };
-        let left = examine(&run, best)?;
+        let (led, mut left) = (best.terms.clone(), examine(&run, best)?);
+        let held = held.stretch(usize::MAX, run.steps);
+        strike(&mut tried, &steps, &left, [&run, &held]);
+        let Some(best) = tried.first() else { break };
+        if best.terms != led {
+            left = examine(&run, best)?;
+        }
         if !worth(&base.fit, best, &left) {
             break;
+        }
+        if let Some(better) = without_one(&run, best, &steps, &left, &held) {
+            let last = steps.last_mut()?;
+            last.left = examine(&run, &better)?;
+            last.tried.insert(0, better.clone());
+            last.fit = better;
+            continue;
         }
         let step = Step {
             fit: best.clone(),
@@ -67,9 +91,9 @@ pub(super) fn grow(run: Run, start: Fitted, options: &Options) -> Option<(Vec<St
     Some((steps, run))
 }
 
-fn may_add(base: &Fitted, term: usize, options: &Options) -> bool {
+fn may_add(run: &Run, base: &Fitted, term: usize, options: &Options) -> bool {
     let withheld = options.without.iter().any(|w| w == TERMS[term].entry.id);
-    !withheld && !base.terms.contains(&term) && shows(term, &base.terms)
+    !withheld && !base.terms.contains(&term) && shows(term, &base.terms, run)
 }
 
 /// Every further term beside those of a fit, best first; `far` is one that was found otherwise.
@@ -90,7 +114,7 @@ fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Ve
             .min_by(|a, b| a.square.total_cmp(&b.square))
     };
     let free: Vec<usize> = (0..TERMS.len())
-        .filter(|t| may_add(base, *t, options))
+        .filter(|t| may_add(run, base, *t, options))
         .collect();
     let mut tried: Vec<Fitted> = free.into_par_iter().filter_map(with).collect();
     tried.sort_by(|a, b| a.square.total_cmp(&b.square));
@@ -101,13 +125,57 @@ fn tried(run: &Run, base: &Fitted, far: Option<Fitted>, options: &Options) -> Ve
         }
     });
     tried.sort_by(|a, b| a.square.total_cmp(&b.square));
+    // Of what a fit that ends early leaves, a further term would take its share.
+    if let Some(best) = tried.first_mut()
+        && let Some(further) = refine(run, best.values, &best.terms, TO_THE_END)
+    {
+        *best = further;
+    }
     tried
+}
+
+/// A set less one of its earlier terms, where that does as well: a first term may have stood for what the
+/// last one is. It errs less than the set that was grown from.
+fn without_one(run: &Run, set: &Fitted, steps: &[Step], left: &Left, held: &Run) -> Option<Fitted> {
+    let (last, before) = steps.split_last()?;
+    let earlier = set.terms.split_last().map_or(&[][..], |(_, terms)| terms);
+    let less = earlier.iter().filter_map(|term| {
+        let mut values = set.values;
+        TERMS[*term].values.iter().for_each(|v| values[*v] = 0.0);
+        let kept: Vec<usize> = set.terms.iter().copied().filter(|t| t != term).collect();
+        refine(run, values, &kept, MOST_STEPS)
+    });
+    let mut less: Vec<Fitted> = less
+        .filter(|fit| fit.square < last.fit.square && !worth(fit, set, left))
+        .collect();
+    if !less.is_empty() {
+        strike(&mut less, before, left, [run, held]);
+    }
+    less.into_iter()
+        .min_by(|a, b| a.square.total_cmp(&b.square))
+}
+
+/// Strikes the sets that what is held out speaks against. `before` are the steps so far, `left` is what the
+/// best set leaves of the part that is fitted.
+fn strike(tried: &mut Vec<Fitted>, before: &[Step], left: &Left, [part, held]: [&Run; 2]) {
+    tried
+        .par_iter_mut()
+        .for_each(|fit| fit.unseen = square_on(part, held, fit));
+    let clean = left.leaves_noise();
+    let samples = left.independent(compared(&held.output, held).len() as f64);
+    let misfit = |fit: &Fitted| samples * fit.unseen.ln();
+    let smaller = &before[before.len() - 1].tried;
+    tried.retain(|fit| {
+        let part = |of: &&Fitted| of.terms.iter().all(|term| fit.terms.contains(term));
+        let without = smaller.iter().filter(part).map(misfit);
+        stands(misfit(fit), misfit(&before[0].fit), without, clean)
+    });
 }
 
 /// Whether the last term of a set says more than chance: by the likelihood where
 /// it leaves noise, by a share of the error where it leaves more.
 fn worth(base: &Fitted, best: &Fitted, left: &Left) -> bool {
-    if left.p_value >= thresholds::UNEXPLAINED_P_VALUE {
+    if left.leaves_noise() {
         left.samples * (base.square / best.square).ln() > cost_of_last(best, left.samples)
     } else {
         best.square < base.square * (1.0 - thresholds::WORTH_NAMING)

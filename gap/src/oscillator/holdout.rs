@@ -5,6 +5,7 @@ use super::grow::Step;
 use super::model::states;
 use super::model_selection::names_of;
 use super::run::Run;
+use super::simulate::{LINEAR_STATES, states_behind};
 use super::slices;
 use crate::dataset::{Dataset, Measured, Record};
 use crate::error::GapError;
@@ -52,11 +53,17 @@ const HEAD: usize = 400;
 const LOOKED_AT: [(usize, usize); 3] = [(SETTLING / 4, 2), (SETTLING / 2, 1), (SETTLING, 3)];
 
 /// Simulation errors on another record, of which only the state at the start is fitted; `None`
-/// where the simulation diverges.
-fn validation(fit: &Fitted, record: &Run) -> Option<Vec<f64>> {
+/// where the simulation diverges. Where it goes on behind the one that was fitted, `part`, the linear
+/// states go on too: left free a slow one would be another zero of the output.
+fn validation(fit: &Fitted, part: &Run, record: &Run) -> Option<Vec<f64>> {
     let head = record.head(HEAD);
+    let goes_on = record.before == part.before + part.input.len();
     let mut values = fit.values;
-    let states = states(&fit.terms, &values);
+    let mut states = states(&fit.terms, &values, record);
+    if goes_on {
+        values = states_behind(&values, part)?;
+        states.retain(|state| !LINEAR_STATES.contains(state));
+    }
     states.iter().for_each(|state| values[*state] = 0.0);
     values.set_first_state(&head);
     for (count, steps) in LOOKED_AT {
@@ -65,6 +72,12 @@ fn validation(fit: &Fitted, record: &Run) -> Option<Vec<f64>> {
         values = place.values;
     }
     residual(&values, record)
+}
+
+/// Sum of squared errors on a record of which only the state at the start is fitted; infinite where
+/// the simulation diverges.
+pub(super) fn square_on(part: &Run, record: &Run, fit: &Fitted) -> f64 {
+    validation(fit, part, record).map_or(f64::INFINITY, |errors| errors.iter().map(|e| e * e).sum())
 }
 
 /// Errors on the held-out record before and after, and what is stated of them.
@@ -79,8 +92,8 @@ impl Scored {
     pub(super) fn new(steps: &[Step], part: &Run, held: &Run) -> Option<Self> {
         let last = &steps[steps.len() - 1];
         let errors = [
-            validation(&steps[0].fit, held)?,
-            validation(&last.fit, held)?,
+            validation(&steps[0].fit, part, held)?,
+            validation(&last.fit, part, held)?,
         ];
         let [before, after] = [rms(&errors[0]), rms(&errors[1])];
         // The differences see the motion too where the record is sampled coarsely; noise is no
@@ -88,7 +101,7 @@ impl Scored {
         let floor = noise_floor(held).min(unpredicted(&errors[1]));
         let observable = ObservableGap::of_errors([before, after], floor, rms(&held.output));
         let slices = slices::Errors {
-            output: compared(&held.output),
+            output: compared(&held.output, held),
             before: &errors[0],
             after: &errors[1],
             noise: floor,

@@ -48,6 +48,22 @@ pub(super) struct Left {
     pub(super) traces: Vec<(Parity, f64)>,
 }
 
+impl Left {
+    /// Whether it looks like noise.
+    pub(super) fn leaves_noise(&self) -> bool {
+        self.p_value >= thresholds::UNEXPLAINED_P_VALUE
+    }
+
+    /// How many of so many samples count as independent.
+    pub(super) fn independent(&self, samples: f64) -> f64 {
+        if self.leaves_noise() {
+            samples
+        } else {
+            samples * thresholds::INDEPENDENT
+        }
+    }
+}
+
 /// Tests the residual for memory and for traces of forces; the null is simulated.
 pub(super) fn examine(record: &Run, fit: &Fitted) -> Option<Left> {
     let left = residual(&fit.values, record)?;

@@ -64,22 +64,12 @@ pub(crate) fn diagnose(
     let part = Run::new(&part, FEWEST_STEPS);
     let start = linear(&part, resonance_hz, delta)
         .ok_or_else(|| unusable("no linear oscillator fits the record at all"))?;
-    let (mut steps, part) = grow(part, start, options)
+    let held = Run::new(&held, FEWEST_STEPS);
+    let (steps, part) = grow(part, start, &held, options)
         .ok_or_else(|| unusable("the fitted oscillator diverges beside its best values"))?;
-    let held = Run::new(&held, part.steps);
-    // A term with which the motion runs away on held-out samples predicts nothing there: a spring that
-    // softens with a power has no way back from a larger motion than it was fitted to.
-    let scored = loop {
-        match Scored::new(&steps, &part, &held) {
-            Some(scored) => break scored,
-            None if steps.len() > 1 => steps.truncate(steps.len() - 1),
-            None => {
-                return Err(unusable(
-                    "the linear oscillator diverges on the held-out record",
-                ));
-            }
-        }
-    };
+    let held = held.stretch(usize::MAX, part.steps);
+    let scored = Scored::new(&steps, &part, &held)
+        .ok_or_else(|| unusable("the oscillator diverges on the held-out record"))?;
     let summary = DatasetSummary {
         path,
         rows: record.input.len(),

@@ -4,10 +4,10 @@ use super::parameters::Parameter::{self, *};
 use super::parameters::{LINEAR, OscillatorParameters};
 use super::run::Run;
 use crate::thresholds;
-use calib_effects::{Entry, oscillator};
+use calib_effects::{Entry, Stage, oscillator};
 
 /// Candidate terms.
-pub(crate) const TERMS: [Term; 15] = [
+pub(crate) const TERMS: [Term; 16] = [
     Term {
         entry: &oscillator::CUBIC_STIFFNESS,
         leading: true,
@@ -81,6 +81,12 @@ pub(crate) const TERMS: [Term; 15] = [
         values: &[Trend],
     },
     Term {
+        entry: &oscillator::RESONANCE_DRIFT,
+        leading: true,
+        has_kink: false,
+        values: &[ResonanceDrift],
+    },
+    Term {
         entry: &oscillator::SECOND_MODE,
         leading: true,
         has_kink: false,
@@ -114,22 +120,29 @@ pub(crate) struct Term {
 }
 
 /// Whether a term shows beside others. A steady force moves what is straight as another zero of the
-/// output does.
-pub(super) fn shows(term: usize, beside: &[usize]) -> bool {
+/// output does, and nothing is known of an amplifier without an input.
+pub(super) fn shows(term: usize, beside: &[usize], record: &Run) -> bool {
     let bends = |t: &usize| {
         let value = TERMS[*t].values[0];
         matches!(value, CubicStiffness | QuadraticStiffness | DeadZone)
     };
-    TERMS[term].values[0] != SteadyForce || beside.iter().any(bends)
+    let force = record.driven || TERMS[term].entry.stage != Stage::Amplifier;
+    force && (TERMS[term].values[0] != SteadyForce || beside.iter().any(bends))
 }
 
 /// Parameters of the state at the first sample with the given terms, as far as the samples from
-/// there on show them.
-pub(super) fn states(terms: &[usize], values: &OscillatorParameters) -> Vec<Parameter> {
+/// there on show them. What a slow high-pass held back would be a zero of the record's own.
+pub(super) fn states(
+    terms: &[usize],
+    values: &OscillatorParameters,
+    record: &Run,
+) -> Vec<Parameter> {
+    let duration_s = record.interval_s * record.input.len() as f64;
+    let forgets = values[HighpassCorner] * duration_s > thresholds::REMEMBERED;
     let mut states = vec![Displacement, Velocity];
     for term in terms {
         match TERMS[*term].values[0] {
-            HighpassCorner => states.push(HeldBack),
+            HighpassCorner if forgets => states.push(HeldBack),
             Lag if values[Lag] > thresholds::LAG_SEEN => states.push(Lagging),
             ModeGain => states.extend([ModeDisplacement, ModeVelocity]),
             _ => {}
@@ -140,11 +153,9 @@ pub(super) fn states(terms: &[usize], values: &OscillatorParameters) -> Vec<Para
 
 /// Parameters that a fit moves from there: of the linear oscillator, of the terms, of their states.
 pub(super) fn free(terms: &[usize], values: &OscillatorParameters, record: &Run) -> Vec<Parameter> {
-    let duration_s = record.interval_s * record.input.len() as f64;
-    let forgets = values[HighpassCorner] * duration_s > thresholds::REMEMBERED;
     let of_terms = terms.iter().flat_map(|t| TERMS[*t].values).copied();
-    let states = states(terms, values).into_iter().filter(|s| match s {
-        HeldBack => forgets,
+    let states = states(terms, values, record);
+    let states = states.into_iter().filter(|s| match s {
         Lagging => values[Lag] > thresholds::LAG_REMEMBERED,
         state => !LINEAR.contains(state),
     });

@@ -29,11 +29,11 @@ pub(super) struct Weighed<'a> {
 impl<'a> Tried<'a> {
     /// Sets of which the best leaves `left`.
     pub(super) fn new(sets: &'a [Fitted], left: &Left) -> Self {
-        let white = left.p_value >= thresholds::UNEXPLAINED_P_VALUE;
+        let noise = left.leaves_noise();
         Self {
             sets,
-            samples: left.samples * if white { 1.0 } else { thresholds::INDEPENDENT },
-            tied: if white { 0.0 } else { thresholds::AS_GOOD },
+            samples: left.independent(left.samples),
+            tied: if noise { 0.0 } else { thresholds::AS_GOOD },
         }
     }
 

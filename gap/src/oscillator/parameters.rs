@@ -44,6 +44,8 @@ pub(crate) enum Parameter {
     Trend,
     /// One over the output at which it is clipped.
     Clipping,
+    /// Growth of w0 in a sample, relative, from the first sample of the file on.
+    ResonanceDrift,
     /// Gain of the second mode over that of the first.
     ModeGain,
     /// ln of the frequency of the second mode over w0.
@@ -149,6 +151,7 @@ pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, un
         DeadZone => 1e-4 * unit,
         // Over the samples of a short record as much as an offset.
         Trend => 1e-8 * unit,
+        ResonanceDrift => 1e-9,
         Delay | HighpassCorner | Lag | ModeLnRatio | ModeDamping | YieldingShare
         | LnYieldDeflection => 1e-3,
     }

@@ -26,6 +26,8 @@ pub(super) struct Run {
     pub(super) before: usize,
     pub(super) input: Vec<f64>,
     pub(super) output: Vec<f64>,
+    /// Whether the input drives it: else the motion is a decay.
+    pub(super) driven: bool,
     pub(super) steps: usize,
     grid: Arc<Vec<f64>>,
     /// The grid of the last delay that was asked for.
@@ -46,6 +48,7 @@ impl Run {
         Self {
             interval_s: record.interval_s,
             before: record.before,
+            driven: record.input.iter().any(|u| *u != 0.0),
             input: record.input,
             output: record.output,
             steps,
@@ -98,7 +101,7 @@ impl Run {
 
     /// Input at two places per step, delayed by a part of a sample; the first sample is at
     /// twice the number of steps per sample.
-    pub(super) fn driven(&self, delay: f64) -> Arc<Vec<f64>> {
+    pub(super) fn input_at(&self, delay: f64) -> Arc<Vec<f64>> {
         if delay == 0.0 {
             return Arc::clone(&self.grid);
         }

@@ -94,13 +94,39 @@ impl Stepper<'_> {
 ///
 /// Returns `None` where the simulation diverges.
 pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f64>> {
+    followed(values, run).map(|(output, ..)| output)
+}
+
+/// States with a long memory that follow from the motion: what the high-pass holds back, and the second mode.
+pub(super) const LINEAR_STATES: [Parameter; 3] = [
+    Parameter::HeldBack,
+    Parameter::ModeDisplacement,
+    Parameter::ModeVelocity,
+];
+
+/// The values with [`LINEAR_STATES`] as they are at the first sample behind the record.
+pub(super) fn states_behind(
+    values: &OscillatorParameters,
+    run: &Run,
+) -> Option<OscillatorParameters> {
+    let (_, moving, channel) = followed(values, run)?;
+    let mut behind = *values;
+    let [x2, v2] = moving.second;
+    for (state, value) in LINEAR_STATES.into_iter().zip([channel.held_back(), x2, v2]) {
+        behind[state] = value;
+    }
+    Some(behind)
+}
+
+/// The output over the record, and motion and channel behind it.
+fn followed(values: &OscillatorParameters, run: &Run) -> Option<(Vec<f64>, Moving, Channel)> {
     let w0 = values[Parameter::LnResonance].exp();
     let step = w0 * run.interval_s / run.steps as f64;
     let second = || {
         let ratio = values[Parameter::ModeLnRatio].exp();
         Mode::new(ratio, values[Parameter::ModeDamping], step)
     };
-    let stepper = Stepper {
+    let mut stepper = Stepper {
         terms: Terms::new(values, step),
         first: Mode::new(1.0, values[Parameter::Delta], step),
         second: (values[Parameter::ModeGain] != 0.0).then(second),
@@ -108,7 +134,7 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
         force: values[Parameter::SteadyForce],
         step,
     };
-    let input = run.driven(values[Parameter::Delay]);
+    let input = run.input_at(values[Parameter::Delay]);
     let state = |x: Parameter, v: Parameter| [values[x], values[v]];
     let mut moving = Moving {
         first: state(Parameter::Displacement, Parameter::Velocity),
@@ -130,10 +156,13 @@ pub(super) fn simulate(values: &OscillatorParameters, run: &Run) -> Option<Vec<f
             let Some(nodes) = input.get(at..).and_then(|i| i.first_chunk::<NODES>()) else {
                 break;
             };
+            // The spring is as it is in the middle of the step.
+            let middle = (part as f64 + 0.5) / run.steps as f64;
+            stepper.terms.at_sample((run.before + n) as f64 + middle);
             let next = stepper.advance(&moving, nodes);
             channel.follow(moving.seen(), next.seen());
             moving = next;
         }
     }
-    Some(output)
+    Some((output, moving, channel))
 }

@@ -135,9 +135,9 @@ fn starts(record: &Run, base: &OscillatorParameters, term: Parameter, unit: f64)
             let shares = [0.97, 0.9, 0.8, 0.65, 0.5, 0.35, 0.2];
             shares.map(|share| vec![1.0 / (share * largest)]).into()
         }
-        Parameter::Lag => [0.1, 1.0, 3.0, 10.0, 30.0, 100.0]
-            .map(|lag| vec![lag])
-            .into(),
+        Parameter::Lag => (-3..8)
+            .map(|octave| vec![f64::exp2(octave.into())])
+            .collect(),
         Parameter::SteadyForce => [0.03, 0.1, 0.3, 1.0, -0.03, -0.1, -0.3, -1.0]
             .map(|force| vec![force * unit])
             .into(),
@@ -204,10 +204,11 @@ const FOLLOWED: (usize, usize) = (12, 2);
 pub(super) const SPRING: usize = 0;
 
 /// A cubic spring fitted from far away, and the steps per sample it takes; `None` where the linear
-/// fit is not poor.
+/// fit of a driven record is not poor.
 pub(super) fn bent_spring(run: &Run, base: &Fitted) -> Option<(Fitted, usize)> {
     let size = rms(&run.output);
-    if base.square < thresholds::POOR * size * size * run.output.len() as f64 {
+    // A decay has many periods of a pitch that changes: a spring is no neighbour of none there.
+    if run.driven && base.square < thresholds::POOR * size * size * run.output.len() as f64 {
         return None;
     }
     let terms = [base.terms.as_slice(), &[SPRING]].concat();

@@ -4,7 +4,7 @@ use super::mode::State;
 use super::parameters::{OscillatorParameters, Parameter};
 
 /// Parameters of the forces; without any the motion is that of the linear oscillator.
-const FORCES: [Parameter; 8] = [
+const FORCES: [Parameter; 9] = [
     Parameter::CubicStiffness,
     Parameter::QuadraticStiffness,
     Parameter::QuadraticDamping,
@@ -13,12 +13,15 @@ const FORCES: [Parameter; 8] = [
     Parameter::Saturation,
     Parameter::DeadZone,
     Parameter::YieldingShare,
+    Parameter::ResonanceDrift,
 ];
 
 /// The terms of an oscillator, as an acceleration in units of w0^2.
 pub(super) struct Terms<'a> {
     pub(super) values: &'a OscillatorParameters,
     yields_at: f64,
+    /// What the spring has gained since the first sample of the file, relative.
+    stiffer: f64,
     /// Slope of dry friction about rest: as steep as the steps can follow.
     steepness: f64,
     /// Whether there are any.
@@ -30,10 +33,17 @@ impl<'a> Terms<'a> {
         let acts = |parameter: &Parameter| values[*parameter] != 0.0;
         Self {
             values,
+            stiffer: 0.0,
             yields_at: values[Parameter::LnYieldDeflection].exp(),
             steepness: 1.0 / (values[Parameter::CoulombFriction] * step).max(1e-9),
             some: FORCES.iter().any(acts),
         }
+    }
+
+    /// The terms some samples behind the first of the file.
+    pub(super) fn at_sample(&mut self, sample: f64) {
+        let grown = self.values[Parameter::ResonanceDrift] * sample;
+        self.stiffer = grown * (2.0 + grown);
     }
 
     /// Part of the input that saturation cuts off.
@@ -49,7 +59,8 @@ impl<'a> Terms<'a> {
     pub(super) fn at(&self, [x, v]: State, yielding: f64, lacking: f64) -> f64 {
         let of = |parameter: Parameter| self.values[parameter];
         let spring = of(Parameter::QuadraticStiffness) + of(Parameter::CubicStiffness) * x;
-        let mut sum = -x * x * spring - v * v.abs() * of(Parameter::QuadraticDamping);
+        let mut sum =
+            -x * (self.stiffer + x * spring) - v * v.abs() * of(Parameter::QuadraticDamping);
         sum += of(Parameter::Gain) * lacking - of(Parameter::CubicDamping) * v * v * v;
         let friction = of(Parameter::CoulombFriction);
         if friction != 0.0 {

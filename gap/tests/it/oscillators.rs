@@ -6,6 +6,8 @@ use calib_gap::{Answer, Options, Verdict, diagnose};
 use rayon::prelude::*;
 
 const SAMPLES: usize = 3000;
+/// Records of each corner of a low-pass.
+const SEEDS: u64 = 2;
 
 fn answer(name: &str, text: &str) -> Answer {
     answer_with(name, text, &Options::default())
@@ -37,6 +39,7 @@ fn every_effect_of_an_oscillator_is_named() {
         ("output_lowpass", "corner_hz", 300.0),
         ("output_clipping", "threshold", 0.2),
         ("output_trend", "drift_per_s", 0.02),
+        ("resonance_drift", "drift_per_s", 0.01),
         ("second_mode", "gain", 0.1),
         ("dead_zone", "half_width", 0.01),
         ("hysteresis", "alpha", 0.2),
@@ -101,27 +104,184 @@ fn a_slow_high_pass_is_found() {
 }
 
 /// A corner below the resonance holds back most of the motion, one far above it delays it by a tenth of
-/// a sample. Far below, the fit of the first term ends before it is the best: another may come beside it,
-/// and the corner is a thousandth off.
+/// a sample.
 #[test]
-fn a_low_pass_leads_wherever_its_corner_is() {
-    for (seed, corner_hz) in [(880, 10.0), (881, 30.0), (882, 1500.0)] {
-        let filtered = Added {
-            lowpass_hz: corner_hz,
-            ..Added::default()
+fn a_low_pass_is_found_alone_wherever_its_corner_is() {
+    let cases = [10.0, 20.0, 30.0, 1500.0];
+    let cases: Vec<(u64, f64)> = cases
+        .into_iter()
+        .flat_map(|corner_hz| (0..SEEDS).map(move |n| (4000 + n, corner_hz)))
+        .collect();
+    let wrong: Vec<String> = cases
+        .par_iter()
+        .filter_map(|(seed, corner_hz)| {
+            let filtered = Added {
+                lowpass_hz: *corner_hz,
+                ..Added::default()
+            };
+            let text = record(&filtered, SAMPLES, &mut Random::new(*seed));
+            let answer = answer(&format!("lowpass-{corner_hz}-{seed}"), &text);
+            let first = &answer.causes[0];
+            let found = &first.parameters.get("output_lowpass");
+            let found_hz = found.map_or(f64::NAN, |of| of["corner_hz"].value);
+            let right = first.effects == ["output_lowpass"]
+                && answer.verdict == Verdict::Explained
+                && (found_hz / corner_hz - 1.0).abs() < 1e-3;
+            (!right).then(|| {
+                let (verdict, closed) = (answer.verdict, answer.gap.closed);
+                format!(
+                    "{corner_hz} {seed}: {:?} {found_hz} {verdict:?} {closed:?}",
+                    first.effects
+                )
+            })
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A zero that creeps until the cable is touched is a trend in the three quarters that are fitted. In the
+/// last the trend errs by more than a zero that stays, and a partner must help there too.
+#[test]
+fn a_trend_that_the_held_out_quarter_refutes_is_not_listed() {
+    for (name, spring) in [
+        ("linear", Added::default()),
+        ("cubic", added("cubic_stiffness")),
+    ] {
+        let creeps = Added {
+            drift_per_s: 0.02,
+            snaps_back_s: 2.25,
+            ..spring
         };
-        let text = record(&filtered, SAMPLES, &mut Random::new(seed));
-        let answer = answer(&format!("lowpass-{corner_hz}"), &text);
-        let first = &answer.causes[0];
-        assert_eq!(first.effects[0], "output_lowpass", "{corner_hz}");
+        let text = record(&creeps, SAMPLES, &mut Random::new(878));
+        let answer = answer(&format!("creeps-{name}"), &text);
+        let (before, after) = (answer.gap.rms_before, answer.gap.rms_after);
+        assert!(after <= before, "{name}: {:?}", answer.gap);
+        let trend = |c: &calib_gap::Cause| c.effects.contains(&"output_trend");
         assert!(
-            answer.gap.closed.is_some_and(|c| c > 0.99),
-            "{:?}",
-            answer.gap
+            !answer.causes.iter().any(trend),
+            "{name}: {}",
+            answer.summary
         );
-        let found = &first.parameters["output_lowpass"]["corner_hz"];
-        assert!((found.value / corner_hz - 1.0).abs() < 1e-3, "{found:?}");
+        let spring = |c: &calib_gap::Cause| c.effects == ["cubic_stiffness"];
+        let leads = answer.causes.first().is_some_and(spring);
+        assert_eq!(leads, name == "cubic", "{}", answer.summary);
+        assert_ne!(answer.verdict, Verdict::Explained, "{}", answer.summary);
     }
+}
+
+/// A record that nothing drives: pulled aside and let go. A spring changes its pitch, air its decay.
+#[test]
+fn a_free_decay_is_answered() {
+    for (seed, name) in [
+        (870, "linear"),
+        (871, "cubic_stiffness"),
+        (872, "quadratic_damping"),
+    ] {
+        let effect = match name {
+            "linear" => Added::default(),
+            name => added(name),
+        };
+        let released = Added {
+            released_at: 0.4,
+            ..effect
+        };
+        let text = record(&released, SAMPLES, &mut Random::new(seed));
+        let answer = answer(&format!("decay-{name}"), &text);
+        if name == "linear" {
+            assert_eq!(answer.verdict, Verdict::NoGap, "{:?}", answer.gap);
+        } else {
+            assert_eq!(answer.causes[0].effects, [name], "{}", answer.summary);
+            assert_eq!(answer.verdict, Verdict::Explained, "{:?}", answer.gap);
+        }
+        let values = &answer.nominal_parameters;
+        assert!(!values.contains_key("gain"));
+        for (value, truth) in [("resonance_hz", 61.0), ("delta", 0.03)] {
+            let found = &values[value];
+            assert!(
+                (found.value - truth).abs() < 5.0 * found.u + 1e-4 * truth,
+                "{name}: {value} {found:?}"
+            );
+        }
+    }
+}
+
+/// Dry friction ends a decay after a few swings. How the mass then creeps, or sticks, is another matter.
+#[test]
+fn friction_leads_where_a_decay_ends_soon() {
+    let released = Added {
+        released_at: 0.4,
+        ..added("coulomb_friction")
+    };
+    let text = record(&released, SAMPLES, &mut Random::new(873));
+    let answer = answer("decay-friction", &text);
+    let first = &answer.causes[0];
+    assert_eq!(first.effects[0], "coulomb_friction", "{}", answer.summary);
+    let found = &first.parameters["coulomb_friction"]["deflection"];
+    assert!((found.value / 0.003 - 1.0).abs() < 0.01, "{found:?}");
+}
+
+/// Springs that soften as a sine, harden with the fifth power, and friction that is larger at rest: the
+/// family is named, and with it most of the gap is gone.
+#[test]
+fn another_form_is_named_by_its_family() {
+    let none = Added::default;
+    let forms = [
+        (
+            "cubic_stiffness",
+            Added {
+                sine: 2.0,
+                ..none()
+            },
+        ),
+        (
+            "cubic_stiffness",
+            Added {
+                cubic: -1.0,
+                ..none()
+            },
+        ),
+        (
+            "cubic_stiffness",
+            Added {
+                quintic: 20.0,
+                ..none()
+            },
+        ),
+        (
+            "cubic_stiffness",
+            Added {
+                quintic: 100.0,
+                ..none()
+            },
+        ),
+        (
+            "coulomb_friction",
+            Added {
+                sticking: 0.5,
+                ..added("coulomb_friction")
+            },
+        ),
+    ];
+    let wrong: Vec<String> = forms
+        .par_iter()
+        .enumerate()
+        .filter_map(|(n, (family, form))| {
+            let text = record(form, SAMPLES, &mut Random::new(860 + n as u64));
+            let answer = answer(&format!("form-{n}"), &text);
+            let named = answer
+                .causes
+                .first()
+                .is_some_and(|c| c.effects.contains(family));
+            let said = matches!(
+                answer.verdict,
+                Verdict::Explained | Verdict::PartlyExplained | Verdict::Ambiguous
+            );
+            let (verdict, closed) = (answer.verdict, answer.gap.closed);
+            (!named || !said)
+                .then(|| format!("{n} {family}: {verdict:?} {closed:?} {}", answer.summary))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 /// The zero of a sensor and a steady force move a linear oscillator alike: their sum is its offset.

@@ -29,6 +29,14 @@ pub(crate) struct Added {
     pub(crate) yields_at: f64,
     /// Spring force sin(c x)/c, as of a pendulum.
     pub(crate) sine: f64,
+    /// Spring force over x^5.
+    pub(crate) quintic: f64,
+    /// Friction at rest over that of fast sliding, less one (Stribeck); it falls with the speed w0 x 0.01.
+    pub(crate) sticking: f64,
+    /// Growth of the resonance in a second, relative.
+    pub(crate) stiffens_per_s: f64,
+    /// Displacement at the first sample of a record that nothing drives; zero is a driven one.
+    pub(crate) released_at: f64,
     /// Corner of the output's low-pass.
     pub(crate) lowpass_hz: f64,
     /// Output at which its channel clips.
@@ -41,6 +49,8 @@ pub(crate) struct Added {
     pub(crate) steady: f64,
     /// Factor on the input of the last quarter.
     pub(crate) louder: f64,
+    /// Time at which the zero is back at its start, if it ever is: a cable was touched.
+    pub(crate) snaps_back_s: f64,
 }
 
 /// An effect of a usual size by its name; the motion has an r.m.s. value near 0.1.
@@ -99,6 +109,10 @@ pub(crate) fn added(name: &str) -> Added {
             drift_per_s: 0.02,
             ..none
         },
+        "resonance_drift" => Added {
+            stiffens_per_s: 0.01,
+            ..none
+        },
         other => panic!("no oscillator with {other}"),
     }
 }
@@ -124,14 +138,15 @@ fn seen(a: &Added, s: &State, time_s: f64) -> f64 {
     if a.lowpass_hz > 0.0 {
         seen = s[6];
     }
-    seen += a.zero + a.drift_per_s * time_s;
+    let snapped = a.snaps_back_s > 0.0 && time_s > a.snaps_back_s;
+    seen += a.zero + if snapped { 0.0 } else { a.drift_per_s * time_s };
     if a.clips_at > 0.0 {
         seen = seen.clamp(-a.clips_at, a.clips_at);
     }
     seen
 }
 
-fn rate(a: &Added, s: &State, input: f64) -> State {
+fn rate(a: &Added, s: &State, input: f64, time_s: f64) -> State {
     let w0 = TAU * RESONANCE_HZ;
     let [x, v, x2, v2, z, low, late] = *s;
     let input = if a.saturates_at > 0.0 {
@@ -145,13 +160,19 @@ fn rate(a: &Added, s: &State, input: f64) -> State {
     } else {
         x
     };
-    let spring =
-        bar - x.clamp(-a.play, a.play) + a.quadratic * x * x + a.cubic * x.powi(3) + a.alpha * z;
+    let spring = bar - x.clamp(-a.play, a.play)
+        + a.quadratic * x * x
+        + a.cubic * x.powi(3)
+        + a.alpha * z
+        + a.quintic * x.powi(5)
+        + ((1.0 + a.stiffens_per_s * time_s).powi(2) - 1.0) * x;
     let u = v / w0;
     let loss = 2.0 * DAMPING * u
         + a.quadratic_damping * u * u.abs()
         + a.cubic_damping * u.powi(3)
-        + a.friction * (u / 1e-5).clamp(-1.0, 1.0);
+        + a.friction
+            * (1.0 + a.sticking * (-(u / 0.01).powi(2)).exp())
+            * (u / 1e-5).clamp(-1.0, 1.0);
     let slip = if a.yields_at > 0.0 {
         (v.abs() * z + v * z.abs()) / (2.0 * a.yields_at)
     } else {
@@ -183,13 +204,16 @@ pub(crate) fn record_with(a: &Added, samples: usize, noise: f64, random: &mut Ra
             .map(|(f, p)| 0.006 * (TAU * f * t + p).cos())
             .sum()
     };
-    let (h, settle) = (1.0 / RATE_HZ / STEPS as f64, 600);
+    let settle = if a.released_at == 0.0 { 600 } else { 0 };
+    let h = 1.0 / RATE_HZ / STEPS as f64;
     let last_quarter_s = (settle + samples * 3 / 4) as f64 / RATE_HZ;
-    let input = |t: f64| match a.louder > 0.0 && t > last_quarter_s {
-        true => a.louder * input(t),
-        false => input(t),
+    let input = |t: f64| match (a.released_at != 0.0, a.louder > 0.0 && t > last_quarter_s) {
+        (true, _) => 0.0,
+        (_, true) => a.louder * input(t),
+        (_, false) => input(t),
     };
     let mut s = State::default();
+    s[0] = a.released_at;
     let mut text = String::from("time_s,input,output\n");
     for n in 0..settle + samples {
         let t = n as f64 / RATE_HZ;
@@ -207,9 +231,10 @@ pub(crate) fn record_with(a: &Added, samples: usize, noise: f64, random: &mut Ra
             let d = place - at as f64;
             let (l, m, r) = (grid[at - 1], grid[at], grid[at + 1]);
             let u = m + 0.5 * d * (r - l) + 0.5 * d * d * (l - 2.0 * m + r);
-            let k = rate(a, &s, u);
+            let time_s = (n - settle.min(n)) as f64 / RATE_HZ + (step as f64 + 0.5) * h;
+            let k = rate(a, &s, u, time_s);
             let half: State = std::array::from_fn(|i| s[i] + 0.5 * h * k[i]);
-            let k = rate(a, &half, u);
+            let k = rate(a, &half, u, time_s);
             s = std::array::from_fn(|i| s[i] + h * k[i]);
         }
     }

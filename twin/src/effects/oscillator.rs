@@ -11,7 +11,7 @@ pub type OscillatorAction = fn(&[f64], &mut Oscillator);
 /// An effect of an oscillator.
 pub type OscillatorEffect = Effect<OscillatorAction>;
 
-static EFFECTS: [OscillatorEffect; 15] = [
+static EFFECTS: [OscillatorEffect; 16] = [
     Effect::new(&oscillator::COULOMB_FRICTION, |values, oscillator| {
         oscillator.friction += values[0];
     }),
@@ -54,6 +54,9 @@ static EFFECTS: [OscillatorEffect; 15] = [
     }),
     Effect::new(&oscillator::QUADRATIC_STIFFNESS, |values, oscillator| {
         oscillator.quadratic_stiffness += values[0];
+    }),
+    Effect::new(&oscillator::RESONANCE_DRIFT, |values, oscillator| {
+        oscillator.resonance_drift_per_s += values[0];
     }),
     Effect::new(&oscillator::SECOND_MODE, |values, oscillator| {
         oscillator.second_gain = values[0];

@@ -79,7 +79,15 @@ pub(super) fn simulate_in_steps(
         let forces = input.values(start_s, step_s / 2.0, 2 * steps + 1);
         for step in 0..steps {
             let force = &forces[2 * step..2 * step + 3];
-            advance(oscillator, &mut state, force, step_s);
+            // The spring is as it is in the middle of the step.
+            let time_s = (sample.max(settle) - settle) as f64 / sample_rate_hz;
+            let grown = oscillator.resonance_drift_per_s * (time_s + (step as f64 + 0.5) * step_s);
+            let stiffer = if sample < settle {
+                0.0
+            } else {
+                grown * (2.0 + grown)
+            };
+            advance(oscillator, &mut state, force, step_s, stiffer);
         }
     }
     output
@@ -106,15 +114,15 @@ fn above_the_corner(oscillator: &Oscillator, state: &State) -> f64 {
 }
 
 /// One step of Runge-Kutta, then dry friction as an impulse.
-fn advance(oscillator: &Oscillator, state: &mut State, force: &[f64], step_s: f64) {
+fn advance(oscillator: &Oscillator, state: &mut State, force: &[f64], step_s: f64, stiffer: f64) {
     let before = state[1];
     let along = |state: &State, slope: &State, share: f64| -> State {
         std::array::from_fn(|index| state[index] + share * step_s * slope[index])
     };
-    let a = rate(oscillator, state, force[0]);
-    let b = rate(oscillator, &along(state, &a, 0.5), force[1]);
-    let c = rate(oscillator, &along(state, &b, 0.5), force[1]);
-    let d = rate(oscillator, &along(state, &c, 1.0), force[2]);
+    let a = rate(oscillator, state, force[0], stiffer);
+    let b = rate(oscillator, &along(state, &a, 0.5), force[1], stiffer);
+    let c = rate(oscillator, &along(state, &b, 0.5), force[1], stiffer);
+    let d = rate(oscillator, &along(state, &c, 1.0), force[2], stiffer);
     for (index, value) in state.iter_mut().enumerate() {
         *value += step_s / 6.0 * (a[index] + 2.0 * b[index] + 2.0 * c[index] + d[index]);
     }
@@ -132,7 +140,8 @@ fn advance(oscillator: &Oscillator, state: &mut State, force: &[f64], step_s: f6
     }
 }
 
-fn rate(oscillator: &Oscillator, state: &State, force: f64) -> State {
+/// `stiffer` is the growth of the spring since the first sample, relative.
+fn rate(oscillator: &Oscillator, state: &State, force: f64, stiffer: f64) -> State {
     let [x, v, z, x2, v2, held_back, passed] = *state;
     let omega = TAU * oscillator.resonance_hz;
     let force = force.clamp(-oscillator.input_threshold, oscillator.input_threshold);
@@ -141,6 +150,7 @@ fn rate(oscillator: &Oscillator, state: &State, force: f64) -> State {
     let drag =
         1.0 + oscillator.quadratic_damping * speed.abs() + oscillator.cubic_damping * speed * speed;
     let spring = x - x.clamp(-oscillator.dead_zone, oscillator.dead_zone)
+        + stiffer * x
         + x * x * (oscillator.quadratic_stiffness + oscillator.cubic_stiffness * x)
         + oscillator.hysteresis * z;
     let second = TAU * oscillator.second_hz;

@@ -13,7 +13,7 @@ pub use self::multisine::Multisine;
 ///
 /// # Equation
 /// `x'' + 2 delta w0 x' (1 + d2 |x'|/w0 + d3 (x'/w0)^2) + w0^2 F = rho (a(t - tau) + a0)` with the spring
-/// `F = dz(x) + k2 x^2 + k3 x^3 + alpha z + xc sign(x')`, where dz leaves out the play and
+/// `F = dz(x) + ((1 + r t)^2 - 1) x + k2 x^2 + k3 x^3 + alpha z + xc sign(x')`, where dz leaves out the play and
 /// `z' = x' - (|x'| z + x' |z|)/(2 zy)`. The output is `x + x2` through a high-pass and a low-pass,
 /// with a trend, clipped.
 ///
@@ -25,6 +25,8 @@ pub struct Oscillator {
     pub rho: f64,
     /// w0 / 2 pi, Hz.
     pub resonance_hz: f64,
+    /// r, growth of the resonance from the first sample on, relative, per s.
+    pub resonance_drift_per_s: f64,
     /// delta.
     pub damping: f64,
     /// k2, 1/output.
@@ -71,6 +73,7 @@ impl Oscillator {
         Self {
             rho,
             resonance_hz,
+            resonance_drift_per_s: 0.0,
             damping,
             quadratic_stiffness: 0.0,
             cubic_stiffness: 0.0,

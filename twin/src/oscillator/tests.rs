@@ -193,6 +193,28 @@ fn a_trend_starts_at_the_first_sample_and_is_evenly_steep() {
     }
 }
 
+/// A tone far below the resonance moves by 1 + q^2 of the static deflection, which falls as the spring
+/// stiffens: at 1 Hz and 20 Hz a term of q^2 = 1/400 follows it to a few per cent of the change.
+#[test]
+fn a_spring_that_stiffens_moves_less_and_less() {
+    let input = Multisine::new(1.0, 1.0, 0.7, 1);
+    let of = |effects: &[&str]| simulate(&oscillator(effects), &input, RATE_HZ, 4001, 5.0);
+    let (plain, drifting) = (of(&[]), of(&["resonance_drift=drift_per_s:0.02"]));
+    let largest = |record: &[f64], second: usize| {
+        let period = &record[1000 * second..1000 * (second + 1)];
+        period.iter().fold(0.0_f64, |m, x| m.max(x.abs()))
+    };
+    // The deflection is largest once in each half of a period, at most half a second from its end.
+    for second in [0, 3] {
+        let ratio = largest(&drifting, second) / largest(&plain, second);
+        let [early, late] = [0.0, 1.0].map(|s: f64| (1.0 + 0.02 * (second as f64 + s)).powi(-2));
+        assert!(
+            ratio < early * 1.001 && ratio > late * 0.999,
+            "{second}: {ratio}"
+        );
+    }
+}
+
 #[test]
 fn a_steady_force_moves_the_rest_and_with_it_the_stiffness() {
     // rho over w0^2 is 1: the force is the deflection it would hold.

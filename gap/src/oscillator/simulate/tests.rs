@@ -76,6 +76,7 @@ fn every_smooth_term_is_integrated() {
         (Parameter::QuadraticStiffness, 0.05),
         (Parameter::QuadraticDamping, 0.02),
         (Parameter::CubicDamping, 0.02),
+        (Parameter::ResonanceDrift, 1e-4),
         (Parameter::HighpassCorner, 20.0),
         (Parameter::Lag, 0.05),
         (Parameter::Lag, 20.0),
@@ -125,6 +126,7 @@ fn midpoint(values: &OscillatorParameters) -> Vec<f64> {
                 + of(Parameter::CubicDamping) * v * v);
         let play = of(Parameter::DeadZone);
         let spring = x - x.clamp(-play, play)
+            + ((1.0 + of(Parameter::ResonanceDrift) * t / INTERVAL_S).powi(2) - 1.0) * x
             + of(Parameter::QuadraticStiffness) * x * x
             + of(Parameter::CubicStiffness) * x * x * x;
         let loss = loss + of(Parameter::CoulombFriction) * (v * 1e5).clamp(-1.0, 1.0);

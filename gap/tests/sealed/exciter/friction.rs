@@ -126,6 +126,7 @@ mod tests {
             resistance_ohm: 4.0,
             inductance_h: 1.2e-4,
             inductance_exponent: 1.0,
+            shorted_share: 0.0,
             quadratic_n_per_m2: 0.0,
             cubic_n_per_m3: 0.0,
             droop_per_m2: 0.0,

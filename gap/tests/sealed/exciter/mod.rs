@@ -27,6 +27,8 @@ pub(crate) struct Exciter {
     pub(crate) inductance_h: f64,
     /// 1 for an ideal inductance, less for one with eddy currents.
     pub(crate) inductance_exponent: f64,
+    /// Share of an ideal inductance that eddies short, as by a resistance across it (LR-2).
+    pub(crate) shorted_share: f64,
     pub(crate) quadratic_n_per_m2: f64,
     pub(crate) cubic_n_per_m3: f64,
     pub(crate) droop_per_m2: f64,
@@ -48,7 +50,15 @@ impl Exciter {
     fn impedance_ohm(&self, w_per_s: f64) -> C {
         let (nominal_per_s, exponent) = (TAU * NOMINAL_HZ, self.inductance_exponent);
         let size_ohm = nominal_per_s * self.inductance_h * (w_per_s / nominal_per_s).powf(exponent);
-        self.resistance_ohm + C::from_polar(size_ohm, exponent * FRAC_PI_2)
+        let whole = C::from_polar(size_ohm, exponent * FRAC_PI_2);
+        let shorted = self.shorted_share * whole;
+        // The resistance is as large as the inductance it shorts at twice the nominal frequency.
+        let across_ohm = 2.0 * nominal_per_s * self.inductance_h * self.shorted_share;
+        let both = match self.shorted_share {
+            0.0 => C::ZERO,
+            _ => shorted * across_ohm / (shorted + across_ohm),
+        };
+        self.resistance_ohm + whole - shorted + both
     }
 
     /// Displacement over force where nothing drives the coil.
