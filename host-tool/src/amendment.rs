@@ -2,7 +2,7 @@
 //! the old one, under a number of its own, saying what it replaces and why.
 
 use crate::{Error, Result};
-use calib_certificate::{Amendment, Options, Particulars};
+use calib_certificate::{Amendment, Options, Particulars, Standard};
 use calib_logbook::{Logbook, Role, Sources};
 use calib_protocol::record::{self, Sha256Sum};
 
@@ -65,7 +65,8 @@ impl Amended {
     /// As [`Self::record`].
     pub fn join(&self, options: &mut Options, logbook: &Logbook) -> Result<()> {
         let beside = [&options.remounted, &options.retried];
-        if options.as_found.is_some() || beside.iter().any(|records| !records.is_empty()) {
+        let named = options.as_found.is_some() || options.standard.is_some();
+        if named || beside.iter().any(|records| !records.is_empty()) {
             return Ok(());
         }
         for joined in &self.sources.joined {
@@ -78,6 +79,13 @@ impl Amended {
                 Role::AsFound => options.as_found = Some(record),
                 Role::Remounted => options.remounted.push(record),
                 Role::Retried => options.retried.push(record),
+                // What its certificate says is stated anew, with everything else that no record knows.
+                Role::Standard => {
+                    options.standard = Some(Standard {
+                        record,
+                        certified: Vec::new(),
+                    });
+                }
             }
         }
         Ok(())

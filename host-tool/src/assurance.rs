@@ -6,7 +6,7 @@ use crate::self_check::{self, ReferenceState};
 use calib_certificate::{CheckProblem, FailedCheck};
 use calib_logbook::{CheckStandard, HistoryResult, Logbook};
 use calib_metrology::common_drift::{CommonDrift, Measured, common_drift};
-use calib_metrology::control_chart::{FEWEST, Signal, control_chart, e_n};
+use calib_metrology::control_chart::{ControlChart, FEWEST, Signal, control_chart, e_n};
 use calib_protocol::record::{self, Record};
 use jiff::Timestamp;
 use jiff::civil::Date;
@@ -41,6 +41,49 @@ pub struct CheckState {
     pub judged: bool,
     /// Neither chart nor certificate speaks against it.
     pub in_control: bool,
+    /// Control charts for level and scatter; none with fewer than six results.
+    pub chart: Option<Charts>,
+}
+
+/// Control charts of a check standard: each result within limits by those before the latest, and each difference from
+/// the result before it below a limit.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Charts {
+    /// Times of the results, s since 1970-01-01 UTC, oldest first.
+    pub unix_times_s: Vec<i64>,
+    /// Results, V/(m/s2).
+    pub sensitivities_v_per_ms2: Vec<f64>,
+    /// Relative expanded uncertainty of each.
+    pub expanded_uncertainties_rel: Vec<f64>,
+    /// Mean of the results before the latest, V/(m/s2).
+    pub mean_v_per_ms2: f64,
+    /// Limits in which 99.73 % of sound results are, V/(m/s2).
+    pub lower_v_per_ms2: f64,
+    /// As there.
+    pub upper_v_per_ms2: f64,
+    /// Limit of the differences, which sound ones exceed in 0.92 %, V/(m/s2).
+    pub range_limit_v_per_ms2: f64,
+}
+
+impl Charts {
+    fn of(results: &[HistoryResult], chart: &ControlChart) -> Self {
+        let of = |number: fn(&HistoryResult) -> f64| results.iter().map(number).collect();
+        Self {
+            unix_times_s: results.iter().map(|result| result.unix_time_s).collect(),
+            sensitivities_v_per_ms2: of(|result| result.sensitivity_v_per_ms2),
+            expanded_uncertainties_rel: of(|result| result.expanded_uncertainty_rel),
+            mean_v_per_ms2: chart.mean,
+            lower_v_per_ms2: chart.mean - chart.half_width,
+            upper_v_per_ms2: chart.mean + chart.half_width,
+            range_limit_v_per_ms2: chart.range_limit,
+        }
+    }
+
+    /// Difference of each result but the first from the one before, V/(m/s2).
+    pub fn ranges_v_per_ms2(&self) -> impl Iterator<Item = f64> {
+        let pairs = self.sensitivities_v_per_ms2.windows(2);
+        pairs.map(|pair| (pair[1] - pair[0]).abs())
+    }
 }
 
 /// All check standards, and the references that were checked.
@@ -122,6 +165,7 @@ fn state(standard: CheckStandard, results: &[HistoryResult], at_s: i64) -> Check
     let latest = results.last();
     let e_n = latest.and_then(|latest| against_certificate(&standard, latest));
     let judged = chart.is_some();
+    let charts = chart.as_ref().map(|chart| Charts::of(results, chart));
     let signals = chart.map(|chart| chart.signals).unwrap_or_default();
     let latest_unix_time_s = latest.map(|result| result.unix_time_s);
     CheckState {
@@ -133,6 +177,7 @@ fn state(standard: CheckStandard, results: &[HistoryResult], at_s: i64) -> Check
         signals,
         e_n,
         standard,
+        chart: charts,
     }
 }
 
@@ -289,6 +334,44 @@ mod tests {
         assert_eq!(at(&with(&[1.01]), 10), Some(off));
         // A sound result after it is one for later jobs alone.
         assert_eq!(at(&with(&[1.01, 1.0]), 11), Some(off));
+    }
+
+    /// Eleven results, the last 1 % off: one chart of them, one of the ten differences, and what speaks against it.
+    #[test]
+    fn the_report_has_charts_of_level_and_scatter_and_says_what_is_out_of_control() {
+        let named = CheckStandard {
+            serial: "<C&1>".into(),
+            ..standard()
+        };
+        let state = state(named, &results(&[&SOUND[..], &[1.01]].concat()), 12 * DAY_S);
+        let charts = state.chart.as_ref().expect("eleven results");
+        let ranges: Vec<f64> = charts.ranges_v_per_ms2().collect();
+        assert_eq!(ranges.len(), 10);
+        // 1.01 after 0.9995; the mean of the nine before is 0.00128, times 3.267.
+        assert!((ranges[9] - 0.0105).abs() < 1e-12);
+        let limit = 3.267 * 0.0115 / 9.0;
+        assert!(
+            (charts.range_limit_v_per_ms2 - limit).abs() < 1e-9,
+            "{charts:?}"
+        );
+        let report = AssuranceReport {
+            standards: vec![state],
+            references: Vec::new(),
+            common_drift: None,
+            allowed_drift_rel: None,
+            reference_interval_years: None,
+        };
+        let page = crate::assurance_report::html(&report, 12 * DAY_S);
+        for said in [
+            "OUT OF CONTROL",
+            "outside of the limits",
+            "&lt;C&amp;1&gt;",
+            "1970-01-13",
+        ] {
+            assert!(page.contains(said), "{said}: {page}");
+        }
+        assert_eq!(page.matches("<svg").count(), 2);
+        assert!(!page.contains("NaN") && !page.contains("<C&"));
     }
 
     /// 2 % off at U = 1 % and 0.5 %: E_n = 0.02 / 0.0113.

@@ -5,8 +5,9 @@
 //! downloading, so the certificate comes from what flash kept.
 
 use crate::emulated::{EmulatedBoard, settings_for};
+use crate::in_unit::{Certified, of_certificate};
 use crate::{Error, Result};
-use calib_certificate::{self as certificate, Format, Options, Particulars};
+use calib_certificate::{self as certificate, Certificate, Format, Options, Particulars};
 use calib_core::point::{PointResult, PointSpec};
 use calib_files::file::Existing;
 use calib_link::Client;
@@ -45,6 +46,8 @@ pub struct DemoPoint {
     /// Measured values.
     #[serde(flatten)]
     pub measured: PointView,
+    /// U as the certificate states it; none where the point was refused.
+    pub certified: Option<Certified>,
     /// Sensitivity of the simulated device at the frequency played, V/(m/s2).
     pub truth_sensitivity_v_per_ms2: f64,
     /// Its phase, degrees.
@@ -173,7 +176,11 @@ fn report(
     files: Vec<PathBuf>,
     instrument_s: f64,
 ) -> Result<DemoReport> {
-    let point = |point: &PointResult| demo_point(rig, record.head.sample_rate_hz, point);
+    let certificate = Certificate::from_record(record, &laboratory()?);
+    let point = |point: &PointResult| DemoPoint {
+        certified: of_certificate(point, &certificate),
+        ..demo_point(rig, record.head.sample_rate_hz, point)
+    };
     let points: Vec<DemoPoint> = record.points.iter().map(point).collect();
     let at_reference = points
         .iter()
@@ -193,6 +200,7 @@ fn demo_point(rig: &Rig, sample_rate_hz: f32, point: &PointResult) -> DemoPoint 
     let truth = oracle::dut_sensitivity(rig, measured.actual_frequency_hz.unwrap_or(nominal_hz));
     DemoPoint {
         measured,
+        certified: None,
         truth_sensitivity_v_per_ms2: truth.norm(),
         truth_phase_deg: truth.arg().to_degrees(),
     }

@@ -30,9 +30,12 @@ impl Entries {
         let found = options.as_found.iter().map(joined(Role::AsFound));
         let remounted = options.remounted.iter().map(joined(Role::Remounted));
         let retried = options.retried.iter().map(joined(Role::Retried));
+        let standard = options.standard.iter().map(|standard| &standard.record);
+        let standard = standard.map(joined(Role::Standard));
+        let all = found.chain(remounted).chain(retried).chain(standard);
         Self {
             record: calib_certificate::digest(record),
-            joined: found.chain(remounted).chain(retried).collect(),
+            joined: all.collect(),
             replaces: options.particulars.calibration.replaces.clone(),
         }
     }

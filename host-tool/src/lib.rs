@@ -10,6 +10,7 @@ extern crate self as calib_host;
 pub mod about_sensor;
 pub mod amendment;
 pub mod assurance;
+pub mod assurance_report;
 pub mod cli;
 pub mod clock;
 pub mod config;

@@ -16,6 +16,7 @@ use super::model::{Budget, BudgetRow, Certificate, Remark, Severity, Value};
 use super::mountings::Mountings;
 use super::particulars::Particulars;
 use super::resonance::Mounted;
+use super::substitution::Pair;
 use super::temperature::Distance;
 use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, Row, point_budget};
 use calib_core::point::PointResult;
@@ -75,6 +76,8 @@ pub(super) struct Basis<'a> {
     mountings: &'a Mountings,
     /// Mounted resonance as the points show it.
     pub(super) mounted: Mounted,
+    /// The standard of a substitution.
+    pair: Option<Pair<'a>>,
     /// Kind of the sensor: gain or burden, and the frequency, enter what is stated of it.
     pub(super) kind: SensorKind,
 }
@@ -108,6 +111,7 @@ impl<'a> Basis<'a> {
             correlation: correlation.unwrap_or(1.0),
             mountings,
             mounted: Mounted::UNKNOWN,
+            pair: None,
             kind: particulars.kind(),
         };
         // The resonance is that of this mounting: what another would do is no part of its U.
@@ -115,6 +119,12 @@ impl<'a> Basis<'a> {
         basis.mounted = Mounted::of(record, particulars, &basis);
         basis.shift_mounting(basis.mounted.mounting_at_10_khz_rel(&record.settings));
         basis
+    }
+
+    /// The basis of a result by substitution.
+    pub(super) fn by_substitution(mut self, pair: Pair<'a>) -> Self {
+        self.pair = Some(pair);
+        self
     }
 
     /// Uncertainty of a point; none where it has none, or no budget can say how the temperature counts.
@@ -138,9 +148,16 @@ impl<'a> Basis<'a> {
             true => f64::from(now) / f64::from(before),
             false => 1.0,
         };
+        let expanded_rel = match self.pair {
+            // What is left of two records is no multiple of what one of them stored.
+            Some(_) => f64::from(now.expanded_uncertainty),
+            None => {
+                let change = times(now.expanded_uncertainty, before.expanded_uncertainty);
+                stored.expanded_rel * change
+            }
+        };
         Some(Uncertainty {
-            expanded_rel: stored.expanded_rel
-                * times(now.expanded_uncertainty, before.expanded_uncertainty),
+            expanded_rel,
             coverage_factor: decimal(now.coverage.factor),
             effective_degrees_of_freedom: decimal(now.effective_degrees_of_freedom),
             expanded_phase_rad: stored.expanded_phase_rad
@@ -161,7 +178,7 @@ impl<'a> Basis<'a> {
         let bounded = |p: &PointResult| self.excess_rel(p) > 0.0 || self.bent_rel(p) > 0.0;
         let gives_way = self.record.points.iter().any(bounded);
         let as_set = self.settings == self.record.settings && !self.mountings.are_repeated();
-        as_set && !changed && !gives_way && self.kind.is_as_measured()
+        as_set && self.pair.is_none() && !changed && !gives_way && self.kind.is_as_measured()
     }
 
     fn shift_mounting(&mut self, at_10_khz_rel: f32) {
@@ -231,6 +248,9 @@ impl<'a> Basis<'a> {
                 let added = budget.add(component.with_degrees_of_freedom(degrees));
                 added.map_err(|error| error.to_string())?;
             }
+        }
+        if let Some(pair) = &self.pair {
+            budget.magnitude = pair.left_of(&budget.magnitude, point)?;
         }
         for component in self.of_kind() {
             let added = budget.magnitude.add(component);
@@ -326,7 +346,7 @@ impl<'a> Basis<'a> {
         own == other && own.iter().all(|word| !word.is_empty())
     }
 
-    fn magnitude(&self, point: &PointResult) -> Option<CoreBudget<'static>> {
+    pub(super) fn magnitude(&self, point: &PointResult) -> Option<CoreBudget<'static>> {
         Some(self.certified(point).ok()?.magnitude)
     }
 }

@@ -29,6 +29,31 @@ pub fn expanded_uncertainty_of_change_rel(
     Some(of_ratio.expanded_rel)
 }
 
+/// Relative expanded uncertainty that a certificate of a record states at a frequency, for the chain as it was measured.
+/// None where the record has no valid point within 1 % of it, or no budget.
+pub fn certified_uncertainty_rel(record: &Record, frequency_hz: f64) -> Option<f64> {
+    let (nobody, once) = (Particulars::default(), Mountings::ONCE);
+    let stated = Basis::new(record, &nobody, &once).uncertainty(point(record, frequency_hz)?)?;
+    Some(stated.expanded_rel)
+}
+
+/// The record with U of every valid point as a certificate of it states that.
+pub fn with_certified_uncertainty(record: &Record, particulars: &Particulars) -> Record {
+    let once = Mountings::ONCE;
+    let basis = Basis::new(record, particulars, &once);
+    let mut certified = record.clone();
+    for point in &mut certified.points {
+        let stated = basis
+            .uncertainty(point)
+            .filter(|_| point.verdict == Verdict::Pass);
+        if let Some(stated) = stated {
+            point.expanded_uncertainty_rel = stated.expanded_rel as f32;
+            point.expanded_uncertainty_phase_rad = stated.expanded_phase_rad as f32;
+        }
+    }
+    certified
+}
+
 /// The first valid point of the frequency.
 fn point(record: &Record, frequency_hz: f64) -> Option<&PointResult> {
     record.points.iter().find(|point| {

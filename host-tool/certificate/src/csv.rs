@@ -43,7 +43,7 @@ const RESULT: [&str; 18] = [
 ];
 
 /// Headings of the columns behind it.
-const JUDGEMENT: [&str; 17] = [
+const JUDGEMENT: [&str; 21] = [
     "blocks",
     "state",
     "reason",
@@ -61,6 +61,18 @@ const JUDGEMENT: [&str; 17] = [
     "record_chain",
     "replaces",
     "replaced_because",
+    "comparison",
+    "linearity",
+    "mounted_resonance",
+    "resonance_search",
+];
+
+/// Statements in words at the end of every row: section and key.
+const IN_WORDS: [(&str, &str); 4] = [
+    ("calibration", "substitution"),
+    ("calibration", "linearity"),
+    ("mounting", "resonance"),
+    ("mounting", "resonance_search"),
 ];
 
 /// Headings of all columns: scripts can rely on these names. Sensors that are no accelerometers have no column per g, and
@@ -118,6 +130,7 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
                 .map_or_else(String::new, |chain| super::standing::name(chain).to_owned()),
         );
         row.extend(replaces(certificate));
+        row.extend(IN_WORDS.map(|(section, key)| said(certificate, section, key, language)));
         writer
             .write_record(row)
             .map_err(|e| broken(e.to_string()))?;
@@ -125,13 +138,15 @@ pub(super) fn render(certificate: &Certificate, language: Language) -> Result<Ve
     writer.into_inner().map_err(|e| broken(e.to_string()))
 }
 
+/// A statement in words; nothing where it is missing.
+fn said(certificate: &Certificate, section: &str, key: &str, language: Language) -> String {
+    let value = certificate.statement(section, key);
+    let words = value.map(|value| harmless(super::present::value(value, language)));
+    words.unwrap_or_default()
+}
+
 fn row(certificate: &Certificate, point: &Point, language: Language) -> Vec<String> {
-    let said = |section, key| {
-        let value = certificate.statement(section, key);
-        value
-            .map(|v| harmless(super::present::value(v, language)))
-            .unwrap_or_default()
-    };
+    let said = |section, key| said(certificate, section, key, language);
     let number = |value: f64| match value.is_finite() {
         true => language.shortest(value + 0.0),
         false => String::new(),

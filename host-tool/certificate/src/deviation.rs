@@ -74,6 +74,21 @@ pub(super) fn of_ratio(
     reference: &Budget<'_>,
     correlation: &Correlation,
 ) -> Option<OfRatio> {
+    let expanded = left_of(point, reference, correlation)?
+        .expand(CoverageRule::Probability(PROBABILITY_K2))
+        .ok()?;
+    Some(OfRatio {
+        expanded_rel: f64::from(expanded.expanded_uncertainty),
+        coverage_factor: f64::from(expanded.coverage.factor),
+    })
+}
+
+/// What is left in the ratio of two results of both their budgets; none where it does not fit into one.
+pub(super) fn left_of(
+    point: &Budget<'_>,
+    reference: &Budget<'_>,
+    correlation: &Correlation,
+) -> Option<Budget<'static>> {
     let mut left = Budget::new();
     let mut others = reference.components().to_vec();
     for own in point.components() {
@@ -84,13 +99,7 @@ pub(super) fn of_ratio(
     for other in &others {
         add(&mut left, other, None, correlation)?;
     }
-    let expanded = left
-        .expand(CoverageRule::Probability(PROBABILITY_K2))
-        .ok()?;
-    Some(OfRatio {
-        expanded_rel: f64::from(expanded.expanded_uncertainty),
-        coverage_factor: f64::from(expanded.coverage.factor),
-    })
+    Some(left)
 }
 
 fn is_same(a: &Component<'_>, b: &Component<'_>) -> bool {

@@ -13,8 +13,10 @@ use super::mountings::Mountings;
 use super::particulars::Particulars;
 use super::resonance;
 use super::rounding::{Rounded, round_uncertainty};
+use super::search;
 use super::sections::{is_traceable, sections};
 use super::stored::{run_day, unix_day};
+use super::substitution::{self, Pair, Standard};
 use calib_core::closing::Closing;
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
@@ -51,7 +53,38 @@ impl Certificate {
         Ok(Self::with_mountings(&joined, particulars, &mountings))
     }
 
+    /// [`Self::from_record`] by substitution: the sensitivity from the standard's own certificate and the ratio of what
+    /// was found for device and standard in one channel.
+    ///
+    /// # Errors
+    /// [`calib_files::Error::Input`] when the records are no pair.
+    pub fn by_substitution(
+        record: &Record,
+        standard: &Standard,
+        particulars: &Particulars,
+    ) -> calib_files::Result<Self> {
+        let joined = substitution::join(record, standard)?;
+        let pair = Pair::new(standard, particulars);
+        let basis = |record, particulars: &Particulars| {
+            Basis::new(record, particulars, &substitution::ONCE).by_substitution(pair)
+        };
+        let mut certificate = Self::of(&joined, particulars, &Mountings::ONCE, basis);
+        substitution::attach(&mut certificate, standard);
+        Ok(certificate)
+    }
+
     fn with_mountings(record: &Record, particulars: &Particulars, mountings: &Mountings) -> Self {
+        Self::of(record, particulars, mountings, |record, particulars| {
+            Basis::new(record, particulars, mountings)
+        })
+    }
+
+    fn of<'a>(
+        record: &'a Record,
+        particulars: &Particulars,
+        mountings: &Mountings,
+        basis: impl FnOnce(&'a Record, &Particulars) -> Basis<'a>,
+    ) -> Self {
         let mut measured: Vec<&PointResult> = record.points.iter().collect();
         measured.sort_by(|a, b| {
             let key = |p: &PointResult| (p.spec.frequency_hz, p.spec.acceleration_rms_ms2);
@@ -60,7 +93,7 @@ impl Certificate {
         });
         let particulars = &judging(record, particulars);
         let kind = particulars.kind();
-        let basis = Basis::new(record, particulars, mountings);
+        let basis = basis(record, particulars);
         let of_polarity = |inverted: bool| -> Vec<Point> {
             let points = measured.iter();
             points.map(|p| point(p, &basis, record, inverted)).collect()
@@ -102,6 +135,7 @@ impl Certificate {
         };
         mountings.state(&mut certificate);
         linearity::attach(&mut certificate, &basis);
+        search::attach(&mut certificate, &basis);
         certificate.remarks = remarks(record, &certificate);
         certificate.remarks.extend(closing_remark(record));
         certificate.remarks.push(basis.distance.remark());

@@ -66,6 +66,7 @@ mod resonance;
 mod retried;
 pub mod rounding;
 mod seal;
+mod search;
 mod sections;
 mod square;
 mod standing;
@@ -99,7 +100,9 @@ mod words;
 pub use around::Around;
 pub use assurance::{CheckProblem, FailedCheck, ReferenceCheck};
 pub use calib_files::file::Existing;
-pub use change::expanded_uncertainty_of_change_rel;
+pub use change::{
+    certified_uncertainty_rel, expanded_uncertainty_of_change_rel, with_certified_uncertainty,
+};
 pub use interval::IntervalRule;
 pub use json::{Document, said_of_closing};
 pub use kind::{OfSensor, Output, SensitivityUnit, SensorKind, Specified};
@@ -112,7 +115,7 @@ pub use resonance::MountedResonance;
 pub use retried::{complete, completes, without_result};
 pub use seal::Seal;
 pub use standing::digest;
-pub use substitution::{StandardPoint, Substituted, substitute};
+pub use substitution::{Standard, StandardPoint, Substituted, substitute};
 pub use temperature::instrument_covers;
 pub use verdict::Verdict;
 pub use words::{Language, REASONS};
@@ -201,6 +204,8 @@ pub struct Options {
     pub remounted: Vec<Record>,
     /// Records that measured again what had no result in `record`.
     pub retried: Vec<Record>,
+    /// Standard that was measured in the channel of the device: the result is by substitution.
+    pub standard: Option<Standard>,
     /// Check standards that speak against it: without an override in writing it is refused.
     pub failed_checks: Vec<FailedCheck>,
     /// Seal with which PDF and DCC are signed.
@@ -275,8 +280,7 @@ impl File {
 /// overdue or a check standard failed without an override, or a template does not render, [`calib_files::Error::File`] when a template cannot be read.
 pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result<Prepared> {
     let record = &retried::complete(record, &options.retried)?;
-    let mut certificate =
-        Certificate::from_records(record, &options.remounted, &options.particulars)?;
+    let mut certificate = certificate_of(record, options)?;
     retried::state(&mut certificate, &options.retried);
     refused::check(&certificate, record)?;
     assurance::attach(&mut certificate, &options.failed_checks)?;
@@ -318,6 +322,16 @@ pub fn prepare(record: &Record, formats: &[Format], options: &Options) -> Result
             .collect(),
         number: certificate.number,
     })
+}
+
+fn certificate_of(record: &Record, options: &Options) -> Result<Certificate> {
+    let particulars = &options.particulars;
+    let Some(standard) = &options.standard else {
+        return Certificate::from_records(record, &options.remounted, particulars);
+    };
+    let certificate = Certificate::by_substitution(record, standard, particulars)?;
+    refused::overdue_standard(&certificate, standard)?;
+    Ok(certificate)
 }
 
 /// Why there can be no DCC, and the way out.

@@ -47,9 +47,15 @@ impl Certificate {
         let without = |(section, key): &&(&str, &str)| self.statement(section, key).is_none();
         let statements = REQUIRED.iter().filter(without);
         let statements = statements.map(|(section, key)| format!("{section}.{key}"));
+        // Asked for where there is one.
+        let entries = self.sections.iter().flat_map(|section| &section.entries);
+        let mut of_standard = entries.filter(|entry| entry.key == "standard_certificate");
+        let unknown = of_standard.any(|entry| entry.value.is_none());
+        let unknown = unknown.then(|| "calibration.standard_certificate".to_owned());
         parties
             .map(|(key, _)| key.to_owned())
             .chain(statements)
+            .chain(unknown)
             .collect()
     }
 

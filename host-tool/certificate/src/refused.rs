@@ -4,6 +4,7 @@ use super::interval::{InForce, in_force};
 use super::model::Certificate;
 use super::particulars::Amendment;
 use super::stored::run_day;
+use super::substitution::{self, Standard};
 use calib_files::{Error, Result};
 use calib_protocol::record::Record;
 
@@ -51,6 +52,23 @@ pub(super) fn check(certificate: &Certificate, record: &Record) -> Result<()> {
         );
     }
     Ok(())
+}
+
+/// Looks at the term of the standard of a substitution, as [`check`] at the reference's.
+///
+/// # Errors
+/// As there.
+pub(super) fn overdue_standard(certificate: &Certificate, standard: &Standard) -> Result<()> {
+    let stated = &certificate.particulars.calibration.overdue_reference;
+    match substitution::overdue(certificate, standard).filter(|_| stated.is_none()) {
+        None => Ok(()),
+        Some(due) => Err(Error::input(
+            format!("certificate {}", certificate.number),
+            format!("rests on a standard whose calibration was due on {due}"),
+            "calibrate the standard, or state in writing why it may be used, as `overdue_reference` under [calibration], \
+             which the certificate prints",
+        )),
+    }
 }
 
 /// Problem of an amendment, and the way out.

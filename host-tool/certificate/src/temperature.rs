@@ -62,12 +62,15 @@ impl Distance {
         let stated = &particulars.conditions;
         let ambient_c = stated.ambient_temperature_c;
         let by_difference = ambient_c.zip(stated.temperature_difference_k);
+        let by_difference_c = by_difference.map(|(air_c, more_k)| air_c + more_k);
         let device_c = record.head.labels.temperature_centi_c;
         let device_c = device_c.map(|centi| f64::from(centi) / 100.0);
-        let device_c = device_c.or(by_difference.map(|(air_c, more_k)| air_c + more_k));
-        let usual_k = device_c.map_or(BY_AIR_TO_K, |_| TOLD_TO_K);
+        let usual_k = device_c
+            .or(by_difference_c)
+            .map_or(BY_AIR_TO_K, |_| TOLD_TO_K);
         let uncertainty_k = stated.temperature_uncertainty_k.unwrap_or(usual_k);
-        let told = [device_c, ambient_c].into_iter().flatten();
+        // Where run and job tell different things of the device, neither is believed alone.
+        let told = [device_c, by_difference_c, ambient_c].into_iter().flatten();
         match told.map(|c| (c - ROOM_C).abs()).reduce(f64::max) {
             Some(kelvin) => Self::Told {
                 distance_k: kelvin + uncertainty_k,
@@ -146,6 +149,12 @@ mod tests {
                 None,
                 "ambient_temperature_c = 21\ntemperature_difference_k = 12",
                 11.0,
+                1.0,
+            ),
+            (
+                Some(2300),
+                "ambient_temperature_c = 23\ntemperature_difference_k = 12",
+                13.0,
                 1.0,
             ),
             (None, "ambient_temperature_c = 23", 3.0, 3.0),

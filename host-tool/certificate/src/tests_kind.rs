@@ -107,12 +107,9 @@ fn every_format_speaks_in_the_quantity_of_the_sensor() {
     // A single-precision number has at most nine digits, and no computed ones behind them.
     let velocity = csv.lines().nth(1).and_then(|line| line.split(',').nth(7));
     assert!(velocity.is_some_and(|v| v.len() <= 10), "{velocity:?}");
-    let columns = |line: &str| line.matches(',').count();
-    let counts: Vec<usize> = csv.lines().map(columns).collect();
-    assert!(
-        counts.windows(2).all(|pair| pair[0] == pair[1]),
-        "{counts:?}"
-    );
+    // A reader that is not told otherwise refuses rows of another length than the heading.
+    let mut rows = ::csv::Reader::from_reader(csv.as_bytes());
+    assert!(rows.records().all(|row| row.is_ok()), "{csv}");
     // 10 m/s2 over 2 pi 160 Hz are 9.947 mm/s; 80 Hz is the row before.
     let row = csv.lines().nth(2).expect("160 Hz");
     let cell = |at: usize| row.split(',').nth(at).expect("a cell").parse::<f64>();

@@ -2,7 +2,7 @@
 
 use super::python::python;
 use super::tests_dcc::FULL;
-use super::{Format, Options, Particulars, Prepared, prepare};
+use super::{Format, Options, Particulars, Prepared, Standard, StandardPoint, prepare};
 use calib_core::verdict::{Reason, Verdict};
 use calib_protocol::record::Record;
 use calib_record::sample::{record, text};
@@ -41,6 +41,9 @@ fn particulars(language: &str) -> Particulars {
     toml::from_str(&text.replace("[conditions]", amended)).expect("TOML")
 }
 
+/// Languages, by comparison with the instrument's reference and by substitution.
+const CASES: [(&str, bool); 4] = [("de", false), ("en", false), ("de", true), ("en", true)];
+
 struct Written {
     csv: Vec<HashMap<String, String>>,
     json: serde_json::Value,
@@ -49,9 +52,26 @@ struct Written {
     pdf: Vec<u8>,
 }
 
-fn written(language: &str) -> Written {
+/// The standard whose place the device took; certified at two frequencies.
+fn standard() -> Standard {
+    let mut record = talkative();
+    record.head.id -= 1;
+    record.head.labels.dut_serial = text("CHK-1");
+    let at = |frequency_hz| StandardPoint {
+        frequency_hz,
+        sensitivity_v_per_ms2: 0.0102,
+        expanded_uncertainty_rel: 0.004,
+    };
+    Standard {
+        record,
+        certified: [80.0, 160.0, 5000.0].map(at).to_vec(),
+    }
+}
+
+fn written(language: &str, standard: Option<Standard>) -> Written {
     let options = Options {
         particulars: particulars(language),
+        standard,
         ..Options::default()
     };
     let prepared = prepare(&talkative(), &Format::ALL, &options).expect("rendered");
@@ -199,8 +219,8 @@ fn rows_of_html(html: &str) -> Vec<String> {
 
 #[test]
 fn the_numbers_of_a_point_are_the_same_in_every_format() {
-    for language in ["de", "en"] {
-        let written = written(language);
+    for (language, standard) in CASES.map(|(language, has)| (language, has.then(standard))) {
+        let written = written(language, standard);
         let html = rows_of_html(&written.html);
         let points = written.json["points"].as_array().expect("points");
         assert_eq!(points.len(), written.csv.len());
@@ -246,8 +266,9 @@ fn the_numbers_of_a_point_are_the_same_in_every_format() {
 /// What has to be in every format that people or programs read whole: marks, remarks, verdict, statements.
 #[test]
 fn every_statement_in_words_is_the_same_in_every_format() {
-    for language in ["de", "en"] {
-        let written = written(language);
+    for (language, standard) in CASES.map(|(language, has)| (language, has.then(standard))) {
+        let by_substitution = standard.is_some();
+        let written = written(language, standard);
         let (html, dcc) = (bare(&written.html), bare(&written.dcc));
         let pdf = text_of(&written.pdf).map(|text| bare(&text));
         let everywhere = |what: &str, in_dcc: bool| {
@@ -290,6 +311,27 @@ fn every_statement_in_words_is_the_same_in_every_format() {
         }
         let element = "<dcc:replacedUniqueIdentifier>K-2026-0117</";
         assert!(written.dcc.contains(element), "{}", written.dcc);
+        for (column, section, key) in [
+            ("comparison", "calibration", "substitution"),
+            ("linearity", "calibration", "linearity"),
+            ("mounted_resonance", "mounting", "resonance"),
+            ("resonance_search", "mounting", "resonance_search"),
+        ] {
+            let stated = written.json[section][key].as_str();
+            let is_said = match column {
+                "comparison" => by_substitution,
+                // The list is none of a search.
+                "resonance_search" => false,
+                _ => true,
+            };
+            assert_eq!(stated.is_some(), is_said, "{column}");
+            let stated = stated.unwrap_or_default();
+            assert!(
+                written.csv.iter().all(|row| row[column] == stated),
+                "{column}"
+            );
+            everywhere(stated, true);
+        }
         let verdict = &written.json["verdict"];
         for key in ["title", "because"] {
             everywhere(verdict[key].as_str().expect("words"), false);

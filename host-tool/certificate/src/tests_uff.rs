@@ -3,7 +3,7 @@
 use super::model::Certificate;
 use super::python::python;
 use super::{Format, Language, Particulars, render};
-use calib_record::sample::{THIRD_OCTAVES_HZ, record, text, truth};
+use calib_record::sample::{THIRD_OCTAVES_HZ, point, record, text, truth};
 use std::ffi::OsStr;
 
 const READ: &str = "\
@@ -34,6 +34,26 @@ fn the_verdict_stands_behind_the_date() {
             title => format!("2025-11-21, {title}"),
         };
         assert_eq!(file.lines().nth(4), Some(expected.as_str()), "{file}");
+    }
+}
+
+/// The sample is a mass on a spring of 32 kHz; 50 m/s2 0.38 % lower, or lower by nothing that is printed.
+#[test]
+fn the_fifth_line_has_resonance_and_linearity() {
+    for (relative, linearity) in [(0.9962, "-0.38 %"), (0.999_999, "0.00 %")] {
+        let mut record = record(&THIRD_OCTAVES_HZ);
+        for (acceleration_rms_ms2, relative) in [(1.0, 1.0), (50.0, relative)] {
+            let mut measured = point(160.0);
+            measured.spec.acceleration_rms_ms2 = acceleration_rms_ms2;
+            measured.sensitivity_v_per_ms2 *= relative;
+            record.points.push(measured).expect("room");
+        }
+        let certificate = Certificate::from_record(&record, &Particulars::default());
+        let file = render(&certificate, Format::Uff, Language::De).expect("renders");
+        let file = String::from_utf8(file).expect("ASCII");
+        let line = file.lines().nth(6).expect("a fifth line");
+        let end = format!("r.m.s.; fr 32.0 kHz; lin {linearity}");
+        assert!(line.ends_with(&end), "{line}");
     }
 }
 

@@ -9,10 +9,11 @@
 //! Dynamics Research Laboratory): records 1 to 12.
 
 use super::kind::{Output, SensorKind};
-use super::model::Certificate;
+use super::model::{Certificate, Value};
 use super::present;
 use super::words::Language;
 use calib_core::quantity::MotionQuantity;
+use calib_output::number::fixed;
 use calib_record::hash_chain::Standing;
 use std::fmt::Write;
 
@@ -113,9 +114,10 @@ fn identification(certificate: &Certificate) -> [String; 5] {
                 motion.2.to_owned()
             };
             format!(
-                "complex sensitivity in {}/{per}, {} r.m.s.",
+                "complex sensitivity in {}/{per}, {} r.m.s.{}",
                 output.1,
-                motion.1.to_lowercase()
+                motion.1.to_lowercase(),
+                of_response(certificate)
             )
         }
         // Units are in records 8 to 10, too.
@@ -135,10 +137,42 @@ fn identification(certificate: &Certificate) -> [String; 5] {
         object,
         format!("certificate {}{warning}{replaces}", certificate.number),
         format!("{}{verdict}", said("calibration", "date")),
-        said("calibration", "method"),
+        format!(
+            "{}{}",
+            by_substitution(certificate),
+            said("calibration", "method")
+        ),
         last,
     ];
     lines.map(|line| ascii(&line))
+}
+
+/// Mounted resonance and amplitude linearity, as short as the line has room for.
+fn of_response(certificate: &Certificate) -> String {
+    let resonance = certificate.resonance.and_then(|shown| shown.frequency_hz);
+    let resonance = resonance.map(|hz| format!("; fr {:.1} kHz", hz / 1000.0));
+    let linearity = match certificate.statement("calibration", "linearity") {
+        Some(Value::List(all)) => match all.first() {
+            Some(Value::Phrase(_, values)) => values.get(4),
+            _ => None,
+        },
+        _ => None,
+    };
+    let linearity = linearity.and_then(|of| match of {
+        Value::Number(percent, ..) => Some(format!("; lin {} %", fixed(*percent, 2))),
+        _ => None,
+    });
+    resonance.into_iter().chain(linearity).collect()
+}
+
+/// The standard, where the result is by substitution.
+fn by_substitution(certificate: &Certificate) -> String {
+    match certificate.statement("calibration", "substitution") {
+        Some(Value::Phrase(_, values)) => values.first().map_or_else(String::new, |serial| {
+            format!("substitution of {}; ", present::value(serial, Language::En))
+        }),
+        _ => String::new(),
+    }
 }
 
 /// The format is ASCII with lines of 80 characters.

@@ -18,6 +18,8 @@ pub enum Role {
     Remounted,
     /// That measured again what had no result.
     Retried,
+    /// Of the standard whose place the device took.
+    Standard,
 }
 
 /// A record that a certificate is made of beside its own.
@@ -44,6 +46,7 @@ impl Role {
             Self::AsFound => "as_found",
             Self::Remounted => "remounted",
             Self::Retried => "retried",
+            Self::Standard => "standard",
         }
     }
 
@@ -51,6 +54,7 @@ impl Role {
         match word {
             "as_found" => Self::AsFound,
             "retried" => Self::Retried,
+            "standard" => Self::Standard,
             _ => Self::Remounted,
         }
     }

@@ -1,7 +1,9 @@
 //! Drift of one sensor over its calibrations, beside the uncertainty.
 
 use super::Logbook;
-use calib_certificate::{SensitivityUnit, expanded_uncertainty_of_change_rel};
+use calib_certificate::{
+    SensitivityUnit, certified_uncertainty_rel, expanded_uncertainty_of_change_rel,
+};
 use calib_protocol::record;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -25,7 +27,7 @@ pub struct Result {
     pub sensitivity_v_per_ms2: f64,
     /// Sensitivity of the sensor, in the unit of the history.
     pub sensitivity: f64,
-    /// Its relative expanded uncertainty.
+    /// Its relative expanded uncertainty, as a certificate of the record states it.
     pub expanded_uncertainty_rel: f64,
     /// Relative change since the calibration before; none for the first.
     pub drift_rel: Option<f64>,
@@ -90,7 +92,7 @@ impl Logbook {
                    AND points.sensitivity_v_per_ms2 IS NOT NULL
                    AND points.expanded_uncertainty_rel IS NOT NULL
                    GROUP BY records.id ORDER BY unix_time_s, records.id";
-        self.all(sql, rusqlite::params![sensor, frequency_hz], |row| {
+        let mut results = self.all(sql, rusqlite::params![sensor, frequency_hz], |row| {
             Ok(Result {
                 record: row.get(0)?,
                 record_id: row.get(6)?,
@@ -105,7 +107,15 @@ impl Logbook {
                 e_n: None,
                 drift_exceeds_uncertainty: false,
             })
-        })
+        })?;
+        for result in &mut results {
+            let bytes = self.record(result.record)?;
+            let record = record::decode(&bytes).ok();
+            let certified = record.and_then(|one| certified_uncertainty_rel(&one, frequency_hz));
+            // The instrument's, where no budget can be made.
+            result.expanded_uncertainty_rel = certified.unwrap_or(result.expanded_uncertainty_rel);
+        }
+        Ok(results)
     }
 }
 

@@ -62,7 +62,8 @@ pub struct Listed {
     pub sensitivity: Option<f64>,
     /// Unit the sensor is specified in.
     pub unit: &'static str,
-    /// Its relative expanded uncertainty.
+    /// Its relative expanded uncertainty by the instrument, which knows neither temperature nor mount: a certificate
+    /// states another.
     pub expanded_uncertainty_rel: Option<f64>,
 }
 

@@ -62,6 +62,8 @@ pub struct ControlChart {
     pub degrees_of_freedom: f64,
     /// Half the width of the limits around the mean.
     pub half_width: f64,
+    /// Limit of the differences between successive results, which sound ones exceed in 0.92 %.
+    pub range_limit: f64,
     /// Signals against the latest result; empty when it is in control.
     pub signals: Vec<Signal>,
 }
@@ -94,8 +96,21 @@ pub fn control_chart(values: &[f64]) -> Option<ControlChart> {
         standard_deviation,
         degrees_of_freedom,
         half_width,
+        range_limit: RANGE_LIMIT * mean_range(before),
         signals: signals.map(|(_, signal)| signal).collect(),
     })
+}
+
+/// Limit of a moving range of two, over their mean: 1 + 3 x 0.8525 / 1.128 (ISO 7870-2, D4).
+const RANGE_LIMIT: f64 = 3.267;
+
+/// Mean of the differences between successive values.
+fn mean_range(values: &[f64]) -> f64 {
+    let ranges: Vec<f64> = values
+        .windows(2)
+        .map(|pair| (pair[1] - pair[0]).abs())
+        .collect();
+    mean(&ranges)
 }
 
 /// Variance by successive differences, and its effective degrees of freedom.
@@ -227,6 +242,8 @@ mod tests {
         let chart = control_chart(&[0.0, 1.0, 0.0, 1.0, 0.0, 0.4]).expect("six");
         assert!((chart.standard_deviation - 0.5_f64.sqrt()).abs() < 1e-12);
         assert!((chart.mean - 0.4).abs() < 1e-12);
+        // Ranges of 1.
+        assert!((chart.range_limit - 3.267).abs() < 1e-12);
         assert!((chart.degrees_of_freedom - 32.0 / 11.0).abs() < 1e-12);
         assert!(chart.signals.is_empty());
         assert_eq!(control_chart(&[0.0; 5]), None);

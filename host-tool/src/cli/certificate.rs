@@ -2,10 +2,12 @@
 
 use super::laboratory_key::{self, Password};
 use super::source::{self, Found};
+use super::substitute::Known;
 use super::{Context, time};
 use calib_certificate::decision::Stated;
 use calib_certificate::{
-    self as certificate, Existing, Format, Language, Mark, Options, Prepared, Seal, Verdict,
+    self as certificate, Existing, Format, Language, Mark, Options, Prepared, Seal, Standard,
+    Verdict,
 };
 use calib_host::amendment::Amended;
 use calib_host::issuing::{self, Entries};
@@ -82,6 +84,14 @@ pub(crate) struct CertificateVerb {
         conflicts_with = "as_found"
     )]
     remounted: Vec<PathBuf>,
+    /// The record of the standard that was measured in the channel of the device (`calib run --substitute`), a file or
+    /// its number: the certificate states the result by substitution.
+    #[arg(long, value_name = "RECORD", conflicts_with_all = ["as_found", "remounted"])]
+    substituted: Option<PathBuf>,
+    /// Table of that standard's certificate (CSV: frequency_hz, sensitivity_mv, expanded_uncertainty_percent); else what
+    /// the logbook knows of the check standard.
+    #[arg(long, value_name = "FILE")]
+    standard: Option<PathBuf>,
     /// Refuses a certificate that is not complete, instead of marking it DRAFT.
     #[arg(long)]
     strict: bool,
@@ -132,6 +142,7 @@ impl CertificateVerb {
             failed_checks: assurance::failed_checks(logbook.as_ref(), record)?,
             remounted: self.read(context, &self.remounted)?,
             retried,
+            standard: self.standard(context)?,
             seal: self.seal(context)?,
             ..self.options(context, record, logbook.as_ref())?
         };
@@ -142,6 +153,7 @@ impl CertificateVerb {
             amended.state(&mut options.particulars);
             amended.join(&mut options, logbook)?;
         }
+        self.know_standard(context, options.standard.as_mut())?;
         let entries = Entries::of(record, &options);
         let formats = match self.format.is_empty() {
             true => certificate::possible(record, &USUAL, &options.particulars),
@@ -229,6 +241,31 @@ impl CertificateVerb {
             (None, None, None) => source::find(context, Path::new(""), &self.out)?,
         };
         Ok((found, named))
+    }
+
+    /// The record of the standard, if one is named.
+    fn standard(&self, context: &Context) -> Result<Option<Standard>> {
+        let record = self.read(context, self.substituted.as_slice())?.pop();
+        Ok(record.map(|record| Standard {
+            record,
+            certified: Vec::new(),
+        }))
+    }
+
+    /// What the certificate of the standard says.
+    fn know_standard(&self, context: &Context, standard: Option<&mut Standard>) -> Result<()> {
+        match (standard, &self.standard) {
+            (Some(standard), table) => {
+                let serial = standard.record.head.labels.dut_serial.trim();
+                standard.certified = Known::find(context, serial, table.as_deref())?.certified;
+                Ok(())
+            }
+            (None, Some(_)) => Err(Error::usage(
+                "--standard is the table of a standard, and none was measured",
+                "name the record of the standard with --substituted",
+            )),
+            (None, None) => Ok(()),
+        }
     }
 
     fn seal(&self, context: &Context) -> Result<Option<Seal>> {

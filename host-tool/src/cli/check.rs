@@ -1,7 +1,7 @@
 //! `calib check RECORD`: a record against ISO 16063-21.
 
 use super::Context;
-use calib_certificate::{Particulars, missing};
+use calib_certificate::{Particulars, missing, with_certified_uncertainty};
 use calib_core::settings::Example;
 use calib_host::{Error, Result};
 use calib_metrology::check::{self, Missing};
@@ -41,7 +41,8 @@ impl Check {
         let particulars = Particulars::read(&self.particulars)?;
         let missing = missing(&record, &particulars);
         let missing = missing.map(|(item, clause)| Missing { item, clause });
-        let result = check::check(&record, missing.collect(), example);
+        let certified = with_certified_uncertainty(&record, &particulars);
+        let result = check::check(&certified, missing.collect(), example);
         context.print(&result, || check::report(&result))?;
         match result.pass {
             true => Ok(()),

@@ -52,16 +52,17 @@ impl Demo {
 
 fn text(report: &DemoReport) -> String {
     let point = &report.reference;
-    let of = |value: Option<f32>| value.map_or(f64::NAN, f64::from);
-    let measured = of(point.measured.sensitivity_v_per_ms2);
+    let measured = point.measured.sensitivity_v_per_ms2;
+    let measured = measured.map_or(f64::NAN, f64::from);
+    let certified = point.certified;
     let truth = point.truth_sensitivity_v_per_ms2;
     let mut lines = vec![
         format!(
             "S({} Hz) = {:.3} mV/(m/s2), U = {:.2} % (k = {:.2}), phase {:.2} deg",
             point.measured.set.frequency_hz,
             1e3 * measured,
-            100.0 * of(point.measured.expanded_uncertainty_rel),
-            of(point.measured.coverage_factor),
+            certified.map_or(f64::NAN, |u| 100.0 * u.expanded_uncertainty_rel),
+            certified.map_or(f64::NAN, |u| u.coverage_factor),
             point.measured.phase_deg.unwrap_or(f64::NAN),
         ),
         format!(

@@ -6,7 +6,7 @@ use calib_metrology::lists::{self, ListPoint};
 use clap::{Args, Subcommand};
 use std::fmt::Write;
 
-/// `calib points preferred` and `calib points linearity`.
+/// `calib points preferred`, `calib points linearity` and `calib points resonance`.
 #[derive(Debug, Args)]
 pub(crate) struct Points {
     #[command(subcommand)]
@@ -42,6 +42,21 @@ enum List {
         #[arg(long, default_value_t = 50.0)]
         to: f64,
     },
+    /// Many frequencies for a search of resonances, the reference point first.
+    Resonance {
+        /// Lowest frequency, Hz.
+        #[arg(long, default_value_t = 1000.0)]
+        from: f64,
+        /// Highest frequency, Hz.
+        #[arg(long, default_value_t = 10_000.0)]
+        to: f64,
+        /// Points an octave, at least twelve.
+        #[arg(long, default_value_t = 24)]
+        per_octave: u32,
+        /// Acceleration, m/s2 r.m.s.
+        #[arg(long, default_value_t = 10.0)]
+        acceleration: f64,
+    },
 }
 
 impl Points {
@@ -59,6 +74,12 @@ impl Points {
                 from,
                 to,
             } => lists::linearity(frequency, from, to)?,
+            List::Resonance {
+                from,
+                to,
+                per_octave,
+                acceleration,
+            } => lists::resonance(from, to, per_octave, acceleration)?,
         };
         context.print(&list, || csv(&list))
     }

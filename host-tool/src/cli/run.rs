@@ -3,8 +3,10 @@
 use super::certificate::{Laboratory, passed};
 use super::measure::{Asked, Kept, judge, keep, measure, switch_of_interrupts};
 use super::remount::{self, Mountings, Remounting};
-use super::substitute::{self, Standard, Substitution};
-use super::{Context, logbook, number::positive, progress, progress::RunProgress, source, time};
+use super::substitute::{self, Known as Standard, Substitution};
+use super::{
+    Context, logbook, number::positive, progress, progress::RunProgress, source, text, time,
+};
 use calib_certificate::{
     Certificate, Language, MountedResonance, Particulars, SensorKind, Verdict, instrument_covers,
     said_of_closing,
@@ -177,7 +179,7 @@ impl Run {
         let substitution = match standard.zip(before) {
             Some((standard, before)) => {
                 let device = substitute::fetch(&mut client, outcome.record_id)?;
-                Some(standard.substituted(&before, &device)?)
+                Some(standard.substituted(before, &device, &particulars)?)
             }
             None => None,
         };
@@ -191,13 +193,17 @@ impl Run {
             Some(_) => judged::verdict(record, &particulars),
             None => mountings.verdict(&particulars),
         };
+        let stating = Stating::new(kind, info.sample_rate_hz);
         let result = RunResult {
             record_id: outcome.record_id,
             logbook_record: kept.as_ref().and_then(|kept| kept.id),
             state: code(&outcome.state),
             instrument_s,
             unit: kind.unit().name(),
-            points: Stating::new(kind, info.sample_rate_hz).all(&outcome.points),
+            points: match &certificate {
+                Some(certificate) => stating.certified(&outcome.points, certificate),
+                None => stating.all(&outcome.points),
+            },
             verdict: whole.as_ref().and_then(verdict),
             refusals: refusals::of(&outcome.points),
             closing: kept
@@ -214,7 +220,8 @@ impl Run {
         if let Some(warning) = certificate.as_ref().and_then(gives_way) {
             context.remark(&warning);
         }
-        progress::print_result(context, &result, || said(&result))?;
+        let certified = certificate.as_ref().and_then(said_of_certificate);
+        progress::print_result(context, &result, || said(&result, certified))?;
         judge(&outcome, points.len())?;
         passed(result.verdict.as_ref())
     }
@@ -417,9 +424,10 @@ fn frequencies(refused: &Refused) -> String {
 
 /// Text printed after the points of a run: what was refused and why, the verdict on the sensor, and
 /// where the record is.
-fn said(result: &RunResult) -> String {
+fn said(result: &RunResult, certified: Option<String>) -> String {
     let advice = |refused: &Refused| format!("{}\n  {}", frequencies(refused), refused.remedy);
     let mut lines: Vec<String> = result.refusals.iter().map(advice).collect();
+    lines.extend(certified);
     let shown = result.mounted_resonance.and_then(|shown| shown.in_words());
     lines.extend(shown.map(|said| format!("mounted resonance, effective: {said}")));
     lines.extend(result.remounting.as_ref().map(remount::text));
@@ -431,6 +439,21 @@ fn said(result: &RunResult) -> String {
     };
     lines.push(format!("record {}: {next}", result.record_id));
     lines.join("\n")
+}
+
+/// Result at the reference point with U of a certificate, beside the lines with the instrument's.
+fn said_of_certificate(certificate: &Certificate) -> Option<String> {
+    let (point, values) = certificate.reference_result()?;
+    let unit = certificate.kind.unit();
+    Some(format!(
+        "S({} Hz) = {} {}, U = {:.2} % (k = {:.2}) on a certificate\n\
+         U of the lines above is the instrument's, without temperature and mount",
+        point.nominal_frequency_hz,
+        text::sensitivity(unit.of_si(values.sensitivity)),
+        unit.name(),
+        values.expanded_uncertainty_percent,
+        values.coverage_factor,
+    ))
 }
 
 /// Says where certificates will state a larger U than the instrument, which is printed.

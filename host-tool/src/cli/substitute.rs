@@ -1,7 +1,7 @@
 //! `calib run --substitute CHECK`: a standard and then the device in the same channel.
 
 use super::Context;
-use calib_certificate::{StandardPoint, Substituted, substitute};
+use calib_certificate::{Particulars, Standard, StandardPoint, Substituted, substitute};
 use calib_host::{Error, Result};
 use calib_link::Client;
 use calib_link::session;
@@ -19,17 +19,19 @@ pub(super) struct Substitution {
     standard_serial: String,
     /// Running number of its record.
     standard_record_id: u32,
+    /// Running number of the device's.
+    device_record_id: u32,
     /// Every point that both records have, and the standard's certificate.
     points: Vec<Substituted>,
 }
 
-/// A standard with what its certificate says.
-pub(super) struct Standard {
+/// A standard by its serial number, and what its certificate says.
+pub(super) struct Known {
     pub(super) serial: String,
-    certified: Vec<StandardPoint>,
+    pub(super) certified: Vec<StandardPoint>,
 }
 
-impl Standard {
+impl Known {
     /// The standard of this serial number: by the table of its certificate, else by what the logbook knows of a
     /// check standard.
     ///
@@ -70,11 +72,21 @@ impl Standard {
     ///
     /// # Errors
     /// Those of [`substitute`].
-    pub(super) fn substituted(&self, standard: &Record, device: &Record) -> Result<Substitution> {
+    pub(super) fn substituted(
+        &self,
+        standard: Record,
+        device: &Record,
+        particulars: &Particulars,
+    ) -> Result<Substitution> {
+        let standard = Standard {
+            record: standard,
+            certified: self.certified.clone(),
+        };
         Ok(Substitution {
             standard_serial: self.serial.clone(),
-            standard_record_id: standard.head.id,
-            points: substitute(standard, device, &self.certified)?,
+            standard_record_id: standard.record.head.id,
+            device_record_id: device.head.id,
+            points: substitute(&standard, device, particulars)?,
         })
     }
 }
@@ -127,7 +139,9 @@ pub(super) fn text(substitution: &Substitution) -> String {
         ]);
     }
     format!(
-        "\nby substitution of {} (record {}), S2 = S1 X2 / X1, k = 2\n{table}",
-        substitution.standard_serial, substitution.standard_record_id
+        "\nby substitution of {} (record {standard}), S2 = S1 X2 / X1\n{table}calib certificate {} --substituted {standard}",
+        substitution.standard_serial,
+        substitution.device_record_id,
+        standard = substitution.standard_record_id,
     )
 }

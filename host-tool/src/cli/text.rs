@@ -17,7 +17,12 @@ pub(crate) fn point_line(
             "{frequency_hz:>7} Hz  {:>9} {}  {:+8.3} deg  U = {:.2} %{}{}",
             sensitivity(own.sensitivity),
             unit.name(),
-            own.phase_deg,
+            // No "-0.000".
+            if own.phase_deg.abs() < 0.000_5 {
+                0.0
+            } else {
+                own.phase_deg
+            },
             100.0 * point.expanded_uncertainty_rel,
             coherence(point),
             if own.inverted { "  inverted" } else { "" },

@@ -14,7 +14,7 @@ const PAGE: Asset = ("/", HTML, include_str!("page/index.html"));
 
 /// Files of the page. They hold nothing of anybody's, and links to them hold
 /// no token: everybody may read it.
-const PARTS: [Asset; 14] = [
+const PARTS: [Asset; 15] = [
     ("/style.css", "text/css", include_str!("page/style.css")),
     ("/icon.svg", "image/svg+xml", include_str!("page/icon.svg")),
     ("/page.js", SCRIPT, include_str!("page/page.js")),
@@ -32,6 +32,7 @@ const PARTS: [Asset; 14] = [
     ),
     ("/waveforms.js", SCRIPT, include_str!("page/waveforms.js")),
     ("/issued.js", SCRIPT, include_str!("page/issued.js")),
+    ("/checks.js", SCRIPT, include_str!("page/checks.js")),
     ("/records.js", SCRIPT, include_str!("page/records.js")),
 ];
 

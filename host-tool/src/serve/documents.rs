@@ -244,6 +244,15 @@ fn tell(journal: &Journal, shared: &Shared) {
     });
 }
 
+/// A page that stands alone and talks to nobody.
+pub(super) fn alone(page: String) -> Response {
+    let headers = [
+        (header::CONTENT_TYPE, "text/html; charset=utf-8"),
+        (header::CONTENT_SECURITY_POLICY, ALONE),
+    ];
+    (headers, page).into_response()
+}
+
 fn answer(file: certificate::File) -> Response {
     let (kind, shown) = match file.format {
         Format::Html => ("text/html; charset=utf-8", "inline"),

@@ -8,6 +8,7 @@
 //! | `GET /api/waveforms` | the latest waveforms and spectra of both inputs |
 //! | `GET /api/devices`, `/api/sensors`, `/api/records` | ports; the logbook |
 //! | `GET /api/history/SERIAL` | drift of a sensor at 160 Hz |
+//! | `GET /api/assurance`, `/api/assurance/report` | check standards and references: how each stands; the same as a page that stands alone |
 //! | `GET /api/refusals?language=de` | every reason of a refusal in words, and what to do |
 //! | `GET /api/judged` | results of the last run with the verdict; no certificate is issued |
 //! | `GET /api/certificate/html`, `/api/records/ID/certificate/html` | certificate of the last run, or of a record of the logbook, to look at |
@@ -30,7 +31,8 @@ use super::options::Options;
 use super::stops::{self, Asked, NotStopped};
 use super::view::RunView;
 use super::{assets, live};
-use crate::{Error, refusals};
+use crate::assurance::{self, AssuranceReport};
+use crate::{Error, assurance_report, refusals};
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State};
 use axum::http::{HeaderValue, StatusCode, header};
@@ -67,6 +69,8 @@ pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router
         .route("/api/sensors", get(sensors).post(register))
         .route("/api/records", get(records))
         .route("/api/history/{serial}", get(history))
+        .route("/api/assurance", get(check_standards))
+        .route("/api/assurance/report", get(check_report))
         .route("/api/certificate/{format}", get(view_last).post(issue_last))
         .route("/api/judged", get(judged))
         .route("/api/refusals", get(refusals))
@@ -225,6 +229,30 @@ async fn history(State(app): State<App>, Path(serial): Path<String>) -> Result<R
         },
     )
     .await
+}
+
+async fn check_standards(State(app): State<App>) -> Result<Response, Failure> {
+    aside(move || Ok(said(&assured(&app)?))).await
+}
+
+async fn check_report(State(app): State<App>) -> Result<Response, Failure> {
+    aside(move || {
+        let at_s = jiff::Timestamp::now().as_second();
+        Ok(match assured(&app)? {
+            Some(report) => documents::alone(assurance_report::html(&report, at_s)),
+            None => StatusCode::NOT_FOUND.into_response(),
+        })
+    })
+    .await
+}
+
+/// Check standards and references as they stand now; none without a logbook.
+fn assured(app: &App) -> crate::Result<Option<AssuranceReport>> {
+    let logbook = Logbook::open_if_there(&app.options.logbook)?;
+    let at_s = jiff::Timestamp::now().as_second();
+    logbook
+        .map(|logbook| assurance::report(&logbook, at_s))
+        .transpose()
 }
 
 fn wanted(format: String, stated: Stated, issues: bool) -> Wanted {

@@ -137,8 +137,8 @@ fn progress_and_remarks_stay_off_standard_output() {
     let run = ["run", "--points", "p.csv", "--device", &address];
     let output = calib(directory.path(), &run);
     assert!(output.status.success(), "{}", text(&output.stderr));
-    // Two points and the record, each said once.
-    assert_eq!(text(&output.stdout).lines().count(), 3);
+    // Two points, the certificate's U and whose the others are, and the record, each said once.
+    assert_eq!(text(&output.stdout).lines().count(), 5);
     let remark = "no --temperature: certificates state U for all that ISO 16063-21, 4.2 allows\n";
     assert_eq!(text(&output.stderr), remark);
     let told = calib(

@@ -844,7 +844,38 @@ fn a_device_is_calibrated_by_substitution_of_a_standard() {
         "{substitution}"
     );
     let whole = number("expanded_uncertainty_ratio_rel").hypot(0.004);
-    assert!((number("expanded_uncertainty_rel") / whole - 1.0).abs() < 1e-9);
+    // f32 of the budgets.
+    assert!((number("expanded_uncertainty_rel") / whole - 1.0).abs() < 1e-5);
+    // The certificate of both records says the same.
+    let certificate = |more: &str| {
+        let words = format!(
+            "certificate 2 --substituted 1 --format json --out c --logbook none.sqlite --device {address}{more}"
+        );
+        calib(folder.path(), &words.split(' ').collect::<Vec<_>>())
+    };
+    let unknown = certificate("");
+    assert_eq!(unknown.status.code(), Some(6), "{}", text(&unknown.stderr));
+    let written = certificate(" --standard s.csv");
+    assert!(written.status.success(), "{}", text(&written.stderr));
+    assert!(
+        text(&written.stderr).contains("DRAFT"),
+        "{}",
+        text(&written.stderr)
+    );
+    let files = std::fs::read_dir(folder.path().join("c")).expect("written");
+    let path = files
+        .flatten()
+        .map(|file| file.path())
+        .find(|path| path.extension().is_some_and(|end| end == "json"));
+    let file = std::fs::read(path.expect("a file")).expect("JSON");
+    let stated: serde_json::Value = serde_json::from_slice(&file).expect("JSON");
+    let points = stated["points"].as_array().expect("points");
+    assert_eq!(points[0]["reason"], "frequency_unavailable");
+    for key in ["sensitivity_v_per_ms2", "expanded_uncertainty_rel"] {
+        let found = points[1][key].as_f64().expect(key);
+        // f32 of the record.
+        assert!((found / number(key) - 1.0).abs() < 2e-7, "{key}: {found}");
+    }
 }
 
 #[test]

@@ -276,6 +276,11 @@ fn a_calibration_is_started_watched_by_two_pages_and_certified() {
     let (_, records) = server.get("/api/records");
     let records: Value = serde_json::from_str(&records).expect("JSON");
     assert_eq!(records[0]["dut_serial"], "D'1");
+    let assurance: Value = serde_json::from_str(&server.get("/api/assurance").1).expect("JSON");
+    assert_eq!(assurance["standards"], json!([]));
+    let (status, report) = server.get("/api/assurance/report");
+    assert_eq!(status, 200);
+    assert!(report.contains("There is no check standard"), "{report}");
     let history = server.get("/api/history/D'1").1;
     assert!(history.contains("\"frequency_hz\":160"), "{history}");
     // The logbook has the record before the next one.

@@ -220,10 +220,18 @@ fn statements(xml: &mut Xml, certificate: &Certificate, language: Language) {
                 language,
             );
         }
-        if let Some(value) = of("linearity") {
-            let name = language.word("calibration.linearity");
-            let said = format!("{name}: {}", present::value(value, language));
-            statement(xml, None, "7.8.2.1 m", &said, language);
+        for key in [
+            "substitution",
+            "standard_certificate",
+            "standard_due",
+            "linearity",
+        ] {
+            if let Some(value) = of(key) {
+                let label = format!("calibration.{key}");
+                let name = language.word(&label);
+                let said = format!("{name}: {}", present::value(value, language));
+                statement(xml, None, "7.8.2.1 m", &said, language);
+            }
         }
         if let Some(value) = of("replaces") {
             let said = present::value(value, language);

@@ -214,12 +214,14 @@ fn point(table: &Table, row: &Row, chosen: &Chosen) -> Result<Point> {
             ));
         }
     }
-    believable(&point).map_err(|(problem, hint)| table.source.at_line(row.line, problem, hint))?;
+    let has_uncertainty = chosen.u_magnitude.is_some();
+    believable(&point, has_uncertainty)
+        .map_err(|(problem, hint)| table.source.at_line(row.line, problem, hint))?;
     Ok(point)
 }
 
 /// Refuses a point that looks like a column in another unit than its name says: problem and way out.
-fn believable(point: &Point) -> Result<(), (String, &'static str)> {
+fn believable(point: &Point, has_uncertainty: bool) -> Result<(), (String, &'static str)> {
     if point.frequency_hz > HIGHEST_HZ {
         return Err((
             format!("frequency {} Hz: no exciter reaches it", point.frequency_hz),
@@ -233,7 +235,7 @@ fn believable(point: &Point) -> Result<(), (String, &'static str)> {
             "the column holds degrees and says rad? Name it phase_deg; else take whole turns off",
         ));
     }
-    if point.u_magnitude > point.magnitude {
+    if has_uncertainty && point.u_magnitude > point.magnitude {
         return Err((
             format!(
                 "uncertainty {} of a magnitude {} is more than all of it",
@@ -253,4 +255,29 @@ fn value(table: &Table, row: &Row, column: &(Column, Meaning), magnitude: f64) -
         Form::Relative(factor) => number * factor * magnitude,
         Form::Unstated | Form::Decibel => number,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    /// Millivolts and no uncertainties: the weights of one that stand in for them were taken for uncertainties of 1 V.
+    #[test]
+    fn what_has_no_uncertainties_is_read_whatever_its_magnitude() {
+        let read = |heads: &str, more: &str| {
+            let rows = ["100,0.01,0", "1000,0.01,-1"].map(|row| format!("{row}{more}\n"));
+            let text = format!("{heads}\n{}", rows.concat());
+            super::read(Source::from_text(Path::new("points.csv"), text).expect("text"))
+        };
+        let plain = "frequency_hz,magnitude,phase_deg";
+        assert_eq!(read(plain, "").expect("two points").points.len(), 2);
+        let stated = format!("{plain},u_magnitude,u_phase_deg");
+        assert!(read(&stated, ",0.0001,0.1").is_ok());
+        let problem = read(&stated, ",1,0.1").err().expect("more than all of it");
+        assert!(
+            problem.to_string().contains("more than all of it"),
+            "{problem}"
+        );
+    }
 }

@@ -39,6 +39,8 @@ pub fn preferred(
     count: Option<usize>,
     acceleration_rms_ms2: f64,
 ) -> Result<Vec<ListPoint>> {
+    possible(&[from_hz, to_hz], HIGHEST_HZ, "Hz")?;
+    possible(&[acceleration_rms_ms2], HIGHEST_MS2, "m/s2")?;
     let series = series(&THIRD_OCTAVES, from_hz, to_hz);
     let wanted = count.unwrap_or(series.len());
     if series.len() < FEWEST || wanted < FEWEST || wanted > series.len() {
@@ -83,6 +85,8 @@ pub fn preferred(
 /// # Errors
 /// A range with fewer than three levels.
 pub fn linearity(frequency_hz: f64, from_ms2: f64, to_ms2: f64) -> Result<Vec<ListPoint>> {
+    possible(&[frequency_hz], HIGHEST_HZ, "Hz")?;
+    possible(&[from_ms2, to_ms2], HIGHEST_MS2, "m/s2")?;
     let mut levels = series(&LEVELS, from_ms2, to_ms2);
     if levels.len() < 3 {
         return Err(Error::usage(
@@ -104,6 +108,67 @@ pub fn linearity(frequency_hz: f64, from_ms2: f64, to_ms2: f64) -> Result<Vec<Li
             acceleration_rms_ms2,
         })
         .collect())
+}
+
+/// Beyond these no exciter goes.
+const HIGHEST_HZ: f64 = 200_000.0;
+const HIGHEST_MS2: f64 = 100_000.0;
+
+/// Refuses what is no frequency, or no level.
+fn possible(values: &[f64], highest: f64, unit: &str) -> Result<()> {
+    let wrong = values
+        .iter()
+        .find(|value| !(**value > 0.0 && **value <= highest));
+    wrong.map_or(Ok(()), |value| {
+        Err(Error::usage(
+            format!("{value} {unit}: no exciter does that"),
+            format!("above zero, up to {highest} {unit}"),
+        ))
+    })
+}
+
+/// Most points a run has room for.
+const MOST: usize = 200;
+
+/// A list for a search of resonances: the reference point, then `per_octave` points an octave, rising, to five digits.
+///
+/// # Errors
+/// A range that is none, fewer than twelve points an octave, in which a certificate sees no search, or more points than
+/// a run has room for.
+pub fn resonance(
+    from_hz: f64,
+    to_hz: f64,
+    per_octave: u32,
+    acceleration_rms_ms2: f64,
+) -> Result<Vec<ListPoint>> {
+    possible(&[from_hz, to_hz], HIGHEST_HZ, "Hz")?;
+    possible(&[acceleration_rms_ms2], HIGHEST_MS2, "m/s2")?;
+    let octaves = (to_hz / from_hz).log2();
+    let steps = (octaves * f64::from(per_octave)).round();
+    let problem = match () {
+        () if octaves < 1.0 => format!("{from_hz} .. {to_hz} Hz is no octave"),
+        () if per_octave < 12 => format!("{per_octave} points an octave find no resonance"),
+        () if steps + 2.0 > MOST as f64 => {
+            format!("{} points are more than a run has room for", steps + 2.0)
+        }
+        () => {
+            let at = |n: u32| from_hz * (to_hz / from_hz).powf(f64::from(n) / steps);
+            let digits = |hz: f64| 10.0_f64.powf(4.0 - hz.log10().floor());
+            let rounded = |hz: f64| (hz * digits(hz)).round() / digits(hz);
+            let searched = (0..=steps as u32).map(|n| rounded(at(n)));
+            let reference = std::iter::once(REFERENCE_HZ[0]);
+            let others = searched.filter(|hz| *hz != REFERENCE_HZ[0]);
+            let point = |frequency_hz| ListPoint {
+                frequency_hz,
+                acceleration_rms_ms2,
+            };
+            return Ok(reference.chain(others).map(point).collect());
+        }
+    };
+    Err(Error::usage(
+        problem,
+        format!("twelve points an octave or more, over an octave or more, {MOST} in all"),
+    ))
 }
 
 /// Members of a decimal series in a range, rising.
@@ -166,6 +231,45 @@ pub fn judge_linearity(levels_ms2: &[f64], sensitivities: &[f64]) -> Option<Line
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A list of minus ten or infinitely many m/s2 was written as it was asked for.
+    #[test]
+    fn what_no_exciter_does_is_in_no_list() {
+        for wrong in [-1.0, 0.0, f64::NAN, f64::INFINITY, 1e9] {
+            assert!(preferred(20.0, 5000.0, None, wrong).is_err(), "{wrong}");
+            assert!(preferred(wrong, 5000.0, None, 10.0).is_err(), "{wrong}");
+            assert!(preferred(20.0, wrong, None, 10.0).is_err(), "{wrong}");
+            assert!(linearity(wrong, 1.0, 50.0).is_err(), "{wrong}");
+            assert!(linearity(160.0, wrong, 50.0).is_err(), "{wrong}");
+            assert!(linearity(160.0, 1.0, wrong).is_err(), "{wrong}");
+        }
+    }
+
+    /// 24 an octave over three octaves are 73, and the reference point; neighbours are 2^(1/24) = 1.0293 apart.
+    #[test]
+    fn a_search_has_as_many_points_an_octave_as_asked_for() {
+        let list = resonance(1000.0, 8000.0, 24, 10.0).expect("list");
+        let f: Vec<f64> = list.iter().map(|point| point.frequency_hz).collect();
+        assert_eq!((f.len(), f[0], f[1], f[73]), (74, 160.0, 1000.0, 8000.0));
+        for pair in f[1..].windows(2) {
+            assert!((pair[1] / pair[0] - 1.029_302).abs() < 1e-4, "{pair:?}");
+        }
+        for (from, to, per_octave, acceleration) in [
+            (1000.0, 1500.0, 24, 10.0),
+            (8000.0, 1000.0, 24, 10.0),
+            (0.0, 1000.0, 24, 10.0),
+            (-1.0, 1000.0, 24, 10.0),
+            (f64::NAN, 1000.0, 24, 10.0),
+            (1000.0, f64::INFINITY, 24, 10.0),
+            (1000.0, 8000.0, 11, 10.0),
+            (20.0, 10_000.0, 24, 10.0),
+            (1000.0, 8000.0, 24, 0.0),
+            (1000.0, 8000.0, 24, f64::NAN),
+        ] {
+            let refused = resonance(from, to, per_octave, acceleration);
+            assert!(refused.is_err(), "{from} {to} {per_octave} {acceleration}");
+        }
+    }
 
     #[test]
     fn six_points_cover_the_range_and_begin_with_the_reference() {

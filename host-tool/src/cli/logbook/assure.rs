@@ -4,7 +4,9 @@ use super::history::{SIZE, plot};
 use super::sensors::cut;
 use crate::cli::{Context, number::positive, time};
 use calib_certificate::SensorKind;
+use calib_files::file::{self, Existing};
 use calib_host::assurance::{self, AssuranceReport, CheckState};
+use calib_host::assurance_report;
 use calib_host::self_check::ReferenceState;
 use calib_host::{Error, Result, terminal};
 use calib_logbook::{Certified, CheckStandard, History, HistoryResult, Logbook};
@@ -14,6 +16,7 @@ use calib_metrology::text::Table;
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::path::{Path, PathBuf};
 
 /// `calib assure [SERIAL]`.
 #[derive(Debug, Args)]
@@ -46,6 +49,9 @@ pub(crate) struct Assure {
     /// Names it a check standard that is measured every so many days at least.
     #[arg(long, value_name = "DAYS", requires = "serial", value_parser = clap::value_parser!(u32).range(1..=3650))]
     every: Option<u32>,
+    /// Writes the report into a new file, a page that stands alone: charts for level and scatter, E_n, drift, interval.
+    #[arg(long, value_name = "FILE.html", conflicts_with = "serial")]
+    report: Option<PathBuf>,
     /// Makes it a check standard no longer; its records stay.
     #[arg(long, requires = "serial", conflicts_with_all = ["every", "certified", "frequency"])]
     no_longer: bool,
@@ -82,11 +88,11 @@ impl Assure {
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         let logbook = context.logbook()?;
         let Some(serial) = self.serial.as_deref() else {
-            return all(context, &logbook);
+            return all(context, &logbook, self.report.as_deref());
         };
         if self.no_longer {
             logbook.remove_check_standard(serial)?;
-            return all(context, &logbook);
+            return all(context, &logbook, None);
         }
         let known = logbook.check_standard(serial)?;
         let standard = self.standard(serial, known, logbook.kind_of(serial)?);
@@ -131,8 +137,15 @@ fn print(context: &Context, report: &AssuranceReport) -> Result<()> {
 }
 
 /// Every check standard; none is an error, as one that fails is no pass.
-fn all(context: &Context, logbook: &Logbook) -> Result<()> {
+fn all(context: &Context, logbook: &Logbook, into: Option<&Path>) -> Result<()> {
     let report = assurance::report(logbook, now_s())?;
+    if let Some(path) = into {
+        file::write(
+            path,
+            assurance_report::html(&report, now_s()).as_bytes(),
+            Existing::Keep,
+        )?;
+    }
     print(context, &report)?;
     let failed = |state: &&CheckState| state.overdue || !state.in_control;
     let standards = report.standards.iter().filter(failed).count();

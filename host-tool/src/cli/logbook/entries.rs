@@ -212,7 +212,7 @@ fn record_table(records: &[Listed]) -> String {
         "f/Hz",
         "S",
         "",
-        "U/%",
+        "U*/%",
         // Several instruments have records of one number.
         if several(records) { "instrument" } else { "" },
     ]);
@@ -243,7 +243,9 @@ fn record_table(records: &[Listed]) -> String {
             },
         ]);
     }
-    table.to_string()
+    format!(
+        "{table}* of the instrument, without temperature and mount; a certificate states another\n"
+    )
 }
 
 /// Valid points, of how many.

@@ -38,6 +38,12 @@ function stated(run, point) {
   return found && found.conformity !== "not_specified" ? found.conformity : "valid";
 }
 
+/** U of a point: the certificate's where the run ended, else the instrument's, which knows neither temperature nor mount. */
+function uncertainty(run, point, key) {
+  const document = of(run), found = document && document.points.find((p) => same(p, point));
+  return found && found[key] !== null ? found[key] : point[key];
+}
+
 /** Reasons of refusals in words, with what to do; by their code. */
 let reasons = new Map();
 
@@ -115,6 +121,8 @@ function tiles(run, running) {
   $("sensitivity").textContent = last && last.in_unit ? sensitivity(last.in_unit.sensitivity) : "–";
   put("phase", last && last.in_unit && last.in_unit.phase_deg, 2);
   put("uncertainty", last && 100 * last.expanded_uncertainty_rel, 2);
+  const whose = of(run) ? "U as the certificate states it" : "U of the instrument: without temperature and mount";
+  $("whose-u").textContent = last ? say(whose) : "";
 }
 
 /** A unit as it is printed. */
@@ -125,7 +133,7 @@ function table(run) {
   const without = (hz, words) => row([figures(hz, 5), "", "", "", "", "", words], "refused", heads);
   const lines = (run ? run.points : []).map((p) => valid(p)
     ? row([figures(p.frequency_hz, 5), decimals(p.acceleration_rms_ms2, 3), sensitivity(p.in_unit.sensitivity),
-        decimals(100 * p.expanded_uncertainty_rel, 2), decimals(p.in_unit.phase_deg, 2), decimals(p.settling_s, 2),
+        decimals(100 * uncertainty(run, p, "expanded_uncertainty_rel"), 2), decimals(p.in_unit.phase_deg, 2), decimals(p.settling_s, 2),
         say(stated(run, p).replaceAll("_", " "))], failed(stated(run, p)) ? "failed" : "", heads)
     : without(p.frequency_hz, say("refused: {0}", in_words(p.reason))));
   for (const { frequencies_hz, reason } of run && !run.running ? run.impossible : []) {
@@ -170,14 +178,14 @@ export function draw(run) {
   const reference = points.find((p) => p.frequency_hz === 160) || points[0];
   const marks = points.map((p) => {
     const ratio = p.in_unit.sensitivity / reference.in_unit.sensitivity;
-    const y = 100 * (ratio - 1), u = 100 * ratio * p.expanded_uncertainty_rel;
+    const y = 100 * (ratio - 1), u = 100 * ratio * uncertainty(run, p, "expanded_uncertainty_rel");
     const title = figures(p.frequency_hz, 5) + " Hz: S = " + sensitivity(p.in_unit.sensitivity) + " " + printed(run.unit) + ", "
       + decimals(y, 2) + " %, U = " + decimals(u, 2) + " %";
     return { x: p.frequency_hz, y, u, title, class: failed(stated(run, p)) ? "outside" : "" };
   });
   const top = 1.15 * Math.max(1, ...marks.map((m) => Math.abs(m.y) + m.u));
   chart($("plot"), x, { min: -top, max: top }, [{ kind: "marks", points: marks }]);
-  const phases = points.map((p) => ({ x: p.frequency_hz, y: p.in_unit.phase_deg, u: p.expanded_uncertainty_phase_deg,
+  const phases = points.map((p) => ({ x: p.frequency_hz, y: p.in_unit.phase_deg, u: uncertainty(run, p, "expanded_uncertainty_phase_deg"),
     title: figures(p.frequency_hz, 5) + " Hz: " + decimals(p.in_unit.phase_deg, 2) + "°" }));
   const ends = phases.flatMap((p) => [p.y - p.u, p.y + p.u]);
   chart($("phase-plot"), x, around(ends.length ? ends : [0], 2), [{ kind: "marks", points: phases }]);

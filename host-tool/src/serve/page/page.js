@@ -1,4 +1,5 @@
 // The page shows what the server says and keeps nothing: every message is the whole view.
+import { show_checks } from "./checks.js";
 import { show_amendment, show_issued } from "./issued.js";
 import * as live from "./live.js";
 import * as measurement from "./measurement.js";
@@ -126,6 +127,7 @@ for (const id of stated) {
   $(id).addEventListener("change", () => {
     if (last) measurement.show(last.run);
     show_records();
+    show_checks();
     show_amendment();
   });
 }
@@ -187,6 +189,7 @@ async function show_lists() {
   measurement.know(await load_at(certificate("api/refusals")));
   show_sensors();
   show_records();
+  show_checks();
   show_issued();
 }
 
@@ -215,6 +218,7 @@ live.listen((view) => {
   if (kept && kept !== ended) {
     ended = kept;
     show_records();
+    show_checks();
     judge(run.number);
   }
 }, () => {

@@ -30,7 +30,7 @@ function line(record) {
   const found = record.sensitivity === null ? "" : sensitivity(record.sensitivity) + " " + printed(record.unit);
   const cells = row([record.record_id, day(record), sensor, found,
     fixed(record.expanded_uncertainty_rel && 100 * record.expanded_uncertainty_rel, 2), record.refused, links(record)], "",
-  [say("record"), say("measured"), say("sensor"), "S", "U, %", say("refused"), say("certificate")]);
+  [say("record"), say("measured"), say("sensor"), "S", say("U of the instrument, %"), say("refused"), say("certificate")]);
   for (const place of [0, 1, 2]) cells.children[place].className = "text";
   return cells;
 }
