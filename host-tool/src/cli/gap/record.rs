@@ -10,6 +10,7 @@ use calib_host::emulated::{self, EmulatedBoard};
 use calib_host::gap::design::diagnostic_points;
 use calib_host::gap::known::Known;
 use calib_host::gap::recorded::{Recorded, Setting, record, under};
+use calib_host::in_unit::Stating;
 use calib_host::{Error, Result};
 use calib_link::Client;
 use calib_link::session;
@@ -304,7 +305,8 @@ impl RecordVerb {
         };
         let points = self.points(client, known, setting)?;
         let sample_rate_hz = client.info()?.sample_rate_hz;
-        let mut progress = RunProgress::new(context, sample_rate_hz, SensorKind::default());
+        let mut progress =
+            RunProgress::new(context, Stating::new(SensorKind::default(), sample_rate_hz));
         let waveforms = !self.no_waveforms;
         let recorded = record(
             client,
