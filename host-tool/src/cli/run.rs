@@ -2,7 +2,7 @@
 
 use super::certificate::{Laboratory, passed};
 use super::measure::{Asked, Kept, judge, keep, measure, switch_of_interrupts};
-use super::number::positive;
+use super::number::{finite, positive};
 use super::remount::{self, Mountings, Remounting};
 use super::substitute::{self, Standard, Substitution};
 use super::{Context, logbook, progress, progress::RunProgress, source, time};
@@ -58,7 +58,7 @@ pub(crate) struct Run {
     #[arg(long, value_name = "NAME", default_value = "", env = "CALIB_OPERATOR")]
     operator: String,
     /// Temperature of the transducer, degrees Celsius.
-    #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true, value_parser = finite::<f64>)]
     temperature: Option<f64>,
     /// How the device under test is mounted.
     #[arg(long, value_name = "TEXT", default_value = "")]

@@ -2,7 +2,7 @@
 
 use super::hand::done_by_hand;
 use super::measure::{Asked, judge, keep, measure, switch_of_interrupts};
-use super::number::positive;
+use super::number::{finite, positive};
 use super::progress::{RunProgress, print_result};
 use super::{Context, source, substitute, time};
 use calib_certificate::SensorKind;
@@ -66,7 +66,7 @@ pub(crate) struct SelfcheckVerb {
     #[arg(long, value_name = "NAME", default_value = "", env = "CALIB_OPERATOR")]
     operator: String,
     /// Temperature of the calibrator, degrees Celsius.
-    #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true, value_parser = finite::<f64>)]
     temperature: Option<f64>,
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::Context;
 use super::super::measure::stop_on_interrupt;
-use super::super::number::positive;
+use super::super::number::{finite, positive};
 use super::super::progress::RunProgress;
 use calib_certificate::SensorKind;
 use calib_core::point::PointSpec;
@@ -64,7 +64,8 @@ pub(crate) struct RecordVerb {
         value_name = "DEG,...",
         value_delimiter = ',',
         default_value = "0",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = finite::<f64>
     )]
     rotation: Vec<f64>,
     /// Angle between the axis of motion and the vertical, degrees.
@@ -73,11 +74,12 @@ pub(crate) struct RecordVerb {
         value_name = "DEG,...",
         value_delimiter = ',',
         default_value = "0",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = finite::<f64>
     )]
     tilt: Vec<f64>,
     /// Mass on the armature, kg; default: that of the rig file, else 0.
-    #[arg(long, value_name = "KG,...", value_delimiter = ',')]
+    #[arg(long, value_name = "KG,...", value_delimiter = ',', value_parser = finite::<f64>)]
     payload: Vec<f64>,
     /// Transducer temperature, degrees Celsius; default: what the instrument's own sensor shows,
     /// less what its processor warms itself.
@@ -85,7 +87,8 @@ pub(crate) struct RecordVerb {
         long,
         value_name = "C,...",
         value_delimiter = ',',
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = finite::<f64>
     )]
     temperature: Vec<f64>,
 }
