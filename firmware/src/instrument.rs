@@ -6,7 +6,7 @@ use crate::state::{self, Order, Run};
 use crate::tasks::store::SharedArchive;
 use crate::update;
 use calib_core::conformity::Conformity;
-use calib_core::point::{ExcitationKind, PointResult};
+use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::points::default_points;
 use calib_core::self_test::{Line, MAX_LINES};
 use calib_core::settings::Settings;
@@ -54,7 +54,8 @@ impl Calibrator {
         };
         defmt::warn!("button: {}", defmt::Debug2Format(&refusal));
         let is_chosen = self.archive.chosen(|list| list.is_some()) == Ok(true);
-        let stale = is_chosen || state::conformity().is_some();
+        let impossible = matches!(refusal, Refusal::PointImpossible { .. });
+        let stale = is_chosen || impossible || state::conformity().is_some();
         if stale && !state::status().state.is_running() {
             // What the lamps said before was of another device.
             state::set_conformity(Some(Conformity::NotJudgeable));
@@ -63,11 +64,14 @@ impl Calibrator {
 
     async fn start_alone(&mut self) -> Result<(), Refusal> {
         let settings = state::settings();
+        let look_through = |points: &[PointSpec]| {
+            check_list(points, &settings, crate::board::SAMPLE_RATE_HZ as f32)
+                .map(|()| points.len())
+        };
         let points = self.archive.chosen(|list| match list {
             // Settings may be others than when it was stored.
-            Some(list) => check_list(&list.points, &settings, crate::board::SAMPLE_RATE_HZ as f32)
-                .map(|()| list.points.len()),
-            None => Ok(default_points().len()),
+            Some(list) => look_through(&list.points),
+            None => look_through(&default_points()),
         })??;
         let record_id = self.may_start(points).await?;
         // No await from here on.
@@ -132,9 +136,14 @@ fn go() -> Result<(), Refusal> {
     let points = state::RUN.lock(|run| run.borrow().spec.points.len() as u16);
     state::set_conformity(None);
     state::update_status(|status| {
-        status.state = RunState::Settling;
-        status.point = 0;
-        status.points = points;
+        // Level and block of the run before would be shown as this one's.
+        *status = Status {
+            state: RunState::Settling,
+            points,
+            overruns: status.overruns,
+            samples: status.samples,
+            ..Status::IDLE
+        };
     });
     state::ORDERS
         .try_send(Order::Start)

@@ -1,5 +1,6 @@
 //! Statements about a sensor when it is registered: by options of a verb, and by the page.
 
+use crate::number::{finite, positive};
 use crate::{Error, Result};
 use calib_certificate::SensorKind;
 use calib_certificate::decision::Tolerance;
@@ -21,7 +22,7 @@ pub struct AboutSensor {
     #[arg(long, value_name = "TEXT")]
     model: Option<String>,
     /// Nominal sensitivity, in the unit of --unit.
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", value_parser = positive::<f64>)]
     sensitivity: Option<f64>,
     /// Unit its sensitivity is specified in, which is its kind: mV/(m/s2), mV/g, mV/(mm/s), mV/um; "pC/g at 10 mV/pC
     /// +-0.5%", with the gain of the charge amplifier and its U (k = 2); "mA/(mm/s) at 250 ohm +-0.1%", with the burden
@@ -36,10 +37,10 @@ pub struct AboutSensor {
     #[serde(deserialize_with = "as_typed")]
     tolerance: Option<Tolerance>,
     /// Measuring range, m/s2 peak.
-    #[arg(long, value_name = "MS2")]
+    #[arg(long, value_name = "MS2", value_parser = positive::<f64>)]
     range: Option<f64>,
     /// Mounted resonance by its data sheet, Hz: what a sweep shows is compared with it.
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "HZ", value_parser = finite::<f64>)]
     resonance: Option<f64>,
     /// Whether it has IEPE electronics.
     #[arg(long, value_name = "true|false")]

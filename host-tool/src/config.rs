@@ -65,14 +65,17 @@ impl Config {
         if let Some(level) = config.level_rms_ms2
             && !(level.is_finite() && level > 0.0)
         {
-            return Err(wrong(format!("level = {level}: is to be above 0 m/s2")));
+            return Err(wrong(format!(
+                "level = {level}: is to be a number above 0 m/s2"
+            )));
         }
-        if let Some(Err(problem)) = config
-            .tolerance
-            .as_ref()
-            .map(|text| text.parse::<Tolerance>())
-        {
-            return Err(wrong(format!("tolerance: {problem}")));
+        let tolerance = config.tolerance.as_ref();
+        match tolerance.map(|text| text.parse::<Tolerance>()) {
+            Some(Err(problem)) => return Err(wrong(format!("tolerance: {problem}"))),
+            Some(Ok(tolerance)) if tolerance.repeats() => {
+                return Err(wrong(format!("tolerance: {}", calib_logbook::TWICE)));
+            }
+            _ => (),
         }
         Ok(config)
     }

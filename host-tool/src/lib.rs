@@ -23,6 +23,7 @@ pub mod gap;
 pub mod in_unit;
 pub mod issuing;
 pub mod judged;
+pub mod number;
 pub mod refusals;
 pub mod self_check;
 pub mod serve;

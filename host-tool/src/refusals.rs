@@ -187,6 +187,39 @@ mod tests {
         assert_eq!(dead_from_the_start(&[measured, open, stopped]), None);
     }
 
+    /// A reason has one name: that of the code, in snake case in JSON and CSV, and without underscores in SCPI. A verdict
+    /// on a sensor has one name in each language.
+    #[test]
+    fn reasons_and_verdicts_have_words_in_both_languages_and_in_the_docs() {
+        let docs = include_str!("../../docs/troubleshooting.md");
+        let said_alike = |key: &str| {
+            let [english, german] = [Language::En, Language::De].map(|l| l.word(key).to_owned());
+            assert!(
+                english != key && german != key && english != german,
+                "{key}: {english}"
+            );
+            english
+        };
+        let not_reportable = said_alike("reason.NotReportable");
+        assert_eq!(not_reportable, "no valid number");
+        assert!(docs.contains("`not_reportable`") && docs.contains(&not_reportable));
+        for reason in REASONS {
+            let english = said_alike(&format!("reason.{reason:?}"));
+            assert_eq!(english, reason.to_string(), "the core says it otherwise");
+        }
+        for key in [
+            "pass",
+            "conditionalPass",
+            "conditionalFail",
+            "fail",
+            "notJudgeable",
+        ] {
+            let english = said_alike(&format!("conformity.{key}"));
+            let row = format!("| {} | ", english.to_uppercase());
+            assert!(docs.contains(&row), "docs/troubleshooting.md lacks {row}");
+        }
+    }
+
     #[test]
     fn the_table_is_complete_and_the_docs_have_every_line_of_it() {
         // Reasons are numbered without gaps: a new one is not in the table yet.

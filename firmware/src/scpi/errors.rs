@@ -1,5 +1,6 @@
 //! The error queue and the event register.
 
+use calib_protocol::message::Refusal;
 use heapless::Deque;
 
 /// Errors of SCPI-99 that this instrument reports.
@@ -46,6 +47,32 @@ pub enum ScpiError {
     InputOverrun = -363,
     /// A line that waited for the end of a run gave way to another that waits.
     Interrupted = -410,
+    /// The instrument is too cold or too hot to measure.
+    Temperature = 201,
+    /// Its channels are not of the same instants.
+    NotAligned = 202,
+}
+
+/// What an order was declined for, whichever command gave it.
+impl From<Refusal> for ScpiError {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::Busy => Self::InitIgnored,
+            Refusal::OtherHost => Self::OtherHost,
+            Refusal::ButtonNotHeld => Self::HandMissing,
+            Refusal::PointList | Refusal::PointImpossible { .. } | Refusal::Conditions => {
+                Self::DataOutOfRange
+            }
+            Refusal::ListUnknown => Self::IllegalParameter,
+            Refusal::RecordNotFound | Refusal::OffsetOutOfRange => Self::IllegalRecord,
+            Refusal::StorageFull => Self::OutOfMemory,
+            Refusal::TemperatureOutOfRange => Self::Temperature,
+            Refusal::ChannelsNotAligned => Self::NotAligned,
+            Refusal::Degraded(_) | Refusal::StillDriven => Self::Hardware,
+            // Of orders that no command here gives, and of a flash that failed.
+            _ => Self::StorageFault,
+        }
+    }
 }
 
 impl ScpiError {
@@ -77,6 +104,8 @@ impl ScpiError {
             Self::QueueOverflow => "Queue overflow",
             Self::InputOverrun => "Input buffer overrun",
             Self::Interrupted => "Query INTERRUPTED",
+            Self::Temperature => "Device-specific error;too cold or too hot to measure",
+            Self::NotAligned => "Device-specific error;channels not of the same instants, reset it",
         }
     }
 
@@ -85,7 +114,7 @@ impl ScpiError {
         match self.code() {
             -199..=-100 => 32,
             -299..=-200 => 16,
-            -399..=-300 => 8,
+            -399..=-300 | 1.. => 8,
             -499..=-400 => 4,
             _ => 0,
         }

@@ -3,7 +3,7 @@
 use super::Answering;
 use super::errors::ScpiError;
 use crate::command::{self, Instrument, RecordPage};
-use calib_protocol::message::{Refusal, Request, Response};
+use calib_protocol::message::{Request, Response};
 use core::fmt::Write;
 
 pub(super) fn identify(instrument: &mut impl Instrument, out: &mut impl Write) {
@@ -53,7 +53,7 @@ pub(super) async fn self_test(
             let _ = write!(out, "{number}");
             return Ok(());
         }
-        Response::Refused(Refusal::OtherHost) => ScpiError::OtherHost,
+        Response::Refused(refusal) => refusal.into(),
         _ => ScpiError::InitIgnored,
     };
     let _ = out.write_str("-1");

@@ -3,7 +3,7 @@
 use super::errors::ScpiError;
 use crate::command::{self, Instrument};
 use calib_protocol::lists::{KeptList, ListChange};
-use calib_protocol::message::{Refusal, Request, Response};
+use calib_protocol::message::{Request, Response};
 use core::fmt::Write;
 
 /// Names of the lists, as strings; an empty one where there is none.
@@ -55,13 +55,7 @@ pub(super) async fn choose(
     // The same road a frame takes, with the same rule who may choose.
     let request = Request::ChangeLists(ListChange::Choose { name });
     match command::answer(request, instrument).await {
-        Response::Refused(refusal) => Err(match refusal {
-            Refusal::ButtonNotHeld => ScpiError::HandMissing,
-            Refusal::ListUnknown => ScpiError::IllegalParameter,
-            Refusal::OtherHost => ScpiError::OtherHost,
-            Refusal::Busy => ScpiError::InitIgnored,
-            _ => ScpiError::StorageFault,
-        }),
+        Response::Refused(refusal) => Err(refusal.into()),
         _ => Ok(()),
     }
 }

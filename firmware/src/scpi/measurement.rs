@@ -7,7 +7,7 @@ use crate::command::{self, Instrument};
 use calib_core::point::{ExcitationKind, PointResult, PointSpec};
 use calib_core::tone::Tone;
 use calib_core::verdict::Verdict;
-use calib_protocol::message::{Refusal, Request, Response, RunSpec};
+use calib_protocol::message::{Request, Response, RunSpec};
 use calib_protocol::record::RunLabels;
 use core::f32::consts::SQRT_2;
 use core::fmt::Write;
@@ -178,17 +178,10 @@ impl Measurement {
         let response = command::answer(Request::Start(spec), instrument).await;
         let begun = matches!(response, Response::Started { .. });
         self.initiated = begun.then_some(what);
-        let Response::Refused(refusal) = response else {
-            return Ok(());
-        };
-        Err(match refusal {
-            Refusal::Busy => ScpiError::InitIgnored,
-            Refusal::OtherHost => ScpiError::OtherHost,
-            Refusal::StorageFull => ScpiError::OutOfMemory,
-            Refusal::PointList | Refusal::PointImpossible { .. } => ScpiError::DataOutOfRange,
-            Refusal::Degraded(_) => ScpiError::Hardware,
-            _ => ScpiError::StorageFault,
-        })
+        match response {
+            Response::Refused(refusal) => Err(refusal.into()),
+            _ => Ok(()),
+        }
     }
 
     /// The result of a point of the run that was initiated here, once it is over.

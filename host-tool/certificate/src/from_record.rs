@@ -11,6 +11,7 @@ use super::model::{Certificate, Refusal, Remark, Severity, Value};
 use super::model::{Deviation, Point, PointValues};
 use super::mountings::Mountings;
 use super::particulars::Particulars;
+use super::polarity::Polarity;
 use super::resonance;
 use super::rounding::{Rounded, round_uncertainty};
 use super::search;
@@ -94,17 +95,12 @@ impl Certificate {
         let particulars = &judging(record, particulars);
         let kind = particulars.kind();
         let basis = basis(record, particulars);
-        let of_polarity = |inverted: bool| -> Vec<Point> {
-            let points = measured.iter();
-            points.map(|p| point(p, &basis, record, inverted)).collect()
-        };
-        let mut points = of_polarity(false);
+        let polarity = Polarity::of(kind, &record.points);
+        let in_order = measured.iter();
+        let mut points: Vec<Point> = in_order
+            .map(|p| point(p, &basis, record, polarity))
+            .collect();
         let reference = reference_point(&points);
-        let inverted = reference
-            .is_some_and(|index| kind.is_inverted(measured[index], points[index].frequency_hz));
-        if inverted {
-            points = of_polarity(true);
-        }
         state_deviations(&mut points, reference, &basis);
         let between = particulars.around.between(record);
         let one_day = between.and_then(|(first, last)| (first == last).then_some(first));
@@ -114,7 +110,7 @@ impl Certificate {
             between,
             particulars: particulars.clone(),
             sections: sections(record, particulars),
-            inverted,
+            inverted: polarity.is_inverted(),
             kind,
             reference,
             points,
@@ -174,11 +170,11 @@ fn number(record: &Record, particulars: &Particulars) -> String {
     stated.unwrap_or_else(|| format!("{}-{:06}", record.head.instrument_serial, record.head.id))
 }
 
-fn point(result: &PointResult, basis: &Basis<'_>, record: &Record, inverted: bool) -> Point {
+fn point(result: &PointResult, basis: &Basis<'_>, record: &Record, polarity: Polarity) -> Point {
     let mut view = PointView::new(result, record.head.sample_rate_hz);
     let nominal_frequency_hz = decimal(result.spec.frequency_hz);
     let frequency_hz = view.actual_frequency_hz.unwrap_or(nominal_frequency_hz);
-    let of_sensor = basis.kind.of_result(result, frequency_hz, inverted);
+    let of_sensor = polarity.split(result, frequency_hz);
     let outcome = outcome(result, of_sensor, basis);
     match &outcome {
         Err(_) if view.is_valid() => view.refuse("not_reportable"),
@@ -368,6 +364,10 @@ fn remarks(record: &Record, certificate: &Certificate) -> Vec<Remark> {
     }
     if certificate.kind.is_reported_only() {
         say(Severity::Note, "reported_only", Vec::new());
+    }
+    if let Some(phase_deg) = Polarity::of(certificate.kind, &record.points).doubtful_deg() {
+        let phase = Value::Number(phase_deg, 1, "°");
+        say(Severity::Warning, "polarity_doubtful", vec![phase]);
     }
     if record.image.signer == ImageSigner::Development {
         say(Severity::Warning, "development_image", Vec::new());

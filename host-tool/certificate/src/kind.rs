@@ -10,8 +10,7 @@
 //! # Source
 //! ISO 16063-21:2003, clause 6.
 
-use calib_core::point::PointResult;
-use calib_core::quantity::{MotionQuantity, Sensitivity};
+use calib_core::quantity::MotionQuantity;
 use calib_output::number::decimal;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -341,6 +340,12 @@ impl SensorKind {
         Some(self.conditioner?.expanded_percent / 100.0)
     }
 
+    /// Gain of a charge amplifier, mV/pC, or burden, ohm, and its expanded uncertainty (k = 2), %.
+    pub(crate) fn gain_and_expanded_percent(self) -> Option<(f64, f64)> {
+        let stands = self.conditioner?;
+        Some((stands.value, stands.expanded_percent))
+    }
+
     /// Gain or burden and its U in words.
     pub(crate) fn conditioner_words(self) -> Option<String> {
         let stands = self.conditioner?;
@@ -401,57 +406,6 @@ impl SensorKind {
             Velocity => Some("velocity_rms_mm_per_s"),
             Displacement => Some("displacement_rms_um"),
         }
-    }
-
-    /// A result of the instrument as the sensor's. Of a sensor to acceleration the instrument's word on the polarity
-    /// stands; of others it is `inverted`.
-    pub fn of_result(self, result: &PointResult, frequency_hz: f64, inverted: bool) -> OfSensor {
-        let magnitude = decimal(result.sensitivity_v_per_ms2);
-        let own = self.against_motion(result, frequency_hz as f32);
-        let (phase_rad, turned) = match self.steps() {
-            0 => (result.phase_rad, false),
-            _ => (own.phase_rad, inverted),
-        };
-        OfSensor {
-            magnitude: self.of_v_per_ms2(magnitude, frequency_hz),
-            phase_deg: turned_back(f64::from(phase_rad).to_degrees(), turned),
-        }
-    }
-
-    /// Whether a result says that the sensor is inverted (Annex B): against its own motion, since a velocity transducer
-    /// lies at a quarter turn against acceleration, where nothing could be told.
-    pub fn is_inverted(self, result: &PointResult, frequency_hz: f64) -> bool {
-        match self.steps() {
-            0 => result.inverted,
-            _ => {
-                let own = self.against_motion(result, frequency_hz as f32);
-                own.phase_rad.abs() > std::f32::consts::FRAC_PI_2
-            }
-        }
-    }
-
-    /// The result with the phase that was measured, polarity included, against the motion of the kind.
-    fn against_motion(self, result: &PointResult, frequency_hz: f32) -> Sensitivity {
-        let turned_rad = if result.inverted {
-            std::f32::consts::PI
-        } else {
-            0.0
-        };
-        let measured = Sensitivity {
-            quantity: Acceleration,
-            magnitude: result.sensitivity_v_per_ms2,
-            phase_rad: result.phase_rad + turned_rad,
-        };
-        measured.to(self.quantity(), frequency_hz)
-    }
-}
-
-/// An angle less half a turn where the sensor is inverted, in (-180, 180].
-fn turned_back(phase_deg: f64, inverted: bool) -> f64 {
-    match inverted {
-        false => phase_deg,
-        true if phase_deg > 0.0 => phase_deg - 180.0,
-        true => phase_deg + 180.0,
     }
 }
 
@@ -533,7 +487,6 @@ impl<'de> Deserialize<'de> for SensorKind {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use calib_record::sample::point;
 
     fn kind(text: &str) -> SensorKind {
         text.parse().expect(text)
@@ -600,29 +553,6 @@ mod tests {
             assert!((found / expected - 1.0).abs() < 1e-8, "{text}: {found}");
             let back = kind.to_v_per_ms2(kind.unit().to_si(expected), 160.0);
             assert!((back / 0.01 - 1.0).abs() < 1e-8, "{text}: {back}");
-        }
-    }
-
-    /// A coil that follows the velocity lies at -90 degrees against acceleration, where polarity is a toss-up.
-    #[test]
-    fn polarity_is_told_against_the_sensors_own_motion() {
-        let velocity = kind("mV/(mm/s)");
-        let found = |phase_deg: f32, inverted: bool| {
-            let mut result = point(160.0);
-            (result.phase_rad, result.inverted) = (phase_deg.to_radians(), inverted);
-            let turned = velocity.is_inverted(&result, 160.0);
-            (turned, velocity.of_result(&result, 160.0, turned).phase_deg)
-        };
-        // The instrument said of +90.1 degrees: inverted, and -89.9.
-        for (phase_deg, told, turned, own_deg) in [
-            (-89.9, false, false, 0.1),
-            (89.9, true, false, -0.1),
-            (-89.9, true, true, 0.1),
-            (89.9, false, true, -0.1),
-        ] {
-            let (is, deg) = found(phase_deg, told);
-            assert_eq!(is, turned, "{phase_deg} {told}");
-            assert!((deg - own_deg).abs() < 1e-4, "{phase_deg} {told}: {deg}");
         }
     }
 }

@@ -58,6 +58,7 @@ mod mountings;
 pub mod particulars;
 mod pdf;
 mod plot;
+mod polarity;
 mod present;
 #[cfg(test)]
 pub(crate) mod python;
@@ -110,6 +111,7 @@ pub use marks::Mark;
 pub use model::Certificate;
 pub use mountings::{MountingScatter, scatter as mounting_scatter};
 pub use particulars::{Adjustment, Amendment, Known, Particulars};
+pub use polarity::Polarity;
 pub use present::Presented;
 pub use resonance::MountedResonance;
 pub use retried::{complete, completes, without_result};

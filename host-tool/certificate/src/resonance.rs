@@ -124,7 +124,7 @@ impl Mounted {
         let plausible_s2 = plausible_hz.powi(-2);
         match self.fitted {
             Some(fitted) if fitted.is_shown() => fitted.value_s2,
-            Some(fitted) if fitted.follows => fitted.most_s2().min(plausible_s2),
+            Some(fitted) if fitted.follows => fitted.hidden_s2().min(plausible_s2),
             Some(fitted) => fitted.most_s2().max(plausible_s2),
             None => plausible_s2,
         }
@@ -175,6 +175,12 @@ impl Fitted {
     /// The largest that is within U.
     fn most_s2(&self) -> f64 {
         self.value_s2 + self.expanded_s2
+    }
+
+    /// The largest that points can hide which rise by less than their U, or fall: a fall, such as that of a coil by its
+    /// inductance, hides a rise of its size.
+    fn hidden_s2(&self) -> f64 {
+        self.value_s2.abs() + self.expanded_s2
     }
 }
 
@@ -441,6 +447,48 @@ mod tests {
         assert_eq!(certified(&swept(&[160.0, 500.0]), "").resonance, None);
         let nobody = Mounted::UNKNOWN;
         assert!((nobody.cautious_s2() * CAREFUL_HZ.powi(2) - 1.0).abs() < 1e-12);
+    }
+
+    /// A coil of 4 V/(m/s) whose response falls by its inductance shows no resonance. Where the fall is steep, row 8 is that
+    /// of one nobody knows, 2 s (10/20)^2 = 5 % at 10 kHz with s = 10 %; where it is slight, at least that of a rise of
+    /// its size, s (10 kHz/fc)^2.
+    #[test]
+    fn a_response_that_falls_is_no_resonance_and_hides_one() {
+        let coil = |corner_hz: f32| {
+            let mut record = swept(&THIRD_OCTAVES_HZ);
+            for point in &mut record.points {
+                let hz = point.spec.frequency_hz;
+                let inductance = (hz / corner_hz).hypot(1.0);
+                point.sensitivity_v_per_ms2 = 4.0 / (std::f32::consts::TAU * hz * inductance);
+            }
+            record
+        };
+        let of = |record: &Record, text: &str| {
+            let unit = format!("[item]\nunit = \"mV/(mm/s)\"\n{text}");
+            let certificate = certified(record, &unit);
+            let shown = certificate.resonance.expect("points from 1 kHz on");
+            assert_eq!(shown.frequency_hz, None, "{shown:?}");
+            let values = at(&certificate, 10_000.0);
+            values.expanded_uncertainty_percent / values.coverage_factor
+        };
+        for corner_hz in [500.0, 2000.0, 5000.0, 20_000.0, 50_000.0] {
+            let record = coil(corner_hz);
+            let mut without = record.clone();
+            without.settings.point_influences.mounting_at_10_khz_rel = 0.0;
+            let rest = of(&without, "");
+            for spread in ["", "[mounting]\nresonance_spread_percent = 10"] {
+                // As in `row_8_is_what_a_shift_of_the_resonance_does`.
+                let squares = |half_width: f64| 0.3965_f64.powi(2) + half_width.powi(2) / 3.0;
+                let enlarged = |half_width: f64| (squares(half_width) / squares(0.75)).sqrt();
+                let slight = 10.0 * (10.0e3 / f64::from(corner_hz)).powi(2);
+                let found = of(&record, spread) / rest;
+                let (least, most) = (enlarged(slight.min(5.0)), enlarged(5.0));
+                assert!(
+                    (0.98 * least..1.02 * most).contains(&found),
+                    "{corner_hz} Hz {spread}: {found} beside {least} to {most}"
+                );
+            }
+        }
     }
 
     #[test]

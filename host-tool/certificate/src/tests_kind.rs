@@ -182,9 +182,9 @@ fn the_gain_of_a_charge_amplifier_is_in_the_value_and_in_u() {
     assert!((with / without - 1.0).abs() < 1e-4, "{with} {without}");
     let rows = &certificate.budget.as_ref().expect("a budget").rows;
     assert_eq!(rows.iter().filter(|row| row.row == 2).count(), 2);
-    let page = text(&certificate, Format::Html);
+    let page = text(&certificate, Format::Html).replace('\u{a0}', " ");
     assert!(
-        page.contains("10 mV/pC ±1 % (k = 2)") && page.contains("pC/g"),
+        page.contains("10 mV/pC ± 1 % (k = 2)") && page.contains("pC/g"),
         "{page}"
     );
 }
@@ -245,6 +245,12 @@ fn a_transmitter_is_reported_only() {
         .iter()
         .any(|remark| remark.key == "reported_only");
     assert!(said, "{:?}", certificate.remarks);
+    let german = render(&certificate, Format::Html, Language::De).expect("renders");
+    let german = String::from_utf8_lossy(&german).replace('\u{a0}', " ");
+    assert!(
+        german.contains("Bürde von 250 Ω ± 0,1 % (k = 2)"),
+        "{german}"
+    );
     let judged = known(burden, "0.016 mA/(mm/s)", "5");
     let error = Particulars::default()
         .for_device(&judged)

@@ -58,6 +58,6 @@ pub use people::{Instrument, Operator};
 pub use records::{Filter, Kept, Listed};
 pub use seals::Seal;
 pub use self_checks::SelfCheck;
-pub use sensors::Sensor;
+pub use sensors::{Sensor, TWICE};
 pub use signed_files::{Signed, SignedFile};
 pub use store::{Logbook, default_path};

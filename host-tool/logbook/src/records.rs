@@ -237,8 +237,8 @@ impl Logbook {
             ref several => Err(Error::input(
                 place(),
                 format!("there are {}: {}", several.len(), of_several(several)),
-                "`calib logbook get` writes one of them into a file: name it with --instrument, and with --series \
-                 where its instrument began to count anew",
+                "name one with --instrument, and with --series where its instrument began to count anew; `calib logbook get` \
+                 writes it into a file",
             )),
         }
     }

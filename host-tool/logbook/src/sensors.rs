@@ -105,6 +105,9 @@ const RESONANCES_HZ: std::ops::RangeInclusive<f64> = 500.0..=1.0e6;
 const COLUMNS: &str = "serial, manufacturer, model, sensitivity, range_ms2, iepe, \
                        mounting, owner, due_day, teds, tolerance, unit, resonance_hz";
 
+/// What is wrong with `2,5` for a tolerance.
+pub const TWICE: &str = "a tolerance states two limits for the same frequencies: a decimal is written 2.5, with a point";
+
 impl Sensor {
     /// Manufacturer and model, as a record names it.
     pub fn name(&self) -> String {
@@ -143,8 +146,11 @@ impl Sensor {
         if !self.texts().all(is_plain) {
             return wrong("what is said about a sensor is one line, without control characters");
         }
-        if !positive(self.sensitivity) || !positive(self.range_ms2) {
-            return wrong("sensitivity and range are above zero");
+        if !positive(self.sensitivity) {
+            return wrong("a sensitivity is a number above zero");
+        }
+        if !positive(self.range_ms2) {
+            return wrong("a measuring range is a number above zero");
         }
         let plausible = |hz: f64| RESONANCES_HZ.contains(&hz);
         if !self.resonance_hz.is_none_or(plausible) {
@@ -153,6 +159,11 @@ impl Sensor {
         let tolerance = self.tolerance.as_deref().map(str::parse::<Tolerance>);
         if let Some(Err(problem)) = &tolerance {
             return wrong(problem);
+        }
+        if let Some(Ok(tolerance)) = &tolerance
+            && tolerance.repeats()
+        {
+            return wrong(TWICE);
         }
         let of_nominal = matches!(&tolerance, Some(Ok(tolerance)) if tolerance.needs_nominal());
         if of_nominal && self.sensitivity.is_none() {

@@ -1,7 +1,7 @@
 //! `calib certificate RECORD`: the certificate of a downloaded or stored record.
 
 use super::laboratory_key::{self, Password};
-use super::source::{self, Found};
+use super::source::{self, Found, Whose};
 use super::substitute::Known;
 use super::{Context, time};
 use calib_certificate::decision::Stated;
@@ -29,6 +29,8 @@ pub(crate) struct CertificateVerb {
     /// in the calibrator (it is downloaded first).
     #[arg(required_unless_present_any = ["write_template", "sensor", "amend"])]
     record: Option<PathBuf>,
+    #[command(flatten)]
+    whose: Whose,
     /// The latest record of this sensor in the logbook, instead of RECORD.
     #[arg(long, value_name = "SERIAL", conflicts_with = "record")]
     sensor: Option<String>,
@@ -233,7 +235,9 @@ impl CertificateVerb {
                 return Ok((found, retried));
             }
             // What is stated of its neighbours is what the logbook has, or nothing is issued.
-            (None, Some(name), _) => source::find_beside(context, logbook, name, &self.out)?,
+            (None, Some(name), _) => {
+                source::find_beside(context, logbook, &self.whose, name, &self.out)?
+            }
             (None, None, Some((logbook, amended))) => {
                 source::of_logbook(logbook, &amended.record(logbook)?)?
             }
@@ -279,7 +283,7 @@ impl CertificateVerb {
 
     fn read(&self, context: &Context, names: &[PathBuf]) -> Result<Vec<Record>> {
         let read = |name: &PathBuf| {
-            let found = source::find(context, name, &self.out)?;
+            let found = source::find_of(context, &self.whose, name, &self.out)?;
             found.calibration().cloned()
         };
         names.iter().map(read).collect()

@@ -86,7 +86,8 @@ impl Context {
                 (false, false) => Form::Text,
             },
             quiet: options.quiet,
-            device: options.device.clone().or(defaults.device.clone()),
+            // An empty CALIB_DEVICE names none.
+            device: given(&options.device).or(given(&defaults.device)),
             logbook: options.logbook.clone(),
             defaults,
             color: !no_color && std::io::stderr().is_terminal(),
@@ -257,6 +258,10 @@ fn shown(text: &str) -> String {
     let reorders = |c: char| matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     let steers = |c: char| (c.is_control() && !matches!(c, '\n' | '\t')) || reorders(c);
     text.replace(steers, "\u{fffd}")
+}
+
+fn given(device: &Option<String>) -> Option<String> {
+    device.clone().filter(|device| !device.is_empty())
 }
 
 /// Nothing is wrong with the command line: there is no such device.

@@ -1,7 +1,7 @@
 //! `calib convert`: a sensitivity as that to another motion quantity.
 
 use super::Context;
-use super::number::reachable;
+use super::number::{finite, reachable};
 use calib_host::{Error, Result};
 use calib_metrology::sensitivity::{self, Converted, Quantity};
 use clap::{Args, ValueEnum};
@@ -33,17 +33,18 @@ impl From<QuantityName> for Quantity {
 #[derive(Debug, Args)]
 pub(crate) struct Convert {
     /// Frequency, Hz.
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "HZ", value_parser = finite::<f64>)]
     frequency: f64,
     /// Magnitude of the sensitivity, V per SI unit.
-    #[arg(long, value_name = "V")]
+    #[arg(long, value_name = "V", value_parser = finite::<f64>)]
     sensitivity: f64,
     /// Its phase, degrees.
     #[arg(
         long,
         value_name = "DEG",
         default_value_t = 0.0,
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = finite::<f64>
     )]
     phase: f64,
     /// Quantity it refers to.

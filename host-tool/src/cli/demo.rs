@@ -3,6 +3,7 @@
 use super::{Context, measure, progress, progress::RunProgress, time};
 use calib_certificate::SensorKind;
 use calib_host::demo::{self, DemoReport, Event};
+use calib_host::in_unit::Stating;
 use calib_host::{Error, Result};
 use clap::Args;
 use std::path::PathBuf;
@@ -35,7 +36,10 @@ impl Demo {
                     sample_rate_hz,
                 } => shown
                     .get_or_insert_with(|| {
-                        RunProgress::new(context, *sample_rate_hz, SensorKind::default())
+                        RunProgress::new(
+                            context,
+                            Stating::new(SensorKind::default(), *sample_rate_hz),
+                        )
                     })
                     .show(progress, list),
             }

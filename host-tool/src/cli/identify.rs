@@ -1,6 +1,7 @@
 //! `calib identify`: model parameters of an accelerometer.
 
 use super::Context;
+use super::number::finite;
 use calib_files::file;
 use calib_host::{Error, Result};
 use calib_metrology::identify::{self, Identification, Spread, Weighting};
@@ -36,10 +37,10 @@ pub(crate) struct Identify {
     #[arg(long, value_name = "RECORD.csv")]
     shock: Option<PathBuf>,
     /// Shock: lowest frequency used, Hz.
-    #[arg(long, requires = "shock", value_name = "HZ")]
+    #[arg(long, requires = "shock", value_name = "HZ", value_parser = finite::<f64>)]
     from_hz: Option<f64>,
     /// Shock: highest frequency used, Hz.
-    #[arg(long, requires = "shock", value_name = "HZ")]
+    #[arg(long, requires = "shock", value_name = "HZ", value_parser = finite::<f64>)]
     to_hz: Option<f64>,
     /// Shock: pre-warp the bilinear mapping at the resonance.
     #[arg(long, requires = "shock")]
@@ -50,17 +51,18 @@ pub(crate) struct Identify {
         requires = "shock",
         default_value_t = 0.0,
         value_name = "S",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = finite::<f64>
     )]
     input_delay_s: f64,
     /// Shock: uncertainty coefficient of (27) from a budget, for the test.
-    #[arg(long, requires = "shock", value_name = "U0")]
+    #[arg(long, requires = "shock", value_name = "U0", value_parser = finite::<f64>)]
     u0: Option<f64>,
     /// Ignore the stated uncertainties.
     #[arg(long)]
     unweighted: bool,
     /// Significance p of the chi-squared test (37), at most 0.05.
-    #[arg(long, default_value_t = 0.05, value_name = "P")]
+    #[arg(long, default_value_t = 0.05, value_name = "P", value_parser = finite::<f64>)]
     significance: f64,
     /// Monte Carlo trials for the uncertainties; 0 for none.
     #[arg(long, default_value_t = 20_000, value_name = "N")]

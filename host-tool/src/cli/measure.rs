@@ -2,9 +2,9 @@
 
 use super::again::Followed;
 use super::{Context, alarm, progress::RunProgress, source};
-use calib_certificate::SensorKind;
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::verdict::Verdict;
+use calib_host::in_unit::Stating;
 use calib_host::refusals;
 use calib_host::{Error, Result};
 use calib_link::session::{self, Outcome};
@@ -76,8 +76,7 @@ pub(super) fn enter(
 pub(super) struct Asked<'a> {
     pub(super) points: &'a [PointSpec],
     pub(super) excitation: ExcitationKind,
-    pub(super) sample_rate_hz: f32,
-    pub(super) kind: SensorKind,
+    pub(super) stating: Stating,
 }
 
 /// Runs a list with progress, over another link if this one breaks. Ctrl-C stops it and silences the exciter.

@@ -1,7 +1,7 @@
 //! `calib nomogram`: two quantities of a vibration give the others.
 
 use super::Context;
-use super::number::reachable;
+use super::number::{finite, reachable};
 use calib_files::file;
 use calib_host::Result;
 use calib_metrology::nomogram::{self, Amplitude, Known, Measure, RigLimits, nomogram_chart};
@@ -13,16 +13,16 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 pub(crate) struct Nomogram {
     /// Frequency, Hz.
-    #[arg(long)]
+    #[arg(long, value_parser = finite::<f64>)]
     frequency: Option<f64>,
     /// Acceleration, m/s2.
-    #[arg(long)]
+    #[arg(long, value_parser = finite::<f64>)]
     acceleration: Option<f64>,
     /// Velocity, m/s.
-    #[arg(long)]
+    #[arg(long, value_parser = finite::<f64>)]
     velocity: Option<f64>,
     /// Displacement, m.
-    #[arg(long)]
+    #[arg(long, value_parser = finite::<f64>)]
     displacement: Option<f64>,
     /// How the given amplitude is stated.
     #[arg(long = "as", value_enum, default_value_t = As::Rms)]
@@ -31,13 +31,13 @@ pub(crate) struct Nomogram {
     #[arg(long, value_name = "FILE.svg")]
     chart: Option<PathBuf>,
     /// Largest acceleration of the rig, m/s2 r.m.s.
-    #[arg(long, default_value_t = RigLimits::default().acceleration_rms_ms2)]
+    #[arg(long, default_value_t = RigLimits::default().acceleration_rms_ms2, value_parser = finite::<f64>)]
     rig_acceleration: f64,
     /// Largest velocity of the rig, m/s r.m.s.
-    #[arg(long, default_value_t = RigLimits::default().velocity_rms_ms)]
+    #[arg(long, default_value_t = RigLimits::default().velocity_rms_ms, value_parser = finite::<f64>)]
     rig_velocity: f64,
     /// Largest displacement of the rig, m peak.
-    #[arg(long, default_value_t = RigLimits::default().displacement_peak_m)]
+    #[arg(long, default_value_t = RigLimits::default().displacement_peak_m, value_parser = finite::<f64>)]
     rig_displacement: f64,
 }
 

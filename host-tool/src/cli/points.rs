@@ -1,6 +1,7 @@
 //! `calib points`: lists of points by clause 5.
 
 use super::Context;
+use super::number::finite;
 use calib_host::Result;
 use calib_metrology::lists::{self, ListPoint};
 use clap::{Args, Subcommand};
@@ -18,28 +19,28 @@ enum List {
     /// Preferred frequencies, the reference point first (5.1, 5.3).
     Preferred {
         /// Lowest frequency, Hz.
-        #[arg(long, default_value_t = 20.0)]
+        #[arg(long, default_value_t = 20.0, value_parser = finite::<f64>)]
         from: f64,
         /// Highest frequency, Hz.
-        #[arg(long, default_value_t = 5000.0)]
+        #[arg(long, default_value_t = 5000.0, value_parser = finite::<f64>)]
         to: f64,
         /// Points, at least six; default every preferred frequency.
         #[arg(long)]
         count: Option<usize>,
         /// Acceleration, m/s2 r.m.s.
-        #[arg(long, default_value_t = 10.0)]
+        #[arg(long, default_value_t = 10.0, value_parser = finite::<f64>)]
         acceleration: f64,
     },
     /// One frequency, several levels.
     Linearity {
         /// Frequency, Hz.
-        #[arg(long, default_value_t = 160.0)]
+        #[arg(long, default_value_t = 160.0, value_parser = finite::<f64>)]
         frequency: f64,
         /// Lowest level, m/s2 r.m.s.
-        #[arg(long, default_value_t = 1.0)]
+        #[arg(long, default_value_t = 1.0, value_parser = finite::<f64>)]
         from: f64,
         /// Highest level, m/s2 r.m.s.
-        #[arg(long, default_value_t = 50.0)]
+        #[arg(long, default_value_t = 50.0, value_parser = finite::<f64>)]
         to: f64,
     },
     /// Many frequencies for a search of resonances, the reference point first.

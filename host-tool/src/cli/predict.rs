@@ -1,6 +1,7 @@
 //! `calib predict`: a transducer's output for a record, or the input behind it.
 
 use super::Context;
+use super::number::finite;
 use calib_files::file;
 use calib_host::{Error, Result};
 use calib_metrology::discrete::Mapping;
@@ -32,22 +33,22 @@ pub(crate) struct Predict {
     #[arg(long, value_name = "FILE", required_unless_present = "s0")]
     model: Option<PathBuf>,
     /// Sensitivity at low frequencies, instead of --model.
-    #[arg(long, conflicts_with = "model", requires_all = ["f0_hz", "delta"])]
+    #[arg(long, conflicts_with = "model", requires_all = ["f0_hz", "delta"], value_parser = finite::<f64>)]
     s0: Option<f64>,
     /// Resonance frequency, Hz.
-    #[arg(long)]
+    #[arg(long, value_parser = finite::<f64>)]
     f0_hz: Option<f64>,
     /// Damping coefficient.
-    #[arg(long)]
+    #[arg(long, value_parser = finite::<f64>)]
     delta: Option<f64>,
     /// Estimate the acceleration behind an output.
     #[arg(long)]
     inverse: bool,
     /// Inverse: cut-off of the stabilising low-pass filter; default f0 / 2.
-    #[arg(long, requires = "inverse", value_name = "HZ")]
+    #[arg(long, requires = "inverse", value_name = "HZ", value_parser = finite::<f64>)]
     cutoff_hz: Option<f64>,
     /// Standard uncertainty of each sample of the record (independent noise).
-    #[arg(long, default_value_t = 0.0, value_name = "U")]
+    #[arg(long, default_value_t = 0.0, value_name = "U", value_parser = finite::<f64>)]
     u_sample: f64,
     /// Use the plain bilinear mapping, without pre-warping.
     #[arg(long)]

@@ -2,7 +2,6 @@
 
 use super::context::Form;
 use super::{Context, text};
-use calib_certificate::SensorKind;
 use calib_core::point::{PointResult, PointSpec};
 use calib_host::in_unit::{StatedPoint, Stating};
 use calib_link::session::{self, Progress};
@@ -87,12 +86,11 @@ pub(crate) struct RunProgress<'a> {
 }
 
 impl<'a> RunProgress<'a> {
-    /// A bar at zero, of a calibrator with this many samples per second; sensitivities are
-    /// shown as those of this kind of sensor.
-    pub(crate) fn new(context: &'a Context, sample_rate_hz: f32, kind: SensorKind) -> Self {
+    /// A bar at zero; points are shown as this states them.
+    pub(crate) fn new(context: &'a Context, stating: Stating) -> Self {
         Self {
             context,
-            stating: Stating::new(kind, sample_rate_hz),
+            stating,
             bar: bar(context, "[{bar:24}] {msg}"),
             begun: Instant::now(),
             shown: 0,

@@ -1,6 +1,7 @@
 //! `calib risk`: what decision rules let through, over many sensors.
 
 use super::Context;
+use super::number::finite;
 use calib_certificate::decision::risk::{self, guard_band};
 use calib_host::{Error, Result};
 use calib_metrology::text::Table;
@@ -12,10 +13,10 @@ use serde::Serialize;
 #[derive(Debug, Args)]
 pub(crate) struct Risk {
     /// Tolerance over expanded uncertainty (k = 2), the test uncertainty ratio.
-    #[arg(long, value_name = "TUR")]
+    #[arg(long, value_name = "TUR", value_parser = finite::<f64>)]
     ratio: f64,
     /// Share of the sensors that are within tolerance, %.
-    #[arg(long, value_name = "PERCENT", default_value_t = 95.0)]
+    #[arg(long, value_name = "PERCENT", default_value_t = 95.0, value_parser = finite::<f64>)]
     in_tolerance: f64,
 }
 

@@ -2,11 +2,10 @@
 
 use super::certificate::{Laboratory, passed};
 use super::measure::{Asked, Kept, judge, keep, measure, switch_of_interrupts};
+use super::number::{finite, positive};
 use super::remount::{self, Mountings, Remounting};
 use super::substitute::{self, Known as Standard, Substitution};
-use super::{
-    Context, logbook, number::positive, progress, progress::RunProgress, source, text, time,
-};
+use super::{Context, logbook, progress, progress::RunProgress, source, text, time};
 use calib_certificate::{
     Certificate, Language, MountedResonance, Particulars, SensorKind, Verdict, instrument_covers,
     said_of_closing,
@@ -59,7 +58,7 @@ pub(crate) struct Run {
     #[arg(long, value_name = "NAME", default_value = "", env = "CALIB_OPERATOR")]
     operator: String,
     /// Temperature of the transducer, degrees Celsius.
-    #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true, value_parser = finite::<f64>)]
     temperature: Option<f64>,
     /// How the device under test is mounted.
     #[arg(long, value_name = "TEXT", default_value = "")]
@@ -157,11 +156,15 @@ impl Run {
         if !context.for_program() {
             remark_on_temperature(context, labels.temperature_centi_c);
         }
+        let stating = Stating::new(kind, info.sample_rate_hz);
+        let stating = match &completed {
+            Some(first) => stating.following(&stating.all(&first.points)),
+            None => stating,
+        };
         let asked = Asked {
             points: &points,
             excitation,
-            sample_rate_hz: info.sample_rate_hz,
-            kind,
+            stating,
         };
         let switch = switch_of_interrupts(context);
         let before = match &standard {
@@ -216,9 +219,11 @@ impl Run {
         if let Some(closing) = &result.closing {
             context.remark(closing);
         }
-        let gives_way = |c: &Certificate| c.remark("mount_gives_way", Language::default());
-        if let Some(warning) = certificate.as_ref().and_then(gives_way) {
-            context.remark(&warning);
+        for key in ["mount_gives_way", "polarity_doubtful"] {
+            let warning = |c: &Certificate| c.remark(key, Language::default());
+            if let Some(warning) = certificate.as_ref().and_then(warning) {
+                context.remark(&warning);
+            }
         }
         let certified = certificate.as_ref().and_then(said_of_certificate);
         progress::print_result(context, &result, || said(&result, certified))?;
@@ -246,7 +251,7 @@ impl Run {
             dut_model: label("--substitute", "standard of a substitution")?,
             ..labels.clone()
         };
-        let progress = RunProgress::new(context, asked.sample_rate_hz, asked.kind);
+        let progress = RunProgress::new(context, asked.stating);
         let mut progress = progress.with_points_as_result();
         let outcome = measure(context, client, asked, labels, switch, &mut progress)?;
         progress.end(&outcome.points);
@@ -271,7 +276,7 @@ impl Run {
     ) -> Result<(Mountings, Outcome, Option<Kept>, Option<f64>)> {
         let mut mountings = Mountings::default();
         loop {
-            let progress = RunProgress::new(context, asked.sample_rate_hz, asked.kind);
+            let progress = RunProgress::new(context, asked.stating);
             let mut progress = progress.with_points_as_result();
             let begun_ms = clock_ms(client);
             let outcome = measure(

@@ -2,11 +2,12 @@
 
 use super::hand::done_by_hand;
 use super::measure::{Asked, judge, keep, measure, switch_of_interrupts};
-use super::number::positive;
+use super::number::{finite, positive};
 use super::progress::{RunProgress, print_result};
 use super::{Context, source, substitute, time};
 use calib_certificate::SensorKind;
 use calib_core::point::{ExcitationKind, PointSpec};
+use calib_host::in_unit::Stating;
 use calib_host::self_check::{self, Found};
 use calib_host::{Error, Result};
 use calib_link::session::{label, temperature_centi_c};
@@ -65,7 +66,7 @@ pub(crate) struct SelfcheckVerb {
     #[arg(long, value_name = "NAME", default_value = "", env = "CALIB_OPERATOR")]
     operator: String,
     /// Temperature of the calibrator, degrees Celsius.
-    #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "CELSIUS", allow_negative_numbers = true, value_parser = finite::<f64>)]
     temperature: Option<f64>,
 }
 
@@ -195,8 +196,7 @@ impl SelfcheckVerb {
             points: &points,
             // Small differences of large ratios need all blocks.
             excitation: ExcitationKind::HeldSine,
-            sample_rate_hz: info.sample_rate_hz,
-            kind: SensorKind::default(),
+            stating: Stating::new(SensorKind::default(), info.sample_rate_hz),
         };
         let labels = RunLabels {
             unix_time_s: time::unix_time_s(),
@@ -205,7 +205,7 @@ impl SelfcheckVerb {
             temperature_centi_c: temperature_centi_c("--temperature", self.temperature)?,
             ..RunLabels::default()
         };
-        let mut progress = RunProgress::new(context, asked.sample_rate_hz, asked.kind);
+        let mut progress = RunProgress::new(context, asked.stating);
         let outcome = measure(context, client, &asked, labels, switch, &mut progress)?;
         progress.end(&outcome.points);
         keep(context, client, &outcome)?;

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::certificate::Laboratory;
-use super::source::{self, Content};
+use super::source::{self, Content, Whose};
 use calib_certificate::{self as certificate, Certificate, Language, SensorKind};
 use calib_host::{Result, judged, terminal};
 use calib_output::ChangeView;
@@ -10,15 +10,14 @@ use calib_record::hash_chain::Standing;
 use clap::Args;
 use std::path::PathBuf;
 
-/// Columns every terminal has.
-const COLUMNS: usize = 80;
-
 /// `calib show RECORD`.
 #[derive(Debug, Args)]
 pub(crate) struct Show {
     /// File of a downloaded record, or the running number of one that is still
     /// in the calibrator (it is downloaded first).
     record: PathBuf,
+    #[command(flatten)]
+    whose: Whose,
     /// Directory for a download.
     #[arg(long, short, default_value = ".", value_name = "DIR")]
     out: PathBuf,
@@ -33,7 +32,7 @@ impl Show {
     /// Draws S over f, with a table of the points; of a change of settings, what was
     /// in force before and is since.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let found = source::find(context, &self.record, &self.out)?;
+        let found = source::find_of(context, &self.whose, &self.record, &self.out)?;
         let record = match &found.content {
             Content::Calibration(record) => record,
             Content::ReferenceChange(change) => {
@@ -51,6 +50,8 @@ impl Show {
         judged::show_in(&mut particulars, self.unit)?;
         let certificate = Certificate::from_record(record, &particulars);
         let document = certificate::Document::new(&certificate, Language::default());
-        context.print(&document, || terminal::show(record, &certificate, COLUMNS))
+        context.print(&document, || {
+            terminal::show(record, &certificate, terminal::columns())
+        })
     }
 }

@@ -9,7 +9,46 @@ use calib_logbook::{Filter, Logbook};
 use calib_protocol::change::{self, ReferenceChange};
 use calib_protocol::record::{self, Record, RecordError, RecordKind};
 use calib_record::hash_chain::{Evidence, Standing};
+use clap::Args;
 use std::path::Path;
+
+/// Whose record of the logbook a number is, where several are of it.
+#[derive(Clone, Debug, Default, Args)]
+pub(super) struct Whose {
+    /// RECORD is the number of a record in the logbook, of the instrument whose serial number ends so.
+    #[arg(long, value_name = "SERIAL")]
+    instrument: Option<String>,
+    /// RECORD is the number of a record in the logbook, of this series of its instrument's numbers: 0 is the first, 1 since
+    /// its memory was erased or its board changed, and so on.
+    #[arg(long, value_name = "N")]
+    series: Option<i64>,
+}
+
+impl Whose {
+    fn is_stated(&self) -> bool {
+        self.instrument.is_some() || self.series.is_some()
+    }
+
+    /// The record of this number in the logbook.
+    fn find(&self, logbook: Option<&Logbook>, path: &Path) -> Result<Found> {
+        let wrong = |problem: &str, hint: &str| {
+            Error::usage(format!("record {}: {problem}", path.display()), hint)
+        };
+        let number = path.to_str().and_then(|name| name.parse().ok());
+        let Some(number) = number.filter(|_| !path.exists()) else {
+            let hint = "leave out --instrument and --series, which say whose record of the logbook a number is";
+            return Err(wrong("is a file", hint));
+        };
+        let Some(logbook) = logbook else {
+            return Err(wrong(
+                "there is no logbook",
+                "name one with --logbook or CALIB_LOGBOOK",
+            ));
+        };
+        let kept = logbook.record_of(number, self.instrument.as_deref(), self.series)?;
+        of_logbook(logbook, &kept)
+    }
+}
 
 /// A record that was found.
 pub(super) struct Found {
@@ -43,18 +82,28 @@ impl Found {
 
 /// [`find_beside`] the user's logbook: a record can be looked at though that cannot be read.
 pub(super) fn find(context: &Context, path: &Path, out: &Path) -> Result<Found> {
+    find_of(context, &Whose::default(), path, out)
+}
+
+/// [`find`] where it is said whose record it is.
+pub(super) fn find_of(context: &Context, whose: &Whose, path: &Path, out: &Path) -> Result<Found> {
     let logbook = context.logbook_if_there().ok().flatten();
-    find_beside(context, logbook.as_ref(), path, out)
+    find_beside(context, logbook.as_ref(), whose, path, out)
 }
 
 /// The record of this file or, when its name is a number and no file, the one of
-/// this number in the calibrator, which is downloaded into `out` first. Without a calibrator it is that of the logbook.
+/// this number in the calibrator, which is downloaded into `out` first. Without a calibrator it is that of the logbook, and
+/// where it is said whose it is.
 pub(super) fn find_beside(
     context: &Context,
     logbook: Option<&Logbook>,
+    whose: &Whose,
     path: &Path,
     out: &Path,
 ) -> Result<Found> {
+    if whose.is_stated() {
+        return whose.find(logbook, path);
+    }
     match path.to_str().map(str::parse) {
         Some(Ok(id)) if !path.exists() => {
             let mut client = match connected(context) {

@@ -254,6 +254,30 @@ mod tests {
         }
     }
 
+    /// What an instrument declines is held in full beside its numbers, where all of them are at hand.
+    #[test]
+    fn every_failure_of_a_link_is_in_the_docs_with_its_way_out() {
+        let docs = include_str!("../../../docs/troubleshooting.md");
+        let all = refused_and_broken();
+        let broken = all
+            .iter()
+            .filter(|(message, _)| !message.starts_with("the calibrator refused"));
+        assert_eq!(broken.clone().count(), 8);
+        for (message, hint) in broken {
+            let words = message.replace("COM3", "PORT");
+            let ends = |row: &&str| {
+                let words_of_row = row.split(" | ").next().unwrap_or_default();
+                words.starts_with(words_of_row.trim_start_matches("| "))
+            };
+            let mut rows = docs.lines().filter(|row| row.starts_with("| "));
+            let row = rows.find(|row| ends(row) && row.ends_with(&format!("| {hint} |")));
+            assert!(
+                row.is_some(),
+                "docs/troubleshooting.md lacks '{words}': {hint}"
+            );
+        }
+    }
+
     #[test]
     fn words_of_failures_keep_their_places() {
         for (text, words) in failures() {

@@ -342,8 +342,10 @@ fn show(shared: &Shared, progress: &Progress<'_>, begun: Instant) {
 
 /// Points in the unit of the sensor of a run.
 fn stated(run: &RunView, sample_rate_hz: f32, points: &[PointResult]) -> Vec<StatedPoint> {
-    let new = Stating::new(run.measured.kind, sample_rate_hz).all(points);
-    run.measured.kept.iter().cloned().chain(new).collect()
+    let kept = &run.measured.kept;
+    let stating = Stating::new(run.measured.kind, sample_rate_hz).following(kept);
+    let new = stating.all(points);
+    kept.iter().cloned().chain(new).collect()
 }
 
 /// Lists for a tap of the button, for the page; none while the record area is busy or dead.

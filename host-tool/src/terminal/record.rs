@@ -1,5 +1,7 @@
 //! A record on one screen: the response with U, and the table of its points.
 
+use super::COLUMNS;
+use super::verdict::{within, wrapped};
 use calib_certificate::decision::Stated;
 use calib_certificate::model::{Point, PointValues};
 use calib_certificate::{Certificate, Language, SensitivityUnit};
@@ -9,30 +11,45 @@ use calib_plot::{Plot, Scale};
 use calib_protocol::record::Record;
 use std::fmt::Write;
 
+/// Width of the column of frequencies, with the space behind it.
+const INDENT: usize = 8;
 /// Rows of the plot.
 const ROWS: usize = 14;
 
 /// The record in words, as a plot and as a table, `width` columns wide, in the quantity and unit of the sensor.
 pub fn show(record: &Record, certificate: &Certificate, width: usize) -> String {
     let unit = certificate.kind.unit();
-    let mut text = heading(record, certificate);
+    let mut text = wrapped_lines(&heading(record, certificate), width);
     if let Some(verdict) = certificate.verdict(Language::En) {
-        text += &super::verdict(&verdict);
+        text += &within(&verdict, width);
         text += "\n\n";
     }
     text += &response(certificate, unit, width);
     text.push('\n');
     if let Some(shown) = certificate.resonance.and_then(|shown| shown.in_words()) {
-        let _ = writeln!(text, "mounted resonance, effective: {shown}\n");
+        let _ = writeln!(
+            text,
+            "{}\n",
+            wrapped(&format!("mounted resonance, effective: {shown}"), width)
+        );
     }
-    let heading = format!("S/({})", unit.name());
-    let _ = writeln!(
-        text,
-        "   f/Hz   a/(m/s2)  {heading:>13}    U/%    phase/deg  verdict"
-    );
+    let narrow = width < COLUMNS;
+    let of_s = format!("S/({})", unit.name());
+    let _ = match narrow {
+        // The line above has the unit.
+        true => writeln!(text, "{:>7} {:>10} {:>5} verdict", "f/Hz", "S", "U/%"),
+        false => writeln!(
+            text,
+            "   f/Hz   a/(m/s2)  {of_s:>13}    U/%    phase/deg  verdict"
+        ),
+    };
     for point in &certificate.points {
         let measured = record.points.iter().find(|measured| is(point, measured));
-        text += &line(certificate, point, measured, unit);
+        let verdict = verdict(certificate, point, measured);
+        text += &match narrow {
+            true => narrow_line(point, unit, &verdict, width),
+            false => line(point, unit, &verdict),
+        };
     }
     text
 }
@@ -73,15 +90,25 @@ fn response(certificate: &Certificate, unit: SensitivityUnit, width: usize) -> S
     let deviations = certificate.points.iter().filter_map(deviation).collect();
     let caption = "deviation from it in %, bars are U";
     let plot = Plot::spanning(caption, Scale::Logarithmic, "Hz", deviations);
-    format!(
-        "S({} Hz) = {:.5} {}, U = {:.2} % (k = {:.2})\n\n{}",
+    let result = format!(
+        "S({} Hz) = {:.5} {}, U = {:.2} % (k = {:.2})",
         point.nominal_frequency_hz,
         unit.of_si(reference.sensitivity),
         unit.name(),
         reference.expanded_uncertainty_percent,
         reference.coverage_factor,
+    );
+    format!(
+        "{}\n\n{}",
+        wrapped(&result, width),
         plot.terminal(width, ROWS)
     )
+}
+
+fn wrapped_lines(text: &str, width: usize) -> String {
+    text.lines()
+        .map(|line| wrapped(line, width) + "\n")
+        .collect()
 }
 
 fn deviation(point: &Point, of_reference: f64) -> Option<calib_plot::Point> {
@@ -102,20 +129,41 @@ fn is(point: &Point, measured: &PointResult) -> bool {
         )
 }
 
-fn line(
-    certificate: &Certificate,
-    point: &Point,
-    measured: Option<&PointResult>,
-    unit: SensitivityUnit,
-) -> String {
-    let frequency = point.nominal_frequency_hz;
-    let verdict = match certificate.conformity_of(point) {
+fn verdict(certificate: &Certificate, point: &Point, measured: Option<&PointResult>) -> String {
+    match certificate.conformity_of(point) {
         Stated::NotSpecified | Stated::NotJudgeable if point.outcome.is_err() => {
             measured.map_or_else(String::new, |m| m.verdict.to_string())
         }
         Stated::NotSpecified => "valid".to_owned(),
         judged => code(&judged).replace('_', " "),
+    }
+}
+
+/// Level and phase are left out.
+fn narrow_line(point: &Point, unit: SensitivityUnit, verdict: &str, width: usize) -> String {
+    let frequency = point.nominal_frequency_hz;
+    let text = match &point.outcome {
+        Ok(values) => format!(
+            "{frequency:>7} {:>10.4} {:>5.2} {verdict}",
+            unit.of_si(values.sensitivity),
+            values.expanded_uncertainty_percent,
+        ),
+        Err(_) => format!("{frequency:>7} {verdict}"),
     };
+    if text.chars().count() <= width {
+        return text + "\n";
+    }
+    // What does not fit goes on below, under what it belongs to.
+    let words = wrapped(verdict, width - INDENT);
+    let lines: String = words
+        .lines()
+        .map(|line| format!("{:INDENT$}{line}\n", ""))
+        .collect();
+    format!("{}\n{lines}", text.trim_end_matches(verdict).trim_end())
+}
+
+fn line(point: &Point, unit: SensitivityUnit, verdict: &str) -> String {
+    let frequency = point.nominal_frequency_hz;
     match &point.outcome {
         Ok(values) => format!(
             "{frequency:>7}  {:>9.3}  {:>13.5}  {:>5.2}  {:>11.3}  {verdict}\n",
@@ -133,5 +181,40 @@ fn phase_deg(values: &PointValues) -> f64 {
     match values.phase_deg.abs() < 0.000_5 {
         true => 0.0,
         false => values.phase_deg,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use calib_certificate::{Known, Particulars};
+    use calib_core::verdict::{Reason, Verdict};
+    use calib_record::sample;
+
+    /// A phone held upright, with the longest words there are.
+    #[test]
+    fn a_record_fits_forty_columns_and_eighty() {
+        let mut record = sample::record(&[80.0, 160.0, 10_000.0]);
+        record.points[2].verdict = Verdict::Refused(Reason::ChannelsNotAligned);
+        let known = Known {
+            kind: Some("mV/(mm/s)".parse().expect("a kind")),
+            nominal: Some("4 mV/(mm/s)".parse().expect("a sensitivity")),
+            tolerance: Some("5,3:reference".parse().expect("a tolerance")),
+            ..Known::default()
+        };
+        let mut particulars = Particulars::default();
+        particulars.for_device(&known).expect("complete");
+        let certificate = Certificate::from_record(&record, &particulars);
+        for width in [40, 80] {
+            let shown = show(&record, &certificate, width);
+            for line in shown.lines() {
+                let columns = line.chars().count();
+                assert!(columns <= width, "{columns} of {width}: {line}\n{shown}");
+            }
+            for said in ["refused", "mV/(mm/s)", "phase/deg"] {
+                let left_out = width == 40 && said == "phase/deg";
+                assert_eq!(shown.contains(said), !left_out, "{said}:\n{shown}");
+            }
+        }
     }
 }

@@ -1,19 +1,31 @@
 //! The verdict as nobody overlooks it.
 
+use super::COLUMNS;
 use calib_certificate::Verdict;
 
-/// Columns every terminal has.
-const COLUMNS: usize = 80;
-
-/// Verdict between two rules, and what decided below it.
+/// Verdict between two rules, and what decided below it, on a terminal of 80 columns.
 pub fn show(verdict: &Verdict) -> String {
+    within(verdict, COLUMNS)
+}
+
+/// Verdict between two rules, and what decided below it, in `width` columns.
+pub(super) fn within(verdict: &Verdict, width: usize) -> String {
     let rule = "=".repeat(verdict.title.chars().count() + 6);
-    let mut text = format!("{rule}\n   {}\n{rule}\n", verdict.title);
+    format!(
+        "{rule}\n   {}\n{rule}\n{}",
+        verdict.title,
+        wrapped(&verdict.because, width)
+    )
+}
+
+/// The words in lines of at most `width` columns.
+pub(super) fn wrapped(words: &str, width: usize) -> String {
+    let mut text = String::new();
     let mut column = 0;
-    for word in verdict.because.split(' ') {
+    for word in words.split(' ') {
         let length = word.chars().count();
         let begins = column == 0;
-        if !begins && column + 1 + length > COLUMNS {
+        if !begins && column + 1 + length > width {
             text.push('\n');
             column = 0;
         } else if !begins {

@@ -279,7 +279,7 @@ fn a_data_sheet_that_is_known_tells_a_mount_that_gives_way() {
     let untold = show();
     assert!(!said(&untold).contains(&"mount_gives_way".to_owned()));
     let serial = record.head.labels.dut_serial.as_str();
-    for (wrong, words) in [("32", "500 Hz"), ("-1", "500 Hz"), ("nan", "500 Hz")] {
+    for (wrong, words) in [("32", "500 Hz"), ("-1", "500 Hz"), ("nan", "a number")] {
         let resonance = format!("--resonance={wrong}");
         let output = go(&["sensors", "add", "--serial", serial, &resonance]);
         assert_eq!(output.status.code(), Some(2), "{wrong}");

@@ -361,7 +361,30 @@ fn a_key_in_place_of_another_is_taken_from_a_person_alone_and_keeps_what_was() {
     assert_eq!(of(Some(1)).expect("since"), again[1]);
     let path = logbook.path().to_owned();
     drop(logbook);
+    its_series_names_a_record_of_the_command_line(&path, &serial);
     a_statement_is_none_by_another_program(&path, &serial);
+}
+
+/// No calibrator is there to be asked.
+fn its_series_names_a_record_of_the_command_line(logbook: &Path, serial: &str) {
+    let folder = logbook.parent().expect("a folder");
+    let file = logbook.to_str().expect("text");
+    let go = |line: &str, which: [&str; 2]| {
+        let words: Vec<&str> = line.split(' ').chain(which).collect();
+        calib(folder, &[&words[..], &["--logbook", file]].concat())
+    };
+    let said = |line: &str, which: [&str; 2]| text(&go(line, which).stderr);
+    let certificate = "certificate 2 --format csv --out c";
+    let several = said(certificate, ["--instrument", &serial[1..]]);
+    let named = several.contains("there are 2") && several.contains("--series");
+    assert!(named, "{several}");
+    let none = said(certificate, ["--instrument", "no-such"]);
+    assert!(none.contains("is not there"), "{none}");
+    let made = go(certificate, ["--series", "1"]);
+    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+    let shown = ["0", "1"].map(|series| text(&go("show 2 --json", ["--series", series]).stdout));
+    assert!(!shown[0].is_empty(), "the one of before");
+    assert_ne!(shown[0], shown[1], "each is its own");
 }
 
 /// A statement that another program writes, or changes, is noticed.

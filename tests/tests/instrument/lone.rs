@@ -154,6 +154,8 @@ fn tapped(bench: &mut Bench, list: &StoredList) -> Result<Record, Fault> {
         list.points.len(),
         "not the chosen list"
     );
+    // It settles for longer than that.
+    assert_eq!(running.block, 0, "a block of the run before");
     while bench.client.status()?.state.is_running() {
         bench.client.wait(Duration::from_millis(50))?;
     }
@@ -227,6 +229,21 @@ fn a_tap_of_a_list_that_can_no_longer_be_measured_moves_nothing() -> Result<(), 
     })?;
     // 10 m/s2 r.m.s. are 14.1 m/s2 peak.
     bench.adjust(|settings| settings.limits.acceleration_peak_ms2 = 10.0)?;
+    let before = bench.client.records()?.len();
+    bench.under_a_hand(|_| Ok(()))?;
+    bench.client.wait(Duration::from_millis(300))?;
+    assert!(!bench.client.status()?.state.is_running());
+    assert_eq!(seen(&mut bench)?, NOT_JUDGEABLE);
+    assert_eq!(bench.client.records()?.len(), before);
+    Ok(())
+}
+
+/// The list of an instrument nobody chose one on begins at a point that could be measured, and has others that cannot.
+#[test]
+fn a_tap_looks_through_the_list_nobody_chose_too() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    // 10 m/s2 r.m.s. are 0.9 mm peak at 20 Hz and 14 um at 160 Hz.
+    bench.adjust(|settings| settings.limits.displacement_peak_m = 0.5e-3)?;
     let before = bench.client.records()?.len();
     bench.under_a_hand(|_| Ok(()))?;
     bench.client.wait(Duration::from_millis(300))?;

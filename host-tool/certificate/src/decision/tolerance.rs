@@ -47,6 +47,21 @@ impl Tolerance {
     }
 }
 
+impl Tolerance {
+    /// Whether two limits are of the same base for the same frequencies, as `2,5` reads that was meant for 2.5.
+    pub fn repeats(&self) -> bool {
+        let Self::Bands(bands) = self else {
+            return false;
+        };
+        let same = |one: &Band, other: &Band| {
+            let place = |b: &Band| (b.from_hz, b.to_hz, b.reference_point_only);
+            one.base == other.base && place(one) == place(other)
+        };
+        let repeated = |(at, one)| bands[..at].iter().any(|before| same(one, before));
+        bands.iter().enumerate().any(repeated)
+    }
+}
+
 impl FromStr for Tolerance {
     type Err = String;
 
@@ -162,6 +177,21 @@ mod tests {
         );
         assert_eq!((bands[0].from_hz, bands[0].to_hz), (20.0, 5000.0));
         assert_eq!(bands[0].base, Base::Reference);
+    }
+
+    #[test]
+    fn a_comma_for_a_point_is_seen() {
+        let repeats = |text: &str| text.parse::<Tolerance>().expect(text).repeats();
+        assert!(repeats("2,5") && repeats("5:reference,3:reference"));
+        for text in [
+            "api670",
+            "5",
+            "5:nominal:reference,10",
+            "5:nominal,2:last",
+            "5:last:20-50,3:last:50-90",
+        ] {
+            assert!(!repeats(text), "{text}");
+        }
     }
 
     #[test]

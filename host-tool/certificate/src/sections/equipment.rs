@@ -3,6 +3,7 @@
 use super::clause;
 use super::value::{exact, phrase, said, text};
 use crate::interval::{InForce, in_force};
+use crate::kind::{Output, SensorKind};
 use crate::model::{Line, Section, Value};
 use crate::particulars::{Equipment, Particulars};
 use crate::stored::{day, run_day};
@@ -12,7 +13,7 @@ use calib_record::origin::is_emulated;
 
 pub(super) fn amplifier(record: &Record, particulars: &Particulars) -> Section {
     let stated = &particulars.amplifier;
-    let gain = particulars.kind().conditioner_words().map(Value::Text);
+    let gain = of_kind(particulars.kind());
     let lower = exact(stated.lower_cutoff_hz, "Hz");
     let upper = exact(stated.upper_cutoff_hz, "Hz");
     let slope = exact(stated.slope_db_per_octave, "dB/oct");
@@ -28,6 +29,17 @@ pub(super) fn amplifier(record: &Record, particulars: &Particulars) -> Section {
         ("reference_input", clause::NONE, reference),
     ];
     Section::new("amplifier", lines)
+}
+
+/// The charge amplifier or the burden that a kind of sensor is read through.
+fn of_kind(kind: SensorKind) -> Option<Value> {
+    let (gain, percent) = kind.gain_and_expanded_percent()?;
+    let (key, unit) = match kind.unit().output() {
+        Output::Charge => ("gain.charge", "mV/pC"),
+        _ => ("gain.burden", "Ω"),
+    };
+    let values = vec![Value::Exact(gain, unit), Value::Exact(percent, "%")];
+    Some(Value::Phrase(key.to_owned(), values))
 }
 
 /// Microvolt per code, to the seven digits an f32 holds.

@@ -2,7 +2,7 @@
 
 use super::super::Context;
 use super::super::measure::stop_on_interrupt;
-use super::super::number::positive;
+use super::super::number::{finite, positive};
 use super::super::progress::RunProgress;
 use calib_certificate::SensorKind;
 use calib_core::point::PointSpec;
@@ -10,6 +10,7 @@ use calib_host::emulated::{self, EmulatedBoard};
 use calib_host::gap::design::diagnostic_points;
 use calib_host::gap::known::Known;
 use calib_host::gap::recorded::{Recorded, Setting, record, under};
+use calib_host::in_unit::Stating;
 use calib_host::{Error, Result};
 use calib_link::Client;
 use calib_link::session;
@@ -63,7 +64,8 @@ pub(crate) struct RecordVerb {
         value_name = "DEG,...",
         value_delimiter = ',',
         default_value = "0",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = finite::<f64>
     )]
     rotation: Vec<f64>,
     /// Angle between the axis of motion and the vertical, degrees.
@@ -72,11 +74,12 @@ pub(crate) struct RecordVerb {
         value_name = "DEG,...",
         value_delimiter = ',',
         default_value = "0",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = finite::<f64>
     )]
     tilt: Vec<f64>,
     /// Mass on the armature, kg; default: that of the rig file, else 0.
-    #[arg(long, value_name = "KG,...", value_delimiter = ',')]
+    #[arg(long, value_name = "KG,...", value_delimiter = ',', value_parser = finite::<f64>)]
     payload: Vec<f64>,
     /// Transducer temperature, degrees Celsius; default: what the instrument's own sensor shows,
     /// less what its processor warms itself.
@@ -84,7 +87,8 @@ pub(crate) struct RecordVerb {
         long,
         value_name = "C,...",
         value_delimiter = ',',
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = finite::<f64>
     )]
     temperature: Vec<f64>,
 }
@@ -304,7 +308,8 @@ impl RecordVerb {
         };
         let points = self.points(client, known, setting)?;
         let sample_rate_hz = client.info()?.sample_rate_hz;
-        let mut progress = RunProgress::new(context, sample_rate_hz, SensorKind::default());
+        let mut progress =
+            RunProgress::new(context, Stating::new(SensorKind::default(), sample_rate_hz));
         let waveforms = !self.no_waveforms;
         let recorded = record(
             client,

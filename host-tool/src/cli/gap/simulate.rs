@@ -52,12 +52,14 @@ pub(crate) struct Simulate {
     off_by: Option<f64>,
 }
 
+const OFF_BY: &str = "must be a number from 0 to 3: a rig farther off is a gap by definition";
+
 fn off_by(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| "is no number".to_owned())?;
+    let value: f64 = text.parse().map_err(|_| OFF_BY.to_owned())?;
     if (0.0..=3.0).contains(&value) {
         Ok(value)
     } else {
-        Err("must be from 0 to 3: a rig farther off is a gap by definition".to_owned())
+        Err(OFF_BY.to_owned())
     }
 }
 
