@@ -15,6 +15,8 @@ use serde::Serialize;
 /// Shortest and longest interval that is advised, years: nobody sends a reference away more often than four times
 /// a year, and ISO 16063-21 knows none that is trusted for longer than five.
 const INTERVAL_YEARS: (f64, f64) = (0.25, 5.0);
+/// Shortest time a standard's results span, years: a month. Seven results of a minute gave 5 000 % a year.
+const SHORTEST_YEARS: f64 = 1.0 / 12.0;
 /// Coverage of the drift's expanded uncertainty.
 const COVERAGE: f64 = 0.9545;
 
@@ -44,9 +46,13 @@ pub struct CommonDrift {
     pub expanded_rel_per_year: f64,
 }
 
-/// The common drift; none with results of a single day, or too few to leave a degree of freedom.
+/// The common drift of the standards whose results span a month or more; none without one, or with too few results to
+/// leave a degree of freedom.
 pub fn common_drift(all: &[Series]) -> Option<CommonDrift> {
-    let series = || all.iter().filter(|series| series.len() > 1);
+    let series = || {
+        all.iter()
+            .filter(|series| span_years(series) >= SHORTEST_YEARS)
+    };
     let (standards, results) = (series().count(), series().map(Vec::len).sum::<usize>());
     let degrees_of_freedom = results
         .checked_sub(standards + 1)
@@ -66,6 +72,12 @@ pub fn common_drift(all: &[Series]) -> Option<CommonDrift> {
         drift_rel_per_year: slope,
         expanded_rel_per_year: student_factor(COVERAGE, degrees_of_freedom) * u,
     })
+}
+
+/// From the first of the results to the last.
+fn span_years(series: &[Measured]) -> f64 {
+    let years = || series.iter().map(|result| result.years);
+    years().fold(f64::NEG_INFINITY, f64::max) - years().fold(f64::INFINITY, f64::min)
 }
 
 /// Times and logarithms from their means.
@@ -114,6 +126,16 @@ mod tests {
             (0..12).map(one).collect()
         };
         [0.01, 0.1, 1.0].map(|s| series(s, &mut scatter)).to_vec()
+    }
+
+    #[test]
+    fn results_of_a_day_show_no_drift() {
+        let mut series = drawn(1, 0.01);
+        for result in series.iter_mut().flatten() {
+            result.years /= 365.0;
+        }
+        assert_eq!(common_drift(&series), None);
+        assert_eq!(common_drift(&[Vec::new()]), None);
     }
 
     /// 95.45 % of 1 000, binomial deviation 6.6; five of them.

@@ -100,22 +100,36 @@ fn read(path: &Path) -> Result<Vec<StandardPoint>> {
         Some(column) => (column, 1e-3),
         None => (table.require("the sensitivity", &["sensitivity_v"])?, 1.0),
     };
-    let positive = |row, column: &Column| match table.number(row, column)? {
-        value if value > 0.0 => Ok(value),
-        value => Err(table.source.at_line(
-            row.line,
-            format!("{} = {value} is not above zero", column.written),
-            "frequencies, sensitivities and uncertainties are positive",
-        )),
+    let hint = "frequencies are in Hz, sensitivities in their column's unit, U (k = 2) in percent";
+    let between = |row, column: &Column, [least, most]: [f64; 2]| {
+        let value = table.number(row, column)?;
+        if (least..=most).contains(&value) {
+            return Ok(value);
+        }
+        let written = &column.written;
+        let problem = format!("{written} = {value} is not between {least} and {most}");
+        Err(table.source.at_line(row.line, problem, hint))
     };
-    let points = table.rows.iter().map(|row| {
-        Ok(StandardPoint {
-            frequency_hz: positive(row, frequency)?,
-            sensitivity_v_per_ms2: scale * positive(row, sensitivity)?,
-            expanded_uncertainty_rel: positive(row, u)? / 100.0,
-        })
-    });
-    points.collect()
+    let mut points: Vec<StandardPoint> = Vec::new();
+    for row in &table.rows {
+        let point = StandardPoint {
+            frequency_hz: between(row, frequency, [0.01, 200_000.0])?,
+            sensitivity_v_per_ms2: scale * between(row, sensitivity, [1e-6 / scale, 2.0 / scale])?,
+            expanded_uncertainty_rel: between(row, u, [0.01, 20.0])? / 100.0,
+        };
+        // A point takes what is within 1 % of its frequency: two of that are one too many.
+        let near =
+            |other: &StandardPoint| (other.frequency_hz / point.frequency_hz - 1.0).abs() <= 0.02;
+        if points.iter().any(near) {
+            let problem = format!("{} Hz is there twice, or nearly", point.frequency_hz);
+            let refused = table
+                .source
+                .at_line(row.line, problem, "leave one of them in");
+            return Err(refused.into());
+        }
+        points.push(point);
+    }
+    Ok(points)
 }
 
 /// The record of this number, from the calibrator.

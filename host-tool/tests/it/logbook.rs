@@ -829,6 +829,22 @@ fn a_device_is_calibrated_by_substitution_of_a_standard() {
         "{}",
         text(&unknown.stderr)
     );
+    // Nothing moves for a table that cannot be: no U, hardly any, mV that say V, a frequency twice.
+    for (name, rows) in [
+        ("expanded_uncertainty_percent", "160,10.1,0\n"),
+        ("expanded_uncertainty_percent", "160,10.1,1e-9\n"),
+        ("expanded_uncertainty_percent", "160,10.1,1e9\n"),
+        ("sensitivity_v", "160,10.1,0.4\n"),
+        ("twice", "160,10.1,0.4\n160.5,11,0.4\n"),
+    ] {
+        let unit = if name == "sensitivity_v" { "v" } else { "mv" };
+        let heads = format!("frequency_hz,sensitivity_{unit},expanded_uncertainty_percent\n");
+        write("bad.csv", &format!("{heads}{rows}"));
+        let refused = run(" --substitute CHK --standard bad.csv");
+        assert_eq!(refused.status.code(), Some(6), "{name}: {rows}");
+        let why = text(&refused.stderr);
+        assert!(why.contains(name) && why.contains("bad.csv:"), "{why}");
+    }
     let output = run(" --substitute CHK --standard s.csv");
     let found = json(&output);
     let substitution = &found["substitution"];

@@ -1,6 +1,6 @@
 //! `calib assure`: check standards against their own results, before a job is begun.
 
-use super::history::{SIZE, plot};
+use super::history::{SIZE, plot, signed};
 use super::sensors::cut;
 use crate::cli::{Context, number::positive, time};
 use calib_certificate::SensorKind;
@@ -210,7 +210,7 @@ fn standards_text(report: &AssuranceReport) -> String {
             state.standard.every_days.to_string(),
             state.results.to_string(),
             latest.map_or("never".to_owned(), time::date_and_minute),
-            state.e_n.map_or(String::new(), |e_n| format!("{e_n:+.2}")),
+            state.e_n.map_or(String::new(), signed),
             state.words(),
         ]);
     }
@@ -323,7 +323,7 @@ fn text(assurance: &Assurance, history: &History, kind: SensorKind) -> String {
         ),
     ];
     if let Some(e_n) = assurance.e_n {
-        lines.push(format!("against its certificate: E_n = {e_n:+.2}"));
+        lines.push(format!("against its certificate: E_n = {}", signed(e_n)));
     }
     let signals = assurance.signals.iter();
     lines.extend(signals.map(|signal| signal.text().to_owned()));

@@ -4,6 +4,7 @@ use crate::cli::{Context, number::positive, time};
 use calib_host::{Error, Result, terminal};
 use calib_logbook::History as Drift;
 use calib_metrology::text::Table;
+use calib_output::number::fixed;
 use clap::Args;
 
 /// Columns and rows of the plot.
@@ -79,11 +80,11 @@ fn text(history: &Drift) -> String {
             result.record_id.to_string(),
             format!("{:.5}", result.sensitivity),
             format!("{:.2}", 100.0 * result.expanded_uncertainty_rel),
-            drift.map_or(String::new(), |drift| format!("{:+.2}", 100.0 * drift)),
+            drift.map_or(String::new(), |drift| signed(100.0 * drift)),
             result
                 .u_drift_rel
                 .map_or(String::new(), |u| format!("{:.2}", 100.0 * u)),
-            result.e_n.map_or(String::new(), |e_n| format!("{e_n:+.2}")),
+            result.e_n.map_or(String::new(), signed),
             match result.drift_exceeds_uncertainty {
                 true => "changed".to_owned(),
                 false => String::new(),
@@ -91,4 +92,13 @@ fn text(history: &Drift) -> String {
         ]);
     }
     format!("{}\n{table}", plot(history))
+}
+
+/// Two decimals with a sign; zero has none.
+pub(super) fn signed(value: f64) -> String {
+    let text = fixed(value, 2);
+    match value > 0.0 && text != "0.00" {
+        true => format!("+{text}"),
+        false => text,
+    }
 }
