@@ -5,10 +5,10 @@ use crate::browser::Browser;
 use serde_json::json;
 
 /// More keys than a page has places that take the focus.
-const MOST_PLACES: usize = 80;
+const MOST_PLACES: usize = 120;
 
 impl Browser {
-    /// Presses one of the keys Tab, Enter and End, wherever the focus is.
+    /// Presses one of the keys Tab, Enter, Home, End and ArrowDown, wherever the focus is.
     ///
     /// # Errors
     /// The browser refuses.
@@ -17,6 +17,8 @@ impl Browser {
             "Tab" => (9, ""),
             "Enter" => (13, "\r"),
             "End" => (35, ""),
+            "Home" => (36, ""),
+            "ArrowDown" => (40, ""),
             other => return Err(format!("no key {other}").into()),
         };
         for (event, text) in [("keyDown", text), ("keyUp", "")] {

@@ -362,6 +362,12 @@ impl Particulars {
     pub fn for_device(&mut self, known: &Known) -> Result<()> {
         let stated = self.item.mounted_resonance_hz;
         self.item.mounted_resonance_hz = stated.or(known.resonance_hz);
+        // A file for the whole laboratory may state the unit its accelerometers are shown in.
+        if let (Some(stated), Some(own)) = (self.item.unit, known.kind) {
+            let hint = "leave `unit` out of the file, or register the sensor with its own unit";
+            let fits = own.shown_in(stated.unit());
+            fits.map_err(|problem| Error::input("particulars", problem, hint))?;
+        }
         self.item.unit = self.item.unit.or(known.kind);
         let kind = self.kind();
         if let Some(tolerance) = &known.tolerance {

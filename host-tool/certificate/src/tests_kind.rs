@@ -278,6 +278,14 @@ fn what_does_not_fit_the_kind_is_refused() {
         let error = particulars.for_device(&Known::default()).expect_err(kind);
         assert!(error.to_string().contains(names), "{kind}: {error}");
     }
+    // A file for the whole laboratory, and a sensor that the logbook knows better.
+    let mut house: Particulars = toml::from_str("[item]\nunit = 'mV/g'").expect("TOML");
+    let coil = known("mV/(mm/s)", "4 mV/(mm/s)", "5");
+    let error = house.for_device(&coil).expect_err("an accelerometer's");
+    assert!(
+        error.to_string().contains("specified in mV/(mm/s)"),
+        "{error}"
+    );
     let stated: Result<Particulars, _> = toml::from_str("[item]\nunit = 'pC/g'");
     assert!(
         stated

@@ -298,7 +298,8 @@ impl Logbook {
         let kind = sensor.kind()?;
         let nominal = |si| Specified::of_si(si, kind.unit());
         Ok(Known {
-            kind: Some(kind),
+            // Of one that was entered before there were kinds nobody has said any.
+            kind: sensor.unit.is_some().then_some(kind),
             nominal: sensor.sensitivity.map(nominal),
             resonance_hz: sensor.resonance_hz,
             tolerance: tolerance.map_err(|problem| Error::input(place(), problem, hint))?,

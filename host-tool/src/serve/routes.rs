@@ -29,10 +29,10 @@ use super::documents::{self, Stated, Wanted};
 use super::handle::{Handle, Order};
 use super::options::Options;
 use super::stops::{self, Asked, NotStopped};
-use super::view::RunView;
+use super::view::{Measured, RunView};
 use super::{assets, live};
 use crate::assurance::{self, AssuranceReport};
-use crate::{Error, assurance_report, refusals};
+use crate::{Error, assurance_report, judged, refusals};
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State};
 use axum::http::{HeaderValue, StatusCode, header};
@@ -441,7 +441,8 @@ async fn run(State(app): State<App>, Json(asked): Json<Run>) -> Result<Response,
     aside(move || {
         let shared = &app.handle.shared;
         let measured = asked.measured(&app.options.logbook, last.as_ref());
-        let measured = measured.inspect_err(|_| shared.not_begun("did not begin"))?;
+        let fitting = measured.and_then(|measured| fitting(&app.options, measured));
+        let measured = fitting.inspect_err(|_| shared.not_begun("did not begin"))?;
         let labels = Box::new(measured.labels.clone());
         shared.change_run(|run| {
             run.dut_serial = labels.dut_serial.to_string();
@@ -456,6 +457,15 @@ async fn run(State(app): State<App>, Json(asked): Json<Run>) -> Result<Response,
         Ok(StatusCode::ACCEPTED.into_response())
     })
     .await
+}
+
+/// What cannot be judged afterwards, by the files of the laboratory, is said before anything moves.
+fn fitting(options: &Options, measured: Measured) -> Result<Measured, Error> {
+    if !measured.kind.is_as_measured() {
+        let logbook = Logbook::open_if_there(&options.logbook)?;
+        judged::particulars(&options.particulars, &measured.labels, logbook.as_ref())?;
+    }
+    Ok(measured)
 }
 
 /// A failure as an answer: in words, with the way out.

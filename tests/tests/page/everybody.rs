@@ -55,13 +55,7 @@ pub(crate) fn fits_a_phone(setup: &Setup) -> Result<(), Fault> {
     page.screen(360, 640, 2.0, true)?;
     page.open(&setup.server.url)?;
     page.wait_for_text("#state", "finished")?;
-    for part in ["documentElement", "getElementById('content')"] {
-        assert_eq!(
-            page.value(&format!("document.{part}.scrollWidth <= 360"))?,
-            true,
-            "{part}"
-        );
-    }
+    nothing_is_sideways(page)?;
     let stop_is_there =
         "(() => { const r = document.getElementById('stop').getBoundingClientRect();
         const at = document.elementFromPoint(r.x + r.width / 2, r.y + r.height / 2);
@@ -82,13 +76,22 @@ pub(crate) fn fits_a_phone(setup: &Setup) -> Result<(), Fault> {
     page.screen(1280, 1000, 1.0, false)
 }
 
-/// Result above the form, each point with its verdict in sight, nothing to move sideways.
+/// Nothing is wider than the screen of a phone, and nothing within is to be moved sideways.
+pub(crate) fn nothing_is_sideways(page: &Browser) -> Result<(), Fault> {
+    for part in ["documentElement", "getElementById('content')"] {
+        let fits = page.value(&format!("document.{part}.scrollWidth <= 360"))?;
+        assert_eq!(fits, true, "{part}");
+    }
+    let sideways = "[...document.querySelectorAll('.scroll')].filter((place) => place.scrollWidth > place.clientWidth).length";
+    assert_eq!(page.value(sideways)?, 0);
+    Ok(())
+}
+
+/// Result above the form, each point with its verdict in sight.
 fn points_are_cards(page: &Browser) -> Result<(), Fault> {
     let top = |id| format!("document.getElementById('{id}').getBoundingClientRect().top");
     let above = page.value(&format!("{} < {}", top("now"), top("run")))?;
     assert_eq!(above, true, "the result is above the form");
-    let sideways = "[...document.querySelectorAll('.scroll')].filter((place) => place.scrollWidth > place.clientWidth).length";
-    assert_eq!(page.value(sideways)?, 0);
     let cards = "[...document.querySelectorAll('#points tr')].map((card) => {
         const verdict = card.lastElementChild.getBoundingClientRect(), all = card.getBoundingClientRect();
         return verdict.width > 0 && verdict.left >= 0 && verdict.right <= innerWidth && verdict.top - all.top < 40; })";
@@ -97,7 +100,7 @@ fn points_are_cards(page: &Browser) -> Result<(), Fault> {
 }
 
 /// Whatever is touched is 44 px high at least (WCAG 2.2, 2.5.5).
-fn controls_are_large(page: &Browser) -> Result<(), Fault> {
+pub(crate) fn controls_are_large(page: &Browser) -> Result<(), Fault> {
     let small = "[...document.querySelectorAll('button, input, select, summary, a')]
         .filter((one) => one.checkVisibility() && one.getBoundingClientRect().height < 43.9)
         .map((one) => one.outerHTML)";

@@ -14,11 +14,13 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-/// A laboratory that states all there is but the day of issue and who authorises, which the page asks for.
-fn laboratory(folder: &Path) -> Result<String, Fault> {
+/// What the page asks for: the day of issue and who authorises. The logo is another file.
+const LEFT_OUT: [&str; 3] = ["issued", "approved_by", "logo"];
+
+/// A laboratory that states all there is but this.
+fn laboratory(folder: &Path, left_out: &[&str]) -> Result<String, Fault> {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/certificate/laboratory.toml");
     let example = std::fs::read_to_string(example)?;
-    let left_out = ["issued", "approved_by", "logo"];
     let stated = |line: &&str| !left_out.iter().any(|key| line.starts_with(key));
     let lines: Vec<_> = example.lines().filter(stated).collect();
     let path = folder.join("laboratory.toml");
@@ -57,6 +59,11 @@ struct Setup {
 impl Setup {
     /// `None`, after saying so, without a browser.
     fn new() -> Result<Option<Self>, Fault> {
+        Self::without(&LEFT_OUT)
+    }
+
+    /// With a laboratory that leaves this out of its statements.
+    fn without(left_out: &[&str]) -> Result<Option<Self>, Fault> {
         let Some(driver) = driver() else {
             return Ok(None);
         };
@@ -67,7 +74,7 @@ impl Setup {
             server: Served::start(
                 folder.path(),
                 &[
-                    ["--laboratory", &laboratory(folder.path())?],
+                    ["--laboratory", &laboratory(folder.path(), left_out)?],
                     ["--sign", SEAL],
                     ["--password-file", &password(folder.path())?],
                 ]

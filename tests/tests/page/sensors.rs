@@ -1,7 +1,8 @@
 //! A sensor is registered on the page, measured, adjusted and measured again.
 
-use super::Setup;
+use super::{LEFT_OUT, Setup, everybody};
 use calib_tests::bench::Fault;
+use calib_tests::browser::Browser;
 
 #[test]
 fn a_sensor_is_registered_measured_adjusted_and_measured_again() -> Result<(), Fault> {
@@ -50,6 +51,127 @@ fn a_sensor_is_registered_measured_adjusted_and_measured_again() -> Result<(), F
     }
     page.switch_to(own)?;
     Ok(())
+}
+
+/// A kind of sensor as it is registered, and what the page says of it.
+struct Kind {
+    serial: &'static str,
+    unit: &'static str,
+    /// Lines below the first of the list of units.
+    place: usize,
+    /// Gain of the charge amplifier, or burden.
+    between: Option<&'static str>,
+    /// Of the transducer of this rig, 9.285 mV/(m/s2) at 160 Hz, w = 1005 1/s.
+    nominal: &'static str,
+    verdict: &'static str,
+}
+
+const KINDS: [Kind; 4] = [
+    Kind {
+        serial: "V-1",
+        unit: "mV/(mm/s)",
+        place: 2,
+        between: None,
+        nominal: "9.33",
+        verdict: "PASS",
+    },
+    Kind {
+        serial: "D-1",
+        unit: "mV/um",
+        place: 3,
+        between: None,
+        // 9.38 mV/um, by half.
+        nominal: "4.69",
+        verdict: "FAIL",
+    },
+    Kind {
+        serial: "Q-1",
+        unit: "pC/g",
+        place: 5,
+        between: Some("10"),
+        nominal: "9.11",
+        verdict: "PASS",
+    },
+    Kind {
+        serial: "T-1",
+        unit: "mA/g",
+        place: 7,
+        between: Some("250"),
+        nominal: "0.364",
+        // Reported only.
+        verdict: "",
+    },
+];
+
+/// From the register to the verdict, on a phone, by the keys of the keyboard.
+#[test]
+fn every_kind_of_sensor_fits_a_phone_and_a_keyboard() -> Result<(), Fault> {
+    // Unit and tolerance are the sensors', from the logbook.
+    let unstated = [&LEFT_OUT[..], &["unit", "specification", "rule"]].concat();
+    let Some(setup) = Setup::without(&unstated)? else {
+        return Ok(());
+    };
+    let page = &setup.browser;
+    page.screen(360, 640, 2.0, true)?;
+    setup.connect()?;
+    page.choose("#list", "typed")?;
+    page.fill("#frequencies", "160")?;
+    for (nth, kind) in KINDS.iter().enumerate() {
+        register_by_keyboard(page, kind)?;
+        page.tab_to("#start")?;
+        page.press("Enter")?;
+        page.wait_for_text("#kept", &format!("record {}", nth + 2))?;
+        let units =
+            "[...document.querySelectorAll('.unit')].map((one) => one.textContent).join(' ')";
+        let units = page
+            .value(units)?
+            .to_string()
+            .replace('\u{b5}', "u")
+            .replace('\u{b2}', "2");
+        assert!(units.contains(kind.unit), "{}: {units}", kind.unit);
+        match kind.verdict {
+            "" => assert_eq!(
+                page.value("document.getElementById('verdict').hidden")?,
+                true
+            ),
+            verdict => page.wait_for_text("#verdict", verdict)?,
+        }
+        everybody::nothing_is_sideways(page)?;
+        everybody::controls_are_large(page)?;
+        everybody::can_use_it(page)?;
+    }
+    Ok(())
+}
+
+fn register_by_keyboard(page: &Browser, kind: &Kind) -> Result<(), Fault> {
+    let typed = |place: &str, text: &str| {
+        page.tab_to(place)?;
+        page.type_text(text)
+    };
+    page.tab_to("#registration summary")?;
+    page.press("Enter")?;
+    typed("#new-serial", kind.serial)?;
+    typed("#register [name=sensitivity]", kind.nominal)?;
+    page.tab_to("#new-unit")?;
+    page.press("Home")?;
+    (0..kind.place).try_for_each(|_| page.press("ArrowDown"))?;
+    assert_eq!(
+        page.value("document.getElementById('new-unit').value")?,
+        kind.unit
+    );
+    if let Some(between) = kind.between {
+        typed("#between-value", between)?;
+        typed("#between-u", "0.5")?;
+    }
+    // With the form open as well.
+    everybody::nothing_is_sideways(page)?;
+    everybody::controls_are_large(page)?;
+    if !kind.verdict.is_empty() {
+        typed("#register [name=tolerance]", "5")?;
+    }
+    page.tab_to("#register button")?;
+    page.press("Enter")?;
+    page.wait_for_text("#sensor", kind.serial)
 }
 
 fn measure(setup: &Setup, record: u32) -> Result<(), Fault> {
