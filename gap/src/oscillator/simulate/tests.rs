@@ -76,7 +76,7 @@ fn every_smooth_term_is_integrated() {
         (Parameter::QuadraticStiffness, 0.05),
         (Parameter::QuadraticDamping, 0.02),
         (Parameter::CubicDamping, 0.02),
-        (Parameter::ResonanceDrift, 1e-4),
+        (Parameter::ResonanceDrift, 2e-5),
         (Parameter::HighpassCorner, 20.0),
         (Parameter::Lag, 0.05),
         (Parameter::Lag, 20.0),
