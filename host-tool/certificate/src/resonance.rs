@@ -456,6 +456,8 @@ mod tests {
     fn a_response_that_falls_is_no_resonance_and_hides_one() {
         let coil = |corner_hz: f32| {
             let mut record = swept(&THIRD_OCTAVES_HZ);
+            // As there, the 3 K of the settings.
+            record.head.labels.temperature_centi_c = Some(2500);
             for point in &mut record.points {
                 let hz = point.spec.frequency_hz;
                 let inductance = (hz / corner_hz).hypot(1.0);

@@ -107,7 +107,7 @@ fn is_read_by_others(certificate: &Certificate, pdf: &[u8], dcc: &[u8]) {
     }
     let first = pages[0].as_str().expect("text");
     assert!(
-        first.contains("10,200") && first.contains("0,079"),
+        first.contains("10,200") && first.contains("0,069"),
         "{first}"
     );
     let embedded = read["embedded"].as_array().expect("fonts");

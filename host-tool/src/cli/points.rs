@@ -46,16 +46,16 @@ enum List {
     /// Many frequencies for a search of resonances, the reference point first.
     Resonance {
         /// Lowest frequency, Hz.
-        #[arg(long, default_value_t = 1000.0)]
+        #[arg(long, default_value_t = 1000.0, value_parser = finite::<f64>)]
         from: f64,
         /// Highest frequency, Hz.
-        #[arg(long, default_value_t = 10_000.0)]
+        #[arg(long, default_value_t = 10_000.0, value_parser = finite::<f64>)]
         to: f64,
         /// Points an octave, at least twelve.
         #[arg(long, default_value_t = 24)]
         per_octave: u32,
         /// Acceleration, m/s2 r.m.s.
-        #[arg(long, default_value_t = 10.0)]
+        #[arg(long, default_value_t = 10.0, value_parser = finite::<f64>)]
         acceleration: f64,
     },
 }
