@@ -390,10 +390,10 @@ struct Cut {
 }
 
 impl Cut {
-    fn begin(folder: &Path) -> Self {
+    fn begin(folder: &Path, list: &[&str]) -> Self {
         let live = Live::power_on(Rig::draw(2)).expect("a board");
-        let list = ["run", "--points", "two.csv", "-d", &live.address, "--json"];
-        let mut run = calib(folder, &list)
+        let of_it = ["-d", &live.address, "--json"];
+        let mut run = calib(folder, &[&["run"], list, &of_it].concat())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
@@ -427,7 +427,7 @@ impl Cut {
 #[test]
 fn a_run_outlives_its_link_and_what_the_logbook_lacks_is_fetched() {
     let folder = folder();
-    let (live, ended) = Cut::begin(folder.path()).end();
+    let (live, ended) = Cut::begin(folder.path(), &["--points", "two.csv"]).end();
     assert_eq!(ended.status.code(), Some(0));
     let run: Value = serde_json::from_slice(&ended.stdout).expect("one JSON document");
     assert_eq!(run["points"].as_array().expect("points").len(), 2);
@@ -453,7 +453,8 @@ fn a_run_outlives_its_link_and_what_the_logbook_lacks_is_fetched() {
 #[test]
 fn a_stop_over_a_link_that_is_lost_is_told_as_none_and_goes_first_when_it_is_back() {
     let folder = folder();
-    let mut cut = Cut::begin(folder.path());
+    // The default list, which lasts until the link is there again.
+    let mut cut = Cut::begin(folder.path(), &[]);
     interrupt(&cut.run);
     cut.wait_to_hear("NOT STOPPED");
     let (_live, ended) = cut.end();
