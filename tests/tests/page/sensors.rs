@@ -3,6 +3,8 @@
 use super::{LEFT_OUT, Setup, everybody};
 use calib_tests::bench::Fault;
 use calib_tests::browser::Browser;
+use calib_tests::served::tool;
+use std::process::Command;
 
 #[test]
 fn a_sensor_is_registered_measured_adjusted_and_measured_again() -> Result<(), Fault> {
@@ -50,7 +52,21 @@ fn a_sensor_is_registered_measured_adjusted_and_measured_again() -> Result<(), F
         assert!(certificate.contains(stated), "{stated}: {certificate}");
     }
     page.switch_to(own)?;
-    Ok(())
+    is_a_check_standard(&setup)
+}
+
+/// Named one in the terminal, it stands on the page by its serial number, for everybody.
+fn is_a_check_standard(setup: &Setup) -> Result<(), Fault> {
+    let named = Command::new(tool()?)
+        .args(["assure", "A-77", "--every", "7", "--quiet"])
+        .env("CALIB_LOGBOOK", setup.folder.path().join("logbook.sqlite"))
+        .status()?;
+    assert!(named.success());
+    let page = &setup.browser;
+    page.open(&setup.server.url)?;
+    page.wait_for_text("#check-list", "no chart yet")?;
+    assert_eq!(page.text("#check-list button")?, "A-77");
+    everybody::can_use_it(page)
 }
 
 /// A kind of sensor as it is registered, and what the page says of it.

@@ -14,7 +14,7 @@ function stands(state) {
 
 function line(state) {
   const name = document.createElement("button");
-  name.textContent = state.serial;
+  name.textContent = state.dut_serial;
   name.addEventListener("click", () => draw(state));
   const latest = state.latest_unix_time_s
     ? new Date(1000 * state.latest_unix_time_s).toISOString().slice(0, 16).replace("T", " ") + "Z" : say("never");
@@ -30,7 +30,7 @@ function draw(state) {
   const charts = state.chart;
   $("check-charts").hidden = !charts;
   if (!charts) return;
-  $("check-name").textContent = say("{0} at {1} Hz: {2}", state.serial, figures(state.frequency_hz, 5), stands(state));
+  $("check-name").textContent = say("{0} at {1} Hz: {2}", state.dut_serial, figures(state.frequency_hz, 5), stands(state));
   const milli = (value) => 1000 * value, values = charts.sensitivities_v_per_ms2;
   const points = values.map((value, at) => ({ x: year(charts.unix_times_s[at]), y: milli(value),
     u: milli(value * charts.expanded_uncertainties_rel[at]), title: sensitivity(milli(value)) + " mV/(m/s²)" }));
@@ -42,7 +42,7 @@ function draw(state) {
   const ranges = values.slice(1).map((value, at) => ({ x: points[at + 1].x, y: milli(Math.abs(value - values[at])), u: 0 }));
   const most = milli(charts.range_limit_v_per_ms2);
   const y = { min: 0, max: 1.15 * Math.max(most, ...ranges.map((p) => p.y)) || 1 };
-  chart($("check-scatter"), x, y, [{ kind: "marks", points: ranges }], [0, most]);
+  chart($("check-scatter"), { ...x, label: say("day; difference in {0}", "mV/(m/s²)") }, y, [{ kind: "marks", points: ranges }], [0, most]);
 }
 
 export async function show_checks() {

@@ -166,6 +166,7 @@ export const german = {
   ": changed": ": verändert",
   "{0} at {1} Hz: {2}": "{0} bei {1} Hz: {2}",
   "day; S in {0} with U": "Tag; S in {0} mit U",
+  "day; difference in {0}": "Tag; Differenz in {0}",
   "valid": "gültig",
   "pass": "erfüllt",
   "conditional pass": "bedingt erfüllt",
