@@ -56,7 +56,7 @@ pub(crate) enum RunEvent<'a, R> {
         left_s: Option<f64>,
     },
     /// A point was measured.
-    Point(StatedPoint),
+    Point(Box<StatedPoint>),
     /// The document that `--json` prints.
     Result(&'a R),
 }
@@ -120,7 +120,9 @@ impl<'a> RunProgress<'a> {
         for point in points.iter().skip(self.shown) {
             let stated = self.stating.point(point);
             let line = text::point_line(point, &stated, self.stating.kind().unit());
-            let _ = self.context.stream(&RunEvent::<()>::Point(stated));
+            let _ = self
+                .context
+                .stream(&RunEvent::<()>::Point(Box::new(stated)));
             if self.points_are_result {
                 let _ = self.bar.suspend(|| self.context.line(&line));
             } else if self.bar.is_hidden() && !self.silent {

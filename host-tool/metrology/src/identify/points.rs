@@ -274,7 +274,7 @@ mod tests {
         assert_eq!(read(plain, "").expect("two points").points.len(), 2);
         let stated = format!("{plain},u_magnitude,u_phase_deg");
         assert!(read(&stated, ",0.0001,0.1").is_ok());
-        let problem = read(&stated, ",1,0.1").err().expect("more than all of it");
+        let problem = read(&stated, ",1,0.1").expect_err("more than all of it");
         assert!(
             problem.to_string().contains("more than all of it"),
             "{problem}"
