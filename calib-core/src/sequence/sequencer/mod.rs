@@ -25,12 +25,12 @@ use gathered::Gathered;
 use listen::Listening;
 use num_complex::Complex32;
 
-/// Shortest measuring block, s: of a point that nothing disturbs, and of any other. The latter is as long as three
-/// cycles of 31.5 Hz, the longest period of a preferred frequency, and not twice that.
+/// Shortest measuring block, s: of a point that nothing disturbs, and of any other. The period of 31.5 Hz, three
+/// cycles in 4762 samples, is just longer, and is not taken twice.
 const QUIET_BLOCK_S: f32 = 0.04;
 const MEASURING_BLOCK_S: f32 = 0.095;
 /// A point is disturbed by what is at rest at its tone, or by lines of the mains, from this share of the set level on:
-/// an eighth of the smallest U.
+/// a fifth of the smallest U.
 const QUIET_REL: f32 = 1.5e-3;
 /// And by noise from this standard deviation of a short block on.
 const QUIET_NOISE_REL: f32 = 4.0e-4;
@@ -442,23 +442,26 @@ impl<'m> Sequencer<'m> {
             Next::Hold if self.level.may_ring() => self.settle(Block::control(plan.tone)),
             Next::Hold => self.settle(self.control_block(plan, level, estimate)),
             Next::Drive(peak_v) => self.drive(plan.tone, peak_v),
-            Next::Settled => {
-                self.settling_samples = self.elapsed;
-                self.bent = self.level.bend(level.peak_ms2).map(|bend| Bent {
-                    spec: plan.spec,
-                    bend,
-                });
-                let quiet = !self.holds && self.is_quiet(estimate);
-                let block_s = if quiet {
-                    QUIET_BLOCK_S
-                } else {
-                    MEASURING_BLOCK_S
-                };
-                self.measuring_samples = (block_s * self.sampling.sample_rate_hz) as u32;
-                self.begin_measuring(plan.tone);
-            }
+            Next::Settled => self.settled(plan, level, estimate),
             Next::Failed(reason) => self.refuse(reason),
         }
+    }
+
+    /// Keeps what the next point may go by, and chooses the blocks of this one.
+    fn settled(&mut self, plan: &Plan, level: Level, estimate: &PairEstimate) {
+        self.settling_samples = self.elapsed;
+        let bend = self.level.bend(level.peak_ms2);
+        self.bent = bend.map(|bend| Bent {
+            spec: plan.spec,
+            bend,
+        });
+        let quiet = !self.holds && self.is_quiet(estimate);
+        let block_s = match quiet {
+            true => QUIET_BLOCK_S,
+            false => MEASURING_BLOCK_S,
+        };
+        self.measuring_samples = (block_s * self.sampling.sample_rate_hz) as u32;
+        self.begin_measuring(plan.tone);
     }
 
     /// The block the loop needs for its noise: the usual one, or one long
