@@ -196,7 +196,6 @@ impl Run {
             Some(_) => judged::verdict(record, &particulars),
             None => mountings.verdict(&particulars),
         };
-        let stating = Stating::new(kind, info.sample_rate_hz);
         let result = RunResult {
             record_id: outcome.record_id,
             logbook_record: kept.as_ref().and_then(|kept| kept.id),
