@@ -5,7 +5,7 @@ use calib_certificate::{Particulars, Standard, StandardPoint, Substituted, subst
 use calib_host::{Error, Result};
 use calib_link::Client;
 use calib_link::session;
-use calib_metrology::input::{Column, Source, Table as Input};
+use calib_metrology::input::{Column, HIGHEST_HZ, Source, Table as Input};
 use calib_metrology::text::Table;
 use calib_protocol::record::Record;
 use schemars::JsonSchema;
@@ -113,7 +113,7 @@ fn read(path: &Path) -> Result<Vec<StandardPoint>> {
     let mut points: Vec<StandardPoint> = Vec::new();
     for row in &table.rows {
         let point = StandardPoint {
-            frequency_hz: between(row, frequency, [0.01, 200_000.0])?,
+            frequency_hz: between(row, frequency, [0.01, HIGHEST_HZ])?,
             sensitivity_v_per_ms2: scale * between(row, sensitivity, [1e-6 / scale, 2.0 / scale])?,
             expanded_uncertainty_rel: between(row, u, [0.01, 20.0])? / 100.0,
         };

@@ -5,7 +5,9 @@
 //! line.
 
 use super::line_fit::Line;
+use crate::input::HIGHEST_HZ;
 use calib_files::{Error, Result};
+use calib_protocol::record::MAX_POINTS;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -110,8 +112,7 @@ pub fn linearity(frequency_hz: f64, from_ms2: f64, to_ms2: f64) -> Result<Vec<Li
         .collect())
 }
 
-/// Beyond these no exciter goes.
-const HIGHEST_HZ: f64 = 200_000.0;
+/// Beyond this no exciter goes.
 const HIGHEST_MS2: f64 = 100_000.0;
 
 /// Refuses what is no frequency, or no level.
@@ -126,9 +127,6 @@ fn possible(values: &[f64], highest: f64, unit: &str) -> Result<()> {
         ))
     })
 }
-
-/// Most points a run has room for.
-const MOST: usize = 200;
 
 /// A list for a search of resonances: the reference point, then `per_octave` points an octave, rising, to five digits.
 ///
@@ -148,7 +146,7 @@ pub fn resonance(
     let problem = match () {
         () if octaves < 1.0 => format!("{from_hz} .. {to_hz} Hz is no octave"),
         () if per_octave < 12 => format!("{per_octave} points an octave find no resonance"),
-        () if steps + 2.0 > MOST as f64 => {
+        () if steps + 2.0 > MAX_POINTS as f64 => {
             format!("{} points are more than a run has room for", steps + 2.0)
         }
         () => {
@@ -167,7 +165,7 @@ pub fn resonance(
     };
     Err(Error::usage(
         problem,
-        format!("twelve points an octave or more, over an octave or more, {MOST} in all"),
+        format!("twelve points an octave or more, over an octave or more, {MAX_POINTS} in all"),
     ))
 }
 
