@@ -361,7 +361,7 @@ mod tests {
             allowed_drift_rel: None,
             reference_interval_years: None,
         };
-        let page = crate::assurance_report::html(&report, 12 * DAY_S);
+        let page = crate::assurance_report::html(&report, 12 * DAY_S).expect("renders");
         for said in [
             "OUT OF CONTROL",
             "outside of the limits",

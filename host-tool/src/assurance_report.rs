@@ -1,133 +1,159 @@
 //! The report on check standards and references, one page that stands alone: control charts for level and scatter, what
 //! speaks against the latest, E_n, the drift they share and the interval that follows.
 
+use crate::Result;
 use crate::assurance::{AssuranceReport, Charts, CheckState};
 use crate::self_check::ReferenceState;
+use calib_certificate::{minute, page};
+use calib_metrology::common_drift::CommonDrift;
 use calib_output::number::fixed;
 use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale};
-use jiff::Timestamp;
-use jiff::tz::TimeZone;
-use std::fmt::Write;
+use serde::Serialize;
 
+const TEMPLATE: &str = include_str!("assurance_report.html");
 /// Seconds of a Julian year, and the year times are counted from.
 const YEAR_S: f64 = 31_557_600.0;
 const FIRST_YEAR: f64 = 1970.0;
 
-/// The report as HTML, made at a time, s since 1970-01-01 UTC.
-pub fn html(report: &AssuranceReport, at_s: i64) -> String {
-    let mut text = format!(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Check standards</title><style>{STYLE}</style>\
-         </head><body>\n<h1>Assurance of the validity of results</h1>\n<p>ISO/IEC 17025, 7.7.1. Made {}.</p>\n",
-        minute(at_s)
-    );
-    if report.standards.is_empty() && report.references.is_empty() {
-        text += "<p>There is no check standard, and no reference was checked.</p>\n";
-    }
-    for (index, state) in report.standards.iter().enumerate() {
-        text += &standard(state, index);
-    }
-    for state in &report.references {
-        text += &reference(state);
-    }
-    text += &drift(report);
-    text + "</body></html>\n"
+/// What the template has at hand.
+#[derive(Serialize)]
+struct Page {
+    made: String,
+    sections: Vec<Section>,
 }
 
-const STYLE: &str = "body{font:15px/1.45 system-ui,sans-serif;max-width:800px;margin:24px auto;padding:0 12px}\
-h2{margin-top:2em;border-top:1px solid #888;padding-top:.6em}td,th{text-align:left;padding:2px 14px 2px 0}\
-.bad{color:#b3261e;font-weight:bold}svg{width:100%;height:auto}";
+/// A heading and what is known below it.
+#[derive(Serialize)]
+struct Section {
+    title: String,
+    facts: Vec<Fact>,
+    /// Drawings, as SVG.
+    plots: Vec<String>,
+    remark: Option<&'static str>,
+}
 
-fn standard(state: &CheckState, index: usize) -> String {
-    let stands = match state.in_control && !state.overdue {
-        true => escaped(&state.words()),
-        false => format!("<span class=\"bad\">{}</span>", escaped(&state.words())),
+#[derive(Serialize)]
+struct Fact {
+    name: &'static str,
+    value: String,
+    /// It speaks against the results.
+    bad: bool,
+}
+
+fn fact(name: &'static str, value: impl Into<String>) -> Fact {
+    let value = value.into();
+    let bad = false;
+    Fact { name, value, bad }
+}
+
+/// The report as HTML, made at a time, s since 1970-01-01 UTC.
+///
+/// # Errors
+/// [`Error::Input`](crate::Error::Input) where the template does not render.
+pub fn html(report: &AssuranceReport, at_s: i64) -> Result<String> {
+    let standards = report.standards.iter().zip(0..).map(standard);
+    let references = report.references.iter().map(reference);
+    let values = Page {
+        made: at(at_s),
+        sections: standards
+            .chain(references)
+            .chain(
+                report
+                    .common_drift
+                    .iter()
+                    .map(|shared| drift(report, shared)),
+            )
+            .collect(),
     };
-    let latest = state.latest_unix_time_s.map_or("never".to_owned(), minute);
+    Ok(page("assurance_report.html", TEMPLATE, &values)?)
+}
+
+fn at(unix_time_s: i64) -> String {
+    minute(unix_time_s.max(0) as u64)
+}
+
+fn standard((state, index): (&CheckState, usize)) -> Section {
+    let latest = state.latest_unix_time_s.map_or("never".to_owned(), at);
     let mut facts = vec![
-        ("stands", stands),
-        ("frequency", format!("{} Hz", state.standard.frequency_hz)),
-        (
+        Fact {
+            bad: !state.in_control || state.overdue,
+            ..fact("stands", state.words())
+        },
+        fact("frequency", format!("{} Hz", state.standard.frequency_hz)),
+        fact(
             "measured",
             format!("{} times, the latest {latest}", state.results),
         ),
-        (
+        fact(
             "wanted",
             format!("every {} days", state.standard.every_days),
         ),
     ];
-    if let Some(certified) = state.standard.certified {
+    facts.extend(state.standard.certified.map(|certified| {
         let stated = format!(
             "{:.5} mV/(m/s²), U = {:.2} %",
             1e3 * certified.sensitivity_v_per_ms2,
             100.0 * certified.expanded_uncertainty_rel
         );
-        facts.push(("its certificate", stated));
+        fact("its certificate", stated)
+    }));
+    let against = "E_n of the latest against it";
+    facts.extend(state.e_n.map(|e_n| fact(against, fixed(e_n, 2))));
+    let signals = state.signals.iter();
+    facts.extend(signals.map(|signal| fact("against the latest", signal.text())));
+    let plots = state.chart.iter().flat_map(|charts| {
+        [
+            level(charts).svg(&format!("level-{index}")),
+            scatter(charts).svg(&format!("scatter-{index}")),
+        ]
+    });
+    Section {
+        title: format!("Check standard {}", state.standard.serial),
+        facts,
+        plots: plots.collect(),
+        remark: state
+            .chart
+            .is_none()
+            .then_some("Too few results for a chart."),
     }
-    facts.extend(
-        state
-            .e_n
-            .map(|e_n| ("E_n of the latest against it", fixed(e_n, 2))),
-    );
-    let signals = state.signals.iter().map(|signal| signal.text().to_owned());
-    facts.extend(signals.map(|signal| ("against the latest", signal)));
-    let mut text = section(&format!("Check standard {}", state.standard.serial), &facts);
-    match &state.chart {
-        Some(charts) => {
-            text += &level(charts).svg(&format!("level-{index}"));
-            text += &scatter(charts).svg(&format!("scatter-{index}"));
-        }
-        None => text += "<p>Too few results for a chart.</p>\n",
-    }
-    text
 }
 
-fn reference(state: &ReferenceState) -> String {
+fn reference(state: &ReferenceState) -> Section {
+    let latest = at(state.latest_unix_time_s);
     let mut facts = vec![
-        ("stands", escaped(&state.words())),
-        ("instrument", escaped(&state.instrument_serial)),
-        ("certificate", escaped(&state.reference_certificate)),
-        (
+        fact("stands", state.words()),
+        fact("instrument", state.instrument_serial.as_str()),
+        fact("certificate", state.reference_certificate.as_str()),
+        fact(
             "checked",
-            format!(
-                "{} times, the latest {}",
-                state.checks,
-                minute(state.latest_unix_time_s)
-            ),
+            format!("{} times, the latest {latest}", state.checks),
         ),
     ];
-    let latest = state.latest.iter().map(|change| change.words());
-    facts.extend(latest.map(|words| ("latest", escaped(&words))));
-    let signals = state.signals.iter().map(|signal| signal.text().to_owned());
-    facts.extend(signals.map(|signal| ("against the latest", signal)));
-    section(&format!("Reference {}", state.reference_serial), &facts)
+    let changes = state.latest.iter();
+    facts.extend(changes.map(|change| fact("latest", change.words())));
+    let signals = state.signals.iter();
+    facts.extend(signals.map(|signal| fact("against the latest", signal.text())));
+    of_facts(format!("Reference {}", state.reference_serial), facts)
 }
 
-fn drift(report: &AssuranceReport) -> String {
-    let Some(drift) = &report.common_drift else {
-        return String::new();
+fn drift(report: &AssuranceReport, drift: &CommonDrift) -> Section {
+    let shared = format!(
+        "{} % a year, U = {:.3} %",
+        fixed(100.0 * drift.drift_rel_per_year, 3),
+        100.0 * drift.expanded_rel_per_year
+    );
+    let whose = match (drift.is_significant(), drift.standards) {
+        (false, _) => "less than its uncertainty: none is shown",
+        (true, 1) => "of one series, which cannot tell its sensor from the reference",
+        (true, _) => "the reference's, by as much the other way, or the instrument's",
     };
     let mut facts = vec![
-        (
-            "drift they share",
-            format!(
-                "{} % a year, U = {:.3} %",
-                fixed(100.0 * drift.drift_rel_per_year, 3),
-                100.0 * drift.expanded_rel_per_year
-            ),
-        ),
-        (
+        fact("drift they share", shared),
+        fact(
             "by",
             format!("{} results of {} series", drift.results, drift.standards),
         ),
-        (
-            "which is",
-            match (drift.is_significant(), drift.standards) {
-                (false, _) => "less than its uncertainty: none is shown",
-                (true, 1) => "of one series, which cannot tell its sensor from the reference",
-                (true, _) => "the reference's, by as much the other way, or the instrument's",
-            }
-            .to_owned(),
-        ),
+        fact("which is", whose),
     ];
     let interval = report
         .allowed_drift_rel
@@ -137,18 +163,18 @@ fn drift(report: &AssuranceReport) -> String {
             "{years:.1} years, when drift and U use up the {:.2} % of row 10 (ILAC-G24)",
             100.0 * allowed
         );
-        ("advised interval of the reference", said)
+        fact("advised interval of the reference", said)
     }));
-    section("All check standards together", &facts)
+    of_facts("All check standards together".to_owned(), facts)
 }
 
-/// A heading and a table; values are HTML.
-fn section(title: &str, facts: &[(&str, String)]) -> String {
-    let mut text = format!("<h2>{}</h2>\n<table>\n", escaped(title));
-    for (name, value) in facts {
-        let _ = writeln!(text, "<tr><th>{name}</th><td>{value}</td></tr>");
+fn of_facts(title: String, facts: Vec<Fact>) -> Section {
+    Section {
+        title,
+        facts,
+        plots: Vec::new(),
+        remark: None,
     }
-    text + "</table>\n"
 }
 
 /// Results with U over the years, between their limits.
@@ -202,18 +228,4 @@ fn chart(caption: &str, points: Vec<Point>, limits: [f64; 2]) -> Plot {
 
 fn years(at_s: i64) -> f64 {
     FIRST_YEAR + at_s as f64 / YEAR_S
-}
-
-fn minute(at_s: i64) -> String {
-    let at = Timestamp::from_second(at_s).unwrap_or(Timestamp::UNIX_EPOCH);
-    at.to_zoned(TimeZone::UTC)
-        .strftime("%Y-%m-%d %H:%M UTC")
-        .to_string()
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
 }

@@ -72,8 +72,8 @@ impl Certificate {
     }
 }
 
-/// A time to the minute.
-pub(crate) fn minute(unix_time_s: u64) -> String {
+/// A time to the minute, UTC.
+pub fn minute(unix_time_s: u64) -> String {
     let seconds = i64::try_from(unix_time_s).unwrap_or(i64::MAX);
     let time = Timestamp::from_second(seconds).map(|time| time.strftime("%Y-%m-%d %H:%M UTC"));
     time.map_or_else(|_| unix_time_s.to_string(), |time| time.to_string())

@@ -3,7 +3,8 @@
 use super::present::Presented;
 use calib_files::{Error, Result};
 use minijinja::value::{Serde, Value};
-use minijinja::{AutoEscape, Environment, context};
+use minijinja::{AutoEscape, Environment};
+use serde::Serialize;
 
 const TEMPLATE: &str = include_str!("page/page.html");
 const STYLE: &str = include_str!("page/style.css");
@@ -14,25 +15,41 @@ const SCRIPT: &str = include_str!("page/zoom.js");
 /// # Errors
 /// [`Error::Input`] naming the template line, if the template does not render.
 pub(super) fn render(presented: &Presented) -> Result<Vec<u8>> {
+    let values = Values {
+        c: presented,
+        style: STYLE,
+        script: SCRIPT,
+        paper: paper(presented),
+    };
+    page("page.html", TEMPLATE, &values).map(String::into_bytes)
+}
+
+/// What the template has at hand.
+#[derive(Serialize)]
+struct Values<'a> {
+    c: &'a Presented,
+    style: &'a str,
+    script: &'a str,
+    paper: String,
+}
+
+/// A page of HTML by a template; values are escaped, unless it says they are HTML.
+///
+/// # Errors
+/// [`Error::Input`] naming the line of the template `name`, if it does not render.
+pub fn page(name: &str, template: &str, values: &impl Serialize) -> Result<String> {
     let mut environment = Environment::new();
     environment.set_auto_escape_callback(|_| AutoEscape::Html);
     let page = environment
-        .template_from_named_str("page.html", TEMPLATE)
-        .and_then(|template| {
-            template.render(context! {
-                c => Value::from(Serde(presented)),
-                style => STYLE,
-                script => SCRIPT,
-                paper => paper(presented),
-            })
-        });
-    page.map(String::into_bytes).map_err(|error| {
+        .template_from_named_str(name, template)
+        .and_then(|template| template.render(Value::from(Serde(values))));
+    page.map_err(|error| {
         let line = error
             .line()
             .map(|line| format!(":{line}"))
             .unwrap_or_default();
         Error::input(
-            format!("page.html{line}"),
+            format!("{name}{line}"),
             error.to_string(),
             "correct the template",
         )

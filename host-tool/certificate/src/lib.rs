@@ -98,12 +98,13 @@ mod uff;
 mod verdict;
 mod words;
 
-pub use around::Around;
+pub use around::{Around, minute};
 pub use assurance::{CheckProblem, FailedCheck, ReferenceCheck};
 pub use calib_files::file::Existing;
 pub use change::{
     certified_uncertainty_rel, expanded_uncertainty_of_change_rel, with_certified_uncertainty,
 };
+pub use html::page;
 pub use interval::IntervalRule;
 pub use json::{Document, said_of_closing};
 pub use kind::{OfSensor, Output, SensitivityUnit, SensorKind, Specified};

@@ -239,7 +239,7 @@ async fn check_report(State(app): State<App>) -> Result<Response, Failure> {
     aside(move || {
         let at_s = jiff::Timestamp::now().as_second();
         Ok(match assured(&app)? {
-            Some(report) => documents::alone(assurance_report::html(&report, at_s)),
+            Some(report) => documents::alone(assurance_report::html(&report, at_s)?),
             None => StatusCode::NOT_FOUND.into_response(),
         })
     })

@@ -142,7 +142,7 @@ fn all(context: &Context, logbook: &Logbook, into: Option<&Path>) -> Result<()> 
     if let Some(path) = into {
         file::write(
             path,
-            assurance_report::html(&report, now_s()).as_bytes(),
+            assurance_report::html(&report, now_s())?.as_bytes(),
             Existing::Keep,
         )?;
     }
