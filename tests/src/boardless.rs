@@ -110,7 +110,7 @@ struct Calibrator<'m> {
     sequencer: Sequencer<'m>,
     output: Output<'m>,
     plant: Plant,
-    /// Codes played now, and those queued behind.
+    /// Codes played next, and those queued behind.
     ring: [[u16; BLOCK]; 2],
 }
 
@@ -126,7 +126,7 @@ impl<'m> Calibrator<'m> {
             input: Converters::FIELD.input,
             sample_rate_hz: RATE_HZ,
             aperture: acquisition.aperture(),
-            latency_samples: 2 * BLOCK as u32 + 2,
+            latency_samples: BLOCK as u32 + 2,
             rest_samples: BLOCK as u32,
         };
         let mut calibrator = Self {
@@ -157,15 +157,19 @@ impl<'m> Calibrator<'m> {
         (0..blocks).find_map(|_| self.block())
     }
 
-    /// Plays a block, takes its samples, and queues the block after the next.
+    /// Queues a block behind the one that was queued, plays that, and takes its samples.
     fn block(&mut self) -> Option<PointResult> {
+        self.queue();
         let plant = &mut self.plant;
         let pairs = self.ring[0].map(|code| {
             plant.hold(code, PERIOD_NS);
             let [reference, dut] = plant.sample().map(u32::from);
             dut << 16 | reference
         });
-        let result = self.sequencer.feed(&pairs);
+        self.sequencer.feed(&pairs)
+    }
+
+    fn queue(&mut self) {
         self.ring[0] = self.ring[1];
         match self.sequencer.command() {
             Command::Mute => {
@@ -175,7 +179,6 @@ impl<'m> Calibrator<'m> {
             command => self.output.apply(command),
         }
         self.output.fill(&mut self.ring[1]);
-        result
     }
 }
 

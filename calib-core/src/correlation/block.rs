@@ -59,12 +59,21 @@ impl Block {
     /// As many whole cycles, within 1 % of one each, as `most_samples` hold; none where that is less than one. Good
     /// enough to see whether something is there.
     pub fn within(tone: Tone, most_samples: u32) -> Option<Self> {
+        Self::most_cycles(tone, most_samples, ROUGH_CYCLE_ERROR_REL)
+    }
+
+    /// The longest block of at most `most_samples` good enough for the amplitude loop; none where a cycle is longer.
+    pub fn control_within(tone: Tone, most_samples: u32) -> Option<Self> {
+        Self::most_cycles(tone, most_samples, MAX_CYCLE_ERROR_REL)
+    }
+
+    fn most_cycles(tone: Tone, most_samples: u32, error_rel: f32) -> Option<Self> {
         let period = u32::from(tone.period_samples).max(1);
         let cycles = u32::from(tone.cycles).max(1);
         let most = most_samples.min(u32::from(MAX_PERIOD_SAMPLES)) * cycles / period;
         (1..=most)
             .rev()
-            .find_map(|whole| Self::of_cycles(tone, whole, ROUGH_CYCLE_ERROR_REL))
+            .find_map(|whole| Self::of_cycles(tone, whole, error_rel))
     }
 
     /// The shortest block good enough for the amplitude loop.

@@ -210,6 +210,21 @@ fn blocks_within_a_time_hold_all_whole_cycles_it_has() {
 }
 
 #[test]
+fn control_blocks_within_a_time_are_a_thousandth_of_a_cycle_off_at_most() {
+    // 315 Hz: 158.73 samples a cycle, of which neither 159 nor 317 are whole ones within 0.1 %. 3150 Hz: 15.873
+    // samples, 23 cycles are 365.08.
+    for (nominal_hz, most, samples) in [
+        (1000.0, 374, Some(350)),
+        (315.0, 374, None),
+        (3150.0, 374, Some(365)),
+        (63.0, 374, None),
+    ] {
+        let block = Block::control_within(tone(nominal_hz), most);
+        assert_eq!(block.map(Block::samples), samples, "{nominal_hz}");
+    }
+}
+
+#[test]
 fn passed_over_is_what_was_asked_and_at_most_a_thousandth_more() {
     for samples in [1, 499, 1502, 2002, 12_000, 12_001, 100_003] {
         let passed = Block::discard(tone(160.0), samples).samples();

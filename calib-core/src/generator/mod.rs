@@ -15,8 +15,11 @@ use crate::phase::PhaseWalk;
 use crate::tone::Tone;
 use serde::{Deserialize, Serialize};
 
-/// Shortest ramp from one amplitude to the next, in samples (10 ms).
-pub const MIN_RAMP_SAMPLES: u16 = 500;
+/// Shortest ramp from one amplitude to the next, in samples (5 ms).
+pub const MIN_RAMP_SAMPLES: u16 = 250;
+
+/// Longest, but for tones of less than 20 Hz (50 ms).
+const MAX_RAMP_SAMPLES: u16 = 2500;
 
 /// Signal the exciter plays.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -28,10 +31,14 @@ pub struct Drive {
     pub peak_v: f32,
 }
 
-/// Length of the ramp between two amplitudes, in samples: one cycle of the
-/// tone, and at least [`MIN_RAMP_SAMPLES`].
+/// Length of the ramp between two amplitudes, in samples: seven quarters of a cycle of the tone, between
+/// [`MIN_RAMP_SAMPLES`] and the longer of 50 ms and a cycle.
+///
+/// A suspension well below the tone rings behind it with 1 % of the level or less, behind a ramp of one cycle with
+/// 2 to 6 %: test `a_ramp_hardly_makes_a_suspension_ring`.
 pub fn ramp_samples(tone: Tone) -> u16 {
-    (tone.period_samples / tone.cycles.max(1)).max(MIN_RAMP_SAMPLES)
+    let cycle = tone.period_samples / tone.cycles.max(1);
+    (cycle / 4 * 7).clamp(MIN_RAMP_SAMPLES, cycle.max(MAX_RAMP_SAMPLES))
 }
 
 /// Fills buffers of converter codes.

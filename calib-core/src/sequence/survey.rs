@@ -100,6 +100,8 @@ pub struct Survey<'m> {
     polarity: Polarity,
     command: Command,
     elapsed: u32,
+    /// Pairs at hand that no command reaches, at most.
+    at_hand: u32,
     settling_samples: u32,
 }
 
@@ -128,6 +130,7 @@ impl<'m> Survey<'m> {
             polarity: Polarity::default(),
             command: Command::Mute,
             elapsed: 0,
+            at_hand: 0,
             settling_samples: 0,
         }
     }
@@ -149,6 +152,7 @@ impl<'m> Survey<'m> {
         self.drive_peak_v = PROBE_REL * self.settings.limits.drive_peak_v;
         (self.averaging, self.clipped) = (false, false);
         (self.approaches, self.elapsed, self.settling_samples) = (0, 0, 0);
+        self.at_hand = 0;
         self.motion = Motion::default();
         self.fault = None;
         self.polarity = Polarity::default();
@@ -171,6 +175,7 @@ impl<'m> Survey<'m> {
     /// approached, also one interpolation of the reference for each line.
     pub fn feed(&mut self, pairs: &[u32]) -> bool {
         let mut rest = pairs;
+        self.at_hand = pairs.len() as u32;
         self.elapsed = self.elapsed.saturating_add(pairs.len() as u32);
         if !matches!(self.stage, Stage::Idle | Stage::Silencing { .. }) {
             self.guard(pairs);
@@ -335,8 +340,13 @@ impl<'m> Survey<'m> {
             peak_v: self.drive_peak_v,
         });
         let ramp = u32::from(player::RAMP_SAMPLES);
-        let left = self.sampling.latency_samples + ramp + SETTLING_SAMPLES;
+        let left = self.way_samples() + ramp + SETTLING_SAMPLES;
         self.stage = Stage::Waiting { left };
+    }
+
+    /// Samples until a command is in force, at most.
+    fn way_samples(&self) -> u32 {
+        self.at_hand + self.sampling.latency_samples
     }
 
     /// Mutes at once where the motion exceeds what the exciter may do.
@@ -467,7 +477,7 @@ impl<'m> Survey<'m> {
         self.fault = Some(reason);
         self.command = Command::Mute;
         self.stage = Stage::Silencing {
-            left: self.sampling.latency_samples,
+            left: self.way_samples(),
         };
     }
 
@@ -478,7 +488,7 @@ impl<'m> Survey<'m> {
             peak_v: 0.0,
         });
         self.stage = Stage::Silencing {
-            left: self.sampling.latency_samples + u32::from(player::RAMP_SAMPLES),
+            left: self.way_samples() + u32::from(player::RAMP_SAMPLES),
         };
     }
 }

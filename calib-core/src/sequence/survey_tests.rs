@@ -46,7 +46,7 @@ fn survey(
         input: Converters::FIELD.input,
         sample_rate_hz: RATE_HZ,
         aperture: Aperture::POINT,
-        latency_samples: 2 * BLOCK as u32,
+        latency_samples: BLOCK as u32,
         rest_samples: BLOCK as u32,
     };
     let mut survey = Survey::new(&mut spectra, sampling, settings.clone());

@@ -25,6 +25,7 @@ use super::sample_clock::SAMPLE_RATE_HZ;
 use super::selected::{CLOCKS, CONVERTERS, Irqs};
 use super::wiring::DigitiserParts;
 use calib_core::aperture::Aperture;
+use core::sync::atomic::{AtomicU32, Ordering};
 use defmt::Format;
 use embassy_stm32::dma::{self, ReadableRingBuffer, TransferOptions};
 use embassy_stm32::pac::{
@@ -82,6 +83,9 @@ const _: () = assert!(
 const TRIGGER_TIM6: u8 = 13;
 
 axi_static!(RING: [u32; 2 * BLOCK_PAIRS]);
+
+/// Of DMA1, as [`DigitiserParts`] has it.
+const STREAM: usize = 0;
 
 /// Why samples are missing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Format)]
@@ -238,9 +242,30 @@ impl Digitiser {
             });
         }
         self.ring.clear();
+        BLOCK_END.store(place() % PLACES, Ordering::Relaxed);
         self.ring.start();
         pac::ADC1.cr().modify(|w| w.set_adstart(true));
     }
+}
+
+/// Place in the ring behind the block that was read last.
+static BLOCK_END: AtomicU32 = AtomicU32::new(0);
+const PLACES: u32 = 2 * BLOCK_PAIRS as u32;
+
+/// Place of the pair that comes next.
+fn place() -> u32 {
+    let left = u32::from(pac::DMA1.st(STREAM).ndtr().read().ndt());
+    PLACES.saturating_sub(left)
+}
+
+/// Place in the ring behind the block that was read last.
+pub(crate) fn block_end() -> u32 {
+    BLOCK_END.load(Ordering::Relaxed)
+}
+
+/// Pairs taken since the block that ended there was complete.
+pub(super) fn pairs_behind(block_end: u32) -> u32 {
+    (place() + PLACES).saturating_sub(block_end) % PLACES
 }
 
 async fn read(
@@ -252,7 +277,11 @@ async fn read(
         Either::Second(()) => Err(DigitiserFault::Silent),
         Either::First(Err(_)) => Err(DigitiserFault::RingOverrun),
         Either::First(Ok(_)) if converter_overrun() => Err(DigitiserFault::ConverterOverrun),
-        Either::First(Ok(_)) => Ok(()),
+        Either::First(Ok(_)) => {
+            let end = (block_end() + BLOCK_PAIRS as u32) % PLACES;
+            BLOCK_END.store(end, Ordering::Relaxed);
+            Ok(())
+        }
     }
 }
 

@@ -5,7 +5,7 @@
 //! Rev 8, chapter 26.
 
 use super::axi_sram::axi_static;
-use super::digitiser::BLOCK_PAIRS;
+use super::digitiser::{BLOCK_PAIRS, pairs_behind};
 use super::selected::{CONVERTERS, DriveChannel, Irqs};
 use super::wiring::ExciterParts;
 use embassy_stm32::dac::{Ch1, Ch2};
@@ -106,6 +106,13 @@ impl Exciter {
             .await
             .map(drop)
             .map_err(|_| Late)
+    }
+
+    /// Pairs from `block_end`, that of a block of the digitiser, to the first taken under codes that are
+    /// queued now: both rings are moved by the same clock. None when the ring ran dry.
+    pub(crate) fn way(&mut self, block_end: u32) -> Option<u32> {
+        let queued = 2 * BLOCK_PAIRS - self.ring.len().ok()?.min(2 * BLOCK_PAIRS);
+        Some(queued as u32 + pairs_behind(block_end))
     }
 
     /// Lets go of the pin at rest: until [`Self::connect`] only ADC2 hears what is played. Nothing else

@@ -50,7 +50,7 @@ pub(crate) use clocks::CORE_MHZ;
 pub(crate) use code_flash::{CodeFlash, running_slot};
 pub(crate) use converter::NotReady;
 pub(crate) use description::{Clocks, Panel, Silicon};
-pub(crate) use digitiser::{APERTURE, BLOCK_PAIRS, Digitiser};
+pub(crate) use digitiser::{APERTURE, BLOCK_PAIRS, Digitiser, block_end};
 pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
 pub(crate) use option_bytes::option_bytes;
 pub(crate) use panel::{Lamp, Lamps, PushButton};

@@ -14,7 +14,7 @@ use calib_core::broadband::PeriodMemory;
 use calib_core::output::{Command, Output};
 use calib_core::self_test::fill_tone;
 use calib_protocol::health::Work;
-use core::sync::atomic::Ordering;
+use core::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use embassy_futures::select::{Either, select};
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::signal::Signal;
@@ -25,12 +25,20 @@ use embassy_time::{Duration, Timer, with_timeout};
 pub(crate) struct DriveOrder {
     /// Command of the core.
     pub(crate) command: Command,
+    /// End of the block with which it came, for [`Exciter::way`].
+    pub(crate) block_end: u32,
     /// Volts peak at the exciter for half of the converter's range.
     pub(crate) full_scale_peak_v: f32,
 }
 
 /// The order for the next block.
 pub(crate) static COMMAND: Signal<CriticalSectionRawMutex, DriveOrder> = Signal::new();
+
+/// Pairs from the end of the block with which an order came to the first taken under it: of the last order.
+pub(crate) static WAY_PAIRS: AtomicU32 = AtomicU32::new(3 * BLOCK_PAIRS as u32);
+
+/// An order came late, and is played a block later.
+pub(crate) static LATE: AtomicBool = AtomicBool::new(false);
 
 /// Silence now, whatever is queued; the order that says so follows.
 pub(crate) static SILENCE: Signal<CriticalSectionRawMutex, ()> = Signal::new();
@@ -79,7 +87,11 @@ pub(crate) async fn drive(mut exciter: Exciter) -> ! {
                 state::DRIVEN.store(!output.is_silent(), Ordering::Relaxed);
             }
             if core::mem::take(&mut spared) {
+                LATE.store(true, Ordering::Relaxed);
                 continue;
+            }
+            if let Some(pairs) = exciter.way(order.block_end) {
+                WAY_PAIRS.store(pairs, Ordering::Relaxed);
             }
         } else if !spared && state::EVALUATING.load(Ordering::Relaxed) {
             spared = true;

@@ -1,9 +1,9 @@
 //! Blocks in, drive commands and results out: the core decides everything.
 
-use crate::board::{APERTURE, BLOCK_PAIRS, CONVERTERS, SAMPLE_RATE_HZ, axi_static};
+use crate::board::{APERTURE, BLOCK_PAIRS, CONVERTERS, SAMPLE_RATE_HZ, axi_static, block_end};
 use crate::state::{self, Order};
 use crate::tasks::acquire::Block;
-use crate::tasks::drive::{COMMAND, DriveOrder, SILENCE};
+use crate::tasks::drive::{COMMAND, DriveOrder, LATE, SILENCE, WAY_PAIRS};
 use crate::timing;
 use calib_core::broadband::SpectraMemory;
 use calib_core::closing::Closing;
@@ -19,15 +19,16 @@ use core::sync::atomic::Ordering;
 use embassy_sync::blocking_mutex::raw::CriticalSectionRawMutex;
 use embassy_sync::zerocopy_channel::Receiver;
 
-/// From a change of command to the first pair taken under it, at most: the
-/// rest of the block in which the change was decided, the block that is
-/// queued, one more that was played as before because the decision came late, and
-/// the two samples by which the converters follow each other. At least, one block is queued.
+/// Pairs by which the converters follow each other.
+const CONVERTERS_APART: u32 = 2;
+
+/// At most the ring of the drive is queued, and a block for which it has no room yet; [`Runner::mind_the_way`] says
+/// what is.
 const SAMPLING: Sampling = Sampling {
     input: CONVERTERS.input,
     sample_rate_hz: SAMPLE_RATE_HZ as f32,
     aperture: APERTURE,
-    latency_samples: 3 * BLOCK_PAIRS as u32 + 2,
+    latency_samples: 3 * BLOCK_PAIRS as u32 + CONVERTERS_APART,
     rest_samples: BLOCK_PAIRS as u32,
 };
 
@@ -75,16 +76,43 @@ struct Runner {
 impl Runner {
     /// Obeys what was ordered, and works on a block.
     fn take(&mut self, block: &Block) -> Option<PointResult> {
-        while let Ok(order) = state::ORDERS.try_receive() {
-            self.obey(order);
-        }
+        let starts = self.obey_up_to_a_start();
         if block.gap {
             self.interrupt(Reason::Overrun);
         }
+        self.mind_the_way();
         state::EVALUATING.store(true, Ordering::Relaxed);
         let result = timing::timed(Work::Evaluate, || self.feed(&block.pairs));
         state::EVALUATING.store(false, Ordering::Relaxed);
+        if starts {
+            self.obey(Order::Start);
+            self.obey_up_to_a_start();
+        }
         result
+    }
+
+    /// Whether a run is to start: behind the block at hand, which no command reaches.
+    fn obey_up_to_a_start(&mut self) -> bool {
+        while let Ok(order) = state::ORDERS.try_receive() {
+            match order {
+                Order::Start => return true,
+                Order::Stop(_) => self.obey(order),
+            }
+        }
+        false
+    }
+
+    /// Both rings begin together, and then a block is queued when a command comes; they do not behind a loss of
+    /// samples or a self-test. The way was the same with the block before, unless a command was late.
+    fn mind_the_way(&mut self) {
+        let way = WAY_PAIRS.load(Ordering::Relaxed);
+        let block = BLOCK_PAIRS as u32;
+        // One that seems shorter is of an order that came when the next block was complete.
+        let latency = way.clamp(block, 3 * block) + CONVERTERS_APART;
+        self.sequencer.set_latency(latency, way.min(block));
+        if LATE.swap(false, Ordering::Relaxed) {
+            self.sequencer.postpone(block);
+        }
     }
 
     /// Tells what follows from the block.
@@ -107,6 +135,7 @@ impl Runner {
         }
         let order = DriveOrder {
             command,
+            block_end: block_end(),
             full_scale_peak_v: self.full_scale_peak_v,
         };
         COMMAND.signal(order);

@@ -203,7 +203,7 @@ fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<
     }
     // A press during the run stops it: of what was left out nothing is said.
     bench.under_a_hand(|_| Ok(()))?;
-    bench.client.wait(Duration::from_millis(300))?;
+    bench.client.wait(Duration::from_millis(150))?;
     bench.board().press_button(true)?;
     bench.client.wait(Duration::from_secs(1))?;
     bench.board().press_button(false)?;

@@ -1,6 +1,7 @@
 //! The self-test passes on a sound board, moves no table, and names each defect.
 
 use calib_core::self_test::{Check, Line};
+use calib_core::verdict::Verdict;
 use calib_protocol::message::Refusal;
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::board::{Flaw, Flawed, PartFault, RECORD_FLASH, SECTOR_BYTES};
@@ -56,6 +57,40 @@ fn a_sound_board_passes_and_its_table_stays_where_it_is() -> Result<(), Fault> {
     bench.expect_silence(Duration::from_millis(100))?;
     bench.client.wait(SENSED)?;
     assert_eq!(failed(&bench.client.self_test()?), []);
+    Ok(())
+}
+
+/// The converters begin anew in a self-test, at any place of the drive's ring: a command takes 10 to 20 ms to the
+/// samples then, and levels are reached as before.
+#[test]
+fn levels_are_reached_wherever_the_rings_stand() -> Result<(), Fault> {
+    let mut bench = Bench::with_rig(&Rig::standard())?;
+    for tests in 0..5 {
+        let points = [160.0, 80.0, 1000.0, 1250.0].map(|hz| point(hz, 10.0));
+        let outcome = bench.run(&points)?;
+        assert_eq!(outcome.points.len(), 4);
+        for result in &outcome.points {
+            let hz = result.spec.frequency_hz;
+            println!(
+                "{tests} {hz} Hz: {:.3} s, {:.4}",
+                result.settling_s, result.overshoot_rel
+            );
+            assert_eq!(result.verdict, Verdict::Pass, "{tests}: {result:?}");
+            assert!(result.overshoot_rel < 0.05, "{tests}: {result:?}");
+            assert!(
+                (result.acceleration_rms_ms2 / 10.0 - 1.0).abs() < 1.0e-3,
+                "{result:?}"
+            );
+            assert!(
+                result.settling_s < (20.0 / hz).max(0.5),
+                "{tests}: {result:?}"
+            );
+        }
+        bench
+            .client
+            .wait(SENSED + Duration::from_micros(3300 * tests))?;
+        assert_eq!(failed(&bench.client.self_test()?), []);
+    }
     Ok(())
 }
 

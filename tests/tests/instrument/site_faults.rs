@@ -57,7 +57,7 @@ fn usual_highest_rel() -> f64 {
 #[test]
 fn every_fault_ends_in_its_verdict_silence_and_a_record() -> Result<(), Fault> {
     let mut bench = Bench::with_rig(&Rig::standard())?;
-    // From some 0.3 s on a point is measured, for 0.15 s or half a second.
+    // From some 0.2 s on a point is measured, for 0.15 s or half a second.
     bench.adjust(|settings| settings.blocks = 5)?;
     let mut failures = Vec::new();
     let files = scenario_files()?;

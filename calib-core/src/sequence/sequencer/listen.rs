@@ -1,8 +1,11 @@
 //! Listening while the exciter rests: to the mains, and to how much noise there is.
 
 use super::{Plan, Sampling, Sequencer, Stage};
+use crate::correlation::block::MIN_FOLD_SAMPLES;
 use crate::correlation::{Block, Energy, Outline, PairEstimate};
+use crate::generator::Drive;
 use crate::hum::{Hum, WATCH_BLOCKS, Watch};
+use crate::output::Command;
 use crate::tone::Tone;
 
 /// Time for which the mains as heard hold for a point far from every line, s.
@@ -101,6 +104,7 @@ impl Sequencer<'_> {
     /// Takes pairs while the exciter rests; drives it once enough was heard, if that was waited for.
     pub(super) fn listen<'p>(&mut self, pairs: &'p [u32]) -> &'p [u32] {
         let taken = self.correlator.push(pairs);
+        self.at_hand = (pairs.len() - taken) as u32;
         if self.correlator.is_complete() {
             if let Some(outline) = self.correlator.outline() {
                 self.listening.add(&outline, self.correlator.energy());
@@ -148,29 +152,40 @@ impl Sequencer<'_> {
     }
 
     /// The first drive of a point, and what is at its tone without it: samples show that until the drive can be in
-    /// them, or before it where a cycle is longer than that.
+    /// them, or from before it where 10 ms or a cycle are longer than that.
     pub(super) fn begin_driving(&mut self) {
         let Some(plan) = self.plan else { return };
-        let meanwhile = Block::within(plan.tone, self.sampling.rest_samples);
-        if meanwhile.is_some() {
-            self.drive(plan.tone, self.level.drive_peak_v());
+        let meanwhile = self.at_hand + self.sampling.rest_samples;
+        let block = Block::within(plan.tone, meanwhile.max(MIN_FOLD_SAMPLES));
+        self.stage = Stage::Resting { driven: None };
+        self.correlator
+            .start(block.unwrap_or(Block::control(plan.tone)), self.index);
+        self.drive_in_time();
+    }
+
+    /// Drives an exciter that is still looked at, once the drive comes no sooner than the look ends.
+    pub(super) fn drive_in_time(&mut self) {
+        let Some(plan) = self.plan else { return };
+        let left = self.correlator.remaining();
+        let in_time = left <= self.at_hand + self.sampling.rest_samples;
+        if in_time && matches!(self.stage, Stage::Resting { driven: None }) {
+            self.command = Command::Play(Drive {
+                tone: plan.tone,
+                peak_v: self.level.drive_peak_v(),
+            });
+            self.stage = Stage::Resting {
+                driven: Some(self.way_samples(plan.tone).saturating_sub(left)),
+            };
+            self.elapsed = 0;
         }
-        let block = meanwhile.unwrap_or(Block::control(plan.tone));
-        self.stage = Stage::Resting {
-            driven: meanwhile.is_some(),
-        };
-        self.correlator.start(block, self.index);
     }
 
     /// Keeps what is at rest at the tone.
-    pub(super) fn rested(&mut self, plan: &Plan, estimate: &PairEstimate, driven: bool) {
+    pub(super) fn rested(&mut self, plan: &Plan, estimate: &PairEstimate, left: Option<u32>) {
         self.rest = Some([estimate.reference.amplitude, estimate.dut.amplitude]);
-        match driven {
-            true => self.wait(plan.tone, estimate.block.samples()),
-            false => {
-                self.elapsed = 0;
-                self.drive(plan.tone, self.level.drive_peak_v());
-            }
+        match left {
+            Some(left) => self.wait_for(plan.tone, left),
+            None => self.drive(plan.tone, self.level.drive_peak_v()),
         }
     }
 }

@@ -59,9 +59,9 @@ pub struct Sampling {
     pub sample_rate_hz: f32,
     /// Conversions a sample is the mean of.
     pub aperture: Aperture,
-    /// Upper bound of the pairs between a change of [`Sequencer::command`] and
-    /// the first pair taken while the generator plays it: the buffers on both
-    /// ways. Ramps are not counted here.
+    /// Upper bound of the pairs between the end of those handed over with
+    /// [`Sequencer::feed`], when [`Sequencer::command`] changed, and the first pair taken
+    /// while the generator plays it. Ramps are not counted here.
     pub latency_samples: u32,
     /// Lower bound of the same: so many pairs after the command show the exciter as it was.
     pub rest_samples: u32,
@@ -141,7 +141,8 @@ enum Stage {
     Listening,
     /// The first drive is not in the samples yet: what is there at the tone without it.
     Resting {
-        driven: bool,
+        /// It is on its way: samples from the end of this block until it is reached.
+        driven: Option<u32>,
     },
     /// A change of drive is on its way.
     Waiting,
@@ -179,6 +180,10 @@ pub struct Sequencer<'m> {
     measured_from: u32,
     /// Samples since the drive began.
     elapsed: u32,
+    /// Pairs at hand behind those in work: no command reaches them.
+    at_hand: u32,
+    /// Samples by which the command that is waited for is late.
+    late: u32,
     settling_samples: u32,
     /// Mean of the reference in the last block, codes; none before the first.
     reference_mean: Option<f32>,
@@ -207,6 +212,8 @@ impl<'m> Sequencer<'m> {
             index: 0,
             measured_from: 0,
             elapsed: 0,
+            at_hand: 0,
+            late: 0,
             settling_samples: 0,
             reference_mean: None,
             last_level_peak_ms2: 0.0,
@@ -232,6 +239,7 @@ impl<'m> Sequencer<'m> {
         self.gathered = Gathered::default();
         self.index = 0;
         self.elapsed = 0;
+        self.at_hand = 0;
         self.settling_samples = 0;
         self.reference_mean = None;
         self.rest = None;
@@ -279,7 +287,11 @@ impl<'m> Sequencer<'m> {
                     self.stage = Stage::Silencing { left, result };
                     return None;
                 }
-                _ if rest.is_empty() => return None,
+                _ if rest.is_empty() => {
+                    self.at_hand = 0;
+                    self.drive_in_time();
+                    return None;
+                }
                 _ => rest = self.correlate(rest),
             }
         }
@@ -292,6 +304,23 @@ impl<'m> Sequencer<'m> {
         }
         if !matches!(self.stage, Stage::Idle | Stage::Silencing { .. }) {
             self.refuse(reason);
+        }
+    }
+
+    /// The hardware's way from a command to the samples is now another.
+    pub fn set_latency(&mut self, latency_samples: u32, rest_samples: u32) {
+        self.sampling.latency_samples = latency_samples;
+        self.sampling.rest_samples = rest_samples;
+    }
+
+    /// The last command is played so many samples later than [`Sampling::latency_samples`] says.
+    pub fn postpone(&mut self, samples: u32) {
+        match &mut self.stage {
+            Stage::Waiting => self.late += samples,
+            Stage::Resting { driven: Some(left) } | Stage::Silencing { left, .. } => {
+                *left += samples;
+            }
+            _ => {}
         }
     }
 
@@ -361,6 +390,7 @@ impl<'m> Sequencer<'m> {
         let period = u32::from(self.correlator.block().tone().period_samples);
         self.index = (self.index + taken as u32) % period;
         self.elapsed = self.elapsed.saturating_add(taken as u32);
+        self.at_hand = (pairs.len() - taken) as u32;
         if self.overloaded(energy, taken) {
             self.refuse(Reason::Overload);
         } else if self.correlator.is_complete() {
@@ -399,7 +429,11 @@ impl<'m> Sequencer<'m> {
         let Some(plan) = self.plan else { return };
         if matches!(self.stage, Stage::Waiting) {
             // What was waited for tells nothing, and evaluating it takes time.
-            return self.settle(Block::control(plan.tone));
+            if self.late > 0 {
+                let late = core::mem::take(&mut self.late);
+                return self.wait_for(plan.tone, late);
+            }
+            return self.settle(self.first_block(plan.tone));
         }
         let Some(estimate) = self.correlator.estimate() else {
             return;
@@ -421,15 +455,20 @@ impl<'m> Sequencer<'m> {
     /// Changes the drive and waits until it is in force.
     fn drive(&mut self, tone: Tone, peak_v: f32) {
         self.command = Command::Play(Drive { tone, peak_v });
-        self.wait(tone, 0);
+        self.wait_for(tone, self.way_samples(tone));
     }
 
-    /// Waits until a drive is in force for which `passed` samples were waited already.
-    fn wait(&mut self, tone: Tone, passed: u32) {
-        let wait = self.sampling.latency_samples + u32::from(ramp_samples(tone));
+    /// Waits for so many samples until a drive is in force.
+    fn wait_for(&mut self, tone: Tone, samples: u32) {
+        self.late = 0;
         self.stage = Stage::Waiting;
-        let block = Block::discard(tone, wait.saturating_sub(passed));
-        self.correlator.start(block, self.index);
+        self.correlator
+            .start(Block::discard(tone, samples), self.index);
+    }
+
+    /// Samples from now until a command is in force to the end of its ramp.
+    fn way_samples(&self, tone: Tone) -> u32 {
+        self.at_hand + self.sampling.latency_samples + u32::from(ramp_samples(tone))
     }
 
     /// One step of the level loop.
@@ -439,7 +478,7 @@ impl<'m> Sequencer<'m> {
             return self.refuse(Reason::Clipped);
         }
         match plan.level_loop.step(&mut self.level, level) {
-            Next::Hold if self.level.may_ring() => self.settle(Block::control(plan.tone)),
+            Next::Hold if self.level.may_ring() => self.settle(self.first_block(plan.tone)),
             Next::Hold => self.settle(self.control_block(plan, level, estimate)),
             Next::Drive(peak_v) => self.drive(plan.tone, peak_v),
             Next::Settled => self.settled(plan, level, estimate),
@@ -462,6 +501,13 @@ impl<'m> Sequencer<'m> {
         };
         self.measuring_samples = (block_s * self.sampling.sample_rate_hz) as u32;
         self.begin_measuring(plan.tone);
+    }
+
+    /// The first blocks behind a drive: with a ramp, two of them fit into two buffers.
+    fn first_block(&self, tone: Tone) -> Block {
+        let buffers = 2 * self.sampling.rest_samples;
+        let most = buffers.saturating_sub(u32::from(ramp_samples(tone)) + 2) / 2;
+        Block::control_within(tone, most).unwrap_or(Block::control(tone))
     }
 
     /// The block the loop needs for its noise: the usual one, or one long
@@ -568,7 +614,7 @@ impl<'m> Sequencer<'m> {
     }
 
     fn end(&mut self, plan: &Plan, result: PointResult) {
-        let left = self.sampling.latency_samples + u32::from(ramp_samples(plan.tone));
+        let left = self.way_samples(plan.tone);
         self.stage = Stage::Silencing { left, result };
     }
 }
