@@ -11,6 +11,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &BACK_EMF,
     &PAYLOAD_MASS,
     &LOSSY_INDUCTANCE,
+    &SHORTED_INDUCTANCE,
     &COIL_HEATING,
     &ARMATURE_MODE,
     &NOMINAL_STIFFNESS,
@@ -152,8 +153,26 @@ pub static LOSSY_INDUCTANCE: Entry = Entry {
     parameters: &[Parameter::linear("exponent", "1", [0.3, 1.0], 0.7).on_site(0.5, 1.0)],
     plain: "the coil loses energy in the iron around it",
     columns: &["frequency_hz", "coil_v", "coil_a", "coil_a_deg", "ref_v"],
-    confused_with: &["armature_mode"],
+    confused_with: &["armature_mode", "shorted_inductance"],
     separate_by: "coil current at the highest frequencies",
+    ..Entry::CALIBRATOR
+};
+
+/// A coil of two inductances, one of them with a resistance across it (LR-2): a shorting ring, or eddy
+/// currents that all flow in one path, undo a share of the inductance above the corner R2/(2 pi L2).
+/// Rings of copper and poles of iron have corners of some 100 Hz to 20 kHz.
+pub static SHORTED_INDUCTANCE: Entry = Entry {
+    id: "shorted_inductance",
+    stage: Stage::Exciter,
+    formula: "Z = R + j w L (1 - s + s/(1 + j f/fc)), s = L2/L, fc = R2/(2 pi L2)",
+    parameters: &[
+        Parameter::linear("shorted_share", "1", [0.0, 0.98], 0.5).on_site(0.1, 0.9),
+        Parameter::log("corner_hz", "Hz", [10.0, 1e6], 3e3).on_site(300.0, 2e4),
+    ],
+    plain: "a ring, or the iron around the coil, shorts part of its inductance",
+    columns: &["frequency_hz", "coil_v", "coil_a", "coil_a_deg", "ref_v"],
+    confused_with: &["lossy_inductance", "nominal_inductance", "armature_mode"],
+    separate_by: "coil current from a decade below the corner to the highest frequencies",
     ..Entry::CALIBRATOR
 };
 

@@ -7,7 +7,8 @@ use crate::model::chain::Chain;
 use crate::model::row::Row;
 use calib_effects::{Entry, exciter};
 
-pub(super) static EXPLANATIONS: Explanations = &[&LossyInductance, &CoilHeating];
+pub(super) static EXPLANATIONS: Explanations =
+    &[&LossyInductance, &CoilHeating, &ShortedInductance];
 
 /// Temperature coefficient of the resistance of copper, in 1/K.
 const COPPER_PER_K: f64 = 0.0039;
@@ -16,6 +17,8 @@ const COPPER_PER_K: f64 = 0.0039;
 struct LossyInductance;
 /// A coil that warms up under load.
 struct CoilHeating;
+/// A share of the inductance with a resistance across it.
+struct ShortedInductance;
 
 impl Effect for LossyInductance {
     fn entry(&self) -> &'static Entry {
@@ -49,5 +52,24 @@ impl Effect for CoilHeating {
     }
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
         chain.resistance *= 1.0 + COPPER_PER_K * p[0] * (1.0 - (-row.time_s / p[1]).exp());
+    }
+}
+
+impl Effect for ShortedInductance {
+    fn entry(&self) -> &'static Entry {
+        &exciter::SHORTED_INDUCTANCE
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.drive || facts.current
+    }
+    /// Below these corners the inductance is another one, above them it is the stated one.
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        ratios(0.02 * facts.highest_hz, 2.0 * facts.highest_hz, 4)
+            .into_iter()
+            .map(|corner_hz| Start::positive(vec![0.3, corner_hz], 0))
+            .collect()
+    }
+    fn chain(&self, p: &[f64], _row: &Row, chain: &mut Chain) {
+        chain.shorted = [p[0], p[1]];
     }
 }

@@ -24,6 +24,8 @@ pub(crate) struct Chain {
     pub(crate) emf: f64,
     /// Exponent of the coil inductance.
     pub(crate) inductance_exponent: f64,
+    /// Share of the coil inductance that is shorted above a corner, and that corner in Hz.
+    pub(crate) shorted: [f64; 2],
     /// Nonlinear exciter and amplifier.
     pub(crate) bend: Bend,
     /// Motion of the device under test, in m/s2.
@@ -52,6 +54,7 @@ impl Default for Chain {
             resistance: 1.0,
             emf: 1.0,
             inductance_exponent: 1.0,
+            shorted: [0.0, 1.0],
             bend: Bend::default(),
             mount: None,
             ref_adc: None,

@@ -34,6 +34,7 @@ pub(super) fn drive(
         inductance_h: values.coil_inductance_h * chain.inductance,
         emf_ratio: chain.emf,
         inductance_exponent: chain.inductance_exponent,
+        shorted: chain.shorted,
     };
     let added = Added {
         mass_kg: row.payload_kg + chain.mass_kg,

@@ -25,6 +25,8 @@ pub(crate) struct Exciter {
     pub(crate) emf_ratio: f64,
     /// Exponent n of the coil's j^n w0 L (w/w0)^n; 1 = ideal inductance.
     pub(crate) inductance_exponent: f64,
+    /// Share of the inductance that is shorted above a corner, and that corner in Hz.
+    pub(crate) shorted: [f64; 2],
 }
 
 /// Payload that moves with the exciter.
@@ -67,11 +69,19 @@ impl Exciter {
     fn inductive(&self, omega: f64) -> Complex64 {
         let omega_0 = std::f64::consts::TAU * INDUCTANCE_FREQUENCY_HZ;
         let n = self.inductance_exponent;
-        if n == 1.0 {
-            return Complex64::new(0.0, omega * self.inductance_h);
+        let ideal = Complex64::new(0.0, omega * self.inductance_h);
+        let whole = if n == 1.0 {
+            ideal
+        } else {
+            let size = omega_0 * self.inductance_h * (omega / omega_0).powf(n);
+            Complex64::from_polar(size, n * std::f64::consts::FRAC_PI_2)
+        };
+        let [share, corner_hz] = self.shorted;
+        if share == 0.0 {
+            return whole;
         }
-        let size = omega_0 * self.inductance_h * (omega / omega_0).powf(n);
-        Complex64::from_polar(size, n * std::f64::consts::FRAC_PI_2)
+        let q = omega / (std::f64::consts::TAU * corner_hz);
+        whole * (1.0 - share) + ideal * share / Complex64::new(1.0, q)
     }
 
     /// Force over displacement of the moving part, M s^2 + c s + k.
@@ -144,6 +154,7 @@ impl Exciter {
             inductance_h: 1.2e-4,
             emf_ratio: 1.0,
             inductance_exponent: 1.0,
+            shorted: [0.0, 1.0],
         }
     }
 }
@@ -157,6 +168,7 @@ mod tests {
         Exciter {
             mass_kg: 0.08,
             inductance_exponent: 0.7,
+            shorted: [0.4, 120.0],
             ..Exciter::example()
         }
     }

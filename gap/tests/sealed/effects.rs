@@ -237,7 +237,7 @@ const CASES: [Case; 42] = [
 ];
 
 /// Effects that came later, in a list of their own: the cases of before stay what they were.
-const LATER: [Case; 10] = [
+const LATER: [Case; 11] = [
     (
         "dut_highpass_2",
         &[
@@ -286,6 +286,13 @@ const LATER: [Case; 10] = [
     (
         "nominal_inductance",
         &[(One("nominal_inductance.x"), Either(0.5, 0.8))],
+    ),
+    (
+        "shorted_inductance",
+        &[
+            (One("shorted_inductance.s"), Between(0.2, 0.9)),
+            (One("shorted_inductance.f"), Log(500.0, 2e4)),
+        ],
     ),
 ];
 

@@ -104,6 +104,7 @@ fn exciter(truth: &Truth, row: &Condition) -> Exciter {
     });
     let off = |key| 1.0 + truth.or(key, 0.0);
     let (other, exponent) = (truth.has_other_form(), truth.or("lossy_inductance.n", 1.0));
+    let shorted_hz = truth.or("shorted_inductance.f", 1.0);
     Exciter {
         mass_kg: mass + row.payload_kg + truth.or("payload_mass.m", 0.0),
         stiffness_n_per_m: stiffness * off("nominal_stiffness.x"),
@@ -113,8 +114,11 @@ fn exciter(truth: &Truth, row: &Condition) -> Exciter {
         // Copper.
         resistance_ohm: resistance * off("nominal_resistance.x") * (1.0 + 0.0039 * warmer_k),
         inductance_h: inductance * off("nominal_inductance.x"),
-        inductance_exponent: if other { 1.0 } else { exponent },
-        shorted_share: if other { 1.0 - exponent } else { 0.0 },
+        inductance_exponent: exponent,
+        apart: other && exponent != 1.0,
+        shorted_share: truth.or("shorted_inductance.s", 0.0),
+        shorted_per_s: std::f64::consts::TAU * shorted_hz,
+        diffuses: other,
         quadratic_n_per_m2: truth.or("suspension_asymmetry.k", 0.0),
         cubic_n_per_m3: truth.or("suspension_cubic.k", 0.0),
         droop_per_m2: truth.or("force_factor_droop.b", 0.0),

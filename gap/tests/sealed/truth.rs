@@ -23,7 +23,7 @@ pub(crate) const NOMINAL: [(&str, f64, f64); 6] = [
 /// for a straight line.
 pub(crate) const OTHER_FORM: &str = "form.other";
 /// Effects with another form.
-pub(crate) const FORMS: [&str; 8] = [
+pub(crate) const FORMS: [&str; 9] = [
     "dut_resonance",
     "dut_frequency_slope",
     "dut_level_nonlinearity",
@@ -32,6 +32,7 @@ pub(crate) const FORMS: [&str; 8] = [
     "dut_highpass",
     "dut_lowpass_1",
     "lossy_inductance",
+    "shorted_inductance",
 ];
 
 /// Values as they really are; effects are absent where nobody added them.

@@ -3,6 +3,7 @@
 use super::effect::Effect;
 use crate::model::{FREE_FALL_MS2, SecondOrder, Section};
 use calib_effects::exciter;
+use std::f64::consts::TAU;
 
 pub(super) static EFFECTS: &[Effect] = &[
     Effect::new(&exciter::SUSPENSION_CUBIC, |values, _conditions, model| {
@@ -40,6 +41,13 @@ pub(super) static EFFECTS: &[Effect] = &[
     Effect::new(&exciter::LOSSY_INDUCTANCE, |values, _conditions, model| {
         model.coil.inductance_exponent = values[0];
     }),
+    Effect::new(
+        &exciter::SHORTED_INDUCTANCE,
+        |values, _conditions, model| {
+            model.coil.shorted_share = values[0];
+            model.coil.shorted_rate_rad_s = TAU * values[1];
+        },
+    ),
     Effect::new(&exciter::COIL_HEATING, |values, _conditions, model| {
         model.coil.rise_k = values[0];
         model.coil.rise_time_constant_s = values[1];

@@ -15,7 +15,7 @@ const INDUCTANCE_OMEGA: f64 = TAU * 1000.0;
 /// # Equation
 /// `u = Z i + e Bl(x) v`, `M v' = Bl(x) i - c v - k x - k2 x^2 - k3 x^3 - Fc sign(v) + Fg`,
 /// `x' = v`, with `Bl(x) = Bl (1 - b2 x^2)`, and an impedance that is `R + j w L` for the exponent
-/// 1, else `R + j^n w0 L (w/w0)^n` with `w0 = 2 pi 1 kHz`.
+/// 1, else `R + j^n w0 L (w/w0)^n` with `w0 = 2 pi 1 kHz`. Of L, a share may have a resistance across it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoilModel {
     /// M, armature with payload, kg.
@@ -38,6 +38,10 @@ pub struct CoilModel {
     pub inductance_h: f64,
     /// n, exponent of the inductance.
     pub inductance_exponent: f64,
+    /// Share of the inductance that has a resistance across it.
+    pub shorted_share: f64,
+    /// That resistance over that inductance, rad/s.
+    pub shorted_rate_rad_s: f64,
     /// k2, N/m2.
     pub quadratic_n_per_m2: f64,
     /// k3, N/m3.
@@ -64,6 +68,8 @@ impl CoilModel {
         rise_time_constant_s: 1.0,
         inductance_h: 1.0,
         inductance_exponent: 1.0,
+        shorted_share: 0.0,
+        shorted_rate_rad_s: 1.0,
         quadratic_n_per_m2: 0.0,
         cubic_n_per_m3: 0.0,
         droop_per_m2: 0.0,
@@ -100,7 +106,20 @@ impl CoilModel {
         } else {
             ratio.powf(self.inductance_exponent)
         };
-        reactance * INDUCTANCE_OMEGA * self.inductance_h + self.warm_resistance_ohm(time_s)
+        let open_h = self.inductance_h * (1.0 - self.shorted_share);
+        let mut impedance =
+            reactance * INDUCTANCE_OMEGA * open_h + self.warm_resistance_ohm(time_s);
+        if let Some((across_ohm, _)) = self.shorted_pair() {
+            let shorted = Complex::new(0.0, omega * self.inductance_h * self.shorted_share);
+            impedance += shorted * across_ohm / (shorted + across_ohm);
+        }
+        impedance
+    }
+
+    /// The resistance across part of the inductance, ohm, and the rate of the two, rad/s.
+    fn shorted_pair(&self) -> Option<(f64, f64)> {
+        let across_ohm = self.shorted_share * self.inductance_h * self.shorted_rate_rad_s;
+        (across_ohm > 0.0).then_some((across_ohm, self.shorted_rate_rad_s))
     }
 
     /// Current and travel per volt at `omega`, of the linear terms alone.
@@ -116,9 +135,12 @@ impl CoilModel {
         ]
     }
 
-    /// The ladder that approximates the impedance of a coil whose exponent is not 1.
+    /// The ladder of the coil's impedance; an approximation where the exponent is not 1.
     pub fn ladder(&self) -> InductanceLadder {
-        InductanceLadder::new(self.inductance_h, self.inductance_exponent)
+        let open_h = self.inductance_h * (1.0 - self.shorted_share);
+        let mut ladder = InductanceLadder::new(open_h, self.inductance_exponent);
+        ladder.pairs.extend(self.shorted_pair());
+        ladder
     }
 }
 
@@ -206,6 +228,24 @@ mod tests {
                 );
             }
         }
+    }
+
+    /// At its corner half of the shorted part is left as an inductance, and as much is a resistance.
+    #[test]
+    fn a_shorted_inductance_has_half_of_itself_left_at_its_corner() {
+        let corner_hz = 2e3;
+        let coil = CoilModel {
+            shorted_share: 0.6,
+            shorted_rate_rad_s: TAU * corner_hz,
+            ..coil(1.0)
+        };
+        let s = Complex::new(0.0, TAU * corner_hz);
+        let reactance = s.im * 1.2e-4;
+        let expected = Complex::new(4.0 + 0.3 * reactance, 0.7 * reactance);
+        assert!((coil.blocked_impedance(s.im, 0.0) - expected).norm() < 1e-12);
+        let ladder = coil.ladder();
+        let pairs: Complex<f64> = ladder.pairs.iter().map(|&(r, x)| s * r / (s + x)).sum();
+        assert!((4.0 + s * ladder.inductance_h + pairs - expected).norm() < 1e-12);
     }
 
     #[test]

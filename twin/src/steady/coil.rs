@@ -21,9 +21,9 @@ const LONGEST_SEARCH: usize = 80;
 /// Deviation left at the end of a period, relative to the motion.
 const TOLERANCE: f64 = 1e-8;
 
-/// States of a coil with an ideal and with a lossy inductance.
+/// States of a coil with an ideal inductance, and of the ladder of a lossy one.
 const PLAIN: usize = 3;
-const LOSSY: usize = 3 + LADDER_PAIRS as usize;
+const LADDER: usize = LADDER_PAIRS as usize;
 
 /// Harmonics of current and travel.
 #[derive(Clone, Debug)]
@@ -37,8 +37,7 @@ pub(super) struct Motion {
 /// How the motion is found.
 enum Method {
     Linear,
-    Plain(Box<Search<PLAIN>>),
-    Lossy(Box<Search<LOSSY>>),
+    Bent(Box<dyn Periodic>),
 }
 
 /// A coil at one frequency and time.
@@ -55,10 +54,8 @@ impl<'a> SteadyCoil<'a> {
         let step_s = 1.0 / frequency_hz / STEPS as f64;
         let method = if coil.is_linear() {
             Method::Linear
-        } else if coil.inductance_exponent == 1.0 {
-            Method::Plain(Box::new(Search::new(coil, time_s, step_s)?))
         } else {
-            Method::Lossy(Box::new(Search::new(coil, time_s, step_s)?))
+            Method::Bent(search(coil, time_s, step_s)?)
         };
         Some(Self {
             coil,
@@ -74,8 +71,7 @@ impl<'a> SteadyCoil<'a> {
         let (coil, omega) = (self.coil, self.omega);
         match &mut self.method {
             Method::Linear => Some(linear),
-            Method::Plain(search) => search.motion(coil, omega, &linear, grid),
-            Method::Lossy(search) => search.motion(coil, omega, &linear, grid),
+            Method::Bent(search) => search.motion(coil, omega, &linear, grid),
         }
     }
 
@@ -97,6 +93,31 @@ impl<'a> SteadyCoil<'a> {
     }
 }
 
+/// A search for the periodic deviation, whatever the number of states.
+trait Periodic {
+    /// The whole motion; `None` if it does not become periodic.
+    fn motion(
+        &mut self,
+        coil: &CoilModel,
+        omega: f64,
+        linear: &Motion,
+        grid: &Grid,
+    ) -> Option<Motion>;
+}
+
+/// The search for a coil with as many states as its impedance has.
+fn search(coil: &CoilModel, time_s: f64, step_s: f64) -> Option<Box<dyn Periodic>> {
+    fn of<const N: usize>(coil: &CoilModel, time_s: f64, step_s: f64) -> Option<Box<dyn Periodic>> {
+        Some(Box::new(Search::<N>::new(coil, time_s, step_s)?))
+    }
+    match (coil.inductance_exponent == 1.0, coil.shorted_share == 0.0) {
+        (true, true) => of::<PLAIN>(coil, time_s, step_s),
+        (true, false) => of::<{ PLAIN + 1 }>(coil, time_s, step_s),
+        (false, true) => of::<{ PLAIN + LADDER }>(coil, time_s, step_s),
+        (false, false) => of::<{ PLAIN + LADDER + 1 }>(coil, time_s, step_s),
+    }
+}
+
 /// The search for the periodic deviation.
 struct Search<const N: usize> {
     stepping: Stepping<N>,
@@ -111,7 +132,9 @@ impl<const N: usize> Search<N> {
             start: SVector::zeros(),
         })
     }
+}
 
+impl<const N: usize> Periodic for Search<N> {
     fn motion(
         &mut self,
         coil: &CoilModel,

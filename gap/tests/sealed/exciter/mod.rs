@@ -27,8 +27,14 @@ pub(crate) struct Exciter {
     pub(crate) inductance_h: f64,
     /// 1 for an ideal inductance, less for one with eddy currents.
     pub(crate) inductance_exponent: f64,
-    /// Share of an ideal inductance that eddies short, as by a resistance across it (LR-2).
+    /// Whether reactance and loss have exponents of their own, as Wright measured of loudspeakers.
+    pub(crate) apart: bool,
+    /// Share of the inductance that eddies short, as by a resistance across it (LR-2).
     pub(crate) shorted_share: f64,
+    /// That resistance over that inductance, 1/s.
+    pub(crate) shorted_per_s: f64,
+    /// Whether the eddies go through a sheet of iron instead, deeper the slower they are.
+    pub(crate) diffuses: bool,
     pub(crate) quadratic_n_per_m2: f64,
     pub(crate) cubic_n_per_m3: f64,
     pub(crate) droop_per_m2: f64,
@@ -49,16 +55,27 @@ pub(crate) struct Solved {
 impl Exciter {
     fn impedance_ohm(&self, w_per_s: f64) -> C {
         let (nominal_per_s, exponent) = (TAU * NOMINAL_HZ, self.inductance_exponent);
-        let size_ohm = nominal_per_s * self.inductance_h * (w_per_s / nominal_per_s).powf(exponent);
-        let whole = C::from_polar(size_ohm, exponent * FRAC_PI_2);
-        let shorted = self.shorted_share * whole;
-        // The resistance is as large as the inductance it shorts at twice the nominal frequency.
-        let across_ohm = 2.0 * nominal_per_s * self.inductance_h * self.shorted_share;
-        let both = match self.shorted_share {
-            0.0 => C::ZERO,
-            _ => shorted * across_ohm / (shorted + across_ohm),
+        let size_ohm =
+            |n: f64| nominal_per_s * self.inductance_h * (w_per_s / nominal_per_s).powf(n);
+        let whole = C::from_polar(size_ohm(exponent), exponent * FRAC_PI_2);
+        let whole = match self.apart {
+            true => C::new(
+                whole.re * (w_per_s / nominal_per_s).powf(-0.08),
+                whole.im * (w_per_s / nominal_per_s).powf(0.05),
+            ),
+            false => whole,
         };
-        self.resistance_ohm + whole - shorted + both
+        if self.shorted_share == 0.0 {
+            return self.resistance_ohm + whole;
+        }
+        let shorted_h = self.inductance_h * self.shorted_share;
+        let shorted = C::new(0.0, w_per_s * shorted_h);
+        let depth = C::new(0.0, 3.0 * w_per_s / self.shorted_per_s).sqrt();
+        let left = match self.diffuses {
+            true => shorted * depth.tanh() / depth,
+            false => (shorted.inv() + 1.0 / (self.shorted_per_s * shorted_h)).inv(),
+        };
+        self.resistance_ohm + (1.0 - self.shorted_share) * whole + left
     }
 
     /// Displacement over force where nothing drives the coil.
