@@ -10,6 +10,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &QUADRATIC,
     &DEAD_ZONE,
     &CLIPPING,
+    &RANGE_STEP,
 ];
 
 const CHANNEL: Parameter = Parameter::switch("channel", "0 reference, 1 DUT", 1.0);
@@ -150,5 +151,23 @@ pub static CLIPPING: Entry = Entry {
     columns: HARMONIC_COLUMNS,
     confused_with: &["adc_cubic", "loose_mount"],
     separate_by: "levels around the threshold, with harmonics",
+    ..Entry::CALIBRATOR
+};
+
+/// An input that takes a coarser range above a level, whose gain is another one: instruments state 0.05 to
+/// 0.5 % between neighbouring ranges. Range and gain are those of the upper one.
+pub static RANGE_STEP: Entry = Entry {
+    id: "range_step",
+    stage: Stage::Digitiser,
+    formula: "gain 1 + e in one channel where its peak is above a threshold",
+    parameters: &[
+        Parameter::linear("step_rel", "1", [-0.3, 0.3], 3e-3).on_site(-0.01, 0.01),
+        Parameter::log("threshold_v", "V", [1e-6, 100.0], 0.1).on_site(0.01, 10.0),
+        CHANNEL,
+    ],
+    plain: "an input has another gain in its next range",
+    columns: &["acceleration_ms2", "ratio"],
+    confused_with: &["dut_level_nonlinearity", "adc_dead_zone", "adc_cubic"],
+    separate_by: "levels closely below and above the step; the range held by hand",
     ..Entry::CALIBRATOR
 };

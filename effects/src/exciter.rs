@@ -35,12 +35,19 @@ const BENT_COLUMNS: &[&str] = &[
 ];
 
 /// Real flexures stiffen symmetrically at large travel: the resonance moves with level and a third
-/// harmonic appears in the motion itself, so in both channels. 2e9 doubles 8 kN/m at 2 mm.
+/// harmonic appears in the motion itself, so in both channels. 2e9 doubles 8 kN/m at 2 mm. A spring that
+/// was not levelled sags under the weight on it and is no longer alike to both sides.
 pub static SUSPENSION_CUBIC: Entry = Entry {
     id: "suspension_cubic",
     stage: Stage::Exciter,
-    formula: "restoring force k1 x + k3 x^3: d near f0, H3 as X^2 in both channels",
-    parameters: &[Parameter::linear("k3_n_per_m3", "N/m3", [-1e14, 1e14], 3e7).on_site(-1e8, 2e9)],
+    formula: "restoring force k1 x + k3 x^3 about the unloaded position, sag -s M g cos(tilt)/k1: d near f0, H3 as X^2, H2 with the sag, in both channels",
+    parameters: &[
+        Parameter::linear("k3_n_per_m3", "N/m3", [-1e14, 1e14], 3e7).on_site(-1e8, 2e9),
+        // Of the weight, what no levelling takes off the spring.
+        Parameter::linear("sag_share", "1", [-3.0, 3.0], 0.0)
+            .simulated(0.0, 2.0)
+            .on_site(0.0, 1.0),
+    ],
     plain: "the spring that carries the table stiffens as it is deflected",
     columns: BENT_COLUMNS,
     confused_with: &["force_factor_droop", "coulomb_friction"],

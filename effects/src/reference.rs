@@ -2,7 +2,7 @@
 
 use super::{Entry, Stage, dut};
 
-pub(crate) static ENTRIES: &[&Entry] = &[&RESONANCE, &TEMPERATURE, &DRIFT, &GAIN];
+pub(crate) static ENTRIES: &[&Entry] = &[&RESONANCE, &TEMPERATURE, &DRIFT, &WARM_UP, &GAIN];
 
 /// Resonance of the reference, as of a device: the ratio shows its inverse, the drive transfer the
 /// resonance itself.
@@ -41,6 +41,19 @@ pub static DRIFT: Entry = Entry {
     columns: &["time_s", "ratio", "ref_v", "coil_v"],
     confused_with: &["dut_drift", "reference_temperature", "amplifier_gain_drift"],
     separate_by: "coil voltage beside the ratio; repeated points over time at constant temperature",
+    ..Entry::CALIBRATOR
+};
+
+/// As that of the device; the ratio shows its inverse.
+pub static WARM_UP: Entry = Entry {
+    id: "reference_warm_up",
+    stage: Stage::Reference,
+    formula: "r = 1 + g exp(-t/tau), d the other way",
+    parameters: dut::WARM_UP.parameters,
+    plain: "the reference was still warming up",
+    columns: &["time_s", "ratio", "ref_v", "coil_v"],
+    confused_with: &["dut_warm_up", "reference_drift", "coil_heating"],
+    separate_by: "coil voltage beside the ratio; points repeated soon after switching on, and an hour later",
     ..Entry::CALIBRATOR
 };
 

@@ -3,7 +3,7 @@
 use super::effect::{Effect, Explanations, Shows};
 use super::facts::Facts;
 use super::start::{Start, ratios};
-use crate::model::chain::Chain;
+use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use crate::model::waveform::Characteristic;
 use calib_effects::{Entry, Parameter, digitiser};
@@ -17,6 +17,8 @@ pub(super) static EXPLANATIONS: Explanations = &[
     &Adc::DEAD_ZONE_DUT,
     &Adc::CLIPPING_REF,
     &Adc::CLIPPING_DUT,
+    &RangeStep { channel: 0 },
+    &RangeStep { channel: 1 },
 ];
 
 #[derive(Clone, Copy)]
@@ -30,6 +32,11 @@ enum Bend {
 /// One kind of error in one channel (0 reference, 1 device under test).
 struct Adc {
     bend: Bend,
+    channel: usize,
+}
+
+/// Another gain above a level of one channel.
+struct RangeStep {
     channel: usize,
 }
 
@@ -120,6 +127,36 @@ impl Effect for Adc {
             chain.ref_adc = characteristic
         } else {
             chain.dut_adc = characteristic
+        }
+    }
+}
+
+impl Effect for RangeStep {
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn entry(&self) -> &'static Entry {
+        &digitiser::RANGE_STEP
+    }
+    /// The channel is a variant, not fitted.
+    fn parameters(&self) -> &'static [Parameter] {
+        &self.entry().parameters[..2]
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        (facts.ratio || (facts.drive && self.channel == 0))
+            && !facts.between_v[self.channel].is_empty()
+    }
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        let places = facts.between_v[self.channel].iter();
+        places.map(|v| Start::signed(vec![0.002, *v], 0)).collect()
+    }
+    fn transfer(&self, p: &[f64], row: &Row, _frequency_hz: f64, transfer: &mut Transfer) {
+        if row.seen_v[self.channel] * std::f64::consts::SQRT_2 > p[1] {
+            let gain = 1.0 + p[0];
+            match self.channel {
+                0 => transfer.reference *= gain,
+                _ => transfer.dut *= gain,
+            }
         }
     }
 }

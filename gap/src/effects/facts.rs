@@ -3,6 +3,7 @@
 use crate::dataset::ExciterParameters;
 use crate::model::row::Row;
 use crate::observable::{Channel, Group, Observable};
+use std::f64::consts::SQRT_2;
 
 /// Observables and ranges of a dataset.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +32,8 @@ pub(crate) struct Facts {
     pub(crate) largest_travel_m: f64,
     pub(crate) largest_peak_v: [f64; 2],
     pub(crate) smallest_peak_v: [f64; 2],
+    /// Peak voltages of each channel between which no row lies, a range of the input apart or more.
+    pub(crate) between_v: [Vec<f64>; 2],
     pub(crate) frequencies_hz: Vec<f64>,
     pub(crate) warmest_k: f64,
     pub(crate) noise_v: f64,
@@ -102,6 +105,25 @@ fn excess_noise_s(rows: &[Row], healthy_v: f64) -> f64 {
     median(scatter_s)
 }
 
+/// Least ratio of two voltages between which a range may end: less is the scatter of one level.
+const APART: f64 = 1.1;
+/// Places between voltages that are kept, those of the widest gaps.
+const MOST_PLACES: usize = 16;
+
+/// Middles of the gaps between the peak voltages of a channel.
+fn between_v(rows: &[Row], channel: usize) -> Vec<f64> {
+    let peaks = rows.iter().map(|row| row.seen_v[channel] * SQRT_2);
+    let mut peaks_v: Vec<f64> = peaks.filter(|v| *v > 0.0).collect();
+    peaks_v.sort_by(f64::total_cmp);
+    let gaps = peaks_v.windows(2).map(|pair| (pair[1] / pair[0], pair[0]));
+    let mut gaps: Vec<(f64, f64)> = gaps.filter(|(ratio, _)| *ratio > APART).collect();
+    gaps.sort_by(|a, b| b.0.total_cmp(&a.0));
+    gaps.truncate(MOST_PLACES);
+    gaps.iter()
+        .map(|(ratio, below)| below * ratio.sqrt())
+        .collect()
+}
+
 /// Frequencies of the rows, each once, ascending.
 fn frequencies_hz(rows: &[Row]) -> Vec<f64> {
     let mut frequencies_hz: Vec<f64> = rows.iter().map(|r| r.frequency_hz).collect();
@@ -151,6 +173,7 @@ impl Facts {
             largest_travel_m: over(Row::travel_m).1,
             largest_peak_v: [reference_v.1, dut_v.1],
             smallest_peak_v: [reference_v.0, dut_v.0],
+            between_v: [0, 1].map(|channel| between_v(rows, channel)),
             frequencies_hz: frequencies_hz(rows),
             warmest_k: over(|r| r.warmer_k.abs()).1,
             noise_v,

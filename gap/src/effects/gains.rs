@@ -2,7 +2,7 @@
 
 use super::effect::{Effect, Explanations};
 use super::facts::Facts;
-use super::start::Start;
+use super::start::{Start, ratios};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, amplifier, dut, reference};
@@ -20,6 +20,8 @@ pub(super) static EXPLANATIONS: Explanations = &[
     &Slow::ReferenceDrift,
     &Slow::DutDrift,
     &Slow::AmplifierGainDrift,
+    &WarmUp::Dut,
+    &WarmUp::Reference,
 ];
 
 /// Sensitivity that falls by a constant amount per decade.
@@ -45,6 +47,16 @@ enum Slow {
     ReferenceDrift,
     DutDrift,
     AmplifierGainDrift,
+}
+
+/// Time constants of a start, in s: those that the vocabulary has.
+const FASTEST_S: f64 = 60.0;
+const SLOWEST_S: f64 = 7200.0;
+
+/// A gain that comes to rest.
+enum WarmUp {
+    Dut,
+    Reference,
 }
 
 impl Effect for FrequencySlope {
@@ -184,6 +196,36 @@ impl Effect for Slow {
             Self::ReferenceDrift => transfer.reference *= 1.0 - p[0] * row.time_s,
             Self::DutDrift => transfer.dut *= 1.0 + p[0] * row.time_s,
             Self::AmplifierGainDrift => transfer.drive *= 1.0 + p[0] * row.time_s,
+        }
+    }
+}
+
+impl Effect for WarmUp {
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn entry(&self) -> &'static Entry {
+        match self {
+            Self::Dut => &dut::WARM_UP,
+            Self::Reference => &reference::WARM_UP,
+        }
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        let seen = facts.ratio || (facts.drive && matches!(self, Self::Reference));
+        seen && facts.longest_s > FASTEST_S
+    }
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        let slowest_s = (0.7 * facts.longest_s).clamp(FASTEST_S, SLOWEST_S);
+        ratios(FASTEST_S.max(0.02 * slowest_s), slowest_s, 5)
+            .into_iter()
+            .map(|time_constant_s| Start::signed(vec![0.002, time_constant_s], 0))
+            .collect()
+    }
+    fn transfer(&self, p: &[f64], row: &Row, _frequency_hz: f64, transfer: &mut Transfer) {
+        let still_cold = (-row.time_s / p[1]).exp();
+        match self {
+            Self::Dut => transfer.dut *= 1.0 + p[0] * still_cold,
+            Self::Reference => transfer.reference *= 1.0 - p[0] * still_cold,
         }
     }
 }

@@ -6,10 +6,11 @@ use super::mount::FREE_FALL_MS2;
 use super::start::{Start, ratios};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
-use calib_effects::{Entry, exciter};
+use calib_effects::{Entry, Parameter, exciter};
 
 pub(super) static EXPLANATIONS: Explanations = &[
     &Suspension::Cubic,
+    &Suspension::SaggingCubic,
     &Suspension::Asymmetry,
     &Suspension::Droop,
     &Suspension::Friction,
@@ -18,6 +19,7 @@ pub(super) static EXPLANATIONS: Explanations = &[
 /// Nonlinear forces between coil force and motion.
 enum Suspension {
     Cubic,
+    SaggingCubic,
     Asymmetry,
     Droop,
     Friction,
@@ -26,10 +28,17 @@ enum Suspension {
 impl Effect for Suspension {
     fn entry(&self) -> &'static Entry {
         match self {
-            Self::Cubic => &exciter::SUSPENSION_CUBIC,
+            Self::Cubic | Self::SaggingCubic => &exciter::SUSPENSION_CUBIC,
             Self::Asymmetry => &exciter::SUSPENSION_ASYMMETRY,
             Self::Droop => &exciter::FORCE_FACTOR_DROOP,
             Self::Friction => &exciter::COULOMB_FRICTION,
+        }
+    }
+    /// A levelled spring does not sag.
+    fn parameters(&self) -> &'static [Parameter] {
+        match self {
+            Self::Cubic => &self.entry().parameters[..1],
+            _ => self.entry().parameters,
         }
     }
     fn bends(&self) -> bool {
@@ -38,7 +47,10 @@ impl Effect for Suspension {
     fn applies(&self, facts: &Facts) -> bool {
         facts.exciter_known
             && facts.level_known
-            && (facts.drive || facts.ref_harmonics || facts.dut_harmonics)
+            && match self {
+                Self::SaggingCubic => facts.ref_harmonics || facts.dut_harmonics,
+                _ => facts.drive || facts.ref_harmonics || facts.dut_harmonics,
+            }
     }
     fn starts(&self, facts: &Facts) -> Vec<Start> {
         let (travel, stiffness) = (facts.largest_travel_m, facts.stiffness_n_per_m);
@@ -46,6 +58,11 @@ impl Effect for Suspension {
         let sizes = ratios(1e-3, 0.3, 4);
         match self {
             Self::Cubic => both_signs(&sizes, stiffness / (travel * travel)),
+            // The sag of a level that is not much larger shows as much as the level does.
+            Self::SaggingCubic => both_signs(&sizes, stiffness / (travel * travel))
+                .into_iter()
+                .map(|start| Start::positive(vec![start.members[0][0], 1.0], 0))
+                .collect(),
             Self::Asymmetry => both_signs(&sizes, stiffness / travel),
             Self::Droop => sizes
                 .iter()
@@ -61,7 +78,7 @@ impl Effect for Suspension {
     fn screened(&self, facts: &Facts) -> Vec<Start> {
         let mut starts = self.starts(facts);
         starts.truncate(1);
-        if matches!(self, Self::Cubic | Self::Asymmetry) {
+        if matches!(self, Self::Cubic | Self::SaggingCubic | Self::Asymmetry) {
             starts.iter_mut().for_each(|start| start.signed = true);
         }
         starts
@@ -69,9 +86,13 @@ impl Effect for Suspension {
     fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
         match self {
             Self::Cubic => chain.bend.cubic_n_per_m3 += p[0],
+            Self::SaggingCubic => {
+                chain.bend.cubic_n_per_m3 += p[0];
+                chain.bend.carry(p[1] * FREE_FALL_MS2 * row.vertical);
+            }
             Self::Asymmetry => {
                 chain.bend.quadratic_n_per_m2 += p[0];
-                chain.bend.gravity_ms2 = FREE_FALL_MS2 * row.vertical;
+                chain.bend.carry(FREE_FALL_MS2 * row.vertical);
             }
             Self::Droop => chain.bend.droop_per_m2 += p[0],
             Self::Friction => chain.bend.friction_n += p[0],

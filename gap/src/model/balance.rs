@@ -11,6 +11,7 @@ use super::bend::Bend;
 use super::exciter::Exciter;
 use super::friction::{Friction, Rubbed};
 use super::grid::{GRID, Motion, ORDERS, Parity, analyse, synthesize};
+use super::saturation::saturated_from;
 use super::waveform::{Characteristic, clipped_order};
 use crate::thresholds;
 use num_complex::Complex64;
@@ -179,7 +180,7 @@ impl<'a> Work<'a> {
         for n in 0..=ORDERS {
             force[n] = self.stiffness[n] * motion[n] + added[n];
         }
-        if self.bend.quadratic_n_per_m2 != 0.0 {
+        if self.parity == Parity::All {
             force[0] += self.exciter.mass_kg * self.bend.gravity_ms2;
         }
         let bl = self.exciter.force_factor_n_per_a;
@@ -260,9 +261,10 @@ impl<'a> Work<'a> {
         if let Some(rubbed) = &state.rubbed {
             rubbed.follow(&mut moves, &yields);
         }
+        // The mean counts as well: a sag alone moves nothing else at first.
         let sizes = moves.iter().enumerate();
         let largest = sizes.fold(0.0_f64, |m, (n, by)| {
-            m.max(by.norm_sqr() * (n * n * n * n) as f64)
+            m.max(by.norm_sqr() * (n * n * n * n).max(1) as f64)
         });
         (moves, largest.sqrt())
     }
@@ -280,6 +282,13 @@ impl<'a> Work<'a> {
                 for n in (3..=ORDERS).step_by(2) {
                     wanted[n] += turn.powu(n as u32) * clipped_order(n, input, threshold);
                 }
+            }
+        }
+        if let Some(knee_v) = self.bend.knee_v {
+            let size = fundamental.norm();
+            let (saturated, turn) = (saturated_from(size / knee_v), fundamental / size);
+            for n in (3..=ORDERS).step_by(2) {
+                wanted[n] += turn.powu(n as u32) * (knee_v * saturated[n]);
             }
         }
         wanted
@@ -342,5 +351,35 @@ mod tests {
                 assert!((a - b).norm() < 10.0 * thresholds::BALANCED, "{a} {b}");
             }
         }
+    }
+
+    /// A cubic spring about its sag x0 is `k + 3 k3 x0^2` stiff there and has `3 k3 x0` to one side: a step of the
+    /// weight alone must move the balance from where it was. X is the amplitude.
+    #[test]
+    fn a_step_of_the_weight_moves_the_second_harmonic() {
+        let exciter = Exciter::example();
+        let sagging = |gravity_ms2| Bend {
+            cubic_n_per_m3: 1e7,
+            gravity_ms2,
+            ..Bend::default()
+        };
+        let mut motion = [Complex64::ZERO; ORDERS + 1];
+        let mut of = |gravity_ms2: f64, purpose| {
+            balance(
+                &exciter,
+                &sagging(gravity_ms2),
+                TAU * 12.0,
+                5.0,
+                &mut motion,
+                purpose,
+            )
+        };
+        let before = of(9.81, Purpose::Value).harmonics[0];
+        let after = of(9.81 * 1.001, Purpose::Slope).harmonics[0];
+        // The second harmonic goes with the sag; its square stiffens the spring by 1e-3.
+        assert!(
+            ((after / before).re - 1.001).abs() < 1e-5,
+            "{after} {before}"
+        );
     }
 }

@@ -15,9 +15,11 @@ pub(crate) struct Bend {
     pub(crate) friction_n: f64,
     /// Peak voltage at which the amplifier saturates.
     pub(crate) clip_v: Option<f64>,
+    /// Peak voltage towards which the amplifier bends.
+    pub(crate) knee_v: Option<f64>,
     /// Amplifier output e + even e^2, in 1/V.
     pub(crate) even_per_v: f64,
-    /// Weight along the axis of motion over mass: g cos(tilt), in m/s2.
+    /// Weight on the spring along the axis of motion over mass: g cos(tilt), or a share of it, in m/s2.
     pub(crate) gravity_ms2: f64,
 }
 
@@ -33,12 +35,21 @@ impl Bend {
             && self.quadratic_n_per_m2 == 0.0
             && self.droop_per_m2 == 0.0
             && self.clip_v.is_none()
+            && self.knee_v.is_none()
             && self.even_per_v == 0.0
+    }
+
+    /// The spring carries as much, or what it carries already if that is more.
+    pub(crate) fn carry(&mut self, gravity_ms2: f64) {
+        if gravity_ms2.abs() > self.gravity_ms2.abs() {
+            self.gravity_ms2 = gravity_ms2;
+        }
     }
 
     /// Orders that can arise under it.
     pub(super) fn parity(&self) -> Parity {
-        if self.quadratic_n_per_m2 == 0.0 && self.even_per_v == 0.0 {
+        let sags = self.cubic_n_per_m3 != 0.0 && self.gravity_ms2 != 0.0;
+        if self.quadratic_n_per_m2 == 0.0 && self.even_per_v == 0.0 && !sags {
             Parity::Odd
         } else {
             Parity::All

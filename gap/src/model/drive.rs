@@ -75,10 +75,17 @@ fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) ->
             return false;
         }
     }
+    // The third harmonic is a twelfth of the square of voltage over threshold.
+    if let Some(knee_v) = bend.knee_v {
+        let per_v = size(exciter.acceleration_per_v(row.omega));
+        if level_ms2 * SQRT_2 / per_v > 1e-3 * knee_v {
+            return false;
+        }
+    }
     let sag = bend.gravity_ms2.abs() * exciter.mass_kg / exciter.stiffness_n_per_m;
     let travel = level_ms2 * SQRT_2 / (row.omega * row.omega);
     let slope = 2.0 * bend.quadratic_n_per_m2.abs() * (travel + sag)
-        + 3.0 * bend.cubic_n_per_m3.abs() * travel * travel;
+        + 3.0 * bend.cubic_n_per_m3.abs() * (travel + sag).powi(2);
     slope < 1e-7 * exciter.dynamic_stiffness(row.omega).norm()
         && bend.droop_per_m2.abs() * travel * travel < 1e-7
 }

@@ -11,7 +11,8 @@
 //! drive        the exciter at a level: exciter, balance, friction, fundamental; memory: of a row
 //! held         the motion at which the reference shows the level that is held
 //! channels     what both channels make of it; path, passed: of a wave on its way
-//! wave         a wave of many orders; crossings, shaped: bent; waveform: the same of a cosine
+//! wave         a wave of many orders; crossings, shaped: bent; waveform: the same of a cosine;
+//!              saturation: a cosine through a hyperbolic tangent
 //! ```
 
 pub(crate) mod balance;
@@ -33,6 +34,7 @@ mod path;
 pub(crate) mod predict;
 pub(crate) mod prediction;
 pub(crate) mod row;
+mod saturation;
 pub(crate) mod scatter;
 mod shaped;
 mod transfers;

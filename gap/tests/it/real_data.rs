@@ -59,6 +59,14 @@ fn what_is_named_of_a_measured_record_holds_where_it_was_not_fitted() {
     }
 }
 
+/// Whether the leading set has a coil that loses energy in the iron around it, in one of its two forms: without
+/// the current the voltage of 80 points does not tell them apart.
+fn coil_loses(answer: &Answer) -> bool {
+    let forms = ["lossy_inductance", "shorted_inductance"];
+    let leading = &answer.causes[0].effects;
+    forms.iter().any(|form| leading.contains(form))
+}
+
 /// A rigid mass with an ideal inductance misses by 12 % where all six values
 /// are free; the voltage alone cannot tell damping from back-EMF.
 #[test]
@@ -67,7 +75,7 @@ fn the_shaker_has_a_lossy_inductance() {
         return;
     };
     let answer = answer(&folder, None);
-    assert!(answer.causes[0].effects.contains(&"lossy_inductance"));
+    assert!(coil_loses(&answer));
     let damping = vec!["mechanical_damping".to_owned(), "back_emf".to_owned()];
     assert!(
         answer.confusable.contains(&damping),
@@ -102,7 +110,7 @@ fn the_shaker_is_predicted_between_the_points() {
     let (fit, other) = (half(0), half(1));
     let answer = answer(&fit, Some(other));
     let _ = std::fs::remove_dir_all(&root);
-    assert!(answer.causes[0].effects.contains(&"lossy_inductance"));
+    assert!(coil_loses(&answer));
     assert_eq!(answer.gap.held_out_rows, 40);
     assert!(answer.gap.after_percent <= 2.5, "{:?}", answer.gap);
 }

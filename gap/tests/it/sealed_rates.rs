@@ -74,11 +74,11 @@ fn single_effects_are_named() {
     check("not named first", &visible, 0.02, named);
 }
 
-/// Two of each of the later ones: filters, a ceramic, a base, a coil of two inductances, and nominal values that
-/// are off by 6 u or more. A stiffness beside which nothing else is stated wrongly is not a mass.
+/// Two of each of the later ones: filters, a ceramic, a base, a coil of two inductances, gains that come to rest
+/// or step, an amplifier that bends, and nominal values that are off by 6 u or more. A stiffness beside which nothing else is stated wrongly is not a mass.
 #[test]
 fn later_effects_are_named() {
-    let outcomes = outcomes("later", 0..22);
+    let outcomes = outcomes("later", 0..30);
     let visible: Vec<&Outcome> = outcomes.iter().filter(|o| o.sigma > 6.0).collect();
     assert!(visible.len() > 15, "too few: {}", visible.len());
     check("not named first", &visible, 0.02, named);

@@ -27,6 +27,12 @@ pub(crate) fn bent(waveform: &[C], characteristic: impl Fn(f64) -> f64) -> Vec<C
 /// Waveform behind the converter of a channel.
 pub(crate) fn converted(truth: &Truth, channel: &str, waveform: Vec<C>) -> Vec<C> {
     let parameter = |effect: &str| truth.get(&format!("{effect}.{channel}"));
+    let waveform = match parameter("range_step") {
+        Some(step) if waveform[1].norm() > truth.or("range_step.v", 0.1) => {
+            waveform.iter().map(|c| c * (1.0 + step)).collect()
+        }
+        _ => waveform,
+    };
     if let Some(c3) = parameter("adc_cubic") {
         bent(&waveform, |v| v + c3 * v * v * v)
     } else if let Some(c2) = parameter("adc_quadratic") {

@@ -237,7 +237,7 @@ const CASES: [Case; 42] = [
 ];
 
 /// Effects that came later, in a list of their own: the cases of before stay what they were.
-const LATER: [Case; 11] = [
+const LATER: [Case; 15] = [
     (
         "dut_highpass_2",
         &[
@@ -293,6 +293,34 @@ const LATER: [Case; 11] = [
             (One("shorted_inductance.s"), Between(0.2, 0.9)),
             (One("shorted_inductance.f"), Log(500.0, 2e4)),
         ],
+    ),
+    (
+        "dut_warm_up",
+        &[
+            (One("dut_warm_up.g"), Either(1e-3, 1e-2)),
+            (One("dut_warm_up.tau"), Log(100.0, 2000.0)),
+        ],
+    ),
+    (
+        "reference_warm_up",
+        &[
+            (One("reference_warm_up.g"), Either(1e-3, 1e-2)),
+            (One("reference_warm_up.tau"), Log(100.0, 2000.0)),
+        ],
+    ),
+    (
+        "range_step",
+        &[
+            (
+                Channel(["range_step.ref", "range_step.dut"]),
+                Either(5e-4, 1e-2),
+            ),
+            (One("range_step.v"), Log(0.02, 0.7)),
+        ],
+    ),
+    (
+        "amplifier_soft_clipping",
+        &[(One("amplifier_soft_clipping.v"), Log(10.0, 200.0))],
     ),
 ];
 

@@ -78,6 +78,8 @@ fn reference(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
     let warmer_k = row.temperature_c - 23.0;
     let warm = 1.0 + truth.or("reference_temperature.a", 0.0) * warmer_k;
     let drift = 1.0 / (1.0 + truth.or("reference_drift.b", 0.0) * row.time_s);
+    let settled = warm_up(truth, row, ["reference_warm_up.g", "reference_warm_up.tau"]);
+    let drift = drift / settled;
     let corner = truth.factor("reference_highpass.f", |hz| high_pass(frequency_hz, hz));
     let second = truth.factor("reference_highpass_2.f", |hz| {
         seismic(frequency_hz, hz, truth.or("reference_highpass_2.q", 0.7))
@@ -116,6 +118,17 @@ fn mounting(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
     compliance * relative * transverse * strain * tilt * twice
 }
 
+/// A gain that comes to rest; in its other form two parts warm up, a large one five times as slowly.
+fn warm_up(truth: &Truth, row: &Condition, [change, time_constant_s]: [&str; 2]) -> f64 {
+    let tau_s = truth.or(time_constant_s, 600.0);
+    let cold = |tau_s: f64| (-row.time_s / tau_s).exp();
+    let course = match truth.has_other_form() {
+        true => 0.7 * cold(tau_s) + 0.3 * cold(5.0 * tau_s),
+        false => cold(tau_s),
+    };
+    1.0 + truth.or(change, 0.0) * course
+}
+
 /// The device itself.
 fn device(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
     let other = truth.has_other_form();
@@ -148,13 +161,14 @@ fn device(truth: &Truth, row: &Condition, frequency_hz: f64) -> C {
         warmer_k
     };
     let warm = 1.0 + truth.or("dut_temperature.a", 0.0) * warmer_k;
-    // Settling within 50 minutes.
+    // Faster and faster.
     let time_s = if other {
-        3000.0 * (1.0 - (-row.time_s / 3000.0).exp())
+        row.time_s * (1.0 + row.time_s / 9000.0)
     } else {
         row.time_s
     };
     let drift = 1.0 + truth.or("dut_drift.b", 0.0) * time_s;
+    let drift = drift * warm_up(truth, row, ["dut_warm_up.g", "dut_warm_up.tau"]);
     let power = truth.factor("dut_power_law.n", |n| {
         C::new(0.0, frequency_hz / 159.155).powf(-n)
     });

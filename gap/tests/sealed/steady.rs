@@ -123,9 +123,11 @@ fn exciter(truth: &Truth, row: &Condition) -> Exciter {
         cubic_n_per_m3: truth.or("suspension_cubic.k", 0.0),
         droop_per_m2: truth.or("force_factor_droop.b", 0.0),
         friction_n: truth.or("coulomb_friction.f", 0.0),
+        sag_share: if other { 1.0 } else { 0.0 },
         gravity_ms2: 9.80665 * row.tilt_deg.to_radians().cos(),
         amplifier: Amplifier {
             clips_at_v: truth.get("amplifier_clipping.v"),
+            bends_to_v: truth.get("amplifier_soft_clipping.v").map(|v| (v, other)),
             even_per_v: truth.or("amplifier_even_order.b", 0.0),
         },
     }

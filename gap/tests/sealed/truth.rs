@@ -23,7 +23,7 @@ pub(crate) const NOMINAL: [(&str, f64, f64); 6] = [
 /// for a straight line.
 pub(crate) const OTHER_FORM: &str = "form.other";
 /// Effects with another form.
-pub(crate) const FORMS: [&str; 9] = [
+pub(crate) const FORMS: [&str; 13] = [
     "dut_resonance",
     "dut_frequency_slope",
     "dut_level_nonlinearity",
@@ -33,6 +33,10 @@ pub(crate) const FORMS: [&str; 9] = [
     "dut_lowpass_1",
     "lossy_inductance",
     "shorted_inductance",
+    "dut_warm_up",
+    "reference_warm_up",
+    "amplifier_soft_clipping",
+    "suspension_cubic",
 ];
 
 /// Values as they really are; effects are absent where nobody added them.

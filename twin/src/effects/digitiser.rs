@@ -1,7 +1,7 @@
 //! Actions of the converter and its clock.
 
 use super::effect::Effect;
-use crate::model::{Channel, Model, Section};
+use crate::model::{Channel, Model, Range, Section};
 use calib_effects::digitiser;
 
 /// The channel a parameter selects: 0 reference, 1 device under test.
@@ -31,6 +31,12 @@ pub(super) static EFFECTS: &[Effect] = &[
     }),
     Effect::new(&digitiser::DEAD_ZONE, |values, _conditions, model| {
         channel(model, values[1]).converter.dead_zone_v += values[0];
+    }),
+    Effect::new(&digitiser::RANGE_STEP, |values, _conditions, model| {
+        channel(model, values[2]).range = Some(Range {
+            threshold_v: values[1],
+            step_rel: values[0],
+        });
     }),
     Effect::new(&digitiser::CLIPPING, |values, _conditions, model| {
         let characteristic = &mut channel(model, values[1]).converter;

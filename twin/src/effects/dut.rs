@@ -1,7 +1,7 @@
 //! Actions of the device under test.
 
 use super::effect::Effect;
-use crate::model::{SecondOrder, Section};
+use crate::model::{SecondOrder, Section, WarmUp};
 use calib_effects::dut;
 
 /// Frequency at which the sensitivity is stated, Hz.
@@ -31,6 +31,12 @@ pub(super) static EFFECTS: &[Effect] = &[
     }),
     Effect::new(&dut::DRIFT, |values, _conditions, model| {
         model.dut.drift_per_s += values[0];
+    }),
+    Effect::new(&dut::WARM_UP, |values, _conditions, model| {
+        model.dut.warm_up = WarmUp {
+            cold_rel: values[0],
+            time_constant_s: values[1],
+        };
     }),
     Effect::new(&dut::GAIN, |values, _conditions, model| {
         model.dut.gain *= 1.0 + values[0];

@@ -1,20 +1,28 @@
 //! Actions of moving coil and suspension.
 
 use super::effect::Effect;
-use crate::model::{FREE_FALL_MS2, SecondOrder, Section};
+use crate::model::{CoilModel, Conditions, FREE_FALL_MS2, SecondOrder, Section};
 use calib_effects::exciter;
 use std::f64::consts::TAU;
 
+/// The spring carries a share of the weight, or what it carries already if that is more.
+fn hang(coil: &mut CoilModel, share: f64, conditions: &Conditions) {
+    let weight_n = coil.mass_kg * FREE_FALL_MS2 * conditions.tilt_rad.cos();
+    if (share * weight_n).abs() > coil.static_force_n.abs() {
+        coil.static_force_n = -share * weight_n;
+    }
+}
+
 pub(super) static EFFECTS: &[Effect] = &[
-    Effect::new(&exciter::SUSPENSION_CUBIC, |values, _conditions, model| {
+    Effect::new(&exciter::SUSPENSION_CUBIC, |values, conditions, model| {
         model.coil.cubic_n_per_m3 += values[0];
+        hang(&mut model.coil, values[1], conditions);
     }),
     Effect::new(
         &exciter::SUSPENSION_ASYMMETRY,
         |values, conditions, model| {
-            let weight_n = model.coil.mass_kg * FREE_FALL_MS2 * conditions.tilt_rad.cos();
             model.coil.quadratic_n_per_m2 += values[0];
-            model.coil.static_force_n = -weight_n;
+            hang(&mut model.coil, 1.0, conditions);
         },
     ),
     Effect::new(

@@ -1,7 +1,7 @@
 //! Actions of the reference transducer.
 
 use super::effect::Effect;
-use crate::model::{SecondOrder, Section};
+use crate::model::{SecondOrder, Section, WarmUp};
 use calib_effects::reference;
 
 pub(super) static EFFECTS: &[Effect] = &[
@@ -15,6 +15,12 @@ pub(super) static EFFECTS: &[Effect] = &[
     // The sign is that of the ratio.
     Effect::new(&reference::DRIFT, |values, _conditions, model| {
         model.reference.drift_per_s -= values[0];
+    }),
+    Effect::new(&reference::WARM_UP, |values, _conditions, model| {
+        model.reference.warm_up = WarmUp {
+            cold_rel: -values[0],
+            time_constant_s: values[1],
+        };
     }),
     Effect::new(&reference::GAIN, |values, _conditions, model| {
         model.reference.gain *= 1.0 + values[0];

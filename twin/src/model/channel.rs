@@ -71,6 +71,24 @@ pub struct Pickup {
     pub mains_hz: f64,
 }
 
+/// A gain that comes to rest as what warms up does.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WarmUp {
+    /// Relative deviation at the start.
+    pub cold_rel: f64,
+    /// Time constant, s.
+    pub time_constant_s: f64,
+}
+
+/// A range of a converter that is taken above a level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// Peak above which it is taken, V.
+    pub threshold_v: f64,
+    /// Its gain over that of the range below, less one.
+    pub step_rel: f64,
+}
+
 /// One measuring channel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Channel {
@@ -80,6 +98,8 @@ pub struct Channel {
     pub gain: f64,
     /// Relative change of the gain per second.
     pub drift_per_s: f64,
+    /// How far the gain is off until it is warm.
+    pub warm_up: WarmUp,
     /// From the table to the mounting face of the transducer.
     pub motion: Vec<Section>,
     /// Lift-off.
@@ -94,6 +114,8 @@ pub struct Channel {
     pub clock_delta: f64,
     /// Mains pickup.
     pub pickup: Pickup,
+    /// A coarser range of the converter.
+    pub range: Option<Range>,
     /// The converter's characteristic.
     pub converter: Characteristic,
 }
@@ -108,12 +130,28 @@ impl Channel {
         self.motion.iter().chain(&self.response).all(causal)
     }
 
+    /// Gain at a time over the stated one.
+    pub fn gain_at(&self, time_s: f64) -> f64 {
+        let still_cold = (-time_s / self.warm_up.time_constant_s).exp();
+        (1.0 + self.drift_per_s * time_s) * (1.0 + self.warm_up.cold_rel * still_cold)
+    }
+
+    /// Gain of the range that is taken for a peak at the converter.
+    pub fn range_gain(&self, peak_v: f64) -> f64 {
+        let taken = self.range.filter(|range| peak_v > range.threshold_v);
+        1.0 + taken.map_or(0.0, |range| range.step_rel)
+    }
+
     /// A flat channel.
     pub fn flat(sensitivity_v_per_ms2: f64) -> Self {
         Self {
             sensitivity_v_per_ms2,
             gain: 1.0,
             drift_per_s: 0.0,
+            warm_up: WarmUp {
+                cold_rel: 0.0,
+                time_constant_s: 1.0,
+            },
             motion: Vec::new(),
             separation: None,
             response: Vec::new(),
@@ -121,6 +159,7 @@ impl Channel {
             level_second_per_ms2: 0.0,
             clock_delta: 0.0,
             pickup: Pickup::default(),
+            range: None,
             converter: Characteristic::IDEAL,
         }
     }

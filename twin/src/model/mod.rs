@@ -15,7 +15,7 @@ mod friction;
 mod reciprocity;
 mod section;
 
-pub use self::channel::{Channel, Characteristic, Pickup, Separation};
+pub use self::channel::{Channel, Characteristic, Pickup, Range, Separation, WarmUp};
 pub use self::exciter::{COPPER_PER_K, CoilModel, InductanceLadder, LADDER_PAIRS};
 pub use self::friction::friction;
 pub use self::reciprocity::{CoilInput, Reciprocity};
@@ -63,6 +63,8 @@ impl Conditions {
 pub struct AmplifierModel {
     /// Output saturates at this voltage, V peak; infinite if it does not.
     pub threshold_v: f64,
+    /// Output bends towards this voltage as a hyperbolic tangent, V peak; infinite if it does not.
+    pub knee_v: f64,
     /// `b` of the output `e + b (e^2 - mean e^2)` (the output is a.c. coupled), 1/V.
     pub even_per_v: f64,
     /// Relative change of the gain per second.
@@ -73,12 +75,17 @@ impl AmplifierModel {
     /// The output for `input_v`, before a.c. coupling.
     pub fn output_v(&self, input_v: f64) -> f64 {
         let bent = input_v + self.even_per_v * input_v * input_v;
-        bent.clamp(-self.threshold_v, self.threshold_v)
+        let soft = if self.knee_v.is_finite() {
+            self.knee_v * (bent / self.knee_v).tanh()
+        } else {
+            bent
+        };
+        soft.clamp(-self.threshold_v, self.threshold_v)
     }
 
     /// Whether the output is the input.
     pub fn is_linear(&self) -> bool {
-        self.threshold_v.is_infinite() && self.even_per_v == 0.0
+        self.threshold_v.is_infinite() && self.knee_v.is_infinite() && self.even_per_v == 0.0
     }
 }
 
@@ -120,6 +127,7 @@ impl Model {
         Self {
             amplifier: AmplifierModel {
                 threshold_v: f64::INFINITY,
+                knee_v: f64::INFINITY,
                 even_per_v: 0.0,
                 drift_per_s: 0.0,
             },

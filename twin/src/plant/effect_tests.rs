@@ -220,6 +220,7 @@ fn linear_effects_act_alike_in_time_and_in_steady_state() {
         "back_emf",
         "payload_mass",
         "lossy_inductance",
+        "shorted_inductance",
         "armature_mode",
     ] {
         for tone in [LOW, MIDDLE, HIGH] {
@@ -253,6 +254,13 @@ fn nonlinear_effects_act_alike_in_time_and_in_steady_state() {
         ("coulomb_friction=friction_n:0.05", LOW, 2.0, 2e-2),
         ("amplifier_clipping=threshold_v:1.8", MIDDLE, 2.0, 5e-3),
         ("amplifier_even_order=even_per_v:0.01", MIDDLE, 2.0, 2e-2),
+        ("amplifier_soft_clipping=threshold_v:5", MIDDLE, 2.0, 5e-3),
+        (
+            "suspension_cubic=k3_n_per_m3:3e8,sag_share:1",
+            LOW,
+            4.0,
+            5e-3,
+        ),
         (
             "loose_mount=threshold_ms2:30,impact_noise:0",
             MIDDLE,
@@ -317,6 +325,22 @@ fn sampling_effects_show_in_the_codes() {
     for (text, expected, bound) in [
         ("dut_drift", Complex::new(1.002, 0.0), 2e-5),
         ("reference_drift", Complex::new(1.0 / 0.998, 0.0), 2e-5),
+        // After one time constant.
+        (
+            "dut_warm_up=cold_rel:0.01,time_constant_s:1000",
+            Complex::new(1.0 + 0.01 / std::f64::consts::E, 0.0),
+            2e-5,
+        ),
+        (
+            "range_step=step_rel:0.01,threshold_v:1e-3,channel:1",
+            Complex::new(1.01, 0.0),
+            2e-5,
+        ),
+        (
+            "range_step=step_rel:0.01,threshold_v:1,channel:1",
+            Complex::new(1.0, 0.0),
+            2e-5,
+        ),
         (
             "clock_offset=delta:1e-10",
             Complex::from_polar(1.0, -TAU * 4000.0 * 1e-7),

@@ -79,7 +79,11 @@ impl Sampler {
         let time_s = self.time_s(elapsed_s);
         let channel = &self.channel;
         let level_rms_ms2 = sampled.face_m2s4.sqrt();
-        let gain = (1.0 + channel.drift_per_s * time_s)
+        let peak_v = std::f64::consts::SQRT_2
+            * level_rms_ms2
+            * (channel.sensitivity_v_per_ms2 * channel.gain).abs();
+        let gain = channel.gain_at(time_s)
+            * channel.range_gain(peak_v)
             * (1.0 + channel.level_gain_per_ms2 * level_rms_ms2);
         // First order in the error of the instant: second order is the loss of amplitude, which
         // below 1 % of a period is below 2e-3.

@@ -132,7 +132,7 @@ impl Simulation {
             levelled: nonlinear.is_some()
                 || channels
                     .iter()
-                    .any(|channel| channel.level_gain_per_ms2 != 0.0),
+                    .any(|channel| channel.level_gain_per_ms2 != 0.0 || channel.range.is_some()),
             nonlinear,
             levels: Levels::default(),
             ambient: model.ambient,

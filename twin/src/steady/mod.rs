@@ -249,7 +249,7 @@ impl<'a> Point<'a> {
         let time_s = self.conditions.time_s;
         let gain = channel.sensitivity_v_per_ms2
             * channel.gain
-            * (1.0 + channel.drift_per_s * time_s)
+            * channel.gain_at(time_s)
             * (1.0 + channel.level_gain_per_ms2 * level_rms_ms2);
         let mut felt = *motion;
         // A squared cosine has its second harmonic at twice the phase.
@@ -275,6 +275,10 @@ impl<'a> Point<'a> {
                 .map(|value| value.norm_sqr());
             (squares.sum::<f64>() / 2.0).sqrt()
         };
+        let range = channel.range_gain(volt[1].norm());
+        if range != 1.0 {
+            volt.iter_mut().for_each(|value| *value *= range);
+        }
         if channel.converter == crate::model::Characteristic::IDEAL {
             return (0.0, beyond(volt));
         }

@@ -113,7 +113,7 @@ impl Exciter {
     /// suspension is asymmetric.
     fn force_n(&self, x_m: f64, v_ms: f64, a_ms2: f64) -> f64 {
         let weight_n = match self.quadratic_n_per_m2 == 0.0 {
-            true => 0.0,
+            true => self.sag_share * self.mass_kg * self.gravity_ms2,
             false => self.mass_kg * self.gravity_ms2,
         };
         self.mass_kg * a_ms2

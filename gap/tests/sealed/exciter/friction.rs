@@ -134,9 +134,11 @@ mod tests {
             cubic_n_per_m3: 0.0,
             droop_per_m2: 0.0,
             friction_n: 0.0154,
+            sag_share: 0.0,
             gravity_ms2: 0.0,
             amplifier: Amplifier {
                 clips_at_v: None,
+                bends_to_v: None,
                 even_per_v: 0.0,
             },
         };

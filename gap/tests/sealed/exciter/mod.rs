@@ -39,6 +39,8 @@ pub(crate) struct Exciter {
     pub(crate) cubic_n_per_m3: f64,
     pub(crate) droop_per_m2: f64,
     pub(crate) friction_n: f64,
+    /// Share of the weight on a spring that is not asymmetric.
+    pub(crate) sag_share: f64,
     /// Along the axis; moves an asymmetric suspension off its middle.
     pub(crate) gravity_ms2: f64,
     pub(crate) amplifier: Amplifier,

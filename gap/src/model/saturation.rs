@@ -1,0 +1,105 @@
+//! Fourier coefficients of a cosine through a hyperbolic tangent.
+//!
+//! # Equation
+//! `tanh x = Sum 2x/(x^2 + b^2)` over `b = pi/2, 3 pi/2, ...`. Of `x = a cos t` each term is a geometric
+//! series: with `S = sqrt(a^2 + b^2)` and `r = a/(S + b)` its odd order n is `+-4 r^n/S`, which is also
+//! `-+(4/n) d(r^n)/db`. So what the sum leaves out is an integral in closed form, by the rule of midpoints.
+
+use super::grid::ORDERS;
+use std::f64::consts::PI;
+
+/// Terms that are summed; what the rest errs by is below 1e-7 of the fundamental.
+const TERMS: u32 = 16;
+/// Largest input, in thresholds: the output is a square wave to 1e-3 there.
+const LARGEST: f64 = 50.0;
+
+/// Orders up to [`ORDERS`] of `tanh(a cos t)`; the even ones are zero.
+fn saturated(a: f64) -> [f64; ORDERS + 1] {
+    let mut orders = [0.0; ORDERS + 1];
+    let mut add = |b: f64, of: &dyn Fn(f64, f64, f64) -> f64| {
+        let s = a.hypot(b);
+        let r = a / (s + b);
+        let mut power = r;
+        for n in (1..=ORDERS).step_by(2) {
+            orders[n] += power * of(n as f64, s, b);
+            power *= -r * r;
+        }
+    };
+    for k in 0..TERMS {
+        add((f64::from(k) + 0.5) * PI, &|_, s, _| 4.0 / s);
+    }
+    let rest = |n: f64, s: f64, b: f64| 4.0 / (n * PI) - PI / 6.0 * (n / (s * s) + b / (s * s * s));
+    add(f64::from(TERMS) * PI, &rest);
+    orders
+}
+
+/// Orders of the saturated cosine that has the given fundamental, in thresholds; an output larger than any
+/// is that of the largest input.
+pub(super) fn saturated_from(fundamental: f64) -> [f64; ORDERS + 1] {
+    let mut input = fundamental;
+    let mut orders = saturated(input);
+    // The fundamental is concave in the input: Newton's steps come from below.
+    for _ in 0..40 {
+        let missing = fundamental - orders[1];
+        if missing.abs() < 1e-13 * fundamental || input > LARGEST {
+            break;
+        }
+        input += missing / slope(input);
+        orders = saturated(input.min(LARGEST));
+    }
+    orders
+}
+
+/// Derivative of the fundamental.
+fn slope(a: f64) -> f64 {
+    let of = |b: f64| {
+        let s = a.hypot(b);
+        (a / (s + b), s)
+    };
+    let term = |k: u32| {
+        let b = (f64::from(k) + 0.5) * PI;
+        let (r, s) = of(b);
+        4.0 / s * (b * r / (s * a) - r * a / (s * s))
+    };
+    let b = f64::from(TERMS) * PI;
+    let (r, s) = of(b);
+    (0..TERMS).map(term).sum::<f64>() + 4.0 / PI * b * r / (s * a)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    /// The sum over so many points is exact but for orders above 4000.
+    fn by_sampling(a: f64, n: usize) -> f64 {
+        const POINTS: usize = 4096;
+        let term = |i: usize| {
+            let t = TAU * i as f64 / POINTS as f64;
+            (a * t.cos()).tanh() * (n as f64 * t).cos()
+        };
+        (0..POINTS).map(term).sum::<f64>() * 2.0 / POINTS as f64
+    }
+
+    #[test]
+    fn orders_are_those_of_the_samples() {
+        for a in [0.01, 0.3, 1.0, 4.0, 20.0] {
+            for (n, order) in saturated(a).into_iter().enumerate().skip(1) {
+                let error = order - by_sampling(a, n);
+                assert!(error.abs() < 1e-7 * a.min(1.0), "{a} {n}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_input_is_found_from_its_fundamental() {
+        for a in [0.05, 0.9, 5.0] {
+            let orders = saturated(a);
+            for (n, order) in saturated_from(orders[1]).into_iter().enumerate() {
+                assert!((order - orders[n]).abs() < 1e-11, "{a} {n}");
+            }
+        }
+        // Nothing has a fundamental above 4/pi.
+        assert!(saturated_from(1.4)[3].is_finite());
+    }
+}
