@@ -36,11 +36,16 @@ pub enum Conformity {
     Fail,
 }
 
-/// Statement about a run: that about the worst of its points.
+/// Statement about a run: that about the worst of its points. It is `complete` when every point was tried.
 ///
-/// A point that was refused leaves nothing to be accepted, nor does a first point that could not be repeated at
-/// the end; what another point fails by is rejected all the same. What changed until then counts with U.
-pub fn judge(terms: &ListTerms, points: &[PointResult], closing: &Closing) -> Conformity {
+/// A point that was refused or never tried leaves nothing to be accepted, nor does a first point that could not be
+/// repeated at the end; what another point fails by is rejected all the same. What changed until then counts with U.
+pub fn judge(
+    terms: &ListTerms,
+    points: &[PointResult],
+    complete: bool,
+    closing: &Closing,
+) -> Conformity {
     let Some(reference) = reference_point(points) else {
         return Conformity::NotJudgeable;
     };
@@ -51,7 +56,7 @@ pub fn judge(terms: &ListTerms, points: &[PointResult], closing: &Closing) -> Co
     let closed = !matches!(closing, Closing::Refused(_));
     match worst {
         Some(Conformity::Fail) => Conformity::Fail,
-        Some(worst) if closed && points.iter().all(is_result) => worst,
+        Some(worst) if complete && closed && points.iter().all(is_result) => worst,
         _ => Conformity::NotJudgeable,
     }
 }
@@ -183,7 +188,7 @@ mod tests {
 
     /// Of a run that was not closed.
     fn judge(terms: &ListTerms, points: &[PointResult]) -> Conformity {
-        super::judge(terms, points, &Closing::None)
+        super::judge(terms, points, true, &Closing::None)
     }
 
     /// A valid point of S in V/(m/s2) with U = 1 %.
@@ -251,6 +256,14 @@ mod tests {
             assert_eq!(judged(1.018), Conformity::NotJudgeable);
             assert_eq!(judged(1.02), Conformity::Fail);
         }
+    }
+
+    #[test]
+    fn a_point_that_was_never_tried_leaves_nothing_to_be_accepted() {
+        let terms = terms(Rule::Simple, &[band(Base::Nominal, 5.0)]);
+        let stopped = |value| super::judge(&terms, &[valid(160.0, value)], false, &Closing::None);
+        assert_eq!(stopped(1.0), Conformity::NotJudgeable);
+        assert_eq!(stopped(1.2), Conformity::Fail);
     }
 
     #[test]

@@ -173,7 +173,7 @@ fn judgements(terms: &ListTerms, points: &[PointResult], closing: Closing) -> [S
         for point in &mut points {
             point.sensitivity_v_per_ms2 *= factor;
         }
-        match judge(terms, &points, &closing) {
+        match judge(terms, &points, true, &closing) {
             Conformity::Pass => Stated::Pass,
             Conformity::ConditionalPass => Stated::ConditionalPass,
             Conformity::ConditionalFail => Stated::ConditionalFail,

@@ -46,7 +46,7 @@ pub(crate) async fn measure(mut blocks: Receiver<'static, CriticalSectionRawMute
         broadband: false,
         running: None,
         closes: false,
-        stopping: false,
+        stopping: None,
     };
     loop {
         let block = blocks.receive().await;
@@ -70,7 +70,7 @@ struct Runner {
     running: Option<usize>,
     /// The point in work is the first valid one again, behind the last.
     closes: bool,
-    stopping: bool,
+    stopping: Option<Reason>,
 }
 
 impl Runner {
@@ -146,7 +146,7 @@ impl Runner {
         match (order, self.running) {
             (Order::Start, None) => self.start_run(),
             (Order::Stop(reason), Some(_)) => {
-                self.stopping = true;
+                self.stopping = Some(reason);
                 self.interrupt(reason);
             }
             (Order::Start, Some(_)) | (Order::Stop(_), None) => {}
@@ -158,7 +158,7 @@ impl Runner {
         defmt::info!("run begins");
         crate::fault::let_through();
         self.full_scale_peak_v = settings.drive_full_scale_peak_v;
-        (self.stopping, self.closes) = (false, false);
+        (self.stopping, self.closes) = (None, false);
         match survey_request() {
             Some(request) => {
                 self.broadband = true;
@@ -202,15 +202,17 @@ impl Runner {
 
     /// Begins point `index`; behind the last, the first valid one again; or ends the run.
     fn start_point(&mut self, index: usize) {
-        match (point(index), repeatable()) {
-            (Some(spec), _) if !self.stopping => {
-                self.begin(index, spec);
-            }
-            (None, Some(first)) if !self.stopping => {
+        match (point(index), repeatable(), self.stopping) {
+            (Some(spec), _, None) => self.begin(index, spec),
+            (None, Some(first), None) => {
                 self.closes = true;
                 self.begin(index, first.spec);
             }
-            (next, _) => self.end_run(next.is_none()),
+            (None, Some(_), Some(reason)) => {
+                state::RUN.lock(|run| run.borrow_mut().closing = Closing::Refused(reason));
+                self.end_run(true);
+            }
+            (next, ..) => self.end_run(next.is_none()),
         }
     }
 
@@ -240,7 +242,7 @@ impl Runner {
             return self.close(&result);
         }
         if let Verdict::Refused(reason) = result.verdict {
-            self.stopping |= reason.ends_run();
+            self.stopping = self.stopping.or(reason.ends_run().then_some(reason));
         }
         // The same numbers now as in the record later.
         let result = as_stored(&result);

@@ -237,13 +237,15 @@ pub(crate) async fn store(
                 .untried
                 .extend_from_slice(untried.unwrap_or_default());
         });
-        // A stop may come while the first point is repeated: every point was attempted then.
+        // A stop may come behind the last point: every one was tried then, and the first could not be repeated.
         let stopped = match record.closing {
             Closing::Refused(reason) => reason.ends_run(),
             Closing::None | Closing::Changed(_) => !record.complete,
         };
-        let judged =
-            (!record.list.is_none()).then(|| judge(&record.list, &record.points, &record.closing));
+        let judged = (!record.list.is_none()).then(|| {
+            let complete = record.complete;
+            judge(&record.list, &record.points, complete, &record.closing)
+        });
         let stored = archive.store().await;
         let ended = match stored {
             Ok(()) => {
