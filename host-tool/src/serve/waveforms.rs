@@ -44,7 +44,7 @@ pub struct Waveforms {
     clipped: bool,
 }
 
-/// Looks at the inputs of a calibrator, one request at a time.
+/// Looks at the inputs of a calibrator, a request or two at a time.
 pub(super) struct Eye {
     inputs: Inputs,
     reference: ReferenceCalibration,
@@ -67,7 +67,7 @@ impl Eye {
         })
     }
 
-    /// One request more; the waveforms, once all of them is here.
+    /// A request or two more; the waveforms, once all of them is here.
     ///
     /// # Errors
     /// Those of the link. What the device refuses ends the looking, not the run.
@@ -107,7 +107,12 @@ impl Eye {
             self.taking = Some((taking, frequency_hz));
             return Ok(None);
         };
-        let Some(capture) = taking.step(client)? else {
+        // A second part where one has come: a stop waits for both.
+        let mut capture = taking.step(client)?;
+        if capture.is_none() && taking.is_whole() {
+            capture = taking.step(client)?;
+        }
+        let Some(capture) = capture else {
             return Ok(None);
         };
         let of = *of;

@@ -9,12 +9,16 @@ use heapless::Vec as FixedVec;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
-/// Time between two looks at the status.
+/// Time between two tries to start.
 const POLL_INTERVAL: Duration = Duration::from_millis(100);
+
+/// Time between two looks at a run: a point above 200 Hz lasts a quarter of a second, and a capture of it is begun at one
+/// look, whole at the next, and read at those that follow.
+const LOOK_INTERVAL: Duration = Duration::from_millis(50);
 
 /// Looks at an idle calibrator before a run counts as lost: it begins within a
 /// tenth of a second, or the board was reset.
-const IDLE_POLLS: u32 = 20;
+const IDLE_POLLS: u32 = 40;
 
 /// Where a run stands.
 #[derive(Clone, Copy, Debug)]
@@ -205,7 +209,7 @@ fn to_its_end<E: From<Error>>(
             follower.client.stop()?;
             stopping = true;
         }
-        follower.client.wait(POLL_INTERVAL)?;
+        follower.client.wait(LOOK_INTERVAL)?;
     }
 }
 
