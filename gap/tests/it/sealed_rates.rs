@@ -75,7 +75,8 @@ fn single_effects_are_named() {
 }
 
 /// Two of each of the later ones: filters, a ceramic, a base, a coil of two inductances, gains that come to rest
-/// or step, an amplifier that bends, and nominal values that are off by 6 u or more. A stiffness beside which nothing else is stated wrongly is not a mass.
+/// or step, an amplifier that bends, and nominal values that are off by 6 u or more. A stiffness beside which
+/// nothing else is stated wrongly is not a mass.
 #[test]
 fn later_effects_are_named() {
     let outcomes = outcomes("later", 0..30);

@@ -4,9 +4,9 @@ use super::series::{HARMONICS, Series};
 use num_complex::Complex64 as C;
 use std::f64::consts::{FRAC_2_PI, TAU};
 
-/// Points of the grid on which a clipped sine is analysed, and one that bends smoothly: its orders fall
-/// exponentially.
+/// Points of the grid on which a clipped sine is analysed.
 const GRID: usize = 2000;
+/// Of one that is bent smoothly: its orders fall exponentially.
 const SMOOTH_GRID: usize = 96;
 
 #[derive(Clone, Copy)]
