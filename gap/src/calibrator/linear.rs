@@ -3,7 +3,7 @@
 use super::evaluation::{Evaluation, Responses};
 use super::finite_difference::{bent_columns, parameter_column};
 use super::fit::{Fit, Workspace};
-use super::nuisance_columns::nuisance_columns;
+use super::nuisance::nuisance_columns;
 use super::problem::{Column, Problem, Tangent};
 use crate::estimation::tangent::Equations;
 

@@ -4,14 +4,14 @@
 //! problem             whitened data by observable; nuisance: what a fit moves that is no effect
 //! evaluate            simulation and measurement compared, which gives an evaluation
 //! remainder, higher   harmonics above those that are reported: as noise, and where they would show
-//! linear              slopes at a fit; nuisance_columns and closed_form: of which no row is computed
-//!                     anew; finite_difference: the others
-//! fit, refine         a set of effects, and the estimator's model of it; step, polish
+//! linear              slopes at a fit; of nuisances and closed_form no row is computed anew;
+//!                     finite_difference: the others
+//! fit, refine         a set of effects, and the estimator's model of it; step
 //! candidate, screen   starts of effects, each with its predicted gain; scatter: of those that only
-//!                     scatter; noise_sum
+//!                     scatter
 //! search              none, singles, pairs, within limits; proposal: what is tried, race: refined
 //! found               what came of it; model_selection: scores and probabilities
-//! lack_of_fit         what is left by shapes; open_data: scatter left open; settled: best values
+//! lack_of_fit         what is left by shapes; settled: best values
 //! verdict             the outcomes, and pairs that cancel
 //! noise               noise that is not what is stated, and misread rows
 //! unseen              the part that takes no part; holdout and cross_validation: errors there
@@ -33,18 +33,12 @@ pub(crate) mod found;
 mod higher;
 pub(crate) mod holdout;
 pub(crate) mod lack_of_fit;
-pub(crate) mod limits;
 pub(crate) mod linear;
-mod misfit;
 pub(crate) mod model_selection;
 mod next;
 mod noise;
-mod noise_sum;
 pub(crate) mod nuisance;
-mod nuisance_columns;
-mod open_data;
 mod places;
-mod polish;
 pub(crate) mod problem;
 mod proposal;
 mod race;
@@ -71,18 +65,17 @@ use crate::thresholds;
 use causes::{causes, confusable, nominal_parameters};
 use fit::{Fit, Workspace};
 use lack_of_fit::examine;
-use limits::Limits;
 use model_selection::Scored;
 use next::Next;
 use noise::{Noise, stated};
 use places::{local, places, remainder};
 use problem::Problem;
 use residuals::residuals;
-use search::{Search, search_from};
+use search::{Limits, Search, search_from};
 use unseen::Unseen;
 use verdict::{Judgement, cancels, judge};
 
-pub use misfit::misfit;
+pub use search::misfit;
 
 /// Diagnoses the points of a dataset; `validate` is another one to score on.
 pub(crate) fn diagnose_points(

@@ -2,14 +2,18 @@
 
 use super::fit::{Fit, Workspace};
 use super::found::Found;
-use super::limits::Limits;
 use super::model_selection::{Scored, normalise, score};
 use super::problem::Problem;
 use super::proposal::{Base, Plan, chosen};
 use super::race::race;
 use super::refine::{FULL, refine};
 use super::screen::Candidates;
+use crate::dataset::Dataset;
+use crate::effects::library;
+use crate::error::GapError;
+use crate::options::Options;
 use crate::thresholds;
+use std::path::Path;
 use std::rc::Rc;
 
 /// Pairs refined fully.
@@ -258,5 +262,103 @@ impl Searcher<'_> {
             bases.push(base);
         }
         bases
+    }
+}
+
+/// -2 ln posterior density (up to a constant of the dataset) of the best fit with just these effects,
+/// or some of them.
+///
+/// The square root of the difference between two sets is the size of what
+/// tells them apart, in standard deviations of the whole dataset. With the
+/// true effects named it is the best any method can do.
+///
+/// # Errors
+/// [`GapError`] for unusable input, an unknown name, or a record instead of points.
+pub fn misfit(folder: &Path, effects: &[&str]) -> Result<f64, GapError> {
+    for name in effects {
+        crate::effects::check_name(name)?;
+    }
+    let dataset = Dataset::read(folder)?;
+    let problem = Problem::from_dataset(&dataset.rig, &dataset.measured)
+        .ok_or_else(|| GapError::Usage("only a dataset of points has a misfit by effect".into()))?;
+    let limits = Limits::only(effects);
+    let found = search(&problem, &limits);
+    let each = found.every.iter().map(|fit| fit.objective);
+    Ok(each.fold(found.nominal.objective, f64::min))
+}
+
+/// Effects at a time that are tried where fewer leave structure.
+const MOST: usize = 4;
+/// Data for each of them: with fewer three effects describe any table.
+const DATA_PER_EFFECT: usize = 20;
+/// Data for each of two, which have two values each: with fewer they pass through all points.
+const FEWEST_PER_EFFECT: usize = 6;
+
+/// Limits of a search.
+#[derive(Debug, Clone)]
+pub(crate) struct Limits {
+    /// Entries of the library that may take part.
+    pub(crate) allowed: Vec<bool>,
+    /// Largest number of effects in a set, whatever they leave.
+    pub(crate) most_effects: usize,
+    /// Whether somebody stated that number.
+    pub(crate) is_stated: bool,
+    /// Largest number where fewer leave structure.
+    pub(crate) where_structure_is_left: usize,
+}
+
+impl Limits {
+    /// Only the given names, all of them at a time.
+    pub(crate) fn only(names: &[&str]) -> Self {
+        let allowed = library()
+            .iter()
+            .map(|e| names.contains(&e.entry().id))
+            .collect();
+        Self {
+            allowed,
+            most_effects: names.len(),
+            is_stated: true,
+            where_structure_is_left: names.len(),
+        }
+    }
+
+    /// Largest number of effects that so many data can tell apart, if fewer leave structure.
+    pub(crate) fn most_of(&self, data: usize) -> usize {
+        if self.is_stated {
+            return self.most_effects;
+        }
+        let usual = self.most_effects.min((data / FEWEST_PER_EFFECT).max(1));
+        usual.max(self.where_structure_is_left.min(data / DATA_PER_EFFECT))
+    }
+
+    /// Those of a diagnosis.
+    pub(crate) fn of(options: &Options) -> Self {
+        let withheld = |name: &str| options.without.iter().any(|n| n == name);
+        let allowed = library().iter().map(|e| !withheld(e.entry().id));
+        Self {
+            allowed: allowed.collect(),
+            most_effects: options.usual_effects(),
+            is_stated: options.most_effects.is_some(),
+            where_structure_is_left: options.most_effects.unwrap_or(MOST),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_short_table_has_no_room_for_a_third_effect() {
+        let usual = Limits::of(&Options::default());
+        let most = [5, 11, 12, 59, 60, 79, 80, 5000].map(|data| usual.most_of(data));
+        assert_eq!(most, [1, 1, 2, 2, 3, 3, 4, 4]);
+        // Who asks for a number gets it.
+        let stated = Options {
+            most_effects: Some(3),
+            ..Options::default()
+        };
+        assert_eq!(Limits::of(&stated).most_of(8), 3);
+        assert_eq!(Limits::only(&["back_emf"; 3]).most_of(8), 3);
     }
 }

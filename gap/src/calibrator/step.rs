@@ -1,6 +1,6 @@
 //! A fit after a step of nuisances and parameters, within physical bounds.
 
-use super::fit::Fit;
+use super::fit::{Fit, Workspace};
 use super::problem::Problem;
 use crate::effects::Active;
 use calib_effects::Scale;
@@ -42,5 +42,42 @@ pub(super) fn clamp(problem: &Problem, effects: &mut [Active<'static>]) {
         if let Some([lowest, highest]) = active.effect.within(&problem.facts) {
             active.parameters[0] = active.parameters[0].max(lowest).min(highest);
         }
+    }
+}
+
+/// Direct search over the parameters of effects that act on scatter, which slopes do not see.
+pub(super) fn polish(problem: &Problem, fit: &mut Fit, round: usize, work: &mut Workspace) {
+    let mut size = 0.4_f64.powi(round as i32 + 1);
+    for _ in 0..3 {
+        for at in 0..fit.effects.len() {
+            if !fit.effects[at].effect.opens() {
+                continue;
+            }
+            for index in 0..fit.effects[at].parameters.len() {
+                for direction in [1.0_f64, -1.0] {
+                    let mut trial = fit.clone();
+                    let parameter = trial.effects[at].effect.parameters()[index];
+                    let value = &mut trial.effects[at].parameters[index];
+                    match parameter.scale {
+                        Scale::Log => *value *= (direction * size).exp(),
+                        Scale::Linear => {
+                            *value += direction
+                                * size
+                                * 0.3
+                                * (parameter.upper - parameter.lower).min(3.0)
+                        }
+                    }
+                    clamp(problem, &mut trial.effects);
+                    trial.objective = problem
+                        .evaluate(&trial.effects, &trial.theta, &mut work.memory)
+                        .objective;
+                    if trial.objective < fit.objective {
+                        *fit = trial;
+                        break;
+                    }
+                }
+            }
+        }
+        size *= 0.4;
     }
 }

@@ -3,15 +3,14 @@
 use super::cross_validation;
 use super::fit::{Fit, Workspace};
 use super::holdout::{score_on, split};
-use super::limits::Limits;
 use super::noise::Noise;
 use super::problem::Problem;
 use super::refine::{FULL, refine};
-use super::search::{Search, search};
+use super::search::{Limits, Search, search};
 use crate::answer::Verdict;
 use crate::dataset::{Dataset, Rig};
 use crate::estimation::gap::Gap;
-use crate::estimation::veto;
+use crate::estimation::verdict::stands;
 use crate::thresholds;
 
 /// Where the score comes from, with the rig as it is stated there.
@@ -96,7 +95,7 @@ impl<'a> Unseen<'a> {
             let partners = 0..fit.effects.len();
             let without = partners.filter(|_| fit.effects.len() > 1).map(alone);
             let clean = fit.objective < noise;
-            veto::stands(self.misfit(problem, fit), plain, without, clean)
+            stands(self.misfit(problem, fit), plain, without, clean)
         };
         found.strike(|set| {
             set.fit.effects.is_empty()

@@ -1,6 +1,5 @@
 //! The parameters of a voltage-driven moving-coil exciter.
 
-use super::quantity::Quantity;
 use serde::Deserialize;
 use std::ops::{Index, IndexMut};
 
@@ -122,5 +121,22 @@ impl<T> IndexMut<ExciterParameter> for ExciterParameters<T> {
             ExciterParameter::CoilResistance => &mut self.coil_resistance_ohm,
             ExciterParameter::CoilInductance => &mut self.coil_inductance_h,
         }
+    }
+}
+
+/// A value and its standard uncertainty in the unit of the entry (0 = exact).
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, serde::Serialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Quantity {
+    /// Best estimate.
+    pub(crate) value: f64,
+    /// Standard uncertainty.
+    pub(crate) u: f64,
+}
+
+impl Quantity {
+    /// Relative standard uncertainty.
+    pub(crate) fn relative_u(self) -> f64 {
+        self.u / self.value
     }
 }

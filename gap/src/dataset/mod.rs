@@ -8,9 +8,9 @@
 //! ```
 //!
 //! ```text
-//! rig, rig_file     content of rig.toml, and its reader; exciter: its parameters; quantity: value and u
-//! measured          points or a record
-//! points            reads points.csv: layout of its columns, cells of a row, point; range of a column
+//! rig, rig_file     content of rig.toml, and its reader; exciter: its parameters
+//! points            reads points.csv: layout of its columns, cells of a row; range of a column
+//! point             one row, and what is measured: points or a record
 //! record            reads record.csv
 //! contradiction     whether rig and table can belong together
 //! ```
@@ -19,19 +19,15 @@ mod cells;
 mod contradiction;
 mod exciter;
 mod layout;
-mod measured;
 mod point;
 mod points;
-mod quantity;
 mod range;
 mod record;
 mod rig;
 mod rig_file;
 
-pub(crate) use exciter::{ExciterParameter, ExciterParameters};
-pub(crate) use measured::Measured;
-pub(crate) use point::{Harmonic, Point};
-pub(crate) use quantity::Quantity;
+pub(crate) use exciter::{ExciterParameter, ExciterParameters, Quantity};
+pub(crate) use point::{Harmonic, Measured, Point};
 pub(crate) use record::Record;
 pub(crate) use rig::{Kind, Measurand, Repeatability, Rig, Transducer};
 

@@ -1,5 +1,6 @@
 //! One steady-state sine point, as it was measured.
 
+use super::record::Record;
 use num_complex::Complex64;
 
 /// A harmonic relative to its fundamental; without a phase column only the amplitude is known.
@@ -79,4 +80,18 @@ impl Harmonic {
         self.phase_rad
             .map(|phase| Complex64::from_polar(self.amplitude, phase))
     }
+}
+
+/// The measured part of a dataset.
+#[derive(Debug, Clone)]
+pub(crate) enum Measured {
+    /// Steady-state sine points of a calibrator, and the names of the columns that held values.
+    Points {
+        /// One entry per row of `points.csv`.
+        points: Vec<Point>,
+        /// Columns that were present.
+        columns: Vec<String>,
+    },
+    /// A uniformly sampled record of an oscillator.
+    Record(Record),
 }

@@ -2,7 +2,7 @@
 
 use super::cells::Cells;
 use super::layout::{Layout, table};
-use super::measured::Measured;
+use super::point::Measured;
 use crate::error::GapError;
 use std::collections::HashMap;
 use std::io::Read;

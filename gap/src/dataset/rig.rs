@@ -1,7 +1,6 @@
 //! `rig.toml`: nominal values, each with a standard uncertainty.
 
-use super::exciter::ExciterParameters;
-use super::quantity::Quantity;
+use super::exciter::{ExciterParameters, Quantity};
 use serde::Deserialize;
 
 /// Subject of a dataset.

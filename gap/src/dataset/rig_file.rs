@@ -1,6 +1,6 @@
 //! Reads a `rig.toml`, and refuses values no rig can have.
 
-use super::quantity::Quantity;
+use super::exciter::Quantity;
 use super::rig::{Environment, Repeatability, Rig};
 use crate::error::GapError;
 use crate::thresholds::STATES_NOTHING;

@@ -7,8 +7,7 @@
 //! selection     what a cause costs, probabilities of sets, how often each leads when drawn again
 //! significance  tail probabilities; lack of fit, its null distribution simulated
 //! gap           distance between simulation and measurement, before and after
-//! verdict       the outcomes
-//! veto          what data that took no part say against a set
+//! verdict       the outcomes, and what data that took no part say against a set
 //! ```
 //!
 //! `calibrator` and `oscillator` are its two models.
@@ -20,4 +19,3 @@ pub(crate) mod selection;
 pub(crate) mod significance;
 pub(crate) mod tangent;
 pub(crate) mod verdict;
-pub(crate) mod veto;

@@ -10,7 +10,7 @@
 use super::bend::Bend;
 use super::exciter::Exciter;
 use super::friction::{Friction, Rubbed};
-use super::grid::{GRID, Motion, ORDERS, Parity, analyse, synthesize};
+use super::grid::{GRID, ORDERS, Parity, Wave, analyse, synthesize};
 use super::saturation::saturated_from;
 use super::waveform::{Characteristic, clipped_order};
 use crate::thresholds;
@@ -60,7 +60,7 @@ pub(crate) fn balance(
     bend: &Bend,
     omega: f64,
     acceleration_peak_ms2: f64,
-    motion: &mut Motion,
+    motion: &mut Wave,
     purpose: Purpose,
 ) -> Balanced {
     let travel = -acceleration_peak_ms2 / (omega * omega);
@@ -136,13 +136,13 @@ impl<'a> Work<'a> {
 
     /// The motion where dry friction is all that bends, which needs no correction; nothing where
     /// something else bends as well.
-    fn rubbed(&self, travel_m: f64) -> Option<Motion> {
+    fn rubbed(&self, travel_m: f64) -> Option<Wave> {
         let friction = self.friction.filter(|_| self.bend.is_dry_only())?;
         Some(friction.alone(travel_m))
     }
 
     /// Corrects the motion until the balance holds; whether it does.
-    fn settle(&self, motion: &mut Motion, purpose: Purpose) -> (State, bool) {
+    fn settle(&self, motion: &mut Wave, purpose: Purpose) -> (State, bool) {
         let mut enough = thresholds::BALANCED * motion[1].re.abs();
         let mut state = self.voltages(motion);
         for step in 0..MOST_CORRECTIONS {
@@ -167,7 +167,7 @@ impl<'a> Work<'a> {
     }
 
     /// Coil voltage that the assumed motion needs.
-    fn voltages(&self, motion: &Motion) -> State {
+    fn voltages(&self, motion: &Wave) -> State {
         let (mut added, mean_added_stiffness) = self.suspended(motion);
         let odd = self.parity == Parity::Odd;
         let rubbed = self.friction.map(|friction| friction.force(motion, odd));
@@ -208,7 +208,7 @@ impl<'a> Work<'a> {
     }
 
     /// Force of the bent suspension, and its mean slope.
-    fn suspended(&self, motion: &Motion) -> (Motion, f64) {
+    fn suspended(&self, motion: &Wave) -> (Wave, f64) {
         let (k2, k3) = (self.bend.quadratic_n_per_m2, self.bend.cubic_n_per_m3);
         let mut added = [Complex64::ZERO; ORDERS + 1];
         let mut slope = 0.0;
@@ -228,12 +228,12 @@ impl<'a> Work<'a> {
     /// Current and induced voltage where the force factor falls with travel.
     fn drooping(
         &self,
-        motion: &Motion,
-        force: &Motion,
-        velocity: &Motion,
+        motion: &Wave,
+        force: &Wave,
+        velocity: &Wave,
         bl: f64,
         emf: f64,
-    ) -> (Motion, Motion) {
+    ) -> (Wave, Wave) {
         let (x, mut f, mut v) = (synthesize(motion), synthesize(force), synthesize(velocity));
         for i in 0..GRID {
             let left = (1.0 - self.bend.droop_per_m2 * x[i] * x[i]).max(0.05);
@@ -244,7 +244,7 @@ impl<'a> Work<'a> {
     }
 
     /// Move of each harmonic towards the voltage the amplifier puts out, and the largest one in m.
-    fn correction(&self, state: &State, damping: f64) -> (Motion, f64) {
+    fn correction(&self, state: &State, damping: f64) -> (Wave, f64) {
         let wanted = self.amplifier(state.voltage[1]);
         let bl = self.exciter.force_factor_n_per_a;
         let mut moves = [Complex64::ZERO; ORDERS + 1];
@@ -270,7 +270,7 @@ impl<'a> Work<'a> {
     }
 
     /// Harmonics the amplifier adds to the fundamental coil voltage (peak phasor).
-    fn amplifier(&self, fundamental: Complex64) -> Motion {
+    fn amplifier(&self, fundamental: Complex64) -> Wave {
         let mut wanted = [Complex64::ZERO; ORDERS + 1];
         wanted[2] = fundamental * fundamental * (self.bend.even_per_v / 2.0);
         if let Some(threshold) = self.bend.clip_v {
@@ -294,13 +294,7 @@ impl<'a> Work<'a> {
         wanted
     }
 
-    fn result(
-        &self,
-        motion: &Motion,
-        state: &State,
-        acceleration: f64,
-        converged: bool,
-    ) -> Balanced {
+    fn result(&self, motion: &Wave, state: &State, acceleration: f64, converged: bool) -> Balanced {
         let relative = |n: usize| motion[n] * (-(n as f64 * self.omega).powi(2) / acceleration);
         let (above, beyond) = (
             (6..=ORDERS).map(|n| relative(n).norm_sqr()).sum::<f64>(),
@@ -339,7 +333,7 @@ mod tests {
             ..Bend::default()
         };
         let cold = || [Complex64::ZERO; ORDERS + 1];
-        let of = |bend: &Bend, motion: &mut Motion| {
+        let of = |bend: &Bend, motion: &mut Wave| {
             balance(&exciter, bend, TAU * 12.0, 5.0, motion, Purpose::Value)
         };
         for (first, second) in [(&even, &odd), (&odd, &even)] {

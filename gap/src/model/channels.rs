@@ -5,14 +5,11 @@
 //! response carries what arose before it.
 
 use super::chain::Chain;
-use super::complex::size;
-use super::grid::ORDERS;
+use super::grid::{ORDERS, Wave, mean_square, size};
 use super::held::Held;
-use super::passed::{bends_by, mixes, pass};
-use super::path::{Above, Path, highest};
+use super::path::{Above, Path, bends_by, highest, mixes, pass};
 use super::prediction::{Nominal, Prediction};
 use super::row::Row;
-use super::wave::{Wave, mean_square};
 use super::waveform::{Characteristic, REPORTED};
 use crate::observable::{Channel, Observable};
 use crate::thresholds;

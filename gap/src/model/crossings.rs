@@ -1,7 +1,6 @@
 //! Where a wave crosses zero.
 
-use super::grid::{GRID, synthesize};
-use super::wave::{Wave, value};
+use super::grid::{GRID, Wave, synthesize, value};
 use std::f64::consts::TAU;
 
 /// Parts of the period, from and to in rad, where a wave is positive.

@@ -2,9 +2,8 @@
 
 use super::balance::Balanced;
 use super::chain::Chain;
-use super::complex::size;
-use super::exciter::{Added, Exciter};
-use super::fundamental::Fundamental;
+use super::exciter::{Added, Exciter, Fundamental};
+use super::grid::size;
 use super::memory::Recall;
 use super::row::Row;
 use crate::dataset::ExciterParameters;

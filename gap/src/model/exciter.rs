@@ -1,5 +1,6 @@
 //! The voltage-driven moving coil, linear: what one sine at one frequency does.
 
+use super::grid::ln;
 use crate::dataset::ExciterParameters;
 use num_complex::Complex64;
 
@@ -155,6 +156,24 @@ impl Exciter {
             emf_ratio: 1.0,
             inductance_exponent: 1.0,
             shorted: [0.0, 1.0],
+        }
+    }
+}
+
+/// Responses of the fundamental to the coil voltage.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Fundamental {
+    /// Logarithms of acceleration and of current over coil voltage.
+    pub(super) ln: [Complex64; 2],
+    /// Their slopes against the values of the exciter.
+    pub(super) slopes: ExciterSlopes,
+}
+
+impl Fundamental {
+    pub(super) fn new(linear: &Linear) -> Self {
+        Self {
+            ln: [ln(linear.acceleration_per_v), ln(linear.admittance)],
+            slopes: linear.slopes,
         }
     }
 }

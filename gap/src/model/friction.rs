@@ -1,8 +1,7 @@
 //! Dry friction in the harmonic balance: a force that turns where the velocity does.
 
 use super::exciter::Exciter;
-use super::grid::{Motion, ORDERS};
-use super::yields::{SUMMED, Yields};
+use super::grid::{ORDERS, Wave};
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
@@ -42,7 +41,7 @@ impl Friction {
     /// Each order of the force, -4 j F/(pi n) turned by n times the angle of the zero, then moves
     /// what yields to it, and turns back at the zero: what the orders add to the velocity there
     /// depends on no angle, and the zero is where the fundamental makes up for it.
-    pub(super) fn alone(&self, travel_m: f64) -> Motion {
+    pub(super) fn alone(&self, travel_m: f64) -> Wave {
         let force = square_wave(self.force_n);
         let back = self.turn(travel_m).conj();
         let (mut turn, twice) = (back, back * back);
@@ -84,7 +83,7 @@ impl Friction {
 
     /// The force, from the two zeros of the velocity; `odd` where the motion has odd orders only, and
     /// its second half is the first one mirrored.
-    pub(super) fn force(&self, motion: &Motion, odd: bool) -> Rubbed {
+    pub(super) fn force(&self, motion: &Wave, odd: bool) -> Rubbed {
         // x = -|x1| cos: the velocity is positive between the zeros near 0 and pi.
         let start = Zero::new(motion, 0.0, self.tail_m, odd);
         let from = Complex64::from_polar(1.0, -start.angle);
@@ -116,7 +115,7 @@ fn square_wave(force_n: f64) -> f64 {
 /// The force of friction for an assumed motion.
 pub(super) struct Rubbed {
     /// Its Fourier coefficients, N.
-    pub(super) orders: Motion,
+    pub(super) orders: Wave,
     /// Of an odd motion, `e^{j angle}` where the armature turns, and the slope of its velocity over
     /// omega there, m.
     turn: Option<(Complex64, f64)>,
@@ -126,7 +125,7 @@ impl Rubbed {
     /// Adds to a correction of the motion that the armature then turns elsewhere, which moves every
     /// order of the force, and with them the motion: each yields `yields` m/N. To first order, one
     /// equation for the angle; without it a strong friction takes some ten corrections more.
-    pub(super) fn follow(&self, moves: &mut Motion, yields: &Motion) {
+    pub(super) fn follow(&self, moves: &mut Wave, yields: &Wave) {
         let Some((turn, slope_m)) = self.turn else {
             return;
         };
@@ -158,7 +157,7 @@ struct Zero {
 
 impl Zero {
     /// The one near `angle`, where the velocity over omega and what is missing in it vanish.
-    fn new(motion: &Motion, mut angle: f64, missing_m: f64, odd: bool) -> Self {
+    fn new(motion: &Wave, mut angle: f64, missing_m: f64, odd: bool) -> Self {
         let stride = if odd { 2 } else { 1 };
         let mut slope_m = 0.0;
         for _ in 0..8 {
@@ -207,9 +206,56 @@ fn tail(force_n: f64, yields: &Yields, mass: f64, omega: f64) -> (f64, f64) {
     )
 }
 
+/// Odd orders from 3 on.
+const COUNT: usize = 24;
+/// Highest of them.
+pub(super) const SUMMED: usize = order(COUNT - 1);
+
+const fn order(place: usize) -> usize {
+    3 + 2 * place
+}
+
+/// Displacement per force at the odd orders, m/N. Kept as columns, which the processor takes several
+/// at a time: a search asks for them some hundred thousand times.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Yields {
+    re: [f64; COUNT],
+    im: [f64; COUNT],
+}
+
+impl Yields {
+    /// `Z/((k + j c w - M w^2) Z + j w Bl^2)` at n times `omega`: the coil is closed by what feeds it.
+    pub(super) fn new(exciter: &Exciter, omega: f64) -> Self {
+        let (mut re, mut im) = ([0.0; COUNT], [0.0; COUNT]);
+        let impedance: [Complex64; COUNT] =
+            std::array::from_fn(|at| exciter.impedance(omega * order(at) as f64));
+        let coupling = exciter.force_factor_n_per_a.powi(2) * exciter.emf_ratio;
+        for at in 0..COUNT {
+            let w = omega * order(at) as f64;
+            let (spring, drag) = (
+                exciter.stiffness_n_per_m - exciter.mass_kg * w * w,
+                exciter.damping_ns_per_m * w,
+            );
+            let z = impedance[at];
+            let below_re = spring * z.re - drag * z.im;
+            let below_im = spring * z.im + drag * z.re + coupling * w;
+            let size = 1.0 / (below_re * below_re + below_im * below_im);
+            re[at] = (z.re * below_re + z.im * below_im) * size;
+            im[at] = (z.im * below_re - z.re * below_im) * size;
+        }
+        Self { re, im }
+    }
+
+    /// Each order from `first` (odd) on, with what it yields.
+    pub(super) fn orders(&self, first: usize) -> impl Iterator<Item = (usize, Complex64)> + '_ {
+        let from = (first - order(0)) / 2;
+        (from..COUNT).map(|at| (order(at), Complex64::new(self.re[at], self.im[at])))
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Friction, ORDERS};
+    use super::{Friction, ORDERS, Yields};
     use crate::model::balance::{Purpose, balance};
     use crate::model::bend::Bend;
     use crate::model::exciter::Exciter;
@@ -326,5 +372,21 @@ mod tests {
             "{} {expected}",
             found.remainder
         );
+    }
+
+    /// A force on the armature is a voltage `Z/Bl` times as large at the coil.
+    #[test]
+    fn a_force_moves_what_its_voltage_would() {
+        let exciter = Exciter {
+            inductance_exponent: 0.7,
+            ..Exciter::example()
+        };
+        let omega = 600.0;
+        for (n, yields) in Yields::new(&exciter, omega).orders(3) {
+            let w = omega * n as f64;
+            let per_volt = exciter.acceleration_per_v(w) / -(w * w);
+            let expected = per_volt * exciter.impedance(w) / exciter.force_factor_n_per_a;
+            assert!((yields / expected - 1.0).norm() < 1e-12, "{n}");
+        }
     }
 }

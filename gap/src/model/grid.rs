@@ -9,8 +9,8 @@ pub(crate) const ORDERS: usize = 15;
 /// Points of the time grid; a cubic force of 15 orders folds back onto orders above 18 only.
 pub(super) const GRID: usize = 64;
 
-/// Harmonics of the displacement, in m: order 0 is the rest position.
-pub(crate) type Motion = [Complex64; ORDERS + 1];
+/// Orders of a wave, the sum of Re(c_n e^(j n t)); order 0 is the mean, of a displacement its rest position.
+pub(crate) type Wave = [Complex64; ORDERS + 1];
 
 /// Orders that can arise: forces that are odd in the motion make odd orders only.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,7 +51,7 @@ fn tables() -> &'static Tables {
 }
 
 /// Values on the grid of a sum of harmonics.
-pub(super) fn synthesize(orders: &Motion) -> [f64; GRID] {
+pub(super) fn synthesize(orders: &Wave) -> [f64; GRID] {
     let t = tables();
     // Cosine and sine part of the even and of the odd orders.
     let mut part = [[[0.0; QUARTER]; 2]; 2];
@@ -77,7 +77,7 @@ pub(super) fn synthesize(orders: &Motion) -> [f64; GRID] {
 }
 
 /// Harmonics of the values on the grid.
-pub(super) fn analyse(signal: &[f64; GRID], parity: Parity) -> Motion {
+pub(super) fn analyse(signal: &[f64; GRID], parity: Parity) -> Wave {
     let t = tables();
     let mut folded = [[[0.0; QUARTER]; 2]; 2];
     for i in 0..=GRID / 4 {
@@ -107,6 +107,38 @@ pub(super) fn analyse(signal: &[f64; GRID], parity: Parity) -> Motion {
     orders
 }
 
+/// The mean of the square of a wave.
+pub(crate) fn mean_square(wave: &Wave) -> f64 {
+    let alternating: f64 = wave[1..].iter().map(|c| c.norm_sqr()).sum();
+    wave[0].re * wave[0].re + 0.5 * alternating
+}
+
+/// Value and slope of a wave at a phase `t` in rad.
+pub(super) fn value(wave: &Wave, t: f64) -> (f64, f64) {
+    let turn = Complex64::from_polar(1.0, t);
+    let (mut power, mut sum) = (turn, (wave[0].re, 0.0));
+    for (n, c) in wave.iter().enumerate().skip(1) {
+        let there = c * power;
+        sum.0 += there.re;
+        sum.1 -= n as f64 * there.im;
+        power *= turn;
+    }
+    sum
+}
+
+/// Logarithm without the care for overflow that the library's takes: no value here is near it.
+pub(super) fn ln(value: Complex64) -> Complex64 {
+    if value == Complex64::ONE {
+        return Complex64::ZERO;
+    }
+    Complex64::new(0.5 * value.norm_sqr().ln(), value.im.atan2(value.re))
+}
+
+/// Size of a value, likewise.
+pub(super) fn size(value: Complex64) -> f64 {
+    value.norm_sqr().sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -114,7 +146,7 @@ mod tests {
     /// Every order comes back, and its values are those of cosine and sine: rounding of 64 terms only.
     #[test]
     fn a_sum_of_harmonics_is_analysed_into_the_same_harmonics() {
-        let mut motion: Motion =
+        let mut motion: Wave =
             std::array::from_fn(|n| Complex64::new(1.0 / (n + 1) as f64, 0.3 - 0.1 * n as f64));
         motion[0].im = 0.0;
         let signal = synthesize(&motion);

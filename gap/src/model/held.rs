@@ -1,12 +1,10 @@
 //! The motion of a row: the level is held by what the reference channel shows.
 
 use super::chain::Chain;
-use super::complex::size;
 use super::drive::{Drive, drive};
-use super::grid::ORDERS;
+use super::grid::{ORDERS, size};
 use super::memory::Recall;
-use super::passed::{mixes, shaped};
-use super::path::Path;
+use super::path::{Path, mixes, shaped};
 use super::prediction::Nominal;
 use super::row::Row;
 use super::transfers::Transfers;

@@ -2,15 +2,14 @@
 
 use super::balance::{Balanced, Purpose, balance};
 use super::bend::Bend;
-use super::exciter::{Added, Exciter};
-use super::fundamental::Fundamental;
-use super::grid::{Motion, ORDERS};
+use super::exciter::{Added, Exciter, Fundamental};
+use super::grid::{ORDERS, Wave};
 use num_complex::Complex64;
 
 /// Memory of the harmonic balance of one row between evaluations.
 #[derive(Debug, Clone)]
 pub(crate) struct Memory {
-    motion: Motion,
+    motion: Wave,
     /// Last balanced input, and its result: many effects leave the exciter as it was.
     last: Option<(Exciter, Bend, f64, Balanced)>,
     /// The linear exciter of the last evaluation that had one.

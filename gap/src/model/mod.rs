@@ -8,10 +8,10 @@
 //! row          a point, prepared; scatter, leakage: noise and what leaks into its components
 //! prediction   what a simulation starts from, and what it says; predict: how it gets there
 //! chain        what effects do to a row; transfers: their linear responses
-//! drive        the exciter at a level: exciter, balance, friction, fundamental; memory: of a row
+//! drive        the exciter at a level: exciter, balance, friction; memory: of a row
 //! held         the motion at which the reference shows the level that is held
-//! channels     what both channels make of it; path, passed: of a wave on its way
-//! wave         a wave of many orders; crossings, shaped: bent; waveform: the same of a cosine;
+//! channels     what both channels make of it; path: of a wave on its way
+//! grid         a wave of many orders; crossings, shaped: bent; waveform: the same of a cosine;
 //!              saturation: a cosine through a hyperbolic tangent
 //! ```
 
@@ -19,17 +19,14 @@ pub(crate) mod balance;
 pub(crate) mod bend;
 pub(crate) mod chain;
 mod channels;
-mod complex;
 mod crossings;
 mod drive;
 pub(crate) mod exciter;
 mod friction;
-mod fundamental;
 mod grid;
 mod held;
 pub(crate) mod leakage;
 pub(crate) mod memory;
-mod passed;
 mod path;
 pub(crate) mod predict;
 pub(crate) mod prediction;
@@ -38,6 +35,4 @@ mod saturation;
 pub(crate) mod scatter;
 mod shaped;
 mod transfers;
-mod wave;
 pub(crate) mod waveform;
-mod yields;

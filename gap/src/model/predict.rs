@@ -3,7 +3,7 @@
 use super::balance::Balanced;
 use super::chain::Chain;
 use super::channels::channels;
-use super::complex::ln;
+use super::grid::ln;
 use super::held::Held;
 use super::memory::Recall;
 use super::prediction::{Nominal, Prediction};

@@ -5,8 +5,7 @@
 //! the wave crosses the threshold; a polynomial is exact on the grid.
 
 use super::crossings::positive;
-use super::grid::{ORDERS, Parity, analyse, synthesize};
-use super::wave::{Wave, mean_square};
+use super::grid::{ORDERS, Parity, Wave, analyse, mean_square, synthesize};
 use super::waveform::Characteristic;
 use num_complex::Complex64;
 use std::f64::consts::PI;
@@ -144,7 +143,7 @@ fn integrate(wave: &Wave, parts: &[(f64, f64)]) -> Wave {
 
 #[cfg(test)]
 mod tests {
-    use super::super::wave::value;
+    use super::super::grid::value;
     use super::*;
     use std::f64::consts::TAU;
 

@@ -1,14 +1,13 @@
 //! One term at a time: what is tried, and when it stops.
 
-use super::fit::{Fitted, compared, refine};
+use super::fit::{Fitted, MOST_STEPS, REFINED, compared, integrate_finely, refine};
 use super::holdout::square_on;
-use super::integration::{MOST_STEPS, REFINED, integrate_finely};
 use super::lack_of_fit::{Left, examine};
 use super::model::{TERMS, shows};
 use super::model_selection::{Tried, cost_of_last};
 use super::run::Run;
 use super::starts::{SPRING, begin, bent_spring};
-use crate::estimation::veto::stands;
+use crate::estimation::verdict::stands;
 use crate::options::Options;
 use crate::thresholds;
 use rayon::prelude::*;

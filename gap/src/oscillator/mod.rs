@@ -5,23 +5,21 @@
 //! parameters        values of a simulation: names, bounds, steps for slopes
 //! run, mode         a record on a fine grid, and a linear oscillator driven by it
 //! channel           what the channel of the output makes of the motion
-//! simulate          the oscillator over a record; integration: in steps as fine as it takes
-//! fit               the estimator's model: simulated against recorded output
+//! simulate          the oscillator over a record
+//! fit               the estimator's model: simulated against recorded output, in steps as fine as it takes
 //! starts            where the fit of the oscillator, and of a term, begins
 //! grow              one term at a time
 //! lack_of_fit       what a fit leaves
 //! model_selection   probabilities of the sets of terms
 //! holdout, slices   errors on what was held out, and by level and band
-//! answer, estimates what an answer states: verdict, place, what next, values
+//! answer            what an answer states: verdict, place, what next, values
 //! ```
 
 mod answer;
 mod channel;
-mod estimates;
 mod fit;
 mod grow;
 mod holdout;
-mod integration;
 mod lack_of_fit;
 mod mode;
 mod model;

@@ -1,6 +1,6 @@
 //! How the sets of terms that were tried compare.
 
-use super::estimates::term_parameters;
+use super::answer::term_parameters;
 use super::fit::{Fitted, residual};
 use super::lack_of_fit::Left;
 use super::model::TERMS;

@@ -6,8 +6,7 @@
 //! come first. Over a few periods a fit finds a resonance that is off by some per cent: resonances
 //! that close are tried, each with springs from a softening to a hardening one.
 
-use super::fit::{Fitted, refine, residual, rms, scale_of, slopes};
-use super::integration::integrate_finely;
+use super::fit::{Fitted, integrate_finely, refine, residual, rms, scale_of, slopes};
 use super::model::TERMS;
 use super::parameters::{LINEAR, OscillatorParameters, Parameter, bound};
 use super::run::Run;

@@ -4,7 +4,7 @@
 //! standard uncertainties to either side, and what the best set of effects
 //! says that difference should be.
 
-use super::number::short;
+use super::plain::short;
 use crate::observable::{Channel, Group, Observable};
 use crate::pictures::{Conditions, Datum, Residuals, Trace};
 use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale, Shape};

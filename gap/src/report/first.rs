@@ -1,7 +1,7 @@
 //! Text of the first screen beyond the fields of an answer.
 
-use super::number::short;
 use super::plain;
+use super::plain::short;
 use crate::answer::{Answer, Cause, Verdict, Where};
 use calib_effects::{Of, Stage, effect};
 

@@ -3,7 +3,7 @@
 //! A cell holds the root mean square of difference over uncertainty: about 1
 //! is noise. The number is printed in the cell, so colour is not needed.
 
-use super::number::short;
+use super::plain::short;
 use crate::observable::Group;
 use crate::pictures::{Conditions, Datum, Residuals};
 use serde::Serialize;

@@ -6,14 +6,12 @@
 //! first    text of the first screen beyond the fields of an answer
 //! map      residuals over frequency, level and condition
 //! curve    the most probable cause's curve through the data; of a record, the error over time
-//! number   numbers as a person reads them
-//! plain    observables and conditions in words that need no training
+//! plain    numbers, observables and conditions as a person reads them
 //! ```
 
 mod curve;
 mod first;
 mod map;
-mod number;
 mod plain;
 #[cfg(test)]
 mod tests;
@@ -25,7 +23,7 @@ use crate::pictures::Pictures;
 use calib_effects::Stage;
 use minijinja::value::{Serde, Value};
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
-use number::short;
+use plain::short;
 use serde::Serialize;
 
 const TEMPLATE: &str = include_str!("page.html");

@@ -1,6 +1,6 @@
 //! The page holds what the answer says, and nothing an answer says can leave its place.
 
-use super::number::short;
+use super::plain::short;
 use super::report;
 use crate::answer::*;
 use crate::axis::Axis;

@@ -1,15 +1,12 @@
 //! Score of answers to a sealed set.
 
 mod answers;
-mod pair;
 mod rates;
-mod share;
 mod sizes;
 mod substitute;
 
 pub use self::answers::{ScoredAnswer, read_answers};
-pub use self::rates::{Rates, StratumScore};
-pub use self::share::Share;
+pub use self::rates::{Rates, Share, StratumScore};
 pub use self::sizes::SizeScore;
 pub use self::substitute::left_by_substitutes;
 
@@ -50,7 +47,7 @@ pub fn score(
     truth: &Truth,
     left_sigma: &BTreeMap<String, f64>,
 ) -> Result<Score> {
-    let pairs = pair::matched(answers, truth)?;
+    let pairs = answers::matched(answers, truth)?;
     let visible = pairs.iter().filter(|pair| {
         let left = left_sigma.get(&pair.truth.name);
         pair.truth.least_sigma > VISIBLE_SIGMA && left.is_none_or(|left| *left > LEFT_SIGMA)

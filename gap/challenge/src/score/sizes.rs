@@ -1,7 +1,7 @@
 //! Detection and naming over the size of a gap.
 
-use super::pair::Pair;
-use super::share::Share;
+use super::answers::Pair;
+use super::rates::Share;
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -1,7 +1,6 @@
 //! How good the substitutes are that a diagnosis finds for an effect it has to do without.
 
-use super::answers::ScoredAnswer;
-use super::pair::matched;
+use super::answers::{ScoredAnswer, matched};
 use crate::truth::Truth;
 use calib_files::{Error, Result};
 use rayon::prelude::*;
