@@ -1,9 +1,9 @@
 //! Check standards and references of the logbook: how each stands, what they show together, and which certificates they
 //! block.
 
-use crate::Result;
 use crate::self_check::{self, ReferenceState};
-use calib_certificate::{CheckProblem, FailedCheck};
+use crate::{Error, Result};
+use calib_certificate::{CheckProblem, FailedCheck, StandardPoint};
 use calib_logbook::{CheckStandard, HistoryResult, Logbook};
 use calib_metrology::common_drift::{CommonDrift, Measured, common_drift};
 use calib_metrology::control_chart::{ControlChart, FEWEST, Signal, control_chart, e_n};
@@ -254,6 +254,34 @@ pub fn failed_checks(logbook: Option<&Logbook>, record: &Record) -> Result<Vec<F
         }
     }
     Ok(failed)
+}
+
+/// What the certificate of a check standard states.
+///
+/// # Errors
+/// Those of the logbook, and [`Error::Files`] where nobody stated it.
+pub fn certified(logbook: Option<&Logbook>, serial: &str) -> Result<Vec<StandardPoint>> {
+    let known = match logbook {
+        Some(logbook) => logbook.check_standard(serial)?,
+        None => None,
+    };
+    let stated = known.and_then(|known| {
+        let certified = known.certified?;
+        Some(StandardPoint {
+            frequency_hz: known.frequency_hz,
+            sensitivity_v_per_ms2: certified.sensitivity_v_per_ms2,
+            expanded_uncertainty_rel: certified.expanded_uncertainty_rel,
+        })
+    });
+    let stated = stated.ok_or_else(|| {
+        Error::input(
+            format!("standard {serial}"),
+            "nobody stated its sensitivity",
+            "name the table of its certificate with --standard, or state it at one frequency: \
+             `calib assure SERIAL --every DAYS --certified MV --certified-u PERCENT`",
+        )
+    })?;
+    Ok(vec![stated])
 }
 
 fn problem(standard: CheckStandard, all: &[HistoryResult], at_s: i64) -> Option<CheckProblem> {

@@ -1,6 +1,7 @@
 //! `calib run --substitute CHECK`: a standard and then the device in the same channel.
 
 use super::Context;
+use crate::assurance;
 use calib_certificate::{Particulars, Standard, StandardPoint, Substituted, substitute};
 use calib_host::{Error, Result};
 use calib_link::Client;
@@ -38,29 +39,9 @@ impl Known {
     /// # Errors
     /// [`Error::Files`] when the table is none, or nobody stated what it is.
     pub(super) fn find(context: &Context, serial: &str, table: Option<&Path>) -> Result<Self> {
-        let known = match context.logbook_if_there()? {
-            Some(logbook) => logbook.check_standard(serial)?,
-            None => None,
-        };
-        let of_logbook = || {
-            let known = known.as_ref()?;
-            let certified = known.certified?;
-            Some(vec![StandardPoint {
-                frequency_hz: known.frequency_hz,
-                sensitivity_v_per_ms2: certified.sensitivity_v_per_ms2,
-                expanded_uncertainty_rel: certified.expanded_uncertainty_rel,
-            }])
-        };
         let certified = match table {
             Some(path) => read(path)?,
-            None => of_logbook().ok_or_else(|| {
-                Error::input(
-                    format!("standard {serial}"),
-                    "nobody stated its sensitivity",
-                    "name the table of its certificate with --standard, or state it at one frequency: \
-                     `calib assure SERIAL --every DAYS --certified MV --certified-u PERCENT`",
-                )
-            })?,
+            None => assurance::certified(context.logbook_if_there()?.as_ref(), serial)?,
         };
         Ok(Self {
             serial: serial.to_owned(),

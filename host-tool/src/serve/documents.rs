@@ -10,6 +10,7 @@ use axum::http::header;
 use axum::response::{IntoResponse, Response};
 use calib_certificate::{
     self as certificate, Adjustment, Certificate, Format, Language, Options, Particulars, Seal,
+    Standard,
 };
 use calib_logbook::Logbook;
 use calib_protocol::record::{self, Record, RecordError};
@@ -38,6 +39,8 @@ pub(super) struct Stated {
     adjustment: Option<Adjustment>,
     /// Record of the logbook from before the adjustment.
     as_found: Option<i64>,
+    /// Record of the logbook of the check standard that was measured in the channel of the device.
+    substituted: Option<i64>,
     /// Day of issue, as 2026-11-22.
     issued: String,
     /// Who authorises it.
@@ -78,6 +81,21 @@ impl Stated {
         pair.map(|(id, logbook)| read(&logbook.record(id)?))
             .transpose()
     }
+
+    /// The standard by which the result is stated, with what its certificate says.
+    fn standard(&self, logbook: Option<&Logbook>) -> Result<Option<Standard>> {
+        let Some((id, logbook)) = self.substituted.zip(logbook) else {
+            return Ok(None);
+        };
+        let record = read(&logbook.record(id)?)?;
+        standard(record, logbook).map(Some)
+    }
+}
+
+fn standard(record: Record, logbook: &Logbook) -> Result<Standard> {
+    let serial = record.head.labels.dut_serial.trim();
+    let certified = assurance::certified(Some(logbook), serial)?;
+    Ok(Standard { record, certified })
 }
 
 /// The certificate that is asked for.
@@ -156,6 +174,7 @@ fn made(
         chain: Some(judged::standing(&record.head, stored, kept)?),
         failed_checks: assurance::failed_checks(kept, &record)?,
         as_found: wanted.stated.found(kept)?,
+        standard: wanted.stated.standard(kept)?,
         retried: all(retried)?,
         seal: seal(house, wanted.issues)?,
         ..Options::default()
@@ -163,6 +182,9 @@ fn made(
     if let (Some(amended), Some(logbook)) = (amended, kept) {
         amended.state(&mut options.particulars);
         amended.join(&mut options, logbook)?;
+        if let Some(joined) = options.standard.take() {
+            options.standard = Some(standard(joined.record, logbook)?);
+        }
     }
     let mut prepared = certificate::prepare(&record, &[format], &options)?;
     if let Some(logbook) = &mut logbook
@@ -218,7 +240,10 @@ pub(super) fn judged(
     stated.complete(&mut particulars)?;
     // What the page shows is in its language, whatever that of the laboratory's certificates is.
     let language = stated.language.or(particulars.language).unwrap_or_default();
-    let certificate = Certificate::from_record(&record, &particulars);
+    let certificate = match stated.standard(logbook.as_ref())? {
+        Some(standard) => Certificate::by_substitution(&record, &standard, &particulars)?,
+        None => Certificate::from_record(&record, &particulars),
+    };
     Ok(certificate::Document::new(&certificate, language))
 }
 

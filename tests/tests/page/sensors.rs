@@ -52,13 +52,15 @@ fn a_sensor_is_registered_measured_adjusted_and_measured_again() -> Result<(), F
         assert!(certificate.contains(stated), "{stated}: {certificate}");
     }
     page.switch_to(own)?;
-    is_a_check_standard(&setup)
+    is_a_check_standard(&setup)?;
+    by_substitution(&setup)
 }
 
 /// Named one in the terminal, it stands on the page by its serial number, for everybody.
 fn is_a_check_standard(setup: &Setup) -> Result<(), Fault> {
     let named = Command::new(tool()?)
         .args(["assure", "A-77", "--every", "7", "--quiet"])
+        .args(["--certified", "9.285", "--certified-u", "2"])
         .env("CALIB_LOGBOOK", setup.folder.path().join("logbook.sqlite"))
         .status()?;
     assert!(named.success());
@@ -67,6 +69,23 @@ fn is_a_check_standard(setup: &Setup) -> Result<(), Fault> {
     page.wait_for_text("#check-list", "no chart yet")?;
     assert_eq!(page.text("#check-list button")?, "A-77");
     everybody::can_use_it(page)
+}
+
+/// Another device in the check standard's channel: what its certificate states is by that standard.
+fn by_substitution(setup: &Setup) -> Result<(), Fault> {
+    let page = &setup.browser;
+    page.choose("#sensor", "")?;
+    page.fill("#serial", "B-1")?;
+    measure(setup, 4)?;
+    page.wait_for_text("#substituted", "A-77, record 3")?;
+    page.choose("#substituted", "2")?;
+    let link = page.value("document.querySelector('#certificates a[data-format=html]').href")?;
+    let own = page.open_tab(link.as_str().ok_or("no link")?)?;
+    let certificate = page.text("body")?;
+    let stated = "by substitution of standard A-77 (record 3)";
+    assert!(certificate.contains(stated), "{certificate}");
+    page.switch_to(own)?;
+    Ok(())
 }
 
 /// A kind of sensor as it is registered, and what the page says of it.

@@ -1,6 +1,7 @@
 // Check standards: how each stands, and its control charts for level and scatter.
 import { around, chart } from "./chart.js";
 import { row } from "./measurement.js";
+import { show_records, show_standards } from "./records.js";
 import { load } from "./server.js";
 import { decimals, figures, say, sensitivity } from "./words.js";
 
@@ -45,10 +46,12 @@ function draw(state) {
   chart($("check-scatter"), { ...x, label: say("day; difference in {0}", "mV/(m/s²)") }, y, [{ kind: "marks", points: ranges }], [0, most]);
 }
 
-export async function show_checks() {
-  const report = await load("api/assurance");
+/** What the logbook has: records, and how check standards stand. */
+export async function show_logbook() {
+  const [report] = await Promise.all([load("api/assurance"), show_records()]);
   const standards = report ? report.standards : [];
   $("check-standards").hidden = !standards.length && !(report && report.references.length);
+  show_standards(standards);
   $("check-list").replaceChildren(...standards.map(line));
   $("check-charts").hidden = true;
 }

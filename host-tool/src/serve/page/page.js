@@ -1,9 +1,8 @@
 // The page shows what the server says and keeps nothing: every message is the whole view.
-import { show_checks } from "./checks.js";
+import { show_logbook } from "./checks.js";
 import { show_amendment, show_issued } from "./issued.js";
 import * as live from "./live.js";
 import * as measurement from "./measurement.js";
-import { show_records } from "./records.js";
 import { show_sensors, take_sensors } from "./sensors.js";
 import { certificate, load, load_at, post, save, stated } from "./server.js";
 import * as waveforms from "./waveforms.js";
@@ -126,8 +125,7 @@ $("adjustment").addEventListener("change", () => {
 for (const id of stated) {
   $(id).addEventListener("change", () => {
     if (last) measurement.show(last.run);
-    show_records();
-    show_checks();
+    show_logbook();
     show_amendment();
   });
 }
@@ -188,8 +186,7 @@ async function judge(number) {
 async function show_lists() {
   measurement.know(await load_at(certificate("api/refusals")));
   show_sensors();
-  show_records();
-  show_checks();
+  show_logbook();
   show_issued();
 }
 
@@ -217,8 +214,7 @@ live.listen((view) => {
   const run = view.run, kept = run && !run.running ? run.number + " " + run.logbook_record : "";
   if (kept && kept !== ended) {
     ended = kept;
-    show_records();
-    show_checks();
+    show_logbook();
     judge(run.number);
   }
 }, () => {

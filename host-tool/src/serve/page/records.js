@@ -35,22 +35,39 @@ function line(record) {
   return cells;
 }
 
+/** Lets one of these records be chosen, or none; what was chosen stays if it is there. */
+function offer(id, records, words) {
+  const kept = $(id).value;
+  $(id).replaceChildren(new Option(say("not stated"), ""), ...records.map((r) => new Option(words(r), r.logbook_record)));
+  $(id).value = records.some((r) => String(r.logbook_record) === kept) ? kept : "";
+}
+
 /** Records of the sensor that was measured last: one of them was made before its adjustment. */
 function show_found(records) {
   const [last] = records, before = records.filter((r) => r !== last && last.dut_serial && r.dut_serial === last.dut_serial);
-  const kept = $("as_found").value;
-  $("as_found").replaceChildren(new Option(say("not stated"), ""), ...before.map((r) => new Option(
-    say("record {0}, {1}", r.record_id, day(r)), r.logbook_record)));
-  $("as_found").value = before.some((r) => String(r.logbook_record) === kept) ? kept : "";
+  offer("as_found", before, (r) => say("record {0}, {1}", r.record_id, day(r)));
 }
+
+/** Records of check standards whose certificate is known, by the instrument of the last run: one of them was in its channel. */
+export function show_standards(standards) {
+  const certified = standards.filter((s) => s.certified).map((s) => s.dut_serial.toLowerCase());
+  const [last] = all, of = (r) => (r.dut_serial || "").toLowerCase();
+  const other = (r) => of(r) !== of(last) && r.instrument_serial === last.instrument_serial;
+  const found = all.filter((r) => certified.includes(of(r)) && other(r));
+  offer("substituted", found, (r) => say("{0}, record {1}, {2}", r.dut_serial, r.record_id, day(r)));
+  $("by-standard").hidden = !found.length;
+}
+
+/** Records of the logbook, the last one first. */
+let all = [];
 
 export async function show_records() {
   const wanted = $("search").value.trim().toLowerCase();
-  const records = (await load("api/records")) || [];
-  show_found(records);
-  const found = records.filter((r) => (r.dut_serial + " " + r.dut_model).toLowerCase().includes(wanted));
+  all = (await load("api/records")) || [];
+  show_found(all);
+  const found = all.filter((r) => (r.dut_serial + " " + r.dut_model).toLowerCase().includes(wanted));
   $("records").replaceChildren(...found.slice(0, 50).map(line));
-  $("no-records").hidden = records.length > 0;
+  $("no-records").hidden = all.length > 0;
 }
 
 async function show_history(serial) {

@@ -5,13 +5,16 @@ const token = new URLSearchParams(location.search).get("token");
 export const url = (path) => path + (token ? "?token=" + encodeURIComponent(token) : "");
 
 /** What the form states on certificates, by the names the server knows. */
-export const stated = ["customer", "ambient_temperature_c", "humidity_percent", "adjustment", "as_found", "issued", "approved_by"];
+export const stated = ["customer", "ambient_temperature_c", "humidity_percent", "adjustment", "as_found", "substituted", "issued", "approved_by"];
 
-/** Address of a certificate, or of results, with what the form and `more` state on it and the language of the page. The
- *  record from before an adjustment belongs to the last run alone. */
+/** Those that are records beside that of the run. */
+const beside = ["as_found", "substituted"];
+
+/** Address of a certificate, or of results, with what the form and `more` state on it and the language of the page.
+ *  Records beside its own belong to the last run alone. */
 export function certificate(path, more = {}) {
   const is_last = !/^api\/(records|amended)/.test(path);
-  const values = stated.filter((id) => is_last || id !== "as_found").map((id) => [id, document.getElementById(id).value.trim()]);
+  const values = stated.filter((id) => is_last || !beside.includes(id)).map((id) => [id, document.getElementById(id).value.trim()]);
   const query = new URLSearchParams([["token", token], ["language", current()], ...values, ...Object.entries(more)].filter(([, value]) => value));
   return path + "?" + query;
 }
