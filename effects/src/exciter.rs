@@ -14,6 +14,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &SHORTED_INDUCTANCE,
     &COIL_HEATING,
     &ARMATURE_MODE,
+    &BODY_MODE,
     &NOMINAL_STIFFNESS,
     &NOMINAL_FORCE_FACTOR,
     &NOMINAL_RESISTANCE,
@@ -215,6 +216,31 @@ pub static ARMATURE_MODE: Entry = Entry {
     columns: &["frequency_hz", "ref_v", "coil_v", "ref_deg"],
     confused_with: &["reference_resonance", "lossy_inductance"],
     separate_by: "ratio beside the drive (a reference resonance shows there); points around the mode",
+    ..Entry::CALIBRATOR
+};
+
+/// What pushes the table pushes the body back, which has ten to two hundred times its mass and stands on
+/// feet of rubber, on springs or on a bench. It gives way most where it resonates on them.
+pub static BODY_MODE: Entry = Entry {
+    id: "body_mode",
+    stage: Stage::Exciter,
+    formula: "spring, damping and induced voltage x g, g = 1 - (M/Mb) q^2/(1 - q^2 + j q/Q), q = f/fb: d and z near fb, and above it by M/Mb",
+    parameters: &[
+        Parameter::log("body_mass_kg", "kg", [0.1, 1e4], 10.0).on_site(2.0, 30.0),
+        Parameter::log("isolator_hz", "Hz", [0.2, 1e3], 20.0).on_site(2.0, 200.0),
+        Parameter::log("quality", "1", [0.5, 200.0], 5.0).on_site(2.0, 30.0),
+    ],
+    plain: "the body of the shaker moves on its feet as it drives the table",
+    columns: &[
+        "frequency_hz",
+        "payload_kg",
+        "ref_v",
+        "ref_deg",
+        "coil_v",
+        "coil_a",
+    ],
+    confused_with: &["nominal_stiffness", "back_emf", "mechanical_damping"],
+    separate_by: "points closely around the resonance of the feet, with coil current; an accelerometer on the body",
     ..Entry::CALIBRATOR
 };
 

@@ -2,8 +2,9 @@
 
 use super::effect::{Effect, Explanations};
 use super::facts::Facts;
-use super::start::Start;
+use super::start::{Start, ratios};
 use crate::model::chain::Chain;
+use crate::model::exciter::Body;
 use crate::model::row::Row;
 use calib_effects::{Entry, exciter};
 
@@ -15,6 +16,7 @@ pub(super) static EXPLANATIONS: Explanations = &[
     &NominalValue::ForceFactor,
     &NominalValue::Resistance,
     &NominalValue::Inductance,
+    &BodyMode,
 ];
 
 /// A linear term that the nominal rig states wrongly.
@@ -98,5 +100,44 @@ impl Effect for NominalValue {
             Self::Inductance => &mut chain.inductance,
         };
         *value *= 1.0 + p[0];
+    }
+}
+
+/// Mass of the body and quality of its feet where a search starts.
+const USUAL_BODY_KG: f64 = 10.0;
+const USUAL_QUALITY: f64 = 4.0;
+/// Resonances of feet that are tried, in Hz.
+const FEET_HZ: [f64; 2] = [1.5, 300.0];
+
+/// A body that gives way as it drives the table.
+struct BodyMode;
+
+impl Effect for BodyMode {
+    fn entry(&self) -> &'static Entry {
+        &exciter::BODY_MODE
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.exciter_known && (facts.drive || facts.current)
+    }
+    /// Closer to one another than the resonance is wide at its half.
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        let [lowest_hz, highest_hz] = FEET_HZ;
+        ratios(lowest_hz.max(0.3 * facts.lowest_hz), highest_hz, 13)
+            .into_iter()
+            .map(|hz| Start::positive(vec![USUAL_BODY_KG, hz, USUAL_QUALITY], 0))
+            .collect()
+    }
+    /// It gives way as its mass is less.
+    fn combine(&self, start: &Start, amplitudes: &[f64]) -> Vec<f64> {
+        let mut parameters = start.members[0].clone();
+        parameters[0] /= amplitudes[0].max(1e-3);
+        parameters
+    }
+    fn chain(&self, p: &[f64], _row: &Row, chain: &mut Chain) {
+        chain.body = Some(Body {
+            mass_kg: p[0],
+            isolator_hz: p[1],
+            quality: p[2],
+        });
     }
 }

@@ -10,7 +10,7 @@
 use super::bend::Bend;
 use super::exciter::Exciter;
 use super::friction::{Friction, Rubbed};
-use super::grid::{GRID, ORDERS, Parity, Wave, analyse, synthesize};
+use super::grid::{GRID, ORDERS, Parity, Wave, analyse, size, synthesize};
 use super::saturation::saturated_from;
 use super::waveform::{Characteristic, clipped_order};
 use crate::thresholds;
@@ -63,7 +63,8 @@ pub(crate) fn balance(
     motion: &mut Wave,
     purpose: Purpose,
 ) -> Balanced {
-    let travel = -acceleration_peak_ms2 / (omega * omega);
+    // From the body, phase zero.
+    let travel = -acceleration_peak_ms2 / (omega * omega) / size(exciter.share_of_table(omega));
     if (motion[1].re / travel - 1.0).abs() > 1e-3 || !motion.iter().all(|m| m.is_finite()) {
         *motion = [Complex64::ZERO; ORDERS + 1];
     }
@@ -295,13 +296,24 @@ impl<'a> Work<'a> {
     }
 
     fn result(&self, motion: &Wave, state: &State, acceleration: f64, converged: bool) -> Balanced {
-        let relative = |n: usize| motion[n] * (-(n as f64 * self.omega).powi(2) / acceleration);
+        let first = self.exciter.share_of_table(self.omega);
+        let turn = first / size(first);
+        let relative = |n: usize| {
+            let here = motion[n] * (-(n as f64 * self.omega).powi(2) / acceleration);
+            match self.exciter.body {
+                None => here,
+                Some(_) => {
+                    let share = self.exciter.share_of_table(n as f64 * self.omega);
+                    here * share * turn.powu(n as u32).conj()
+                }
+            }
+        };
         let (above, beyond) = (
             (6..=ORDERS).map(|n| relative(n).norm_sqr()).sum::<f64>(),
             self.friction.map_or(0.0, |f| f.beyond) / (acceleration * acceleration),
         );
         Balanced {
-            acceleration_per_v: acceleration / state.voltage[1],
+            acceleration_per_v: acceleration * turn / state.voltage[1],
             admittance: state.current_1 / state.voltage[1],
             stiffness: state.force_1 / motion[1],
             harmonics: std::array::from_fn(|k| relative(k + 2)),

@@ -1,6 +1,7 @@
 //! Places where effects may act on one row.
 
 use super::bend::Bend;
+use super::exciter::Body;
 use super::scatter::Scatter;
 use super::waveform::Characteristic;
 use num_complex::Complex64;
@@ -26,6 +27,8 @@ pub(crate) struct Chain {
     pub(crate) inductance_exponent: f64,
     /// Share of the coil inductance that is shorted above a corner, and that corner in Hz.
     pub(crate) shorted: [f64; 2],
+    /// The body of the exciter, if it gives way.
+    pub(crate) body: Option<Body>,
     /// Nonlinear exciter and amplifier.
     pub(crate) bend: Bend,
     /// Motion of the device under test, in m/s2.
@@ -55,6 +58,7 @@ impl Default for Chain {
             emf: 1.0,
             inductance_exponent: 1.0,
             shorted: [0.0, 1.0],
+            body: None,
             bend: Bend::default(),
             mount: None,
             ref_adc: None,

@@ -34,6 +34,7 @@ pub(super) fn drive(
         emf_ratio: chain.emf,
         inductance_exponent: chain.inductance_exponent,
         shorted: chain.shorted,
+        body: chain.body,
     };
     let added = Added {
         mass_kg: row.payload_kg + chain.mass_kg,

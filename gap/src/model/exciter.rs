@@ -7,6 +7,25 @@ use num_complex::Complex64;
 /// Frequency at which the coil inductance is stated.
 pub(crate) const INDUCTANCE_FREQUENCY_HZ: f64 = 1000.0;
 
+/// Body of the exciter on its feet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Body {
+    /// Mass, in kg.
+    pub(crate) mass_kg: f64,
+    /// Natural frequency of the body alone on its feet, in Hz.
+    pub(crate) isolator_hz: f64,
+    /// Quality of that resonance.
+    pub(crate) quality: f64,
+}
+
+impl Body {
+    /// Mass that resists the coil as much as the body on its feet does.
+    fn apparent_kg(&self, omega: f64) -> Complex64 {
+        let q = std::f64::consts::TAU * self.isolator_hz / omega;
+        self.mass_kg * Complex64::new(1.0 - q * q, -q / self.quality)
+    }
+}
+
 /// Parameters of the exciter in one row, the effects included.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Exciter {
@@ -28,6 +47,8 @@ pub(crate) struct Exciter {
     pub(crate) inductance_exponent: f64,
     /// Share of the inductance that is shorted above a corner, and that corner in Hz.
     pub(crate) shorted: [f64; 2],
+    /// The body, if it gives way.
+    pub(crate) body: Option<Body>,
 }
 
 /// Payload that moves with the exciter.
@@ -85,12 +106,34 @@ impl Exciter {
         whole * (1.0 - share) + ideal * share / Complex64::new(1.0, q)
     }
 
-    /// Force over displacement of the moving part, M s^2 + c s + k.
+    /// Force over displacement of the moving part from the body, M' s^2 + c s + k.
+    ///
+    /// # Equation
+    /// Between the table and a body that gives way the coil moves the reduced mass, 1/M' = 1/M + 1/Mb.
     pub(crate) fn dynamic_stiffness(&self, omega: f64) -> Complex64 {
-        Complex64::new(
+        let spring = Complex64::new(
             self.stiffness_n_per_m - self.mass_kg * omega * omega,
             self.damping_ns_per_m * omega,
-        )
+        );
+        match self.body {
+            None => spring,
+            Some(_) => spring + self.mass_kg * omega * omega * (1.0 - self.share_of_table(omega)),
+        }
+    }
+
+    /// Displacement of the table in space over that from the body.
+    pub(crate) fn share_of_table(&self, omega: f64) -> Complex64 {
+        self.body.map_or(Complex64::ONE, |body| {
+            let body_kg = body.apparent_kg(omega);
+            body_kg / (body_kg + self.mass_kg)
+        })
+    }
+
+    /// Mass that the coil moves where neither spring nor feet hold.
+    pub(crate) fn reduced_mass_kg(&self) -> f64 {
+        self.body.map_or(self.mass_kg, |body| {
+            1.0 / (1.0 / self.mass_kg + 1.0 / body.mass_kg)
+        })
     }
 
     /// Acceleration over coil voltage at one frequency, in (m/s2)/V.
@@ -99,7 +142,7 @@ impl Exciter {
         let bl = self.force_factor_n_per_a;
         let denominator =
             self.dynamic_stiffness(omega) * self.impedance(omega) + s * bl * bl * self.emf_ratio;
-        s * s * bl / denominator
+        s * s * bl * self.share_of_table(omega) / denominator
     }
 
     /// Responses at one frequency. `stiffness` replaces [`Exciter::dynamic_stiffness`]
@@ -111,7 +154,10 @@ impl Exciter {
         let z = self.impedance(omega);
         let coupling = s * bl * bl * self.emf_ratio;
         let denominator = stiffness * z + coupling;
-        let mass = s * s * (self.mass_kg - added.mass_kg);
+        // The reduced mass goes with the square of the table's share.
+        let share = self.share_of_table(omega);
+        let mass = s * s * (self.mass_kg - added.mass_kg) * share * share;
+        let of_share = (share - 1.0) * (1.0 - added.mass_kg / self.mass_kg);
         let stiffness_alone = Complex64::from(self.stiffness_n_per_m);
         let damping = s * (self.damping_ns_per_m - added.damping_ns_per_m);
         let of_drive = |own: Complex64| -own * z / denominator;
@@ -131,11 +177,12 @@ impl Exciter {
             ..drive
         };
         let drive = Slopes {
+            moving_mass_kg: drive.moving_mass_kg + of_share,
             force_factor_n_per_a: drive.force_factor_n_per_a + 1.0,
             ..drive
         };
         Linear {
-            acceleration_per_v: s * s * bl / denominator,
+            acceleration_per_v: s * s * bl * share / denominator,
             admittance: stiffness / denominator,
             slopes: ExciterSlopes { drive, current },
         }
@@ -156,6 +203,7 @@ impl Exciter {
             emf_ratio: 1.0,
             inductance_exponent: 1.0,
             shorted: [0.0, 1.0],
+            body: None,
         }
     }
 }
@@ -188,6 +236,11 @@ mod tests {
             mass_kg: 0.08,
             inductance_exponent: 0.7,
             shorted: [0.4, 120.0],
+            body: Some(Body {
+                mass_kg: 2.0,
+                isolator_hz: 120.0,
+                quality: 3.0,
+            }),
             ..Exciter::example()
         }
     }

@@ -16,7 +16,7 @@ pub(super) struct Friction {
     /// Part of the orders above [`ORDERS`] in the velocity over omega where it turns
     /// upwards, in m.
     tail_m: f64,
-    /// Mass times omega squared, in N/m.
+    /// Mass that is moved times omega squared, in N/m.
     inertia_n_per_m: f64,
     /// Sum of the squares of the accelerations at those orders (peak), in (m/s2)^2.
     pub(super) beyond: f64,
@@ -25,8 +25,8 @@ pub(super) struct Friction {
 impl Friction {
     pub(super) fn new(force_n: f64, exciter: &Exciter, omega: f64) -> Self {
         let yields = Yields::new(exciter, omega);
-        let inertia_n_per_m = exciter.mass_kg * omega * omega;
-        let (tail_m, beyond) = tail(force_n, &yields, inertia_n_per_m, omega);
+        let inertia_n_per_m = exciter.reduced_mass_kg() * omega * omega;
+        let (tail_m, beyond) = tail(force_n, &yields, exciter, omega);
         Self {
             force_n,
             yields,
@@ -190,19 +190,22 @@ impl Zero {
 /// friction alone, -4 j F/(pi n) at the zero, moves mass, suspension and coil.
 ///
 /// Answers what they add to the velocity over omega there, and the sum of the squares of their
-/// accelerations: what an instrument that samples sees of them, folded back, as noise.
-fn tail(force_n: f64, yields: &Yields, mass: f64, omega: f64) -> (f64, f64) {
+/// accelerations in space: what an instrument that samples sees of them, folded back, as noise.
+fn tail(force_n: f64, yields: &Yields, exciter: &Exciter, omega: f64) -> (f64, f64) {
     let (mut turned, mut squares) = (0.0, 0.0);
     for (n, yields) in yields.orders(FIRST_BEYOND) {
+        let share = exciter.share_of_table(omega * n as f64);
         turned += yields.re;
-        squares += (n * n) as f64 * yields.norm_sqr();
+        squares += (n * n) as f64 * yields.norm_sqr() * share.norm_sqr();
     }
-    // Beyond them the mass alone, in N/m: the sum of 1/n^2 over odd n > N is 1/(2 (N + 1)), to N^-3.
+    // Beyond them the masses alone, in N/m: the sum of 1/n^2 over odd n > N is 1/(2 (N + 1)), to N^-3.
     let rest = 0.5 / (SUMMED + 1) as f64;
+    let [moved, table] =
+        [exciter.reduced_mass_kg(), exciter.mass_kg].map(|mass_kg| mass_kg * omega * omega);
     let force = square_wave(force_n);
     (
-        -force * (turned - rest / mass),
-        (force * omega * omega).powi(2) * (squares + rest / (mass * mass)),
+        -force * (turned - rest / moved),
+        (force * omega * omega).powi(2) * (squares + rest / (table * table)),
     )
 }
 
@@ -224,18 +227,17 @@ pub(super) struct Yields {
 }
 
 impl Yields {
-    /// `Z/((k + j c w - M w^2) Z + j w Bl^2)` at n times `omega`: the coil is closed by what feeds it.
+    /// `Z/((k + j c w - M' w^2) Z + j w Bl^2)` at n times `omega`: the coil is closed by what feeds it.
     pub(super) fn new(exciter: &Exciter, omega: f64) -> Self {
         let (mut re, mut im) = ([0.0; COUNT], [0.0; COUNT]);
         let impedance: [Complex64; COUNT] =
             std::array::from_fn(|at| exciter.impedance(omega * order(at) as f64));
+        let stiffness: [Complex64; COUNT] =
+            std::array::from_fn(|at| exciter.dynamic_stiffness(omega * order(at) as f64));
         let coupling = exciter.force_factor_n_per_a.powi(2) * exciter.emf_ratio;
         for at in 0..COUNT {
             let w = omega * order(at) as f64;
-            let (spring, drag) = (
-                exciter.stiffness_n_per_m - exciter.mass_kg * w * w,
-                exciter.damping_ns_per_m * w,
-            );
+            let (spring, drag) = (stiffness[at].re, stiffness[at].im);
             let z = impedance[at];
             let below_re = spring * z.re - drag * z.im;
             let below_im = spring * z.im + drag * z.re + coupling * w;

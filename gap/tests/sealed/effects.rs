@@ -237,7 +237,7 @@ const CASES: [Case; 42] = [
 ];
 
 /// Effects that came later, in a list of their own: the cases of before stay what they were.
-const LATER: [Case; 15] = [
+const LATER: [Case; 16] = [
     (
         "dut_highpass_2",
         &[
@@ -321,6 +321,14 @@ const LATER: [Case; 15] = [
     (
         "amplifier_soft_clipping",
         &[(One("amplifier_soft_clipping.v"), Log(10.0, 200.0))],
+    ),
+    (
+        "body_mode",
+        &[
+            (One("body_mode.m"), Log(5.0, 20.0)),
+            (One("body_mode.f"), Log(2.0, 200.0)),
+            (One("body_mode.q"), Log(2.0, 15.0)),
+        ],
     ),
 ];
 

@@ -2,7 +2,7 @@
 
 use super::characteristic::{ORDERS, bent, converted};
 use super::design::Condition;
-use super::exciter::{Amplifier, Exciter, Solved};
+use super::exciter::{Amplifier, Body, Exciter, Solved};
 use super::response::responses;
 use super::truth::{REFERENCE_V_PER_MS2, Truth};
 use num_complex::Complex64 as C;
@@ -130,5 +130,11 @@ fn exciter(truth: &Truth, row: &Condition) -> Exciter {
             bends_to_v: truth.get("amplifier_soft_clipping.v").map(|v| (v, other)),
             even_per_v: truth.or("amplifier_even_order.b", 0.0),
         },
+        body: truth.get("body_mode.m").map(|mass_kg| Body {
+            mass_kg,
+            feet_hz: truth.or("body_mode.f", 20.0),
+            quality: truth.or("body_mode.q", 5.0),
+            of_rubber: other,
+        }),
     }
 }

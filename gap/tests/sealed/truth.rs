@@ -23,7 +23,7 @@ pub(crate) const NOMINAL: [(&str, f64, f64); 6] = [
 /// for a straight line.
 pub(crate) const OTHER_FORM: &str = "form.other";
 /// Effects with another form.
-pub(crate) const FORMS: [&str; 13] = [
+pub(crate) const FORMS: [&str; 14] = [
     "dut_resonance",
     "dut_frequency_slope",
     "dut_level_nonlinearity",
@@ -37,6 +37,7 @@ pub(crate) const FORMS: [&str; 13] = [
     "reference_warm_up",
     "amplifier_soft_clipping",
     "suspension_cubic",
+    "body_mode",
 ];
 
 /// Values as they really are; effects are absent where nobody added them.

@@ -1,7 +1,7 @@
 //! Actions of moving coil and suspension.
 
 use super::effect::Effect;
-use crate::model::{CoilModel, Conditions, FREE_FALL_MS2, SecondOrder, Section};
+use crate::model::{BodyModel, CoilModel, Conditions, FREE_FALL_MS2, SecondOrder, Section};
 use calib_effects::exciter;
 use std::f64::consts::TAU;
 
@@ -89,5 +89,14 @@ pub(super) static EFFECTS: &[Effect] = &[
             quality_factor: 1.0 / damping,
             numerator: [1.0, damping, 1.0 - values[0]],
         }));
+    }),
+    // The resonance is that of the body alone on its feet.
+    Effect::new(&exciter::BODY_MODE, |values, _conditions, model| {
+        let (mass_kg, omega) = (values[0], TAU * values[1]);
+        model.coil.body = Some(BodyModel {
+            mass_kg,
+            stiffness_n_per_m: mass_kg * omega * omega,
+            damping_ns_per_m: mass_kg * omega / values[2],
+        });
     }),
 ];

@@ -10,11 +10,22 @@ pub const COPPER_PER_K: f64 = 0.0039;
 /// Angular frequency at which the inductance is stated, rad/s.
 const INDUCTANCE_OMEGA: f64 = TAU * 1000.0;
 
+/// Body of the exciter on its feet: it is pushed as the armature is, the other way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyModel {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Stiffness of the feet, N/m.
+    pub stiffness_n_per_m: f64,
+    /// Damping of the feet, N s/m.
+    pub damping_ns_per_m: f64,
+}
+
 /// Moving coil, suspension and what they carry.
 ///
 /// # Equation
 /// `u = Z i + e Bl(x) v`, `M v' = Bl(x) i - c v - k x - k2 x^2 - k3 x^3 - Fc sign(v) + Fg`,
-/// `x' = v`, with `Bl(x) = Bl (1 - b2 x^2)`, and an impedance that is `R + j w L` for the exponent
+/// `x' = v`, both from the body, which moves if it has feet, with `Bl(x) = Bl (1 - b2 x^2)`, and an impedance that is `R + j w L` for the exponent
 /// 1, else `R + j^n w0 L (w/w0)^n` with `w0 = 2 pi 1 kHz`. Of L, a share may have a resistance across it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoilModel {
@@ -52,6 +63,8 @@ pub struct CoilModel {
     pub friction_n: f64,
     /// Fg, constant force such as weight along the axis, N.
     pub static_force_n: f64,
+    /// The body, if it moves.
+    pub body: Option<BodyModel>,
 }
 
 impl CoilModel {
@@ -75,6 +88,7 @@ impl CoilModel {
         droop_per_m2: 0.0,
         friction_n: 0.0,
         static_force_n: 0.0,
+        body: None,
     };
 
     /// Resistance after `time_s` under load, ohm.
@@ -122,12 +136,23 @@ impl CoilModel {
         (across_ohm > 0.0).then_some((across_ohm, self.shorted_rate_rad_s))
     }
 
-    /// Current and travel per volt at `omega`, of the linear terms alone.
+    /// Travel from the body over travel in space at `omega`: what the body gives way is added.
+    pub fn from_body(&self, omega: f64) -> Complex<f64> {
+        let s = Complex::new(0.0, omega);
+        self.body.map_or(Complex::new(1.0, 0.0), |body| {
+            let feet = s * body.damping_ns_per_m + body.stiffness_n_per_m;
+            s * s * self.mass_kg / (s * s * body.mass_kg + feet) + 1.0
+        })
+    }
+
+    /// Current and travel in space per volt at `omega`, of the linear terms alone.
     pub fn linear_response(&self, omega: f64, time_s: f64) -> [Complex<f64>; 2] {
         let s = Complex::new(0.0, omega);
-        let mechanics = s * s * self.mass_kg + s * self.damping_ns_per_m + self.stiffness_n_per_m;
+        let from_body = self.from_body(omega);
+        let spring = s * self.damping_ns_per_m + self.stiffness_n_per_m;
+        let mechanics = s * s * self.mass_kg + spring * from_body;
         let impedance = self.blocked_impedance(omega, time_s);
-        let emf = self.force_factor_n_per_a * self.emf_ratio;
+        let emf = self.force_factor_n_per_a * self.emf_ratio * from_body;
         let denominator = mechanics * impedance + s * self.force_factor_n_per_a * emf;
         [
             mechanics / denominator,
@@ -170,7 +195,7 @@ const LADDER_LOWEST: f64 = 0.1;
 /// Grid points to a decade.
 const LADDER_PER_DECADE: f64 = 3.0;
 /// Resistor-inductor pairs of a lossy coil.
-pub const LADDER_PAIRS: u32 = 27;
+const LADDER_PAIRS: u32 = 27;
 
 impl InductanceLadder {
     fn new(inductance_h: f64, exponent: f64) -> Self {

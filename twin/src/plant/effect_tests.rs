@@ -156,8 +156,10 @@ fn change(with: [Complex<f64>; 7], without: [Complex<f64>; 7]) -> [Complex<f64>;
     })
 }
 
+/// The effects of a text, all at once, in time and in steady state.
 fn compare(text: &str, tone: Tone, drive_v: f64, share: f64) {
-    let effects = [text.parse::<ActiveEffect>().expect("known")];
+    let effects = text.split(' ').map(|effect| effect.parse().expect("known"));
+    let effects: Vec<ActiveEffect> = effects.collect();
     let (with, reference_v) = live(&effects, tone, drive_v);
     let (without, plain_v) = live(&[], tone, drive_v);
     let got = change(with, without);
@@ -222,6 +224,8 @@ fn linear_effects_act_alike_in_time_and_in_steady_state() {
         "lossy_inductance",
         "shorted_inductance",
         "armature_mode",
+        "body_mode",
+        "body_mode gravity_tilt",
     ] {
         for tone in [LOW, MIDDLE, HIGH] {
             compare(text, tone, 1.0, 0.02);
@@ -260,6 +264,18 @@ fn nonlinear_effects_act_alike_in_time_and_in_steady_state() {
             LOW,
             4.0,
             5e-3,
+        ),
+        (
+            "suspension_cubic=k3_n_per_m3:3e8 body_mode=body_mass_kg:0.5",
+            LOW,
+            4.0,
+            2e-3,
+        ),
+        (
+            "coulomb_friction=friction_n:0.05 body_mode=body_mass_kg:0.5",
+            LOW,
+            2.0,
+            2e-2,
         ),
         (
             "loose_mount=threshold_ms2:30,impact_noise:0",

@@ -13,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::model::{CoilModel, InductanceLadder, SecondOrder};
+use crate::model::{BodyModel, CoilModel, InductanceLadder, SecondOrder};
 
 /// Factor a coefficient of a [`Signal`] multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,6 +65,8 @@ pub struct MovingCoil {
     pub resistance_ohm: f64,
     /// Coil inductance with its losses.
     pub ladder: InductanceLadder,
+    /// The body, if it moves.
+    pub body: Option<BodyModel>,
     /// Masses on springs, each on the one before, the first on the armature.
     pub carried: Vec<Carried>,
 }
@@ -91,6 +93,7 @@ impl MovingCoil {
             emf_ratio: coil.emf_ratio,
             resistance_ohm: coil.warm_resistance_ohm(time_s),
             ladder: coil.ladder(),
+            body: coil.body,
             carried: Vec::new(),
         }
     }
@@ -101,16 +104,27 @@ impl MovingCoil {
 pub struct CoilSignals {
     /// Coil current, A.
     pub current: Signal,
-    /// Travel from rest, m.
+    /// Travel from rest, from the body, m.
     pub travel: Signal,
-    /// Velocity, m/s.
+    /// Velocity, from the body, m/s.
     pub velocity: Signal,
+    /// Travel in space, m.
+    pub position: Signal,
     /// Rate of the current, A/s.
     pub current_rate: Signal,
     /// Acceleration, m/s2.
     pub acceleration: Signal,
     /// Acceleration of each mass it carries, m/s2.
     pub carried: Vec<Signal>,
+}
+
+/// A body on its way into the network; without one, at rest.
+#[derive(Default)]
+struct Standing {
+    /// Its states: velocity and travel, in the unit of the armature's.
+    indices: Option<[usize; 2]>,
+    velocity: Signal,
+    travel: Signal,
 }
 
 /// A carried mass on its way into the network.
@@ -121,6 +135,9 @@ struct Hung {
     /// Force on it from below, N.
     force: Signal,
 }
+
+/// Travel is scaled by 1 krad/s, near w0, to be of the order of the velocity.
+const TRAVEL_SCALE_PER_S: f64 = 1000.0;
 
 /// A linear network under construction.
 #[derive(Clone, Debug, Default)]
@@ -210,10 +227,12 @@ impl Network {
     ///
     /// # Equation
     /// `L i' = u - R i - e Bl v - sum R_k (i - j_k)`, `j_k' = x_k (i - j_k)`,
-    /// `M v' = Bl i - c v - k x + F`, `x' = v`.
+    /// `M a = Bl i - c v - k x + F`, `x' = v`, `v' = a - a_b`, and of a body that moves
+    /// `Mb a_b = -(Bl i - c v - k x + F) - c_b v_b - k_b x_b`.
     ///
     /// # Shape
-    /// The first three states are current, velocity and travel (in mm); the `j_k` follow.
+    /// The first three states are current, velocity and travel (in mm), then velocity and travel of a body
+    /// that moves; the `j_k` follow.
     pub fn moving_coil(
         &mut self,
         voltage: &Signal,
@@ -222,16 +241,19 @@ impl Network {
     ) -> CoilSignals {
         let (current_index, current) = self.state();
         let (velocity_index, velocity) = self.state();
-        // The travel is scaled by 1 krad/s, near w0, to be of the order of the velocity.
-        const TRAVEL_SCALE_PER_S: f64 = 1000.0;
         let (travel_index, scaled_travel) = self.state();
         let travel = scaled_travel.scaled(1.0 / TRAVEL_SCALE_PER_S);
-        let hung = self.hang(&velocity, &coil.carried);
+        let standing = self.stand(coil.body);
+        let hung = self.hang(
+            &velocity.clone().plus(1.0, &standing.velocity),
+            &coil.carried,
+        );
         let mut on_armature = current
             .scaled(coil.force_factor_n_per_a)
             .plus(-coil.damping_ns_per_m, &velocity)
             .plus(-coil.stiffness_n_per_m, &travel)
             .plus(1.0, force_n);
+        let recoil = self.drive_body(&standing, coil.body, &on_armature);
         if let Some(first) = hung.first() {
             on_armature = on_armature.plus(-1.0, &first.force);
         }
@@ -248,16 +270,50 @@ impl Network {
         }
         let current_rate = across_inductance.scaled(1.0 / coil.ladder.inductance_h);
         self.rows[current_index] = current_rate.clone();
-        self.rows[velocity_index] = acceleration.clone();
+        self.rows[velocity_index] = acceleration.clone().plus(-1.0, &recoil);
         self.rows[travel_index] = velocity.scaled(TRAVEL_SCALE_PER_S);
         CoilSignals {
             current,
+            position: travel.clone().plus(1.0, &standing.travel),
             travel,
             velocity,
             current_rate,
             acceleration,
             carried,
         }
+    }
+
+    /// States of a body.
+    fn stand(&mut self, body: Option<BodyModel>) -> Standing {
+        body.map_or_else(Standing::default, |_| {
+            let (velocity_index, velocity) = self.state();
+            let (travel_index, travel) = self.state();
+            Standing {
+                indices: Some([velocity_index, travel_index]),
+                velocity,
+                travel: travel.scaled(1.0 / TRAVEL_SCALE_PER_S),
+            }
+        })
+    }
+
+    /// Gives a body its rows; returns its acceleration.
+    fn drive_body(
+        &mut self,
+        standing: &Standing,
+        body: Option<BodyModel>,
+        on_armature: &Signal,
+    ) -> Signal {
+        let (Some(body), Some([velocity, travel])) = (body, standing.indices) else {
+            return Signal::default();
+        };
+        let on_body = on_armature
+            .scaled(-1.0)
+            .plus(-body.damping_ns_per_m, &standing.velocity)
+            .plus(-body.stiffness_n_per_m, &standing.travel);
+        let acceleration = on_body.scaled(1.0 / body.mass_kg);
+        self.rows[velocity] = acceleration.clone();
+        self.rows[travel] = standing.velocity.scaled(TRAVEL_SCALE_PER_S);
+        acceleration
     }
 
     /// States of masses, each on a spring on the one before, the first on what moves with `velocity`.

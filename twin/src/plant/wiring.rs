@@ -16,9 +16,9 @@ pub(super) struct Wiring {
     pub(super) demand: Signal,
     /// Coil current, A.
     pub(super) current: Signal,
-    /// Velocity of the armature, m/s.
+    /// Velocity of the armature from the body, m/s.
     pub(super) velocity: Signal,
-    /// Travel of the armature, m.
+    /// Travel of the armature from the body, m.
     pub(super) travel: Signal,
     /// Acceleration of the table, m/s2.
     pub(super) acceleration: Signal,
@@ -70,24 +70,24 @@ impl Wiring {
         let coil = moving_coil(model, time_s);
         let coil = network.moving_coil(&voltage, &force, &coil);
         let table = table_of(check, &coil);
-        let table = chain(&mut network, &model.table, &table, &coil.travel);
+        let table = chain(&mut network, &model.table, &table, &coil.position);
         let shaken = table.clone().plus(1.0, &base);
         let channels = [&model.reference, &model.dut];
         let advances = channels.map(advance_s);
         let mut faces = Vec::with_capacity(2);
         let mut inputs = Vec::with_capacity(2);
         for (index, channel) in channels.into_iter().enumerate() {
-            let mut face = chain(&mut network, &channel.motion, &shaken, &coil.travel);
+            let mut face = chain(&mut network, &channel.motion, &shaken, &coil.position);
             if let (0, Some(check)) = (index, check) {
                 face = network.second_order(&face, rocking(check));
             }
             let moved = face.clone().plus(1.0, &term[FACE_TERMS[index]]);
             faces.push(face);
             let felt = moved.scaled(channel.sensitivity_v_per_ms2 * channel.gain);
-            let volt = chain(&mut network, &channel.response, &felt, &coil.travel);
+            let volt = chain(&mut network, &channel.response, &felt, &coil.position);
             // What the other channel is early, this one is late.
             let late = Section::Delay(advances[1 - index]);
-            let volt = realise(&mut network, &late, &volt, &coil.travel);
+            let volt = realise(&mut network, &late, &volt, &coil.position);
             let volt = match converter.common_source {
                 Some(source) => demand.clone().scaled(source.gains()[index]),
                 None => volt,

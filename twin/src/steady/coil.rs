@@ -13,7 +13,7 @@ use nalgebra::{Complex, SMatrix, SVector};
 
 use super::spectrum::{Grid, HARMONICS, SILENCE, Spectrum};
 use super::stepping::{CURRENT, Drive, Period, STEPS, Stepping, TRAVEL, TRAVEL_SCALE, VELOCITY};
-use crate::model::{CoilModel, LADDER_PAIRS};
+use crate::model::CoilModel;
 
 /// Periods that are tried before the motion is called unsteady.
 const LONGEST_SEARCH: usize = 80;
@@ -21,17 +21,19 @@ const LONGEST_SEARCH: usize = 80;
 /// Deviation left at the end of a period, relative to the motion.
 const TOLERANCE: f64 = 1e-8;
 
-/// States of a coil with an ideal inductance, and of the ladder of a lossy one.
+/// Current, velocity and travel; velocity and travel of a body that moves.
 const PLAIN: usize = 3;
-const LADDER: usize = LADDER_PAIRS as usize;
+const OF_BODY: usize = 2;
 
 /// Harmonics of current and travel.
 #[derive(Clone, Debug)]
 pub(super) struct Motion {
     /// Coil current, A peak.
     pub(super) current: Spectrum,
-    /// Travel, m peak.
+    /// Travel from the body, m peak.
     pub(super) travel: Spectrum,
+    /// Travel in space, m peak.
+    pub(super) position: Spectrum,
 }
 
 /// How the motion is found.
@@ -79,13 +81,15 @@ impl<'a> SteadyCoil<'a> {
         let mut motion = Motion {
             current: SILENCE,
             travel: SILENCE,
+            position: SILENCE,
         };
         for (order, &volt) in voltage.iter().enumerate().skip(1) {
             if volt != Complex::new(0.0, 0.0) {
                 let omega = self.omega * order as f64;
-                let [current, travel] = self.coil.linear_response(omega, self.time_s);
+                let [current, position] = self.coil.linear_response(omega, self.time_s);
                 motion.current[order] = current * volt;
-                motion.travel[order] = travel * volt;
+                motion.position[order] = position * volt;
+                motion.travel[order] = position * volt * self.coil.from_body(omega);
             }
         }
         motion.travel[0].re = self.coil.static_force_n / self.coil.stiffness_n_per_m;
@@ -105,16 +109,16 @@ trait Periodic {
     ) -> Option<Motion>;
 }
 
-/// The search for a coil with as many states as its impedance has.
+/// The search for a coil with at least as many states as it has.
 fn search(coil: &CoilModel, time_s: f64, step_s: f64) -> Option<Box<dyn Periodic>> {
     fn of<const N: usize>(coil: &CoilModel, time_s: f64, step_s: f64) -> Option<Box<dyn Periodic>> {
         Some(Box::new(Search::<N>::new(coil, time_s, step_s)?))
     }
-    match (coil.inductance_exponent == 1.0, coil.shorted_share == 0.0) {
-        (true, true) => of::<PLAIN>(coil, time_s, step_s),
-        (true, false) => of::<{ PLAIN + 1 }>(coil, time_s, step_s),
-        (false, true) => of::<{ PLAIN + LADDER }>(coil, time_s, step_s),
-        (false, false) => of::<{ PLAIN + LADDER + 1 }>(coil, time_s, step_s),
+    let of_body = coil.body.map_or(0, |_| OF_BODY);
+    match PLAIN + of_body + coil.ladder().pairs.len() {
+        PLAIN => of::<PLAIN>(coil, time_s, step_s),
+        4..=6 => of::<6>(coil, time_s, step_s),
+        _ => of::<33>(coil, time_s, step_s),
     }
 }
 
@@ -200,9 +204,12 @@ fn add<const N: usize>(linear: &Motion, period: &Period<N>, grid: &Grid) -> Moti
     let mut motion = linear.clone();
     let current = grid.spectrum(&period.current, HARMONICS);
     let travel = grid.spectrum(&period.travel, HARMONICS);
+    let body = period.body.as_ref();
+    let body = body.map_or(SILENCE, |samples| grid.spectrum(samples, HARMONICS));
     for order in 0..=HARMONICS {
         motion.current[order] += current[order];
         motion.travel[order] += travel[order];
+        motion.position[order] += travel[order] + body[order];
     }
     motion
 }

@@ -168,7 +168,7 @@ impl<'a> Point<'a> {
         for (order, value) in table.iter_mut().enumerate().skip(1) {
             let omega = std::f64::consts::TAU * self.frequency_hz * order as f64;
             let response = self.response(&self.model.table, order);
-            *value = motion.travel[order] * response * (-omega * omega);
+            *value = motion.position[order] * response * (-omega * omega);
         }
         Ok(SteadyState {
             demand_v,

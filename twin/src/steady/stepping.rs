@@ -15,11 +15,12 @@ pub(super) const STEPS: usize = 512;
 /// prediction that is good to second order.
 const CORRECTIONS: usize = 2;
 
-/// Position of current, velocity and travel among the states; the travel is in mm, and what else
-/// there is belongs to a lossy inductance.
+/// Position of current, velocity and travel among the states; the travel is in mm, and so is that of a
+/// body. What else there is belongs to an inductance with losses, or is nothing.
 pub(super) const CURRENT: usize = 0;
 pub(super) const VELOCITY: usize = 1;
 pub(super) const TRAVEL: usize = 2;
+const BODY_TRAVEL: usize = 4;
 /// States per metre of travel.
 pub(super) const TRAVEL_SCALE: f64 = 1000.0;
 
@@ -54,6 +55,8 @@ pub(super) struct Period<const N: usize> {
     pub(super) end: SVector<f64, N>,
     pub(super) current: Vec<f64>,
     pub(super) travel: Vec<f64>,
+    /// Travel of the body, if it moves.
+    pub(super) body: Option<Vec<f64>>,
 }
 
 /// Matrices of one step of `N` states.
@@ -70,20 +73,28 @@ pub(super) struct Stepping<const N: usize> {
 }
 
 impl<const N: usize> Stepping<N> {
-    /// `None` if the coil does not have `N` states or a period changes nothing.
+    /// `None` if the coil has more than `N` states or a period changes nothing.
     pub(super) fn new(coil: &CoilModel, time_s: f64, step_s: f64) -> Option<Self> {
         let mut network = Network::default();
         let voltage = network.input();
         let force = network.input();
         network.moving_coil(&voltage, &force, &MovingCoil::of(coil, time_s));
-        if network.states() != N {
+        let states = network.states();
+        if states > N {
             return None;
         }
         let width = N + 2 * INPUTS;
         let mut augmented = DMatrix::zeros(width, width);
-        augmented
-            .view_mut((0, 0), (N, N + INPUTS))
-            .copy_from(&(network.matrix() * step_s));
+        let matrix = network.matrix() * step_s;
+        for (at, from, count) in [(0, 0, states), (N, states, INPUTS)] {
+            augmented
+                .view_mut((0, at), (states, count))
+                .copy_from(&matrix.columns(from, count));
+        }
+        // A state that there is not stays at rest, and comes to rest.
+        for unused in states..N {
+            augmented[(unused, unused)] = -1.0;
+        }
         for input in 0..INPUTS {
             // The second pair of inputs is the change of the first over the step.
             augmented[(N + input, N + INPUTS + input)] = 1.0;
@@ -117,9 +128,13 @@ impl<const N: usize> Stepping<N> {
         let mut before = now;
         let mut current = Vec::with_capacity(STEPS);
         let mut travel = Vec::with_capacity(STEPS);
+        let mut body = coil.body.map(|_| Vec::with_capacity(STEPS));
         for index in 0..STEPS {
             current.push(state[CURRENT]);
             travel.push(state[TRAVEL] / TRAVEL_SCALE);
+            if let Some(body) = &mut body {
+                body.push(state[BODY_TRAVEL] / TRAVEL_SCALE);
+            }
             let after = (index + 1) % STEPS;
             let begun = self.propagate * state
                 + self.at_start[VOLTAGE] * now[VOLTAGE]
@@ -143,6 +158,7 @@ impl<const N: usize> Stepping<N> {
             end: state,
             current,
             travel,
+            body,
         }
     }
 

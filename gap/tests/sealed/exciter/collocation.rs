@@ -17,7 +17,8 @@ const STEPS_PER_JACOBIAN: usize = 6;
 
 impl Exciter {
     pub(super) fn collocated(&self, w_per_s: f64, peak_ms2: f64) -> Solved {
-        let fundamental_m = -peak_ms2 / (w_per_s * w_per_s);
+        // Between table and body.
+        let fundamental_m = -peak_ms2 / (w_per_s * w_per_s) / self.of_table(w_per_s).norm();
         let mut unknowns = vec![0.0; UNKNOWNS];
         let mut converged = self.newton(w_per_s, fundamental_m, &mut unknowns);
         if !converged {
@@ -29,13 +30,21 @@ impl Exciter {
         }
         let travel_m = travel(fundamental_m, &unknowns);
         let (coil_v, coil_a) = self.coil(w_per_s, &travel_m);
-        let velocity_ms = derivative(&travel_m, w_per_s);
         Solved {
             coil_v,
             coil_a,
-            motion_ms2: derivative(&velocity_ms, w_per_s),
+            motion_ms2: self.acceleration(w_per_s, &travel_m),
             converged,
         }
+    }
+
+    /// Acceleration of the table.
+    fn acceleration(&self, w_per_s: f64, travel_m: &[C]) -> Series {
+        let of_body = derivative(&derivative(travel_m, w_per_s), w_per_s);
+        let orders = of_body.into_iter().enumerate();
+        orders
+            .map(|(n, c)| c * self.of_table(n.max(1) as f64 * w_per_s))
+            .collect()
     }
 
     /// Exciter with a part of its nonlinearity.
@@ -86,7 +95,7 @@ impl Exciter {
     fn coil(&self, w_per_s: f64, travel_m: &[C]) -> (Series, Series) {
         let velocity = derivative(travel_m, w_per_s);
         let (x_m, v_ms) = (values(travel_m), values(&velocity));
-        let a_ms2 = values(&derivative(&velocity, w_per_s));
+        let a_ms2 = values(&self.acceleration(w_per_s, travel_m));
         let mut force_n: Vec<f64> = (0..INSTANTS)
             .map(|k| self.force_n(x_m[k], v_ms[k], a_ms2[k]))
             .collect();

@@ -141,6 +141,7 @@ mod tests {
                 bends_to_v: None,
                 even_per_v: 0.0,
             },
+            body: None,
         };
         let motion = exciter.solve(160.0, 1.413_782_638).motion_ms2;
         let found = motion[3] / motion[1].norm();

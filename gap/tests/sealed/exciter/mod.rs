@@ -14,6 +14,32 @@ pub(crate) use amplifier::Amplifier;
 /// Frequency at which a lossy inductance has its nominal size.
 const NOMINAL_HZ: f64 = 1000.0;
 
+/// What the coil pushes back against, on its feet.
+#[derive(Clone, Copy)]
+pub(crate) struct Body {
+    pub(crate) mass_kg: f64,
+    pub(crate) feet_hz: f64,
+    pub(crate) quality: f64,
+    /// Whether the feet are of rubber, which loses the same share of its force at all frequencies.
+    pub(crate) of_rubber: bool,
+}
+
+impl Body {
+    /// Force over displacement.
+    fn stiffness_n_per_m(&self, w_per_s: f64) -> C {
+        let feet_per_s = TAU * self.feet_hz;
+        let loss = match self.of_rubber {
+            true => feet_per_s * feet_per_s,
+            false => feet_per_s * w_per_s,
+        };
+        self.mass_kg
+            * C::new(
+                feet_per_s * feet_per_s - w_per_s * w_per_s,
+                loss / self.quality,
+            )
+    }
+}
+
 /// Motion of the table.
 #[derive(Clone, Copy)]
 pub(crate) struct Exciter {
@@ -44,6 +70,7 @@ pub(crate) struct Exciter {
     /// Along the axis; moves an asymmetric suspension off its middle.
     pub(crate) gravity_ms2: f64,
     pub(crate) amplifier: Amplifier,
+    pub(crate) body: Option<Body>,
 }
 
 /// A steady motion: complex peak amplitudes by order.
@@ -80,12 +107,21 @@ impl Exciter {
         self.resistance_ohm + (1.0 - self.shorted_share) * whole + left
     }
 
+    /// Of the displacement between table and body, the part that is the table's.
+    fn of_table(&self, w_per_s: f64) -> C {
+        self.body.map_or(C::ONE, |body| {
+            let body = body.stiffness_n_per_m(w_per_s);
+            body / (body - self.mass_kg * w_per_s * w_per_s)
+        })
+    }
+
     /// Displacement over force where nothing drives the coil.
     fn mobility_m_per_n(&self, w_per_s: f64) -> C {
         let s = C::new(0.0, w_per_s);
         let coil = self.force_factor_n_per_a.powi(2) * self.back_emf / self.impedance_ohm(w_per_s);
         let damping = self.damping_ns_per_m + coil;
-        (self.mass_kg * s * s + damping * s + self.stiffness_n_per_m).inv()
+        let inertia = self.mass_kg * s * s * self.of_table(w_per_s);
+        (inertia + damping * s + self.stiffness_n_per_m).inv()
     }
 
     fn is_linear(&self) -> bool {
@@ -109,9 +145,9 @@ impl Exciter {
 
     fn sine(&self, w_per_s: f64, peak_ms2: f64) -> Solved {
         let s = C::new(0.0, w_per_s);
-        let travel_m = peak_ms2 / (s * s);
-        let stiffness = self.mass_kg * s * s + self.damping_ns_per_m * s + self.stiffness_n_per_m;
-        let coil_a = travel_m * stiffness / self.force_factor_n_per_a;
+        let travel_m = peak_ms2 / (s * s) / self.of_table(w_per_s);
+        let spring_n = travel_m * (self.damping_ns_per_m * s + self.stiffness_n_per_m);
+        let coil_a = (self.mass_kg * peak_ms2 + spring_n) / self.force_factor_n_per_a;
         let emf_v = travel_m * s * self.force_factor_n_per_a * self.back_emf;
         let alone = |value: C| {
             let mut series = vec![C::ZERO; HARMONICS + 1];
