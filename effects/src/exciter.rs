@@ -5,6 +5,7 @@ use super::{Entry, Parameter, Stage};
 pub(crate) static ENTRIES: &[&Entry] = &[
     &SUSPENSION_CUBIC,
     &SUSPENSION_ASYMMETRY,
+    &SUSPENSION_CREEP,
     &FORCE_FACTOR_DROOP,
     &COULOMB_FRICTION,
     &MECHANICAL_DAMPING,
@@ -76,6 +77,29 @@ pub static SUSPENSION_ASYMMETRY: Entry = Entry {
     ],
     confused_with: &["amplifier_even_order"],
     separate_by: "another tilt and payload near the suspension resonance, with harmonics",
+    ..Entry::CALIBRATOR
+};
+
+/// Rubber, adhesive and impregnated cloth give way for longer than a period: the compliance grows by a
+/// share per decade of time, and a share of the energy is lost at all frequencies. Suspensions of
+/// loudspeakers have 0.05 to 0.3 (Knudsen and Jensen, J. Audio Eng. Soc. 41, 1993), flexures of metal a
+/// hundredth of that. It grows no more below 1 mHz.
+pub static SUSPENSION_CREEP: Entry = Entry {
+    id: "suspension_creep",
+    stage: Stage::Exciter,
+    formula: "stiffness k/(1 - l lg(j f/50 Hz)): d below f0 falls by l per decade, with a loss angle of 0.68 l",
+    parameters: &[Parameter::linear("creep_per_decade", "1", [0.0, 0.3], 0.05).on_site(0.0, 0.25)],
+    plain: "the spring that carries the table gives way slowly, as rubber does",
+    columns: &[
+        "frequency_hz",
+        "ref_v",
+        "ref_deg",
+        "coil_v",
+        "coil_a",
+        "coil_a_deg",
+    ],
+    confused_with: &["nominal_stiffness", "mechanical_damping", "body_mode"],
+    separate_by: "points from the lowest frequencies up to the suspension resonance, with coil current and phases",
     ..Entry::CALIBRATOR
 };
 

@@ -17,6 +17,7 @@ pub(super) static EXPLANATIONS: Explanations = &[
     &NominalValue::Resistance,
     &NominalValue::Inductance,
     &BodyMode,
+    &Creep,
 ];
 
 /// A linear term that the nominal rig states wrongly.
@@ -100,6 +101,26 @@ impl Effect for NominalValue {
             Self::Inductance => &mut chain.inductance,
         };
         *value *= 1.0 + p[0];
+    }
+}
+
+/// A suspension that gives way slowly.
+struct Creep;
+
+impl Effect for Creep {
+    fn entry(&self) -> &'static Entry {
+        &exciter::SUSPENSION_CREEP
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.exciter_known && (facts.drive || facts.current)
+    }
+    fn starts(&self, _facts: &Facts) -> Vec<Start> {
+        [0.01, 0.1]
+            .map(|share| Start::positive(vec![share], 0))
+            .into()
+    }
+    fn chain(&self, p: &[f64], _row: &Row, chain: &mut Chain) {
+        chain.creep_per_decade += p[0];
     }
 }
 

@@ -117,7 +117,7 @@ struct State {
 impl<'a> Work<'a> {
     fn new(exciter: &'a Exciter, bend: &'a Bend, omega: f64) -> Self {
         let mut impedance = [Complex64::from(exciter.resistance_ohm); ORDERS + 1];
-        let mut stiffness = [Complex64::from(exciter.stiffness_n_per_m); ORDERS + 1];
+        let mut stiffness = [Complex64::from(exciter.static_stiffness_n_per_m()); ORDERS + 1];
         let parity = bend.parity();
         for n in parity.orders().filter(|&n| n > 0) {
             impedance[n] = exciter.impedance(n as f64 * omega);

@@ -15,6 +15,8 @@ pub(crate) struct Chain {
     pub(crate) damping_ns_per_m: f64,
     /// Factor on the stiffness of the suspension.
     pub(crate) stiffness: f64,
+    /// Share by which the compliance of the suspension grows per decade.
+    pub(crate) creep_per_decade: f64,
     /// Factor on force per current and voltage per velocity.
     pub(crate) force_factor: f64,
     /// Factor on the coil inductance.
@@ -52,6 +54,7 @@ impl Default for Chain {
             mass_kg: 0.0,
             damping_ns_per_m: 0.0,
             stiffness: 1.0,
+            creep_per_decade: 0.0,
             force_factor: 1.0,
             inductance: 1.0,
             resistance: 1.0,

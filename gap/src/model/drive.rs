@@ -27,6 +27,7 @@ pub(super) fn drive(
     let exciter = Exciter {
         mass_kg: values.moving_mass_kg + row.payload_kg + chain.mass_kg,
         stiffness_n_per_m: values.stiffness_n_per_m * chain.stiffness,
+        creep_per_decade: chain.creep_per_decade,
         damping_ns_per_m: values.damping_ns_per_m + chain.damping_ns_per_m,
         force_factor_n_per_a: values.force_factor_n_per_a * chain.force_factor,
         resistance_ohm: values.coil_resistance_ohm * chain.resistance,
@@ -82,7 +83,7 @@ fn is_negligible(row: &Row, exciter: &Exciter, chain: &Chain, level_ms2: f64) ->
             return false;
         }
     }
-    let sag = bend.gravity_ms2.abs() * exciter.mass_kg / exciter.stiffness_n_per_m;
+    let sag = bend.gravity_ms2.abs() * exciter.mass_kg / exciter.static_stiffness_n_per_m();
     let travel = level_ms2 * SQRT_2 / (row.omega * row.omega);
     let slope = 2.0 * bend.quadratic_n_per_m2.abs() * (travel + sag)
         + 3.0 * bend.cubic_n_per_m3.abs() * (travel + sag).powi(2);

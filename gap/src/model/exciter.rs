@@ -7,6 +7,11 @@ use num_complex::Complex64;
 /// Frequency at which the coil inductance is stated.
 pub(crate) const INDUCTANCE_FREQUENCY_HZ: f64 = 1000.0;
 
+/// Frequency at which the stiffness of a suspension that creeps is the stated one.
+const CREEP_FREQUENCY_HZ: f64 = 50.0;
+/// Frequency below which it creeps no further.
+const RELAXED_HZ: f64 = 1e-3;
+
 /// Body of the exciter on its feet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Body {
@@ -33,6 +38,8 @@ pub(crate) struct Exciter {
     pub(crate) mass_kg: f64,
     /// Suspension stiffness, in N/m.
     pub(crate) stiffness_n_per_m: f64,
+    /// Share by which the compliance of the suspension grows per decade.
+    pub(crate) creep_per_decade: f64,
     /// Mechanical damping, in N s/m.
     pub(crate) damping_ns_per_m: f64,
     /// Force per current, in N/A.
@@ -106,14 +113,32 @@ impl Exciter {
         whole * (1.0 - share) + ideal * share / Complex64::new(1.0, q)
     }
 
+    /// Force of the suspension over its deflection, k/(1 - l lg(j f/50 Hz)).
+    fn suspension_n_per_m(&self, omega: f64) -> Complex64 {
+        let stated = Complex64::from(self.stiffness_n_per_m);
+        if self.creep_per_decade == 0.0 {
+            return stated;
+        }
+        let decades = (omega / (std::f64::consts::TAU * CREEP_FREQUENCY_HZ)).log10();
+        let quarter = std::f64::consts::FRAC_PI_2 / std::f64::consts::LN_10;
+        stated / (1.0 - self.creep_per_decade * Complex64::new(decades, quarter))
+    }
+
+    /// The same at rest.
+    pub(crate) fn static_stiffness_n_per_m(&self) -> f64 {
+        let decades = (CREEP_FREQUENCY_HZ / RELAXED_HZ).log10();
+        self.stiffness_n_per_m / (1.0 + self.creep_per_decade * decades)
+    }
+
     /// Force over displacement of the moving part from the body, M' s^2 + c s + k.
     ///
     /// # Equation
     /// Between the table and a body that gives way the coil moves the reduced mass, 1/M' = 1/M + 1/Mb.
     pub(crate) fn dynamic_stiffness(&self, omega: f64) -> Complex64 {
+        let suspension = self.suspension_n_per_m(omega);
         let spring = Complex64::new(
-            self.stiffness_n_per_m - self.mass_kg * omega * omega,
-            self.damping_ns_per_m * omega,
+            suspension.re - self.mass_kg * omega * omega,
+            suspension.im + self.damping_ns_per_m * omega,
         );
         match self.body {
             None => spring,
@@ -158,7 +183,7 @@ impl Exciter {
         let share = self.share_of_table(omega);
         let mass = s * s * (self.mass_kg - added.mass_kg) * share * share;
         let of_share = (share - 1.0) * (1.0 - added.mass_kg / self.mass_kg);
-        let stiffness_alone = Complex64::from(self.stiffness_n_per_m);
+        let stiffness_alone = self.suspension_n_per_m(omega);
         let damping = s * (self.damping_ns_per_m - added.damping_ns_per_m);
         let of_drive = |own: Complex64| -own * z / denominator;
         let drive = Slopes {
@@ -196,6 +221,7 @@ impl Exciter {
         Self {
             mass_kg: 0.09,
             stiffness_n_per_m: 8000.0,
+            creep_per_decade: 0.0,
             damping_ns_per_m: 3.0,
             force_factor_n_per_a: 7.0,
             resistance_ohm: 4.0,
@@ -234,6 +260,7 @@ mod tests {
     fn exciter() -> Exciter {
         Exciter {
             mass_kg: 0.08,
+            creep_per_decade: 0.1,
             inductance_exponent: 0.7,
             shorted: [0.4, 120.0],
             body: Some(Body {

@@ -237,7 +237,7 @@ const CASES: [Case; 42] = [
 ];
 
 /// Effects that came later, in a list of their own: the cases of before stay what they were.
-const LATER: [Case; 16] = [
+const LATER: [Case; 17] = [
     (
         "dut_highpass_2",
         &[
@@ -329,6 +329,10 @@ const LATER: [Case; 16] = [
             (One("body_mode.f"), Log(2.0, 200.0)),
             (One("body_mode.q"), Log(2.0, 15.0)),
         ],
+    ),
+    (
+        "suspension_creep",
+        &[(One("suspension_creep.l"), Log(0.01, 0.2))],
     ),
 ];
 

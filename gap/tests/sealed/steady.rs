@@ -2,7 +2,7 @@
 
 use super::characteristic::{ORDERS, bent, converted};
 use super::design::Condition;
-use super::exciter::{Amplifier, Body, Exciter, Solved};
+use super::exciter::{Amplifier, Body, Creep, Exciter, Solved};
 use super::response::responses;
 use super::truth::{REFERENCE_V_PER_MS2, Truth};
 use num_complex::Complex64 as C;
@@ -108,6 +108,10 @@ fn exciter(truth: &Truth, row: &Condition) -> Exciter {
     Exciter {
         mass_kg: mass + row.payload_kg + truth.or("payload_mass.m", 0.0),
         stiffness_n_per_m: stiffness * off("nominal_stiffness.x"),
+        creep: truth.get("suspension_creep.l").map(|share| match other {
+            true => Creep::Once(share),
+            false => Creep::Spread(share),
+        }),
         damping_ns_per_m: damping + truth.or("mechanical_damping.c", 0.0),
         force_factor_n_per_a: force_factor * off("nominal_force_factor.x"),
         back_emf: 1.0 + truth.or("back_emf.b", 0.0),

@@ -23,7 +23,7 @@ pub(crate) const NOMINAL: [(&str, f64, f64); 6] = [
 /// for a straight line.
 pub(crate) const OTHER_FORM: &str = "form.other";
 /// Effects with another form.
-pub(crate) const FORMS: [&str; 14] = [
+pub(crate) const FORMS: [&str; 15] = [
     "dut_resonance",
     "dut_frequency_slope",
     "dut_level_nonlinearity",
@@ -38,6 +38,7 @@ pub(crate) const FORMS: [&str; 14] = [
     "amplifier_soft_clipping",
     "suspension_cubic",
     "body_mode",
+    "suspension_creep",
 ];
 
 /// Values as they really are; effects are absent where nobody added them.

@@ -25,6 +25,9 @@ pub(super) static EFFECTS: &[Effect] = &[
             hang(&mut model.coil, 1.0, conditions);
         },
     ),
+    Effect::new(&exciter::SUSPENSION_CREEP, |values, _conditions, model| {
+        model.coil.creep_per_decade = values[0];
+    }),
     Effect::new(
         &exciter::FORCE_FACTOR_DROOP,
         |values, _conditions, model| {

@@ -16,7 +16,9 @@ mod reciprocity;
 mod section;
 
 pub use self::channel::{Channel, Characteristic, Pickup, Range, Separation, WarmUp};
-pub use self::exciter::{BodyModel, COPPER_PER_K, CoilModel, InductanceLadder};
+pub use self::exciter::{
+    BodyModel, COPPER_PER_K, CoilModel, Creep, InductanceLadder, RETARDATIONS,
+};
 pub use self::friction::friction;
 pub use self::reciprocity::{CoilInput, Reciprocity};
 pub use self::section::{SecondOrder, Section};

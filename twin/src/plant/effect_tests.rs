@@ -226,6 +226,7 @@ fn linear_effects_act_alike_in_time_and_in_steady_state() {
         "armature_mode",
         "body_mode",
         "body_mode gravity_tilt",
+        "suspension_creep",
     ] {
         for tone in [LOW, MIDDLE, HIGH] {
             compare(text, tone, 1.0, 0.02);
@@ -267,6 +268,12 @@ fn nonlinear_effects_act_alike_in_time_and_in_steady_state() {
         ),
         (
             "suspension_cubic=k3_n_per_m3:3e8 body_mode=body_mass_kg:0.5",
+            LOW,
+            4.0,
+            2e-3,
+        ),
+        (
+            "suspension_cubic=k3_n_per_m3:3e8 suspension_creep",
             LOW,
             4.0,
             2e-3,

@@ -13,7 +13,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use crate::model::{BodyModel, CoilModel, InductanceLadder, SecondOrder};
+use crate::model::{BodyModel, CoilModel, Creep, InductanceLadder, SecondOrder};
 
 /// Factor a coefficient of a [`Signal`] multiplies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +55,8 @@ pub struct MovingCoil {
     pub mass_kg: f64,
     /// Suspension stiffness, N/m.
     pub stiffness_n_per_m: f64,
+    /// How the suspension creeps, if it does.
+    pub creep: Option<Creep>,
     /// Viscous damping, N s/m.
     pub damping_ns_per_m: f64,
     /// Force factor Bl, N/A (= V s/m).
@@ -88,6 +90,7 @@ impl MovingCoil {
         Self {
             mass_kg: coil.mass_kg,
             stiffness_n_per_m: coil.stiffness_n_per_m,
+            creep: coil.creep(),
             damping_ns_per_m: coil.damping_ns_per_m,
             force_factor_n_per_a: coil.force_factor_n_per_a,
             emf_ratio: coil.emf_ratio,
@@ -244,6 +247,7 @@ impl Network {
         let (travel_index, scaled_travel) = self.state();
         let travel = scaled_travel.scaled(1.0 / TRAVEL_SCALE_PER_S);
         let standing = self.stand(coil.body);
+        let stretched = self.stretched(&scaled_travel, coil.creep);
         let hung = self.hang(
             &velocity.clone().plus(1.0, &standing.velocity),
             &coil.carried,
@@ -251,7 +255,7 @@ impl Network {
         let mut on_armature = current
             .scaled(coil.force_factor_n_per_a)
             .plus(-coil.damping_ns_per_m, &velocity)
-            .plus(-coil.stiffness_n_per_m, &travel)
+            .plus(-coil.stiffness_n_per_m / TRAVEL_SCALE_PER_S, &stretched)
             .plus(1.0, force_n);
         let recoil = self.drive_body(&standing, coil.body, &on_armature);
         if let Some(first) = hung.first() {
@@ -281,6 +285,25 @@ impl Network {
             acceleration,
             carried,
         }
+    }
+
+    /// What a spring of the stated stiffness would have to be stretched to pull as much.
+    ///
+    /// # Equation
+    /// `c0 y = x - sum q_k`, `q_k' = x_k (c_k y - q_k)`: what yields later follows the force.
+    fn stretched(&mut self, travel: &Signal, creep: Option<Creep>) -> Signal {
+        let Some(creep) = creep else {
+            return travel.clone();
+        };
+        let late: Vec<(usize, Signal)> = Creep::rates().map(|_| self.state()).collect();
+        let left = late
+            .iter()
+            .fold(travel.clone(), |left, (_, q)| left.plus(-1.0, q));
+        let stretched = left.scaled(1.0 / creep.at_once);
+        for ((index, q), rate) in late.iter().zip(Creep::rates()) {
+            self.rows[*index] = stretched.scaled(creep.share).plus(-1.0, q).scaled(rate);
+        }
+        stretched
     }
 
     /// States of a body.

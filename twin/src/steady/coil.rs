@@ -13,7 +13,7 @@ use nalgebra::{Complex, SMatrix, SVector};
 
 use super::spectrum::{Grid, HARMONICS, SILENCE, Spectrum};
 use super::stepping::{CURRENT, Drive, Period, STEPS, Stepping, TRAVEL, TRAVEL_SCALE, VELOCITY};
-use crate::model::CoilModel;
+use crate::model::{CoilModel, RETARDATIONS};
 
 /// Periods that are tried before the motion is called unsteady.
 const LONGEST_SEARCH: usize = 80;
@@ -92,7 +92,7 @@ impl<'a> SteadyCoil<'a> {
                 motion.travel[order] = position * volt * self.coil.from_body(omega);
             }
         }
-        motion.travel[0].re = self.coil.static_force_n / self.coil.stiffness_n_per_m;
+        motion.travel[0].re = self.coil.static_force_n / self.coil.suspension_n_per_m(0.0).re;
         motion
     }
 }
@@ -115,10 +115,12 @@ fn search(coil: &CoilModel, time_s: f64, step_s: f64) -> Option<Box<dyn Periodic
         Some(Box::new(Search::<N>::new(coil, time_s, step_s)?))
     }
     let of_body = coil.body.map_or(0, |_| OF_BODY);
-    match PLAIN + of_body + coil.ladder().pairs.len() {
+    let of_creep = coil.creep().map_or(0, |_| usize::from(RETARDATIONS));
+    match PLAIN + of_body + of_creep + coil.ladder().pairs.len() {
         PLAIN => of::<PLAIN>(coil, time_s, step_s),
         4..=6 => of::<6>(coil, time_s, step_s),
-        _ => of::<33>(coil, time_s, step_s),
+        7..=33 => of::<33>(coil, time_s, step_s),
+        _ => of::<47>(coil, time_s, step_s),
     }
 }
 

@@ -96,8 +96,9 @@ impl Exciter {
         let velocity = derivative(travel_m, w_per_s);
         let (x_m, v_ms) = (values(travel_m), values(&velocity));
         let a_ms2 = values(&self.acceleration(w_per_s, travel_m));
+        let spring_n = self.spring_n(w_per_s, travel_m, &x_m);
         let mut force_n: Vec<f64> = (0..INSTANTS)
-            .map(|k| self.force_n(x_m[k], v_ms[k], a_ms2[k]))
+            .map(|k| self.force_n(x_m[k], v_ms[k], a_ms2[k], spring_n[k]))
             .collect();
         if self.friction_n > 0.0 {
             let mobility = |n: usize| self.mobility_m_per_n(n as f64 * w_per_s);
@@ -118,16 +119,26 @@ impl Exciter {
         ((0..=HARMONICS).map(voltage).collect(), coil_a)
     }
 
+    /// Force of the straight spring: one that creeps answers each order on its own.
+    fn spring_n(&self, w_per_s: f64, travel_m: &[C], x_m: &[f64]) -> Vec<f64> {
+        if self.creep.is_none() {
+            return x_m.iter().map(|x| self.stiffness_n_per_m * x).collect();
+        }
+        let orders = travel_m.iter().enumerate();
+        let spring = orders.map(|(n, x)| x * self.suspension_n_per_m(n as f64 * w_per_s));
+        values(&spring.collect::<Series>())
+    }
+
     /// Force of the coil on what it moves. Weight shifts the rest position; it matters where the
     /// suspension is asymmetric.
-    fn force_n(&self, x_m: f64, v_ms: f64, a_ms2: f64) -> f64 {
+    fn force_n(&self, x_m: f64, v_ms: f64, a_ms2: f64, spring_n: f64) -> f64 {
         let weight_n = match self.quadratic_n_per_m2 == 0.0 {
             true => self.sag_share * self.mass_kg * self.gravity_ms2,
             false => self.mass_kg * self.gravity_ms2,
         };
         self.mass_kg * a_ms2
             + self.damping_ns_per_m * v_ms
-            + self.stiffness_n_per_m * x_m
+            + spring_n
             + self.quadratic_n_per_m2 * x_m * x_m
             + self.cubic_n_per_m3 * x_m * x_m * x_m
             + weight_n

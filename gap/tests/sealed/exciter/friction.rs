@@ -120,6 +120,7 @@ mod tests {
         let exciter = Exciter {
             mass_kg: 0.09,
             stiffness_n_per_m: 8000.0,
+            creep: None,
             damping_ns_per_m: 3.0,
             force_factor_n_per_a: 7.0,
             back_emf: 1.0,

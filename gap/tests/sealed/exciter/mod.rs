@@ -14,6 +14,30 @@ pub(crate) use amplifier::Amplifier;
 /// Frequency at which a lossy inductance has its nominal size.
 const NOMINAL_HZ: f64 = 1000.0;
 
+/// How the suspension gives way slowly.
+#[derive(Clone, Copy)]
+pub(crate) enum Creep {
+    /// By a share per decade, as retardations between two times do that are spread evenly over its logarithm.
+    Spread(f64),
+    /// By a share once, as one dashpot beside a second spring does.
+    Once(f64),
+}
+
+impl Creep {
+    /// Compliance over that at 50 Hz (of one dashpot: at the highest frequencies).
+    fn compliance(&self, w_per_s: f64) -> C {
+        let s = C::new(0.0, w_per_s / TAU);
+        match *self {
+            Self::Spread(share) => {
+                let (slowest, fastest) = (1e-3, 1e4);
+                let spread = ((s + fastest) / (s + slowest)).log10();
+                1.0 + share * (spread - f64::log10(fastest / 50.0))
+            }
+            Self::Once(share) => 1.0 + 2.0 * share / (1.0 + s / 12.0),
+        }
+    }
+}
+
 /// What the coil pushes back against, on its feet.
 #[derive(Clone, Copy)]
 pub(crate) struct Body {
@@ -45,6 +69,7 @@ impl Body {
 pub(crate) struct Exciter {
     pub(crate) mass_kg: f64,
     pub(crate) stiffness_n_per_m: f64,
+    pub(crate) creep: Option<Creep>,
     pub(crate) damping_ns_per_m: f64,
     pub(crate) force_factor_n_per_a: f64,
     /// Factor on the back-EMF.
@@ -107,6 +132,13 @@ impl Exciter {
         self.resistance_ohm + (1.0 - self.shorted_share) * whole + left
     }
 
+    /// Force of the suspension over its deflection.
+    fn suspension_n_per_m(&self, w_per_s: f64) -> C {
+        let stated = C::from(self.stiffness_n_per_m);
+        self.creep
+            .map_or(stated, |creep| stated / creep.compliance(w_per_s))
+    }
+
     /// Of the displacement between table and body, the part that is the table's.
     fn of_table(&self, w_per_s: f64) -> C {
         self.body.map_or(C::ONE, |body| {
@@ -121,7 +153,7 @@ impl Exciter {
         let coil = self.force_factor_n_per_a.powi(2) * self.back_emf / self.impedance_ohm(w_per_s);
         let damping = self.damping_ns_per_m + coil;
         let inertia = self.mass_kg * s * s * self.of_table(w_per_s);
-        (inertia + damping * s + self.stiffness_n_per_m).inv()
+        (inertia + damping * s + self.suspension_n_per_m(w_per_s)).inv()
     }
 
     fn is_linear(&self) -> bool {
@@ -146,8 +178,9 @@ impl Exciter {
     fn sine(&self, w_per_s: f64, peak_ms2: f64) -> Solved {
         let s = C::new(0.0, w_per_s);
         let travel_m = peak_ms2 / (s * s) / self.of_table(w_per_s);
-        let spring_n = travel_m * (self.damping_ns_per_m * s + self.stiffness_n_per_m);
-        let coil_a = (self.mass_kg * peak_ms2 + spring_n) / self.force_factor_n_per_a;
+        let inertia = self.mass_kg * s * s * self.of_table(w_per_s);
+        let stiffness = inertia + self.damping_ns_per_m * s + self.suspension_n_per_m(w_per_s);
+        let coil_a = travel_m * stiffness / self.force_factor_n_per_a;
         let emf_v = travel_m * s * self.force_factor_n_per_a * self.back_emf;
         let alone = |value: C| {
             let mut series = vec![C::ZERO; HARMONICS + 1];
