@@ -10,6 +10,7 @@ pub(crate) static ENTRIES: &[&Entry] = &[
     &QUADRATIC,
     &DEAD_ZONE,
     &CLIPPING,
+    &SOFT_CLIPPING,
     &RANGE_STEP,
 ];
 
@@ -151,6 +152,23 @@ pub static CLIPPING: Entry = Entry {
     columns: HARMONIC_COLUMNS,
     confused_with: &["adc_cubic", "loose_mount"],
     separate_by: "levels around the threshold, with harmonics",
+    ..Entry::CALIBRATOR
+};
+
+/// The input stage bends before it stops, as a pair of transistors or a saturating transformer does. Up to a
+/// quarter of the threshold it is a cubic bend, and called so.
+pub static SOFT_CLIPPING: Entry = Entry {
+    id: "adc_soft_clipping",
+    stage: Stage::Digitiser,
+    formula: "output c tanh(e/c) of one channel: loss of gain and H3 as A^2, then higher odd harmonics",
+    parameters: &[
+        Parameter::log("threshold_v", "V", [1e-4, 1e3], 3.0).on_site(0.1, 30.0),
+        CHANNEL,
+    ],
+    plain: "an input bends before it is overdriven",
+    columns: HARMONIC_COLUMNS,
+    confused_with: &["adc_cubic", "adc_clipping", "dut_level_nonlinearity"],
+    separate_by: "the largest levels, with the third and the fifth harmonic",
     ..Entry::CALIBRATOR
 };
 

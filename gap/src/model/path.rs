@@ -137,6 +137,8 @@ pub(super) fn mixes(bend: Option<Characteristic>, peak: f64, others: f64) -> boo
         Characteristic::Polynomial { second, third } => {
             2.0 * second.abs() * peak + 3.0 * third.abs() * peak * peak
         }
+        // Its cubic part is v^3 over three squares of the threshold.
+        Characteristic::Soft { threshold } => (peak / threshold).powi(2),
         Characteristic::DeadZone { .. } => 1.0,
         Characteristic::Clip { threshold } | Characteristic::OneSided { threshold, .. } => {
             f64::from(u8::from(peak * (1.0 + others) > threshold))

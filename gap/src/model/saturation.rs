@@ -14,7 +14,7 @@ const TERMS: u32 = 16;
 const LARGEST: f64 = 50.0;
 
 /// Orders up to [`ORDERS`] of `tanh(a cos t)`; the even ones are zero.
-fn saturated(a: f64) -> [f64; ORDERS + 1] {
+pub(super) fn saturated(a: f64) -> [f64; ORDERS + 1] {
     let mut orders = [0.0; ORDERS + 1];
     let mut add = |b: f64, of: &dyn Fn(f64, f64, f64) -> f64| {
         let s = a.hypot(b);
@@ -36,18 +36,21 @@ fn saturated(a: f64) -> [f64; ORDERS + 1] {
 /// Orders of the saturated cosine that has the given fundamental, in thresholds; an output larger than any
 /// is that of the largest input.
 pub(super) fn saturated_from(fundamental: f64) -> [f64; ORDERS + 1] {
+    saturated(unsaturated(fundamental))
+}
+
+/// The cosine that has the given fundamental once it is saturated, at most the largest input.
+pub(super) fn unsaturated(fundamental: f64) -> f64 {
     let mut input = fundamental;
-    let mut orders = saturated(input);
     // The fundamental is concave in the input: Newton's steps come from below.
     for _ in 0..40 {
-        let missing = fundamental - orders[1];
+        let missing = fundamental - saturated(input)[1];
         if missing.abs() < 1e-13 * fundamental || input > LARGEST {
             break;
         }
         input += missing / slope(input);
-        orders = saturated(input.min(LARGEST));
     }
-    orders
+    input.min(LARGEST)
 }
 
 /// Derivative of the fundamental.

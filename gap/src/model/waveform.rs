@@ -3,6 +3,8 @@
 //! Closed forms, because a time grid cannot resolve a dead zone of a
 //! thousandth of the amplitude.
 
+use super::saturation::{saturated, unsaturated};
+
 /// Harmonics that are reported one by one: d.c., fundamental and 2..5.
 pub(crate) const REPORTED: usize = 6;
 
@@ -15,6 +17,8 @@ pub(crate) enum Characteristic {
     DeadZone { threshold: f64 },
     /// Saturation on both sides.
     Clip { threshold: f64 },
+    /// y = threshold tanh(v / threshold).
+    Soft { threshold: f64 },
     /// Cut below -threshold (or above +threshold).
     OneSided { threshold: f64, upper: bool },
 }
@@ -40,6 +44,7 @@ impl Characteristic {
                 both_sides(&mut orders, amplitude, threshold, 1.0);
             }
             Self::Clip { threshold } => both_sides(&mut orders, amplitude, threshold, -1.0),
+            Self::Soft { threshold } => return soft(amplitude, threshold),
             Self::OneSided { threshold, upper } => {
                 one_side(&mut orders, amplitude, threshold, upper)
             }
@@ -56,7 +61,8 @@ impl Characteristic {
     fn mean_square(self, amplitude: f64) -> f64 {
         let own = amplitude * amplitude / 2.0;
         match self {
-            Self::Polynomial { .. } => 0.0,
+            // Without orders above 5, or with their sum known.
+            Self::Polynomial { .. } | Self::Soft { .. } => 0.0,
             Self::DeadZone { threshold } => 2.0 * ramp_squares(amplitude, threshold).0,
             Self::Clip { threshold } => {
                 let (square, mixed) = ramp_squares(amplitude, threshold);
@@ -74,8 +80,10 @@ impl Characteristic {
     /// A saturating characteristic bounds its output: beyond the bound the
     /// largest resolvable input, 50 times the fundamental, is returned.
     pub(crate) fn input_for(self, fundamental: f64) -> f64 {
-        if !matches!(self, Self::Clip { .. }) {
-            return self.divided(fundamental);
+        match self {
+            Self::Clip { .. } => {}
+            Self::Soft { threshold } => return threshold * unsaturated(fundamental / threshold),
+            _ => return self.divided(fundamental),
         }
         if self.fundamental(fundamental) == fundamental {
             return fundamental;
@@ -119,6 +127,7 @@ impl Characteristic {
             }
             Self::DeadZone { threshold } => 2.0 * ramp(1, amplitude, threshold),
             Self::Clip { threshold } => amplitude - 2.0 * ramp(1, amplitude, threshold),
+            Self::Soft { threshold } => threshold * saturated(amplitude / threshold)[1],
             Self::OneSided { threshold, .. } => amplitude - ramp(1, amplitude, threshold),
         }
     }
@@ -162,6 +171,16 @@ fn one_side(orders: &mut [f64; REPORTED], amplitude: f64, threshold: f64, upper:
     for (n, order) in orders.iter_mut().enumerate() {
         let lower = if n % 2 == 0 { 1.0 } else { -1.0 };
         *order += if upper { -1.0 } else { lower } * ramp(n, amplitude, threshold);
+    }
+}
+
+/// Orders of a cosine that saturates softly, with the sum of those above the reported ones.
+fn soft(amplitude: f64, threshold: f64) -> Spectrum {
+    let all = saturated(amplitude / threshold).map(|order| threshold * order);
+    let above = all[REPORTED..].iter().map(|order| 0.5 * order * order);
+    Spectrum {
+        order: std::array::from_fn(|n| all[n]),
+        remainder_mean_square: above.sum(),
     }
 }
 
@@ -225,7 +244,10 @@ mod tests {
     fn closed_forms_agree_with_sampled_waveforms() {
         let amplitude = 1.7;
         type Case = (Characteristic, fn(f64) -> f64);
-        let cases: [Case; 5] = [
+        let cases: [Case; 6] = [
+            (Characteristic::Soft { threshold: 2.0 }, |v| {
+                2.0 * (v / 2.0).tanh()
+            }),
             (Characteristic::DeadZone { threshold: 0.2 }, |v| {
                 v.signum() * (v.abs() - 0.2).max(0.0)
             }),
@@ -280,7 +302,10 @@ mod tests {
     #[test]
     fn the_input_of_a_clipped_output_is_found() {
         let clip = Characteristic::Clip { threshold: 1.0 };
-        let output = clip.spectrum(1.4).order[1];
-        assert!((clip.input_for(output) - 1.4).abs() < 1e-9);
+        let soft = Characteristic::Soft { threshold: 1.0 };
+        for characteristic in [clip, soft] {
+            let output = characteristic.spectrum(1.4).order[1];
+            assert!((characteristic.input_for(output) - 1.4).abs() < 1e-9);
+        }
     }
 }

@@ -39,6 +39,11 @@ pub(crate) fn converted(truth: &Truth, channel: &str, waveform: Vec<C>) -> Vec<C
         bent(&waveform, |v| v + c2 * v * v)
     } else if let Some(dead_v) = parameter("adc_dead_zone") {
         bent(&waveform, |v| v.signum() * (v.abs() - dead_v).max(0.0))
+    } else if let Some(knee_v) = parameter("adc_soft_clipping") {
+        match truth.has_other_form() {
+            true => bent(&waveform, |v| v / (1.0 + (v / knee_v).powi(2)).sqrt()),
+            false => bent(&waveform, |v| knee_v * (v / knee_v).tanh()),
+        }
     } else if let Some(full_v) = parameter("adc_clipping") {
         bent(&waveform, |v| v.clamp(-full_v, full_v))
     } else {

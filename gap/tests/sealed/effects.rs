@@ -237,7 +237,7 @@ const CASES: [Case; 42] = [
 ];
 
 /// Effects that came later, in a list of their own: the cases of before stay what they were.
-const LATER: [Case; 17] = [
+const LATER: [Case; 18] = [
     (
         "dut_highpass_2",
         &[
@@ -333,6 +333,13 @@ const LATER: [Case; 17] = [
     (
         "suspension_creep",
         &[(One("suspension_creep.l"), Log(0.01, 0.2))],
+    ),
+    (
+        "adc_soft_clipping",
+        &[(
+            Channel(["adc_soft_clipping.ref", "adc_soft_clipping.dut"]),
+            Log(0.8, 3.0),
+        )],
     ),
 ];
 

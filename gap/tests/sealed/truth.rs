@@ -23,7 +23,7 @@ pub(crate) const NOMINAL: [(&str, f64, f64); 6] = [
 /// for a straight line.
 pub(crate) const OTHER_FORM: &str = "form.other";
 /// Effects with another form.
-pub(crate) const FORMS: [&str; 15] = [
+pub(crate) const FORMS: [&str; 16] = [
     "dut_resonance",
     "dut_frequency_slope",
     "dut_level_nonlinearity",
@@ -39,6 +39,7 @@ pub(crate) const FORMS: [&str; 15] = [
     "suspension_cubic",
     "body_mode",
     "suspension_creep",
+    "adc_soft_clipping",
 ];
 
 /// Values as they really are; effects are absent where nobody added them.

@@ -38,6 +38,10 @@ pub(super) static EFFECTS: &[Effect] = &[
             step_rel: values[0],
         });
     }),
+    Effect::new(&digitiser::SOFT_CLIPPING, |values, _conditions, model| {
+        let characteristic = &mut channel(model, values[1]).converter;
+        characteristic.knee_v = characteristic.knee_v.min(values[0]);
+    }),
     Effect::new(&digitiser::CLIPPING, |values, _conditions, model| {
         let characteristic = &mut channel(model, values[1]).converter;
         characteristic.threshold_v = characteristic.threshold_v.min(values[0]);

@@ -32,7 +32,7 @@ impl Separation {
 /// A converter's static characteristic.
 ///
 /// # Equation
-/// `y = clip(w + c2 w^2 + c3 w^3)` where `w` is the input less its dead zone.
+/// `y = clip(k tanh((w + c2 w^2 + c3 w^3)/k))` where `w` is the input less its dead zone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Characteristic {
     /// c2, 1/V.
@@ -41,6 +41,8 @@ pub struct Characteristic {
     pub third_per_v2: f64,
     /// Half width of the dead zone, V.
     pub dead_zone_v: f64,
+    /// Voltage towards which it bends as a hyperbolic tangent, V peak; infinite if it does not.
+    pub knee_v: f64,
     /// Saturation, V peak; infinite if there is none.
     pub threshold_v: f64,
 }
@@ -51,6 +53,7 @@ impl Characteristic {
         second_per_v: 0.0,
         third_per_v2: 0.0,
         dead_zone_v: 0.0,
+        knee_v: f64::INFINITY,
         threshold_v: f64::INFINITY,
     };
 
@@ -58,7 +61,12 @@ impl Characteristic {
     pub fn output_v(&self, input_v: f64) -> f64 {
         let w = input_v - input_v.clamp(-self.dead_zone_v, self.dead_zone_v);
         let bent = w + w * w * (self.second_per_v + self.third_per_v2 * w);
-        bent.clamp(-self.threshold_v, self.threshold_v)
+        let soft = if self.knee_v.is_finite() {
+            self.knee_v * (bent / self.knee_v).tanh()
+        } else {
+            bent
+        };
+        soft.clamp(-self.threshold_v, self.threshold_v)
     }
 }
 
@@ -195,6 +203,13 @@ mod tests {
             ..Characteristic::IDEAL
         };
         assert!((bent.output_v(2.0) - 2.48).abs() < 1e-14);
+        // tanh(1) = (e^2 - 1)/(e^2 + 1).
+        let soft = Characteristic {
+            knee_v: 2.0,
+            ..Characteristic::IDEAL
+        };
+        let e2 = std::f64::consts::E.powi(2);
+        assert!((soft.output_v(-2.0) + 2.0 * (e2 - 1.0) / (e2 + 1.0)).abs() < 1e-14);
         let below = Separation {
             threshold_ms2: 5.0,
             upper: false,

@@ -558,6 +558,10 @@ fn converter_effects_have_their_first_order_shape() {
         1.0 - (2.0 * b - (2.0 * b).sin()) / PI,
         1e-4,
     );
+    // To first order -v^3/(3 c^2), a cubic; the next order is 2/5 of (A/c)^2 of that or less: 4e-3.
+    let soft = at(&format!("adc_soft_clipping=threshold_v:{}", 10.0 * peak_v));
+    near(1.0 - ratio(&soft), 0.25e-2, 1e-2);
+    near(relative(&soft.dut, 3).re, -1e-2 / 12.0, 2e-2);
     // In the reference channel the level is held, and the truth of the motion goes up.
     let reference = at("adc_cubic=c3_per_v2:0.01,channel:0");
     // Second order: three times the effect of 0.4 %.
