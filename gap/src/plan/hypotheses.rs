@@ -145,7 +145,10 @@ fn signatures(reach: &Problem, nothing: &Fit, entry: usize) -> Vec<Signature> {
     let sized = |start: &Start| {
         let first = of(start.members[0].clone());
         match start.amplitude {
-            Some(_) if first.size > 0.0 => of(start.scaled(thresholds::USUAL_SIGMA / first.size)),
+            Some(_) if first.size > 0.0 => {
+                let larger = thresholds::USUAL_SIGMA / first.size;
+                of(library()[entry].combine(start, &[larger]))
+            }
             _ => first,
         }
     };
