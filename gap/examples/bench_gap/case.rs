@@ -21,7 +21,7 @@ pub(super) struct Outcome {
     pub(super) sigma: f64,
     /// Remainder of the best substitute, in the same unit (strata `withheld` and of several effects).
     pub(super) left_sigma: f64,
-    /// Size of each true effect beside the others, in the same unit (strata `triples`, `beside`).
+    /// Size of each true effect beside the others, in the same unit; empty where it is alone.
     pub(super) conditional_sigma: Vec<f64>,
     /// How the noise differs from what is stated.
     pub(super) unkind: Unkind,
@@ -289,7 +289,7 @@ fn diagnosed(
         let others: Vec<&str> = truth.iter().filter(|n| n != &name).copied().collect();
         Ok(root(misfit(folder, &others)? - known))
     };
-    let conditional_sigma = match several {
+    let conditional_sigma = match truth.len() > 1 {
         true => truth.iter().map(without).collect::<Result<_, GapError>>()?,
         false => Vec::new(),
     };

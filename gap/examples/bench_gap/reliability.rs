@@ -1,8 +1,8 @@
 //! Reliability of the stated probability: of all answers stated with p, which share is right.
 
 use super::case::Outcome;
-use super::table::{LEFT_SIGMA, VISIBLE_SIGMA, is_first};
-use calib_gap::Verdict;
+use super::table::{LEFT_SIGMA, VISIBLE_SIGMA};
+use calib_gap::{Cause, Verdict};
 use std::fmt::Write;
 
 /// Share of the weight on cases whose cause the library lacks, where those are counted.
@@ -43,22 +43,33 @@ fn claimed<'a>(all: &'a [Stratum<'_>]) -> impl Iterator<Item = (&'a Outcome, boo
     all.iter().flat_map(of).filter(move |(o, _)| asked(o))
 }
 
-/// Ten classes of the probability of the leading cause.
+/// Whether a set names what is at work: nothing that is not there, and all that shows beside the rest.
+fn is_right(outcome: &Outcome, set: &Cause) -> bool {
+    let truth = &outcome.truth;
+    let shows = |at: usize| {
+        let beside = outcome.conditional_sigma.get(at);
+        beside.is_none_or(|sigma| *sigma > VISIBLE_SIGMA)
+    };
+    let mut asked = (0..truth.len()).filter(|at| shows(*at));
+    set.effects.iter().all(|name| truth.contains(name))
+        && asked.all(|at| set.effects.contains(&truth[at]))
+}
+
+/// Ten classes of the probability of every set that is listed: each is an answer.
 fn classes(all: &[Stratum<'_>], with_outside: bool) -> [Class; 10] {
     let inside = claimed(all).filter(|(_, outside)| !outside).count() as f64;
     let lacking = claimed(all).filter(|(_, outside)| *outside).count() as f64;
     let heavy = inside / lacking.max(1.0) * OUTSIDE / (1.0 - OUTSIDE);
     let mut classes = [Class::default(); 10];
     for (outcome, outside) in claimed(all).filter(|(_, outside)| with_outside || !outside) {
-        let Some(first) = outcome.answer.causes.first() else {
-            continue;
-        };
-        let class = &mut classes[((first.probability * 10.0) as usize).min(9)];
         let weight = if outside { heavy } else { 1.0 };
-        class.weight += weight;
-        class.stated += weight * first.probability;
-        class.right += weight * f64::from(u8::from(!outside && is_first(outcome)));
-        class.count += 1;
+        for cause in &outcome.answer.causes {
+            let class = &mut classes[((cause.probability * 10.0) as usize).min(9)];
+            class.weight += weight;
+            class.stated += weight * cause.probability;
+            class.right += weight * f64::from(u8::from(!outside && is_right(outcome, cause)));
+            class.count += 1;
+        }
     }
     classes
 }
@@ -95,7 +106,7 @@ pub(super) fn json(all: &[Stratum<'_>]) -> serde_json::Value {
             serde_json::json!({
                 "stated": c.mean(c.stated),
                 "right": c.mean(c.right),
-                "cases": c.count,
+                "answers": c.count,
             })
         };
         filled.map(class).collect()
