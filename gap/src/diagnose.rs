@@ -3,7 +3,7 @@
 use crate::answer::{Answer, DatasetSummary};
 use crate::calibrator::diagnose_points;
 use crate::calibrator::problem::Problem;
-use crate::dataset::{Dataset, Measured};
+use crate::dataset::{Dataset, ExciterParameter, Measured, Rig};
 use crate::error::GapError;
 use crate::options::Options;
 use rayon::prelude::*;
@@ -37,10 +37,7 @@ pub fn diagnose(folder: &Path, options: &Options) -> Result<Answer, GapError> {
             }
             let problem = Problem::new(&dataset.rig, points);
             if problem.len() < 2 {
-                return Err(GapError::Table {
-                    file: "points.csv",
-                    problem: "holds nothing that rig.toml lets simulate; a ratio, or drive with a complete [exciter], is needed".into(),
-                });
+                return Err(nothing_simulated(&dataset.rig));
             }
             let summary = DatasetSummary {
                 path,
@@ -56,6 +53,26 @@ pub fn diagnose(folder: &Path, options: &Options) -> Result<Answer, GapError> {
                 summary,
             ))
         }
+    }
+}
+
+/// No column can be compared with the rig: which may be, and what that lacks.
+fn nothing_simulated(rig: &Rig) -> GapError {
+    let lacking = ExciterParameter::ALL.into_iter();
+    let known =
+        |parameter: &ExciterParameter| rig.exciter.is_some_and(|all| all[*parameter].is_some());
+    let lacking = lacking.filter(|parameter| !known(parameter));
+    let lacking: Vec<&str> = lacking.map(ExciterParameter::name).collect();
+    let of_exciter = match lacking.is_empty() {
+        true => String::new(),
+        false => format!(" (missing there: {})", lacking.join(", ")),
+    };
+    GapError::Table {
+        file: "points.csv",
+        problem: format!(
+            "holds nothing that rig.toml lets simulate; needed is ratio (or dut_v and ref_v), or ref_v or coil_a \
+             with coil_v and a complete [exciter]{of_exciter}"
+        ),
     }
 }
 

@@ -29,13 +29,7 @@ impl Layout {
             } else if let Some((_, range)) = known.iter().find(|(n, _)| n == name) {
                 columns.push((name.to_owned(), *range, at));
             } else {
-                let nearest = known
-                    .iter()
-                    .map(|(n, _)| n)
-                    .min_by_key(|n| distance(n, name));
-                let hint =
-                    nearest.map_or(String::new(), |n| format!("; the nearest known one is {n}"));
-                return Err(table(format!("unknown column \"{name}\"{hint}")));
+                return Err(table(unknown(name, &known)));
             }
         }
         if !columns.iter().any(|c| c.0 == "frequency_hz") {
@@ -92,6 +86,19 @@ impl Layout {
         }
         Ok(values)
     }
+}
+
+/// An unknown column, and the known one it may be meant for; else all there are.
+fn unknown(name: &str, known: &[(String, Range)]) -> String {
+    let names = || known.iter().map(|(known, _)| known.as_str());
+    let nearest = names().min_by_key(|known| distance(known, name));
+    // Of a misspelt one most characters are there.
+    let hint =
+        match nearest.filter(|nearest| 4 * distance(nearest, name) <= nearest.len() + name.len()) {
+            Some(nearest) => format!("the nearest known one is {nearest}"),
+            None => format!("known are run, {}", names().collect::<Vec<_>>().join(", ")),
+        };
+    format!("unknown column \"{name}\"; {hint}")
 }
 
 /// Number of characters that differ, for the hint after a misspelt column.

@@ -62,8 +62,7 @@ impl Dataset {
             });
         }
         let rig_path = folder.join("rig.toml");
-        let rig_text =
-            std::fs::read_to_string(&rig_path).map_err(|e| GapError::file(&rig_path, e))?;
+        let rig_text = std::fs::read_to_string(&rig_path).map_err(|e| without_rig(&rig_path, e))?;
         let rig = rig_file::parse(&rig_text, &rig_path)?;
         let mut hash = Sha256::new();
         hash.update(rig_text.as_bytes());
@@ -71,6 +70,15 @@ impl Dataset {
             Kind::Calibrator => "points.csv",
             Kind::Oscillator => "record.csv",
         });
+        let both = ["points.csv", "record.csv"].map(|name| folder.join(name).exists());
+        if both == [true, true] {
+            return Err(GapError::Rig {
+                path: folder.into(),
+                problem:
+                    "holds points.csv and record.csv; a dataset has one table: move the other away"
+                        .into(),
+            });
+        }
         let file = std::fs::File::open(&table).map_err(|e| without_table(&table, rig.kind, e))?;
         let input = UnixLines(HashingReader {
             inner: std::io::BufReader::new(file),
@@ -87,6 +95,17 @@ impl Dataset {
             measured,
             sha256,
         })
+    }
+}
+
+fn without_rig(path: &Path, source: std::io::Error) -> GapError {
+    if source.kind() != std::io::ErrorKind::NotFound {
+        return GapError::file(path, source);
+    }
+    GapError::Rig {
+        path: path.into(),
+        problem: "is not there; `calib gap simulate standard --out NEW` (of a record `oscillator`) writes one to copy"
+            .into(),
     }
 }
 

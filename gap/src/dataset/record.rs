@@ -73,10 +73,13 @@ fn places(header: &csv::StringRecord) -> Result<[usize; 3], GapError> {
     }
     let mut index = [0; 3];
     for (slot, name) in index.iter_mut().zip(COLUMNS) {
-        *slot = header
-            .iter()
-            .position(|h| h == name)
-            .ok_or_else(|| table(format!("column {name} is missing")))?;
+        *slot = header.iter().position(|h| h == name).ok_or_else(|| {
+            let decay = match name {
+                "input" => "; of a free decay it has the same value in all rows",
+                _ => "",
+            };
+            table(format!("column {name} is missing{decay}"))
+        })?;
     }
     Ok(index)
 }
@@ -111,11 +114,16 @@ fn interval(time_s: &[f64]) -> Result<f64, GapError> {
         )));
     }
     if interval <= 0.0 || uneven.is_some() {
+        let at = uneven.unwrap_or(0);
+        let step = time_s[at + 1] - time_s[at];
         return Err(GapError::Cell {
             file: FILE,
-            line: uneven.unwrap_or(0) + 3,
+            line: at + 3,
             column: "time_s".into(),
-            problem: format!("not uniformly sampled: the mean step is {interval:e} s"),
+            problem: format!(
+                "not uniformly sampled: a step of {step:e} s, {interval:e} s in the mean; interpolate the record \
+                 to even steps, or cut it here"
+            ),
         });
     }
     Ok(interval)
@@ -143,5 +151,33 @@ fn table(problem: String) -> GapError {
     GapError::Table {
         file: FILE,
         problem,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A record of 200 samples of 1 ms of which one tick is missing.
+    fn record(header: &str) -> String {
+        let sample = |n: usize| {
+            let skipped = usize::from(n > 120);
+            format!("{:.3},0,{}", 1e-3 * (n + skipped) as f64, n % 7)
+        };
+        let lines = (0..200).map(sample);
+        std::iter::once(header.to_owned())
+            .chain(lines)
+            .collect::<Vec<_>>()
+            .join("\n")
+    }
+
+    #[test]
+    fn what_is_refused_is_told_the_way_out() {
+        let refused = |text: &str| read(text.as_bytes()).expect_err("no record").to_string();
+        let skipped = refused(&record("time_s,input,output"));
+        assert!(skipped.starts_with("record.csv, line 123"), "{skipped}");
+        assert!(skipped.contains("interpolate"), "{skipped}");
+        let decay = refused("time_s,output\n0,1\n");
+        assert!(decay.contains("free decay"), "{decay}");
     }
 }
