@@ -5,7 +5,7 @@ use crate::estimation::gap::Gap;
 pub use crate::estimation::verdict::Verdict;
 use crate::pictures::Pictures;
 use crate::thresholds;
-use calib_effects::Stage;
+use calib_effects::{Of, Scale, Stage, named};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -181,6 +181,37 @@ pub struct Answer {
     /// Data for the pictures of a report; no part of the JSON.
     #[serde(skip)]
     pub pictures: Pictures,
+}
+
+impl Cause {
+    /// With its cautions: a size that may be zero, a value at its bound.
+    pub(crate) fn with_cautions(mut self, of: Of) -> Self {
+        for (id, estimates) in &self.parameters {
+            let Some(entry) = named(of, id) else {
+                continue;
+            };
+            for (at, parameter) in entry.parameters.iter().enumerate() {
+                let Some(Estimate { value, u }) = estimates.get(parameter.name) else {
+                    continue;
+                };
+                let name = parameter.name;
+                let reach = thresholds::AT_BOUND * (parameter.upper - parameter.lower).abs();
+                let near = |bound: f64| match parameter.scale {
+                    Scale::Log => (value / bound).ln().abs() < thresholds::AT_BOUND,
+                    Scale::Linear => {
+                        bound != 0.0
+                            && (value - bound).abs() < reach.min(thresholds::AT_BOUND * bound.abs())
+                    }
+                };
+                if at < entry.sizes && value.abs() < thresholds::ZERO_SIGMA * u {
+                    self.cautions.push(format!("{id}: {name} may be zero"));
+                } else if near(parameter.lower) || near(parameter.upper) {
+                    self.cautions.push(format!("{id}: {name} is at its bound"));
+                }
+            }
+        }
+        self
+    }
 }
 
 /// The leading set with each other that these data leave possible.

@@ -1,6 +1,7 @@
 //! The first sentence of an answer: what does it, how much of the gap that is, and what is left.
 
 use crate::answer::{Answer, Cause, OwnNoise, Remainder, Verdict};
+use crate::thresholds;
 
 /// A number as a person reads it: three digits.
 pub(crate) fn short(value: f64) -> String {
@@ -49,8 +50,17 @@ impl Answer {
                     true => String::new(),
                     false => format!(", and so may {}", others.join(" or ")),
                 };
-                format!("{} may explain {share}{or}.", described(first))
+                format!(
+                    "{} may explain {share}{or}.{}",
+                    described(first),
+                    self.in_all()
+                )
             }
+            (_, Some(first)) if self.gap.closed.is_some_and(|c| c >= thresholds::HALF) => format!(
+                "{} closes {share} on rows that took no part, but not at every level and in every band: \
+                 no cause in the library explains it.",
+                described(first)
+            ),
             (_, Some(first)) => format!(
                 "No cause in the library explains the gap; the nearest, {}, closes {} of it on rows \
                  that took no part.",
@@ -58,6 +68,30 @@ impl Answer {
                 closed.map_or("none".into(), |c| format!("{c:.1} %"))
             ),
             (_, None) => "No cause in the library explains the gap.".into(),
+        }
+    }
+
+    /// What all causes that are possible have in common, and how probable it is with any of them.
+    fn in_all(&self) -> String {
+        let possible = self.causes.iter();
+        let possible: Vec<&Cause> = possible
+            .filter(|c| c.probability > thresholds::POSSIBLE_PROBABILITY)
+            .collect();
+        let [first, _, ..] = possible[..] else {
+            return String::new();
+        };
+        let shared = first.effects.iter();
+        let shared = shared.filter(|id| possible.iter().all(|c| c.effects.contains(id)));
+        let shared: Vec<&str> = shared.copied().collect();
+        match shared.is_empty() {
+            true => String::new(),
+            false => {
+                let together: f64 = possible.iter().map(|c| c.probability).sum();
+                format!(
+                    " All of them have {}: probability {together:.2} together.",
+                    shared.join(" with ")
+                )
+            }
         }
     }
 }

@@ -40,6 +40,10 @@ pub(crate) const EXPLAINED_CHI: f64 = 2.0;
 pub(crate) const HALF: f64 = 0.5;
 /// Share that it must close of every level and band that shows the gap.
 pub(crate) const EVERYWHERE: f64 = 0.1;
+/// Share of the squared gap up to which a level or band may do as it likes: a tenth in amplitude.
+pub(crate) const LITTLE: f64 = 0.01;
+/// Probability below which a cause is less probable than not.
+pub(crate) const AS_NOT: f64 = 0.5;
 /// Standard deviations squared by which a true set may be worse on held-out rows by noise.
 pub(crate) const WORSE_BY_NOISE: f64 = 6.0;
 /// Standard deviations squared that a partner must gain there where the set leaves more than noise.

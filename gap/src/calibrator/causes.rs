@@ -10,7 +10,7 @@ use crate::answer::{Cause, Estimate, Verdict, hardly_separated};
 use crate::effects::{Effect, Stated, library};
 use crate::estimation::selection::{bootstrap, without_each};
 use crate::thresholds;
-use calib_effects::{Of, Scale, named};
+use calib_effects::{Of, Scale};
 use std::collections::BTreeMap;
 
 /// Most causes that are listed.
@@ -45,10 +45,7 @@ pub(super) fn causes(problem: &Problem, found: &Search, work: &mut Workspace) ->
             cautions: Vec::new(),
             parameters: parameters(problem, &set.fit, work),
         })
-        .map(|cause| Cause {
-            cautions: cautions(&cause.parameters),
-            ..cause
-        })
+        .map(|cause| cause.with_cautions(Of::Calibrator))
         .collect()
 }
 
@@ -121,33 +118,6 @@ fn parameters(
         all.insert(active.effect.entry().id, named.collect());
     }
     all
-}
-
-/// Cautions about a cause: a size that may be zero, a value at its bound.
-fn cautions(parameters: &BTreeMap<&'static str, BTreeMap<&'static str, Estimate>>) -> Vec<String> {
-    let mut cautions = Vec::new();
-    for (id, estimates) in parameters {
-        let Some(entry) = named(Of::Calibrator, id) else {
-            continue;
-        };
-        for (at, parameter) in entry.parameters.iter().enumerate() {
-            let Some(Estimate { value, u }) = estimates.get(parameter.name) else {
-                continue;
-            };
-            let name = parameter.name;
-            let reach = thresholds::AT_BOUND * (parameter.upper - parameter.lower).abs();
-            let near = |bound: f64| match parameter.scale {
-                Scale::Log => (value / bound).ln().abs() < thresholds::AT_BOUND,
-                Scale::Linear => bound != 0.0 && (value - bound).abs() < reach,
-            };
-            if at < entry.sizes && value.abs() < thresholds::ZERO_SIGMA * u {
-                cautions.push(format!("{id}: {name} may be zero"));
-            } else if near(parameter.lower) || near(parameter.upper) {
-                cautions.push(format!("{id}: {name} is at its bound"));
-            }
-        }
-    }
-    cautions
 }
 
 /// Nominal values as fitted within their uncertainties.

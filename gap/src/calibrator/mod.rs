@@ -58,14 +58,13 @@ pub(crate) mod verdict;
 use crate::answer::{Answer, DatasetSummary, Verdict};
 use crate::dataset::Dataset;
 use crate::estimation::gap::Gap;
-use crate::estimation::verdict::heard;
+use crate::estimation::verdict::{doubted, heard};
 use crate::options::Options;
 use crate::others::share_with_others;
 use crate::thresholds;
 use causes::{causes, confusable, nominal_parameters};
 use fit::{Fit, Workspace};
 use lack_of_fit::examine;
-use model_selection::Scored;
 use next::Next;
 use noise::{Noise, stated};
 use places::{local, places, remainder};
@@ -110,15 +109,13 @@ fn heard_search(problem: &Problem, limits: &Limits, unseen: &Unseen<'_>) -> Sear
     let mut found = search_from(problem, limits, unseen.searched());
     unseen.veto(problem, &mut found);
     if limits.most_effects < limits.where_structure_is_left {
-        found.strike(|set| set.fit.effects.len() <= limits.most_effects || is_all(problem, set));
+        // More names than are asked for have to describe all of the data: of a cause with another form than ours
+        // the next effects would only be corrections.
+        found.strike(|fit| {
+            fit.effects.len() <= limits.most_effects || !leaves_structure(problem, fit)
+        });
     }
     found
-}
-
-/// Whether a set that is not negligible describes all of the data. More names than are asked for have to:
-/// of a cause with another form than ours the next effects would only be corrections.
-fn is_all(problem: &Problem, set: &Scored) -> bool {
-    set.probability < thresholds::LISTED_PROBABILITY || !leaves_structure(problem, &set.fit)
 }
 
 /// Whether a fit leaves more than noise.
@@ -161,6 +158,7 @@ impl<'a> Diagnosis<'a> {
         let mut causes = causes(problem, found, &mut work);
         let confusable = confusable(&causes, verdict, problem);
         let probability_other = share_with_others(&mut causes, verdict, left.p_value, &gap);
+        let verdict = doubted(verdict, causes.first().map(|c| c.probability), &gap);
         let remainder = remainder(problem, &left, verdict);
         let mut places = places(problem, found, &nominal_left, &left, verdict, &mut work);
         let local = match verdict {

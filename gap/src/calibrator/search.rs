@@ -16,6 +16,8 @@ use crate::thresholds;
 use std::path::Path;
 use std::rc::Rc;
 
+/// Sets that are struck, before what comes up next is only the nearest of what does not stand.
+const MOST_STRUCK: usize = 12;
 /// Pairs refined fully.
 const MOST_PAIRS: usize = 14;
 /// Leading sets that are grown where they leave structure, and larger sets that are refined a round.
@@ -33,10 +35,21 @@ pub(crate) struct Search {
 }
 
 impl Search {
-    /// Strikes the sets that `stands` does not hold of.
-    pub(crate) fn strike(&mut self, mut stands: impl FnMut(&Scored) -> bool) {
-        self.sets.retain(|set| stands(set));
-        normalise(&mut self.sets);
+    /// Strikes the sets worth listing that `stands` does not hold of, and those that come up in their place.
+    pub(crate) fn strike(&mut self, mut stands: impl FnMut(&Fit) -> bool) {
+        let (mut at, mut struck) = (0, 0);
+        while let Some(set) = self.sets.get(at)
+            && set.probability >= thresholds::LISTED_PROBABILITY
+            && struck < MOST_STRUCK
+        {
+            if set.fit.effects.is_empty() || stands(&set.fit) {
+                at += 1;
+            } else {
+                self.sets.remove(at);
+                struck += 1;
+                normalise(&mut self.sets);
+            }
+        }
     }
 
     /// The leading set; the nominal simulation where there is none.
@@ -347,6 +360,49 @@ impl Limits {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::calibrator::candidate::active;
+
+    /// A set of one effect that is so probable; its parameters do not matter here.
+    fn scored(entry: Option<usize>, probability: f64) -> Scored {
+        let parameters = |entry: usize| vec![1.0; library()[entry].parameters().len()];
+        let effects = entry.map(|entry| active(entry, parameters(entry)));
+        let fit = Fit {
+            effects: effects.into_iter().collect(),
+            theta: Vec::new(),
+            objective: 0.0,
+        };
+        let score = -2.0 * probability.ln();
+        Scored {
+            fit,
+            bic: score,
+            score,
+            probability,
+        }
+    }
+
+    /// What was negligible beside a set that is struck leads where that is gone: it is heard too.
+    #[test]
+    fn a_set_that_comes_up_is_struck_as_well() {
+        let mut found = Search {
+            nominal: scored(None, 0.0).fit,
+            sets: vec![
+                scored(Some(0), 0.996),
+                scored(Some(1), 0.003),
+                scored(Some(2), 9e-4),
+                scored(Some(3), 1e-6),
+                scored(None, 1e-9),
+            ],
+            every: Vec::new(),
+        };
+        found.strike(|fit| fit.effects[0].entry > 1);
+        let entries: Vec<_> = found
+            .sets
+            .iter()
+            .map(|set| set.fit.effects.first().map(|e| e.entry))
+            .collect();
+        assert_eq!(entries, [Some(2), Some(3), None]);
+        assert!(found.sets[0].probability > 0.99);
+    }
 
     #[test]
     fn a_short_table_has_no_room_for_a_third_effect() {

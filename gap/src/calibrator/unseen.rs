@@ -97,11 +97,7 @@ impl<'a> Unseen<'a> {
             let clean = fit.objective < noise;
             stands(self.misfit(problem, fit), plain, without, clean)
         };
-        found.strike(|set| {
-            set.fit.effects.is_empty()
-                || set.probability < thresholds::LISTED_PROBABILITY
-                || stands(&set.fit)
-        });
+        found.strike(stands);
     }
 
     /// The gap with one set, fitted to the others.

@@ -1,6 +1,6 @@
 //! The verdict: from the probability of the leading set, and from what it leaves.
 
-use super::gap::Gap;
+use super::gap::{Gap, Slice};
 use crate::thresholds;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -18,7 +18,7 @@ pub enum Verdict {
     PartlyExplained,
     /// Two or more sets cannot be told apart with these data.
     Ambiguous,
-    /// No set closes half of the gap.
+    /// No set closes half of the gap and holds at every level and in every band that shows it.
     Unexplained,
     /// The stated uncertainties or single rows do not fit.
     Data,
@@ -70,17 +70,40 @@ pub(crate) fn heard(verdict: Verdict, gap: &Gap, remembers: bool) -> Verdict {
 /// Whether a set predicts the rows clearly better, and at every level and in every band that shows
 /// the gap.
 fn explains_part(gap: &Gap) -> bool {
-    let slices = gap.by_level.iter().chain(&gap.by_band);
-    let mut shares = slices.filter_map(|slice| Some((slice.beyond, slice.closed?)));
-    let least = |beyond: bool| {
-        if beyond {
+    gap.closed.is_some_and(|closed| closed >= thresholds::HALF)
+        && holds(&gap.by_level)
+        && holds(&gap.by_band)
+}
+
+/// Whether a set closes a part of the gap in every slice that has more than a hundredth of it.
+fn holds(slices: &[Slice]) -> bool {
+    let square = |slice: &Slice| slice.before_percent.powi(2);
+    let all: f64 = slices.iter().map(square).sum();
+    let mut counts = slices
+        .iter()
+        .filter(|slice| square(slice) > thresholds::LITTLE * all);
+    counts.all(|slice| {
+        let least = if slice.beyond {
             -thresholds::EVERYWHERE
         } else {
             thresholds::EVERYWHERE
+        };
+        slice.closed.is_none_or(|closed| closed >= least)
+    })
+}
+
+/// The verdict once causes outside the library have their share of the probability, `leading` being what the first
+/// cause keeps: one that is less probable than not explains no more than a part.
+pub(crate) fn doubted(verdict: Verdict, leading: Option<f64>, gap: &Gap) -> Verdict {
+    match verdict {
+        Verdict::Explained if leading.is_some_and(|p| p < thresholds::AS_NOT) => {
+            match explains_part(gap) {
+                true => Verdict::PartlyExplained,
+                false => Verdict::Unexplained,
+            }
         }
-    };
-    gap.closed.is_some_and(|closed| closed >= thresholds::HALF)
-        && shares.all(|(beyond, closed)| closed >= least(beyond))
+        verdict => verdict,
+    }
 }
 
 /// Whether a set stands: it makes the unseen data no worse, and each of its effects helps there.
@@ -105,6 +128,68 @@ pub(crate) fn stands(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::BTreeMap;
+
+    fn slice(before_percent: f64, closed: f64) -> Slice {
+        Slice {
+            from: 0.0,
+            to: 1.0,
+            rows: 10,
+            beyond: false,
+            chosen: Vec::new(),
+            before_percent,
+            after_percent: 0.0,
+            floor_percent: 0.0,
+            closed: Some(closed),
+            chi_before: 10.0,
+            chi_after: 1.0,
+        }
+    }
+
+    fn gap(closed: f64, by_band: Vec<Slice>) -> Gap {
+        Gap {
+            before_percent: 40.0,
+            after_percent: 4.0,
+            floor_percent: 0.1,
+            closed: Some(closed),
+            chi_before: 100.0,
+            chi_after: 10.0,
+            held_out_rows: 100,
+            chosen: Vec::new(),
+            rms_before: None,
+            rms_after: None,
+            by_observable: BTreeMap::new(),
+            by_level: Vec::new(),
+            by_band,
+        }
+    }
+
+    /// The pendulum of the measured sets: 40 % in one band, 1.5 % in another, which gets worse.
+    #[test]
+    fn a_band_with_nearly_nothing_of_the_gap_does_not_undo_a_cause() {
+        let heard = |small| {
+            heard(
+                Verdict::Unexplained,
+                &gap(0.9, vec![slice(40.0, 0.9), slice(small, -3.0)]),
+                false,
+            )
+        };
+        assert_eq!(heard(1.5), Verdict::PartlyExplained);
+        assert_eq!(heard(10.0), Verdict::Unexplained);
+    }
+
+    #[test]
+    fn a_cause_less_probable_than_not_does_not_explain() {
+        let of =
+            |leading, closed| doubted(Verdict::Explained, Some(leading), &gap(closed, Vec::new()));
+        assert_eq!(of(0.98, 0.9), Verdict::Explained);
+        assert_eq!(of(0.24, 0.9), Verdict::PartlyExplained);
+        assert_eq!(of(0.24, 0.4), Verdict::Unexplained);
+        assert_eq!(
+            doubted(Verdict::NoGap, Some(0.24), &gap(0.9, Vec::new())),
+            Verdict::NoGap
+        );
+    }
 
     /// Of 100 deviates squared, an effect that is there takes 40. One that is not may add what noise adds
     /// in a sum, 4 here; where more than noise is left it has to take some out.

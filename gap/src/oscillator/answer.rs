@@ -2,7 +2,7 @@
 
 use super::fit::{Fitted, compared, rms};
 use super::grow::Step;
-use super::holdout::{Scored, peak};
+use super::holdout::{Scored, motion, peak};
 use super::lack_of_fit::Parity;
 use super::model::TERMS;
 use super::parameters::{LINEAR, Parameter};
@@ -12,7 +12,7 @@ use crate::answer::{
     Answer, Cause, DatasetSummary, Estimate, OwnNoise, Remainder, Verdict, Where, hardly_separated,
 };
 use crate::axis::Axis;
-use crate::estimation::verdict::{Evidence, conclude, heard};
+use crate::estimation::verdict::{Evidence, conclude, doubted, heard};
 use crate::others::share_with_others;
 use crate::pictures::{Pictures, Trace};
 use crate::thresholds;
@@ -46,6 +46,7 @@ pub(super) fn answer(
     }
     let confusable = hardly_separated(&causes, verdict);
     let probability_other = share_with_others(&mut causes, verdict, last.left.p_value, &scored.gap);
+    let verdict = doubted(verdict, causes.first().map(|c| c.probability), &scored.gap);
     let partly = matches!(verdict, Verdict::PartlyExplained | Verdict::Unexplained);
     let answer = Answer {
         summary: String::new(),
@@ -54,7 +55,7 @@ pub(super) fn answer(
             rms_rel: 0.01 * scored.gap.after_percent,
             axis: Axis::Amplitude,
             from: 0.0,
-            to: peak(&held.output),
+            to: peak(&motion(&last.fit, held)),
         }),
         noise: OwnNoise::default(),
         probability_other,
@@ -127,7 +128,7 @@ fn place(verdict: Verdict, steps: &[Step], held: &Run) -> Vec<Where> {
         axis: Axis::Amplitude,
         or_along: Vec::new(),
         from: 0.0,
-        to: peak(&held.output),
+        to: peak(&motion(&last.fit, held)),
         share: 1.0 - last.fit.square / first.fit.square,
         p_value: first.left.p_value,
         class,

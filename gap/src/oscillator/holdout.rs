@@ -4,6 +4,7 @@ use super::fit::{Fitted, SETTLING, compared, descend_from, residual, rms};
 use super::grow::Step;
 use super::model::states;
 use super::model_selection::names_of;
+use super::parameters::Parameter;
 use super::run::Run;
 use super::simulate::{LINEAR_STATES, states_behind};
 use super::slices;
@@ -99,16 +100,18 @@ impl Scored {
         // The differences see the motion too where the record is sampled coarsely; noise is no
         // larger than what the errors' own past does not predict.
         let floor = noise_floor(held).min(unpredicted(&errors[1]));
-        let observable = ObservableGap::of_errors([before, after], floor, rms(&held.output));
+        // The zero of the output is no motion, and nothing is relative to it.
+        let moved = motion(&last.fit, held);
+        let observable = ObservableGap::of_errors([before, after], floor, rms(&moved));
         let slices = slices::Errors {
-            output: compared(&held.output, held),
+            output: compared(&moved, held),
             before: &errors[0],
             after: &errors[1],
             noise: floor,
             interval_s: held.interval_s,
             resonance_hz: steps[0].fit.values.resonance_hz(),
             chosen: names_of(&last.fit),
-            fitted_peak: peak(&part.output),
+            fitted_peak: peak(&motion(&last.fit, part)),
         };
         let (by_level, by_band) = (slices.by_level(), slices.by_band());
         let gap = Gap {
@@ -128,6 +131,12 @@ impl Scored {
         };
         Some(Self { gap, errors })
     }
+}
+
+/// The output about its zero.
+pub(super) fn motion(fit: &Fitted, record: &Run) -> Vec<f64> {
+    let zero = fit.values[Parameter::Offset];
+    record.output.iter().map(|output| output - zero).collect()
 }
 
 /// Largest size.

@@ -8,6 +8,7 @@ use super::run::Run;
 use crate::answer::Cause;
 use crate::estimation::selection::{bootstrap, cost_of_cause, cost_of_parameter, probabilities};
 use crate::thresholds;
+use calib_effects::Of;
 
 /// Sets of one size, and how they compare.
 pub(super) struct Tried<'a> {
@@ -93,6 +94,7 @@ impl<'a> Tried<'a> {
                 cautions: Vec::new(),
                 parameters: term_parameters(set.fit, part.interval_s),
             })
+            .map(|cause| cause.with_cautions(Of::Oscillator))
             .collect()
     }
 }

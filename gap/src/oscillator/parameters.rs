@@ -122,6 +122,8 @@ pub(super) fn bound(
             QuadraticDamping | CubicDamping | CoulombFriction => (0.0, f64::INFINITY),
             Saturation | Clipping => (0.0, f64::INFINITY),
             HighpassCorner => (0.0, half_rate),
+            // An output before its input is no delay; the vocabulary knows up to a second.
+            Delay => (0.0, 1.0 / record.interval_s),
             // Less would forget its state within rounding.
             Lag if moved.contains(&Lagging) => (thresholds::LAG_SEEN, record.input.len() as f64),
             Lag => (0.0, record.input.len() as f64),
@@ -154,5 +156,30 @@ pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, un
         ResonanceDrift => 1e-9,
         Delay | HighpassCorner | Lag | ModeLnRatio | ModeDamping | YieldingShare
         | LnYieldDeflection => 1e-3,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dataset::Record;
+
+    /// An output cannot come before its input, and the vocabulary knows delays up to a second.
+    #[test]
+    fn a_delay_stays_within_what_the_vocabulary_knows() {
+        let record = Record {
+            interval_s: 1e-3,
+            before: 0,
+            input: vec![1.0; 100],
+            output: vec![1.0; 100],
+        };
+        let run = Run::new(&record, 2);
+        let bounded = |delay| {
+            let mut values = OscillatorParameters::default();
+            values[Delay] = delay;
+            bound(&mut values, &[Delay], &run, 1.0);
+            values[Delay]
+        };
+        assert_eq!([-57.0, 0.4, 2e3].map(bounded), [0.0, 0.4, 1e3]);
     }
 }

@@ -304,6 +304,29 @@ fn offsets_of_a_linear_oscillator_are_no_gap() {
     }
 }
 
+/// Errors are relative to the motion: a zero of five times the motion is none of it.
+#[test]
+fn the_zero_of_a_sensor_makes_no_gap_smaller() {
+    let of = |zero| {
+        let bent = Added {
+            zero,
+            ..added("cubic_stiffness")
+        };
+        let text = record(&bent, SAMPLES, &mut Random::new(886));
+        answer(&format!("far-zero-{zero}"), &text)
+    };
+    let (near, far) = (of(0.0), of(0.5));
+    let before = [&near, &far].map(|answer| answer.gap.before_percent);
+    // The same motion and noise but for rounding of the file, six digits.
+    assert!((before[0] / before[1] - 1.0).abs() < 0.01, "{before:?}");
+    let levels = |answer: &Answer| answer.gap.by_level.last().map(|level| level.to);
+    let (near, far) = (
+        levels(&near).expect("levels"),
+        levels(&far).expect("levels"),
+    );
+    assert!((near / far - 1.0).abs() < 0.01, "{near} {far}");
+}
+
 /// The spring is bent about its rest, not about the zero of the sensor.
 #[test]
 fn the_zero_of_a_sensor_does_not_bend_a_spring_to_one_side() {

@@ -47,9 +47,11 @@ fn verdict(verdict: Verdict) -> &'static str {
         Verdict::Explained => "explained: one cause leads clearly, and what it leaves is noise",
         Verdict::Ambiguous => "ambiguous: these data cannot tell the causes below apart",
         Verdict::PartlyExplained => {
-            "partly explained: the cause holds wherever it was tried, and more than noise is left"
+            "partly explained: the cause closes half of the gap or more, and more than noise is left"
         }
-        Verdict::Unexplained => "unexplained: no cause in the library closes half of the gap",
+        Verdict::Unexplained => {
+            "unexplained: no cause in the library closes half of the gap at every level and in every band"
+        }
         Verdict::Data => "data: stated uncertainties or single rows are what does not fit",
     }
 }
