@@ -53,7 +53,8 @@ pub(crate) async fn supervise(
             panic!("the task {task} stands still");
         }
         watchdog.pet();
-        look(&mut button, push_button.is_down(), &mut instrument).await;
+        let ran = state_before.is_running();
+        look(&mut button, push_button.is_down(), ran, &mut instrument).await;
         if state::defects().has(Defect::Restarts) && button.is_held_for(AGAIN_PERIODS) {
             try_again();
         }
@@ -107,15 +108,18 @@ impl Alive {
     }
 }
 
-/// Looks at the button and does what it says.
-async fn look(button: &mut Button, is_down: bool, instrument: &mut Calibrator) {
+/// Looks at the button and does what it says. A press is as old as the last look: when a run went on then, it was
+/// for that one, and letting go begins none.
+async fn look(button: &mut Button, is_down: bool, ran: bool, instrument: &mut Calibrator) {
     if state::BUTTON_USED.swap(false, Ordering::Relaxed) {
         button.consume();
     }
     match button.look(is_down) {
-        Press::Down if state::status().state.is_exciting() => {
+        Press::Down if ran || state::status().state.is_running() => {
             button.consume();
-            state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
+            if state::status().state.is_exciting() {
+                state::ORDERS.send(Order::Stop(Reason::Stopped)).await;
+            }
         }
         Press::Tap => instrument.tap().await,
         Press::Down | Press::Nothing => {}
