@@ -17,7 +17,7 @@
 //! ([`crate::provenance`]) stays what it is when a release adds one. Missing sections are as in [`Settings::BLANK`], which no instrument accepts where it matters.
 
 use crate::error::RecordError;
-use crate::sections::{Fields, Read, find, needed, section};
+use crate::sections::{Fields, Optional, Read, fill, find, needed, section, section_unless};
 use calib_core::channel_ratio::ChannelRatio;
 use calib_core::settings::{PointInfluences, ReferenceCalibration, ReferenceChannel, Settings};
 use heapless::Vec;
@@ -60,35 +60,16 @@ impl Serialize for InSections<'_> {
             ),
             section(INFLUENCES, &settings.influences),
             section(POINT_INFLUENCES, coefficients.as_slice()),
-            Ratio(&settings.channel_ratio),
-            Lease(settings.lease_s),
+            ratio(&settings.channel_ratio),
+            section_unless(settings.lease_s == 0, LEASE, settings.lease_s),
         )
             .serialize(serializer)
     }
 }
 
-/// The section of the lease; none where runs go on without a host.
-struct Lease(u16);
-
-impl Serialize for Lease {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            0 => ().serialize(serializer),
-            lease_s => section(LEASE, lease_s).serialize(serializer),
-        }
-    }
-}
-
 /// The section of the ratio of the channels; none where it was not measured.
-struct Ratio<'a>(&'a ChannelRatio);
-
-impl Serialize for Ratio<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match *self.0 == ChannelRatio::UNKNOWN {
-            true => ().serialize(serializer),
-            false => section(CHANNEL_RATIO, self.0).serialize(serializer),
-        }
-    }
+fn ratio(ratio: &ChannelRatio) -> Optional<&ChannelRatio> {
+    section_unless(*ratio == ChannelRatio::UNKNOWN, CHANNEL_RATIO, ratio)
 }
 
 /// The two sections of the reference's calibration.
@@ -135,10 +116,8 @@ pub fn read(sections: &[u8], settings: &mut Settings) -> Result<(), RecordError>
     if let Some((_, list)) = find(sections, POINT_INFLUENCES, 1)? {
         read_coefficients(Fields(list), &mut settings.point_influences)?;
     }
-    settings.lease_s = match find(sections, LEASE, 1)? {
-        Some((_, content)) => Fields(content).take()?,
-        None => 0,
-    };
+    settings.lease_s = 0;
+    fill(sections, LEASE, &mut settings.lease_s)?;
     read_ratio(sections, &mut settings.channel_ratio)
 }
 
@@ -208,7 +187,7 @@ impl Serialize for Channel<'_> {
         (
             Calibration(&self.0.reference),
             section(INPUTS, self.0.reference_input),
-            Ratio(&self.0.channel_ratio),
+            ratio(&self.0.channel_ratio),
         )
             .serialize(serializer)
     }
