@@ -18,7 +18,7 @@
 //! | 6 | all before | all settings before a change |
 //! | 7 | provenance | [`Provenance`] of the settings |
 //! | 9 | image | [`ImageOrigin`]: digest and signer, where a loader has checked it |
-//! | 10 | list | [`ListTerms`] of the list a tap of the button chose |
+//! | 10 | list | [`calib_core::stored_list::ListTerms`] of the list a tap of the button chose |
 //! | 11 | clock | [`ClockReading`] of a run without a host |
 //! | 12 | closing | [`Closing`], where the first point was repeated at the end |
 //! | 8 | signature | [`crate::signature::Signature`] of the instrument, the last of all |
@@ -44,7 +44,6 @@ use crate::update::ImageOrigin;
 use calib_core::closing::Closing;
 use calib_core::point::PointSpec;
 use calib_core::settings::{ReferenceChannel, Settings};
-use calib_core::stored_list::ListTerms;
 use core::ops::Range;
 use heapless::String;
 use serde::{Deserialize, Serialize};
@@ -388,7 +387,7 @@ mod tests {
     use crate::update::ImageSigner;
     use calib_core::closing::Change;
     use calib_core::point::PointResult;
-    use calib_core::stored_list::{Band, Base, Rule};
+    use calib_core::stored_list::{Band, Base, ListTerms, Rule};
     use calib_core::verdict::{Reason, Verdict};
 
     fn record() -> Record {
