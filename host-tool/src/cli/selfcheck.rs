@@ -137,13 +137,8 @@ impl SelfcheckVerb {
             changes,
         };
         print_result(context, &output, || text(&found, &output))?;
-        match output.changes.iter().find(|change| change.significant) {
-            None => Ok(()),
-            Some(change) => Err(Error::NotPassed(format!(
-                "the reference {}",
-                change.words()
-            ))),
-        }
+        let changed = output.changes.iter().find(|change| change.significant);
+        Error::not_passed(changed.map(|change| format!("the reference {}", change.words())))
     }
 
     fn equipment(&self) -> Result<Equipment> {
