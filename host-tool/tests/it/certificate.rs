@@ -1,6 +1,7 @@
 //! `calib certificate` as a technician or a laboratory meets it: from a file
 //! to files, and every way that can go wrong.
 
+use crate::words;
 use calib_protocol::record::Record;
 use calib_record::sample;
 use std::path::Path;
@@ -74,14 +75,7 @@ const ALL: [&str; 8] = [
 #[test]
 fn strict_refuses_a_draft_and_names_what_is_missing() {
     let folder = folder(&sample::record(&[160.0]));
-    let usual = [
-        "certificate",
-        "record.bin",
-        "--out",
-        "out",
-        "--format",
-        "json",
-    ];
+    let usual = words("certificate record.bin --out out --format json");
     let strict = calib(folder.path(), &[&usual[..], &["--strict"]].concat());
     assert_eq!(strict.status.code(), Some(6));
     let said = text(&strict.stderr);
@@ -336,14 +330,7 @@ fn the_file_of_the_laboratory_is_read_without_being_named() {
         "[laboratory]\ncity = 'Feld'\n",
     )
     .expect("written");
-    let arguments = [
-        "certificate",
-        "record.bin",
-        "--format",
-        "json",
-        "-p",
-        "job.toml",
-    ];
+    let arguments = words("certificate record.bin --format json -p job.toml");
     let output = calib(folder.path(), &arguments);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let json = std::fs::read(folder.path().join("certificate-CAL-0042-000017.json")).expect("read");

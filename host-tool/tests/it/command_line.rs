@@ -2,6 +2,7 @@
 
 use crate::device::Device;
 use crate::memory_link::{SharedDevice, shared};
+use crate::words;
 use calib_output::conforms::check_output;
 use calib_protocol::message::Request;
 use std::io::{Read, Write};
@@ -87,14 +88,7 @@ fn a_session_from_info_to_the_file() {
         "frequency_hz\n80\n160\n",
     )
     .expect("list");
-    let run = go(&[
-        "run",
-        "--points",
-        "points.csv",
-        "--serial",
-        "Müller's",
-        "--json",
-    ]);
+    let run = go(&words("run --points points.csv --serial Müller's --json"));
     let run = json(&run);
     assert_eq!(run["record_id"], 1);
     assert_eq!(run["points"].as_array().expect("points").len(), 2);
@@ -359,13 +353,7 @@ fn risks_of_rules_over_many_sensors_are_those_published() {
     let risk = |arguments: &[&str]| calib(directory.path(), &[&["risk"], arguments].concat());
     // Deaver: a ratio of four and a tolerance of two standard deviations of the
     // items, so 95.45 % of them are good: 0.8 % and 1.5 %.
-    let rows = json(&risk(&[
-        "--ratio",
-        "4",
-        "--in-tolerance",
-        "95.45",
-        "--json",
-    ]));
+    let rows = json(&risk(&words("--ratio 4 --in-tolerance 95.45 --json")));
     let percent = |row: usize, key: &str| 100.0 * rows[row][key].as_f64().expect("a number");
     assert!(
         (percent(0, "false_accept_probability") - 0.8).abs() < 0.05,

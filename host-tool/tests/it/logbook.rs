@@ -3,6 +3,7 @@
 use crate::command_line::{calib, json, serve, text};
 use crate::device::{Device, record};
 use crate::python;
+use crate::words;
 use calib_logbook::{Filter, Issue, Kept, Logbook, Sensor, export};
 use calib_protocol::change;
 use calib_protocol::record::{Record, RecordKind, digest, encode};
@@ -565,14 +566,7 @@ fn a_sensor_that_changed_by_more_than_u_is_reported() {
             .expect("kept");
     }
     // The points of these records are at 20, 21 and 22 Hz, with U = 1 %.
-    let history = [
-        "history",
-        "D",
-        "--frequency",
-        "20",
-        "--logbook",
-        "logbook.sqlite",
-    ];
+    let history = words("history D --frequency 20 --logbook logbook.sqlite");
     let output = calib(folder.path(), &history);
     assert_eq!(output.status.code(), Some(7));
     let shown = text(&output.stdout);

@@ -28,3 +28,8 @@ mod run;
 mod schema;
 mod serve;
 mod signed;
+
+/// Arguments of a command line that has no quotes.
+fn words(line: &str) -> Vec<&str> {
+    line.split(' ').collect()
+}

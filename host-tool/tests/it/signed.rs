@@ -2,6 +2,7 @@
 
 use crate::command_line::{schemas, text};
 use crate::python;
+use crate::words;
 use calib_output::conforms::check_output;
 use calib_record::sample;
 use rand_chacha::ChaCha8Rng;
@@ -472,14 +473,7 @@ fn the_same_certificate_signed_again_is_the_same_files() {
         assert!(read() == first, "{name}: made again");
         // Of another key it is another file, and is not overwritten.
         let key = key("issued.p12");
-        let other = [
-            "certificate",
-            "record.bin",
-            "--format",
-            "pdf",
-            "--particulars",
-            "house.toml",
-        ];
+        let other = words("certificate record.bin --format pdf --particulars house.toml");
         let other = calib(
             at,
             "test",
@@ -546,14 +540,7 @@ fn checked(folder: &Path) -> String {
 fn issued(folder: &Path, number: &str, more: &[&str]) -> (PathBuf, String) {
     let house = format!("[laboratory]\ncountry = 'DE'\n[calibration]\nnumber = '{number}'\n");
     std::fs::write(folder.join("job.toml"), house).expect("written");
-    let usual = [
-        "certificate",
-        "record.bin",
-        "--format",
-        "pdf",
-        "--particulars",
-        "job.toml",
-    ];
+    let usual = words("certificate record.bin --format pdf --particulars job.toml");
     let output = calib(folder, "test", &[&usual[..], more].concat());
     let said = text(&output.stderr);
     assert!(output.status.success(), "{said}");
