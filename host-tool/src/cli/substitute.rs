@@ -75,11 +75,11 @@ impl Known {
 /// The table of a certificate: frequency_hz, sensitivity_mv or sensitivity_v, expanded_uncertainty_percent.
 fn read(path: &Path) -> Result<Vec<StandardPoint>> {
     let table = Input::parse(Source::read(path)?)?;
-    let frequency = table.require("the frequency", &["frequency_hz"])?;
-    let u = table.require("U (k = 2)", &["expanded_uncertainty_percent"])?;
-    let (sensitivity, scale) = match table.find(&["sensitivity_mv"])? {
+    let frequency = table.require("the frequency", "frequency_hz")?;
+    let u = table.require("U (k = 2)", "expanded_uncertainty_percent")?;
+    let (sensitivity, scale) = match table.find("sensitivity_mv")? {
         Some(column) => (column, 1e-3),
-        None => (table.require("the sensitivity", &["sensitivity_v"])?, 1.0),
+        None => (table.require("the sensitivity", "sensitivity_v")?, 1.0),
     };
     let hint = "frequencies are in Hz, sensitivities in their column's unit, U (k = 2) in percent";
     let between = |row, column: &Column, [least, most]: [f64; 2]| {
