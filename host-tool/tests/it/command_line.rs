@@ -2,13 +2,13 @@
 
 use crate::device::Device;
 use crate::memory_link::{SharedDevice, shared};
-use crate::words;
+use crate::{tool, words};
 use calib_output::conforms::check_output;
 use calib_protocol::message::Request;
 use std::io::{Read, Write};
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 /// Serves `device` at a free port of this computer and returns its address.
 pub(crate) fn serve(device: Device) -> (SharedDevice, String) {
@@ -36,16 +36,8 @@ pub(crate) fn serve(device: Device) -> (SharedDevice, String) {
 }
 
 pub(crate) fn calib(directory: &Path, arguments: &[&str]) -> Output {
-    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
-        .args(arguments)
-        .current_dir(directory)
-        .env_remove("CALIB_DEVICE")
-        // No test touches the logbook of who runs it.
-        .env("CALIB_LOGBOOK", directory.join("no-logbook.sqlite"))
-        .env("CALIB_CONFIG", directory.join("config.toml"))
-        .env("NO_COLOR", "1")
-        .output()
-        .expect("calib starts");
+    let output = tool(directory).args(arguments).output();
+    let output = output.expect("calib starts");
     if !output.stdout.is_empty() {
         check_output(&schemas(), arguments, &output.stdout).expect("as in its schema");
     }

@@ -82,9 +82,7 @@ fn our_own_certificate_of_a_sensor_is_read() {
     let folder = tempfile::tempdir().expect("folder");
     let folder = folder.path();
     let record = sample::record(&sample::THIRD_OCTAVES_HZ);
-    let mut bytes = vec![0; 64 * 1024];
-    let length = calib_protocol::record::encode(&record, &mut bytes).expect("fits");
-    std::fs::write(folder.join("s.calibrec"), &bytes[..length]).expect("written");
+    std::fs::write(folder.join("s.calibrec"), sample::bytes(&record)).expect("written");
     std::fs::write(folder.join("job.toml"), "[laboratory]\ncountry = 'DE'\n").expect("written");
     let made = calib(
         folder,

@@ -2,7 +2,7 @@
 
 use crate::command_line::{schemas, text};
 use crate::python;
-use crate::words;
+use crate::{tool, typed, words};
 use calib_output::conforms::check_output;
 use calib_record::sample;
 use rand_chacha::ChaCha8Rng;
@@ -19,15 +19,9 @@ pub(crate) fn key(name: &str) -> PathBuf {
 }
 
 fn calib(folder: &Path, password: &str, arguments: &[&str]) -> Output {
-    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
-        .args(arguments)
-        .current_dir(folder)
-        .env("NO_COLOR", "1")
-        .env("XDG_CONFIG_HOME", folder.join("config"))
-        .env("CALIB_LOGBOOK", folder.join("no-logbook.sqlite"))
-        .env("CALIB_KEY_PASSWORD", password)
-        .output()
-        .expect("calib starts");
+    let mut tool = tool(folder);
+    tool.env("CALIB_KEY_PASSWORD", password);
+    let output = tool.args(arguments).output().expect("calib starts");
     if output.status.success() || arguments[0] == "verify" {
         check_output(&schemas(), arguments, &output.stdout).expect("as in its schema");
     }
@@ -493,16 +487,7 @@ fn a_password_is_never_an_argument() {
     let key = key("rsa.p12");
     let usual = ["certificate", "record.bin", "--format", "pdf"];
     let sign = ["--sign", key.to_str().expect("UTF-8")];
-    let mut command = Command::new(env!("CARGO_BIN_EXE_calib"));
-    let nobody = command.args(usual).args(sign).current_dir(at);
-    let nobody = nobody
-        .env("XDG_CONFIG_HOME", at)
-        .env("CALIB_LOGBOOK", at.join("no-logbook.sqlite"))
-        .env_remove("CALIB_KEY_PASSWORD");
-    let nobody = nobody
-        .stdin(std::process::Stdio::null())
-        .output()
-        .expect("starts");
+    let nobody = typed(tool(at).args(usual).args(sign), "");
     assert_eq!(nobody.status.code(), Some(2));
     assert!(
         text(&nobody.stderr).contains("--password-file"),
