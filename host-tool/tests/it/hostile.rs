@@ -3,25 +3,31 @@
 use crate::device::Device;
 use crate::memory_link::{client, shared};
 use calib_link::session;
-use calib_link::{Client, Transport};
+use calib_link::{Client, Error, Transport};
 use calib_protocol::frame::{Frame, MAX_FRAME, Receiver, encode};
-use calib_protocol::message::{Refusal, Response};
+use calib_protocol::message::{Refusal, Request, Response};
+use calib_protocol::record::RecordSummary;
 use std::collections::VecDeque;
 use std::io::{self, Read};
 use std::time::Duration;
 
-/// Answers every request with the same.
+/// Answers every request as it likes.
 struct Liar {
     receiver: Receiver,
-    answer: Response,
+    answer: Box<dyn Fn(&Request) -> Response + Send>,
     inbox: VecDeque<u8>,
 }
 
 impl Liar {
+    /// With the same.
     fn client(answer: Response) -> Client {
+        Self::by(move |_| answer.clone())
+    }
+
+    fn by(answer: impl Fn(&Request) -> Response + Send + 'static) -> Client {
         Client::new(Box::new(Self {
             receiver: Receiver::new(),
-            answer,
+            answer: Box::new(answer),
             inbox: VecDeque::new(),
         }))
     }
@@ -35,9 +41,11 @@ impl Transport for Liar {
         for byte in bytes {
             if let Some(raw) = self.receiver.push(*byte)
                 && let Ok(frame) = Frame::check(raw)
+                && let Ok(request) = frame.message::<Request>()
             {
                 let mut buffer = vec![0; MAX_FRAME];
-                let length = encode(frame.sequence, &self.answer, &mut buffer).expect("fits");
+                let length =
+                    encode(frame.sequence, &(self.answer)(&request), &mut buffer).expect("fits");
                 self.inbox.extend(&buffer[..length]);
             }
         }
@@ -84,6 +92,27 @@ fn a_record_list_that_never_ends_is_given_up() {
     };
     let error = Liar::client(answer).records().expect_err("the same again");
     assert_eq!(error.exit_code(), 4);
+}
+
+#[test]
+fn a_list_that_rises_for_ever_ends() {
+    let device = Device::with_record(7, 0);
+    let summary = client(&shared(device)).records().expect("list").remove(0);
+    let rising = move |request: &Request| {
+        let Request::Records { from } = *request else {
+            return Response::Done;
+        };
+        let record = |id| RecordSummary {
+            id,
+            ..summary.clone()
+        };
+        Response::Records {
+            records: (from..).take(16).map(record).collect(),
+            more: true,
+        }
+    };
+    let failed = Liar::by(rising).records();
+    assert!(matches!(failed, Err(Error::Protocol(_))), "{failed:?}");
 }
 
 #[test]
