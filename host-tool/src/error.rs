@@ -59,6 +59,14 @@ impl Error {
         calib_files::Error::usage(problem, hint).into()
     }
 
+    /// [`Self::NotPassed`] for this reason, where there is one.
+    ///
+    /// # Errors
+    /// That.
+    pub fn not_passed(why: Option<String>) -> Result<()> {
+        why.map_or(Ok(()), |why| Err(Self::NotPassed(why)))
+    }
+
     /// Remedy, if the message does not state it already.
     pub fn hint(&self) -> Option<&str> {
         match self {

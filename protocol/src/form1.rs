@@ -1,7 +1,8 @@
 //! Records and settings of version 1, before there were sections: read for ever, written no more.
 //!
 //! All fields stand one behind the other, postcard, without a length of their own. Nothing can be added
-//! to this form and nothing in it changes, whatever becomes of the types it is read into.
+//! to this form and nothing in it changes: where a type that is read whole gets another field, its fields of
+//! today are listed here.
 //!
 //! | part | fields in their order |
 //! |---|---|
@@ -15,7 +16,7 @@ use crate::error::RecordError;
 use crate::head::{RecordHead, RunLabels};
 use crate::kind::RecordKind;
 use crate::sections::Fields;
-use crate::settings_form::{input, limits, read_identity, read_influences, read_table};
+use crate::settings_form::{read_identity, read_rows};
 use crate::stored_point::{LEVEL_PARTS, Round, Temperature, from_upper};
 use calib_core::channel_ratio::ChannelRatio;
 use calib_core::point::{PointResult, PointSpec};
@@ -57,16 +58,16 @@ fn settings(fields: &mut Fields<'_>, settings: &mut Settings) -> Result<(), Reco
     settings.method = fields.take()?;
     settings.example = fields.take()?;
     read_identity(fields, &mut settings.reference)?;
-    read_table(fields, &mut settings.reference)?;
-    settings.reference_input = input(fields)?;
-    settings.dut_input = input(fields)?;
+    read_rows(fields, &mut settings.reference.points)?;
+    settings.reference_input = fields.take()?;
+    settings.dut_input = fields.take()?;
     settings.drive_full_scale_peak_v = fields.take()?;
-    settings.limits = limits(fields)?;
+    settings.limits = fields.take()?;
     settings.blocks = fields.take()?;
     settings.point_influences = PointInfluences::NONE;
     settings.channel_ratio = ChannelRatio::UNKNOWN;
     settings.lease_s = 0;
-    read_influences(fields, &mut settings.influences)?;
+    read_rows(fields, &mut settings.influences)?;
     for influence in &mut settings.influences {
         // The number of a special distribution was the factor, its reciprocal.
         if let Distribution::Special { divisor } = &mut influence.distribution {
@@ -79,8 +80,8 @@ fn settings(fields: &mut Fields<'_>, settings: &mut Settings) -> Result<(), Reco
 /// Reads what was in force of the reference's channel before a change.
 fn channel(fields: &mut Fields<'_>, channel: &mut ReferenceChannel) -> Result<(), RecordError> {
     read_identity(fields, &mut channel.calibration)?;
-    read_table(fields, &mut channel.calibration)?;
-    channel.input = input(fields)?;
+    read_rows(fields, &mut channel.calibration.points)?;
+    channel.input = fields.take()?;
     channel.ratio = ChannelRatio::UNKNOWN;
     Ok(())
 }

@@ -12,7 +12,7 @@
 //! the instrument later is a section more ([`crate::sections`]).
 
 use crate::error::RecordError;
-use crate::sections::{Fields, Read, find, needed, section};
+use crate::sections::{Fields, Read, fill, find, needed, section};
 use calib_core::self_test::OptionBytes;
 use heapless::{String, Vec};
 use serde::de::Error;
@@ -245,12 +245,8 @@ fn read(sections: &[u8]) -> Result<Health, RecordError> {
     if let Some((_, list)) = find(sections, DEADLINES, 1)? {
         read_list(Fields(list), &mut health.deadlines)?;
     }
-    if let Some((_, timebase)) = find(sections, TIMEBASE, 1)? {
-        health.timebase_ppm = Fields(timebase).take()?;
-    }
-    if let Some((_, option_bytes)) = find(sections, OPTION_BYTES, 1)? {
-        health.option_bytes = Fields(option_bytes).take()?;
-    }
+    fill(sections, TIMEBASE, &mut health.timebase_ppm)?;
+    fill(sections, OPTION_BYTES, &mut health.option_bytes)?;
     Ok(health)
 }
 

@@ -18,7 +18,7 @@
 //! | 6 | all before | all settings before a change |
 //! | 7 | provenance | [`Provenance`] of the settings |
 //! | 9 | image | [`ImageOrigin`]: digest and signer, where a loader has checked it |
-//! | 10 | list | [`ListTerms`] of the list a tap of the button chose |
+//! | 10 | list | [`calib_core::stored_list::ListTerms`] of the list a tap of the button chose |
 //! | 11 | clock | [`ClockReading`] of a run without a host |
 //! | 12 | closing | [`Closing`], where the first point was repeated at the end |
 //! | 8 | signature | [`crate::signature::Signature`] of the instrument, the last of all |
@@ -35,7 +35,7 @@ use crate::kind::{Form, kind_of};
 pub use crate::kind::{RECORD_VERSION, RecordKind};
 use crate::lists::tame_terms;
 use crate::provenance::Provenance;
-use crate::sections::{Fields, find, needed, section};
+use crate::sections::{Fields, Optional, fill, find, needed, section, section_unless};
 use crate::settings_form::{self, InSections};
 use crate::signature;
 use crate::stored_point::{self, InColumns};
@@ -44,10 +44,9 @@ use crate::update::ImageOrigin;
 use calib_core::closing::Closing;
 use calib_core::point::PointSpec;
 use calib_core::settings::{ReferenceChannel, Settings};
-use calib_core::stored_list::ListTerms;
 use core::ops::Range;
 use heapless::String;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 const HEAD: u8 = 1;
@@ -117,12 +116,12 @@ pub fn encode(record: &Record, buffer: &mut [u8]) -> Result<usize, RecordError> 
         section(SETTINGS, InSections(&record.settings)),
         section(RUN, (&record.incident, record.complete)),
         section(POINTS, InColumns(&record.points)),
-        Origin(&record.provenance),
-        Image(&record.image),
-        List(&record.list),
-        Counted(record.clock),
-        Closed(&record.closing),
-        Untried(&record.untried),
+        origin(&record.provenance),
+        section_unless(record.image == ImageOrigin::UNKNOWN, IMAGE, &record.image),
+        section_unless(record.list.is_none(), LIST, &record.list),
+        section_unless(record.clock == ClockReading::NONE, CLOCK, record.clock),
+        section_unless(record.closing == Closing::None, CLOSING, &record.closing),
+        section_unless(record.untried.is_empty(), UNTRIED, &record.untried),
     );
     seal(RecordKind::Calibration, &content, buffer)
 }
@@ -141,81 +140,14 @@ pub(crate) fn encode_change(
         // For a reader that knows the reference's alone.
         section(BEFORE, settings_form::Channel(before)),
         section(ALL_BEFORE, InSections(before)),
-        Origin(provenance),
+        origin(provenance),
     );
     seal(RecordKind::ReferenceChange, &content, buffer)
 }
 
 /// The section of the provenance; none where nothing is known.
-struct Origin<'a>(&'a Provenance);
-
-impl Serialize for Origin<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match *self.0 == Provenance::UNKNOWN {
-            true => ().serialize(serializer),
-            false => section(PROVENANCE, self.0).serialize(serializer),
-        }
-    }
-}
-
-/// The section of the image; none where no loader has checked it.
-struct Image<'a>(&'a ImageOrigin);
-
-impl Serialize for Image<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match *self.0 == ImageOrigin::UNKNOWN {
-            true => ().serialize(serializer),
-            false => section(IMAGE, self.0).serialize(serializer),
-        }
-    }
-}
-
-/// The section of the list; none where a host began the run.
-struct List<'a>(&'a ListTerms);
-
-impl Serialize for List<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0.is_none() {
-            true => ().serialize(serializer),
-            false => section(LIST, self.0).serialize(serializer),
-        }
-    }
-}
-
-/// The section of the clock; none where a host told the time of the run, or nobody did.
-struct Counted(ClockReading);
-
-impl Serialize for Counted {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 == ClockReading::NONE {
-            true => ().serialize(serializer),
-            false => section(CLOCK, self.0).serialize(serializer),
-        }
-    }
-}
-
-/// The section of the closing; none where nothing was repeated.
-struct Closed<'a>(&'a Closing);
-
-impl Serialize for Closed<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match *self.0 == Closing::None {
-            true => ().serialize(serializer),
-            false => section(CLOSING, self.0).serialize(serializer),
-        }
-    }
-}
-
-/// The section of what was never attempted; none where everything was.
-struct Untried<'a>(&'a [PointSpec]);
-
-impl Serialize for Untried<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0.is_empty() {
-            true => ().serialize(serializer),
-            false => section(UNTRIED, self.0).serialize(serializer),
-        }
-    }
+fn origin(provenance: &Provenance) -> Optional<&Provenance> {
+    section_unless(*provenance == Provenance::UNKNOWN, PROVENANCE, provenance)
 }
 
 /// Writes content between kind and checksum.
@@ -300,36 +232,23 @@ impl<'a> Content<'a> {
         record.incident = run.take()?;
         record.complete = run.take()?;
         record.provenance = self.provenance()?;
-        record.image = match find(self.bytes, IMAGE, 1)? {
-            Some((_, content)) => Fields(content).take()?,
-            None => ImageOrigin::UNKNOWN,
-        };
-        if let Some((_, content)) = find(self.bytes, LIST, 1)? {
-            record.list = Fields(content).take()?;
-        }
-        if let Some((_, content)) = find(self.bytes, CLOCK, 1)? {
-            record.clock = Fields(content).take()?;
-        }
-        if let Some((_, content)) = find(self.bytes, CLOSING, 1)? {
-            record.closing = Fields(content).take()?;
-        }
-        if let Some((_, content)) = find(self.bytes, UNTRIED, 1)? {
-            record.untried = Fields(content).take()?;
-            // What is no point cannot be measured.
-            record.untried.retain(PointSpec::is_usable);
-        }
+        fill(self.bytes, IMAGE, &mut record.image)?;
+        fill(self.bytes, LIST, &mut record.list)?;
+        fill(self.bytes, CLOCK, &mut record.clock)?;
+        fill(self.bytes, CLOSING, &mut record.closing)?;
+        fill(self.bytes, UNTRIED, &mut record.untried)?;
+        // What is no point cannot be measured.
+        record.untried.retain(PointSpec::is_usable);
         stored_point::read(needed(self.bytes, POINTS)?, &mut record.points)
     }
 
     /// Provenance of the settings, unknown where there is none.
     pub(crate) fn provenance(self) -> Result<Provenance, RecordError> {
-        if self.form == Form::Plain {
-            return Ok(Provenance::UNKNOWN);
+        let mut provenance = Provenance::UNKNOWN;
+        if self.form == Form::Sections {
+            fill(self.bytes, PROVENANCE, &mut provenance)?;
         }
-        match find(self.bytes, PROVENANCE, 1)? {
-            Some((_, content)) => Fields(content).take(),
-            None => Ok(Provenance::UNKNOWN),
-        }
+        Ok(provenance)
     }
 
     /// Reads settings and channel of the log of a change, and all settings before where they are there.
@@ -468,7 +387,7 @@ mod tests {
     use crate::update::ImageSigner;
     use calib_core::closing::Change;
     use calib_core::point::PointResult;
-    use calib_core::stored_list::{Band, Base, Rule};
+    use calib_core::stored_list::{Band, Base, ListTerms, Rule};
     use calib_core::verdict::{Reason, Verdict};
 
     fn record() -> Record {

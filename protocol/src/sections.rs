@@ -48,6 +48,24 @@ impl<T: Serialize> Serialize for Section<T> {
     }
 }
 
+/// A section, or nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct Optional<T>(Option<Section<T>>);
+
+/// A section of the first version, written where it says something.
+pub fn section_unless<T>(nothing: bool, id: u8, content: T) -> Optional<T> {
+    Optional((!nothing).then_some(section(id, content)))
+}
+
+impl<T: Serialize> Serialize for Optional<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match &self.0 {
+            None => ().serialize(serializer),
+            Some(section) => section.serialize(serializer),
+        }
+    }
+}
+
 /// A section as it is read: id, version, content.
 pub(crate) type Read<'a> = (u8, u8, &'a [u8]);
 
@@ -81,6 +99,21 @@ pub fn needed(sections: &[u8], id: u8) -> Result<Fields<'_>, RecordError> {
     let found = find(sections, id, 1)?;
     let (_, content) = found.ok_or(RecordError::Content)?;
     Ok(Fields(content))
+}
+
+/// Reads the section of this id, version 1, into a field, which stays as it is where there is none.
+///
+/// # Errors
+/// As [`find`] and [`Fields::take`].
+pub fn fill<'a, T: Deserialize<'a>>(
+    sections: &'a [u8],
+    id: u8,
+    field: &mut T,
+) -> Result<(), RecordError> {
+    if let Some((_, content)) = find(sections, id, 1)? {
+        *field = Fields(content).take()?;
+    }
+    Ok(())
 }
 
 /// Fields read one after the other.

@@ -12,19 +12,16 @@
 //! | 8 | ratio of the channels | day it was measured u32, rows of 5 f32: Hz, 1, rad, relative U, U in rad |
 //! | 9 | lease | quiet of all hosts after which a run ends, s, u16 |
 //!
+//! Rows, scales and limits are written as their types are: a field that one of them gets changes the form.
 //! Sections 8 and 9 are written where they say something: the sum over all of them
 //! ([`crate::provenance`]) stays what it is when a release adds one. Missing sections are as in [`Settings::BLANK`], which no instrument accepts where it matters.
 
 use crate::error::RecordError;
-use crate::sections::{Fields, Read, find, needed, section};
-use calib_core::channel_ratio::{ChannelRatio, ChannelRatioPoint};
-use calib_core::settings::{
-    Distribution, Influence, InputScale, Limits, PointInfluences, ReferenceCalibration,
-    ReferenceChannel, ReferencePoint, Settings,
-};
+use crate::sections::{Fields, Optional, Read, fill, find, needed, section, section_unless};
+use calib_core::channel_ratio::ChannelRatio;
+use calib_core::settings::{PointInfluences, ReferenceCalibration, ReferenceChannel, Settings};
 use heapless::Vec;
 use serde::de::Error;
-use serde::ser::SerializeSeq;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 const METHOD: u8 = 1;
@@ -51,62 +48,28 @@ impl Serialize for InSections<'_> {
     #[inline(never)]
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let settings = self.0;
-        let limits = &settings.limits;
         let mut point_influences = settings.point_influences;
         let coefficients = point_influences.coefficients_mut().map(|value| *value);
         (
             section(METHOD, (settings.method, settings.example, settings.blocks)),
             Calibration(&settings.reference),
-            section(
-                INPUTS,
-                [settings.reference_input, settings.dut_input].map(|input| input.volt_per_code),
-            ),
+            section(INPUTS, [settings.reference_input, settings.dut_input]),
             section(
                 EXCITER,
-                [
-                    settings.drive_full_scale_peak_v,
-                    limits.drive_peak_v,
-                    limits.acceleration_peak_ms2,
-                    limits.velocity_peak_ms,
-                    limits.displacement_peak_m,
-                ],
+                (settings.drive_full_scale_peak_v, &settings.limits),
             ),
-            section(INFLUENCES, List(&settings.influences, influence_row)),
-            section(POINT_INFLUENCES, List(&coefficients, |value| *value)),
-            Ratio(&settings.channel_ratio),
-            Lease(settings.lease_s),
+            section(INFLUENCES, &settings.influences),
+            section(POINT_INFLUENCES, coefficients.as_slice()),
+            ratio(&settings.channel_ratio),
+            section_unless(settings.lease_s == 0, LEASE, settings.lease_s),
         )
             .serialize(serializer)
     }
 }
 
-/// The section of the lease; none where runs go on without a host.
-struct Lease(u16);
-
-impl Serialize for Lease {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            0 => ().serialize(serializer),
-            lease_s => section(LEASE, lease_s).serialize(serializer),
-        }
-    }
-}
-
 /// The section of the ratio of the channels; none where it was not measured.
-struct Ratio<'a>(&'a ChannelRatio);
-
-impl Serialize for Ratio<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let ChannelRatio {
-            measured_day,
-            points,
-        } = self.0;
-        match *self.0 == ChannelRatio::UNKNOWN {
-            true => ().serialize(serializer),
-            false => section(CHANNEL_RATIO, (measured_day, List(points, ratio_row)))
-                .serialize(serializer),
-        }
-    }
+fn ratio(ratio: &ChannelRatio) -> Optional<&ChannelRatio> {
+    section_unless(*ratio == ChannelRatio::UNKNOWN, CHANNEL_RATIO, ratio)
 }
 
 /// The two sections of the reference's calibration.
@@ -125,52 +88,10 @@ impl Serialize for Calibration<'_> {
         } = self.0;
         (
             section(REFERENCE, (serial, certificate, calibrated_day, due_day)),
-            section(REFERENCE_TABLE, List(points, table_row)),
+            section(REFERENCE_TABLE, points),
         )
             .serialize(serializer)
     }
-}
-
-/// A list whose rows are written as what the function makes of them.
-struct List<'a, T, R>(&'a [T], fn(&T) -> R);
-
-impl<T, R: Serialize> Serialize for List<'_, T, R> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut list = serializer.serialize_seq(Some(self.0.len()))?;
-        for row in self.0 {
-            list.serialize_element(&self.1(row))?;
-        }
-        list.end()
-    }
-}
-
-fn table_row(row: &ReferencePoint) -> [f32; 5] {
-    [
-        row.frequency_hz,
-        row.sensitivity_v_per_ms2,
-        row.phase_rad,
-        row.expanded_uncertainty_rel,
-        row.expanded_uncertainty_phase_rad,
-    ]
-}
-
-fn ratio_row(row: &ChannelRatioPoint) -> [f32; 5] {
-    [
-        row.frequency_hz,
-        row.magnitude,
-        row.phase_rad,
-        row.expanded_uncertainty_rel,
-        row.expanded_uncertainty_phase_rad,
-    ]
-}
-
-fn influence_row(influence: &Influence) -> (u8, f32, f32, Distribution) {
-    (
-        influence.row,
-        influence.value_rel,
-        influence.value_phase_rad,
-        influence.distribution,
-    )
 }
 
 /// Reads settings from their sections.
@@ -184,21 +105,19 @@ pub fn read(sections: &[u8], settings: &mut Settings) -> Result<(), RecordError>
     settings.blocks = method.take()?;
     read_calibration(sections, &mut settings.reference)?;
     let mut inputs = needed(sections, INPUTS)?;
-    settings.reference_input = input(&mut inputs)?;
-    settings.dut_input = input(&mut inputs)?;
+    settings.reference_input = inputs.take()?;
+    settings.dut_input = inputs.take()?;
     let mut exciter = needed(sections, EXCITER)?;
     settings.drive_full_scale_peak_v = exciter.take()?;
-    settings.limits = limits(&mut exciter)?;
+    settings.limits = exciter.take()?;
     let mut influences = needed(sections, INFLUENCES)?;
-    read_influences(&mut influences, &mut settings.influences)?;
+    read_rows(&mut influences, &mut settings.influences)?;
     settings.point_influences = PointInfluences::NONE;
     if let Some((_, list)) = find(sections, POINT_INFLUENCES, 1)? {
         read_coefficients(Fields(list), &mut settings.point_influences)?;
     }
-    settings.lease_s = match find(sections, LEASE, 1)? {
-        Some((_, content)) => Fields(content).take()?,
-        None => 0,
-    };
+    settings.lease_s = 0;
+    fill(sections, LEASE, &mut settings.lease_s)?;
     read_ratio(sections, &mut settings.channel_ratio)
 }
 
@@ -210,22 +129,7 @@ fn read_ratio(sections: &[u8], ratio: &mut ChannelRatio) -> Result<(), RecordErr
     };
     let mut fields = Fields(content);
     ratio.measured_day = fields.take()?;
-    read_rows(&mut fields, &mut ratio.points, |fields| {
-        let [
-            frequency_hz,
-            magnitude,
-            phase_rad,
-            expanded_uncertainty_rel,
-            expanded_uncertainty_phase_rad,
-        ] = fields.take()?;
-        Ok(ChannelRatioPoint {
-            frequency_hz,
-            magnitude,
-            phase_rad,
-            expanded_uncertainty_rel,
-            expanded_uncertainty_phase_rad,
-        })
-    })
+    read_rows(&mut fields, &mut ratio.points)
 }
 
 /// Coefficients, as many as there are on both sides.
@@ -245,7 +149,8 @@ fn read_calibration(
     calibration: &mut ReferenceCalibration,
 ) -> Result<(), RecordError> {
     read_identity(&mut needed(sections, REFERENCE)?, calibration)?;
-    read_table(&mut needed(sections, REFERENCE_TABLE)?, calibration)
+    let mut table = needed(sections, REFERENCE_TABLE)?;
+    read_rows(&mut table, &mut calibration.points)
 }
 
 /// Serial number, certificate and days of the reference.
@@ -260,70 +165,15 @@ pub(crate) fn read_identity(
     Ok(())
 }
 
-/// Table of the reference.
-pub(crate) fn read_table(
-    fields: &mut Fields<'_>,
-    calibration: &mut ReferenceCalibration,
-) -> Result<(), RecordError> {
-    read_rows(fields, &mut calibration.points, |fields| {
-        let [
-            frequency_hz,
-            sensitivity_v_per_ms2,
-            phase_rad,
-            expanded_uncertainty_rel,
-            expanded_uncertainty_phase_rad,
-        ] = fields.take()?;
-        Ok(ReferencePoint {
-            frequency_hz,
-            sensitivity_v_per_ms2,
-            phase_rad,
-            expanded_uncertainty_rel,
-            expanded_uncertainty_phase_rad,
-        })
-    })
-}
-
-/// Scale of an input.
-pub(crate) fn input(fields: &mut Fields<'_>) -> Result<InputScale, RecordError> {
-    let volt_per_code = fields.take()?;
-    Ok(InputScale { volt_per_code })
-}
-
-/// Limits of the exciter.
-pub(crate) fn limits(fields: &mut Fields<'_>) -> Result<Limits, RecordError> {
-    Ok(Limits {
-        drive_peak_v: fields.take()?,
-        acceleration_peak_ms2: fields.take()?,
-        velocity_peak_ms: fields.take()?,
-        displacement_peak_m: fields.take()?,
-    })
-}
-
-/// Influence quantities.
-pub(crate) fn read_influences<const N: usize>(
-    fields: &mut Fields<'_>,
-    influences: &mut Vec<Influence, N>,
-) -> Result<(), RecordError> {
-    read_rows(fields, influences, |fields| {
-        Ok(Influence {
-            row: fields.take()?,
-            value_rel: fields.take()?,
-            value_phase_rad: fields.take()?,
-            distribution: fields.take()?,
-        })
-    })
-}
-
 /// As many rows as the list says, one by one: no list lies on the stack.
-fn read_rows<T, const N: usize>(
-    fields: &mut Fields<'_>,
+pub(crate) fn read_rows<'a, T: Deserialize<'a>, const N: usize>(
+    fields: &mut Fields<'a>,
     rows: &mut Vec<T, N>,
-    mut row: impl FnMut(&mut Fields<'_>) -> Result<T, RecordError>,
 ) -> Result<(), RecordError> {
     rows.clear();
     let count: usize = fields.take()?;
     for _ in 0..count {
-        let pushed = rows.push(row(fields)?);
+        let pushed = rows.push(fields.take()?);
         pushed.map_err(|_| RecordError::Content)?;
     }
     Ok(())
@@ -336,8 +186,8 @@ impl Serialize for Channel<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         (
             Calibration(&self.0.reference),
-            section(INPUTS, self.0.reference_input.volt_per_code),
-            Ratio(&self.0.channel_ratio),
+            section(INPUTS, self.0.reference_input),
+            ratio(&self.0.channel_ratio),
         )
             .serialize(serializer)
     }
@@ -349,7 +199,7 @@ pub(crate) fn read_channel(
     channel: &mut ReferenceChannel,
 ) -> Result<(), RecordError> {
     read_calibration(sections, &mut channel.calibration)?;
-    channel.input = input(&mut needed(sections, INPUTS)?)?;
+    channel.input = needed(sections, INPUTS)?.take()?;
     read_ratio(sections, &mut channel.ratio)
 }
 
@@ -377,6 +227,7 @@ pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use calib_core::channel_ratio::ChannelRatioPoint;
 
     fn written(settings: &Settings) -> std::vec::Vec<u8> {
         let mut bytes = vec![0; 2048];

@@ -6,7 +6,6 @@
 //! same either way, down to the chained sum of all records.
 
 use calib_core::verdict::Verdict;
-use calib_link::session;
 use calib_protocol::message::RunState;
 use calib_protocol::record::{self, Sha256Sum};
 use calib_tests::bench::{Bench, Fault, point};
@@ -63,13 +62,12 @@ fn main() -> Result<(), Fault> {
         true => kept.go_on()?,
         false => (Bench::with_rig(&Rig::standard())?, Tally::default()),
     };
-    let folder = tempfile::tempdir()?;
     while bench.board().elapsed() < goal {
         let faulty = with_faults && bench.board().elapsed() >= tally.next_fault;
         if faulty {
             tally.next_fault += TEN_MINUTES;
         }
-        let record = calibrate(&mut bench, faulty, folder.path())?;
+        let record = calibrate(&mut bench, faulty)?;
         tally.records = record::digest(&[tally.records.as_slice(), &record].concat());
         tally.runs += 1;
         tally.faults += u32::from(faulty);
@@ -124,7 +122,7 @@ impl Kept {
 
 /// One run with its download and release, and the record's bytes; a reference that is dead stops it,
 /// and it is stored as such.
-fn calibrate(bench: &mut Bench, faulty: bool, folder: &Path) -> Result<Vec<u8>, Fault> {
+fn calibrate(bench: &mut Bench, faulty: bool) -> Result<Vec<u8>, Fault> {
     let points = [20.0, 160.0, 1000.0, 5000.0].map(|frequency_hz| point(frequency_hz, 10.0));
     if faulty {
         drop(bench.board().replace_rig(Box::new(ShortedInputs)));
@@ -145,12 +143,10 @@ fn calibrate(bench: &mut Bench, faulty: bool, folder: &Path) -> Result<Vec<u8>, 
     if outcome.state != wanted || passed == faulty {
         return Err(format!("a run ends {:?}: {:?}", outcome.state, outcome.points).into());
     }
-    let file = session::download(&mut bench.client, outcome.record_id, folder, |_| ())?;
-    if file.record.points.as_slice() != outcome.points.as_slice() {
+    let content = bench.record(outcome.record_id)?;
+    if record::decode(&content)?.points.as_slice() != outcome.points.as_slice() {
         return Err(format!("record {} is another one", outcome.record_id).into());
     }
-    let content = std::fs::read(&file.path)?;
-    std::fs::remove_file(file.path)?;
     bench.client.release(outcome.record_id)?;
     Ok(content)
 }

@@ -9,118 +9,50 @@ use std::process::Command;
 /// Name of the one that is built in another way.
 const FUZZ: &str = "fuzz";
 
-/// One benchmark: an example program of some crate.
+/// Benchmarks by name, each an example program of some crate, and what they show.
+const BENCHES: &str = "\
+converters: what the converters' errors do to S, by how they are set; assumed errors halved, doubled
+coverage: share of simulated calibrations whose U (k = 2) contains the truth
+frozen: diagnoses and certificates are what they were: [--accept REASON]
+front-end: the analogue front end by ngspice: response, images, noise, spread: [--accept]
+gap: sealed sets: how often the diagnosis is right, by stratum
+measured: measured sets of known cause: leading cause, closed, verdict, first stage: [DIR]
+hard-hostile: hosts that flood, babble, reset and race while it measures: [RESETS]
+hard-long: virtual hours of calibrating, storing and downloading: [MINUTES [faults] [resume]]
+hard-power: power cuts of the whole board in a session: [CUTS [SEED]]
+hard-storage: records that fit, wear over 100 000 records, 2000 random power cuts
+gap-speed: time for a diagnosis on one core, and for 1000 in one call, beside numpy and scipy
+monte-carlo: propagation of distributions on one core, beside numpy
+reality: does U hold on a site? every effect and fault at its site sizes: [--core] [--runs N] [EFFECT ...]
+records: 10 000 records in the logbook listed and filtered; start of the tool
+selfcheck: the reference checked by reciprocity: coverage of U, changes found, false alarms: [RIGS [SEED [IMAGE_RIGS]]]
+speed: emulator, rig, correlation on this computer, image size, settling
+stop: from STOP to the calibrator's link, by what is in the way, and from a click to a drive at rest: [TRIES [PART [SITUATION [SEED]]]]
+target: instructions and times on the Cortex-M7, beside idsp and the limits
+certificate: time for the certificate set of a record with 31 points";
+
+#[derive(Clone, Copy)]
 struct Bench {
     name: &'static str,
-    example: &'static str,
     what: &'static str,
 }
 
 impl Bench {
+    fn all() -> impl Iterator<Item = Self> {
+        let named = BENCHES.lines().filter_map(|line| line.split_once(": "));
+        named.map(|(name, what)| Self { name, what })
+    }
+
+    fn example(self) -> String {
+        format!("bench_{}", self.name.replace('-', "_"))
+    }
+
     /// Its name, or the first word of it: `hard` is all of `hard-...`.
-    fn goes_by(&self, name: &str) -> bool {
+    fn goes_by(self, name: &str) -> bool {
         let first = self.name.split_once('-').map(|(first, _)| first);
         self.name == name || first == Some(name)
     }
 }
-
-const BENCHES: &[Bench] = &[
-    Bench {
-        name: "converters",
-        example: "bench_converters",
-        what: "what the converters' errors do to S, by how they are set; assumed errors halved, doubled",
-    },
-    Bench {
-        name: "coverage",
-        example: "bench_coverage",
-        what: "share of simulated calibrations whose U (k = 2) contains the truth",
-    },
-    Bench {
-        name: "frozen",
-        example: "bench_frozen",
-        what: "diagnoses and certificates are what they were: [--accept REASON]",
-    },
-    Bench {
-        name: "front-end",
-        example: "bench_front_end",
-        what: "the analogue front end by ngspice: response, images, noise, spread: [--accept]",
-    },
-    Bench {
-        name: "gap",
-        example: "bench_gap",
-        what: "sealed sets: how often the diagnosis is right, by stratum",
-    },
-    Bench {
-        name: "measured",
-        example: "bench_measured",
-        what: "measured sets of known cause: leading cause, closed, verdict, first stage: [DIR]",
-    },
-    Bench {
-        name: "hard-hostile",
-        example: "bench_hard_hostile",
-        what: "hosts that flood, babble, reset and race while it measures: [RESETS]",
-    },
-    Bench {
-        name: "hard-long",
-        example: "bench_hard_long",
-        what: "virtual hours of calibrating, storing and downloading: [MINUTES [faults] [resume]]",
-    },
-    Bench {
-        name: "hard-power",
-        example: "bench_hard_power",
-        what: "power cuts of the whole board in a session: [CUTS [SEED]]",
-    },
-    Bench {
-        name: "hard-storage",
-        example: "bench_storage",
-        what: "records that fit, wear over 100 000 records, 2000 random power cuts",
-    },
-    Bench {
-        name: "gap-speed",
-        example: "bench_gap_speed",
-        what: "time for a diagnosis on one core, and for 1000 in one call, beside numpy and scipy",
-    },
-    Bench {
-        name: "monte-carlo",
-        example: "bench_monte_carlo",
-        what: "propagation of distributions on one core, beside numpy",
-    },
-    Bench {
-        name: "reality",
-        example: "bench_reality",
-        what: "does U hold on a site? every effect and fault at its site sizes: [--core] [--runs N] [EFFECT ...]",
-    },
-    Bench {
-        name: "records",
-        example: "bench_records",
-        what: "10 000 records in the logbook listed and filtered; start of the tool",
-    },
-    Bench {
-        name: "selfcheck",
-        example: "bench_selfcheck",
-        what: "the reference checked by reciprocity: coverage of U, changes found, false alarms: [RIGS [SEED [IMAGE_RIGS]]]",
-    },
-    Bench {
-        name: "speed",
-        example: "bench_speed",
-        what: "emulator, rig, correlation on this computer, image size, settling",
-    },
-    Bench {
-        name: "stop",
-        example: "bench_stop",
-        what: "from STOP to the calibrator's link, by what is in the way, and from a click to a drive at rest: [TRIES [PART [SITUATION [SEED]]]]",
-    },
-    Bench {
-        name: "target",
-        example: "bench_target",
-        what: "instructions and times on the Cortex-M7, beside idsp and the limits",
-    },
-    Bench {
-        name: "certificate",
-        example: "bench_certificate",
-        what: "time for the certificate set of a record with 31 points",
-    },
-];
 
 /// Programs in Python, over the wheel: name, file, what it needs beside the tests' packages, what it shows.
 const IN_PYTHON: [(&str, &str, &str, &str); 2] = [
@@ -186,17 +118,17 @@ pub(crate) fn run(arguments: &[String]) -> Result<()> {
 }
 
 /// The benchmarks that go by `name`; all when there is none.
-fn choose(name: Option<&String>) -> Result<Vec<&'static Bench>> {
+fn choose(name: Option<&String>) -> Result<Vec<Bench>> {
     let Some(name) = name else {
-        return Ok(BENCHES.iter().collect());
+        return Ok(Bench::all().collect());
     };
-    let chosen: Vec<&Bench> = BENCHES.iter().filter(|bench| bench.goes_by(name)).collect();
+    let chosen: Vec<Bench> = Bench::all().filter(|bench| bench.goes_by(name)).collect();
     if chosen.is_empty() {
         let fuzz = (
             FUZZ,
             "the fuzz targets, 10 minutes each: [MINUTES [TARGET ...]]",
         );
-        let benches = BENCHES.iter().map(|bench| (bench.name, bench.what));
+        let benches = Bench::all().map(|bench| (bench.name, bench.what));
         let known: Vec<_> = benches
             .chain(IN_PYTHON.iter().map(|(name, _, _, what)| (*name, *what)))
             .chain([fuzz])
@@ -236,12 +168,12 @@ impl Prepared {
     }
 
     /// The call of `bench`, without arguments of its own.
-    fn command(&self, bench: &Bench) -> Result<Command> {
+    fn command(&self, bench: Bench) -> Result<Command> {
         let mut build = cargo("build");
         build.args(["--release", "--quiet", "--workspace"]);
-        shell::run(build.args(["--example", bench.example]))?;
+        shell::run(build.args(["--example", &bench.example()]))?;
         let examples = target_dir().join("release").join("examples");
-        let mut command = Command::new(examples.join(bench.example));
+        let mut command = Command::new(examples.join(bench.example()));
         command.current_dir(shell::root());
         let json = self.folder.join(format!("{}.json", bench.name));
         command

@@ -358,12 +358,9 @@ pub fn said_of_closing(record: &Record, language: Language) -> Option<String> {
 }
 
 fn remark(remark: &model::Remark, language: Language) -> Remark {
-    let said = |value: &model::Value| super::present::value(value, language);
-    let words: Vec<String> = remark.values.iter().map(said).collect();
-    let words: Vec<&str> = words.iter().map(String::as_str).collect();
     Remark {
         severity: remark.severity,
         key: remark.key,
-        text: language.phrase(&format!("remark.{}", remark.key), &words),
+        text: super::present::remark_text(remark, language),
     }
 }

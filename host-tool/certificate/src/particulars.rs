@@ -388,6 +388,13 @@ impl Particulars {
     }
 }
 
+/// Items by their names in the file, each with what is stated and its range.
+macro_rules! ranges {
+    ($of:ident: $($part:ident.$item:ident in $least:expr, $most:expr;)+) => {
+        [$((concat!(stringify!($part), ".", stringify!($item)), $of.$part.$item, $least, $most)),+]
+    };
+}
+
 impl Particulars {
     /// Kind of the object; an accelerometer with a voltage where nobody said.
     pub fn kind(&self) -> SensorKind {
@@ -400,70 +407,19 @@ impl Particulars {
     /// # Errors
     /// [`Error::Input`] with the item, its value and its range.
     pub fn plausible(&self, place: &str) -> Result<()> {
-        let (conditions, amplifier) = (&self.conditions, &self.amplifier);
-        let ranges = [
-            (
-                "conditions.ambient_temperature_c",
-                conditions.ambient_temperature_c,
-                -60.0,
-                125.0,
-            ),
-            (
-                "conditions.temperature_difference_k",
-                conditions.temperature_difference_k,
-                -200.0,
-                500.0,
-            ),
-            (
-                "conditions.temperature_uncertainty_k",
-                conditions.temperature_uncertainty_k,
-                0.1,
-                20.0,
-            ),
-            (
-                "conditions.humidity_percent",
-                conditions.humidity_percent,
-                0.0,
-                100.0,
-            ),
-            (
-                "calibration.reference_correlation",
-                self.calibration.reference_correlation,
-                0.0,
-                1.0,
-            ),
-            ("mounting.torque_n_m", self.mounting.torque_n_m, 0.0, 100.0),
-            (
-                "mounting.resonance_spread_percent",
-                self.mounting.resonance_spread_percent,
-                0.0,
-                50.0,
-            ),
-            (
-                "item.mounted_resonance_hz",
-                self.item.mounted_resonance_hz,
-                500.0,
-                1.0e6,
-            ),
-            (
-                "amplifier.lower_cutoff_hz",
-                amplifier.lower_cutoff_hz,
-                0.0,
-                1.0e6,
-            ),
-            (
-                "amplifier.upper_cutoff_hz",
-                amplifier.upper_cutoff_hz,
-                0.0,
-                1.0e9,
-            ),
-            (
-                "amplifier.slope_db_per_octave",
-                amplifier.slope_db_per_octave,
-                0.0,
-                200.0,
-            ),
-        ];
+        let ranges = ranges! { self:
+            conditions.ambient_temperature_c in -60.0, 125.0;
+            conditions.temperature_difference_k in -200.0, 500.0;
+            conditions.temperature_uncertainty_k in 0.1, 20.0;
+            conditions.humidity_percent in 0.0, 100.0;
+            calibration.reference_correlation in 0.0, 1.0;
+            mounting.torque_n_m in 0.0, 100.0;
+            mounting.resonance_spread_percent in 0.0, 50.0;
+            item.mounted_resonance_hz in 500.0, 1.0e6;
+            amplifier.lower_cutoff_hz in 0.0, 1.0e6;
+            amplifier.upper_cutoff_hz in 0.0, 1.0e9;
+            amplifier.slope_db_per_octave in 0.0, 200.0;
+        };
         if let Some(problem) = self.reference_interval.and_then(|rule| rule.problem()) {
             return Err(Error::input(
                 place,

@@ -1,6 +1,7 @@
 //! A record's place in the chain, as a certificate states it.
 
 use super::model::{Certificate, Entry, Remark, Severity, Value};
+use calib_output::code;
 use calib_protocol::provenance::Provenance;
 use calib_protocol::record::{self, Record, Sha256Sum};
 use calib_protocol::update::ImageOrigin;
@@ -20,7 +21,7 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: O
         _ => Standing::NotAtHand,
     });
     let before = Value::Text(record.head.id.saturating_sub(1).to_string());
-    let said = Value::Phrase(format!("chain.{}", name(standing)), vec![before.clone()]);
+    let said = Value::Phrase(format!("chain.{}", code(&standing)), vec![before.clone()]);
     let sum = Value::Text(hexadecimal(&digest(record)));
     let calibration = certificate
         .sections
@@ -63,16 +64,6 @@ pub(super) fn attach(certificate: &mut Certificate, record: &Record, standing: O
                 values.assessment = None;
             }
         }
-    }
-}
-
-/// Name of a standing for programs.
-pub(super) fn name(standing: Standing) -> &'static str {
-    match standing {
-        Standing::First => "first",
-        Standing::Verified => "verified",
-        Standing::NotAtHand => "not_at_hand",
-        Standing::Broken => "broken",
     }
 }
 

@@ -33,4 +33,4 @@ pub use error::{Error, LinkError, ProtocolError, Refused, Result};
 pub use serial::SerialTransport;
 pub use stop_switch::{STOP_ALARM, StopSwitch};
 pub use tcp::TcpTransport;
-pub use transport::{Transport, pause_as_nothing, since_start};
+pub use transport::{Transport, since_start};

@@ -68,7 +68,7 @@ pub fn since_start() -> Duration {
 }
 
 /// A read that ended for want of bytes in time has read none.
-pub fn pause_as_nothing(read: io::Result<usize>) -> io::Result<usize> {
+pub(super) fn pause_as_nothing(read: io::Result<usize>) -> io::Result<usize> {
     match read {
         Err(error)
             if matches!(

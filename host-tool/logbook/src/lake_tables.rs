@@ -3,7 +3,7 @@
 use super::Logbook;
 use super::lake::Partition;
 use super::records::Content;
-use super::table::{Kind, Part, Table, Values};
+use super::table::{Part, Table};
 use calib_certificate::{Certificate, Particulars};
 use calib_core::settings::Settings;
 use calib_files::{Error, Result};
@@ -11,8 +11,6 @@ use rusqlite::params;
 use rusqlite::types::ValueRef;
 use serde_json::Value;
 use std::collections::HashSet;
-
-use Kind::{Boolean, Integer, Real, Text, Time};
 
 /// `WHERE` of every question: instrument and year of a partition.
 const OF_PARTITION: &str = "records.instrument = ?1 AND iif(unix_time_s > 0,
@@ -22,24 +20,11 @@ const OF_PARTITION: &str = "records.instrument = ?1 AND iif(unix_time_s > 0,
 pub(super) const LAKE_TABLES: [Table; 5] = [
     Table {
         name: "points",
-        columns: &[
-            ("record_sha256", Text),
-            ("instrument_serial", Text),
-            ("time", Time),
-            ("dut_serial", Text),
-            ("dut_model", Text),
-            ("operator", Text),
-            ("position", Integer),
-            ("frequency_hz", Real),
-            ("set_acceleration_rms_ms2", Real),
-            ("state", Text),
-            ("reason_text", Text),
-            ("sensitivity_v_per_ms2", Real),
-            ("expanded_uncertainty_rel", Real),
-            ("coverage_factor", Real),
-            ("phase_deg", Real),
-            ("expanded_uncertainty_phase_deg", Real),
-        ],
+        columns: "record_sha256 text, instrument_serial text, time time, dut_serial text, \
+                  dut_model text, operator text, position integer, frequency_hz real, \
+                  set_acceleration_rms_ms2 real, state text, reason_text text, \
+                  sensitivity_v_per_ms2 real, expanded_uncertainty_rel real, coverage_factor real, \
+                  phase_deg real, expanded_uncertainty_phase_deg real",
         select: "SELECT id, lower(hex(sha256)), instrument,
                  iif(unix_time_s > 0, 1000 * unix_time_s, NULL), sensor_serial, sensor_model, operator, position,
                  frequency_hz, acceleration_rms_ms2,
@@ -51,47 +36,23 @@ pub(super) const LAKE_TABLES: [Table; 5] = [
     },
     Table {
         name: "settings",
-        columns: &[
-            ("record_sha256", Text),
-            ("instrument_serial", Text),
-            ("time", Time),
-            ("key", Text),
-            ("value_number", Real),
-            ("value_text", Text),
-        ],
+        columns: "record_sha256 text, instrument_serial text, time time, key text, value_number real, \
+                  value_text text",
         select: "",
     },
     Table {
         name: "budgets",
-        columns: &[
-            ("record_sha256", Text),
-            ("instrument_serial", Text),
-            ("time", Time),
-            ("row", Integer),
-            ("value_rel", Real),
-            ("distribution", Text),
-            ("divisor", Real),
-            ("sensitivity_coefficient", Real),
-            ("contribution_rel", Real),
-            ("degrees_of_freedom", Real),
-        ],
+        columns: "record_sha256 text, instrument_serial text, time time, row integer, value_rel real, \
+                  distribution text, divisor real, sensitivity_coefficient real, \
+                  contribution_rel real, degrees_of_freedom real",
         select: "",
     },
     Table {
         name: "checks",
-        columns: &[
-            ("record_sha256", Text),
-            ("instrument_serial", Text),
-            ("time", Time),
-            ("check_serial", Text),
-            ("every_days", Integer),
-            ("frequency_hz", Real),
-            ("state", Text),
-            ("sensitivity_v_per_ms2", Real),
-            ("expanded_uncertainty_rel", Real),
-            ("certified_v_per_ms2", Real),
-            ("certified_expanded_uncertainty_rel", Real),
-        ],
+        columns: "record_sha256 text, instrument_serial text, time time, check_serial text, \
+                  every_days integer, frequency_hz real, state text, sensitivity_v_per_ms2 real, \
+                  expanded_uncertainty_rel real, certified_v_per_ms2 real, \
+                  certified_expanded_uncertainty_rel real",
         select: "SELECT id, lower(hex(sha256)), instrument,
                  iif(unix_time_s > 0, 1000 * unix_time_s, NULL), check_standards.serial, every_days,
                  points.frequency_hz, CASE verdict WHEN 'valid' THEN 'valid' ELSE 'refused' END,
@@ -102,22 +63,10 @@ pub(super) const LAKE_TABLES: [Table; 5] = [
     },
     Table {
         name: "records",
-        columns: &[
-            ("record_sha256", Text),
-            ("instrument_serial", Text),
-            ("record_id", Integer),
-            ("time", Time),
-            ("kind", Text),
-            ("dut_serial", Text),
-            ("dut_model", Text),
-            ("operator", Text),
-            ("complete", Boolean),
-            ("points", Integer),
-            ("refused", Integer),
-            ("reference_frequency_hz", Real),
-            ("sensitivity_v_per_ms2", Real),
-            ("expanded_uncertainty_rel", Real),
-        ],
+        columns: "record_sha256 text, instrument_serial text, record_id integer, time time, \
+                  kind text, dut_serial text, dut_model text, operator text, complete boolean, \
+                  points integer, refused integer, reference_frequency_hz real, \
+                  sensitivity_v_per_ms2 real, expanded_uncertainty_rel real",
         select: "SELECT id, lower(hex(sha256)), instrument, number,
                  iif(unix_time_s > 0, 1000 * unix_time_s, NULL), kind, sensor_serial, sensor_model, operator,
                  complete, points, refused, reference_frequency_hz, sensitivity_v_per_ms2,
@@ -131,7 +80,7 @@ pub(super) fn rows(
     partition: &Partition,
     ids: &HashSet<i64>,
 ) -> Result<Vec<Part>> {
-    let mut parts: Vec<Part> = LAKE_TABLES.iter().map(|table| table.empty()).collect();
+    let mut parts: Vec<Part> = LAKE_TABLES.iter().map(|table| table.empty(None)).collect();
     for (table, part) in LAKE_TABLES.iter().zip(&mut parts) {
         if !table.select.is_empty() {
             asked(logbook, table, partition, ids, part)?;
@@ -259,17 +208,6 @@ impl Part {
                 Cell::Real(value) => ValueRef::Real(value),
                 Cell::Integer(value) => ValueRef::Integer(value),
             });
-        }
-    }
-}
-
-impl Table {
-    /// No rows yet.
-    fn empty(&self) -> Part {
-        let columns = self.columns.iter().map(|(_, kind)| Values::new(*kind));
-        Part {
-            year: None,
-            columns: columns.collect(),
         }
     }
 }

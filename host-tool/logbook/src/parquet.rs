@@ -122,15 +122,15 @@ fn encode(file: std::fs::File, table: &Table, part: &Part) -> Result<(), Parquet
     let properties = Arc::new(WriterProperties::builder().build());
     let mut writer = SerializedFileWriter::new(file, schema, properties)?;
     let mut group = writer.next_row_group()?;
-    for ((_, kind), values) in table.columns.iter().zip(&part.columns) {
-        encode_column(&mut group, *kind, values)?;
+    for ((_, kind), values) in table.columns().zip(&part.columns) {
+        encode_column(&mut group, kind, values)?;
     }
     group.close()?;
     writer.close().map(drop)
 }
 
 fn schema(table: &Table) -> String {
-    let column = |(name, kind): &(&str, Kind)| {
+    let column = |(name, kind): (&str, Kind)| {
         let (primitive, logical) = match kind {
             Kind::Text => ("BYTE_ARRAY", " (UTF8)"),
             Kind::Real => ("DOUBLE", ""),
@@ -140,7 +140,7 @@ fn schema(table: &Table) -> String {
         };
         format!("OPTIONAL {primitive} {name}{logical};\n")
     };
-    let columns: String = table.columns.iter().map(column).collect();
+    let columns: String = table.columns().map(column).collect();
     format!("message {} {{\n{columns}}}", table.name)
 }
 

@@ -26,7 +26,8 @@ pub(super) enum Values {
 /// A table that is exported: its name, its columns, where they come from.
 pub(super) struct Table {
     pub(super) name: &'static str,
-    pub(super) columns: &'static [(&'static str, Kind)],
+    /// Name and kind of each.
+    pub(super) columns: &'static str,
     /// Question with one value a column, and the year of the row first.
     pub(super) select: &'static str,
 }
@@ -40,29 +41,24 @@ pub(super) struct Part {
 
 use Kind::{Boolean, Integer, Real, Text, Time};
 
+/// Kinds as tables name them.
+const KINDS: [(&str, Kind); 5] = [
+    ("text", Text),
+    ("real", Real),
+    ("integer", Integer),
+    ("boolean", Boolean),
+    ("time", Time),
+];
+
 /// Exported tables. Years are UTC.
 pub(super) const TABLES: &[Table] = &[
     Table {
         name: "points",
-        columns: &[
-            ("logbook_record", Integer),
-            ("record_sha256", Text),
-            ("instrument_serial", Text),
-            ("dut_serial", Text),
-            ("dut_model", Text),
-            ("operator", Text),
-            ("time", Time),
-            ("position", Integer),
-            ("frequency_hz", Real),
-            ("set_acceleration_rms_ms2", Real),
-            ("state", Text),
-            ("reason_text", Text),
-            ("sensitivity_v_per_ms2", Real),
-            ("expanded_uncertainty_rel", Real),
-            ("coverage_factor", Real),
-            ("phase_deg", Real),
-            ("expanded_uncertainty_phase_deg", Real),
-        ],
+        columns: "logbook_record integer, record_sha256 text, instrument_serial text, \
+                  dut_serial text, dut_model text, operator text, time time, position integer, \
+                  frequency_hz real, set_acceleration_rms_ms2 real, state text, reason_text text, \
+                  sensitivity_v_per_ms2 real, expanded_uncertainty_rel real, coverage_factor real, \
+                  phase_deg real, expanded_uncertainty_phase_deg real",
         select: "SELECT CAST(strftime('%Y', unix_time_s, 'unixepoch') AS INTEGER), id,
                  lower(hex(sha256)), instrument, sensor_serial, sensor_model, operator,
                  1000 * unix_time_s, position, frequency_hz, acceleration_rms_ms2,
@@ -74,22 +70,10 @@ pub(super) const TABLES: &[Table] = &[
     },
     Table {
         name: "records",
-        columns: &[
-            ("logbook_record", Integer),
-            ("sha256", Text),
-            ("instrument_serial", Text),
-            ("record_id", Integer),
-            ("time", Time),
-            ("dut_serial", Text),
-            ("dut_model", Text),
-            ("operator", Text),
-            ("complete", Boolean),
-            ("points", Integer),
-            ("refused", Integer),
-            ("reference_frequency_hz", Real),
-            ("sensitivity_v_per_ms2", Real),
-            ("expanded_uncertainty_rel", Real),
-        ],
+        columns: "logbook_record integer, sha256 text, instrument_serial text, record_id integer, \
+                  time time, dut_serial text, dut_model text, operator text, complete boolean, \
+                  points integer, refused integer, reference_frequency_hz real, \
+                  sensitivity_v_per_ms2 real, expanded_uncertainty_rel real",
         select: "SELECT CAST(strftime('%Y', unix_time_s, 'unixepoch') AS INTEGER), id,
                  lower(hex(sha256)), instrument, number, 1000 * unix_time_s, sensor_serial,
                  sensor_model, operator, complete, points, refused, reference_frequency_hz,
@@ -97,15 +81,8 @@ pub(super) const TABLES: &[Table] = &[
     },
     Table {
         name: "certificates",
-        columns: &[
-            ("number", Integer),
-            ("certificate", Text),
-            ("format", Text),
-            ("record_sha256", Text),
-            ("issued", Time),
-            ("file", Text),
-            ("sha256", Text),
-        ],
+        columns: "number integer, certificate text, format text, record_sha256 text, issued time, \
+                  file text, sha256 text",
         select:
             "SELECT CAST(strftime('%Y', issued_s, 'unixepoch') AS INTEGER), number, certificate,
                  format, lower(hex(record_sha256)), 1000 * issued_s, file, lower(hex(sha256))
@@ -113,14 +90,8 @@ pub(super) const TABLES: &[Table] = &[
     },
     Table {
         name: "signed_files",
-        columns: &[
-            ("sha256", Text),
-            ("certificate", Text),
-            ("format", Text),
-            ("signed_by", Text),
-            ("signer_certificate_sha256", Text),
-            ("entered", Time),
-        ],
+        columns: "sha256 text, certificate text, format text, signed_by text, \
+                  signer_certificate_sha256 text, entered time",
         select:
             "SELECT CAST(strftime('%Y', entered_s, 'unixepoch') AS INTEGER), lower(hex(sha256)),
                  certificate, format, signed_by, lower(hex(signer_sha256)), 1000 * entered_s
@@ -128,20 +99,9 @@ pub(super) const TABLES: &[Table] = &[
     },
     Table {
         name: "sensors",
-        columns: &[
-            ("serial", Text),
-            ("manufacturer", Text),
-            ("model", Text),
-            ("sensitivity_v_per_ms2", Real),
-            ("range_ms2", Real),
-            ("iepe", Boolean),
-            ("mounting", Text),
-            ("owner", Text),
-            ("due_day", Text),
-            ("tolerance", Text),
-            ("unit", Text),
-            ("resonance_hz", Real),
-        ],
+        columns: "serial text, manufacturer text, model text, sensitivity_v_per_ms2 real, \
+                  range_ms2 real, iepe boolean, mounting text, owner text, due_day text, \
+                  tolerance text, unit text, resonance_hz real",
         // Of other kinds V/(m/s2) is no number.
         select: "SELECT NULL, serial, manufacturer, model,
                  CASE WHEN unit IS NULL OR unit IN ('mV/(m/s2)', 'mV/g') THEN sensitivity END, range_ms2, iepe,
@@ -149,35 +109,42 @@ pub(super) const TABLES: &[Table] = &[
     },
     Table {
         name: "instruments",
-        columns: &[
-            ("instrument_serial", Text),
-            ("firmware", Text),
-            ("reference_serial", Text),
-            ("reference_certificate", Text),
-            ("reference_due_day", Text),
-            ("reference_table", Text),
-            ("last", Time),
-        ],
+        columns: "instrument_serial text, firmware text, reference_serial text, \
+                  reference_certificate text, reference_due_day text, reference_table text, \
+                  last time",
         select: "SELECT NULL, serial, firmware, reference_serial, reference_certificate, due_day,
                  reference_table, 1000 * last_s FROM instruments ORDER BY serial",
     },
     Table {
         name: "operators",
-        columns: &[("name", Text), ("first", Time), ("last", Time)],
+        columns: "name text, first time, last time",
         select: "SELECT NULL, name, 1000 * first_s, 1000 * last_s FROM operators ORDER BY name",
     },
 ];
 
 impl Table {
+    /// Names and kinds of its columns.
+    pub(super) fn columns(&self) -> impl Iterator<Item = (&'static str, Kind)> {
+        let named = self.columns.split(", ").filter_map(|it| it.split_once(' '));
+        named.filter_map(|(name, word)| {
+            let (_, kind) = KINDS.into_iter().find(|(known, _)| *known == word)?;
+            Some((name, kind))
+        })
+    }
+
+    /// No rows yet.
+    pub(super) fn empty(&self, year: Option<i64>) -> Part {
+        let columns = self.columns().map(|(_, kind)| Values::new(kind)).collect();
+        Part { year, columns }
+    }
+
     /// The rows, apart by year.
     pub(super) fn read(&self, logbook: &Logbook) -> Result<Vec<Part>> {
         let mut parts: Vec<Part> = Vec::new();
         logbook.all(self.select, [], |row| {
             let year = row.get(0)?;
             if parts.last().is_none_or(|part| part.year != year) {
-                let columns = self.columns.iter().map(|(_, kind)| Values::new(*kind));
-                let columns = columns.collect();
-                parts.push(Part { year, columns });
+                parts.push(self.empty(year));
             }
             if let Some(part) = parts.last_mut() {
                 for (index, values) in part.columns.iter_mut().enumerate() {
@@ -204,6 +171,20 @@ impl Values {
             Self::Text(all) => all.push(value.as_str().ok().map(str::to_owned)),
             Self::Real(all) => all.push(value.as_f64().ok()),
             Self::Integer(all) => all.push(value.as_i64().ok()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lake_tables::LAKE_TABLES;
+
+    #[test]
+    fn every_column_has_a_kind_there_is() {
+        for table in TABLES.iter().chain(&LAKE_TABLES) {
+            let all = table.columns.split(", ").count();
+            assert_eq!(table.columns().count(), all, "{}", table.name);
         }
     }
 }

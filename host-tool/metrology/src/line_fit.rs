@@ -4,7 +4,6 @@
 //! GUM H.3 (equal weights, uncertainty from the residuals); ISO/TS 28037
 //! clause 6 (known uncertainties of the ordinates).
 
-use super::statistics;
 use serde::Serialize;
 
 /// `y = intercept + slope (x - origin)` with covariance.
@@ -85,12 +84,6 @@ impl Line {
     /// Correlation coefficient of intercept and slope.
     pub fn correlation(&self) -> f64 {
         self.covariance / (self.u_intercept * self.u_slope)
-    }
-
-    /// Whether a slope of zero lies within the 95 % interval.
-    pub fn is_flat(&self) -> bool {
-        let k = statistics::student_factor(0.95, self.degrees_of_freedom as f64);
-        self.slope.abs() <= k * self.u_slope
     }
 }
 

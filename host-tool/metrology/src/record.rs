@@ -16,24 +16,9 @@ pub struct TimeRecord {
     pub output: Option<Vec<f64>>,
 }
 
-const TIME: [&str; 4] = ["time_s", "time", "t_s", "t"];
-const INPUT: [&str; 6] = [
-    "input",
-    "input_*",
-    "acceleration",
-    "acceleration_*",
-    "a",
-    "a_ms2",
-];
-const OUTPUT: [&str; 7] = [
-    "output",
-    "output_*",
-    "charge",
-    "charge_*",
-    "voltage",
-    "voltage_*",
-    "x",
-];
+const TIME: &str = "time_s time t_s t";
+const INPUT: &str = "input input_* acceleration acceleration_* a a_ms2";
+const OUTPUT: &str = "output output_* charge charge_* voltage voltage_* x";
 /// Largest deviation of a time step from the mean, of that mean: printed
 /// times are rounded.
 const JITTER: f64 = 0.02;
@@ -45,11 +30,11 @@ const JITTER: f64 = 0.02;
 /// spaced: named with line and remedy.
 pub fn read(source: Source) -> Result<TimeRecord> {
     let table = Table::parse(source)?;
-    let time = values(&table, table.require("time", &TIME)?)?;
-    let input = optional(&table, &INPUT)?;
-    let output = optional(&table, &OUTPUT)?;
+    let time = values(&table, table.require("time", TIME)?)?;
+    let input = optional(&table, INPUT)?;
+    let output = optional(&table, OUTPUT)?;
     if input.is_none() && output.is_none() {
-        table.require("the signal", &["input", "output"])?;
+        table.require("the signal", "input output")?;
     }
     if time.len() < 8 {
         return Err(table.source.at_line(
@@ -78,7 +63,7 @@ pub fn read(source: Source) -> Result<TimeRecord> {
     })
 }
 
-fn optional(table: &Table, names: &[&str]) -> Result<Option<Vec<f64>>> {
+fn optional(table: &Table, names: &str) -> Result<Option<Vec<f64>>> {
     match table.find(names)? {
         Some(column) => values(table, column).map(Some),
         None => Ok(None),

@@ -141,11 +141,7 @@ impl Ratio {
         // A ratio better than U of a result needs all blocks.
         let held = ExcitationKind::HeldSine;
         let outcome = session::run_excited(client, points, held, labels, |_| stop())?;
-        let folder = tempfile::tempdir()
-            .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
-        let id = outcome.record_id;
-        let download = session::download(client, id, folder.path(), |_| ())?;
-        Ok(Box::new(download.record))
+        Ok(Box::new(session::take(client, outcome.record_id)?.0))
     }
 
     fn store(&self, context: &Context, evaluated: &Evaluated) -> Result<()> {

@@ -370,11 +370,6 @@ pub(super) fn laboratory_file(named: Option<PathBuf>) -> Option<PathBuf> {
 
 /// An error unless a conformity that was asked for is a pass.
 pub(super) fn passed(verdict: Option<&Verdict>) -> Result<()> {
-    match verdict {
-        Some(verdict) if verdict.conformity != Stated::Pass => Err(Error::NotPassed(format!(
-            "{}: {}",
-            verdict.title, verdict.because
-        ))),
-        _ => Ok(()),
-    }
+    let other = verdict.filter(|verdict| verdict.conformity != Stated::Pass);
+    Error::not_passed(other.map(|verdict| format!("{}: {}", verdict.title, verdict.because)))
 }

@@ -1,8 +1,8 @@
 //! `calib completions SHELL` and `calib man`: generated from the command line itself.
 
-use super::Context;
+use super::{Arguments, Context, help};
 use calib_host::{Error, Result};
-use clap::{Args, Command};
+use clap::{Args, CommandFactory};
 use clap_complete::Shell;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -26,9 +26,9 @@ pub(super) struct Script {
 }
 
 impl Completions {
-    /// Prints the script of `calib`, whose command line this is.
-    pub(crate) fn run(self, context: &Context, mut calib: Command) -> Result<()> {
-        let mut script = Vec::new();
+    /// Prints the script of `calib`.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
+        let (mut calib, mut script) = (help::described(Arguments::command()), Vec::new());
         clap_complete::generate(self.shell, &mut calib, "calib", &mut script);
         let script = Script {
             shell: self.shell.to_string(),
@@ -52,12 +52,12 @@ pub(super) struct Pages {
 }
 
 impl Man {
-    /// Writes the pages of `calib`, whose command line this is.
-    pub(crate) fn run(self, context: &Context, calib: Command) -> Result<()> {
+    /// Writes the pages of `calib`.
+    pub(crate) fn run(self, context: &Context) -> Result<()> {
         let failed = |error| Error::file("write", &self.out, error);
         std::fs::create_dir_all(&self.out)
             .map_err(|error| Error::file("create", &self.out, error))?;
-        let command = calib.disable_help_subcommand(true);
+        let command = help::described(Arguments::command()).disable_help_subcommand(true);
         clap_mangen::generate_to(command, &self.out).map_err(failed)?;
         let entries = std::fs::read_dir(&self.out).map_err(failed)?;
         let mut files: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();

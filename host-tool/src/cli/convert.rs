@@ -61,10 +61,9 @@ pub(super) struct Output {
 impl Convert {
     /// Converts and prints.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let usable = |value: f64| value.is_finite() && value > 0.0;
-        if !(usable(self.frequency) && usable(self.sensitivity) && self.phase.is_finite()) {
+        if self.frequency <= 0.0 || self.sensitivity <= 0.0 {
             return Err(Error::usage(
-                "--frequency and --sensitivity are numbers above zero, --phase is finite",
+                "--frequency and --sensitivity are numbers above zero",
                 "an inverted transducer has --phase 180",
             ));
         }

@@ -47,10 +47,8 @@ impl Demo {
         })?;
         progress::print_result(context, &report, || text(&report))?;
         let refused = report.points.iter().filter(|p| !p.measured.is_valid());
-        match refused.count() {
-            0 => Ok(()),
-            count => Err(Error::NotPassed(format!("{count} points were refused"))),
-        }
+        let count = refused.count();
+        Error::not_passed((count > 0).then(|| format!("{count} points were refused")))
     }
 }
 

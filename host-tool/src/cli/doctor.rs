@@ -19,10 +19,7 @@ impl Doctor {
         let findings = doctor::examine(address.as_ref());
         context.print(&findings, || findings.iter().map(text).collect())?;
         let failed = findings.iter().filter(|f| f.state == State::Failed).count();
-        match failed {
-            0 => Ok(()),
-            count => Err(Error::NotPassed(format!("{count} checks failed"))),
-        }
+        Error::not_passed((failed > 0).then(|| format!("{failed} checks failed")))
     }
 }
 

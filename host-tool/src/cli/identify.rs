@@ -98,18 +98,12 @@ impl Identify {
             ("--to-hz", self.to_hz),
             ("--u0", self.u0),
         ] {
-            if value.is_some_and(|value| !value.is_finite() || value <= 0.0) {
+            if value.is_some_and(|value| value <= 0.0) {
                 return Err(Error::usage(
                     format!("{name} must be greater than zero"),
                     "leave it out for the default",
                 ));
             }
-        }
-        if !self.input_delay_s.is_finite() {
-            return Err(Error::usage(
-                "--input-delay-s is not a finite number",
-                "state the delay in seconds, such as 0.8e-6",
-            ));
         }
         let record = record::read(Source::read(path)?)?;
         let choice = Choice {
@@ -165,11 +159,7 @@ impl Identify {
 
 /// A rejected model was printed, but is not to be used; one that could not be tested is no failure.
 fn passed(consistent: Option<bool>) -> Result<()> {
-    match consistent {
-        Some(false) => Err(Error::NotPassed(
-            "the data reject the model: its parameters and their uncertainties are not to be used"
-                .into(),
-        )),
-        _ => Ok(()),
-    }
+    let rejected =
+        "the data reject the model: its parameters and their uncertainties are not to be used";
+    Error::not_passed((consistent == Some(false)).then(|| rejected.to_owned()))
 }

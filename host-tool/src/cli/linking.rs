@@ -4,7 +4,7 @@ use super::Context;
 use calib_files::file;
 use calib_host::Result;
 use calib_metrology::input::Source;
-use calib_metrology::linking::{self, Bar, Degree, Judgement, LinkedFrequency, equivalence_chart};
+use calib_metrology::linking::{self, Degree, Judgement, LinkedFrequency, equivalence_chart};
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -104,16 +104,7 @@ impl Linking {
         let Some(path) = &self.chart else {
             return Ok(());
         };
-        let bars: Vec<Bar> = degrees
-            .iter()
-            .map(|degree| Bar {
-                laboratory: degree.laboratory.clone(),
-                frequency_hz: degree.frequency_hz,
-                d: degree.d,
-                u_expanded: degree.u_expanded,
-            })
-            .collect();
-        Ok(file::replace(path, equivalence_chart(&bars).as_bytes())?)
+        Ok(file::replace(path, equivalence_chart(degrees).as_bytes())?)
     }
 }
 

@@ -1,7 +1,7 @@
 //! A list measured once: followed with its progress, stopped by Ctrl-C, and kept.
 
 use super::again::Followed;
-use super::{Context, alarm, progress::RunProgress, source};
+use super::{Context, alarm, progress::RunProgress};
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_core::verdict::Verdict;
 use calib_host::in_unit::Stating;
@@ -32,15 +32,10 @@ pub(super) fn keep(
     if outcome.state == RunState::Failed {
         return Ok(None);
     }
-    let folder =
-        tempfile::tempdir().map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
-    let download = session::download(client, outcome.record_id, folder.path(), |_| ())?;
+    let (record, bytes) = session::take(client, outcome.record_id)?;
     if !path.exists() {
-        let record = download.record;
         return Ok(Some(Kept { id: None, record }));
     }
-    let bytes = std::fs::read(&download.path)
-        .map_err(|error| Error::file("read", &download.path, error))?;
     // It is on disk before the logbook is asked for, which another program may hold.
     let place = waiting::put(&path, &bytes)?;
     let keys = session::stated_key(client)?;
@@ -50,7 +45,6 @@ pub(super) fn keep(
             let of_run = |(of, _): &&(PathBuf, i64)| *of == place;
             entered.iter().find(of_run).map(|(_, id)| *id)
         });
-    let record = source::read(&download.path)?;
     Ok(Some(Kept { id, record }))
 }
 

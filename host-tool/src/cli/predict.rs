@@ -90,7 +90,7 @@ impl Predict {
                 "columns: time_s, and input (acceleration) or, with --inverse, output",
             )
         })?;
-        if !self.u_sample.is_finite() || self.u_sample < 0.0 {
+        if self.u_sample < 0.0 {
             return Err(Error::usage(
                 "--u-sample must not be negative",
                 "state the standard uncertainty of one sample",

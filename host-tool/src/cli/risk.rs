@@ -34,8 +34,7 @@ impl Risk {
     /// Computes and prints.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
         // Below one, tolerance less U leaves nothing to accept.
-        let usable = self.ratio.is_finite() && self.ratio > 1.0;
-        if !usable || !(50.0..100.0).contains(&self.in_tolerance) {
+        if self.ratio <= 1.0 || !(50.0..100.0).contains(&self.in_tolerance) {
             return Err(Error::usage(
                 "--ratio is above 1, --in-tolerance from 50 to below 100 %",
                 "a tolerance of 5 % and U = 0.8 % have a ratio of 6.25",

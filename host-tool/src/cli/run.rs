@@ -181,7 +181,7 @@ impl Run {
             self.measure_mountings(context, &mut client, &asked, labels, &switch)?;
         let substitution = match standard.zip(before) {
             Some((standard, before)) => {
-                let device = substitute::fetch(&mut client, outcome.record_id)?;
+                let device = session::take(&mut client, outcome.record_id)?.0;
                 Some(standard.substituted(before, &device, &particulars)?)
             }
             None => None,
@@ -256,7 +256,7 @@ impl Run {
         progress.end(&outcome.points);
         keep(context, client, &outcome)?;
         judge(&outcome, asked.points.len())?;
-        let record = substitute::fetch(client, outcome.record_id)?;
+        let record = session::take(client, outcome.record_id)?.0;
         remount::wait_for(&format!(
             "Record {}. Mount the device in its place",
             outcome.record_id

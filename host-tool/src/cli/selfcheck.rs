@@ -4,13 +4,13 @@ use super::hand::done_by_hand;
 use super::measure::{Asked, judge, keep, measure, switch_of_interrupts};
 use super::number::{finite, positive};
 use super::progress::{RunProgress, print_result};
-use super::{Context, source, substitute, time};
+use super::{Context, source, time};
 use calib_certificate::SensorKind;
 use calib_core::point::{ExcitationKind, PointSpec};
 use calib_host::in_unit::Stating;
 use calib_host::self_check::{self, Found};
 use calib_host::{Error, Result};
-use calib_link::session::{label, temperature_centi_c};
+use calib_link::session::{self, label, temperature_centi_c};
 use calib_link::{Client, StopSwitch};
 use calib_metrology::reciprocity::{
     Change, CheckPoint, Equipment, Evaluation, Identified, Row, Runs, STEPS, Step, change_text,
@@ -137,13 +137,8 @@ impl SelfcheckVerb {
             changes,
         };
         print_result(context, &output, || text(&found, &output))?;
-        match output.changes.iter().find(|change| change.significant) {
-            None => Ok(()),
-            Some(change) => Err(Error::NotPassed(format!(
-                "the reference {}",
-                change.words()
-            ))),
-        }
+        let changed = output.changes.iter().find(|change| change.significant);
+        Error::not_passed(changed.map(|change| format!("the reference {}", change.words())))
     }
 
     fn equipment(&self) -> Result<Equipment> {
@@ -210,7 +205,7 @@ impl SelfcheckVerb {
         progress.end(&outcome.points);
         keep(context, client, &outcome)?;
         judge(&outcome, points.len())?;
-        substitute::fetch(client, outcome.record_id)
+        Ok(session::take(client, outcome.record_id)?.0)
     }
 
     /// The list of a run.

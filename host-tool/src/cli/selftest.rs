@@ -16,13 +16,9 @@ impl SelfTest {
         let view = SelfTestView::from(lines.as_slice());
         context.print(&view, || view.lines.iter().map(text).collect())?;
         let failed = view.lines.iter().filter(|line| !line.passed).count();
-        match (view.passed, failed) {
-            (true, _) => Ok(()),
-            (_, failed) => Err(Error::NotPassed(format!(
-                "{failed} of {} lines of the self-test failed",
-                view.lines.len()
-            ))),
-        }
+        let all = view.lines.len();
+        let why = || format!("{failed} of {all} lines of the self-test failed");
+        Error::not_passed((!view.passed).then(why))
     }
 }
 

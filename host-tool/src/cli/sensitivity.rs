@@ -64,12 +64,10 @@ impl Sensitivity {
             sensitivity::report(&output.points, output.unit, &output.remarks)
         })?;
         let refused = |point: &&PointSensitivity| point.sensitivity.is_none();
-        match output.points.iter().filter(refused).count() {
-            0 => Ok(()),
-            count => Err(Error::NotPassed(format!(
-                "{count} of {} points were refused",
-                output.points.len()
-            ))),
-        }
+        let (count, all) = (
+            output.points.iter().filter(refused).count(),
+            output.points.len(),
+        );
+        Error::not_passed((count > 0).then(|| format!("{count} of {all} points were refused")))
     }
 }

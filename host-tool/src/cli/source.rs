@@ -226,12 +226,6 @@ fn from_file(path: &Path, logbook: Option<&Logbook>) -> Result<Found> {
     })
 }
 
-/// Reads the downloaded record of a calibration.
-pub(super) fn read(path: &Path) -> Result<Record> {
-    let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-    record::decode(&bytes).map_err(|error| unusable(path, error))
-}
-
 fn content(path: &Path, bytes: &[u8]) -> Result<Content> {
     let found = RecordKind::ReferenceChange;
     match record::decode(bytes) {

@@ -3,9 +3,7 @@
 use super::Context;
 use crate::assurance;
 use calib_certificate::{Particulars, Standard, StandardPoint, Substituted, substitute};
-use calib_host::{Error, Result};
-use calib_link::Client;
-use calib_link::session;
+use calib_host::Result;
 use calib_metrology::input::{Column, HIGHEST_HZ, Source, Table as Input};
 use calib_metrology::text::Table;
 use calib_protocol::record::Record;
@@ -37,7 +35,7 @@ impl Known {
     /// check standard.
     ///
     /// # Errors
-    /// [`Error::Files`] when the table is none, or nobody stated what it is.
+    /// [`calib_host::Error::Files`] when the table is none, or nobody stated what it is.
     pub(super) fn find(context: &Context, serial: &str, table: Option<&Path>) -> Result<Self> {
         let certified = match table {
             Some(path) => read(path)?,
@@ -75,11 +73,11 @@ impl Known {
 /// The table of a certificate: frequency_hz, sensitivity_mv or sensitivity_v, expanded_uncertainty_percent.
 fn read(path: &Path) -> Result<Vec<StandardPoint>> {
     let table = Input::parse(Source::read(path)?)?;
-    let frequency = table.require("the frequency", &["frequency_hz"])?;
-    let u = table.require("U (k = 2)", &["expanded_uncertainty_percent"])?;
-    let (sensitivity, scale) = match table.find(&["sensitivity_mv"])? {
+    let frequency = table.require("the frequency", "frequency_hz")?;
+    let u = table.require("U (k = 2)", "expanded_uncertainty_percent")?;
+    let (sensitivity, scale) = match table.find("sensitivity_mv")? {
         Some(column) => (column, 1e-3),
-        None => (table.require("the sensitivity", &["sensitivity_v"])?, 1.0),
+        None => (table.require("the sensitivity", "sensitivity_v")?, 1.0),
     };
     let hint = "frequencies are in Hz, sensitivities in their column's unit, U (k = 2) in percent";
     let between = |row, column: &Column, [least, most]: [f64; 2]| {
@@ -111,14 +109,6 @@ fn read(path: &Path) -> Result<Vec<StandardPoint>> {
         points.push(point);
     }
     Ok(points)
-}
-
-/// The record of this number, from the calibrator.
-pub(super) fn fetch(client: &mut Client, record_id: u32) -> Result<Record> {
-    let folder =
-        tempfile::tempdir().map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
-    let download = session::download(client, record_id, folder.path(), |_| ())?;
-    Ok(download.record)
 }
 
 /// Results as a table.

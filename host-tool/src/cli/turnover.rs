@@ -67,13 +67,8 @@ impl Turnover {
             kept: logbook.is_some(),
         };
         context.print(&output, || text(&output))?;
-        match output.changes.iter().find(|change| change.significant) {
-            None => Ok(()),
-            Some(change) => Err(Error::NotPassed(format!(
-                "the reference {}",
-                change.words()
-            ))),
-        }
+        let changed = output.changes.iter().find(|change| change.significant);
+        Error::not_passed(changed.map(|change| format!("the reference {}", change.words())))
     }
 }
 

@@ -1,23 +1,28 @@
 //! A link to the emulated board in this process: waiting runs the board.
 
-use calib_link::{Transport, pause_as_nothing};
-use calib_twin::runner::{SharedEmulator, VirtualSerial};
-use std::io::{self, Read, Write};
-use std::sync::PoisonError;
+use calib_link::Transport;
+use calib_twin::runner::{Emulator, SharedEmulator};
+use std::collections::VecDeque;
+use std::io::{self, Read};
+use std::sync::{MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// The virtual COM port of an emulated board, in virtual time.
+/// The virtual COM port of an emulated board. Virtual time passes only while a read waits.
 pub struct EmulatedTransport {
     emulator: SharedEmulator,
-    serial: VirtualSerial,
+    received: VecDeque<u8>,
 }
 
 impl EmulatedTransport {
     /// The link to `emulator`, which others may hold too: to reset the board,
     /// to press its button or to look at the drive output.
     pub fn new(emulator: SharedEmulator) -> Self {
-        let serial = VirtualSerial::new(emulator.clone(), Duration::ZERO);
-        Self { emulator, serial }
+        let received = VecDeque::new();
+        Self { emulator, received }
+    }
+
+    fn emulator(&self) -> MutexGuard<'_, Emulator> {
+        self.emulator.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -27,21 +32,27 @@ impl Transport for EmulatedTransport {
     }
 
     fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.serial.write_all(bytes)
+        self.emulator().write_serial(bytes);
+        Ok(())
     }
 
     fn now(&self) -> Duration {
-        let emulator = self.emulator.lock();
-        emulator.unwrap_or_else(PoisonError::into_inner).elapsed()
+        self.emulator().elapsed()
     }
 
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
-        self.serial.set_timeout(timeout);
-        pause_as_nothing(self.serial.read(buffer))
+        if self.received.is_empty() {
+            let mut emulator = self.emulator();
+            let ended = emulator.run_until_received(timeout);
+            ended.map_err(io::Error::other)?;
+            let received = emulator.read_serial();
+            drop(emulator);
+            self.received = received.into();
+        }
+        self.received.read(buffer)
     }
 
     fn wait(&mut self, duration: Duration) -> io::Result<()> {
-        let mut emulator = self.emulator.lock().unwrap_or_else(PoisonError::into_inner);
-        emulator.run_for(duration).map_err(io::Error::other)
+        self.emulator().run_for(duration).map_err(io::Error::other)
     }
 }

@@ -1,9 +1,9 @@
 //! A link over the USB port of the emulated board in this process.
 
-use calib_link::{Transport, pause_as_nothing};
+use calib_link::Transport;
 use calib_twin::runner::SharedEmulator;
 use calib_twin::usb_host::{Enumerated, HostError, UsbHost, UsbSerial};
-use std::io::{self, Read, Write};
+use std::io;
 use std::time::Duration;
 
 /// From power to a device on the bus: the board boots first.
@@ -53,7 +53,7 @@ impl Transport for EmulatedUsbTransport {
     }
 
     fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.serial.write_all(bytes)
+        self.serial.send(bytes)
     }
 
     fn now(&self) -> Duration {
@@ -61,8 +61,7 @@ impl Transport for EmulatedUsbTransport {
     }
 
     fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
-        self.serial.set_timeout(timeout);
-        pause_as_nothing(self.serial.read(buffer))
+        self.serial.receive(buffer, timeout)
     }
 
     fn wait(&mut self, duration: Duration) -> io::Result<()> {

@@ -283,11 +283,7 @@ impl Worker {
         let Some(client) = &mut self.client else {
             return Ok(());
         };
-        let folder = tempfile::tempdir()
-            .map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
-        let download = session::download(client, record, folder.path(), |_| ())?;
-        let bytes = std::fs::read(&download.path)
-            .map_err(|error| Error::file("read", &download.path, error))?;
+        let (_, bytes) = session::take(client, record)?;
         // Whatever becomes of the logbook, there is a certificate.
         self.shared.keep_record(bytes.clone());
         // A link that breaks here keeps no record from the logbook: the key enters with the next.

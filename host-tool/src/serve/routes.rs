@@ -34,8 +34,8 @@ use super::{assets, live};
 use crate::assurance::{self, AssuranceReport};
 use crate::{Error, assurance_report, judged, refusals};
 use axum::extract::ws::WebSocketUpgrade;
-use axum::extract::{DefaultBodyLimit, Path, Query, Request, State};
-use axum::http::{HeaderValue, StatusCode, header};
+use axum::extract::{DefaultBodyLimit, FromRequest, Path, Query, Request, State};
+use axum::http::{HeaderValue, Method, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
@@ -71,18 +71,18 @@ pub(super) fn router(handle: Handle, access: Access, options: Options) -> Router
         .route("/api/history/{serial}", get(history))
         .route("/api/assurance", get(check_standards))
         .route("/api/assurance/report", get(check_report))
-        .route("/api/certificate/{format}", get(view_last).post(issue_last))
+        .route(
+            "/api/certificate/{format}",
+            get(last_certificate).post(last_certificate),
+        )
         .route("/api/judged", get(judged))
         .route("/api/refusals", get(refusals))
         .route(
             "/api/records/{id}/certificate/{format}",
-            get(view).post(issue),
+            get(certificate).post(certificate),
         )
         .route("/api/certificates", get(certificates))
-        .route(
-            "/api/amended/{format}",
-            get(view_amended).post(issue_amended),
-        )
+        .route("/api/amended/{format}", get(amended).post(amended))
         .route("/api/connect", post(connect))
         .route("/api/run", post(run))
         .route("/api/stop", post(stop))
@@ -255,46 +255,27 @@ fn assured(app: &App) -> crate::Result<Option<AssuranceReport>> {
         .transpose()
 }
 
-fn wanted(format: String, stated: Stated, issues: bool) -> Wanted {
-    Wanted {
-        format,
-        stated,
-        issues,
+/// The last of the path is its format. A GET looks at it; a POST, which must be JSON and say so, has it issued.
+impl<S: Send + Sync> FromRequest<S> for Wanted {
+    type Rejection = Response;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, Response> {
+        let format = request.uri().path().rsplit('/').next();
+        let format = format.unwrap_or_default().to_owned();
+        let stated =
+            Query::<Stated>::try_from_uri(request.uri()).map_err(IntoResponse::into_response);
+        let Query(stated) = stated?;
+        let issues = request.method() == Method::POST;
+        if issues {
+            let body = Json::<serde_json::Value>::from_request(request, state).await;
+            let Json(_) = body.map_err(IntoResponse::into_response)?;
+        }
+        Ok(Self {
+            format,
+            stated,
+            issues,
+        })
     }
-}
-
-async fn view_last(
-    State(app): State<App>,
-    Path(format): Path<String>,
-    Query(stated): Query<Stated>,
-) -> Result<Response, Failure> {
-    last_certificate(app, wanted(format, stated, false)).await
-}
-
-async fn issue_last(
-    State(app): State<App>,
-    Path(format): Path<String>,
-    Query(stated): Query<Stated>,
-    Json(_): Json<serde_json::Value>,
-) -> Result<Response, Failure> {
-    last_certificate(app, wanted(format, stated, true)).await
-}
-
-async fn view(
-    State(app): State<App>,
-    Path((id, format)): Path<(i64, String)>,
-    Query(stated): Query<Stated>,
-) -> Result<Response, Failure> {
-    certificate(app, id, wanted(format, stated, false)).await
-}
-
-async fn issue(
-    State(app): State<App>,
-    Path((id, format)): Path<(i64, String)>,
-    Query(stated): Query<Stated>,
-    Json(_): Json<serde_json::Value>,
-) -> Result<Response, Failure> {
-    certificate(app, id, wanted(format, stated, true)).await
 }
 
 async fn certificates(State(app): State<App>) -> Result<Response, Failure> {
@@ -306,24 +287,7 @@ async fn certificates(State(app): State<App>) -> Result<Response, Failure> {
     .await
 }
 
-async fn view_amended(
-    State(app): State<App>,
-    Path(format): Path<String>,
-    Query(stated): Query<Stated>,
-) -> Result<Response, Failure> {
-    amended(app, wanted(format, stated, false)).await
-}
-
-async fn issue_amended(
-    State(app): State<App>,
-    Path(format): Path<String>,
-    Query(stated): Query<Stated>,
-    Json(_): Json<serde_json::Value>,
-) -> Result<Response, Failure> {
-    amended(app, wanted(format, stated, true)).await
-}
-
-async fn amended(app: App, wanted: Wanted) -> Result<Response, Failure> {
+async fn amended(State(app): State<App>, wanted: Wanted) -> Result<Response, Failure> {
     aside(move || match wanted.may_be_given() {
         true => {
             let options = &app.options;
@@ -334,7 +298,7 @@ async fn amended(app: App, wanted: Wanted) -> Result<Response, Failure> {
     .await
 }
 
-async fn last_certificate(app: App, wanted: Wanted) -> Result<Response, Failure> {
+async fn last_certificate(State(app): State<App>, wanted: Wanted) -> Result<Response, Failure> {
     aside(move || match app.handle.shared.records().split_first() {
         Some((stored, retried)) => document(&app, stored, retried, &wanted),
         None => Ok(none_ended()),
@@ -354,7 +318,11 @@ async fn judged(State(app): State<App>, Query(stated): Query<Stated>) -> Result<
     .await
 }
 
-async fn certificate(app: App, id: i64, wanted: Wanted) -> Result<Response, Failure> {
+async fn certificate(
+    State(app): State<App>,
+    Path((id, _)): Path<(i64, String)>,
+    wanted: Wanted,
+) -> Result<Response, Failure> {
     aside(
         move || match Logbook::open_if_there(&app.options.logbook)? {
             Some(logbook) => document(&app, &logbook.record(id)?, &[], &wanted),

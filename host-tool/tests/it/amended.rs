@@ -3,6 +3,7 @@
 
 use crate::command_line::{calib, text};
 use crate::logbook::{logbook, on_day};
+use crate::words;
 use serde_json::Value;
 use std::path::Path;
 use std::process::Output;
@@ -28,18 +29,7 @@ fn issued(folder: &Path) {
     }
     let made = go(
         folder,
-        &[
-            "certificate",
-            "left",
-            "--as-found",
-            "found",
-            "--format",
-            "pdf,dcc,json",
-            "-p",
-            "job.toml",
-            "-o",
-            "old",
-        ],
+        &words("certificate left --as-found found --format pdf,dcc,json -p job.toml -o old"),
     );
     assert!(made.status.success(), "{}", text(&made.stderr));
 }
@@ -152,16 +142,7 @@ fn an_amendment_is_amended_in_turn_and_no_certificate_is_replaced_twice() {
     let last = certificate(folder, "certificate-MEM-1-000002-A2.json");
     assert_eq!(last["replaces"]["certificate"], "MEM-1-000002-A1");
     // What is withdrawn appears in no further form.
-    let withdrawn = [
-        "certificate",
-        "left",
-        "--as-found",
-        "found",
-        "--format",
-        "csv",
-        "-p",
-        "job.toml",
-    ];
+    let withdrawn = words("certificate left --as-found found --format csv -p job.toml");
     let withdrawn = go(folder, &withdrawn);
     assert_eq!(withdrawn.status.code(), Some(6));
     assert!(!folder.join("certificate-MEM-1-000002.csv").exists());

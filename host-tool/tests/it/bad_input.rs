@@ -1,6 +1,7 @@
 //! Every verb refuses impossible input, with file, line and remedy.
 
-use std::process::Command;
+use crate::{tool, words};
+use std::path::Path;
 
 const COMPONENT: &str = "[[component]]\nlabel = 'a'\nvalue = 0.3\ndistribution = 'normal'\nk = 2\n";
 const CIPM: &str =
@@ -16,13 +17,8 @@ type Case = (&'static str, String, usize, &'static str);
 fn refused(arguments: &[&str], (name, text, line, what): &Case) {
     let folder = tempfile::tempdir().expect("folder");
     std::fs::write(folder.path().join(name), text).expect("written");
-    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
-        .args(arguments)
-        .arg(name)
-        .current_dir(folder.path())
-        .env("NO_COLOR", "1")
-        .output()
-        .expect("calib starts");
+    let output = tool(folder.path()).args(arguments).arg(name).output();
+    let output = output.expect("calib starts");
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(6), "{arguments:?} {message}");
     let place = format!("error: {name}:{line}: ");
@@ -89,10 +85,8 @@ fn command_lines() {
         ("nomogram --frequency 160e6 --acceleration 10", "no exciter"),
         ("risk --ratio -4", "above 1"),
     ] {
-        let output = Command::new(env!("CARGO_BIN_EXE_calib"))
-            .args(line.split(' '))
-            .output()
-            .expect("calib starts");
+        let output = tool(Path::new(".")).args(words(line)).output();
+        let output = output.expect("calib starts");
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{line}: {message}");
         assert!(message.contains(what), "{line}: {message}");
@@ -107,11 +101,9 @@ fn a_rejected_model_is_no_success() {
     // 60 % at twice the frequency, where a resonance at 40 Hz has 33 %, known to 0.1 %.
     let rows = "10,1,-1,0.001,0.1\n20,1.6,-2,0.0016,0.1\n25,1.7,-2.5,0.0017,0.1\n";
     std::fs::write(folder.path().join("p.csv"), format!("{POINTS}{rows}")).expect("written");
-    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
-        .args(["identify", "p.csv", "--trials", "0"])
-        .current_dir(folder.path())
-        .output()
-        .expect("calib starts");
+    let mut identify = tool(folder.path());
+    identify.args(words("identify p.csv --trials 0"));
+    let output = identify.output().expect("calib starts");
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(said.contains("REJECTED"), "{said}");
     assert_eq!(output.status.code(), Some(7));

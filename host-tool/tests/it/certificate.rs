@@ -1,49 +1,26 @@
 //! `calib certificate` as a technician or a laboratory meets it: from a file
 //! to files, and every way that can go wrong.
 
+use crate::command_line::text;
+use crate::{tool, words};
 use calib_protocol::record::Record;
 use calib_record::sample;
 use std::path::Path;
-use std::process::{Command, Output};
-
-/// A program in `folder` that finds nothing the developer keeps.
-fn program(name: &str, folder: &Path) -> Command {
-    let mut command = Command::new(name);
-    command
-        .current_dir(folder)
-        .env("NO_COLOR", "1")
-        .env("XDG_CONFIG_HOME", folder.join("config"))
-        .env("CALIB_LOGBOOK", folder.join("no-logbook.sqlite"))
-        .env_remove("CALIB_LABORATORY");
-    command
-}
+use std::process::Output;
 
 fn calib(folder: &Path, arguments: &[&str]) -> Output {
-    program(env!("CARGO_BIN_EXE_calib"), folder)
-        .args(arguments)
-        .output()
-        .expect("calib starts")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+    let output = tool(folder).args(arguments).output();
+    output.expect("calib starts")
 }
 
 /// A folder with `record.bin`.
 fn folder(record: &Record) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("folder");
-    std::fs::write(folder.path().join("record.bin"), encoded(record)).expect("written");
+    std::fs::write(folder.path().join("record.bin"), sample::bytes(record)).expect("written");
     // A DCC cannot be without it.
     let house = "[laboratory]\ncountry = 'DE'\n";
     std::fs::write(folder.path().join("house.toml"), house).expect("written");
     folder
-}
-
-fn encoded(record: &Record) -> Vec<u8> {
-    let mut buffer = vec![0; 64 * 1024];
-    let length = calib_protocol::record::encode(record, &mut buffer).expect("fits");
-    buffer.truncate(length);
-    buffer
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -74,14 +51,7 @@ const ALL: [&str; 8] = [
 #[test]
 fn strict_refuses_a_draft_and_names_what_is_missing() {
     let folder = folder(&sample::record(&[160.0]));
-    let usual = [
-        "certificate",
-        "record.bin",
-        "--out",
-        "out",
-        "--format",
-        "json",
-    ];
+    let usual = words("certificate record.bin --out out --format json");
     let strict = calib(folder.path(), &[&usual[..], &["--strict"]].concat());
     assert_eq!(strict.status.code(), Some(6));
     let said = text(&strict.stderr);
@@ -219,7 +189,7 @@ fn a_certificate_that_was_issued_is_not_overwritten() {
 
 #[test]
 fn what_is_no_record_is_refused_with_the_way_out() {
-    let whole = encoded(&sample::record(&[160.0, 1000.0]));
+    let whole = sample::bytes(&sample::record(&[160.0, 1000.0]));
     let mut newer = whole.clone();
     newer[0] += 1;
     let end = newer.len() - 4;
@@ -308,7 +278,7 @@ fn as_found_and_as_left_need_one_object() {
     found.head.id = 16;
     let folder = folder(&left);
     let write = |record: &Record| {
-        std::fs::write(folder.path().join("found.bin"), encoded(record)).expect("written");
+        std::fs::write(folder.path().join("found.bin"), sample::bytes(record)).expect("written");
         calib(
             folder.path(),
             &[&ALL[..], &["--as-found", "found.bin"]].concat(),
@@ -336,14 +306,7 @@ fn the_file_of_the_laboratory_is_read_without_being_named() {
         "[laboratory]\ncity = 'Feld'\n",
     )
     .expect("written");
-    let arguments = [
-        "certificate",
-        "record.bin",
-        "--format",
-        "json",
-        "-p",
-        "job.toml",
-    ];
+    let arguments = words("certificate record.bin --format json -p job.toml");
     let output = calib(folder.path(), &arguments);
     assert!(output.status.success(), "{}", text(&output.stderr));
     let json = std::fs::read(folder.path().join("certificate-CAL-0042-000017.json")).expect("read");
@@ -360,7 +323,7 @@ fn a_full_disk_leaves_nothing_half_written() {
     let folder = folder(&sample::record(&sample::THIRD_OCTAVES_HZ));
     // 8 blocks of 512 bytes: enough for the CSV, not for the PDF.
     let script = format!("trap '' XFSZ; ulimit -f 8; exec \"$0\" {}", ALL.join(" "));
-    let output = program("sh", folder.path())
+    let output = crate::alone("sh", folder.path())
         .args(["-c", &script, env!("CARGO_BIN_EXE_calib")])
         .output()
         .expect("sh starts");
@@ -370,7 +333,7 @@ fn a_full_disk_leaves_nothing_half_written() {
     assert!(names(&folder.path().join("out")).is_empty());
     // The list of files goes to a full device: said, not a panic.
     let script = format!("exec \"$0\" {} > /dev/full", ALL.join(" "));
-    let output = program("sh", folder.path())
+    let output = crate::alone("sh", folder.path())
         .args(["-c", &script, env!("CARGO_BIN_EXE_calib")])
         .output()
         .expect("sh starts");

@@ -2,12 +2,13 @@
 
 use crate::device::Device;
 use crate::memory_link::{SharedDevice, shared};
+use crate::{tool, words};
 use calib_output::conforms::check_output;
 use calib_protocol::message::Request;
 use std::io::{Read, Write};
 use std::net::TcpListener;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Output;
 
 /// Serves `device` at a free port of this computer and returns its address.
 pub(crate) fn serve(device: Device) -> (SharedDevice, String) {
@@ -35,16 +36,8 @@ pub(crate) fn serve(device: Device) -> (SharedDevice, String) {
 }
 
 pub(crate) fn calib(directory: &Path, arguments: &[&str]) -> Output {
-    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
-        .args(arguments)
-        .current_dir(directory)
-        .env_remove("CALIB_DEVICE")
-        // No test touches the logbook of who runs it.
-        .env("CALIB_LOGBOOK", directory.join("no-logbook.sqlite"))
-        .env("CALIB_CONFIG", directory.join("config.toml"))
-        .env("NO_COLOR", "1")
-        .output()
-        .expect("calib starts");
+    let output = tool(directory).args(arguments).output();
+    let output = output.expect("calib starts");
     if !output.stdout.is_empty() {
         check_output(&schemas(), arguments, &output.stdout).expect("as in its schema");
     }
@@ -87,14 +80,7 @@ fn a_session_from_info_to_the_file() {
         "frequency_hz\n80\n160\n",
     )
     .expect("list");
-    let run = go(&[
-        "run",
-        "--points",
-        "points.csv",
-        "--serial",
-        "Müller's",
-        "--json",
-    ]);
+    let run = go(&words("run --points points.csv --serial Müller's --json"));
     let run = json(&run);
     assert_eq!(run["record_id"], 1);
     assert_eq!(run["points"].as_array().expect("points").len(), 2);
@@ -359,13 +345,7 @@ fn risks_of_rules_over_many_sensors_are_those_published() {
     let risk = |arguments: &[&str]| calib(directory.path(), &[&["risk"], arguments].concat());
     // Deaver: a ratio of four and a tolerance of two standard deviations of the
     // items, so 95.45 % of them are good: 0.8 % and 1.5 %.
-    let rows = json(&risk(&[
-        "--ratio",
-        "4",
-        "--in-tolerance",
-        "95.45",
-        "--json",
-    ]));
+    let rows = json(&risk(&words("--ratio 4 --in-tolerance 95.45 --json")));
     let percent = |row: usize, key: &str| 100.0 * rows[row][key].as_f64().expect("a number");
     assert!(
         (percent(0, "false_accept_probability") - 0.8).abs() < 0.05,

@@ -20,6 +20,7 @@ use calib_protocol::message::{
 use calib_protocol::record::{self, Record, RecordHead, RecordKind, RecordSummary, RunLabels};
 use calib_protocol::signature::DeviceKey;
 use calib_protocol::stored_point::as_stored;
+use calib_record::sample;
 use std::collections::BTreeMap;
 
 /// Looks at the status while a point is measured.
@@ -108,10 +109,7 @@ impl Device {
     }
 
     pub(crate) fn store(&mut self, record: Record) {
-        let mut bytes = vec![0; 64 * 1024];
-        let length = record::encode(&record, &mut bytes).expect("fits");
-        bytes.truncate(length);
-        self.records.insert(record.head.id, bytes);
+        self.records.insert(record.head.id, sample::bytes(&record));
     }
 
     /// Takes a byte and returns what the device sends in return.

@@ -5,9 +5,9 @@
 //! every line below must be printed, in this order; `...` stands for lines
 //! left out.
 
+use crate::tool;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// A verb with arguments, and the lines shown for it.
 struct Example {
@@ -44,12 +44,8 @@ fn examples() -> Vec<Example> {
 }
 
 fn printed(arguments: &[String]) -> Vec<String> {
-    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
-        .args(arguments)
-        .current_dir(top())
-        .env("NO_COLOR", "1")
-        .output()
-        .expect("calib starts");
+    let output = tool(&top()).args(arguments).output();
+    let output = output.expect("calib starts");
     let text = String::from_utf8(output.stdout).expect("text");
     text.lines().map(str::to_owned).collect()
 }

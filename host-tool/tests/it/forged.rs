@@ -1,10 +1,10 @@
 //! What a record or a device says forges no line anywhere, and no number that is none passes for a result.
 
+use crate::tool;
 use calib_core::verdict::Verdict;
-use calib_protocol::record::{Record, encode};
-use calib_record::sample::{record, text};
+use calib_protocol::record::Record;
+use calib_record::sample::{bytes, record, text};
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// A line that would pass for one of ours, and marks that turn the rest of a line round.
 const FORGED: &str = "D 1\nPASS 9.99\u{202e}1\r\u{2066}2";
@@ -23,21 +23,16 @@ fn forged() -> Record {
 }
 
 fn stored(folder: &Path, record: &Record) -> PathBuf {
-    let mut bytes = vec![0; 64 * 1024];
-    let length = encode(record, &mut bytes).expect("fits");
     let path = folder.join("record.calibrec");
-    std::fs::write(&path, &bytes[..length]).expect("written");
+    std::fs::write(&path, bytes(record)).expect("written");
     path
 }
 
 /// What the tool prints about it.
 fn said(folder: &Path, arguments: &[&str]) -> String {
-    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
-        .args(arguments)
-        .current_dir(folder)
-        .env("CALIB_LOGBOOK", folder.join("logbook.sqlite"))
-        .output()
-        .expect("calib starts");
+    let mut tool = tool(folder);
+    tool.env("CALIB_LOGBOOK", folder.join("logbook.sqlite"));
+    let output = tool.args(arguments).output().expect("calib starts");
     String::from_utf8(output.stdout).expect("text") + &String::from_utf8_lossy(&output.stderr)
 }
 

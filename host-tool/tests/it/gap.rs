@@ -1,6 +1,7 @@
 //! `calib gap` from the outside: datasets of known cause, sealed sets, bad input.
 
 use crate::command_line::{calib, json, text};
+use crate::words;
 use calib_twin::rig::{Rig, STANDARD_RIG_TOML};
 use serde_json::Value;
 use std::path::Path;
@@ -273,14 +274,7 @@ fn a_bad_dataset_among_many_has_its_line_and_fails_the_call_at_its_end() {
         path,
         &[
             &arguments[..],
-            &[
-                "--max-effects",
-                "1",
-                "--validate",
-                "b",
-                "--without",
-                "dut_drift",
-            ],
+            &words("--max-effects 1 --validate b --without dut_drift"),
         ]
         .concat(),
     );
@@ -476,18 +470,8 @@ fn answers_with_a_foreign_name(answers: &[Value]) -> String {
 fn a_sealed_set_is_answered_in_one_call_and_opened_only_with_its_own_truth() {
     let directory = tempfile::tempdir().expect("directory");
     let path = directory.path();
-    let arguments = [
-        "gap",
-        "challenge",
-        "set",
-        "--cases",
-        "2",
-        "--seed",
-        "11",
-        "--strata",
-        "null,ratio-only,withheld",
-        "--json",
-    ];
+    let arguments =
+        words("gap challenge set --cases 2 --seed 11 --strata null,ratio-only,withheld --json");
     let sealed = json(&calib(path, &arguments));
     assert_eq!(sealed["cases"], 6);
     let manifest = std::fs::read_to_string(path.join("set/challenge.json")).expect("manifest");
@@ -497,14 +481,7 @@ fn a_sealed_set_is_answered_in_one_call_and_opened_only_with_its_own_truth() {
 
     let answers = calib(
         path,
-        &[
-            "gap",
-            "diagnose",
-            "set",
-            "--json-lines",
-            "--max-effects",
-            "1",
-        ],
+        &words("gap diagnose set --json-lines --max-effects 1"),
     );
     let list = lines(&answers.stdout);
     assert_eq!(list.len(), 6);

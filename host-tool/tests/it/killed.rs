@@ -8,6 +8,7 @@
 use crate::command_line::{serve, text};
 use crate::device::Device;
 use crate::logbook::{later, logbook};
+use crate::{alone, tool};
 use calib_logbook::Logbook;
 use calib_protocol::record::{decode, digest};
 use calib_protocol::signature::DeviceKey;
@@ -45,22 +46,17 @@ fn strace() -> Option<PathBuf> {
     program
 }
 
-fn environment<'a>(command: &'a mut Command, folder: &Path) -> &'a mut Command {
+/// With the logbook that is kept in the folder, and a place of its own for what is not.
+fn kept(mut command: Command, folder: &Path) -> Command {
     command
-        .current_dir(folder)
-        .env_remove("CALIB_DEVICE")
-        .env_remove("CALIB_LABORATORY")
         .env("TMPDIR", folder.join("temporary"))
-        .env("XDG_CONFIG_HOME", folder)
-        .env("CALIB_CONFIG", folder.join("config.toml"))
         .env("CALIB_LOGBOOK", folder.join("logbook.sqlite"))
-        .env("CALIB_KEY_PASSWORD", "test")
-        .env("NO_COLOR", "1")
+        .env("CALIB_KEY_PASSWORD", "test");
+    command
 }
 
 fn calib(folder: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_calib"));
-    let output = environment(command.args(arguments), folder).output();
+    let output = kept(tool(folder), folder).args(arguments).output();
     output.expect("calib starts")
 }
 
@@ -92,7 +88,7 @@ fn traced(
     folder: &Path,
     arguments: &[&str],
 ) -> Output {
-    let mut command = Command::new(strace);
+    let mut command = kept(alone(strace, folder), folder);
     command
         .args(["-f", "-qq", "-y", "-s", "4096", "-e", "signal=none", "-o"])
         .arg(log(folder))
@@ -105,9 +101,7 @@ fn traced(
         command.arg(format!("--inject={call}:{fate}:when={number}"));
     }
     command.arg(env!("CARGO_BIN_EXE_calib")).args(arguments);
-    environment(&mut command, folder)
-        .output()
-        .expect("strace starts")
+    command.output().expect("strace starts")
 }
 
 fn log(folder: &Path) -> PathBuf {

@@ -3,20 +3,15 @@
 use crate::command_line::{calib, json, serve, text};
 use crate::device::{Device, record};
 use crate::python;
+use crate::{tool, typed, words};
 use calib_logbook::{Filter, Issue, Kept, Logbook, Sensor, export};
 use calib_protocol::change;
-use calib_protocol::record::{Record, RecordKind, digest, encode};
+use calib_protocol::record::{RecordKind, digest};
+use calib_record::sample::bytes;
 use std::path::Path;
 
 /// A year of 365.25 days, s.
 const YEAR_S: u64 = 31_557_600;
-
-fn bytes(record: &Record) -> Vec<u8> {
-    let mut bytes = vec![0; 64 * 1024];
-    let length = encode(record, &mut bytes).expect("fits");
-    bytes.truncate(length);
-    bytes
-}
 
 /// Record `id` of a sensor, `years` later, with another sensitivity.
 pub(crate) fn later(id: u32, sensor: &str, years: u64, factor: f32) -> Vec<u8> {
@@ -565,14 +560,7 @@ fn a_sensor_that_changed_by_more_than_u_is_reported() {
             .expect("kept");
     }
     // The points of these records are at 20, 21 and 22 Hz, with U = 1 %.
-    let history = [
-        "history",
-        "D",
-        "--frequency",
-        "20",
-        "--logbook",
-        "logbook.sqlite",
-    ];
+    let history = words("history D --frequency 20 --logbook logbook.sqlite");
     let output = calib(folder.path(), &history);
     assert_eq!(output.status.code(), Some(7));
     let shown = text(&output.stdout);
@@ -728,16 +716,7 @@ fn a_run_that_is_mounted_again_evaluates_the_scatter_and_certifies_all_records()
     };
     let run = |enter: &str| {
         let words = with("run --serial R --points p.csv --temperature 23 --remount 3 --json");
-        let mut tool = std::process::Command::new(env!("CARGO_BIN_EXE_calib"));
-        tool.args(words).current_dir(folder.path());
-        tool.stdin(std::process::Stdio::piped());
-        tool.stdout(std::process::Stdio::piped())
-            .stderr(std::process::Stdio::piped());
-        let mut tool = tool.spawn().expect("calib starts");
-        let mut stdin = tool.stdin.take().expect("piped");
-        std::io::Write::write_all(&mut stdin, enter.as_bytes()).expect("written");
-        drop(stdin);
-        tool.wait_with_output().expect("ends")
+        typed(tool(folder.path()).args(words), enter)
     };
     let output = run("\n\n");
     let remounting = &json(&output)["remounting"];
@@ -809,18 +788,7 @@ fn a_device_is_calibrated_by_substitution_of_a_standard() {
         let words = format!(
             "run --serial D --points p.csv --temperature 23 --json --device {address}{more}"
         );
-        let mut tool = std::process::Command::new(env!("CARGO_BIN_EXE_calib"));
-        tool.args(words.split(' ')).current_dir(folder.path());
-        tool.env("CALIB_LOGBOOK", folder.path().join("none.sqlite"));
-        tool.stdin(std::process::Stdio::piped());
-        tool.stdout(std::process::Stdio::piped())
-            .stderr(std::process::Stdio::piped());
-        let mut tool = tool.spawn().expect("calib starts");
-        let mut stdin = tool.stdin.take().expect("piped");
-        // It may have refused already.
-        let _ = std::io::Write::write_all(&mut stdin, b"\n\n");
-        drop(stdin);
-        tool.wait_with_output().expect("ends")
+        typed(tool(folder.path()).args(words.split(' ')), "\n\n")
     };
     let unknown = run(" --substitute CHK");
     assert_eq!(unknown.status.code(), Some(6));

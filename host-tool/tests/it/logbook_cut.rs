@@ -1,6 +1,7 @@
 //! The logbook under programs that are killed, disks that are full, clocks that go backwards, and several at once.
 #![cfg(unix)]
 
+use crate::alone;
 use crate::command_line::text;
 use crate::logbook::{later, logbook};
 use crate::logbook_sealed::{key, now};
@@ -8,22 +9,18 @@ use calib_logbook::{Issue, Kept, Logbook};
 use calib_protocol::record::digest;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 /// Runs the tool where no file may grow beyond so many blocks of 512 bytes. The write that would go beyond is where
 /// it is killed, or, where that signal is not heeded, where its disk is full.
 fn limited(folder: &Path, blocks: usize, is_killed: bool, arguments: &[&str]) -> Output {
     let heed = if is_killed { "" } else { "trap '' XFSZ; " };
     let script = format!("{heed}ulimit -c 0; ulimit -f {blocks}; exec \"$0\" \"$@\"");
-    Command::new("sh")
+    let mut shell = alone("sh", folder);
+    shell
         .args(["-c", &script, env!("CARGO_BIN_EXE_calib")])
-        .args(arguments)
-        .current_dir(folder)
-        .env("CALIB_LOGBOOK", folder.join("logbook.sqlite"))
-        .env("CALIB_CONFIG", folder.join("config.toml"))
-        .env("XDG_CONFIG_HOME", folder)
-        .output()
-        .expect("sh starts")
+        .env("CALIB_LOGBOOK", folder.join("logbook.sqlite"));
+    shell.args(arguments).output().expect("sh starts")
 }
 
 /// Whole, with the record of before.

@@ -2,13 +2,12 @@
 
 use crate::command_line::{calib, text};
 use crate::device::record;
-use calib_protocol::record::{Record, encode};
+use calib_protocol::record::Record;
+use calib_record::sample;
 use std::path::Path;
 
 fn written(record: &Record, path: &Path) {
-    let mut bytes = vec![0; 1 << 14];
-    let length = encode(record, &mut bytes).expect("fits");
-    std::fs::write(path, &bytes[..length]).expect("written");
+    std::fs::write(path, sample::bytes(record)).expect("written");
 }
 
 #[test]
@@ -53,11 +52,9 @@ fn a_file_may_have_a_name_that_is_no_text() {
     let directory = tempfile::tempdir().expect("directory");
     let name = OsStr::from_bytes(b"r\xff.calibrec");
     written(&record(3, 2), &directory.path().join(name));
-    let mut tool = std::process::Command::new(env!("CARGO_BIN_EXE_calib"));
-    tool.arg("show").arg(name).current_dir(directory.path());
-    // Not the logbook of whoever runs the tests.
-    tool.env("CALIB_LOGBOOK", directory.path().join("none.sqlite"));
-    assert!(tool.status().expect("calib starts").success());
+    let mut tool = crate::tool(directory.path());
+    let status = tool.arg("show").arg(name).status();
+    assert!(status.expect("calib starts").success());
 }
 
 #[cfg(target_os = "linux")]
@@ -65,11 +62,9 @@ fn a_file_may_have_a_name_that_is_no_text() {
 fn what_could_not_be_printed_is_no_success() {
     for arguments in [&["version"][..], &["--help"]] {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full");
-        let mut tool = std::process::Command::new(env!("CARGO_BIN_EXE_calib"));
-        let output = tool
-            .args(arguments)
-            .stdout(full.expect("a full disk"))
-            .output();
+        let mut tool = crate::tool(Path::new("."));
+        let tool = tool.args(arguments).stdout(full.expect("a full disk"));
+        let output = tool.output();
         let output = output.expect("calib starts");
         assert_eq!(output.status.code(), Some(1), "{arguments:?}");
         assert!(text(&output.stderr).contains("cannot write standard output"));

@@ -2,6 +2,7 @@
 
 use crate::command_line::{calib, json, serve, text};
 use crate::device::{Device, settings};
+use crate::words;
 use calib_record::sample;
 use std::path::Path;
 use std::process::Output;
@@ -63,14 +64,7 @@ fn a_certificate_is_shown_beside_what_is_in_force_and_stored() {
     let stored = go(
         folder,
         &address,
-        &[
-            "reference",
-            "r.csv",
-            "--write",
-            "--operator",
-            "N.",
-            "--json",
-        ],
+        &words("reference r.csv --write --operator N. --json"),
     );
     assert_eq!(json(&stored)["stored"], true, "{}", text(&stored.stderr));
     let now = device.lock().expect("device").settings.clone();
@@ -88,20 +82,11 @@ fn our_own_certificate_of_a_sensor_is_read() {
     let folder = tempfile::tempdir().expect("folder");
     let folder = folder.path();
     let record = sample::record(&sample::THIRD_OCTAVES_HZ);
-    let mut bytes = vec![0; 64 * 1024];
-    let length = calib_protocol::record::encode(&record, &mut bytes).expect("fits");
-    std::fs::write(folder.join("s.calibrec"), &bytes[..length]).expect("written");
+    std::fs::write(folder.join("s.calibrec"), sample::bytes(&record)).expect("written");
     std::fs::write(folder.join("job.toml"), "[laboratory]\ncountry = 'DE'\n").expect("written");
     let made = calib(
         folder,
-        &[
-            "certificate",
-            "s.calibrec",
-            "--format",
-            "dcc,csv",
-            "-p",
-            "job.toml",
-        ],
+        &words("certificate s.calibrec --format dcc,csv -p job.toml"),
     );
     assert!(made.status.success(), "{}", text(&made.stderr));
     for name in [

@@ -1,5 +1,6 @@
 //! The page's server: a calibration, stops, a lost link, two pages, strangers.
 
+use crate::alone;
 use crate::command_line::{calib, schemas, serve as serve_device, text};
 use crate::device::Device;
 use calib_output::conforms::conforms;
@@ -10,7 +11,7 @@ use serde_json::{Value, json};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::{Shutdown, TcpListener, TcpStream};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Stdio};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
@@ -25,7 +26,7 @@ struct Server {
 impl Server {
     fn start(folder: &Path, listen: &str, arguments: &[&str]) -> Self {
         // Fewer open files than a flood has connections.
-        let mut process = Command::new("sh")
+        let mut process = alone("sh", folder)
             .args([
                 "-c",
                 "ulimit -n 512; exec \"$0\" \"$@\"",
@@ -33,8 +34,6 @@ impl Server {
             ])
             .args(["serve", "--quiet", "--listen", listen])
             .args(arguments)
-            .current_dir(folder)
-            .env_remove("CALIB_DEVICE")
             .env("CALIB_LOGBOOK", folder.join("logbook.sqlite"))
             .stdout(Stdio::piped())
             .spawn()

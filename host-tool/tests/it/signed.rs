@@ -2,6 +2,7 @@
 
 use crate::command_line::{schemas, text};
 use crate::python;
+use crate::{tool, typed, words};
 use calib_output::conforms::check_output;
 use calib_record::sample;
 use rand_chacha::ChaCha8Rng;
@@ -18,15 +19,9 @@ pub(crate) fn key(name: &str) -> PathBuf {
 }
 
 fn calib(folder: &Path, password: &str, arguments: &[&str]) -> Output {
-    let output = Command::new(env!("CARGO_BIN_EXE_calib"))
-        .args(arguments)
-        .current_dir(folder)
-        .env("NO_COLOR", "1")
-        .env("XDG_CONFIG_HOME", folder.join("config"))
-        .env("CALIB_LOGBOOK", folder.join("no-logbook.sqlite"))
-        .env("CALIB_KEY_PASSWORD", password)
-        .output()
-        .expect("calib starts");
+    let mut tool = tool(folder);
+    tool.env("CALIB_KEY_PASSWORD", password);
+    let output = tool.args(arguments).output().expect("calib starts");
     if output.status.success() || arguments[0] == "verify" {
         check_output(&schemas(), arguments, &output.stdout).expect("as in its schema");
     }
@@ -472,14 +467,7 @@ fn the_same_certificate_signed_again_is_the_same_files() {
         assert!(read() == first, "{name}: made again");
         // Of another key it is another file, and is not overwritten.
         let key = key("issued.p12");
-        let other = [
-            "certificate",
-            "record.bin",
-            "--format",
-            "pdf",
-            "--particulars",
-            "house.toml",
-        ];
+        let other = words("certificate record.bin --format pdf --particulars house.toml");
         let other = calib(
             at,
             "test",
@@ -499,16 +487,7 @@ fn a_password_is_never_an_argument() {
     let key = key("rsa.p12");
     let usual = ["certificate", "record.bin", "--format", "pdf"];
     let sign = ["--sign", key.to_str().expect("UTF-8")];
-    let mut command = Command::new(env!("CARGO_BIN_EXE_calib"));
-    let nobody = command.args(usual).args(sign).current_dir(at);
-    let nobody = nobody
-        .env("XDG_CONFIG_HOME", at)
-        .env("CALIB_LOGBOOK", at.join("no-logbook.sqlite"))
-        .env_remove("CALIB_KEY_PASSWORD");
-    let nobody = nobody
-        .stdin(std::process::Stdio::null())
-        .output()
-        .expect("starts");
+    let nobody = typed(tool(at).args(usual).args(sign), "");
     assert_eq!(nobody.status.code(), Some(2));
     assert!(
         text(&nobody.stderr).contains("--password-file"),
@@ -546,14 +525,7 @@ fn checked(folder: &Path) -> String {
 fn issued(folder: &Path, number: &str, more: &[&str]) -> (PathBuf, String) {
     let house = format!("[laboratory]\ncountry = 'DE'\n[calibration]\nnumber = '{number}'\n");
     std::fs::write(folder.join("job.toml"), house).expect("written");
-    let usual = [
-        "certificate",
-        "record.bin",
-        "--format",
-        "pdf",
-        "--particulars",
-        "job.toml",
-    ];
+    let usual = words("certificate record.bin --format pdf --particulars job.toml");
     let output = calib(folder, "test", &[&usual[..], more].concat());
     let said = text(&output.stderr);
     assert!(output.status.success(), "{said}");

@@ -2,9 +2,8 @@
 
 use calib_core::channel_ratio::ChannelRatio;
 use calib_core::point::{PointResult, PointSpec};
-use calib_link::session;
 use calib_metrology::channel_ratio;
-use calib_protocol::record::Record;
+use calib_protocol::record::{self, Record};
 use calib_tests::bench::{Bench, Fault, point, true_certificate};
 use calib_twin::oracle;
 use calib_twin::rig::{CommonSource, Rig};
@@ -38,8 +37,7 @@ fn list(level_ms2: f32) -> Vec<PointSpec> {
 
 fn record(bench: &mut Bench, level_ms2: f32) -> Result<Record, Fault> {
     let id = bench.run_held(&list(level_ms2))?.record_id;
-    let folder = tempfile::tempdir()?;
-    Ok(session::download(&mut bench.client, id, folder.path(), |_| ())?.record)
+    Ok(record::decode(&bench.record(id)?)?)
 }
 
 /// Error of magnitude and of phase over what is stated of them, and the phase's error in degrees.

@@ -1,12 +1,10 @@
 //! The shipping image on the emulated board: boot, repeatability, restarts.
 
-use calib_link::session;
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::plant::Plant;
 use calib_twin::rig::Rig;
 use calib_twin::rig_port::ShortedInputs;
 use calib_twin::runner::{Emulator, Firmware};
-use std::path::Path;
 use std::time::Duration;
 
 const ON: Duration = Duration::from_millis(500);
@@ -145,9 +143,9 @@ fn a_run_that_was_kept_goes_on_as_one_that_was_not() -> Result<(), Fault> {
     let mut bench = Bench::with_rig(&rig)?;
     bench.adjust(|settings| settings.blocks = 3)?;
     bench.keep(&file)?;
-    let (record, end) = measure(&mut bench, folder.path())?;
+    let (record, end) = measure(&mut bench)?;
     let mut resumed = Bench::go_on(&rig, &file)?;
-    let (again, its_end) = measure(&mut resumed, folder.path())?;
+    let (again, its_end) = measure(&mut resumed)?;
     assert_eq!(end, its_end);
     assert!(record == again, "another record");
     Ok(())
@@ -157,11 +155,9 @@ fn a_run_that_was_kept_goes_on_as_one_that_was_not() -> Result<(), Fault> {
 type End = (Duration, u64, u64);
 
 /// A record, and where its run ended.
-fn measure(bench: &mut Bench, folder: &Path) -> Result<(Vec<u8>, End), Fault> {
+fn measure(bench: &mut Bench) -> Result<(Vec<u8>, End), Fault> {
     let outcome = bench.run(&[point(160.0, 10.0)])?;
-    let file = session::download(&mut bench.client, outcome.record_id, folder, |_| ())?;
-    let record = std::fs::read(&file.path)?;
-    std::fs::remove_file(file.path)?;
+    let record = bench.record(outcome.record_id)?;
     let board = bench.board();
     let end = (board.elapsed(), board.instructions(), board.sample_pairs());
     Ok((record, end))

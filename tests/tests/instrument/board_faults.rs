@@ -4,9 +4,8 @@
 
 use calib_core::point::ExcitationKind;
 use calib_core::verdict::Verdict;
-use calib_link::session;
 use calib_protocol::message::{ResetCause, RunSpec, RunState};
-use calib_protocol::record::{Record, RunLabels};
+use calib_protocol::record::{self, Record, RunLabels};
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::board::PartFault;
 use calib_twin::rig::Rig;
@@ -225,9 +224,7 @@ fn next_record(bench: &mut Bench) -> Result<Record, Fault> {
     if outcome.points.first().map(|point| point.verdict) != Some(Verdict::Pass) {
         return Err("the next run does not pass".into());
     }
-    let folder = tempfile::tempdir()?;
-    let download = session::download(&mut bench.client, outcome.record_id, folder.path(), |_| ())?;
-    Ok(download.record)
+    Ok(record::decode(&bench.record(outcome.record_id)?)?)
 }
 
 fn run_of_one() -> RunSpec {

@@ -1,6 +1,5 @@
 //! The emulator's shortcuts change nothing but how long a run takes.
 
-use calib_link::session;
 use calib_protocol::record::{self, Sha256Sum};
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::rig::Rig;
@@ -16,17 +15,15 @@ struct Trace {
     drive_code: u16,
 }
 
-/// Calibrates two points, stores and downloads the record, and releases it.
+/// Calibrates two points, stores and reads the record, and releases it.
 fn trace(execution: Execution) -> Result<Trace, Fault> {
     let mut bench = Bench::executed(execution, &Rig::standard())?;
     let outcome = bench.run(&[point(160.0, 10.0), point(5000.0, 20.0)])?;
-    let folder = tempfile::tempdir()?;
-    let id = outcome.record_id;
-    let file = session::download(&mut bench.client, id, folder.path(), |_| ())?;
-    bench.client.release(id)?;
+    let record = bench.record(outcome.record_id)?;
+    bench.client.release(outcome.record_id)?;
     let board = bench.board();
     Ok(Trace {
-        record: record::digest(&std::fs::read(file.path)?),
+        record: record::digest(&record),
         elapsed_ns: board.elapsed().as_nanos(),
         instructions: board.instructions(),
         pairs: board.sample_pairs(),

@@ -5,11 +5,11 @@ use calib_core::point::PointSpec;
 use calib_core::stored_list::{Band, Base, ListTerms, Rule, StoredList};
 use calib_core::verdict::Reason;
 use calib_host::emulated::EmulatedTransport;
-use calib_link::{Client, Error, session};
+use calib_link::{Client, Error};
 use calib_protocol::clock::ClockReading;
 use calib_protocol::lists::{KeptList, ListChange};
 use calib_protocol::message::{Refusal, RunState};
-use calib_protocol::record::Record;
+use calib_protocol::record::{self, Record};
 use calib_tests::bench::{Bench, Fault, point};
 use calib_twin::board::Leds;
 use calib_twin::rig::Rig;
@@ -162,8 +162,7 @@ fn tapped(bench: &mut Bench, list: &StoredList) -> Result<Record, Fault> {
     let records = bench.client.records()?;
     assert_eq!(records.len(), before + 1);
     let last = records.last().ok_or("no record")?.id;
-    let folder = tempfile::tempdir()?;
-    Ok(session::download(&mut bench.client, last, folder.path(), |_| ())?.record)
+    Ok(record::decode(&bench.record(last)?)?)
 }
 
 #[test]
@@ -229,9 +228,7 @@ fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<
     // A host's run judges nothing, and takes the place of what was said.
     let record_id = bench.run(&points[..1])?.record_id;
     assert_eq!(seen(&mut bench)?, READY);
-    let folder = tempfile::tempdir()?;
-    let download = session::download(&mut bench.client, record_id, folder.path(), |_| ())?;
-    assert!(download.record.list.is_none());
+    assert!(record::decode(&bench.record(record_id)?)?.list.is_none());
     Ok(())
 }
 

@@ -3,7 +3,6 @@
 use calib_core::point::ExcitationKind;
 use calib_core::settings::Settings;
 use calib_link::Error;
-use calib_link::session;
 use calib_protocol::message::{Refusal, RunSpec, SettingsChange};
 use calib_protocol::provenance::settings_digest;
 use calib_protocol::record::{self, ChainLink, RecordKind, RunLabels};
@@ -93,10 +92,9 @@ fn settings_change_under_a_hand_alone_and_each_change_is_a_record() -> Result<()
         assert_eq!(pair[1].previous_sha256, pair[0].sha256);
     }
     // The runs carry what was in force for each.
-    let folder = tempfile::tempdir()?;
-    let download = session::download(&mut bench.client, 3, folder.path(), |_| ())?;
-    assert_eq!(download.record.settings, wanted.settings);
-    let provenance = download.record.provenance;
+    let run = record::decode(&bench.record(3)?)?;
+    assert_eq!(run.settings, wanted.settings);
+    let provenance = run.provenance;
     assert_eq!(provenance.sha256, settings_digest(&wanted.settings));
     assert_eq!(provenance.changed.record_id, 2);
     assert_eq!(provenance.reference_changed, provenance.changed);

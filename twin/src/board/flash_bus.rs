@@ -99,6 +99,17 @@ impl FlashBus {
     }
 }
 
+/// Methods that are those of what is behind.
+macro_rules! pass_on {
+    ($behind:ident:
+        &$this:ident { $($read:ident($($a:ident: $of:ty),*) $(-> $is:ty)?;)+ }
+        &mut $that:ident { $($write:ident($($b:ident: $to:ty),*) $(-> $was:ty)?;)+ }
+    ) => {
+        $(fn $read(&$this $(, $a: $of)*) $(-> $is)? { $this.$behind.$read($($a),*) })+
+        $(fn $write(&mut $that $(, $b: $to)*) $(-> $was)? { $that.$behind.$write($($b),*) })+
+    };
+}
+
 /// The run's bus, looked at.
 struct Looked<'b> {
     bus: &'b mut dyn CoreBus,
@@ -123,10 +134,6 @@ impl CoreBus for Looked<'_> {
         self.bus.access(access, from_code)
     }
 
-    fn time(&self, instructions: u64) -> VirtualNanos {
-        self.bus.time(instructions)
-    }
-
     fn queued(&mut self) -> Vec<Queued> {
         let mut queued = self.bus.queued();
         if self.flash.is_awaited() {
@@ -142,24 +149,15 @@ impl CoreBus for Looked<'_> {
         }
     }
 
-    fn acknowledge(&mut self, line: InterruptLine, instructions: u64) -> Option<u64> {
-        self.bus.acknowledge(line, instructions)
-    }
-
-    fn read_checked(&mut self, access: Access, report: bool) -> Option<Checked> {
-        self.bus.read_checked(access, report)
-    }
-
-    fn write_checked(&mut self, access: Access) -> Option<bool> {
-        self.bus.write_checked(access)
-    }
-
-    fn stops_before(&mut self, access: &Access) -> bool {
-        self.bus.stops_before(access)
-    }
-
-    fn send_trace(&mut self, bytes: &[u8]) {
-        self.bus.send_trace(bytes);
+    pass_on! { bus:
+        &self { time(instructions: u64) -> VirtualNanos; }
+        &mut self {
+            acknowledge(line: InterruptLine, instructions: u64) -> Option<u64>;
+            read_checked(access: Access, report: bool) -> Option<Checked>;
+            write_checked(access: Access) -> Option<bool>;
+            stops_before(access: &Access) -> bool;
+            send_trace(bytes: &[u8]);
+        }
     }
 }
 
@@ -193,137 +191,46 @@ impl Processor for FlashBus {
         unsafe { self.core.map(start, length, host, writable) }
     }
 
-    // The rest is the core's own.
-
-    fn retired(&self) -> u64 {
-        self.core.retired()
-    }
-
-    fn ask(&mut self, queued: Queued) {
-        self.core.ask(queued);
-    }
-
-    fn maps(&self, start: u64, length: u64) -> bool {
-        self.core.maps(start, length)
-    }
-
-    fn page_size(&self) -> u64 {
-        self.core.page_size()
-    }
-
-    fn boot(&mut self, table: u64, read: &dyn Fn(u64, Width) -> Option<u64>) {
-        self.core.boot(table, read);
-    }
-
     fn reset(&mut self) {
         // It ends what is under way, which changes the flash: then the pages are looked at anew.
         self.followed = None;
         self.core.reset();
     }
 
-    fn take_reset_request(&mut self) -> bool {
-        self.core.take_reset_request()
-    }
-
-    fn next_event(&self) -> Option<VirtualNanos> {
-        self.core.next_event()
-    }
-
-    fn on_event(&mut self, now: VirtualNanos) {
-        self.core.on_event(now);
-    }
-
-    fn pc(&self) -> u64 {
-        self.core.pc()
-    }
-
-    fn add_breakpoint(&mut self, address: u64) -> bool {
-        self.core.add_breakpoint(address)
-    }
-
-    fn remove_breakpoint(&mut self, address: u64) {
-        self.core.remove_breakpoint(address);
-    }
-
-    fn pass_breakpoint(&mut self, address: u64) {
-        self.core.pass_breakpoint(address);
-    }
-
-    fn attach_debugger(&mut self, attached: bool) {
-        self.core.attach_debugger(attached);
-    }
-
-    fn hold_interrupts(&mut self, held: bool) {
-        self.core.hold_interrupts(held);
-    }
-
-    fn gdb_register(&self, number: usize) -> Option<Vec<u8>> {
-        self.core.gdb_register(number)
-    }
-
-    fn set_gdb_register(&mut self, number: usize, bytes: &[u8]) -> bool {
-        self.core.set_gdb_register(number, bytes)
-    }
-
-    fn debugger_access(
-        &mut self,
-        write: Option<u64>,
-        address: u64,
-        width: Width,
-        now: VirtualNanos,
-    ) -> Option<u64> {
-        self.core.debugger_access(write, address, width, now)
-    }
-
-    fn take_debugger_trace(&mut self) -> Vec<u8> {
-        self.core.take_debugger_trace()
-    }
-
-    fn target_xml(&self) -> &'static str {
-        self.core.target_xml()
-    }
-
-    fn data_model(&self) -> DataModel {
-        self.core.data_model()
-    }
-
-    fn byte_order(&self, address: u64) -> Endian {
-        self.core.byte_order(address)
-    }
-
-    fn save(&self) -> Vec<u8> {
-        self.core.save()
-    }
-
-    fn load(&mut self, bytes: &[u8]) -> Result<(), Error> {
-        self.core.load(bytes)
-    }
-
-    fn monitor_command(&mut self, command: &str) -> Option<String> {
-        self.core.monitor_command(command)
-    }
-
-    fn debugger_halted(&mut self, why: HaltReason) -> bool {
-        self.core.debugger_halted(why)
-    }
-
-    fn bit_alias(&self, address: u64, width: Width) -> Option<BitAlias> {
-        self.core.bit_alias(address, width)
-    }
-
-    fn own_ranges(&self) -> Vec<Range<u64>> {
-        self.core.own_ranges()
-    }
-
-    fn check_reads(&mut self, every: bool) {
-        self.core.check_reads(every);
-    }
-
-    fn host_call(&self, read: &mut dyn FnMut(u64, Width) -> Option<u64>) -> Option<HostCall> {
-        self.core.host_call(read)
-    }
-
-    fn answer_host_call(&mut self, answer: Option<u64>) {
-        self.core.answer_host_call(answer);
+    pass_on! { core:
+        &self {
+            retired() -> u64;
+            maps(start: u64, length: u64) -> bool;
+            page_size() -> u64;
+            next_event() -> Option<VirtualNanos>;
+            pc() -> u64;
+            gdb_register(number: usize) -> Option<Vec<u8>>;
+            target_xml() -> &'static str;
+            data_model() -> DataModel;
+            byte_order(address: u64) -> Endian;
+            save() -> Vec<u8>;
+            bit_alias(address: u64, width: Width) -> Option<BitAlias>;
+            own_ranges() -> Vec<Range<u64>>;
+            host_call(read: &mut dyn FnMut(u64, Width) -> Option<u64>) -> Option<HostCall>;
+        }
+        &mut self {
+            ask(queued: Queued);
+            boot(table: u64, read: &dyn Fn(u64, Width) -> Option<u64>);
+            take_reset_request() -> bool;
+            on_event(now: VirtualNanos);
+            add_breakpoint(address: u64) -> bool;
+            remove_breakpoint(address: u64);
+            pass_breakpoint(address: u64);
+            attach_debugger(attached: bool);
+            hold_interrupts(held: bool);
+            set_gdb_register(number: usize, bytes: &[u8]) -> bool;
+            debugger_access(write: Option<u64>, address: u64, width: Width, now: VirtualNanos) -> Option<u64>;
+            take_debugger_trace() -> Vec<u8>;
+            load(bytes: &[u8]) -> Result<(), Error>;
+            monitor_command(command: &str) -> Option<String>;
+            debugger_halted(why: HaltReason) -> bool;
+            check_reads(every: bool);
+            answer_host_call(answer: Option<u64>);
+        }
     }
 }

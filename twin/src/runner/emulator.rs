@@ -1,5 +1,6 @@
 //! A board with power: run it, look at it, and do to it what a person at the bench can.
 
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use rigless::image::Image;
@@ -15,6 +16,9 @@ use crate::rig_port::{DRIVE_MID_CODE, RigPort};
 
 /// Longest virtual time of one step: the emulator's clock is 64 bit nanoseconds.
 const FOREVER: Duration = Duration::from_secs(1 << 32);
+
+/// An emulator several owners share: a test that presses the button, and the link it tests.
+pub type SharedEmulator = Arc<Mutex<Emulator>>;
 
 /// Something the firmware asked of the emulated part that no model answers for.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -3,8 +3,6 @@
 //! - [`Firmware`]: the image file.
 //! - [`Emulator`]: a board with power, driven step by step in virtual time: deterministic, the same
 //!   calls give the same run.
-//! - [`VirtualSerial`]: the serial line as `Read` and `Write` with time-outs in virtual time, so that
-//!   host software runs against the board in one process.
 //! - [`run_paced`]: the same board at the pace of the wall, with [`Door`]s for programs in other
 //!   processes: a TCP port ([`TcpDoor`]) and, where there are any, a pseudo terminal (`PtyDoor`).
 //! - [`Execution`]: fast, or plainly: the same run either way.
@@ -26,11 +24,10 @@ mod passages;
 mod power;
 #[cfg(unix)]
 mod pty_door;
-mod serial;
 mod tcp_door;
 mod torn;
 
-pub use emulator::{Emulator, Gap};
+pub use emulator::{Emulator, Gap, SharedEmulator};
 pub use error::Error;
 pub use execution::Execution;
 pub use firmware::Firmware;
@@ -40,6 +37,5 @@ pub use paced::{Door, HostLine, Pace, run_paced};
 pub use passages::{Mark, Passages};
 #[cfg(unix)]
 pub use pty_door::PtyDoor;
-pub use serial::{SharedEmulator, VirtualSerial};
 pub use tcp_door::TcpDoor;
 pub use torn::Torn;

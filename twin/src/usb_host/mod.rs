@@ -2,7 +2,7 @@
 //!
 //! - [`UsbHost`]: the cable, bus resets and control transfers, in virtual time.
 //! - [`UsbHost::enumerate`]: from a plugged cable to a configured device, as an operating system does.
-//! - [`UsbSerial`]: the device's serial port as `Read` and `Write`.
+//! - [`UsbSerial`]: the device's serial port.
 //! - [`capture`]: what crossed the bus as a file Wireshark reads.
 //!
 //! USB 2.0 is the specification of April 2000; CDC 1.2 and PSTN 1.2 those of the communication class.

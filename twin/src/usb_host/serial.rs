@@ -1,6 +1,7 @@
 //! The serial port of a configured device, with time-outs in virtual time.
 
-use std::io::{self, ErrorKind, Read, Write};
+use std::collections::VecDeque;
+use std::io::{self, ErrorKind, Read};
 use std::sync::PoisonError;
 use std::time::Duration;
 
@@ -15,8 +16,7 @@ const STEP: Duration = Duration::from_millis(1);
 pub struct UsbSerial {
     emulator: SharedEmulator,
     port: UsbPort,
-    timeout: Duration,
-    received: Vec<u8>,
+    received: VecDeque<u8>,
 }
 
 impl UsbSerial {
@@ -24,14 +24,8 @@ impl UsbSerial {
         Self {
             emulator,
             port,
-            timeout: Duration::ZERO,
-            received: Vec::new(),
+            received: VecDeque::new(),
         }
-    }
-
-    /// Sets how long a read waits.
-    pub fn set_timeout(&mut self, timeout: Duration) {
-        self.timeout = timeout;
     }
 
     /// Lets virtual time pass.
@@ -44,48 +38,44 @@ impl UsbSerial {
         emulator.run_for(duration).map_err(io::Error::other)
     }
 
-    /// Fails once the device has gone or refuses its pipes.
+    /// Queues bytes for the device.
+    ///
+    /// # Errors
+    ///
+    /// The device has gone or refuses its pipes.
+    pub fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.check()?;
+        self.port.send(bytes);
+        Ok(())
+    }
+
+    /// Reads what has come, waiting up to `timeout` for the first byte; 0 when none came.
+    ///
+    /// # Errors
+    ///
+    /// As [`Self::send`] and [`Self::wait`].
+    pub fn receive(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
+        let mut waited = Duration::ZERO;
+        while self.received.is_empty() {
+            self.received = self.port.receive().into();
+            if !self.received.is_empty() || buffer.is_empty() {
+                break;
+            }
+            self.check()?;
+            if waited >= timeout {
+                break;
+            }
+            let step = STEP.min(timeout - waited);
+            self.wait(step)?;
+            waited += step;
+        }
+        self.received.read(buffer)
+    }
+
     fn check(&self) -> io::Result<()> {
         match self.port.pipe_error() {
             Some(error) => Err(io::Error::new(ErrorKind::BrokenPipe, error)),
             None => Ok(()),
         }
-    }
-}
-
-impl Read for UsbSerial {
-    /// Reads what has come, waiting in virtual time for the first byte.
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let mut waited = Duration::ZERO;
-        while self.received.is_empty() {
-            self.received = self.port.receive();
-            if !self.received.is_empty() || buffer.is_empty() {
-                break;
-            }
-            self.check()?;
-            if waited >= self.timeout {
-                return Err(ErrorKind::TimedOut.into());
-            }
-            let step = STEP.min(self.timeout - waited);
-            self.wait(step)?;
-            waited += step;
-        }
-        let count = buffer.len().min(self.received.len());
-        for (place, byte) in buffer.iter_mut().zip(self.received.drain(..count)) {
-            *place = byte;
-        }
-        Ok(count)
-    }
-}
-
-impl Write for UsbSerial {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.check()?;
-        self.port.send(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.check()
     }
 }

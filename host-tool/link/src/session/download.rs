@@ -42,8 +42,6 @@ pub struct Download {
     pub path: PathBuf,
     /// Its content.
     pub record: Record,
-    /// Its length, bytes.
-    pub bytes: usize,
     /// Bytes that an earlier, interrupted download had left.
     pub resumed_at: usize,
 }
@@ -88,9 +86,20 @@ pub fn download_with(
     Ok(Download {
         path: fetched.path,
         record,
-        bytes: fetched.bytes.len(),
         resumed_at: fetched.resumed_at,
     })
+}
+
+/// The record of a calibration and its stored form, of which nothing stays on disk.
+///
+/// # Errors
+/// As [`download`].
+pub fn take(client: &mut Client, id: u32) -> Result<(Record, Vec<u8>)> {
+    let folder =
+        tempfile::tempdir().map_err(|error| Error::file("create", &std::env::temp_dir(), error))?;
+    let fetched = fetch(client, id, folder.path(), Existing::Keep, |_| ())?;
+    let record = record::decode(&fetched.bytes).map_err(|error| broken(client, id, error))?;
+    Ok((record, fetched.bytes))
 }
 
 /// As [`download_with`], for a record of any kind.

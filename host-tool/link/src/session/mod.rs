@@ -10,7 +10,7 @@ pub mod update;
 pub use broadband::on_lines;
 pub use download::{
     Download, Fetched, Progress as DownloadProgress, download, download_with, evidence, fetch,
-    stated_key,
+    stated_key, take,
 };
 pub use labels::{label, temperature_centi_c};
 pub use points::{default_points, read_points};

@@ -3,31 +3,36 @@
 use super::contribution::EvaluatedComponent;
 use super::coverage::{self, CoverageBasis};
 use super::{Budget, Coefficient, Unit};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 /// Gain from halving one component.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "ImprovementView")]
 pub struct Improvement {
     /// Name of the component.
     pub label: String,
-    /// Share of the combined variance, percent.
-    pub variance_share_percent: f64,
-    /// Expanded uncertainty if this component alone were halved, in the unit
-    /// of the budget and with the same coverage factor.
+    /// Share of the combined variance, 1.
+    pub variance_share: f64,
+    // With the same coverage factor.
+    /// Expanded uncertainty if this component alone were halved.
     pub expanded_uncertainty_if_halved: f64,
 }
 
 /// An evaluated budget.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct Evaluation {
     /// Measurand.
     pub measurand: String,
-    /// Unit of all uncertainties.
+    /// Unit of all values and uncertainties: `1` or `deg`.
+    #[schemars(with = "String")]
     pub unit: Unit,
     /// Components in the order of the budget.
     pub components: Vec<EvaluatedComponent>,
-    /// Combined standard uncertainty, not rounded.
+    /// Combined standard uncertainty.
     pub combined_standard_uncertainty: f64,
-    /// Effective degrees of freedom; may be infinite.
+    /// Effective degrees of freedom; none when infinite.
+    #[schemars(with = "Option<f64>")]
     pub effective_degrees_of_freedom: f64,
     /// Coverage factor.
     pub coverage_factor: f64,
@@ -35,7 +40,7 @@ pub struct Evaluation {
     pub coverage_probability: f64,
     /// Basis of the factor.
     pub coverage_basis: CoverageBasis,
-    /// Expanded uncertainty, not rounded.
+    /// Expanded uncertainty.
     pub expanded_uncertainty: f64,
     /// The three components most worth improving, the best first.
     pub improve_first: Vec<Improvement>,
@@ -170,7 +175,7 @@ fn improvements(
         .take(3)
         .map(|index| Improvement {
             label: components[index].label.clone(),
-            variance_share_percent: 100.0 * components[index].variance_share,
+            variance_share: components[index].variance_share,
             expanded_uncertainty_if_halved: halved(index),
         })
         .collect()

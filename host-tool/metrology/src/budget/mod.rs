@@ -30,12 +30,16 @@ pub use file::{load, parse};
 pub use report::report;
 pub use template::{Template, TemplateRow, template};
 
+use serde::Serialize;
+
 /// Kind of a budget's numbers: relative in percent, or angles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Unit {
-    /// Relative to the measurand, percent (magnitude; Tables A.1 and A.3).
+    /// Relative to the measurand, percent (magnitude; Tables A.1 and A.3); fractions for programs.
+    #[serde(rename = "1")]
     Percent,
     /// Degrees of phase (Tables A.2 and A.4).
+    #[serde(rename = "deg")]
     Degree,
 }
 

@@ -128,16 +128,16 @@ impl Table {
         }
     }
 
-    /// The column with one of these comparable names; a name that ends in `*`
+    /// The column with one of these comparable names, blanks between; a name that ends in `*`
     /// matches as a prefix.
     ///
     /// # Errors
     /// Two columns answer: the meaning would be a guess.
-    pub fn find(&self, names: &[&str]) -> Result<Option<&Column>> {
+    pub fn find(&self, names: &str) -> Result<Option<&Column>> {
         let mut found = self.columns.iter().filter(|column| {
-            names.iter().any(|name| match name.strip_suffix('*') {
+            names.split(' ').any(|name| match name.strip_suffix('*') {
                 Some(prefix) => column.name.starts_with(prefix),
-                None => column.name == *name,
+                None => column.name == name,
             })
         });
         let first = found.next();
@@ -158,17 +158,18 @@ impl Table {
     ///
     /// # Errors
     /// As [`Table::find`], or no such column.
-    pub fn require(&self, what: &str, names: &[&str]) -> Result<&Column> {
+    pub fn require(&self, what: &str, names: &str) -> Result<&Column> {
         self.find(names)?.ok_or_else(|| {
             let have: Vec<_> = self
                 .columns
                 .iter()
                 .map(|column| column.written.as_str())
                 .collect();
+            let first = names.split(' ').next().unwrap_or(names);
             self.source.at_line(
                 self.header_line,
                 format!("no column for {what}; there are: {}", have.join(", ")),
-                format!("name the column '{}'", names[0].trim_end_matches('*')),
+                format!("name the column '{}'", first.trim_end_matches('*')),
             )
         })
     }
@@ -301,7 +302,7 @@ mod tests {
     #[test]
     fn a_decimal_comma_is_read_with_semicolons() {
         let table = table("f; S\n# remark\n1,5; 2,25\n").expect("table");
-        let column = table.require("S", &["s"]).expect("column").clone();
+        let column = table.require("S", "s").expect("column").clone();
         assert_eq!(table.rows[0].line, 3);
         assert_eq!(table.number(&table.rows[0], &column).ok(), Some(2.25));
     }
@@ -320,7 +321,7 @@ mod tests {
             assert!(message.starts_with(place), "{message}");
         }
         let table = table("f,s\n1,2\n\n3,nan\n").expect("shape");
-        let column = table.require("S", &["s"]).expect("column").clone();
+        let column = table.require("S", "s").expect("column").clone();
         let message = table.number(&table.rows[1], &column).expect_err("NaN");
         assert!(message.to_string().starts_with("t.csv:4"), "{message}");
     }

@@ -1,22 +1,10 @@
 //! Degrees of equivalence with their uncertainties, one panel per frequency.
 
+use super::doe::Degree;
 use calib_plot::{Axis, Ink, Mark, Plot, Point, Scale, sheet};
 
-/// One bar of the chart.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Bar {
-    /// Laboratory.
-    pub laboratory: String,
-    /// Panel, by frequency.
-    pub frequency_hz: Option<f64>,
-    /// Degree of equivalence.
-    pub d: f64,
-    /// Expanded uncertainty.
-    pub u_expanded: f64,
-}
-
 /// The graph of a comparison report; inconsistent laboratories are red.
-pub fn equivalence_chart(bars: &[Bar]) -> String {
+pub fn equivalence_chart(bars: &[Degree]) -> String {
     let mut frequencies: Vec<Option<f64>> = bars.iter().map(|bar| bar.frequency_hz).collect();
     frequencies.sort_by(|a, b| a.unwrap_or(0.0).total_cmp(&b.unwrap_or(0.0)));
     frequencies.dedup();
@@ -28,10 +16,10 @@ pub fn equivalence_chart(bars: &[Bar]) -> String {
     sheet(&panels, 2)
 }
 
-fn panel(frequency_hz: Option<f64>, bars: &[&Bar]) -> Plot {
+fn panel(frequency_hz: Option<f64>, bars: &[&Degree]) -> Plot {
     let title = frequency_hz.map_or("d".into(), |f| format!("d at {f} Hz"));
     let laboratories = bars.iter().map(|bar| bar.laboratory.clone());
-    let point = |(index, bar): (usize, &&Bar)| {
+    let point = |(index, bar): (usize, &&Degree)| {
         Point::new(index as f64 + 0.5, bar.d).with_bar(bar.u_expanded)
     };
     let points: Vec<Point> = bars.iter().enumerate().map(point).collect();

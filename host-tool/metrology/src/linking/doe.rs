@@ -44,29 +44,11 @@ pub struct Judgement {
 const RULE: &str = "inconsistent where |d| > U(d); a value exactly on its limit, |d| = U(d) \
 (|E_n| = 1), is consistent and listed apart";
 
-const FREQUENCY: [&str; 4] = ["frequency_hz", "frequency", "f_hz", "f"];
-const LABORATORY: [&str; 5] = ["laboratory", "lab", "nmi", "institute", "participant"];
-const DEGREE: [&str; 7] = [
-    "degree_of_equivalence",
-    "degree_of_equivalence_percent",
-    "doe",
-    "d",
-    "di",
-    "d_i",
-    "d_percent",
-];
-const UNCERTAINTY: [&str; 10] = [
-    "expanded_uncertainty",
-    "expanded_uncertainty_percent",
-    "u_expanded",
-    "u_expanded_percent",
-    "expanded_u",
-    "u_k_2",
-    "2u",
-    "2ui",
-    "2u_i",
-    "u_d",
-];
+const FREQUENCY: &str = "frequency_hz frequency f_hz f";
+const LABORATORY: &str = "laboratory lab nmi institute participant";
+const DEGREE: &str = "degree_of_equivalence degree_of_equivalence_percent doe d di d_i d_percent";
+const UNCERTAINTY: &str = "expanded_uncertainty expanded_uncertainty_percent u_expanded \
+                           u_expanded_percent expanded_u u_k_2 2u 2ui 2u_i u_d";
 
 /// Reads a table: laboratory, frequency, degree of equivalence and its
 /// expanded uncertainty.
@@ -75,11 +57,11 @@ const UNCERTAINTY: [&str; 10] = [
 /// A missing column, a value that cannot be, a laboratory twice at a frequency.
 pub fn read_table(source: Source) -> Result<DoeTable> {
     let table = Table::parse(source)?;
-    let laboratory = table.require("the laboratory", &LABORATORY)?.clone();
-    let frequency = table.find(&FREQUENCY)?.cloned();
-    let degree = table.require("the degree of equivalence", &DEGREE)?.clone();
+    let laboratory = table.require("the laboratory", LABORATORY)?.clone();
+    let frequency = table.find(FREQUENCY)?.cloned();
+    let degree = table.require("the degree of equivalence", DEGREE)?.clone();
     let uncertainty = table
-        .require("its expanded uncertainty", &UNCERTAINTY)?
+        .require("its expanded uncertainty", UNCERTAINTY)?
         .clone();
     let mut degrees: Vec<Degree> = Vec::new();
     for row in &table.rows {

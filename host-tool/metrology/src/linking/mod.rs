@@ -13,7 +13,7 @@ mod link;
 mod reference;
 mod report;
 
-pub use chart::{Bar, equivalence_chart};
+pub use chart::equivalence_chart;
 pub use doe::{Degree, DoeTable, Judgement, judge, read_table};
 pub use file::{Comparison, LinkFile, LinkResult, LinkedFrequency, load, parse};
 pub use link::{Linked, LinkedLaboratory, Pair, link};

@@ -1,10 +1,8 @@
-//! Point lists by clause 5, and what a linearity list shows.
+//! Point lists by clause 5.
 //!
 //! # Source
-//! ISO 16063-21:2003 5.1 and 5.3; ISO 266 for the frequencies; GUM H.3 for the
-//! line.
+//! ISO 16063-21:2003 5.1 and 5.3; ISO 266 for the frequencies.
 
-use super::line_fit::Line;
 use crate::input::HIGHEST_HZ;
 use calib_files::{Error, Result};
 use calib_protocol::record::MAX_POINTS;
@@ -182,50 +180,6 @@ fn series(mantissas: &[f64], from: f64, to: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Deviation of a result from that at the reference point (5.3).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Deviation {
-    /// Percent of the reference.
-    pub percent: f64,
-    /// Decibels.
-    pub decibel: f64,
-}
-
-/// Deviation of a sensitivity from that of the reference point.
-pub fn deviation(sensitivity: f64, reference: f64) -> Deviation {
-    let ratio = sensitivity / reference;
-    Deviation {
-        percent: 100.0 * (ratio - 1.0),
-        decibel: 20.0 * ratio.log10(),
-    }
-}
-
-/// Result of a linearity run.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Linearity {
-    /// Sensitivity over level; the slope is the non-linearity per m/s2.
-    pub line: Line,
-    /// Largest deviation from the line, percent of its middle.
-    pub largest_percent: f64,
-    /// No slope is seen at 95 %.
-    pub flat: bool,
-}
-
-/// Fits a line to sensitivities over levels; `None` for fewer than three.
-pub fn judge_linearity(levels_ms2: &[f64], sensitivities: &[f64]) -> Option<Linearity> {
-    let line = Line::fit(levels_ms2, sensitivities, None, 0.0)?;
-    let largest_percent = levels_ms2
-        .iter()
-        .zip(sensitivities)
-        .map(|(level, s)| 100.0 * (s / line.at(*level).0 - 1.0).abs())
-        .fold(0.0, f64::max);
-    Some(Linearity {
-        flat: line.is_flat(),
-        line,
-        largest_percent,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -294,16 +248,5 @@ mod tests {
         let list = linearity(160.0, 1.0, 200.0).expect("list");
         let levels: Vec<f64> = list.iter().map(|p| p.acceleration_rms_ms2).collect();
         assert_eq!(levels, [100.0, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 200.0]);
-    }
-
-    #[test]
-    fn slopes_are_seen_and_their_absence_too() {
-        let levels = [1.0, 2.0, 5.0, 10.0, 20.0];
-        let flat = judge_linearity(&levels, &[1.0, 1.001, 0.999, 1.0005, 0.9998]).expect("line");
-        assert!(flat.flat);
-        let rising: Vec<f64> = levels.iter().map(|a| 1.0 + 1e-3 * a).collect();
-        let rising = judge_linearity(&levels, &rising).expect("line");
-        assert!(!rising.flat && (rising.line.slope - 1e-3).abs() < 1e-12);
-        assert!((deviation(1.01, 1.0).decibel - 0.086_427).abs() < 1e-6);
     }
 }

@@ -5,6 +5,8 @@ use super::interval::{Interval, coverage_intervals};
 use super::random::Lanes;
 use super::tolerance::numerical_tolerance;
 use crate::statistics;
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::thread;
 
 /// Trials of one block: `M = max(J, 10^4)`, J = 100 / (1 - p) (GUM-S1 7.9.4 b).
@@ -45,21 +47,22 @@ impl Default for Options {
 }
 
 /// Result of the propagation, in the unit of the budget.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Outcome {
     /// Trials drawn.
     pub trials: usize,
-    /// Seed they were drawn with.
+    /// Seed of the random numbers.
     pub seed: u64,
-    /// Whether the stopping rule was met.
+    /// The results are stable to the numerical tolerance.
     pub stable: bool,
-    /// Numerical tolerance the rule used.
+    /// Numerical tolerance of the results.
     pub numerical_tolerance: f64,
-    /// Mean deviation of the measurand from its estimate.
+    // Of the measurand's deviation from its estimate.
+    /// Mean.
     pub estimate: f64,
     /// Standard uncertainty.
     pub standard_uncertainty: f64,
-    /// Coverage probability of both intervals.
+    /// Coverage probability of the intervals.
     pub coverage_probability: f64,
     /// Probabilistically symmetric interval.
     pub symmetric_interval: Interval,

@@ -4,14 +4,18 @@ use super::adaptive::Outcome;
 use super::tolerance::numerical_tolerance;
 use crate::budget::{Evaluation, Unit};
 use crate::text::{significant, wrap};
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::fmt::Write;
 
-/// First-order result beside the propagated distributions.
-#[derive(Clone, Debug)]
+/// Propagated distributions (GUM-S1) and the comparison with the budget.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "PropagatedView")]
 pub struct Comparison {
     /// The propagated distributions.
+    #[serde(flatten)]
     pub outcome: Outcome,
-    /// Tolerance delta of the standard uncertainty (GUM-S1 7.9.2).
+    /// Tolerance of the comparison (GUM-S1 7.9.2).
     pub tolerance: f64,
     /// Distance of the lower interval ends.
     pub d_low: f64,
@@ -21,6 +25,25 @@ pub struct Comparison {
     pub first_order_valid: bool,
     /// Why not, and which interval to report.
     pub statement: String,
+}
+
+impl Comparison {
+    /// Values in the unit of the budget.
+    pub(crate) fn values_mut(&mut self) -> [&mut f64; 10] {
+        let of = &mut self.outcome;
+        [
+            &mut of.numerical_tolerance,
+            &mut of.estimate,
+            &mut of.standard_uncertainty,
+            &mut of.symmetric_interval.low,
+            &mut of.symmetric_interval.high,
+            &mut of.shortest_interval.low,
+            &mut of.shortest_interval.high,
+            &mut self.tolerance,
+            &mut self.d_low,
+            &mut self.d_high,
+        ]
+    }
 }
 
 /// Compares `estimate +- U` with the probabilistically symmetric interval.

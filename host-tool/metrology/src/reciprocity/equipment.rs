@@ -3,6 +3,7 @@
 use calib_files::{Error, Result, text};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::path::Path;
 
 /// Temperature a reference is calibrated at, degrees Celsius (ISO 16063-21, 4.2).
@@ -69,6 +70,9 @@ pub struct Equipment {
     /// Two measurements of the ratio of the channels: standard uncertainty, relative.
     pub ratio_scatter_standard_rel: f64,
 }
+
+/// Keys whose values are above zero; all others are not below.
+const ABOVE_ZERO: [&str; 3] = ["mass_kg", "shunt_ohm", "divider_volt_per_v"];
 
 impl Default for Equipment {
     fn default() -> Self {
@@ -146,57 +150,24 @@ impl Equipment {
         }
     }
 
-    /// The first value that cannot be.
-    fn wrong(&self) -> Option<&'static str> {
-        let above = [
-            ("mass_kg", self.mass_kg),
-            ("shunt_ohm", self.shunt_ohm),
-            ("divider_volt_per_v", self.divider_volt_per_v),
-        ];
-        let not_below = [
-            ("mass_standard_rel", self.mass_standard_rel),
-            ("film_kg", self.film_kg),
-            ("shunt_standard_rel", self.shunt_standard_rel),
-            ("divider_standard_rel", self.divider_standard_rel),
-            (
-                "seat_m_per_n",
-                self.seat_m_per_n[0].min(self.seat_m_per_n[1]),
-            ),
-            ("seat_scatter_rel", self.seat_scatter_rel),
-            ("hold_standard_rel", self.hold_standard_rel),
-            ("creep_standard_m", self.creep_standard_m),
-            ("inductance_per_m", self.inductance_per_m),
-            ("stiffness_per_m", self.stiffness_per_m),
-            ("force_factor_per_m", self.force_factor_per_m),
-            (
-                "force_factor_per_m2",
-                self.force_factor_per_m2[0].min(self.force_factor_per_m2[1]),
-            ),
-            ("stray_v_per_a", self.stray_v_per_a),
-            ("stray_vs_per_a", self.stray_vs_per_a),
-            ("rocking_at_1_khz_rel", self.rocking_at_1_khz_rel),
-            ("table_at_1_khz_rel", self.table_at_1_khz_rel),
-            ("heating_standard_ohm", self.heating_standard_ohm),
-            ("reference_per_k", self.reference_per_k[1]),
-            ("temperature_standard_rel", self.temperature_standard_rel),
-            (
-                "untold_temperature_standard_k",
-                self.untold_temperature_standard_k,
-            ),
-            ("reading_standard_rel", self.reading_standard_rel),
-            ("crosstalk_standard", self.crosstalk_standard),
-            (
-                "ratio_scatter_standard_rel",
-                self.ratio_scatter_standard_rel,
-            ),
-        ];
-        let finite_above = |value: f64| value.is_finite() && value > 0.0;
-        let finite_not_below = |value: f64| value.is_finite() && value >= 0.0;
-        let wrong_above = above.into_iter().find(|(_, value)| !finite_above(*value));
-        let wrong_below = not_below
+    /// The first key whose value cannot be.
+    fn wrong(&self) -> Option<String> {
+        // What is not finite is written as nothing.
+        let Ok(Value::Object(stated)) = serde_json::to_value(self) else {
+            return None;
+        };
+        let can_be = |key: &str, value: &Value| match (key, value) {
+            ("held", _) => true,
+            // A mean has either sign.
+            ("reference_per_k", value) => value[1].as_f64() >= Some(0.0),
+            (_, Value::Array(values)) => values.iter().all(|one| one.as_f64() >= Some(0.0)),
+            (key, value) if ABOVE_ZERO.contains(&key) => value.as_f64() > Some(0.0),
+            (_, value) => value.as_f64() >= Some(0.0),
+        };
+        let mut wrong = stated
             .into_iter()
-            .find(|(_, value)| !finite_not_below(*value));
-        wrong_above.or(wrong_below).map(|(key, _)| key)
+            .filter(|(key, value)| !can_be(key, value));
+        wrong.next().map(|(key, _)| key)
     }
 }
 

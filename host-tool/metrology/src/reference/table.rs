@@ -7,77 +7,38 @@ use calib_files::Result;
 use jiff::civil::Date;
 
 /// Names of the column of sensitivities, and V/(m/s2) of one of them.
-const SENSITIVITIES: [(&[&str], f64); 3] = [
+const SENSITIVITIES: [(&str, f64); 3] = [
     (
-        &[
-            "sensitivity_mv_per_ms2",
-            "sensitivity_mv_m_s2",
-            "sensitivity_mv_m_s²",
-            "sensitivity_mv_ms2",
-            "s_mv_per_ms2",
-            "s_mv_m_s2",
-            "s_mv_m_s²",
-        ],
+        "sensitivity_mv_per_ms2 sensitivity_mv_m_s2 sensitivity_mv_m_s² sensitivity_mv_ms2 s_mv_per_ms2 s_mv_m_s2 s_mv_m_s²",
         1e-3,
     ),
     (
-        &[
-            "sensitivity_v_per_ms2",
-            "sensitivity_v_m_s2",
-            "sensitivity_v_m_s²",
-            "s_v_per_ms2",
-            "s_v_m_s2",
-            "s_v_m_s²",
-        ],
+        "sensitivity_v_per_ms2 sensitivity_v_m_s2 sensitivity_v_m_s² s_v_per_ms2 s_v_m_s2 s_v_m_s²",
         1.0,
     ),
     (
-        &[
-            "sensitivity_mv_per_g",
-            "sensitivity_mv_g",
-            "s_mv_per_g",
-            "s_mv_g",
-        ],
+        "sensitivity_mv_per_g sensitivity_mv_g s_mv_per_g s_mv_g",
         1e-3 / STANDARD_GRAVITY_MS2,
     ),
 ];
-const FREQUENCIES: [&str; 5] = [
-    "frequency_hz",
-    "freq_hz",
-    "f_hz",
-    "frequenz_hz",
-    "frequency_in_hz",
-];
-const DEVIATIONS: [&str; 4] = [
-    "deviation_percent",
-    "abweichung_percent",
-    "deviation_in_percent",
-    "dev_percent",
-];
-const UNCERTAINTIES: [&str; 5] = [
-    "expanded_uncertainty_percent",
-    "u_percent",
-    "u_s_percent",
-    "uncertainty_percent",
-    "u_in_percent",
-];
-const FACTORS: [&str; 3] = ["coverage_factor", "k", "coverage_factor_k"];
-const PHASES: [(&[&str], f64); 2] = [
+const FREQUENCIES: &str = "frequency_hz freq_hz f_hz frequenz_hz frequency_in_hz";
+const DEVIATIONS: &str = "deviation_percent abweichung_percent deviation_in_percent dev_percent";
+const UNCERTAINTIES: &str =
+    "expanded_uncertainty_percent u_percent u_s_percent uncertainty_percent u_in_percent";
+const FACTORS: &str = "coverage_factor k coverage_factor_k";
+const PHASES: [(&str, f64); 2] = [
     (
-        &["phase_deg", "phase_in_deg", "phase_degree", "phase_degrees"],
+        "phase_deg phase_in_deg phase_degree phase_degrees",
         RAD_PER_DEGREE,
     ),
-    (&["phase_rad"], 1.0),
+    ("phase_rad", 1.0),
 ];
-const PHASE_UNCERTAINTIES: [(&[&str], f64); 2] = [
+const PHASE_UNCERTAINTIES: [(&str, f64); 2] = [
     (
-        &["expanded_uncertainty_phase_deg", "u_phase_deg", "u_phi_deg"],
+        "expanded_uncertainty_phase_deg u_phase_deg u_phi_deg",
         RAD_PER_DEGREE,
     ),
-    (
-        &["expanded_uncertainty_phase_rad", "u_phase_rad", "u_phi_rad"],
-        1.0,
-    ),
+    ("expanded_uncertainty_phase_rad u_phase_rad u_phi_rad", 1.0),
 ];
 
 /// Columns of the table, with what their numbers are to be multiplied by.
@@ -131,7 +92,7 @@ pub(super) fn read(source: Source, reading: &Reading) -> Result<Certified> {
 
 impl Columns {
     fn of(table: &Table, reading: &Reading) -> Result<Self> {
-        let deviation = table.find(&DEVIATIONS)?.cloned();
+        let deviation = table.find(DEVIATIONS)?.cloned();
         let sensitivity = first(table, &SENSITIVITIES)?;
         let deviates = sensitivity.is_none();
         let sensitivity = match (sensitivity, deviation, reading.sensitivity_v_per_ms2) {
@@ -145,7 +106,7 @@ impl Columns {
                 ));
             }
             (None, None, _) => {
-                let names: Vec<&str> = SENSITIVITIES.iter().map(|(names, _)| names[0]).collect();
+                let names = SENSITIVITIES.map(|(names, _)| names).join(" ");
                 let column =
                     table.require("the sensitivity with its unit, or the deviation", &names)?;
                 (column.clone(), 1.0)
@@ -161,18 +122,18 @@ impl Columns {
             ));
         }
         Ok(Self {
-            frequency: table.require("the frequency", &FREQUENCIES)?.clone(),
+            frequency: table.require("the frequency", FREQUENCIES)?.clone(),
             sensitivity,
             deviates,
             uncertainty: table
                 .require(
                     "the expanded uncertainty in percent of the sensitivity",
-                    &UNCERTAINTIES,
+                    UNCERTAINTIES,
                 )?
                 .clone(),
-            factor: table.require("the coverage factor", &FACTORS)?.clone(),
+            factor: table.require("the coverage factor", FACTORS)?.clone(),
             phase: phase.zip(u_phase),
-            state: table.find(&["state"])?.cloned(),
+            state: table.find("state")?.cloned(),
         })
     }
 
@@ -202,7 +163,7 @@ impl Columns {
 }
 
 /// The first of these columns there is, with its factor.
-fn first(table: &Table, all: &[(&[&str], f64)]) -> Result<Option<(Column, f64)>> {
+fn first(table: &Table, all: &[(&str, f64)]) -> Result<Option<(Column, f64)>> {
     for (names, factor) in all {
         if let Some(column) = table.find(names)? {
             return Ok(Some((column.clone(), *factor)));

@@ -22,8 +22,8 @@ pub(super) struct Polar<'a> {
 
 impl<'a> Polar<'a> {
     fn find(table: &'a Table, magnitude: &str, phase: &str) -> Result<Option<Self>> {
-        let phase = table.find(&[phase])?;
-        Ok(table.find(&[magnitude])?.map(|magnitude| Self {
+        let phase = table.find(phase)?;
+        Ok(table.find(magnitude)?.map(|magnitude| Self {
             magnitude,
             scale: 1.0,
             phase,
@@ -32,9 +32,9 @@ impl<'a> Polar<'a> {
 
     fn require(table: &'a Table, magnitude: &str, phase: &str) -> Result<Self> {
         Ok(Self {
-            magnitude: table.require(magnitude, &[magnitude])?,
+            magnitude: table.require(magnitude, magnitude)?,
             scale: 1.0,
-            phase: table.find(&[phase])?,
+            phase: table.find(phase)?,
         })
     }
 
@@ -103,7 +103,7 @@ enum Method<'a> {
 
 /// A column of an amplitude that says whether it is r.m.s. or peak, with its ratio to r.m.s.
 fn measured<'a>(table: &'a Table, rms: &str, peak: &str) -> Result<Option<(&'a Column, f32)>> {
-    Ok(match (table.find(&[rms])?, table.find(&[peak])?) {
+    Ok(match (table.find(rms)?, table.find(peak)?) {
         (Some(column), _) => Some((column, 1.0)),
         (None, Some(column)) => Some((column, SQRT_2)),
         (None, None) => None,
@@ -112,7 +112,7 @@ fn measured<'a>(table: &'a Table, rms: &str, peak: &str) -> Result<Option<(&'a C
 
 impl<'a> Columns<'a> {
     pub(super) fn of(table: &'a Table) -> Result<Self> {
-        let frequency = table.require("the frequency", &["frequency_hz", "f", "f_hz"])?;
+        let frequency = table.require("the frequency", "frequency_hz f f_hz")?;
         let before = Polar::find(table, "reference_before_v", "reference_before_deg")?;
         let output = Polar::find(table, "reference_v", "reference_deg")?;
         let method = match (before, output) {
@@ -151,7 +151,7 @@ impl<'a> Columns<'a> {
             dut: Polar {
                 magnitude: dut,
                 scale: dut_over_rms.recip(),
-                phase: table.find(&["dut_deg"])?,
+                phase: table.find("dut_deg")?,
             },
             method: Method::Calibrator {
                 amplitude,

@@ -1,6 +1,7 @@
 //! `calib gap record`: a dataset from a calibrator.
 
 use super::super::Context;
+use super::super::hand::done_by_hand;
 use super::super::measure::stop_on_interrupt;
 use super::super::number::{finite, positive};
 use super::super::progress::RunProgress;
@@ -211,9 +212,6 @@ impl RecordVerb {
                     "give one for all runs, or one for each",
                 ));
             }
-            if !values.iter().all(|value| value.is_finite()) {
-                return Err(usage(format!("{name} must be finite"), "write 12.5"));
-            }
         }
         if self.payload.iter().any(|mass_kg| *mass_kg < 0.0) {
             return Err(usage("--payload is a mass in kg, not negative", "as 0.02"));
@@ -276,15 +274,11 @@ impl RecordVerb {
             context.remark(&what);
             return Ok(());
         }
-        eprintln!("{what}, then press Enter");
-        let mut line = String::new();
-        match stdin().read_line(&mut line) {
-            Ok(1..) => Ok(()),
-            Ok(0) | Err(_) => Err(usage(
-                "the operator has left: no run without a mounting",
-                "--yes goes on without waiting",
-            )),
-        }
+        let left = usage(
+            "the operator has left: no run without a mounting",
+            "--yes goes on without waiting",
+        );
+        done_by_hand(&format!("{what}, then press Enter"), left)
     }
 
     fn measure(

@@ -155,13 +155,11 @@ fn all(context: &Context, logbook: &Logbook, into: Option<&Path>) -> Result<()> 
             report.standards.len()
         )));
     }
-    match report.references.iter().find(|state| !state.in_control) {
-        None => Ok(()),
-        Some(state) => Err(Error::NotPassed(format!(
-            "the reference {} is out of control",
-            state.reference_serial
-        ))),
-    }
+    let other = report.references.iter().find(|state| !state.in_control);
+    let why = |state: &ReferenceState| {
+        format!("the reference {} is out of control", state.reference_serial)
+    };
+    Error::not_passed(other.map(why))
 }
 
 fn report_text(report: &AssuranceReport) -> String {
@@ -260,13 +258,8 @@ fn judged(context: &Context, logbook: &Logbook, standard: &CheckStandard) -> Res
     let assurance = judge(standard, &history, latest, chart);
     let kind = logbook.kind_of(&standard.serial)?;
     context.print(&assurance, || text(&assurance, &history, kind))?;
-    match assurance.in_control {
-        true => Ok(()),
-        false => Err(Error::NotPassed(format!(
-            "{} is out of control",
-            standard.serial
-        ))),
-    }
+    let why = || format!("{} is out of control", standard.serial);
+    Error::not_passed((!assurance.in_control).then(why))
 }
 
 fn too_few(standard: &CheckStandard, count: usize) -> Error {

@@ -73,10 +73,8 @@ pub(super) fn check(context: &Context, logbook: &Logbook, certificates: &[PathBu
         false => wrong.join("\n"),
     })?;
     say_what_is_signed(context, logbook, known.is_empty())?;
-    match wrong.len() {
-        0 => Ok(()),
-        count => Err(Error::NotPassed(format!("{count} entries are damaged"))),
-    }
+    let count = wrong.len();
+    Error::not_passed((count > 0).then(|| format!("{count} entries are damaged")))
 }
 
 fn say_what_is_signed(context: &Context, logbook: &Logbook, unknown: bool) -> Result<()> {
