@@ -93,10 +93,10 @@ fn holds(slices: &[Slice]) -> bool {
 }
 
 /// The verdict once causes outside the library have their share of the probability, `leading` being what the first
-/// cause keeps: one that is less probable than not explains no more than a part.
+/// cause keeps: one beside which another outside is twice as probable explains no more than a part.
 pub(crate) fn doubted(verdict: Verdict, leading: Option<f64>, gap: &Gap) -> Verdict {
     match verdict {
-        Verdict::Explained if leading.is_some_and(|p| p < thresholds::AS_NOT) => {
+        Verdict::Explained if leading.is_some_and(|p| p < thresholds::ONE_OF_THREE) => {
             match explains_part(gap) {
                 true => Verdict::PartlyExplained,
                 false => Verdict::Unexplained,
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cause_less_probable_than_not_does_not_explain() {
+    fn a_cause_beside_a_more_probable_other_does_not_explain() {
         let of =
             |leading, closed| doubted(Verdict::Explained, Some(leading), &gap(closed, Vec::new()));
         assert_eq!(of(0.98, 0.9), Verdict::Explained);
