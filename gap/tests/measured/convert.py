@@ -261,7 +261,7 @@ SETS = [
       "src/data/L16RNX_16_048g_242_27mV.zma"), three_masses,
      "lossy_inductance|shorted_inductance", True,
      "a woofer; its authors fit a semi-inductance in parallel with an inductance and a resistor, and a "
-     "suspension that creeps, which the library lacks"),
+     "suspension that creeps, which the library lacked then"),
     ("loudspeaker_ls10", ELAC, ("test/test_impedance.txt", "test/test_impedance_added_mass.txt"),
      two_masses, "lossy_inductance|shorted_inductance", False,
      "a subwoofer with iron around its coil; its authors read the inductance between 500 and 1000 Hz only"),

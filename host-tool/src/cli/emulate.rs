@@ -11,6 +11,7 @@ use calib_twin::usb_host::capture;
 use clap::Args;
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -64,13 +65,15 @@ impl Emulate {
         let listening = Listening {
             address: address.clone(),
         };
+        // Whoever knows the address may switch it off.
+        let stop = measure::stop_on_interrupt(context);
         context.print(&listening, || address.clone())?;
         context.remark(&format!(
             "an emulated calibrator listens; in another terminal: calib --device {address} info\n\
              Ctrl-C switches it off"
         ));
         let mut keeper = Keeper::of(flash.as_ref());
-        let ended = serve(context, &board, usb.as_ref(), door, &mut keeper);
+        let ended = serve(context, &board, usb.as_ref(), door, &mut keeper, &stop);
         keeper.kept?;
         if let Some(flash) = &flash {
             flash.keep(&board)?;
@@ -167,7 +170,7 @@ impl<'a> Keeper<'a> {
     }
 }
 
-/// Runs the board until Ctrl-C; a device that leaves the USB, as at a reset, is
+/// Runs the board until `stop` says so; a device that leaves the USB, as at a reset, is
 /// set up again.
 fn serve(
     context: &Context,
@@ -175,8 +178,8 @@ fn serve(
     usb: Option<&UsbPort>,
     door: Box<dyn Door>,
     keeper: &mut Keeper<'_>,
+    stop: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<()> {
-    let stop = measure::stop_on_interrupt(context);
     let mut behind = Duration::ZERO;
     let serial = board.emulator().serial().clone();
     let line: &dyn HostLine = usb.map_or(&serial, |usb| usb);
