@@ -35,8 +35,8 @@ const APPROACH_AGREEMENT_REL: f32 = 0.03;
 const TRIM_AGREEMENT_REL: f32 = 0.002;
 /// Settled within this of the set level.
 const TOLERANCE_REL: f32 = 5.0e-4;
-/// And, for noisy blocks, never wider than this (issue of 0.1 % at most).
-const MAX_TOLERANCE_REL: f32 = 1.0e-3;
+/// And, for noisy blocks, never wider than this: the level of all blocks is within 0.1 %.
+const MAX_TOLERANCE_REL: f32 = 8.0e-4;
 /// Relative change of drive so small that its transient needs no wait.
 const SMALL_CHANGE_REL: f32 = 0.02;
 /// Relative change of drive, also in units of the noise, from which two levels
@@ -168,6 +168,11 @@ impl LevelState {
         self.waits <= RINGING_BLOCKS
     }
 
+    /// True behind a change of drive so small that one block shows whether the level is the set one.
+    pub fn is_trimmed(&self) -> bool {
+        self.change_rel < SMALL_CHANGE_REL
+    }
+
     /// Logarithm of the gain at `peak_ms2`, reached with the drive now, over that at the probe; none if the exciter
     /// bends so much that it says nothing of another point.
     pub fn bend(&self, peak_ms2: f32) -> Option<f32> {
@@ -256,6 +261,14 @@ impl LevelLoop {
         next
     }
 
+    /// Judges a steady level once more by a longer block, which shows what the noise of the blocks before it hid.
+    pub fn confirm(&self, state: &mut LevelState, level: Level) -> Next {
+        match (level.peak_ms2 / self.set_peak_ms2 - 1.0).abs() <= MAX_TOLERANCE_REL {
+            true => Next::Settled,
+            false => self.drive_for(state, level, self.set_peak_ms2, Stage::Trim),
+        }
+    }
+
     /// The level to compare the next block with, unless this one agrees with
     /// the block before or follows so small a change that it need not.
     fn unsteady(&self, state: &LevelState, level: Level) -> Option<f32> {
@@ -266,9 +279,8 @@ impl LevelLoop {
         };
         let allowed = agreement * level.peak_ms2 + 3.0 * level.noise_ms2;
         let agrees = |previous: f32| (level.peak_ms2 - previous).abs() <= allowed;
-        let steady = state.change_rel < SMALL_CHANGE_REL
-            || state.previous.is_some_and(agrees)
-            || state.waits >= MAX_WAITS;
+        let steady =
+            state.is_trimmed() || state.previous.is_some_and(agrees) || state.waits >= MAX_WAITS;
         (!steady).then_some(level.peak_ms2)
     }
 
@@ -322,7 +334,7 @@ impl LevelLoop {
             (3.0 * level.noise_ms2 / self.set_peak_ms2).clamp(TOLERANCE_REL, MAX_TOLERANCE_REL);
         let within = |peak_ms2: f32| (peak_ms2 / self.set_peak_ms2 - 1.0).abs() <= tolerance;
         match (within(level.peak_ms2), state.previous) {
-            (true, _) if state.change_rel < SMALL_CHANGE_REL => Next::Settled,
+            (true, _) if state.is_trimmed() => Next::Settled,
             (true, Some(previous)) if !self.rings || within(previous) => Next::Settled,
             (true, _) => Next::Hold,
             (false, _) => self.drive_for(state, level, self.set_peak_ms2, Stage::Trim),

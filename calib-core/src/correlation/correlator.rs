@@ -64,6 +64,11 @@ impl<'m> Correlator<'m> {
         self.block
     }
 
+    /// Number, of the tone, of the block's first sample.
+    pub fn start_index(&self) -> u32 {
+        self.start_index
+    }
+
     /// Samples the block still needs.
     pub fn remaining(&self) -> u32 {
         self.block.samples().saturating_sub(self.taken)

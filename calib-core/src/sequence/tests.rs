@@ -168,7 +168,7 @@ struct Rig<'m> {
     generator: Generator,
     plant: Plant,
     waiting: VecDeque<Vec<u16>>,
-    /// Turns that began while a point was being measured.
+    /// Turns that began behind the first measured block of a point.
     measuring_turns: u32,
     /// Each new command is obeyed so many turns later, and the sequencer told so.
     late: u32,
@@ -223,7 +223,8 @@ impl<'m> Rig<'m> {
 
     /// One buffer: out of the plant, through the sequencer, into the queue.
     fn turn(&mut self) -> Option<PointResult> {
-        let measuring = self.sequencer.progress().activity == Activity::Measuring;
+        let progress = self.sequencer.progress();
+        let measuring = progress.activity == Activity::Measuring && progress.block > 0;
         self.measuring_turns += u32::from(measuring);
         let mut codes = vec![0; HALF];
         self.generator.fill(&mut codes);
@@ -277,23 +278,30 @@ fn every_default_point_is_reached_in_time_and_measured() {
             assert!(result.overshoot_rel <= 0.05, "{hz} Hz: {result:?}");
             let played_hz = f64::from(result.tone.frequency_hz(RATE_HZ as f32));
             let (magnitude, phase) = dut.response(played_hz);
-            // Noise of 1 code, 1.04 with that of quantisation, on 945 codes peak, 3 blocks of 2000 samples and
-            // more: 1.04 sqrt(2 / 6000) / 945 = 2.0e-5 per channel; 5 sigma of both are 1.4e-4.
+            // A point ends once its type A, 1.04 codes with those of quantisation and what repeats in every period, is
+            // a twentieth of U: the truth is within 5 of it.
             assert_eq!(result.blocks, 3, "{hz} Hz");
+            let [type_a, enough] = [
+                result.repeatability_rel,
+                0.05 * result.expanded_uncertainty_rel,
+            ];
+            assert!(type_a <= enough, "{hz} Hz: {result:?}");
             let expected = 0.0098 * magnitude;
             let error = f64::from(result.sensitivity_v_per_ms2) / expected - 1.0;
-            assert!(error.abs() < 1.4e-4, "{hz} Hz: {error}");
             assert!(
-                (f64::from(result.phase_rad) - phase).abs() < 1.4e-4,
-                "{hz} Hz"
+                error.abs() < 5.0 * f64::from(type_a),
+                "{hz} Hz: {error}, {result:?}"
             );
+            let error_rad = f64::from(result.phase_rad) - phase;
+            let type_a_rad = f64::from(result.repeatability_phase_rad);
+            assert!(error_rad.abs() < 5.0 * type_a_rad, "{hz} Hz: {error_rad}");
             assert!(!result.inverted && result.coverage_factor == 2.0);
-            // The residual is taken from each 13th of 2000 samples and more: its square scatters by
-            // sqrt(2 / 154), 0.47 dB, from block to block. The worst of them lies below the mean, by
+            // The residual is taken from each 13th of 750 samples and more: its square scatters by
+            // sqrt(2 / 58), 0.74 dB, from block to block. The worst of them lies below the mean, by
             // less than 4 sigma.
             let worst_db = result.signal_to_noise_worst_block_db.expect("measured");
             let below_db = result.signal_to_noise_dut_db - worst_db;
-            assert!((0.0..1.9).contains(&below_db), "{hz} Hz: {below_db} dB");
+            assert!((0.0..3.0).contains(&below_db), "{hz} Hz: {below_db} dB");
         }
         assert!(rig.generator.is_silent());
     }
@@ -365,20 +373,24 @@ fn blocks_are_short_only_where_nothing_is_beside_the_tone() {
             rig.sequencer.start_run(Settings::field_calibrator(), holds);
             let result = rig.point(hz, 10.0);
             assert_eq!(result.verdict, Verdict::Pass, "{result:?}");
-            f64::from(rig.measuring_turns) * HALF as f64 / RATE_HZ / f64::from(result.blocks)
+            f64::from(rig.measuring_turns) * HALF as f64 / RATE_HZ / f64::from(result.blocks - 1)
         };
-    for hz in [20.0, 125.0, 160.0, 1000.0, 8000.0] {
-        let block_s = measured_s(hz, 0.0, 0.0, 0.0, false);
-        assert!((0.039..0.056).contains(&block_s), "{hz}: {block_s}");
-        // A hundredth of the set level.
-        let block_s = measured_s(hz, 0.01, 0.0, 0.0, false);
-        assert!((0.09..0.11).contains(&block_s), "{hz}: {block_s}");
-        let block_s = measured_s(hz, 0.0, 0.1, 0.0, false);
-        assert!((0.039..0.056).contains(&block_s), "{hz}: {block_s}");
-        let block_s = measured_s(hz, 0.0, 0.0, 20.0, false);
-        assert!((0.09..0.11).contains(&block_s), "{hz}: {block_s}");
-        let block_s = measured_s(hz, 0.0, 0.0, 0.0, true);
-        assert!((0.09..0.11).contains(&block_s), "{hz}: {block_s}");
+    for hz in [20.0, 31.5, 125.0, 160.0, 1000.0, 8000.0] {
+        // A cycle at least, at 160 Hz two periods of 12.5 ms; two blocks end up to 5 ms after their last sample.
+        let short = 0.0149..(1.0 / f64::from(hz)).max(0.025) + 0.0026;
+        let long = 0.09..0.11;
+        // A hundredth of the set level in a channel, and in both; 20 codes, which ask for 113 ms; and four, for 19 ms.
+        for (dut_field, table_ms2, noise_codes, holds, expected) in [
+            (0.0, 0.0, 0.0, false, &short),
+            (0.01, 0.0, 0.0, false, &long),
+            (0.0, 0.1, 0.0, false, &short),
+            (0.0, 0.0, 20.0, false, &long),
+            (0.0, 0.0, 8.0, false, &(0.0149..0.053)),
+            (0.0, 0.0, 0.0, true, &long),
+        ] {
+            let block_s = measured_s(hz, dut_field, table_ms2, noise_codes, holds);
+            assert!(expected.contains(&block_s), "{hz}: {block_s}, {expected:?}");
+        }
     }
 }
 

@@ -159,12 +159,12 @@ impl Pass<'_> {
         points: &[PointSpec],
         observe: &mut impl FnMut(&Progress<'_>, &[PointSpec]) -> ControlFlow<()>,
     ) -> Result<(RunState, Vec<Taken>)> {
-        let mut kind = ExcitationKind::SingleSine;
         if let Some(waveforms) = &mut self.waveforms {
             waveforms.begin();
-            kind = ExcitationKind::HeldSine;
         }
-        let id = session::begin(client, points, kind, RunLabels::default())?;
+        // All blocks of every point: a row says how much it scatters, and is looked at while its level is held.
+        let held = ExcitationKind::HeldSine;
+        let id = session::begin(client, points, held, RunLabels::default())?;
         let mut looks = vec![Look::default(); points.len()];
         let outcome = session::follow_beside(client, id, points, |progress, client| {
             let status = &progress.status;

@@ -27,12 +27,12 @@ use num_complex::Complex32;
 
 /// Shortest measuring block, s: of a point that nothing disturbs, and of any other. The period of 31.5 Hz, three
 /// cycles in 4762 samples, is just longer, and is not taken twice.
-const QUIET_BLOCK_S: f32 = 0.04;
+const QUIET_BLOCK_S: f32 = 0.015;
 const MEASURING_BLOCK_S: f32 = 0.095;
 /// A point is disturbed by what is at rest at its tone, or by lines of the mains, from this share of the set level on:
 /// a fifth of the smallest U.
 const QUIET_REL: f32 = 1.5e-3;
-/// And by noise from this standard deviation of a short block on.
+/// Standard deviation, relative, that a block of a quiet point has at most: three of them leave a twentieth of U.
 const QUIET_NOISE_REL: f32 = 4.0e-4;
 /// Longest block of the level loop for noisy signals, s.
 const LONGEST_CONTROL_BLOCK_S: f32 = 0.1;
@@ -170,8 +170,8 @@ pub struct Sequencer<'m> {
     listening: Listening,
     /// Complex amplitudes of both channels at the tone before its first drive, codes; none where they are not known.
     rest: Option<[Complex32; 2]>,
-    /// Samples of a measuring block.
-    measuring_samples: u32,
+    /// Shape of the measuring blocks; none before the first drive that may be the last.
+    measuring: Option<Block>,
     /// How the exciter bent at the point before.
     bent: Option<Bent>,
     /// Number of the next sample, modulo the period of the tone.
@@ -207,7 +207,7 @@ impl<'m> Sequencer<'m> {
             gathered: Gathered::default(),
             listening: Listening::new(),
             rest: None,
-            measuring_samples: 0,
+            measuring: None,
             bent: None,
             index: 0,
             measured_from: 0,
@@ -243,6 +243,7 @@ impl<'m> Sequencer<'m> {
         self.settling_samples = 0;
         self.reference_mean = None;
         self.rest = None;
+        self.measuring = None;
         self.last_level_peak_ms2 = 0.0;
         match self.plan(spec) {
             Ok(plan) => {
@@ -433,7 +434,7 @@ impl<'m> Sequencer<'m> {
                 let late = core::mem::take(&mut self.late);
                 return self.wait_for(plan.tone, late);
             }
-            return self.settle(self.first_block(plan.tone));
+            return self.settle(self.behind_drive(plan.tone));
         }
         let Some(estimate) = self.correlator.estimate() else {
             return;
@@ -480,13 +481,16 @@ impl<'m> Sequencer<'m> {
         match plan.level_loop.step(&mut self.level, level) {
             Next::Hold if self.level.may_ring() => self.settle(self.first_block(plan.tone)),
             Next::Hold => self.settle(self.control_block(plan, level, estimate)),
-            Next::Drive(peak_v) => self.drive(plan.tone, peak_v),
+            Next::Drive(peak_v) => {
+                self.measuring = Some(self.measuring_for(plan, estimate));
+                self.drive(plan.tone, peak_v);
+            }
             Next::Settled => self.settled(plan, level, estimate),
             Next::Failed(reason) => self.refuse(reason),
         }
     }
 
-    /// Keeps what the next point may go by, and chooses the blocks of this one.
+    /// Keeps what the next point may go by, and measures: a block behind a trim is the first of those that do.
     fn settled(&mut self, plan: &Plan, level: Level, estimate: &PairEstimate) {
         self.settling_samples = self.elapsed;
         let bend = self.level.bend(level.peak_ms2);
@@ -494,13 +498,19 @@ impl<'m> Sequencer<'m> {
             spec: plan.spec,
             bend,
         });
-        let quiet = !self.holds && self.is_quiet(estimate);
-        let block_s = match quiet {
-            true => QUIET_BLOCK_S,
-            false => MEASURING_BLOCK_S,
-        };
-        self.measuring_samples = (block_s * self.sampling.sample_rate_hz) as u32;
+        if self.level.is_trimmed() && self.measuring == Some(estimate.block) {
+            self.stage = Stage::Measuring;
+            self.measured_from = self.correlator.start_index();
+            return self.measure(plan, estimate);
+        }
+        self.measuring = Some(self.measuring_for(plan, estimate));
         self.begin_measuring(plan.tone);
+    }
+
+    /// The first block behind a drive: behind a trim, one that measures.
+    fn behind_drive(&self, tone: Tone) -> Block {
+        let measuring = self.measuring.filter(|_| self.level.is_trimmed());
+        measuring.unwrap_or(self.first_block(tone))
     }
 
     /// The first blocks behind a drive: with a ramp, two of them fit into two buffers.
@@ -529,52 +539,79 @@ impl<'m> Sequencer<'m> {
     }
 
     fn measuring_block(&self, tone: Tone) -> Block {
-        Block::measuring(tone, self.measuring_samples)
+        self.measuring.unwrap_or(Block::measuring(tone, 1))
     }
 
-    /// Whether nothing beside the tone reaches its ratio, and so little noise that three short blocks are enough.
+    /// The measuring block for what this one shows: as short as its noise allows where nothing is beside the tone.
+    fn measuring_for(&self, plan: &Plan, estimate: &PairEstimate) -> Block {
+        let rate_hz = self.sampling.sample_rate_hz;
+        let for_noise = self.noise_rel(estimate) / QUIET_NOISE_REL;
+        let quiet_s = (for_noise * for_noise / rate_hz).max(QUIET_BLOCK_S);
+        if self.holds || quiet_s >= MEASURING_BLOCK_S || !self.is_undisturbed(estimate) {
+            return Block::measuring(plan.tone, (MEASURING_BLOCK_S * rate_hz) as u32);
+        }
+        Block::control_of(plan.tone, (quiet_s * rate_hz) as u32)
+    }
+
+    /// Standard deviation of the noisier channel's amplitude by one sample, relative.
+    fn noise_rel(&self, estimate: &PairEstimate) -> f32 {
+        let of = |seen: &ChannelEstimate| seen.amplitude_noise(1) / seen.amplitude_peak();
+        of(&estimate.reference).max(of(&estimate.dut))
+    }
+
+    /// Whether neither the mains nor what was there at rest reaches the ratio of the channels.
     ///
     /// A motion that was there at rest, or still rang then, is in both channels alike and leaves their ratio.
-    fn is_quiet(&self, estimate: &PairEstimate) -> bool {
+    fn is_undisturbed(&self, estimate: &PairEstimate) -> bool {
         let channels = [&estimate.reference, &estimate.dut];
-        let samples = estimate.block.samples();
-        let short = QUIET_BLOCK_S * self.sampling.sample_rate_hz;
-        let noise_factor = libm::sqrtf(samples as f32 / short);
-        let is_calm = |(channel, seen): (usize, &&ChannelEstimate)| {
-            let peak = seen.amplitude_peak();
-            self.listening.largest_line_peak(channel) <= QUIET_REL * peak
-                && noise_factor * seen.amplitude_noise(samples) <= QUIET_NOISE_REL * peak
-        };
         let apart = self.rest.map(|[reference, dut]| {
             let beside = dut / estimate.dut.amplitude - reference / estimate.reference.amplitude;
             beside.norm()
         });
-        apart.is_some_and(|apart| apart <= QUIET_REL) && channels.iter().enumerate().all(is_calm)
+        let mut lines = channels.iter().enumerate().map(|(channel, seen)| {
+            self.listening.largest_line_peak(channel) / seen.amplitude_peak()
+        });
+        apart.is_some_and(|apart| apart <= QUIET_REL) && lines.all(|line| line <= QUIET_REL)
     }
 
-    /// Adds one measured block, or ends the point.
+    /// Takes a measured block, or goes back to the level it shows to be another.
     fn measure(&mut self, plan: &Plan, estimate: &PairEstimate) {
         let level = self.level_of(plan, estimate);
-        let set = plan.level_loop.set_peak_ms2();
+        let unconfirmed = self.gathered.count() == 0 && !self.level.is_trimmed();
+        let next = match self.lost(plan, level, estimate) {
+            Some(reason) => Next::Failed(reason),
+            None if unconfirmed => plan.level_loop.confirm(&mut self.level, level),
+            None => Next::Settled,
+        };
+        match next {
+            Next::Failed(reason) => self.refuse(reason),
+            Next::Drive(peak_v) => self.drive(plan.tone, peak_v),
+            Next::Hold | Next::Settled => self.gather(plan, level, estimate),
+        }
+    }
+
+    /// Why a block can be no part of a result.
+    fn lost(&self, plan: &Plan, level: Level, estimate: &PairEstimate) -> Option<Reason> {
+        let level_rel = level.peak_ms2 / plan.level_loop.set_peak_ms2();
         let dut = &estimate.dut;
         let noise = dut.amplitude_noise(estimate.block.samples());
         let open_peak = OPEN_CODES * f32::from(self.sampling.input.sample_step());
         let open = dut.amplitude_peak() < (OPEN_NOISE_FACTOR * noise).max(open_peak);
-        if level.peak_ms2 > OVERLOAD_REL * set {
-            self.refuse(Reason::Overload);
-        } else if level.peak_ms2 < DEAD_REL * set {
-            self.refuse(Reason::ReferenceDead);
-        } else if level.peak_ms2 < LOST_REL * set {
-            self.refuse(Reason::AmplitudeUnstable);
-        } else if open {
-            self.refuse(Reason::DutOpen);
-        } else {
-            self.gathered
-                .add(level.peak_ms2, estimate, self.settings.blocks);
-            match self.result_if_enough(plan) {
-                Some(result) => self.finish(plan, result),
-                None => self.begin_measuring(plan.tone),
-            }
+        match level_rel {
+            above if above > OVERLOAD_REL => Some(Reason::Overload),
+            nothing if nothing < DEAD_REL => Some(Reason::ReferenceDead),
+            half if half < LOST_REL => Some(Reason::AmplitudeUnstable),
+            _ => open.then_some(Reason::DutOpen),
+        }
+    }
+
+    /// Adds a block, and ends the point or begins another.
+    fn gather(&mut self, plan: &Plan, level: Level, estimate: &PairEstimate) {
+        self.gathered
+            .add(level.peak_ms2, estimate, self.settings.blocks);
+        match self.result_if_enough(plan) {
+            Some(result) => self.finish(plan, result),
+            None => self.begin_measuring(plan.tone),
         }
     }
 
