@@ -296,12 +296,12 @@ fn every_default_point_is_reached_in_time_and_measured() {
             let type_a_rad = f64::from(result.repeatability_phase_rad);
             assert!(error_rad.abs() < 5.0 * type_a_rad, "{hz} Hz: {error_rad}");
             assert!(!result.inverted && result.coverage_factor == 2.0);
-            // The residual is taken from each 13th of 750 samples and more: its square scatters by
-            // sqrt(2 / 58), 0.74 dB, from block to block. The worst of them lies below the mean, by
+            // The residual is taken from each 13th of 500 samples and more: its square scatters by
+            // sqrt(2 / 38), 0.9 dB, from block to block. The worst of them lies below the mean, by
             // less than 4 sigma.
             let worst_db = result.signal_to_noise_worst_block_db.expect("measured");
             let below_db = result.signal_to_noise_dut_db - worst_db;
-            assert!((0.0..3.0).contains(&below_db), "{hz} Hz: {below_db} dB");
+            assert!((0.0..3.6).contains(&below_db), "{hz} Hz: {below_db} dB");
         }
         assert!(rig.generator.is_silent());
     }
@@ -377,7 +377,7 @@ fn blocks_are_short_only_where_nothing_is_beside_the_tone() {
         };
     for hz in [20.0, 31.5, 125.0, 160.0, 1000.0, 8000.0] {
         // A cycle at least, at 160 Hz two periods of 12.5 ms; two blocks end up to 5 ms after their last sample.
-        let short = 0.0149..(1.0 / f64::from(hz)).max(0.025) + 0.0026;
+        let short = 0.0099..(1.0 / f64::from(hz)).max(0.025) + 0.0026;
         let long = 0.09..0.11;
         // A hundredth of the set level in a channel, and in both; 20 codes, which ask for 113 ms; and four, for 19 ms.
         for (dut_field, table_ms2, noise_codes, holds, expected) in [

@@ -207,17 +207,19 @@ fn the_deepest_answer_and_the_deepest_evaluation_fit_on_the_stack_together() -> 
     let _ = bench.board().read_serial();
 
     let run = RunSpec {
-        // Folds into as many places as there are samples: the longest evaluation.
-        points: [point(315.0, 10.0)].into_iter().collect(),
+        // Folds into as many places as there are samples: the longest evaluation. Some points are over while the
+        // run goes on: a record on its way to the flash is no part of the depth of a measurement.
+        points: [point(315.0, 10.0); 12].into_iter().collect(),
         excitation: ExcitationKind::SingleSine,
         labels: RunLabels::default(),
     };
     usb.start(run)?;
     bench.paint_stack()?;
     // Nobody asks meanwhile.
-    bench.client.wait(Duration::from_secs(4))?;
+    bench.client.wait(Duration::from_secs(2))?;
     let measuring = stack - bench.unused_stack_bytes()?;
-    assert_eq!(bench.client.status()?.state, RunState::Finished);
+    let status = bench.client.status()?;
+    assert!(status.state.is_running() && status.point > 0, "{status:?}");
     println!("answering {answering} bytes, measuring {measuring}, of {stack}");
     assert!(answering + measuring + STACK_MARGIN <= stack);
     Ok(())

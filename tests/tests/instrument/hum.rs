@@ -104,9 +104,10 @@ fn hum_on_the_tone_is_stated_at_usual_levels() -> Result<(), Fault> {
             "{:?}",
             outcome.error
         );
-        // 0.3 % over sqrt 2, twice, and not more: root of the difference of squares.
+        // 0.3 % over sqrt 2, twice, and not more: root of the difference of squares. Of 49.98 Hz, which turn by 7
+        // degrees in ten blocks, a tenth is told apart.
         let by_hum = (outcome.expanded_rel.powi(2) - clean.expanded_rel.powi(2)).sqrt();
-        assert!((0.0040..0.0044).contains(&by_hum), "{by_hum}");
+        assert!((0.0036..0.0044).contains(&by_hum), "{by_hum}");
     }
     Ok(())
 }

@@ -22,7 +22,7 @@ const QUIET: Duration = Duration::from_millis(2_500);
 fn long_run() -> RunSpec {
     RunSpec {
         points: [point(160.0, 10.0); 20].into_iter().collect(),
-        excitation: ExcitationKind::SingleSine,
+        excitation: ExcitationKind::HeldSine,
         labels: RunLabels::default(),
     }
 }

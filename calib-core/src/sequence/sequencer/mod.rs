@@ -27,7 +27,7 @@ use num_complex::Complex32;
 
 /// Shortest measuring block, s: of a point that nothing disturbs, and of any other. The period of 31.5 Hz, three
 /// cycles in 4762 samples, is just longer, and is not taken twice.
-const QUIET_BLOCK_S: f32 = 0.015;
+const QUIET_BLOCK_S: f32 = 0.010;
 const MEASURING_BLOCK_S: f32 = 0.095;
 /// A point is disturbed by what is at rest at its tone, or by lines of the mains, from this share of the set level on:
 /// a fifth of the smallest U.
@@ -170,7 +170,7 @@ pub struct Sequencer<'m> {
     listening: Listening,
     /// Complex amplitudes of both channels at the tone before its first drive, codes; none where they are not known.
     rest: Option<[Complex32; 2]>,
-    /// Shape of the measuring blocks; none before the first drive that may be the last.
+    /// Shape of the measuring blocks; before the level is reached, of short ones that may follow a trim.
     measuring: Option<Block>,
     /// How the exciter bent at the point before.
     bent: Option<Bent>,
@@ -482,7 +482,7 @@ impl<'m> Sequencer<'m> {
             Next::Hold if self.level.may_ring() => self.settle(self.first_block(plan.tone)),
             Next::Hold => self.settle(self.control_block(plan, level, estimate)),
             Next::Drive(peak_v) => {
-                self.measuring = Some(self.measuring_for(plan, estimate));
+                self.measuring = self.quiet_block(plan, estimate);
                 self.drive(plan.tone, peak_v);
             }
             Next::Settled => self.settled(plan, level, estimate),
@@ -492,22 +492,30 @@ impl<'m> Sequencer<'m> {
 
     /// Keeps what the next point may go by, and measures: a block behind a trim is the first of those that do.
     fn settled(&mut self, plan: &Plan, level: Level, estimate: &PairEstimate) {
-        self.settling_samples = self.elapsed;
+        let measures = self.level.is_trimmed() && self.measuring == Some(estimate.block);
+        let measured = if measures {
+            estimate.block.samples()
+        } else {
+            0
+        };
+        self.settling_samples = self.elapsed.saturating_sub(measured);
         let bend = self.level.bend(level.peak_ms2);
         self.bent = bend.map(|bend| Bent {
             spec: plan.spec,
             bend,
         });
-        if self.level.is_trimmed() && self.measuring == Some(estimate.block) {
+        if measures {
             self.stage = Stage::Measuring;
             self.measured_from = self.correlator.start_index();
             return self.measure(plan, estimate);
         }
-        self.measuring = Some(self.measuring_for(plan, estimate));
+        let long = (MEASURING_BLOCK_S * self.sampling.sample_rate_hz) as u32;
+        let quiet = self.quiet_block(plan, estimate);
+        self.measuring = Some(quiet.unwrap_or(Block::measuring(plan.tone, long)));
         self.begin_measuring(plan.tone);
     }
 
-    /// The first block behind a drive: behind a trim, one that measures.
+    /// The first block behind a drive: behind a trim, one that measures where that is short.
     fn behind_drive(&self, tone: Tone) -> Block {
         let measuring = self.measuring.filter(|_| self.level.is_trimmed());
         measuring.unwrap_or(self.first_block(tone))
@@ -542,15 +550,14 @@ impl<'m> Sequencer<'m> {
         self.measuring.unwrap_or(Block::measuring(tone, 1))
     }
 
-    /// The measuring block for what this one shows: as short as its noise allows where nothing is beside the tone.
-    fn measuring_for(&self, plan: &Plan, estimate: &PairEstimate) -> Block {
+    /// The measuring block for what this one shows, as short as its noise allows; none where something is beside the
+    /// tone, and where the point is held.
+    fn quiet_block(&self, plan: &Plan, estimate: &PairEstimate) -> Option<Block> {
         let rate_hz = self.sampling.sample_rate_hz;
         let for_noise = self.noise_rel(estimate) / QUIET_NOISE_REL;
-        let quiet_s = (for_noise * for_noise / rate_hz).max(QUIET_BLOCK_S);
-        if self.holds || quiet_s >= MEASURING_BLOCK_S || !self.is_undisturbed(estimate) {
-            return Block::measuring(plan.tone, (MEASURING_BLOCK_S * rate_hz) as u32);
-        }
-        Block::control_of(plan.tone, (quiet_s * rate_hz) as u32)
+        let block_s = (for_noise * for_noise / rate_hz).max(QUIET_BLOCK_S);
+        let is_quiet = !self.holds && block_s < MEASURING_BLOCK_S && self.is_undisturbed(estimate);
+        is_quiet.then(|| Block::control_of(plan.tone, (block_s * rate_hz) as u32))
     }
 
     /// Standard deviation of the noisier channel's amplitude by one sample, relative.
