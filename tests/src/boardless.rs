@@ -68,6 +68,15 @@ pub fn measure(rig: &Rig, settings: &Settings, specs: &[PointSpec]) -> Vec<Point
     measure_by(Acquisition::SHIPPING, rig, settings, specs)
 }
 
+/// As [`measure`], each point held for all of its blocks.
+pub fn measure_held(rig: &Rig, settings: &Settings, specs: &[PointSpec]) -> Vec<PointResult> {
+    let (mut fold, mut period) = (FoldMemory::new(), PeriodMemory::new());
+    let mut calibrator =
+        Calibrator::new(Acquisition::SHIPPING, rig, settings, &mut fold, &mut period);
+    calibrator.sequencer.start_run(settings.clone(), true);
+    calibrator.run(specs)
+}
+
 /// As [`measure`], and how the run was closed, as the instrument does it.
 pub fn measure_closed(
     rig: &Rig,

@@ -161,7 +161,7 @@ pub fn reading_errors_rel(unit: u64, shape: Shape, input: CoilInput) -> Vec<f64>
     let mut settings = Settings::field_calibrator();
     settings.reference.points = true_certificate(&rig).iter().map(reference_point).collect();
     let list = READ_RMS_MS2.map(|level| point(READ_HZ, level));
-    let results = boardless::measure(&rig, &settings, &list);
+    let results = boardless::measure_held(&rig, &settings, &list);
     let error = |result: &PointResult| {
         let level = f64::from(result.spec.acceleration_rms_ms2);
         let motion = response::motion(&rig, f64::from(READ_HZ), level)?;

@@ -35,8 +35,8 @@ const APPROACH_AGREEMENT_REL: f32 = 0.03;
 const TRIM_AGREEMENT_REL: f32 = 0.002;
 /// Settled within this of the set level.
 const TOLERANCE_REL: f32 = 5.0e-4;
-/// And, for noisy blocks, never wider than this: the level of all blocks is within 0.1 %.
-const MAX_TOLERANCE_REL: f32 = 8.0e-4;
+/// And, for noisy blocks, never wider than this (issue of 0.1 % at most).
+const MAX_TOLERANCE_REL: f32 = 1.0e-3;
 /// Relative change of drive so small that its transient needs no wait.
 const SMALL_CHANGE_REL: f32 = 0.02;
 /// Relative change of drive, also in units of the noise, from which two levels
@@ -263,7 +263,8 @@ impl LevelLoop {
 
     /// Judges a steady level once more by a longer block, which shows what the noise of the blocks before it hid.
     pub fn confirm(&self, state: &mut LevelState, level: Level) -> Next {
-        match (level.peak_ms2 / self.set_peak_ms2 - 1.0).abs() <= MAX_TOLERANCE_REL {
+        let allowed_ms2 = (MAX_TOLERANCE_REL * self.set_peak_ms2).max(3.0 * level.noise_ms2);
+        match (level.peak_ms2 - self.set_peak_ms2).abs() <= allowed_ms2 {
             true => Next::Settled,
             false => self.drive_for(state, level, self.set_peak_ms2, Stage::Trim),
         }

@@ -82,7 +82,7 @@ impl Block {
     /// samples) would make the loop wait; here one pass over the samples
     /// nearest to fewer whole cycles is taken when it is at most 0.1 % of a
     /// cycle off. The leakage of the fundamental into itself is then solved
-    /// for (`docs/metrology/measurement.md`). Measuring blocks are always exact.
+    /// for (`docs/metrology/measurement.md`). Of measuring blocks only short ones may be such.
     pub fn control(tone: Tone) -> Self {
         Self::control_of(tone, MIN_FOLD_SAMPLES)
     }

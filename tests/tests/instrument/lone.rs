@@ -207,7 +207,7 @@ fn a_tap_measures_the_chosen_list_and_the_lamps_say_what_it_came_to() -> Result<
     }
     // A press during the run stops it, wherever it comes: of what was left out nothing is said.
     let mut stopped = 0;
-    for ms in (0..2_000).step_by(30) {
+    for ms in (0..2_000).step_by(20) {
         bench.under_a_hand(|_| Ok(()))?;
         bench.client.wait(Duration::from_millis(ms))?;
         if !bench.client.status()?.state.is_running() {
