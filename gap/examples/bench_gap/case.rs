@@ -6,9 +6,12 @@ use super::sealed::table::{self, GOOD};
 use super::sealed::truth::{FORMS, NOMINAL, OTHER_FORM, Truth};
 use super::sealed::{design, effects as drawn_effects};
 use calib_effects::{Entry, Of, named};
-use calib_gap::{Answer, GapError, Options, Verdict, diagnose, misfit};
+use calib_gap::{Answer, Cause, GapError, Options, Verdict, diagnose, misfit};
 use std::fmt;
 use std::path::Path;
+
+/// An effect smaller than this, with its form known, is not asked for by name.
+pub(super) const VISIBLE_SIGMA: f64 = 6.0;
 
 /// Outcome of a case.
 pub(super) struct Outcome {
@@ -64,6 +67,17 @@ impl Outcome {
         truth.is_some_and(|t| first_two.into_iter().any(|w| w.stage == t.stage))
     }
 
+    /// Whether a set names what is at work: nothing that is not there, and all that shows beside the rest.
+    pub(super) fn is_right(&self, set: &Cause) -> bool {
+        let shows = |at: usize| {
+            let beside = self.conditional_sigma.get(at);
+            beside.is_none_or(|sigma| *sigma > VISIBLE_SIGMA)
+        };
+        let mut asked = (0..self.truth.len()).filter(|at| shows(*at));
+        set.effects.iter().all(|name| self.truth.contains(name))
+            && asked.all(|at| set.effects.contains(&self.truth[at]))
+    }
+
     pub(super) fn is(&self, verdict: Verdict) -> bool {
         self.answer.verdict == verdict
     }
@@ -75,8 +89,12 @@ impl fmt::Display for Outcome {
         let causes: Vec<String> = a
             .causes
             .iter()
-            .take(5)
-            .map(|c| format!("{}:{:.3}", c.effects.join("+"), c.probability))
+            .take(12)
+            .map(|c| {
+                let [right, doubts] = [usize::from(self.is_right(c)), c.cautions.len()];
+                let names = c.effects.join("+");
+                format!("{names}:{:.4}/{doubts}/{right}", c.probability)
+            })
             .collect();
         let stages: Vec<&str> = a.r#where.iter().map(|w| w.stage.name()).collect();
         let noise = &a.noise;
@@ -118,6 +136,7 @@ pub(super) fn processor_s() -> f64 {
 
 fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
     let all: Vec<&'static str> = drawn_effects::names().collect();
+    let later: Vec<&'static str> = drawn_effects::later_names().collect();
     let turn = |list: &[&'static str]| vec![list[index as usize % list.len()]];
     // Over frequency, rotation, payload, temperature and time, but not over level.
     let seen = |entry: &Entry| entry.shows_in_ratio() && !entry.shows_in("acceleration_ms2");
@@ -129,7 +148,11 @@ fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
         "ratio" => turn(&seen_in_ratio),
         "pairs" | "beside" => several(2, &all, random),
         "triples" => several(3, &all, random),
-        "later" | "later_withheld" => turn(&drawn_effects::later_names().collect::<Vec<_>>()),
+        "later" | "later_withheld" => turn(&later),
+        // One alone, two, and one in another form, in turns; without the library's own, one alone.
+        "weak" if index % 3 == 1 => several(2, &all, random),
+        "weak" if index % 3 == 2 => turn(&FORMS),
+        "weak" | "weak_withheld" => turn(&[all, later].concat()),
         _ => turn(&all),
     }
 }
@@ -162,6 +185,11 @@ fn scatter(stratum: &str, index: u64) -> Scatter {
         ("unkind", kind) => Scatter::Correlated(memories[kind as usize - 3]),
         _ => Scatter::AsStated,
     }
+}
+
+/// Whether the true effects are taken out of the library.
+pub(super) fn is_withheld(stratum: &str) -> bool {
+    stratum.ends_with("withheld")
 }
 
 /// A case as written: its truth, and how to diagnose it.
@@ -201,12 +229,17 @@ pub(super) fn write(
             *value = nominal + 2.0 * u * random.sign();
         }
     }
-    if stratum == "size" {
-        // From invisible to the usual size, over three decades.
-        let factor = random.log_between(1e-3, 1.0);
+    // From invisible to the usual size, over three decades; or over the last one and a half.
+    let smallest = match stratum {
+        "size" => Some(1e-3),
+        "weak" | "weak_withheld" => Some(3e-2),
+        _ => None,
+    };
+    if let Some(smallest) = smallest {
+        let factor = random.log_between(smallest, 1.0);
         drawn_effects::shrink(&mut drawn, factor);
     }
-    if stratum == "form" {
+    if stratum == "form" || stratum == "weak" && index % 3 == 2 {
         drawn.effects.insert(OTHER_FORM, 1.0);
     }
     let scatter = scatter(stratum, index);
@@ -227,7 +260,7 @@ pub(super) fn write(
     };
     write().map_err(|source| GapError::Usage(source.to_string()))?;
     let mut options = Options::default();
-    if matches!(stratum, "withheld" | "later_withheld") {
+    if is_withheld(stratum) {
         options.without = truth.iter().map(ToString::to_string).collect();
     }
     let unkind = Unkind {
@@ -280,7 +313,7 @@ fn diagnosed(
     let sigma = root(misfit(folder, &[])? - known);
     let several = matches!(stratum, "triples" | "beside");
     let left_sigma = match answer.causes.first() {
-        Some(best) if several || matches!(stratum, "withheld" | "later_withheld") => {
+        Some(best) if several || is_withheld(stratum) => {
             root(misfit(folder, &best.effects)? - known)
         }
         _ => sigma,

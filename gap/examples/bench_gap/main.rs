@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use std::fmt::Write;
 
 /// Strata and their sizes when nothing else is said.
-const STRATA: [(&str, u64); 17] = [
+const STRATA: [(&str, u64); 19] = [
     ("null", 300),
     ("off2u", 300),
     ("single", 336),
@@ -35,6 +35,8 @@ const STRATA: [(&str, u64); 17] = [
     ("form", 84),
     ("later", 120),
     ("later_withheld", 120),
+    ("weak", 120),
+    ("weak_withheld", 120),
 ];
 /// Not used while the engine was developed.
 const SEED: u64 = 20261127;

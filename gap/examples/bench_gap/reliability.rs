@@ -1,8 +1,8 @@
 //! Reliability of the stated probability: of all answers stated with p, which share is right.
 
-use super::case::Outcome;
-use super::table::{LEFT_SIGMA, VISIBLE_SIGMA};
-use calib_gap::{Cause, Verdict};
+use super::case::{Outcome, VISIBLE_SIGMA, is_withheld};
+use super::table::LEFT_SIGMA;
+use calib_gap::Verdict;
 use std::fmt::Write;
 
 /// Share of the weight on cases whose cause the library lacks, where those are counted.
@@ -13,7 +13,29 @@ const BAR: f64 = 40.0;
 /// Results of a stratum, with its name and its table.
 type Stratum<'a> = (&'a str, String, Vec<Outcome>);
 
-/// Answers stated with a probability of a tenth of the range.
+/// Classes of answers.
+const CLASSES: usize = 10;
+
+/// A set that is listed, as an answer.
+#[derive(Clone, Copy)]
+struct Stated {
+    probability: f64,
+    /// Number of its case: the order of equal probabilities, which mixes the strata.
+    index: u64,
+    right: bool,
+    weight: f64,
+}
+
+/// How answers are put into classes.
+#[derive(Clone, Copy)]
+enum By {
+    /// By tenths of the range.
+    Width,
+    /// As many in each, in the order of the probability.
+    Count,
+}
+
+/// Answers of about the same probability.
 #[derive(Clone, Copy, Default)]
 struct Class {
     /// Sums of weights, of stated probabilities, and of right answers.
@@ -24,6 +46,13 @@ struct Class {
 }
 
 impl Class {
+    fn add(&mut self, answer: Stated) {
+        self.weight += answer.weight;
+        self.stated += answer.weight * answer.probability;
+        self.right += answer.weight * f64::from(u8::from(answer.right));
+        self.count += 1;
+    }
+
     fn mean(&self, sum: f64) -> f64 {
         sum / self.weight.max(f64::MIN_POSITIVE)
     }
@@ -32,7 +61,7 @@ impl Class {
 /// Answers that claim a cause, each with whether the library lacks the true one.
 fn claimed<'a>(all: &'a [Stratum<'_>]) -> impl Iterator<Item = (&'a Outcome, bool)> {
     let of = |(stratum, _, outcomes): &'a Stratum<'_>| {
-        let outside = stratum.ends_with("withheld");
+        let outside = is_withheld(stratum);
         // A substitute that leaves less is as good as the truth.
         let counts = move |o: &&Outcome| !outside || o.left_sigma > LEFT_SIGMA;
         outcomes.iter().filter(counts).map(move |o| (o, outside))
@@ -43,73 +72,86 @@ fn claimed<'a>(all: &'a [Stratum<'_>]) -> impl Iterator<Item = (&'a Outcome, boo
     all.iter().flat_map(of).filter(move |(o, _)| asked(o))
 }
 
-/// Whether a set names what is at work: nothing that is not there, and all that shows beside the rest.
-fn is_right(outcome: &Outcome, set: &Cause) -> bool {
-    let truth = &outcome.truth;
-    let shows = |at: usize| {
-        let beside = outcome.conditional_sigma.get(at);
-        beside.is_none_or(|sigma| *sigma > VISIBLE_SIGMA)
-    };
-    let mut asked = (0..truth.len()).filter(|at| shows(*at));
-    set.effects.iter().all(|name| truth.contains(name))
-        && asked.all(|at| set.effects.contains(&truth[at]))
-}
-
-/// Ten classes of the probability of every set that is listed: each is an answer.
-fn classes(all: &[Stratum<'_>], with_outside: bool) -> [Class; 10] {
+/// Every set that is listed, in the order of the probability.
+fn answers(all: &[Stratum<'_>], with_outside: bool) -> Vec<Stated> {
     let inside = claimed(all).filter(|(_, outside)| !outside).count() as f64;
     let lacking = claimed(all).filter(|(_, outside)| *outside).count() as f64;
     let heavy = inside / lacking.max(1.0) * OUTSIDE / (1.0 - OUTSIDE);
-    let mut classes = [Class::default(); 10];
-    for (outcome, outside) in claimed(all).filter(|(_, outside)| with_outside || !outside) {
-        let weight = if outside { heavy } else { 1.0 };
-        for cause in &outcome.answer.causes {
-            let class = &mut classes[((cause.probability * 10.0) as usize).min(9)];
-            class.weight += weight;
-            class.stated += weight * cause.probability;
-            class.right += weight * f64::from(u8::from(!outside && is_right(outcome, cause)));
-            class.count += 1;
-        }
-    }
-    classes
+    let counts = claimed(all).filter(|(_, outside)| with_outside || !outside);
+    let of = |(outcome, outside): (&Outcome, bool)| -> Vec<Stated> {
+        let listed = outcome.answer.causes.iter();
+        let stated = listed.map(|cause| Stated {
+            probability: cause.probability,
+            index: outcome.index,
+            right: !outside && outcome.is_right(cause),
+            weight: if outside { heavy } else { 1.0 },
+        });
+        stated.collect()
+    };
+    let mut answers: Vec<Stated> = counts.flat_map(of).collect();
+    answers.sort_by(|a, b| {
+        let by_probability = a.probability.total_cmp(&b.probability);
+        by_probability.then(a.index.cmp(&b.index))
+    });
+    answers
 }
 
-/// The diagram, with and without causes outside the library.
+/// The classes that hold an answer.
+fn classes(answers: &[Stated], by: By) -> Vec<Class> {
+    let mut classes = [Class::default(); CLASSES];
+    for (place, answer) in answers.iter().enumerate() {
+        let at = match by {
+            By::Width => (answer.probability * CLASSES as f64) as usize,
+            By::Count => place * CLASSES / answers.len(),
+        };
+        classes[at.min(CLASSES - 1)].add(*answer);
+    }
+    classes.into_iter().filter(|c| c.count > 0).collect()
+}
+
+/// The diagrams, with and without causes outside the library.
 pub(super) fn text(all: &[Stratum<'_>]) -> String {
     let mut text = String::new();
     for with_outside in [true, false] {
         let share = if with_outside { 100.0 * OUTSIDE } else { 0.0 };
-        let _ = writeln!(
-            text,
-            "stated and right, {share:.0} % of the causes outside the library"
-        );
-        for class in classes(all, with_outside).iter().filter(|c| c.count > 0) {
-            let (stated, right) = (class.mean(class.stated), class.mean(class.right));
-            let bar = "#".repeat((BAR * right).round() as usize);
+        let answers = answers(all, with_outside);
+        for (by, how) in [(By::Width, "by tenths"), (By::Count, "of equal count")] {
             let _ = writeln!(
                 text,
-                "  {stated:.3} {right:.3} of {:>4}  {bar}",
-                class.count
+                "stated and right, {share:.0} % of the causes outside the library, classes {how}"
             );
+            for class in classes(&answers, by) {
+                let (stated, right) = (class.mean(class.stated), class.mean(class.right));
+                let bar = "#".repeat((BAR * right).round() as usize);
+                let _ = writeln!(
+                    text,
+                    "  {stated:.3} {right:.3} of {:>4}  {bar}",
+                    class.count
+                );
+            }
         }
     }
     text
 }
 
-/// The table as JSON.
+/// The tables as JSON.
 pub(super) fn json(all: &[Stratum<'_>]) -> serde_json::Value {
-    let of = |with_outside: bool| -> Vec<serde_json::Value> {
-        let filled = classes(all, with_outside)
-            .into_iter()
-            .filter(|c| c.count > 0);
-        let class = |c: Class| {
-            serde_json::json!({
-                "stated": c.mean(c.stated),
-                "right": c.mean(c.right),
-                "answers": c.count,
-            })
-        };
-        filled.map(class).collect()
+    let class = |c: Class| {
+        serde_json::json!({
+            "stated": c.mean(c.stated),
+            "right": c.mean(c.right),
+            "answers": c.count,
+        })
     };
-    serde_json::json!({"outside_share": OUTSIDE, "with_outside": of(true), "within": of(false)})
+    let of = |with_outside: bool, by: By| -> Vec<serde_json::Value> {
+        let classes = classes(&answers(all, with_outside), by);
+        classes.into_iter().map(class).collect()
+    };
+    serde_json::json!({
+        "outside_share": OUTSIDE,
+        "with_outside": of(true, By::Width),
+        "within": of(false, By::Width),
+        "with_outside_by_count": of(true, By::Count),
+        "within_by_count": of(false, By::Count),
+    })
 }

@@ -1,12 +1,10 @@
 //! Rates of a stratum, with what the issue of each asks for.
 
-use super::case::Outcome;
+use super::case::{Outcome, VISIBLE_SIGMA};
 use super::reliability;
 use calib_gap::Verdict;
 use std::fmt::Write;
 
-/// An effect smaller than this, with its form known, is not asked for by name.
-pub(super) const VISIBLE_SIGMA: f64 = 6.0;
 /// Probability from which a set is possible.
 const POSSIBLE: f64 = 0.05;
 /// A substitute that leaves less is as good as the truth.
