@@ -18,6 +18,23 @@ fn hum_and_a_shaking_floor_are_stated_refused_or_taken_out() -> Result<(), Fault
     Ok(())
 }
 
+/// The core alone, 40 runs: a machine next door whose tone of up to 0.3 m/s2 beats with every block, at levels from 1 m/s2
+/// on. Of 300 such points of other seeds 25 were refused, for an amplitude that moved, never settled or did not follow
+/// the drive, and all of them are right: it is the machine that moves.
+#[test]
+fn a_machine_next_door_refuses_next_to_nothing() -> Result<(), Fault> {
+    let sizes = Sizes::read()?;
+    let shaken = reality::run(&sizes, Through::Core, "ambient_vibration", 40, 600)?;
+    let pooled = shaken.pooled();
+    println!("{pooled:?} {:?} {:?}", shaken.reasons, shaken.wrong);
+    assert!(pooled.refused <= 4, "{:?}", shaken.reasons);
+    assert_eq!(pooled.beyond_2_u, 0, "{:?}", shaken.wrong);
+    for band in &shaken.bands {
+        assert!(band.wrong() <= reality::most_by_chance(40), "{band:?}");
+    }
+    Ok(())
+}
+
 /// Shipping firmware: a transducer that loses or gains a share of its sensitivity every second shows in no point of its
 /// own. By the instrument's U alone these runs are up to 13 U off.
 #[test]

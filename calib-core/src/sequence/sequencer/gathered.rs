@@ -9,8 +9,6 @@ pub(super) struct Gathered {
     pub(super) stretches: Stretches,
     blocks: u16,
     pub(super) level_sum: f32,
-    pub(super) level_lowest: f32,
-    pub(super) level_highest: f32,
     pub(super) distortion_square: [f32; 2],
     pub(super) signal_square: [f32; 2],
     pub(super) residual_square: [f32; 2],
@@ -23,16 +21,10 @@ impl Gathered {
     /// Adds a block, one of `wanted`.
     pub(super) fn add(&mut self, level_peak_ms2: f32, estimate: &PairEstimate, wanted: u16) {
         let (reference, dut) = (&estimate.reference, &estimate.dut);
-        if self.blocks == 0 {
-            self.level_lowest = level_peak_ms2;
-            self.level_highest = level_peak_ms2;
-        }
         self.blocks = self.blocks.saturating_add(1);
         let amplitudes = [reference.amplitude, dut.amplitude];
         self.stretches.add(amplitudes, wanted);
         self.level_sum += level_peak_ms2;
-        self.level_lowest = self.level_lowest.min(level_peak_ms2);
-        self.level_highest = self.level_highest.max(level_peak_ms2);
         for (channel, seen) in [reference, dut].into_iter().enumerate() {
             let distortion = seen.distortion_rel();
             self.distortion_square[channel] += distortion * distortion;
@@ -81,10 +73,6 @@ impl Gathered {
 
     pub(super) fn mean_level_peak(&self) -> f32 {
         self.level_sum / self.blocks()
-    }
-
-    pub(super) fn stability_rel(&self) -> f32 {
-        (self.level_highest - self.level_lowest) / self.mean_level_peak()
     }
 
     pub(super) fn distortion_rel(&self, channel: usize) -> f32 {

@@ -183,6 +183,8 @@ impl Sequencer<'_> {
     /// Keeps what is at rest at the tone.
     pub(super) fn rested(&mut self, plan: &Plan, estimate: &PairEstimate, left: Option<u32>) {
         self.rest = Some([estimate.reference.amplitude, estimate.dut.amplitude]);
+        self.level
+            .see_rest(estimate.reference.amplitude_peak() / plan.code_per_ms2);
         match left {
             Some(left) => self.wait_for(plan.tone, left),
             None => self.drive(plan.tone, self.level.drive_peak_v()),

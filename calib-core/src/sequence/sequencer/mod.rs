@@ -509,9 +509,8 @@ impl<'m> Sequencer<'m> {
             self.measured_from = self.correlator.start_index();
             return self.measure(plan, estimate);
         }
-        let long = (MEASURING_BLOCK_S * self.sampling.sample_rate_hz) as u32;
         let quiet = self.quiet_block(plan, estimate);
-        self.measuring = Some(quiet.unwrap_or(Block::measuring(plan.tone, long)));
+        self.measuring = Some(quiet.unwrap_or(self.long_block(plan.tone)));
         self.begin_measuring(plan.tone);
     }
 
@@ -548,6 +547,17 @@ impl<'m> Sequencer<'m> {
 
     fn measuring_block(&self, tone: Tone) -> Block {
         self.measuring.unwrap_or(Block::measuring(tone, 1))
+    }
+
+    /// The measuring block where something may be beside the tone.
+    fn long_block(&self, tone: Tone) -> Block {
+        let long = MEASURING_BLOCK_S * self.sampling.sample_rate_hz;
+        Block::measuring(tone, long as u32)
+    }
+
+    fn measures_short(&self, tone: Tone) -> bool {
+        let long = self.long_block(tone).samples();
+        self.measuring.is_some_and(|block| block.samples() < long)
     }
 
     /// The measuring block for what this one shows, as short as its noise allows; none where something is beside the
@@ -617,6 +627,12 @@ impl<'m> Sequencer<'m> {
         self.gathered
             .add(level.peak_ms2, estimate, self.settings.blocks);
         match self.result_if_enough(plan) {
+            // What beats with a short block beats less with a long one.
+            Some(result) if !self.is_steady(&result) && self.measures_short(plan.tone) => {
+                self.gathered = Gathered::default();
+                self.measuring = Some(self.long_block(plan.tone));
+                self.begin_measuring(plan.tone);
+            }
             Some(result) => self.finish(plan, result),
             None => self.begin_measuring(plan.tone),
         }

@@ -5,6 +5,7 @@ use crate::budget::point_budget;
 use crate::hum::Span;
 use crate::phase::PhaseWalk;
 use crate::point::PointResult;
+use crate::requirements::VibrationGeneration;
 use crate::sequence::checks::Measured;
 use crate::sequence::stretches::Ratio;
 use crate::tone::Tone;
@@ -37,7 +38,7 @@ impl Sequencer<'_> {
             repeatability_rel: result.repeatability_rel,
             hum_rel: result.hum_rel,
             dut_signal_to_noise_db: self.gathered.dut_worst_signal_to_noise_db(),
-            amplitude_stability_rel: self.gathered.stability_rel(),
+            amplitude_stability_rel: result.amplitude_stability_rel,
         }
     }
 
@@ -71,12 +72,19 @@ impl Sequencer<'_> {
             && agree(between.0, result.expanded_uncertainty_rel)
             && agree(between.1, result.expanded_uncertainty_phase_rad)
             && result.verdict == Verdict::Pass
+            && self.is_steady(&result)
             && is_small(result.repeatability_rel, result.expanded_uncertainty_rel)
             && is_small(
                 result.repeatability_phase_rad,
                 result.expanded_uncertainty_phase_rad,
             );
         is_enough.then_some(result)
+    }
+
+    /// The amplitude keeps to Table 2.
+    pub(super) fn is_steady(&self, result: &PointResult) -> bool {
+        let most = VibrationGeneration::of(self.settings.example).amplitude_stability_rel;
+        result.amplitude_stability_rel <= most
     }
 
     /// Sensitivity, uncertainty and diagnostics of what was gathered.
@@ -118,7 +126,7 @@ impl Sequencer<'_> {
         result.signal_to_noise_reference_db = gathered.signal_to_noise_db(0);
         result.signal_to_noise_dut_db = gathered.signal_to_noise_db(1);
         result.signal_to_noise_worst_block_db = Some(gathered.dut_worst_signal_to_noise_db());
-        result.amplitude_stability_rel = gathered.stability_rel();
+        result.amplitude_stability_rel = ratio.moved_rel;
         self.state_uncertainty(plan, &mut result);
         result
     }
