@@ -135,7 +135,7 @@ impl Certificate {
         certificate.remarks = remarks(record, &certificate);
         certificate.remarks.extend(closing_remark(record));
         certificate.remarks.push(basis.distance.remark());
-        resonance::attach(&mut certificate, &basis.mounted);
+        resonance::attach(&mut certificate, &basis.mounted, &record.settings);
         conformity::attach(&mut certificate);
         match reference {
             Some(index) => budget::attach(&mut certificate, &basis, measured[index]),

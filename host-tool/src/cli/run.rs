@@ -218,7 +218,7 @@ impl Run {
         if let Some(closing) = &result.closing {
             context.remark(closing);
         }
-        for key in ["mount_gives_way", "polarity_doubtful"] {
+        for key in ["mount_gives_way", "mount_unseen", "polarity_doubtful"] {
             let warning = |c: &Certificate| c.remark(key, Language::default());
             if let Some(warning) = certificate.as_ref().and_then(warning) {
                 context.remark(&warning);

@@ -77,9 +77,7 @@ impl Draw {
         let off = 2.0 * unit(&mut ChaCha12Rng::seed_from_u64(seed ^ 0xDA7A_5EE7)) - 1.0;
         Ok(Self {
             data_sheet_hz: undisturbed.dut.resonance_hz * (1.0 + DATA_SHEET_REL * off),
-            common_rel: sizes
-                .deviation("reference_gain")
-                .hypot(sizes.deviation("chain_gain")),
+            common_rel: common_rel(sizes, rig.surroundings.warmer_k),
             temperature_c: 23.0 + rig.surroundings.warmer_k,
             rig: drawn.rig,
             certificate: drawn.certificate,
@@ -104,6 +102,15 @@ impl Draw {
     pub fn truth(&self, frequency_hz: f64) -> Complex<f64> {
         oracle::dut_sensitivity(&self.undisturbed, frequency_hz)
     }
+}
+
+/// Standard uncertainty of what is in every draw, and of what a told temperature may do to either transducer, relative.
+fn common_rel(sizes: &Sizes, warmer_k: f64) -> f64 {
+    let of_kelvin = ["reference_temperature", "dut_temperature"];
+    let warmer = of_kelvin.map(|effect| warmer_k * sizes.deviation_of(effect, "alpha_per_k"));
+    let gains = ["reference_gain", "chain_gain"].map(|name| sizes.deviation(name));
+    let all = warmer.iter().chain(&gains);
+    all.map(|u| u * u).sum::<f64>().sqrt()
 }
 
 /// A preferred frequency of the band, or any.

@@ -7,8 +7,8 @@
 //! tally   what came of the points of an effect in a band
 //! ```
 //!
-//! A point is right when the truth is within U as a certificate of the run states it, told the temperature;
-//! refused; or wrong, unless the certificate warns of what went wrong. Every draw has one point in each band, so that
+//! A point is right when the truth is within U as a certificate of the run states it, told the temperature and the data
+//! sheet's mounted resonance; refused; or wrong, unless the certificate warns of what went wrong. Every draw has one point in each band, so that
 //! counts in a band are counts of runs.
 
 mod draw;
@@ -23,7 +23,7 @@ use crate::bench::{Bench, Fault, reference_point};
 use crate::boardless;
 use crate::judge::from_truth;
 use crate::turns;
-use calib_certificate::model::{Point, PointValues, Remark};
+use calib_certificate::model::{Point, PointValues, Remark, Value};
 use calib_certificate::{Certificate, Particulars};
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
@@ -43,10 +43,10 @@ pub const PAIR: &str = "pair";
 /// Counts of a stratum, band by band, and the reasons of refusals.
 #[derive(Clone, Debug, Default)]
 pub struct Stratum {
-    /// In the order of [`BANDS_HZ`], by certificates that are told the temperature alone.
+    /// In the order of [`BANDS_HZ`].
     pub bands: Bands,
-    /// These runs by certificates that are told the mounted resonance of the device's data sheet as well.
-    pub with_data_sheet: Bands,
+    /// These runs by certificates that were not told the data sheet: a mount may be a part of the device.
+    pub without_data_sheet: Bands,
     /// How often points were refused, by reason in words.
     pub reasons: BTreeMap<String, u32>,
     /// Effects, seed, frequency in Hz, level in m/s2 and error over U of points that were wrong.
@@ -71,8 +71,8 @@ impl Stratum {
 
     /// Adds another of the same effects.
     pub fn merge(&mut self, other: Self) {
-        let own = self.bands.iter_mut().chain(&mut self.with_data_sheet);
-        let others = other.bands.iter().chain(&other.with_data_sheet);
+        let own = self.bands.iter_mut().chain(&mut self.without_data_sheet);
+        let others = other.bands.iter().chain(&other.without_data_sheet);
         own.zip(others).for_each(|(band, more)| band.merge(more));
         for (reason, count) in other.reasons {
             *self.reasons.entry(reason).or_default() += count;
@@ -120,6 +120,58 @@ pub fn run(
             Ok(judge(&draw, &record, seed))
         },
         Stratum::merge,
+        |_| (),
+    )
+}
+
+/// A point as the firmware measures it and as the core alone does.
+#[derive(Clone, Copy, Debug)]
+pub struct Both {
+    /// Through the shipping image.
+    pub firmware: PointResult,
+    /// Without a board between.
+    pub core: PointResult,
+}
+
+impl Both {
+    /// How far the two are apart over U, magnitude and phase; none unless both passed.
+    pub fn apart(&self) -> Option<[f32; 2]> {
+        let [one, other] = [&self.firmware, &self.core];
+        let passed = one.verdict == Verdict::Pass && other.verdict == Verdict::Pass;
+        let magnitude = one.sensitivity_v_per_ms2 / other.sensitivity_v_per_ms2 - 1.0;
+        let phase_rad = one.phase_rad - other.phase_rad;
+        let phase_rad = phase_rad.sin().atan2(phase_rad.cos());
+        passed.then_some([
+            magnitude.abs() / other.expanded_uncertainty_rel,
+            phase_rad.abs() / other.expanded_uncertainty_phase_rad,
+        ])
+    }
+}
+
+/// As [`run`], through firmware and core, point by point.
+///
+/// # Errors
+/// The first run that could not be carried out.
+pub fn run_both(
+    sizes: &Sizes,
+    stratum: &str,
+    runs: u64,
+    first_seed: u64,
+) -> Result<Vec<Both>, Fault> {
+    turns::all(
+        runs,
+        |bench, draw| {
+            let seed = first_seed + draw;
+            let draw = Draw::new(sizes, &effects_of(sizes, stratum, seed), seed)?;
+            let [firmware, core] = [by_firmware(bench, &draw)?, by_core(&draw)];
+            let points = firmware.points.iter().zip(&core.points);
+            let both = |(firmware, core): (&PointResult, &PointResult)| Both {
+                firmware: *firmware,
+                core: *core,
+            };
+            Ok(points.map(both).collect())
+        },
+        |all, more: Vec<Both>| all.extend(more),
         |_| (),
     )
 }
@@ -186,15 +238,18 @@ fn judge(draw: &Draw, record: &Record, seed: u64) -> Stratum {
     });
     refused.for_each(|reason| *counts.reasons.entry(reason).or_default() += 1);
     let mut particulars = Particulars::default();
-    let fates = fates(draw, record, &particulars);
-    for (result, fate) in record.points.iter().zip(&fates) {
+    let untold = fates(draw, record, &particulars);
+    particulars.item.mounted_resonance_hz = Some(draw.data_sheet_hz);
+    let told = fates(draw, record, &particulars);
+    for (result, fate) in record.points.iter().zip(&told) {
         counts.wrong.extend(fate.fault(draw, result, seed));
     }
-    particulars.item.mounted_resonance_hz = Some(draw.data_sheet_hz);
-    let told = self::fates(draw, record, &particulars);
-    let bands = counts.bands.iter_mut().chain(&mut counts.with_data_sheet);
+    let bands = counts
+        .bands
+        .iter_mut()
+        .chain(&mut counts.without_data_sheet);
     bands
-        .zip(fates.into_iter().chain(told))
+        .zip(told.into_iter().chain(untold))
         .for_each(|(band, fate)| band.add(fate));
     counts
 }
@@ -202,16 +257,25 @@ fn judge(draw: &Draw, record: &Record, seed: u64) -> Stratum {
 /// Outcomes of the points of a run by its certificate.
 fn fates(draw: &Draw, record: &Record, particulars: &Particulars) -> [Fate; BANDS_HZ.len()] {
     let certificate = Certificate::from_record(record, particulars);
-    let warns = |remark: &Remark| WARNINGS.contains(&remark.key);
-    let told = certificate.remarks.iter().any(warns);
+    let warned_from_hz = certificate.remarks.iter().filter_map(warned_from_hz);
+    let warned_from_hz = warned_from_hz.fold(f64::INFINITY, f64::min);
     std::array::from_fn(|index| {
         // A run that ended has no results for the rest of its list.
         let Some(result) = record.points.get(index) else {
             return Fate::Refused;
         };
         let certified = certificate.points.iter().find(|p| p.measured == *result);
+        let told = certified.is_some_and(|point| point.nominal_frequency_hz >= warned_from_hz);
         fate(draw, result, certified.and_then(Point::values), told)
     })
+}
+
+/// Frequency in Hz from which on a remark says what may be wrong; none of one that says nothing of the kind.
+fn warned_from_hz(remark: &Remark) -> Option<f64> {
+    match (remark.key, remark.values.get(1)) {
+        ("mount_unseen", Some(Value::Exact(hz, "Hz"))) => Some(*hz),
+        (key, _) => WARNINGS.contains(&key).then_some(0.0),
+    }
 }
 
 impl Fate {

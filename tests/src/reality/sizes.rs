@@ -131,6 +131,13 @@ impl Sizes {
         condition.map_or(0.0, |condition| condition.law.deviation())
     }
 
+    /// Standard deviation of a parameter of an effect; 0 for one the file does not have.
+    pub fn deviation_of(&self, effect: &str, parameter: &str) -> f64 {
+        let mut sizes = self.size.iter();
+        let size = sizes.find(|size| size.effect == effect && size.parameter == parameter);
+        size.map_or(0.0, |size| size.law.deviation())
+    }
+
     /// A value of what every draw has; 0 for a name the file does not have.
     pub fn condition(&self, name: &str, random: &mut ChaCha12Rng) -> f64 {
         let condition = self.condition.iter().find(|known| known.name == name);

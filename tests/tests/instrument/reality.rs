@@ -18,6 +18,22 @@ fn hum_and_a_shaking_floor_are_stated_refused_or_taken_out() -> Result<(), Fault
     Ok(())
 }
 
+/// What a thousand runs of the core say of U holds for the shipping image as far as both find the same.
+#[test]
+fn the_core_alone_finds_what_the_image_finds() -> Result<(), Fault> {
+    let sizes = Sizes::read()?;
+    for name in [CLEAN, "mains_pickup", "ambient_vibration", "adc_dead_zone"] {
+        for both in reality::run_both(&sizes, name, 3, 1200)? {
+            assert_eq!(both.firmware.verdict, both.core.verdict, "{name} {both:?}");
+            // Noise of each its own, of which U has a twentieth or more; hum beside its line at each its own phase.
+            let most = if name == "mains_pickup" { 1.2 } else { 0.2 };
+            let apart = both.apart().ok_or("a point was refused")?;
+            assert!(apart.iter().all(|over_u| *over_u < most), "{name} {both:?}");
+        }
+    }
+    Ok(())
+}
+
 /// The core alone, 40 runs: a machine next door whose tone of up to 0.3 m/s2 beats with every block, at levels from 1 m/s2
 /// on. Of 300 such points of other seeds 25 were refused, for an amplitude that moved, never settled or did not follow
 /// the drive, and all of them are right: it is the machine that moves.
@@ -55,16 +71,20 @@ fn what_fades_while_a_list_is_measured_is_in_u_or_refused() -> Result<(), Fault>
 /// 40 to 150 kHz under a device whose data sheet is known. By U as it was, 14 of 100 and 14 of 40 runs of the bench were
 /// wrong in a band.
 #[test]
-fn a_dead_zone_and_a_mount_that_is_told_are_within_u() -> Result<(), Fault> {
+fn a_dead_zone_and_a_mount_are_within_u_or_said() -> Result<(), Fault> {
     let sizes = Sizes::read()?;
     let bent = reality::run(&sizes, Through::Core, "adc_dead_zone", 40, 800)?;
     let mounted = reality::run(&sizes, Through::Core, "mount_compliance", 40, 900)?;
-    for bands in [&bent.bands, &mounted.with_data_sheet] {
+    // Told no data sheet, a mount passes for the device: the certificate says from which point on.
+    for bands in [&bent.bands, &mounted.bands, &mounted.without_data_sheet] {
         for band in bands {
             assert!(band.wrong() <= reality::most_by_chance(40), "{band:?}");
             assert!(band.beyond_2_u <= 1, "{band:?}");
         }
     }
+    // One point in seven of the band is below 4 kHz, where no mount of 40 kHz does more than U.
+    let [.., highest] = &mounted.without_data_sheet;
+    assert!(highest.warned >= 30, "{highest:?}");
     Ok(())
 }
 

@@ -21,10 +21,15 @@ fn a_sensor_is_registered_measured_adjusted_and_measured_again() -> Result<(), F
     page.fill("#register [name=sensitivity]", "100")?;
     page.choose("#register [name=unit]", "mV/g")?;
     page.fill("#register [name=tolerance]", "5")?;
+    page.fill("#register [name=resonance]", "32.5")?;
     page.value("document.querySelector('#register [name=due_day]').value = '2020-02-01'")?;
     page.click("#register button")?;
     page.wait_for_text("#sensor", "A-77 Examplia 1")?;
     page.wait_for_text("#due-list", "overdue since 2020-02-01")?;
+    let known = "const asked = new XMLHttpRequest(); asked.open('GET', 'api/sensors', false); asked.send();";
+    let resonance_hz =
+        format!("(() => {{ {known} return JSON.parse(asked.response)[0].resonance_hz }})()");
+    assert_eq!(page.value(&resonance_hz)?, 32_500.0);
     assert_eq!(
         page.value("document.getElementById('sensor').value")?,
         "A-77"

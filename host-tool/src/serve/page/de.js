@@ -30,6 +30,7 @@ export const german = {
   "Nominal sensitivity": "Nennempfindlichkeit",
   "Unit": "Einheit",
   "Tolerance, ± % of nominal": "Toleranz, ± % vom Nennwert",
+  "Mounted resonance by the data sheet, kHz": "Resonanz im montierten Zustand laut Datenblatt, kHz",
   "Calibration due on": "Kalibrierung fällig am",
   "Owner": "Eigentümer",
   "Register": "Anlegen",

@@ -63,6 +63,7 @@ export function take_sensors(say_why) {
     const sensor = Object.fromEntries(stated), between = $("new-unit").selectedOptions[0].dataset.between;
     if (between) sensor.unit += " at " + $("between-value").value + " " + between + " +-" + $("between-u").value + "%";
     if (sensor.sensitivity) sensor.sensitivity = Number(sensor.sensitivity);
+    if (sensor.resonance) sensor.resonance = 1000 * Number(sensor.resonance);
     // One number with a decimal comma, and not two tolerances.
     if (/^\d+,\d+$/.test(sensor.tolerance)) sensor.tolerance = sensor.tolerance.replace(",", ".");
     register(sensor, say_why);
