@@ -2,11 +2,11 @@
 //!
 //! A set that leaves more than noise may be the cause in another form, or a substitute of a cause that
 //! has no name here. How often it is which follows from sealed sets of both kinds; see
-//! [`thresholds::OTHER_BASE`].
+//! [`thresholds::Outside`].
 
 use crate::answer::{Cause, Verdict};
 use crate::estimation::gap::Gap;
-use crate::thresholds;
+use crate::thresholds::{self, Outside};
 
 /// Smallest p-value that says more than a larger one.
 const LEAST_P_VALUE: f64 = 1e-16;
@@ -18,11 +18,12 @@ pub(crate) fn share_with_others(
     verdict: Verdict,
     p_value: f64,
     gap: &Gap,
+    outside: &Outside,
 ) -> f64 {
     if matches!(verdict, Verdict::NoGap | Verdict::Data) {
         return 0.0;
     }
-    let other = probability(p_value, gap);
+    let other = probability(p_value, gap, outside);
     let mut given_up = 0.0;
     for cause in causes {
         let doubts = cause.cautions.len() as i32;
@@ -34,16 +35,16 @@ pub(crate) fn share_with_others(
 }
 
 /// Probability of a cause outside the library by what the best set leaves.
-fn probability(p_value: f64, gap: &Gap) -> f64 {
+fn probability(p_value: f64, gap: &Gap, outside: &Outside) -> f64 {
     let left = p_value < thresholds::UNEXPLAINED_P_VALUE;
     let decades = -p_value.max(LEAST_P_VALUE).log10() + thresholds::UNEXPLAINED_P_VALUE.log10();
     let open = 1.0 - gap.closed.unwrap_or(0.0).clamp(0.0, 1.0);
     let log_odds = if left {
-        thresholds::OTHER_LEFT
-            + thresholds::OTHER_BY_DECADE * decades
-            + thresholds::OTHER_BY_OPEN * (open.max(1e-4) / 0.1).ln()
+        outside.left
+            + outside.by_decade * decades
+            + outside.by_open * (open.max(outside.least_open) / 0.1).ln()
     } else {
-        thresholds::OTHER_BASE
+        outside.base
     };
     1.0 / (1.0 + (-log_odds).exp())
 }

@@ -7,6 +7,7 @@
 //! line per case to the file named by `CALIB_BENCH_CASES`.
 
 mod case;
+mod records;
 mod reliability;
 #[path = "../../tests/sealed/mod.rs"]
 #[allow(dead_code)]
@@ -17,7 +18,7 @@ use rayon::prelude::*;
 use std::fmt::Write;
 
 /// Strata and their sizes when nothing else is said.
-const STRATA: [(&str, u64); 19] = [
+const STRATA: [(&str, u64); 23] = [
     ("null", 300),
     ("off2u", 300),
     ("single", 336),
@@ -37,6 +38,10 @@ const STRATA: [(&str, u64); 19] = [
     ("later_withheld", 120),
     ("weak", 120),
     ("weak_withheld", 120),
+    ("record", 120),
+    ("record_pairs", 60),
+    ("record_form", 60),
+    ("record_withheld", 60),
 ];
 /// Not used while the engine was developed.
 const SEED: u64 = 20261127;
@@ -58,7 +63,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         };
         let results: Vec<case::Outcome> = indices
             .par_iter()
-            .map(|index| case::run(stratum, *index, seed))
+            .map(|index| match records::is_of_records(stratum) {
+                true => records::run(stratum, *index, seed),
+                false => case::run(stratum, *index, seed),
+            })
             .collect::<Result<_, _>>()?;
         for outcome in &results {
             writeln!(lines, "{stratum} {outcome}")?;
@@ -70,12 +78,18 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     if let Some(area) = table::auroc(&all) {
         println!("none_of_these_p_value: AUROC {area:.4} (singles against withheld)");
     }
-    println!("{}", reliability::text(&all));
+    let of_records = |(stratum, ..): &reliability::Stratum<'_>| records::is_of_records(stratum);
+    let (records, points): (Vec<_>, Vec<_>) = all.into_iter().partition(of_records);
+    for (of, strata) in [("points", &points), ("records", &records)] {
+        if !strata.is_empty() {
+            println!("{of}\n{}", reliability::text(strata));
+        }
+    }
     if let Ok(path) = std::env::var("CALIB_BENCH_CASES") {
         std::fs::write(path, lines)?;
     }
     if let Ok(path) = std::env::var("CALIB_BENCH_JSON") {
-        std::fs::write(path, table::json(seed, &all))?;
+        std::fs::write(path, table::json(seed, &points, &records))?;
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ const OUTSIDE: f64 = 0.25;
 const BAR: f64 = 40.0;
 
 /// Results of a stratum, with its name and its table.
-type Stratum<'a> = (&'a str, String, Vec<Outcome>);
+pub(super) type Stratum<'a> = (&'a str, String, Vec<Outcome>);
 
 /// Classes of answers.
 const CLASSES: usize = 10;

@@ -1,7 +1,7 @@
 //! Rates of a stratum, with what the issue of each asks for.
 
 use super::case::{Outcome, VISIBLE_SIGMA};
-use super::reliability;
+use super::reliability::{self, Stratum};
 use calib_gap::Verdict;
 use std::fmt::Write;
 
@@ -50,8 +50,8 @@ fn rates(stratum: &str, all: &[Outcome]) -> Vec<Rate> {
         "ratio" => rates_of_ratios(&cases),
         "triples" => rates_of_several(&cases),
         "beside" => rates_beside(&cases),
-        "withheld" | "later_withheld" => rates_of_withheld(&cases),
-        "form" => rates_of_forms(&cases),
+        "withheld" | "later_withheld" | "record_withheld" => rates_of_withheld(&cases),
+        "form" | "record_form" => rates_of_forms(&cases),
         "noise_1.2" | "noise_2" | "misread" | "memory" => rates_of_noise(&cases),
         "unkind" => rates_under_noise(&cases),
         _ => rates_of_named(&cases),
@@ -397,7 +397,7 @@ fn area(right: &[f64], unknown: &[f64]) -> f64 {
 }
 
 /// AUROC of `none_of_these_p_value`, if both strata were run.
-pub(super) fn auroc(all: &[(&str, String, Vec<Outcome>)]) -> Option<f64> {
+pub(super) fn auroc(all: &[Stratum<'_>]) -> Option<f64> {
     let of = |name: &str| {
         all.iter()
             .find(|(stratum, ..)| *stratum == name)
@@ -411,9 +411,10 @@ pub(super) fn auroc(all: &[(&str, String, Vec<Outcome>)]) -> Option<f64> {
 }
 
 /// Everything as JSON.
-pub(super) fn json(seed: u64, all: &[(&str, String, Vec<Outcome>)]) -> String {
-    let strata: serde_json::Map<String, serde_json::Value> = all
+pub(super) fn json(seed: u64, points: &[Stratum<'_>], records: &[Stratum<'_>]) -> String {
+    let strata: serde_json::Map<String, serde_json::Value> = points
         .iter()
+        .chain(records)
         .map(|(stratum, _, outcomes)| {
             let rates: serde_json::Map<String, serde_json::Value> = rates(stratum, outcomes)
                 .into_iter()
@@ -446,8 +447,9 @@ pub(super) fn json(seed: u64, all: &[(&str, String, Vec<Outcome>)]) -> String {
     let value = serde_json::json!({
         "seed": seed,
         "strata": strata,
-        "auroc": auroc(all),
-        "reliability": reliability::json(all),
+        "auroc": auroc(points),
+        "reliability": reliability::json(points),
+        "reliability_of_records": reliability::json(records),
     });
     serde_json::to_string_pretty(&value).unwrap_or_default()
 }

@@ -157,7 +157,13 @@ impl<'a> Diagnosis<'a> {
         } = judgement;
         let mut causes = causes(problem, found, &mut work);
         let confusable = confusable(&causes, verdict, problem);
-        let probability_other = share_with_others(&mut causes, verdict, left.p_value, &gap);
+        let probability_other = share_with_others(
+            &mut causes,
+            verdict,
+            left.p_value,
+            &gap,
+            &thresholds::OUTSIDE_OF_POINTS,
+        );
         let verdict = doubted(verdict, causes.first().map(|c| c.probability), &gap);
         let remainder = remainder(problem, &left, verdict);
         let mut places = places(problem, found, &nominal_left, &left, verdict, &mut work);

@@ -45,7 +45,13 @@ pub(super) fn answer(
         scored.gap.closed = None;
     }
     let confusable = hardly_separated(&causes, verdict);
-    let probability_other = share_with_others(&mut causes, verdict, last.left.p_value, &scored.gap);
+    let probability_other = share_with_others(
+        &mut causes,
+        verdict,
+        last.left.p_value,
+        &scored.gap,
+        &thresholds::OUTSIDE_OF_RECORDS,
+    );
     let verdict = doubted(verdict, causes.first().map(|c| c.probability), &scored.gap);
     let partly = matches!(verdict, Verdict::PartlyExplained | Verdict::Unexplained);
     let answer = Answer {

@@ -117,6 +117,63 @@ pub(crate) fn added(name: &str) -> Added {
     }
 }
 
+impl Added {
+    /// Sizes that grow with their effect; all zero is none.
+    fn sizes(&mut self) -> [&mut f64; 15] {
+        [
+            &mut self.cubic,
+            &mut self.quadratic,
+            &mut self.quadratic_damping,
+            &mut self.cubic_damping,
+            &mut self.friction,
+            &mut self.delay_s,
+            &mut self.corner_hz,
+            &mut self.second_gain,
+            &mut self.play,
+            &mut self.alpha,
+            &mut self.sine,
+            &mut self.quintic,
+            &mut self.stiffens_per_s,
+            &mut self.drift_per_s,
+            &mut self.sticking,
+        ]
+    }
+
+    /// Limits and corners from which on there is an effect; zero is none.
+    fn limits(&mut self) -> [&mut f64; 5] {
+        [
+            &mut self.saturates_at,
+            &mut self.clips_at,
+            &mut self.lowpass_hz,
+            &mut self.second_hz,
+            &mut self.yields_at,
+        ]
+    }
+
+    /// The same `factor` times as strong; a limit moves by its root, as nothing reaches one that is far.
+    pub(crate) fn scaled(mut self, factor: f64) -> Self {
+        for size in self.sizes() {
+            *size *= factor;
+        }
+        let [saturates_at, clips_at, lowpass_hz, ..] = self.limits();
+        *saturates_at /= factor.powf(0.3);
+        *clips_at /= factor.powf(0.3);
+        *lowpass_hz /= factor;
+        self
+    }
+
+    /// With the effects of another, which are none of its own.
+    pub(crate) fn and(mut self, mut other: Self) -> Self {
+        for (own, more) in self.sizes().into_iter().zip(other.sizes()) {
+            *own += *more;
+        }
+        for (own, more) in self.limits().into_iter().zip(other.limits()) {
+            *own += *more;
+        }
+        self
+    }
+}
+
 /// Lines of the input: frequency, amplitude, phase.
 fn lines(random: &mut Random) -> Vec<(f64, f64)> {
     (0..90)
