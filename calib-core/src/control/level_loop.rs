@@ -130,16 +130,13 @@ pub struct LevelState {
     /// Gain the probe showed in the end, m/s2 per V; 0 before.
     probe_gain: f32,
     waits: u8,
-    /// Change of the level from the last block to this one, m/s2 peak; and whether it ever turned since the last drive.
-    rise_ms2: f32,
-    turns: bool,
+    /// Changes of the level from block to block since the last drive.
+    rises: Swings,
     /// What a level differs by from block to block whatever the drive is, m/s2 peak; 0 as long as nothing showed it.
     beat_ms2: f32,
-    /// Trims in a row that did not settle, and what the last left, m/s2 peak.
+    /// Trims in a row that did not settle, and what they left beside the set level.
     trims: u8,
-    left_ms2: f32,
-    /// They left too much and too little.
-    swings: bool,
+    left: Swings,
     /// Level at rest, m/s2 peak.
     at_rest_ms2: f32,
     blocks: u16,
@@ -163,12 +160,10 @@ impl LevelState {
             bend: None,
             probe_gain: 0.0,
             waits: 0,
-            rise_ms2: 0.0,
-            turns: false,
+            rises: Swings::NONE,
             beat_ms2: 0.0,
             trims: 0,
-            left_ms2: 0.0,
-            swings: false,
+            left: Swings::NONE,
             at_rest_ms2: 0.0,
             blocks: 0,
             highest_peak_ms2: 0.0,
@@ -207,6 +202,34 @@ impl LevelState {
     pub fn bend(&self, peak_ms2: f32) -> Option<f32> {
         let bend = libm::logf(peak_ms2 / self.drive_peak_v / self.probe_gain);
         (bend.abs() < GREATEST_BEND).then_some(bend)
+    }
+}
+
+/// Differences of levels in a row: of a beat they go both ways, of a drift, which no drive is to follow, one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Swings {
+    /// The last, m/s2 peak.
+    last_ms2: f32,
+    both_ways: bool,
+}
+
+impl Swings {
+    const NONE: Self = Self {
+        last_ms2: 0.0,
+        both_ways: false,
+    };
+
+    fn add(&mut self, difference_ms2: f32) {
+        self.both_ways |= difference_ms2 * self.last_ms2 < 0.0;
+        self.last_ms2 = difference_ms2;
+    }
+
+    /// Size of the beat, m/s2 peak; 0 where there is none.
+    fn beat_ms2(&self) -> f32 {
+        match self.both_ways {
+            true => self.last_ms2.abs(),
+            false => 0.0,
+        }
     }
 }
 
@@ -272,9 +295,7 @@ impl LevelLoop {
             ..level
         };
         if let Some(previous) = state.previous {
-            let rise_ms2 = level.peak_ms2 - previous;
-            state.turns |= rise_ms2 * state.rise_ms2 < 0.0;
-            state.rise_ms2 = rise_ms2;
+            state.rises.add(level.peak_ms2 - previous);
         }
         let unsteady = self.unsteady(state, level);
         if level.noise_ms2 <= PROBE_NOISE_REL * level.peak_ms2 {
@@ -286,9 +307,8 @@ impl LevelLoop {
             state.waits += 1;
             return Next::Hold;
         }
-        // A drift never turns, and no drive is to follow it.
-        if state.waits >= MAX_WAITS && state.turns {
-            state.beat_ms2 = state.beat_ms2.max(state.rise_ms2.abs());
+        if state.waits >= MAX_WAITS {
+            state.beat_ms2 = state.beat_ms2.max(state.rises.beat_ms2());
         }
         let level = self.with_previous(state, level);
         let next = match state.stage {
@@ -391,18 +411,16 @@ impl LevelLoop {
         }
     }
 
-    /// Behind many trims, takes what is left of them for a beat: a drift is always to one side.
+    /// Behind many trims, takes what they leave for a beat where it swings.
     fn count_trim(&self, state: &mut LevelState, level: Level) {
-        let left_ms2 = level.peak_ms2 - self.set_peak_ms2;
-        if state.is_trimmed() {
-            state.trims += 1;
-            state.swings |= state.trims > 1 && left_ms2 * state.left_ms2 < 0.0;
-        } else {
-            (state.trims, state.swings) = (0, false);
+        if !state.is_trimmed() {
+            (state.trims, state.left) = (0, Swings::NONE);
+            return;
         }
-        state.left_ms2 = left_ms2;
-        if state.swings && state.trims >= MANY_TRIMS {
-            state.beat_ms2 = state.beat_ms2.max(left_ms2.abs());
+        state.trims += 1;
+        state.left.add(level.peak_ms2 - self.set_peak_ms2);
+        if state.trims >= MANY_TRIMS {
+            state.beat_ms2 = state.beat_ms2.max(state.left.beat_ms2());
         }
     }
 
@@ -444,7 +462,7 @@ impl LevelLoop {
         state.drive_peak_v = drive_peak_v;
         state.stage = stage;
         state.waits = 0;
-        (state.rise_ms2, state.turns) = (0.0, false);
+        state.rises = Swings::NONE;
         Next::Drive(drive_peak_v)
     }
 }
