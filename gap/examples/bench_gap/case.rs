@@ -8,7 +8,7 @@ use super::sealed::{design, effects as drawn_effects};
 use calib_effects::{Entry, Of, named};
 use calib_gap::{Answer, Cause, GapError, Options, Verdict, diagnose, misfit};
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// An effect smaller than this, with its form known, is not asked for by name.
 pub(super) const VISIBLE_SIGMA: f64 = 6.0;
@@ -192,6 +192,17 @@ pub(super) fn is_withheld(stratum: &str) -> bool {
     stratum.ends_with("withheld")
 }
 
+/// The generator of a case.
+pub(super) fn random_of(index: u64, seed: u64) -> Random {
+    Random::new(seed.wrapping_mul(1_000_003).wrapping_add(index))
+}
+
+/// Where a case is written.
+pub(super) fn folder_of(stratum: &str, index: u64) -> PathBuf {
+    let name = format!("{}-{stratum}-{index}", std::process::id());
+    std::env::temp_dir().join("calib-bench-gap").join(name)
+}
+
 /// A case as written: its truth, and how to diagnose it.
 pub(super) struct Written {
     pub(super) truth: Vec<&'static str>,
@@ -207,7 +218,7 @@ pub(super) fn write(
     seed: u64,
     folder: &Path,
 ) -> Result<Written, GapError> {
-    let mut random = Random::new(seed.wrapping_mul(1_000_003).wrapping_add(index));
+    let mut random = random_of(index, seed);
     let truth = names(stratum, index, &mut random);
     let ratio_only = stratum == "ratio";
     let rows = if ratio_only {
@@ -283,9 +294,7 @@ pub(super) fn write(
 
 /// Draws, diagnoses and scores a case.
 pub(super) fn run(stratum: &str, index: u64, seed: u64) -> Result<Outcome, GapError> {
-    let folder = std::env::temp_dir()
-        .join("calib-bench-gap")
-        .join(format!("{}-{stratum}-{index}", std::process::id()));
+    let folder = folder_of(stratum, index);
     let written = write(stratum, index, seed, &folder)?;
     let outcome = diagnosed(stratum, index, written, &folder);
     if std::env::var_os("CALIB_BENCH_KEEP").is_none() {

@@ -1,6 +1,6 @@
 //! Sealed records of an oscillator: as [`case`](super::case), integrated in time and without a size in sigma.
 
-use super::case::{Outcome, Unkind, is_withheld, processor_s};
+use super::case::{Outcome, Unkind, folder_of, is_withheld, processor_s, random_of};
 use super::sealed::oscillator::{Added, RIG, added, record_with};
 use super::sealed::random::Random;
 use calib_gap::{GapError, Options, diagnose};
@@ -35,10 +35,8 @@ pub(super) fn is_of_records(stratum: &str) -> bool {
 
 /// Draws, diagnoses and scores a record.
 pub(super) fn run(stratum: &str, index: u64, seed: u64) -> Result<Outcome, GapError> {
-    let folder = std::env::temp_dir()
-        .join("calib-bench-gap")
-        .join(format!("{}-{stratum}-{index}", std::process::id()));
-    let mut random = Random::new(seed.wrapping_mul(1_000_003).wrapping_add(index));
+    let folder = folder_of(stratum, index);
+    let mut random = random_of(index, seed);
     let (truth, motion) = draw(stratum, index, &mut random);
     let noise = random.log_between(1e-5, 1e-3);
     write(&folder, &record_with(&motion, SAMPLES, noise, &mut random))

@@ -30,6 +30,7 @@ use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
 use calib_link::session;
 use calib_protocol::record::{self, Record, RunLabels};
+use calib_twin::Complex;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
@@ -112,7 +113,7 @@ pub fn run(
         runs,
         |bench, draw| {
             let seed = first_seed + draw;
-            let draw = Draw::new(sizes, &effects_of(sizes, stratum, seed), seed)?;
+            let draw = drawn(sizes, stratum, seed)?;
             let record = match through {
                 Through::Firmware => by_firmware(bench, &draw)?,
                 Through::Core => by_core(&draw),
@@ -135,15 +136,14 @@ pub struct Both {
 
 impl Both {
     /// How far the two are apart over U, magnitude and phase; none unless both passed.
-    pub fn apart(&self) -> Option<[f32; 2]> {
-        let [one, other] = [&self.firmware, &self.core];
-        let passed = one.verdict == Verdict::Pass && other.verdict == Verdict::Pass;
-        let magnitude = one.sensitivity_v_per_ms2 / other.sensitivity_v_per_ms2 - 1.0;
-        let phase_rad = one.phase_rad - other.phase_rad;
-        let phase_rad = phase_rad.sin().atan2(phase_rad.cos());
+    pub fn apart(&self) -> Option<[f64; 2]> {
+        let [firmware, core] = [&self.firmware, &self.core];
+        let passed = firmware.verdict == Verdict::Pass && core.verdict == Verdict::Pass;
+        let found = [core.sensitivity_v_per_ms2, core.phase_rad].map(f64::from);
+        let apart = from_truth(firmware, Complex::from_polar(found[0], found[1]));
         passed.then_some([
-            magnitude.abs() / other.expanded_uncertainty_rel,
-            phase_rad.abs() / other.expanded_uncertainty_phase_rad,
+            apart.magnitude_rel.abs() / f64::from(core.expanded_uncertainty_rel),
+            apart.phase_rad.abs() / f64::from(core.expanded_uncertainty_phase_rad),
         ])
     }
 }
@@ -161,8 +161,7 @@ pub fn run_both(
     turns::all(
         runs,
         |bench, draw| {
-            let seed = first_seed + draw;
-            let draw = Draw::new(sizes, &effects_of(sizes, stratum, seed), seed)?;
+            let draw = drawn(sizes, stratum, first_seed + draw)?;
             let [firmware, core] = [by_firmware(bench, &draw)?, by_core(&draw)];
             let points = firmware.points.iter().zip(&core.points);
             let both = |(firmware, core): (&PointResult, &PointResult)| Both {
@@ -174,6 +173,11 @@ pub fn run_both(
         |all, more: Vec<Both>| all.extend(more),
         |_| (),
     )
+}
+
+/// The rig of a run of a stratum, with its effects.
+fn drawn(sizes: &Sizes, stratum: &str, seed: u64) -> Result<Draw, Fault> {
+    Draw::new(sizes, &effects_of(sizes, stratum, seed), seed)
 }
 
 /// The effects of a run of a stratum.
