@@ -4,11 +4,12 @@ use super::chain::Chain;
 use super::drive::{Drive, drive};
 use super::grid::{ORDERS, size};
 use super::memory::Recall;
-use super::path::{Path, mixes, shaped};
+use super::path::{Path, mixes};
 use super::prediction::Nominal;
 use super::row::Row;
 use super::transfers::Transfers;
 use crate::thresholds;
+use num_complex::Complex64;
 
 /// Times the level is corrected for what a bent reference channel makes of the harmonics.
 const MOST_LEVELS: usize = 4;
@@ -88,11 +89,17 @@ impl Reference {
         }
         let arriving = path.to_reference(ORDERS);
         let shown = path.transfers.row.ref_peak_v;
-        let gain = |peak: f64| size(shaped(adc, peak, &arriving).gain);
-        let mut next = Self {
-            peak_v: self.peak_v,
-            gain: gain(self.peak_v),
+        // Gain, and growth of the output over that of the input.
+        let at = |peak_v: f64| {
+            let mut wave = arriving.map(|c| c * peak_v);
+            (wave[0], wave[1]) = (Complex64::ZERO, Complex64::from(peak_v));
+            let [first, moved] = adc.fundamental_behind(&wave);
+            let growth = (first.conj() * moved).re / first.norm_sqr();
+            (size(first) / peak_v, growth)
         };
+        let mut next = Self { ..*self };
+        let mut growth;
+        (next.gain, growth) = at(next.peak_v);
         // A saturating channel may not be able to show what it does: then the last try holds.
         for _ in 0..12 {
             let off = shown / (next.peak_v * next.gain) - 1.0;
@@ -100,11 +107,8 @@ impl Reference {
                 break;
             }
             // The output grows less than the input where it saturates.
-            let (peak_v, step) = (next.peak_v * (1.0 + 1e-4), 1e-4);
-            let growth = (peak_v * gain(peak_v)) / (next.peak_v * next.gain) - 1.0;
-            let by = (off * step / growth.max(0.02 * step)).clamp(-0.5, 1.0);
-            next.peak_v *= 1.0 + by;
-            next.gain = gain(next.peak_v);
+            next.peak_v *= 1.0 + (off / growth.max(0.02)).clamp(-0.5, 1.0);
+            (next.gain, growth) = at(next.peak_v);
         }
         ((next.gain / self.gain - 1.0).abs() > thresholds::NEGLIGIBLE).then_some(next)
     }

@@ -17,8 +17,7 @@ const LARGEST: f64 = 50.0;
 pub(super) fn saturated(a: f64) -> [f64; ORDERS + 1] {
     let mut orders = [0.0; ORDERS + 1];
     let mut add = |b: f64, of: &dyn Fn(f64, f64, f64) -> f64| {
-        let s = a.hypot(b);
-        let r = a / (s + b);
+        let (s, r) = of_term(a, b);
         let mut power = r;
         for n in (1..=ORDERS).step_by(2) {
             orders[n] += power * of(n as f64, s, b);
@@ -28,7 +27,6 @@ pub(super) fn saturated(a: f64) -> [f64; ORDERS + 1] {
     for k in 0..TERMS {
         add((f64::from(k) + 0.5) * PI, &|_, s, _| 4.0 / s);
     }
-    let rest = |n: f64, s: f64, b: f64| 4.0 / (n * PI) - PI / 6.0 * (n / (s * s) + b / (s * s * s));
     add(f64::from(TERMS) * PI, &rest);
     orders
 }
@@ -39,34 +37,49 @@ pub(super) fn saturated_from(fundamental: f64) -> [f64; ORDERS + 1] {
     saturated(unsaturated(fundamental))
 }
 
+/// `S` and `r` of a term.
+fn of_term(a: f64, b: f64) -> (f64, f64) {
+    let s = (a * a + b * b).sqrt();
+    (s, a / (s + b))
+}
+
 /// The cosine that has the given fundamental once it is saturated, at most the largest input.
 pub(super) fn unsaturated(fundamental: f64) -> f64 {
     let mut input = fundamental;
     // The fundamental is concave in the input: Newton's steps come from below.
     for _ in 0..40 {
-        let missing = fundamental - saturated(input)[1];
+        let [found, slope] = saturated_fundamental(input);
+        let missing = fundamental - found;
         if missing.abs() < 1e-13 * fundamental || input > LARGEST {
             break;
         }
-        input += missing / slope(input);
+        input += missing / slope;
     }
     input.min(LARGEST)
 }
 
-/// Derivative of the fundamental.
-fn slope(a: f64) -> f64 {
-    let of = |b: f64| {
-        let s = a.hypot(b);
-        (a / (s + b), s)
-    };
-    let term = |k: u32| {
+/// The fundamental of `tanh(a cos t)`, and its derivative by a.
+pub(super) fn saturated_fundamental(a: f64) -> [f64; 2] {
+    // Of r.
+    let slope = |s: f64, b: f64| b / (s * (s + b));
+    let (mut value, mut derivative) = (0.0, 0.0);
+    for k in 0..TERMS {
         let b = (f64::from(k) + 0.5) * PI;
-        let (r, s) = of(b);
-        4.0 / s * (b * r / (s * a) - r * a / (s * s))
-    };
+        let (s, r) = of_term(a, b);
+        value += r * (4.0 / s);
+        derivative += 4.0 / s * (slope(s, b) - r * a / (s * s));
+    }
     let b = f64::from(TERMS) * PI;
-    let (r, s) = of(b);
-    (0..TERMS).map(term).sum::<f64>() + 4.0 / PI * b * r / (s * a)
+    let (s, r) = of_term(a, b);
+    value += r * rest(1.0, s, b);
+    let left_out = PI / 6.0 * a * (2.0 + 3.0 * b / s) / (s * s * s * s);
+    derivative += slope(s, b) * rest(1.0, s, b) + r * left_out;
+    [value, derivative]
+}
+
+/// What the sum leaves out of an order, over `r^n`.
+fn rest(n: f64, s: f64, b: f64) -> f64 {
+    4.0 / (n * PI) - PI / 6.0 * (n / (s * s) + b / (s * s * s))
 }
 
 #[cfg(test)]
@@ -98,6 +111,14 @@ mod tests {
     fn the_input_is_found_from_its_fundamental() {
         for a in [0.05, 0.9, 5.0] {
             let orders = saturated(a);
+            let [fundamental, slope] = saturated_fundamental(a);
+            assert!((fundamental - orders[1]).abs() < 1e-14, "{a}");
+            let step = 1e-4 * a;
+            let [more, less] = [a + step, a - step].map(|a| saturated(a)[1]);
+            assert!(
+                (slope * 2.0 * step / (more - less) - 1.0).abs() < 1e-6,
+                "{a}"
+            );
             for (n, order) in saturated_from(orders[1]).into_iter().enumerate() {
                 assert!((order - orders[n]).abs() < 1e-11, "{a} {n}");
             }

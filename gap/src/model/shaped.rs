@@ -19,6 +19,28 @@ pub(crate) struct Shaped {
 }
 
 impl Characteristic {
+    /// Fundamental behind the characteristic, and its derivative by the logarithm of a factor on the wave.
+    pub(crate) fn fundamental_behind(self, wave: &Wave) -> [Complex64; 2] {
+        let less = |cut: [Complex64; 2]| cut.map(|cut| wave[1] - cut);
+        match self {
+            Self::Polynomial { second, third } => pointwise_fundamental(wave, |v| {
+                let (second, third) = (second * v * v, third * v * v * v);
+                [v + second + third, v + 2.0 * second + 3.0 * third]
+            }),
+            Self::Soft { threshold } => pointwise_fundamental(wave, |v| {
+                let y = (v / threshold).tanh();
+                [threshold * y, v * (1.0 - y * y)]
+            }),
+            Self::DeadZone { threshold } => both_fundamentals(wave, threshold),
+            Self::Clip { threshold } => less(both_fundamentals(wave, threshold)),
+            Self::OneSided { threshold, upper } => less(fundamental_beyond(
+                wave,
+                threshold,
+                if upper { 1.0 } else { -1.0 },
+            )),
+        }
+    }
+
     /// The wave behind the characteristic.
     pub(crate) fn shape(self, wave: &Wave) -> Shaped {
         match self {
@@ -54,6 +76,12 @@ fn pointwise(wave: &Wave, characteristic: impl Fn(f64) -> f64) -> Shaped {
     }
 }
 
+/// Fundamentals of two functions of a wave, on the grid of time.
+fn pointwise_fundamental(wave: &Wave, both: impl Fn(f64) -> [f64; 2]) -> [Complex64; 2] {
+    let values = synthesize(wave).map(both);
+    [0, 1].map(|of| analyse(&values.map(|v| v[of]), Parity::Odd)[1])
+}
+
 /// Part of a wave beyond a threshold, and its whole mean square.
 struct Excess {
     wave: Wave,
@@ -75,9 +103,7 @@ fn both_sides(wave: &Wave, threshold: f64) -> Excess {
 impl Excess {
     /// sign max(sign v - threshold, 0).
     fn new(wave: &Wave, threshold: f64, sign: f64) -> Self {
-        let mut over = wave.map(|c| c * sign);
-        over[0].re -= threshold;
-        over[0].im = 0.0;
+        let over = over(wave, threshold, sign);
         let parts = positive(&over);
         if parts.is_empty() {
             return Self {
@@ -85,7 +111,8 @@ impl Excess {
                 mean_square: 0.0,
             };
         }
-        let excess = integrate(&over, &parts);
+        let turning = turning::<{ 2 * ORDERS + 1 }>(&parts);
+        let excess: Wave = std::array::from_fn(|n| order(&over, &turning, n));
         // Where it is not zero it is the wave less the threshold.
         let products = over[1..].iter().zip(&excess[1..]);
         let alternating: f64 = products.map(|(a, b)| (a.conj() * b).re).sum();
@@ -107,15 +134,30 @@ impl Excess {
     }
 }
 
-/// Highest power that the product of two waves has.
-const POWERS: usize = 2 * ORDERS + 1;
+/// A wave less a threshold; with the sign -1 the other side of it.
+fn over(wave: &Wave, threshold: f64, sign: f64) -> Wave {
+    let mut over = wave.map(|c| c * sign);
+    over[0] = Complex64::from(over[0].re - threshold);
+    over
+}
 
-/// Orders of a wave that is itself on the given parts of its period and zero elsewhere.
+fn both_fundamentals(wave: &Wave, threshold: f64) -> [Complex64; 2] {
+    let [above, below] = [1.0, -1.0].map(|sign| fundamental_beyond(wave, threshold, sign));
+    [above[0] + below[0], above[1] + below[1]]
+}
+
+/// Fundamental of the part of a wave beyond a threshold, and its derivative by the logarithm of a factor on the wave.
 ///
-/// # Equation
-/// R_n = (1/pi) Integral w e^(-j n t) dt, w = (1/2) Sum (c_m e^(j m t) + conj(c_m) e^(-j m t)).
-fn integrate(wave: &Wave, parts: &[(f64, f64)]) -> Wave {
-    // Integrals of e^(j k t) over all parts.
+/// The ends of the parts move with the factor, but nothing is beyond the threshold there.
+fn fundamental_beyond(wave: &Wave, threshold: f64, sign: f64) -> [Complex64; 2] {
+    let over = over(wave, threshold, sign);
+    let turning = turning::<{ ORDERS + 2 }>(&positive(&over));
+    let beyond = order(&over, &turning, 1);
+    [beyond, beyond + turning[1].conj() * (threshold / PI)].map(|c| c * sign)
+}
+
+/// Integrals over all parts of a period of e^(j k t), for k from zero.
+fn turning<const POWERS: usize>(parts: &[(f64, f64)]) -> [Complex64; POWERS] {
     let mut of_power = [Complex64::ZERO; POWERS];
     for &(from, to) in parts {
         of_power[0] += to - from;
@@ -126,23 +168,26 @@ fn integrate(wave: &Wave, parts: &[(f64, f64)]) -> Wave {
             (a, b) = (a * first, b * last);
         }
     }
-    std::array::from_fn(|n| {
-        let mut sum = Complex64::ZERO;
-        for (m, c) in wave
-            .iter()
-            .enumerate()
-            .filter(|(_, c)| **c != Complex64::ZERO)
-        {
-            let turned = if m >= n {
-                of_power[m - n]
-            } else {
-                of_power[n - m].conj()
-            };
-            sum += c * turned + c.conj() * of_power[m + n].conj();
-        }
-        let halved = if n == 0 { 0.25 } else { 0.5 };
-        sum * (halved / PI)
-    })
+    of_power
+}
+
+/// An order of a wave that is itself on some parts of its period and zero elsewhere.
+///
+/// # Equation
+/// R_n = (1/pi) Integral w e^(-j n t) dt, w = (1/2) Sum (c_m e^(j m t) + conj(c_m) e^(-j m t)).
+fn order(wave: &Wave, turning: &[Complex64], n: usize) -> Complex64 {
+    let mut sum = Complex64::ZERO;
+    let orders = wave.iter().enumerate();
+    for (m, c) in orders.filter(|(_, c)| **c != Complex64::ZERO) {
+        let turned = if m >= n {
+            turning[m - n]
+        } else {
+            turning[n - m].conj()
+        };
+        sum += c * turned + c.conj() * turning[m + n].conj();
+    }
+    let halved = if n == 0 { 0.25 } else { 0.5 };
+    sum * (halved / PI)
 }
 
 #[cfg(test)]
@@ -239,6 +284,13 @@ mod tests {
                     "{characteristic:?} {n}: {found} {expected}"
                 );
             }
+            let [fundamental, growth] = characteristic.fundamental_behind(&wave);
+            assert!((fundamental - shaped.wave[1]).norm() < 1e-12);
+            let aside = |by: f64| characteristic.shape(&wave.map(|c| c * by)).wave[1];
+            let expected = (aside(1.0 + 1e-5) - aside(1.0 - 1e-5)) / 2e-5;
+            // The second derivative jumps where a flat top reaches the threshold.
+            let error = (growth - expected).norm();
+            assert!(error < 3e-4, "{characteristic:?} growth {error:e}");
             let square = samples.iter().map(|v| v * v).sum::<f64>() / N as f64;
             let error = mean_square(&shaped.wave) + shaped.beyond - square;
             // Of a smooth bend the orders above those of a wave are left out.

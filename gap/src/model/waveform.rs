@@ -3,7 +3,7 @@
 //! Closed forms, because a time grid cannot resolve a dead zone of a
 //! thousandth of the amplitude.
 
-use super::saturation::{saturated, unsaturated};
+use super::saturation::{saturated, saturated_fundamental, unsaturated};
 
 /// Harmonics that are reported one by one: d.c., fundamental and 2..5.
 pub(crate) const REPORTED: usize = 6;
@@ -127,7 +127,7 @@ impl Characteristic {
             }
             Self::DeadZone { threshold } => 2.0 * ramp(1, amplitude, threshold),
             Self::Clip { threshold } => amplitude - 2.0 * ramp(1, amplitude, threshold),
-            Self::Soft { threshold } => threshold * saturated(amplitude / threshold)[1],
+            Self::Soft { threshold } => threshold * saturated_fundamental(amplitude / threshold)[0],
             Self::OneSided { threshold, .. } => amplitude - ramp(1, amplitude, threshold),
         }
     }
