@@ -5,7 +5,7 @@ use super::fit::{Fit, Workspace};
 use super::higher::higher_harmonics;
 use super::linear::{Linearised, Slopes};
 use super::problem::Problem;
-use super::step::{clamp, moved, polish};
+use super::step::{clamp, moved, polish, pressed};
 use crate::effects::Active;
 use crate::estimation::descent::{self, Effort, LeastSquares};
 use crate::estimation::tangent::Equations;
@@ -178,7 +178,10 @@ impl LeastSquares for Descent<'_> {
         let (evaluation, responses) = (at.found.0.clone(), &at.found.1);
         let found = (evaluation, responses);
         let linear = Linearised::at(self.problem, &at.fit, found, lagging, self.work);
-        let equations = linear.equations(self.problem);
+        let mut equations = linear.equations(self.problem);
+        for held in pressed(self.problem, &at.fit, &equations.gradient) {
+            equations.hold(held);
+        }
         self.lagging = Some(linear.nuisance_slopes());
         Some(equations)
     }
@@ -189,5 +192,29 @@ impl LeastSquares for Descent<'_> {
             .problem
             .respond(&fit.effects, &fit.theta, &mut self.work.memory);
         Some(Place::new(fit, found))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::example::{measured, named};
+    use super::*;
+
+    /// A coil of thirteen times its stated resistance, where ten times is the bound of the library: what the data
+    /// want beyond it must not spoil the steps of the others.
+    #[test]
+    fn a_value_at_its_bound_holds_no_other_up() {
+        let (resistance, inductance) = ("nominal_resistance", "nominal_inductance");
+        let (rig, points) = measured(&[(resistance, vec![12.0]), (inductance, vec![0.8])]);
+        let problem = Problem::new(&rig, &points);
+        let mut work = Workspace::new(&problem);
+        let effects = vec![named(resistance, 0, &[8.0]), named(inductance, 0, &[0.1])];
+        let theta = vec![0.0; problem.free.len()];
+        let found = refine(&problem, effects, theta, FULL, &mut work);
+        assert_eq!(found.effects[0].parameters, [9.0]);
+        let (effects, theta) = (found.effects.clone(), found.theta.clone());
+        let again = refine(&problem, effects, theta, FULL, &mut work);
+        let gain = found.objective - again.objective;
+        assert!(gain < FULL.enough, "{gain} of {}", found.objective);
     }
 }

@@ -36,13 +36,36 @@ pub(crate) fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
 /// Takes parameters back into their bounds.
 pub(super) fn clamp(problem: &Problem, effects: &mut [Active<'static>]) {
     for active in effects {
-        for (value, parameter) in active.parameters.iter_mut().zip(active.effect.parameters()) {
-            *value = value.clamp(parameter.lower, parameter.upper);
-        }
-        if let Some([lowest, highest]) = active.effect.within(&problem.facts) {
-            active.parameters[0] = active.parameters[0].max(lowest).min(highest);
+        for index in 0..active.parameters.len() {
+            let [lowest, highest] = bounds(problem, active, index);
+            active.parameters[index] = active.parameters[index].max(lowest).min(highest);
         }
     }
+}
+
+/// Bounds of a parameter of an effect: those of the library, and of the data.
+fn bounds(problem: &Problem, active: &Active<'_>, index: usize) -> [f64; 2] {
+    let parameter = active.effect.parameters()[index];
+    let of_library = [parameter.lower, parameter.upper];
+    match active.effect.within(&problem.facts) {
+        Some([lowest, highest]) if index == 0 => {
+            [of_library[0].max(lowest), of_library[1].min(highest)]
+        }
+        _ => of_library,
+    }
+}
+
+/// Places, among all free values, of parameters at a bound that the data would move beyond it.
+pub(super) fn pressed(problem: &Problem, fit: &Fit, gradient: &DVector<f64>) -> Vec<usize> {
+    let effects = fit.effects.iter();
+    let parameters = effects.flat_map(|e| (0..e.parameters.len()).map(move |index| (e, index)));
+    let places = (problem.free.len()..).zip(parameters);
+    let outwards = places.filter(|(at, (active, index))| {
+        let [lowest, highest] = bounds(problem, active, *index);
+        let value = active.parameters[*index];
+        (value <= lowest && gradient[*at] < 0.0) || (value >= highest && gradient[*at] > 0.0)
+    });
+    outwards.map(|(at, _)| at).collect()
 }
 
 /// Direct search over the parameters of effects that act on scatter, which slopes do not see.

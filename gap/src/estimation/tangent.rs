@@ -39,6 +39,14 @@ impl Equations {
         self.gradient.axpy(difference, slopes, 1.0);
     }
 
+    /// Keeps a parameter where it is, and the others from being moved on its account.
+    pub(crate) fn hold(&mut self, at: usize) {
+        self.matrix.row_mut(at).fill(0.0);
+        self.matrix.column_mut(at).fill(0.0);
+        self.matrix[(at, at)] = 1.0;
+        self.gradient[at] = 0.0;
+    }
+
     /// A step of Levenberg and Marquardt; none where the damped matrix is not positive definite.
     pub(crate) fn step(&self, damping: f64) -> Option<DVector<f64>> {
         let mut damped = self.matrix.clone();
