@@ -45,8 +45,10 @@ fn of_term(a: f64, b: f64) -> (f64, f64) {
 
 /// The cosine that has the given fundamental once it is saturated, at most the largest input.
 pub(super) fn unsaturated(fundamental: f64) -> f64 {
-    let mut input = fundamental;
-    // The fundamental is concave in the input: Newton's steps come from below.
+    // As if it saturated with the root of a sum of squares; nothing has a fundamental above 4/pi.
+    let share = fundamental * PI / 4.0;
+    let mut input = (fundamental / (1.0 - share * share).max(0.0).sqrt()).min(LARGEST);
+    // The fundamental is concave in the input: after the first, Newton's steps come from below.
     for _ in 0..40 {
         let [found, slope] = saturated_fundamental(input);
         let missing = fundamental - found;
