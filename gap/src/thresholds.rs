@@ -297,7 +297,8 @@ pub(crate) const INTERPOLATED: f64 = 1e-6;
 pub(crate) const POOR: f64 = 0.03;
 /// Size of a first stretch over that of the whole record below which it says nothing.
 pub(crate) const QUIET: f64 = 0.1;
-/// Gain of -2 ln likelihood over the number of samples below which a fit stops.
+/// Gain of -2 ln likelihood below which a fit stops, over the number of samples of a record, and over what is
+/// left of points.
 pub(crate) const STEP_WORTH: f64 = 1e-6;
 /// Damping of a second mode where a fit starts. x0.5: 1 of 11 records changes.
 pub(crate) const MODE_DAMPING: f64 = 0.05;

@@ -16,6 +16,7 @@ use nalgebra::DVector;
 pub(crate) const FULL: Effort = Effort {
     most_steps: 25,
     enough: 1e-2,
+    share: thresholds::STEP_WORTH,
     small_steps: 2,
     damping: 1e-4,
     leap: 100.0,

@@ -25,6 +25,8 @@ pub(crate) struct Effort {
     pub(crate) most_steps: usize,
     /// Gain of the objective below which a step is small.
     pub(crate) enough: f64,
+    /// The same as a share of the objective: a gain that nothing shows beside what is left.
+    pub(crate) share: f64,
     /// Small steps in a row that end the fit.
     pub(crate) small_steps: usize,
     /// Damping of the first step.
@@ -61,7 +63,8 @@ pub(crate) fn descend<M: LeastSquares>(
                 let gain = before - model.objective(&there);
                 here = there;
                 damping = (damping * 0.1).max(least);
-                small = if gain < effort.enough { small + 1 } else { 0 };
+                let is_small = gain < effort.enough.max(effort.share * before);
+                small = if is_small { small + 1 } else { 0 };
                 if small == effort.small_steps {
                     break;
                 }
@@ -127,6 +130,7 @@ mod tests {
         let effort = Effort {
             most_steps: 40,
             enough: 1e-20,
+            share: 0.0,
             small_steps: 2,
             damping: 1e-4,
             leap: 100.0,

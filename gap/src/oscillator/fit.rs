@@ -91,6 +91,7 @@ pub(super) fn descend_from(
     let effort = Effort {
         most_steps,
         enough: thresholds::STEP_WORTH * start.left.len() as f64,
+        share: 0.0,
         small_steps: 1,
         damping: 1e-3,
         leap: 10.0,
