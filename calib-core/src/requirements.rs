@@ -120,10 +120,17 @@ impl Attainable {
     }
 }
 
+/// Frequency in Hz above which Table 2 allows more transverse acceleration.
+pub const TRANSVERSE_STEP_HZ: f32 = 1_000.0;
+
 /// Transverse, bending and rocking acceleration allowed by Table 2, relative
 /// to the intended one; the same for both examples.
 pub fn transverse_at(frequency_hz: f32) -> f32 {
-    if frequency_hz <= 1_000.0 { 0.10 } else { 0.30 }
+    if frequency_hz > TRANSVERSE_STEP_HZ {
+        0.30
+    } else {
+        0.10
+    }
 }
 
 /// Clause 4.2: room temperature about 23 degrees Celsius, and humidity.

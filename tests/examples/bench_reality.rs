@@ -1,4 +1,4 @@
-//! Does U hold on a site? `./run bench reality [--core] [--runs N] [--seed N] [EFFECT ...]`.
+//! Does U hold on a site? `./run bench reality [--core [--exciter]] [--runs N] [--seed N] [EFFECT ...]`.
 
 use calib_tests::bench::Fault;
 use calib_tests::reality::{self, BANDS_HZ, Sizes, Stratum, Tally, Through};
@@ -125,6 +125,10 @@ fn arguments(sizes: &Sizes) -> Result<Arguments, Fault> {
         };
         match word.as_str() {
             "--core" => read.through = Through::Core,
+            "--exciter" if read.through == Through::Core => {
+                read.through = Through::CoreToldExciter;
+            }
+            "--exciter" => return Err("--exciter goes behind --core".into()),
             "--runs" => read.runs = number()?,
             "--seed" => read.seed = number()?,
             _ if known.contains(&word) => read.strata.push(word),

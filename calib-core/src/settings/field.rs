@@ -37,6 +37,9 @@ const POINT_INFLUENCES: PointInfluences = PointInfluences {
     // Of the converters, as the step.
     converter_nonlinearity_v: 0.0,
     dither_peak_v: 0.0,
+    // What Table 2 allows, until the exciter's own are known.
+    transverse_motion_to_1_khz_rel: 0.0,
+    transverse_motion_above_1_khz_rel: 0.0,
 };
 
 const RECTANGULAR: Distribution = Distribution::Rectangular;

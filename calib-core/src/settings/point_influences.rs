@@ -6,7 +6,7 @@
 use super::Distribution;
 use crate::point::PointResult;
 use crate::reference::ReferenceSensitivity;
-use crate::requirements::transverse_at;
+use crate::requirements::{TRANSVERSE_STEP_HZ, transverse_at};
 use core::f32::consts::{FRAC_2_PI, SQRT_2, TAU};
 use serde::{Deserialize, Serialize};
 
@@ -22,8 +22,8 @@ pub struct PointInfluences {
     /// Largest step of the input converters' characteristic beside the line, V at the connector: where the
     /// largest bit turns, which is where signals swing. Counts where the front end adds no dither.
     pub converter_step_v: f32,
-    /// Transverse sensitivity of both transducers together, relative: times the transverse motion Table 2
-    /// allows, 10 % to 1 kHz and 30 % above.
+    /// Transverse sensitivity of both transducers together, relative: times the transverse motion of the exciter, or
+    /// what Table 2 allows, 10 % to 1 kHz and 30 % above.
     pub transverse_sensitivity_rel: f32,
     /// Change of the sensitivity at 10 kHz by another torque, grease or cable, relative: the mounted resonance
     /// shifts, and below it the sensitivity follows with the square of the frequency.
@@ -36,6 +36,11 @@ pub struct PointInfluences {
     /// How far the dither of the front end reaches to either side at least, V at the connector; 0 for a front
     /// end without.
     pub dither_peak_v: f32,
+    /// Largest transverse motion of the exciter to 1 kHz, relative to the intended one, as its maker or a measurement
+    /// states it; 0: what Table 2 allows.
+    pub transverse_motion_to_1_khz_rel: f32,
+    /// The same above 1 kHz, a rocking mode included.
+    pub transverse_motion_above_1_khz_rel: f32,
 }
 
 /// Quantities of [`PointInfluences`]; what the converters do counts for each channel.
@@ -74,10 +79,12 @@ impl PointInfluences {
         channel_delay_s: 0.0,
         converter_nonlinearity_v: 0.0,
         dither_peak_v: 0.0,
+        transverse_motion_to_1_khz_rel: 0.0,
+        transverse_motion_above_1_khz_rel: 0.0,
     };
 
     /// The coefficients in the order they are stored: a new one goes to the end.
-    pub fn coefficients_mut(&mut self) -> [&mut f32; 7] {
+    pub fn coefficients_mut(&mut self) -> [&mut f32; 9] {
         [
             &mut self.relative_motion_at_10_khz_rel,
             &mut self.converter_step_v,
@@ -86,6 +93,8 @@ impl PointInfluences {
             &mut self.channel_delay_s,
             &mut self.converter_nonlinearity_v,
             &mut self.dither_peak_v,
+            &mut self.transverse_motion_to_1_khz_rel,
+            &mut self.transverse_motion_above_1_khz_rel,
         ]
     }
 
@@ -170,11 +179,22 @@ impl PointInfluences {
     }
 
     fn transverse(&self, point: &PointResult) -> AtPoint {
-        let half_width_rel =
-            self.transverse_sensitivity_rel * transverse_at(point.spec.frequency_hz);
+        let frequency_hz = point.spec.frequency_hz;
+        let own_rel = if frequency_hz > TRANSVERSE_STEP_HZ {
+            self.transverse_motion_above_1_khz_rel
+        } else {
+            self.transverse_motion_to_1_khz_rel
+        };
+        let (motion_rel, label) = if own_rel > 0.0 {
+            (own_rel, "transverse motion of the exciter")
+        } else {
+            let allowed_rel = transverse_at(frequency_hz);
+            (allowed_rel, "transverse motion as Table 2 allows it")
+        };
+        let half_width_rel = self.transverse_sensitivity_rel * motion_rel;
         AtPoint {
             row: 6,
-            label: "transverse motion as Table 2 allows it",
+            label,
             distribution: TRANSVERSE,
             half_width_rel,
             // Of unknown phase.
@@ -205,8 +225,15 @@ impl PointInfluences {
         }
     }
 
-    /// Whether every coefficient is finite and not negative.
+    /// Whether every coefficient is finite and not negative, and no exciter moves more across than along its axis.
     pub(super) fn is_valid(mut self) -> bool {
+        let across = [
+            self.transverse_motion_to_1_khz_rel,
+            self.transverse_motion_above_1_khz_rel,
+        ];
+        if across.iter().any(|motion_rel| *motion_rel > 1.0) {
+            return false;
+        }
         let coefficients = self.coefficients_mut();
         coefficients
             .iter()
@@ -342,6 +369,41 @@ mod tests {
             }
             assert_eq!((transverse.row, mounting.row, delay.row), (6, 8, 3));
         }
+    }
+
+    /// 5.39 % of the 10 % and 30 % that Table 2 allows, or of the exciter's own 4 % and 12 %.
+    #[test]
+    fn the_exciters_own_transverse_motion_stands_in_for_table_2() {
+        let table_2 = PointInfluences {
+            transverse_sensitivity_rel: 0.0539,
+            ..PointInfluences::NONE
+        };
+        let own = PointInfluences {
+            transverse_motion_to_1_khz_rel: 0.04,
+            transverse_motion_above_1_khz_rel: 0.12,
+            ..table_2
+        };
+        for (frequency_hz, expected) in [
+            (160.0, [0.005_39, 0.002_156]),
+            (1_000.0, [0.005_39, 0.002_156]),
+            (1_250.0, [0.016_17, 0.006_468]),
+        ] {
+            let of = |influences: &PointInfluences| {
+                influences.at(&point(frequency_hz, 10.0), &reference())[3]
+            };
+            let both = [of(&table_2), of(&own)];
+            for (found, expected) in both.iter().zip(expected) {
+                assert!((found.half_width_rel / expected - 1.0).abs() < 1.0e-5);
+                assert_eq!(found.half_width_phase_rad, found.half_width_rel);
+                assert_eq!(found.row, 6);
+            }
+            assert_ne!(both[0].label, both[1].label);
+        }
+        let percent = PointInfluences {
+            transverse_motion_to_1_khz_rel: 10.0,
+            ..own
+        };
+        assert!(own.is_valid() && !percent.is_valid());
     }
 
     #[test]

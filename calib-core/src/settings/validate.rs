@@ -68,9 +68,10 @@ impl fmt::Display for SettingsError {
                  positive",
                 nth(i)
             ),
-            Self::PointInfluences => {
-                f.write_str("point_influences: coefficients must be finite and not negative")
-            }
+            Self::PointInfluences => f.write_str(
+                "point_influences: coefficients must be finite and not negative, transverse \
+                     motions at most 1",
+            ),
             Self::ChannelRatio(i) => write!(
                 f,
                 "channel_ratio, row {}: frequencies must rise, magnitudes lie from 0.9 to 1.1, \

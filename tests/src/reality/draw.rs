@@ -12,6 +12,7 @@ use calib_twin::oracle::{self, CalibrationPoint, ONE_THIRD_OCTAVES_HZ};
 use calib_twin::rig::Rig;
 use rand_chacha::ChaCha12Rng;
 use rand_chacha::rand_core::SeedableRng;
+use std::collections::BTreeMap;
 use std::f64::consts::{SQRT_2, TAU};
 
 /// Bands of the tables, Hz: one point of each draw lies in each.
@@ -35,6 +36,8 @@ pub struct Draw {
     pub temperature_c: f64,
     /// Mounted resonance by the data sheet of the device, Hz: a typical value of its type.
     pub data_sheet_hz: f64,
+    /// Largest transverse motion of the exciter to 1 kHz and above, relative, as its maker would state it.
+    pub transverse_motion_rel: [f64; 2],
     /// Standard uncertainty of what every draw has beside the reference's certificate, relative.
     common_rel: f64,
     /// The device and its conditioner alone.
@@ -44,6 +47,13 @@ pub struct Draw {
 /// How far a device's mounted resonance is from that of its type: makers give a typical value or a lower limit, and
 /// pieces of a type differ by some percent.
 const DATA_SHEET_REL: f64 = 0.1;
+
+/// Transverse motion of an exciter that has none drawn, to 1 kHz and above: nobody states less.
+const TRANSVERSE_MOTION_REL: [f64; 2] = [0.05, 0.10];
+/// Transverse sensitivity that the sizes of transverse motion are products with.
+const TRANSVERSE_SENSITIVITY_REL: f64 = 0.035;
+/// Magnification at 1 kHz of the lowest rocking mode of the sizes, at 1.2 kHz.
+const ROCKING_AT_1_KHZ: f64 = 3.3;
 
 impl Draw {
     /// Draws a rig with `effects`, by seed: the same seed has the same rig, list and conditions
@@ -79,6 +89,7 @@ impl Draw {
             data_sheet_hz: undisturbed.dut.resonance_hz * (1.0 + DATA_SHEET_REL * off),
             common_rel: common_rel(sizes, rig.surroundings.warmer_k),
             temperature_c: 23.0 + rig.surroundings.warmer_k,
+            transverse_motion_rel: transverse_motion_rel(rig),
             rig: drawn.rig,
             certificate: drawn.certificate,
             points: points.to_vec(),
@@ -111,6 +122,21 @@ fn common_rel(sizes: &Sizes, warmer_k: f64) -> f64 {
     let gains = ["reference_gain", "chain_gain"].map(|name| sizes.deviation(name));
     let all = warmer.iter().chain(&gains);
     all.map(|u| u * u).sum::<f64>().sqrt()
+}
+
+/// What the maker of a rig's exciter would state of its transverse motion.
+fn transverse_motion_rel(rig: &Rig) -> [f64; 2] {
+    let mut effects = rig.effects.iter();
+    let Some(across) = effects.find(|e| e.effect().entry.id == "transverse_motion") else {
+        return TRANSVERSE_MOTION_REL;
+    };
+    let named = across.effect().entry.parameters.iter().map(|p| p.name);
+    let values: BTreeMap<_, _> = named.zip(across.values()).collect();
+    std::array::from_fn(|range| {
+        let magnification = [ROCKING_AT_1_KHZ, *values["quality"]][range];
+        let product = values["t0"].abs() + magnification * values["t1"].abs();
+        TRANSVERSE_MOTION_REL[range].max(product / TRANSVERSE_SENSITIVITY_REL)
+    })
 }
 
 /// A preferred frequency of the band, or any.

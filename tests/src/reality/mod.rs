@@ -96,6 +96,8 @@ pub enum Through {
     Firmware,
     /// The core on the plant, without a board between: the same numbers, many times as fast.
     Core,
+    /// The core, whose settings state the exciter's own transverse motion: U is smaller, and has to hold as well.
+    CoreToldExciter,
 }
 
 /// Carries out `runs` runs of a stratum, seeded from `first_seed` on, on all cores.
@@ -116,7 +118,8 @@ pub fn run(
             let draw = drawn(sizes, stratum, seed)?;
             let record = match through {
                 Through::Firmware => by_firmware(bench, &draw)?,
-                Through::Core => by_core(&draw),
+                Through::Core => by_core(&draw, [0.0; 2]),
+                Through::CoreToldExciter => by_core(&draw, draw.transverse_motion_rel),
             };
             Ok(judge(&draw, &record, seed))
         },
@@ -162,7 +165,7 @@ pub fn run_both(
         runs,
         |bench, draw| {
             let draw = drawn(sizes, stratum, first_seed + draw)?;
-            let [firmware, core] = [by_firmware(bench, &draw)?, by_core(&draw)];
+            let [firmware, core] = [by_firmware(bench, &draw)?, by_core(&draw, [0.0; 2])];
             let points = firmware.points.iter().zip(&core.points);
             let both = |(firmware, core): (&PointResult, &PointResult)| Both {
                 firmware: *firmware,
@@ -218,9 +221,12 @@ fn labels(draw: &Draw) -> RunLabels {
     }
 }
 
-/// The record of a run of the core alone.
-fn by_core(draw: &Draw) -> Record {
+/// The record of a run of the core alone, told the exciter's transverse motion to 1 kHz and above; 0: told nothing.
+fn by_core(draw: &Draw, transverse_motion_rel: [f64; 2]) -> Record {
     let mut settings = Settings::field_calibrator();
+    let [to_1_khz, above] = transverse_motion_rel.map(|motion_rel| motion_rel.min(1.0) as f32);
+    settings.point_influences.transverse_motion_to_1_khz_rel = to_1_khz;
+    settings.point_influences.transverse_motion_above_1_khz_rel = above;
     settings.reference.points = draw.certificate.iter().map(reference_point).collect();
     let (points, closing) = boardless::measure_closed(&draw.rig, &settings, &draw.points);
     let mut record = Record::BLANK;
