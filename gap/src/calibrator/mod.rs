@@ -6,11 +6,11 @@
 //! remainder, higher   harmonics above those that are reported: as noise, and where they would show
 //! linear              slopes at a fit; of nuisances and closed_form no row is computed anew;
 //!                     finite_difference: the others
-//! fit, refine         a set of effects, and the estimator's model of it; step
+//! fit, refine         a set of effects, and the estimator's model of it: its steps, within bounds
 //! candidate, screen   starts of effects, each with its predicted gain; scatter: of those that only
 //!                     scatter
-//! search              none, singles, pairs, within limits; proposal: what is tried, race: refined
-//! found               what came of it; model_selection: scores and probabilities
+//! search              none, singles, pairs, within limits; race: one refined
+//! found               what is worth a try, and what came of it; model_selection: scores and probabilities
 //! lack_of_fit         what is left by shapes; settled: best values
 //! verdict             the outcomes, and pairs that cancel
 //! noise               noise that is not what is stated, and misread rows
@@ -40,7 +40,6 @@ mod noise;
 pub(crate) mod nuisance;
 mod places;
 pub(crate) mod problem;
-mod proposal;
 mod race;
 mod refine;
 mod remainder;
@@ -51,7 +50,6 @@ pub(crate) mod search;
 pub(crate) mod settled;
 pub(crate) mod shapes;
 mod stages;
-mod step;
 mod unseen;
 pub(crate) mod verdict;
 

@@ -2,11 +2,9 @@
 
 use super::candidate::{PredictedGain, active};
 use super::fit::{Fit, Workspace};
-use super::found::Found;
+use super::found::{Found, Plan};
 use super::problem::Problem;
-use super::proposal::Plan;
-use super::refine::{FULL, GLANCE, refine, refine_with};
-use super::step::moved;
+use super::refine::{FULL, GLANCE, moved, refine, refine_with};
 use crate::effects::{Active, library};
 use crate::thresholds;
 

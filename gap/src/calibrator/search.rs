@@ -1,10 +1,9 @@
 //! Which set of effects: none, singles, pairs, with their probabilities.
 
 use super::fit::{Fit, Workspace};
-use super::found::Found;
+use super::found::{Base, Found, Plan, chosen};
 use super::model_selection::{Scored, normalise, score};
 use super::problem::Problem;
-use super::proposal::{Base, Plan, chosen};
 use super::race::race;
 use super::refine::{FULL, refine};
 use super::screen::Candidates;

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! ```text
-//! rig, rig_file     content of rig.toml, and its reader; exciter: its parameters
-//! points            reads points.csv: layout of its columns, cells of a row; range of a column
+//! rig               content of rig.toml, and its reader; exciter: its parameters
+//! points            reads points.csv: layout of its columns and their range, cells of a row
 //! point             one row, and what is measured: points or a record
 //! record            reads record.csv
 //! contradiction     whether rig and table can belong together
@@ -21,10 +21,8 @@ mod exciter;
 mod layout;
 mod point;
 mod points;
-mod range;
 mod record;
 mod rig;
-mod rig_file;
 
 pub(crate) use exciter::{ExciterParameter, ExciterParameters, Quantity};
 pub(crate) use point::{Harmonic, Measured, Point};
@@ -63,7 +61,7 @@ impl Dataset {
         }
         let rig_path = folder.join("rig.toml");
         let rig_text = std::fs::read_to_string(&rig_path).map_err(|e| without_rig(&rig_path, e))?;
-        let rig = rig_file::parse(&rig_text, &rig_path)?;
+        let rig = rig::parse(&rig_text, &rig_path)?;
         let mut hash = Sha256::new();
         hash.update(rig_text.as_bytes());
         let table = folder.join(match rig.kind {

@@ -1,8 +1,7 @@
 //! Bent characteristics of one converter.
 
-use super::effect::{Effect, Explanations, Shows};
+use super::effect::{Effect, Explanations, Shows, Start, ratios};
 use super::facts::Facts;
-use super::start::{Start, ratios};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use crate::model::waveform::Characteristic;

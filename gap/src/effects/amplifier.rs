@@ -1,8 +1,7 @@
 //! The power amplifier.
 
-use super::effect::{Effect, Explanations};
+use super::effect::{Effect, Explanations, Start, ratios};
 use super::facts::Facts;
-use super::start::{Start, ratios};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
 use calib_effects::{Entry, amplifier};

@@ -1,8 +1,7 @@
 //! Gains that depend on frequency, level, temperature or time.
 
-use super::effect::{Effect, Explanations};
+use super::effect::{Effect, Explanations, Start, ratios};
 use super::facts::Facts;
-use super::start::{Start, ratios};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, amplifier, dut, reference};

@@ -7,16 +7,13 @@
 //! speaks for the name.
 
 mod effect;
+mod exciter;
 mod facts;
-mod start;
 
 mod adc;
 mod amplifier;
-mod armature;
-mod coil;
 mod filters;
 mod gains;
-mod mechanics;
 mod motion;
 mod mount;
 mod noise;
@@ -24,9 +21,8 @@ mod resonance;
 mod suspension;
 mod timing;
 
-pub(crate) use effect::{Active, Effect, Shows, Stated};
+pub(crate) use effect::{Active, Effect, Shows, Start, Stated};
 pub(crate) use facts::Facts;
-pub(crate) use start::Start;
 
 use crate::error::GapError;
 use std::sync::LazyLock;
@@ -44,9 +40,7 @@ pub(crate) fn library() -> &'static [&'static dyn Effect] {
             noise::EXPLANATIONS,
             adc::EXPLANATIONS,
             suspension::EXPLANATIONS,
-            mechanics::EXPLANATIONS,
-            coil::EXPLANATIONS,
-            armature::EXPLANATIONS,
+            exciter::EXPLANATIONS,
             amplifier::EXPLANATIONS,
         ]
         .concat()

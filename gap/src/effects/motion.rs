@@ -1,9 +1,8 @@
 //! Motion that the two transducers do not share.
 
-use super::effect::{Effect, Explanations};
+use super::effect::{Effect, Explanations, Start, ratios};
 use super::facts::Facts;
 use super::resonance::second_order;
-use super::start::{Start, ratios};
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
 use calib_effects::{Entry, mount};

@@ -1,8 +1,7 @@
 //! Effects of the mounting on the device under test.
 
-use super::effect::{Effect, Explanations};
+use super::effect::{Effect, Explanations, Start, ratios};
 use super::facts::Facts;
-use super::start::{Start, ratios};
 use crate::model::chain::{Chain, Transfer};
 use crate::model::row::Row;
 use crate::model::scatter::Scatter;

@@ -1,12 +1,10 @@
 //! Effects that show as noise and as scatter, not as a response.
 
-use super::effect::{Effect, Explanations, Stated};
+use super::effect::{Effect, Explanations, Start, Stated, ratios};
 use super::facts::Facts;
-use super::start::{Start, ratios};
 use crate::model::chain::Transfer;
-use crate::model::leakage::{Line, taken};
 use crate::model::row::Row;
-use crate::model::scatter::Scatter;
+use crate::model::scatter::{Line, Scatter, taken};
 use crate::observable::Observable;
 use calib_effects::{Entry, Parameter, conditioning, digitiser, environment};
 use std::f64::consts::{SQRT_2, TAU};

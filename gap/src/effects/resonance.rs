@@ -1,8 +1,7 @@
 //! Resonances of the transducers and of the contact between device and table.
 
-use super::effect::{Effect, Explanations};
+use super::effect::{Effect, Explanations, Start, ratios};
 use super::facts::Facts;
-use super::start::{Start, ratios};
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
 use calib_effects::{Entry, dut, mount, reference};

@@ -1,9 +1,8 @@
 //! Nonlinear moving parts of the exciter.
 
-use super::effect::{Effect, Explanations};
+use super::effect::{Effect, Explanations, Start, ratios};
 use super::facts::Facts;
 use super::mount::FREE_FALL_MS2;
-use super::start::{Start, ratios};
 use crate::model::chain::Chain;
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, exciter};

@@ -1,8 +1,7 @@
 //! Delays, clocks and coupling between the channels.
 
-use super::effect::{Effect, Explanations};
+use super::effect::{Effect, Explanations, Start};
 use super::facts::Facts;
-use super::start::Start;
 use crate::model::chain::Transfer;
 use crate::model::row::Row;
 use calib_effects::{Entry, Parameter, conditioning, digitiser};

@@ -7,8 +7,7 @@
 //! the amplifier puts out. Each harmonic is corrected by its own linear
 //! response (with the mean stiffness of the suspension) until that holds.
 
-use super::bend::Bend;
-use super::exciter::Exciter;
+use super::exciter::{Bend, Exciter};
 use super::friction::{Friction, Rubbed};
 use super::grid::{GRID, ORDERS, Parity, Wave, analyse, size, synthesize};
 use super::saturation::saturated_from;

@@ -1,7 +1,6 @@
 //! Places where effects may act on one row.
 
-use super::bend::Bend;
-use super::exciter::Body;
+use super::exciter::{Bend, Body};
 use super::scatter::Scatter;
 use super::waveform::Characteristic;
 use num_complex::Complex64;

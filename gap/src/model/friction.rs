@@ -259,7 +259,7 @@ impl Yields {
 mod tests {
     use super::{Friction, ORDERS, Yields};
     use crate::model::balance::{Purpose, balance};
-    use crate::model::bend::Bend;
+    use crate::model::exciter::Bend;
     use crate::model::exciter::Exciter;
     use num_complex::Complex64;
     use std::f64::consts::{PI, TAU};

@@ -1,8 +1,7 @@
 //! Memory of a row between evaluations.
 
 use super::balance::{Balanced, Purpose, balance};
-use super::bend::Bend;
-use super::exciter::{Added, Exciter, Fundamental};
+use super::exciter::{Added, Bend, Exciter, Fundamental};
 use super::grid::{ORDERS, Wave};
 use num_complex::Complex64;
 

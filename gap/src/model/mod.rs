@@ -5,27 +5,23 @@
 //! judges it share parameters but no equations.
 //!
 //! ```text
-//! row          a point, prepared; scatter, leakage: noise and what leaks into its components
+//! row          a point, prepared; scatter: noise, and what leaks into its components
 //! prediction   what a simulation starts from, and what it says; predict: how it gets there
 //! chain        what effects do to a row; transfers: their linear responses
-//! drive        the exciter at a level: exciter, balance, friction; memory: of a row
+//! exciter      linear and bent; balance, friction: at a level; memory: of a row
 //! held         the motion at which the reference shows the level that is held
 //! channels     what both channels make of it; path: of a wave on its way
-//! grid         a wave of many orders; crossings, shaped: bent; waveform: the same of a cosine;
+//! grid         a wave of many orders; shaped: bent; waveform: the same of a cosine;
 //!              saturation: a cosine through a hyperbolic tangent
 //! ```
 
 pub(crate) mod balance;
-pub(crate) mod bend;
 pub(crate) mod chain;
 mod channels;
-mod crossings;
-mod drive;
 pub(crate) mod exciter;
 mod friction;
 mod grid;
 mod held;
-pub(crate) mod leakage;
 pub(crate) mod memory;
 mod path;
 pub(crate) mod predict;

@@ -1,6 +1,6 @@
 //! One point, prepared for the model: conditions and measured values.
 
-use super::leakage::{leaked_mains, taken_mains};
+use super::scatter::{leaked_mains, taken_mains};
 use crate::dataset::{Harmonic, Point, Rig, Transducer};
 use crate::observable::{Channel, Complex, Observable, Table};
 use crate::thresholds;

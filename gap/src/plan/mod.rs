@@ -1,8 +1,7 @@
 //! Which measurements best separate what is still possible, and by how many sigma.
 //!
 //! ```text
-//! settings     what the rig can be set to
-//! candidates   points the rig can hold, with what would be measured there
+//! candidates   settings and points the rig can hold, with what would be measured there
 //! hypotheses   sets of effects that are still possible, as fitted or of a usual size
 //! duel         one set is true, the other is refitted: what is left, in sigma
 //! side         what both say of the same data, and what is refitted
@@ -18,7 +17,6 @@
 mod candidates;
 mod duel;
 mod hypotheses;
-mod settings;
 mod side;
 
 use crate::answer::Verdict;

@@ -1,12 +1,12 @@
-//! Linear mechanics of the exciter that differ from the nominal ones.
+//! Linear parts of the exciter: mechanics, coil, armature, nominal values that are off.
 
-use super::effect::{Effect, Explanations};
+use super::effect::{Effect, Explanations, Start, ratios};
 use super::facts::Facts;
-use super::start::{Start, ratios};
-use crate::model::chain::Chain;
+use crate::model::chain::{Chain, Transfer};
 use crate::model::exciter::Body;
 use crate::model::row::Row;
 use calib_effects::{Entry, exciter};
+use num_complex::Complex64;
 
 pub(super) static EXPLANATIONS: Explanations = &[
     &Mechanics::Damping,
@@ -18,6 +18,10 @@ pub(super) static EXPLANATIONS: Explanations = &[
     &NominalValue::Inductance,
     &BodyMode,
     &Creep,
+    &LossyInductance,
+    &CoilHeating,
+    &ShortedInductance,
+    &ArmatureMode,
 ];
 
 /// A linear term that the nominal rig states wrongly.
@@ -160,5 +164,98 @@ impl Effect for BodyMode {
             isolator_hz: p[1],
             quality: p[2],
         });
+    }
+}
+
+/// Temperature coefficient of the resistance of copper, in 1/K.
+const COPPER_PER_K: f64 = 0.0039;
+
+/// Eddy currents and skin effect: the inductance falls and becomes lossy.
+struct LossyInductance;
+/// A coil that warms up under load.
+struct CoilHeating;
+/// A share of the inductance with a resistance across it.
+struct ShortedInductance;
+
+impl Effect for LossyInductance {
+    fn entry(&self) -> &'static Entry {
+        &exciter::LOSSY_INDUCTANCE
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.drive || facts.current
+    }
+    fn starts(&self, _facts: &Facts) -> Vec<Start> {
+        [0.995, 0.95, 0.85, 0.7, 0.55]
+            .map(|n| Start::shape(vec![n]))
+            .into()
+    }
+    fn chain(&self, p: &[f64], _row: &Row, chain: &mut Chain) {
+        chain.inductance_exponent = p[0];
+    }
+}
+
+impl Effect for CoilHeating {
+    fn entry(&self) -> &'static Entry {
+        &exciter::COIL_HEATING
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        (facts.drive || facts.current) && facts.longest_s > 0.0
+    }
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        ratios(0.01 * facts.longest_s, 2.0 * facts.longest_s, 8)
+            .into_iter()
+            .flat_map(|tau| [1.0, 30.0].map(|rise| Start::positive(vec![rise, tau], 0)))
+            .collect()
+    }
+    fn chain(&self, p: &[f64], row: &Row, chain: &mut Chain) {
+        chain.resistance *= 1.0 + COPPER_PER_K * p[0] * (1.0 - (-row.time_s / p[1]).exp());
+    }
+}
+
+impl Effect for ShortedInductance {
+    fn entry(&self) -> &'static Entry {
+        &exciter::SHORTED_INDUCTANCE
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.drive || facts.current
+    }
+    /// Below these corners the inductance is another one, above them it is the stated one.
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        ratios(0.02 * facts.highest_hz, 2.0 * facts.highest_hz, 4)
+            .into_iter()
+            .map(|corner_hz| Start::positive(vec![0.3, corner_hz], 0))
+            .collect()
+    }
+    fn chain(&self, p: &[f64], _row: &Row, chain: &mut Chain) {
+        chain.shorted = [p[0], p[1]];
+    }
+}
+
+/// Axial mode of the moving element.
+struct ArmatureMode;
+
+impl Effect for ArmatureMode {
+    fn is_linear(&self) -> bool {
+        true
+    }
+    fn entry(&self) -> &'static Entry {
+        &exciter::ARMATURE_MODE
+    }
+    fn applies(&self, facts: &Facts) -> bool {
+        facts.drive
+    }
+    fn starts(&self, facts: &Facts) -> Vec<Start> {
+        let mut starts = Vec::new();
+        for mode_hz in ratios(1500.0, 25_000.0, 30) {
+            for zeta in [0.008, 0.03, 0.1] {
+                starts.push(Start::signed(vec![0.01, mode_hz, zeta], 0));
+            }
+        }
+        starts.retain(|s| s.members[0][1] < 4.0 * facts.highest_hz);
+        starts
+    }
+    fn transfer(&self, p: &[f64], _row: &Row, frequency_hz: f64, transfer: &mut Transfer) {
+        let q = frequency_hz / p[1];
+        transfer.table *= 1.0 + p[0] * q * q / Complex64::new(1.0 - q * q, 2.0 * p[2] * q);
     }
 }
