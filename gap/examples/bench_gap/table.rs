@@ -1,15 +1,12 @@
 //! Rates of a stratum, with what the issue of each asks for.
 
 use super::case::{Outcome, VISIBLE_SIGMA};
-use super::reliability::{self, Stratum};
+use super::reliability::{self, LEFT_SIGMA, Stratum};
 use calib_gap::Verdict;
 use std::fmt::Write;
 
 /// Probability from which a set is possible.
 const POSSIBLE: f64 = 0.05;
-/// A substitute that leaves less is as good as the truth.
-pub(super) const LEFT_SIGMA: f64 = 3.0;
-
 fn share(list: &[&Outcome], is: impl Fn(&Outcome) -> bool) -> (usize, usize) {
     (list.iter().filter(|o| is(o)).count(), list.len())
 }

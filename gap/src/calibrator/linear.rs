@@ -1,9 +1,9 @@
 //! The problem linearised at a fit: slopes against nuisances and parameters, of now or of an earlier step.
 
+use super::closed_form::nuisance_columns;
 use super::evaluation::{Evaluation, Responses};
 use super::finite_difference::{bent_columns, parameter_column};
 use super::fit::{Fit, Workspace};
-use super::nuisance::nuisance_columns;
 use super::problem::{Column, Problem, Tangent};
 use crate::estimation::tangent::Equations;
 

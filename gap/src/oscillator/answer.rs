@@ -1,11 +1,11 @@
 //! Answer for a record: verdict, place, next measurement, pictures.
 
 use super::fit::{Fitted, compared, rms};
-use super::grow::Step;
 use super::holdout::{Scored, motion, peak};
 use super::lack_of_fit::Parity;
 use super::model::TERMS;
-use super::parameters::{LINEAR, Parameter};
+use super::model_selection::Step;
+use super::parameters::Parameter;
 use super::run::Run;
 use super::slices::stretch;
 use crate::answer::{
@@ -18,7 +18,6 @@ use crate::pictures::{Pictures, Trace};
 use crate::thresholds;
 use calib_effects::{Of, Stage, named};
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 
 /// Samples of a stretch that is drawn.
 const MOST_DRAWN: usize = 4000;
@@ -176,67 +175,6 @@ fn trace(held: &Run, [before, after]: [Vec<f64>; 2]) -> Pictures {
         before: drawn(&before),
         after: drawn(&after),
     })
-}
-
-/// Values of the terms as the vocabulary defines them, by name.
-pub(super) fn term_parameters(
-    fit: &Fitted,
-    interval_s: f64,
-) -> BTreeMap<&'static str, BTreeMap<&'static str, Estimate>> {
-    let mut row = LINEAR.len();
-    let mut all = BTreeMap::new();
-    for term in fit.terms.iter().map(|t| &TERMS[*t]) {
-        let mut values = BTreeMap::new();
-        for (stated, parameter) in term.entry.parameters.iter().zip(term.values) {
-            values.insert(stated.name, estimate(fit, *parameter, row, interval_s));
-            row += 1;
-        }
-        all.insert(term.entry.id, values);
-    }
-    all
-}
-
-/// A value of a term in the unit it is stated in; `row` is its row in the covariance matrix.
-fn estimate(fit: &Fitted, parameter: Parameter, row: usize, interval_s: f64) -> Estimate {
-    let (value, c) = (fit.values[parameter], &fit.covariance);
-    let variance = c[(row, row)];
-    // A value that is fitted as its logarithm is known relatively.
-    let relative = |value: f64, variance: f64| (value, value * variance.max(0.0).sqrt());
-    let (value, u) = match parameter {
-        Parameter::ModeLnRatio => {
-            // Fitted as ln of the ratio to w0, which is fitted itself.
-            let mode_hz = fit.values.resonance_hz() * value.exp();
-            relative(mode_hz, variance + c[(0, 0)] + 2.0 * c[(0, row)])
-        }
-        Parameter::QuadraticDamping | Parameter::CubicDamping => {
-            // Stated relative to the linear damping, 2 delta, which is fitted itself.
-            let linear = 2.0 * fit.values[Parameter::Delta];
-            let (own, of_delta) = (1.0 / linear, -2.0 * value / (linear * linear));
-            let variance = own * own * variance
-                + of_delta * of_delta * c[(1, 1)]
-                + 2.0 * own * of_delta * c[(1, row)];
-            (value / linear, variance.max(0.0).sqrt())
-        }
-        Parameter::SteadyForce => {
-            // Stated at the input, over the gain that is fitted itself.
-            let gain = fit.values[Parameter::Gain];
-            let offset = value / gain;
-            let variance = variance + offset * offset * c[(2, 2)] - 2.0 * offset * c[(2, row)];
-            (offset, variance.max(0.0).sqrt() / gain.abs())
-        }
-        Parameter::Trend | Parameter::ResonanceDrift => {
-            (value / interval_s, variance.sqrt() / interval_s)
-        }
-        Parameter::Delay => (value * interval_s, variance.sqrt() * interval_s),
-        Parameter::LnYieldDeflection => relative(value.exp(), variance),
-        Parameter::Saturation | Parameter::Clipping => {
-            (1.0 / value, variance.sqrt() / (value * value))
-        }
-        Parameter::Lag => relative(1.0 / (TAU * value * interval_s), variance / (value * value)),
-        Parameter::HighpassCorner => (value / TAU, variance.sqrt() / TAU),
-        _ => (value, variance.sqrt()),
-    };
-    Estimate { value, u }
 }
 
 /// Resonance, damping, gain and offset; no gain where nothing drives the oscillator.

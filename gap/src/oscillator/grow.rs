@@ -4,7 +4,7 @@ use super::fit::{Fitted, MOST_STEPS, REFINED, compared, integrate_finely, refine
 use super::holdout::square_on;
 use super::lack_of_fit::{Left, examine};
 use super::model::{TERMS, shows};
-use super::model_selection::{Tried, cost_of_last};
+use super::model_selection::{Step, cost_of_last};
 use super::run::Run;
 use super::starts::{SPRING, begin, bent_spring};
 use crate::estimation::verdict::stands;
@@ -16,22 +16,6 @@ use rayon::prelude::*;
 const FIRST_STEPS: usize = 4;
 /// Steps of the fit that leads; most need one or two of them.
 const TO_THE_END: usize = 40;
-
-/// One step of a diagnosis that adds a term at a time.
-pub(super) struct Step {
-    pub(super) fit: Fitted,
-    /// Residuals of the fit.
-    pub(super) left: Left,
-    /// The sets of its size that were tried and stand on what is held out.
-    pub(super) tried: Vec<Fitted>,
-}
-
-impl Step {
-    /// The sets of its size as what the fit leaves lets them compare.
-    pub(super) fn compared(&self) -> Tried<'_> {
-        Tried::new(&self.tried, &self.left)
-    }
-}
 
 /// From the linear oscillator on, the best term is added until none is worth a name; what is `held` out has
 /// a veto.

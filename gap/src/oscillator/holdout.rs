@@ -1,9 +1,8 @@
 //! How far the error shrinks on a record that took no part.
 
 use super::fit::{Fitted, SETTLING, compared, descend_from, residual, rms};
-use super::grow::Step;
 use super::model::states;
-use super::model_selection::names_of;
+use super::model_selection::{Step, names_of};
 use super::parameters::Parameter;
 use super::run::Run;
 use super::simulate::{LINEAR_STATES, states_behind};

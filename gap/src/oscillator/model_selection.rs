@@ -1,14 +1,16 @@
 //! How the sets of terms that were tried compare.
 
-use super::answer::term_parameters;
 use super::fit::{Fitted, residual};
 use super::lack_of_fit::Left;
 use super::model::TERMS;
+use super::parameters::{LINEAR, Parameter};
 use super::run::Run;
-use crate::answer::Cause;
+use crate::answer::{Cause, Estimate};
 use crate::estimation::selection::{bootstrap, cost_of_cause, cost_of_parameter, probabilities};
 use crate::thresholds;
 use calib_effects::Of;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 /// Sets of one size, and how they compare.
 pub(super) struct Tried<'a> {
@@ -116,4 +118,81 @@ pub(super) fn cost_of_last(fit: &Fitted, samples: f64) -> f64 {
 /// Names of the terms of a fit.
 pub(super) fn names_of(fit: &Fitted) -> Vec<&'static str> {
     fit.terms.iter().map(|t| TERMS[*t].entry.id).collect()
+}
+
+/// One step of a diagnosis that adds a term at a time.
+pub(super) struct Step {
+    pub(super) fit: Fitted,
+    /// Residuals of the fit.
+    pub(super) left: Left,
+    /// The sets of its size that were tried and stand on what is held out.
+    pub(super) tried: Vec<Fitted>,
+}
+
+impl Step {
+    /// The sets of its size as what the fit leaves lets them compare.
+    pub(super) fn compared(&self) -> Tried<'_> {
+        Tried::new(&self.tried, &self.left)
+    }
+}
+
+/// Values of the terms as the vocabulary defines them, by name.
+fn term_parameters(
+    fit: &Fitted,
+    interval_s: f64,
+) -> BTreeMap<&'static str, BTreeMap<&'static str, Estimate>> {
+    let mut row = LINEAR.len();
+    let mut all = BTreeMap::new();
+    for term in fit.terms.iter().map(|t| &TERMS[*t]) {
+        let mut values = BTreeMap::new();
+        for (stated, parameter) in term.entry.parameters.iter().zip(term.values) {
+            values.insert(stated.name, estimate(fit, *parameter, row, interval_s));
+            row += 1;
+        }
+        all.insert(term.entry.id, values);
+    }
+    all
+}
+
+/// A value of a term in the unit it is stated in; `row` is its row in the covariance matrix.
+fn estimate(fit: &Fitted, parameter: Parameter, row: usize, interval_s: f64) -> Estimate {
+    let (value, c) = (fit.values[parameter], &fit.covariance);
+    let variance = c[(row, row)];
+    // A value that is fitted as its logarithm is known relatively.
+    let relative = |value: f64, variance: f64| (value, value * variance.max(0.0).sqrt());
+    let (value, u) = match parameter {
+        Parameter::ModeLnRatio => {
+            // Fitted as ln of the ratio to w0, which is fitted itself.
+            let mode_hz = fit.values.resonance_hz() * value.exp();
+            relative(mode_hz, variance + c[(0, 0)] + 2.0 * c[(0, row)])
+        }
+        Parameter::QuadraticDamping | Parameter::CubicDamping => {
+            // Stated relative to the linear damping, 2 delta, which is fitted itself.
+            let linear = 2.0 * fit.values[Parameter::Delta];
+            let (own, of_delta) = (1.0 / linear, -2.0 * value / (linear * linear));
+            let variance = own * own * variance
+                + of_delta * of_delta * c[(1, 1)]
+                + 2.0 * own * of_delta * c[(1, row)];
+            (value / linear, variance.max(0.0).sqrt())
+        }
+        Parameter::SteadyForce => {
+            // Stated at the input, over the gain that is fitted itself.
+            let gain = fit.values[Parameter::Gain];
+            let offset = value / gain;
+            let variance = variance + offset * offset * c[(2, 2)] - 2.0 * offset * c[(2, row)];
+            (offset, variance.max(0.0).sqrt() / gain.abs())
+        }
+        Parameter::Trend | Parameter::ResonanceDrift => {
+            (value / interval_s, variance.sqrt() / interval_s)
+        }
+        Parameter::Delay => (value * interval_s, variance.sqrt() * interval_s),
+        Parameter::LnYieldDeflection => relative(value.exp(), variance),
+        Parameter::Saturation | Parameter::Clipping => {
+            (1.0 / value, variance.sqrt() / (value * value))
+        }
+        Parameter::Lag => relative(1.0 / (TAU * value * interval_s), variance / (value * value)),
+        Parameter::HighpassCorner => (value / TAU, variance.sqrt() / TAU),
+        _ => (value, variance.sqrt()),
+    };
+    Estimate { value, u }
 }
