@@ -4,9 +4,7 @@
 //! 1 % the ratio is off by 0.5 % and 0.5 degrees at 10 kHz. One source at both inputs shows it, and
 //! with the leads exchanged whatever differs between the leads cancels.
 
-use crate::reference::ReferenceSensitivity;
 use crate::response_table::{self, Response, Row};
-use crate::settings::Settings;
 use heapless::Vec;
 use num_complex::Complex32;
 use serde::{Deserialize, Serialize};
@@ -87,32 +85,11 @@ impl Row for ChannelRatioPoint {
     }
 }
 
-impl Settings {
-    /// Sensitivity of the device, V/(m/s2), of which `ratio` is the device's samples over the
-    /// reference's at `frequency_hz`.
-    ///
-    /// # Equation
-    /// `S = S1 (x2 v2)/(x1 v1) / R` with the samples x, the scales v of the inputs, the reference's
-    /// sensitivity S1 and the ratio R of the channels, 1 where it is not known.
-    ///
-    /// # Source
-    /// ISO 16063-21:2003, clause 6.
-    pub(crate) fn sensitivity(
-        &self,
-        ratio: Complex32,
-        reference: &ReferenceSensitivity,
-        frequency_hz: f32,
-    ) -> Complex32 {
-        let scale = self.dut_input.volt_per_code / self.reference_input.volt_per_code
-            * reference.sensitivity_v_per_ms2;
-        let reference = Complex32::from_polar(scale, reference.phase_rad);
-        ratio * reference / self.channel_ratio.taken_away(frequency_hz)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reference::ReferenceSensitivity;
+    use crate::settings::Settings;
 
     fn reference() -> ReferenceSensitivity {
         Settings::field_calibrator()

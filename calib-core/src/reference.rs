@@ -1,7 +1,47 @@
 //! The reference's sensitivity at a frequency, by its own calibration table.
 
 use crate::response_table::{self, Response, Row};
-use crate::settings::{ReferenceCalibration, ReferencePoint};
+use heapless::{String, Vec};
+use serde::{Deserialize, Serialize};
+
+/// Most frequencies a reference calibration table holds (0.4 Hz to 20 kHz in
+/// one-third octaves are 48).
+pub const MAX_REFERENCE_POINTS: usize = 48;
+
+/// One frequency of the reference's own calibration.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ReferencePoint {
+    /// Frequency, Hz.
+    pub frequency_hz: f32,
+    /// Sensitivity of reference and conditioner, V/(m/s2).
+    pub sensitivity_v_per_ms2: f32,
+    /// Phase of that sensitivity, rad.
+    pub phase_rad: f32,
+    /// Relative expanded uncertainty (k = 2) of the magnitude.
+    pub expanded_uncertainty_rel: f32,
+    /// Expanded uncertainty (k = 2) of the phase, rad.
+    pub expanded_uncertainty_phase_rad: f32,
+}
+
+/// Calibration of the reference transducer with its conditioner.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct ReferenceCalibration {
+    /// Serial number of the reference.
+    #[cfg_attr(feature = "schema", schemars(with = "str"))]
+    pub serial: String<32>,
+    /// Certificate the table was taken from.
+    #[cfg_attr(feature = "schema", schemars(with = "str"))]
+    pub certificate: String<48>,
+    /// Day of the calibration, days since 1970-01-01; 0 = not stated.
+    pub calibrated_day: u32,
+    /// Day the next calibration is due, days since 1970-01-01; 0 = not stated.
+    pub due_day: u32,
+    /// Table in rising frequency.
+    #[cfg_attr(feature = "schema", schemars(with = "[ReferencePoint]"))]
+    pub points: Vec<ReferencePoint, MAX_REFERENCE_POINTS>,
+}
 
 /// Sensitivity of the reference at one frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]

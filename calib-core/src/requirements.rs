@@ -1,6 +1,16 @@
 //! Tables of ISO 16063-21 as data, for the two examples of clause 3.1.
 
-use crate::settings::Example;
+use serde::{Deserialize, Serialize};
+
+/// Requirement class of ISO 16063-21, clause 3.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Example {
+    /// Laboratory conditions.
+    Example1,
+    /// Field conditions.
+    Example2,
+}
 
 /// Table 2: what the vibration generation equipment must fulfil.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,14 +2,11 @@
 
 use super::block::Block;
 use super::fold::{Energy, FoldSum, SQUARE_STRIDE};
-use super::mirror::Mirror;
+use super::mirror::{HARMONICS, Mirror, Spectrum};
 use super::sums::Sums;
 use crate::converter::{MID_SAMPLE, Width};
 use crate::tone::Tone;
 use num_complex::Complex32;
-
-/// Highest harmonic that is looked at.
-pub const HARMONICS: usize = 5;
 
 /// Estimates of one channel in one block, in the unit of its samples.
 ///
@@ -99,9 +96,6 @@ const MIDDLE: i64 = MID_SAMPLE as i64;
 /// of 1e15 places does. A spike in a fold of n places stands out by sqrt(n),
 /// at least 22 times.
 const SPIKE_FACTOR: f32 = 8.0;
-
-/// Complex amplitudes of harmonics 1 to 5.
-pub(super) type Spectrum = [Complex32; HARMONICS];
 
 /// Correlates a full fold.
 ///

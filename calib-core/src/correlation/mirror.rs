@@ -1,11 +1,16 @@
 //! A fold seen from its middle.
 
 use super::block::Block;
-use super::estimate::{HARMONICS, Spectrum};
 use super::fold::FoldSum;
 use super::sums::Sums;
 use crate::phase::PhaseWalk;
 use num_complex::Complex32;
+
+/// Highest harmonic that is looked at.
+pub(super) const HARMONICS: usize = 5;
+
+/// Complex amplitudes of harmonics 1 to 5.
+pub(super) type Spectrum = [Complex32; HARMONICS];
 
 /// A fold about its middle: places as far before it as behind it have the same cosines and opposite
 /// sines, so that two places cost the sines of one.

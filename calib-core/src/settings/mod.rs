@@ -9,13 +9,15 @@ mod validate;
 pub use point_influences::{AtPoint, PointInfluences};
 pub use validate::SettingsError;
 
+pub use crate::reference::{MAX_REFERENCE_POINTS, ReferenceCalibration, ReferencePoint};
+pub use crate::requirements::Example;
+
 use crate::channel_ratio::ChannelRatio;
+use crate::reference::ReferenceSensitivity;
 use heapless::{String, Vec};
+use num_complex::Complex32;
 use serde::{Deserialize, Serialize};
 
-/// Most frequencies a reference calibration table holds (0.4 Hz to 20 kHz in
-/// one-third octaves are 48).
-pub const MAX_REFERENCE_POINTS: usize = 48;
 /// Most influence quantities of a budget (Table A.1 has 18 rows).
 pub const MAX_INFLUENCES: usize = 20;
 
@@ -27,51 +29,6 @@ pub enum Method {
     Calibrator,
     /// S2 = S1 X2 / X1 against a reference transducer.
     Comparison,
-}
-
-/// Requirement class of ISO 16063-21, clause 3.1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub enum Example {
-    /// Laboratory conditions.
-    Example1,
-    /// Field conditions.
-    Example2,
-}
-
-/// One frequency of the reference's own calibration.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct ReferencePoint {
-    /// Frequency, Hz.
-    pub frequency_hz: f32,
-    /// Sensitivity of reference and conditioner, V/(m/s2).
-    pub sensitivity_v_per_ms2: f32,
-    /// Phase of that sensitivity, rad.
-    pub phase_rad: f32,
-    /// Relative expanded uncertainty (k = 2) of the magnitude.
-    pub expanded_uncertainty_rel: f32,
-    /// Expanded uncertainty (k = 2) of the phase, rad.
-    pub expanded_uncertainty_phase_rad: f32,
-}
-
-/// Calibration of the reference transducer with its conditioner.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct ReferenceCalibration {
-    /// Serial number of the reference.
-    #[cfg_attr(feature = "schema", schemars(with = "str"))]
-    pub serial: String<32>,
-    /// Certificate the table was taken from.
-    #[cfg_attr(feature = "schema", schemars(with = "str"))]
-    pub certificate: String<48>,
-    /// Day of the calibration, days since 1970-01-01; 0 = not stated.
-    pub calibrated_day: u32,
-    /// Day the next calibration is due, days since 1970-01-01; 0 = not stated.
-    pub due_day: u32,
-    /// Table in rising frequency.
-    #[cfg_attr(feature = "schema", schemars(with = "[ReferencePoint]"))]
-    pub points: Vec<ReferencePoint, MAX_REFERENCE_POINTS>,
 }
 
 /// One input: sample to volts at the conditioner's output.
@@ -226,6 +183,27 @@ impl Settings {
         self.reference == other.reference
             && self.reference_input == other.reference_input
             && self.channel_ratio == other.channel_ratio
+    }
+
+    /// Sensitivity of the device, V/(m/s2), of which `ratio` is the device's samples over the
+    /// reference's at `frequency_hz`.
+    ///
+    /// # Equation
+    /// `S = S1 (x2 v2)/(x1 v1) / R` with the samples x, the scales v of the inputs, the reference's
+    /// sensitivity S1 and the ratio R of the channels, 1 where it is not known.
+    ///
+    /// # Source
+    /// ISO 16063-21:2003, clause 6.
+    pub(crate) fn sensitivity(
+        &self,
+        ratio: Complex32,
+        reference: &ReferenceSensitivity,
+        frequency_hz: f32,
+    ) -> Complex32 {
+        let scale = self.dut_input.volt_per_code / self.reference_input.volt_per_code
+            * reference.sensitivity_v_per_ms2;
+        let reference = Complex32::from_polar(scale, reference.phase_rad);
+        ratio * reference / self.channel_ratio.taken_away(frequency_hz)
     }
 }
 
