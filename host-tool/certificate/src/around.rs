@@ -1,6 +1,7 @@
 //! The date of a run whose time nobody told: between the records around it, and never a wrong one.
 
 use super::model::{Certificate, Value};
+use super::particulars::Around;
 use super::present;
 use super::stored::unix_day;
 use super::words::Language;
@@ -10,15 +11,6 @@ use jiff::civil::Date;
 
 /// Clocks of two computers may differ by so much, and a run is dated by its begin: 2 minutes.
 const CLOCKS_DIFFER_S: u64 = 120;
-
-/// Times of the records of the same instrument that are next to one and have a time, s since 1970-01-01 UTC.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Around {
-    /// Of the last one with a lower running number.
-    pub before_unix_time_s: Option<u64>,
-    /// Of the first one with a higher running number.
-    pub behind_unix_time_s: Option<u64>,
-}
 
 impl Around {
     /// Two of the times, in the order of the running numbers, of which the second is earlier than the first: a

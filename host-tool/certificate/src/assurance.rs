@@ -1,6 +1,7 @@
 //! Check standards that speak against a certificate (ISO/IEC 17025, 7.7.1 and 7.10).
 
 use super::model::{Certificate, Remark, Severity, Value};
+use super::particulars::ReferenceCheck;
 use calib_files::{Error, Result};
 use jiff::civil::Date;
 
@@ -22,23 +23,6 @@ pub enum CheckProblem {
     Overdue(Date),
     /// It was not measured with this instrument before the calibration.
     Never,
-}
-
-/// A check of the reference on site.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ReferenceCheck {
-    /// Its day.
-    pub day: Date,
-    /// By turning it over in gravity; else by reciprocity.
-    pub by_gravity: bool,
-    /// Compared with a check after the reference's calibration; else with its certificate.
-    pub since_baseline: bool,
-    /// By how much the reference changed, or differs, relative.
-    pub change_rel: f64,
-    /// Expanded uncertainty of that, k = 2.
-    pub expanded_rel: f64,
-    /// It is more than 99 % of sound references show.
-    pub significant: bool,
 }
 
 impl ReferenceCheck {

@@ -1,25 +1,11 @@
 //! Until when a reference may be used: its due day, or later where a rule of the laboratory and a check by reciprocity
 //! say so (ISO/IEC 17025:2017, 6.4.7 and 7.7.1; ILAC-G24).
 
-use super::assurance::ReferenceCheck;
-use super::particulars::Particulars;
+use super::particulars::{IntervalRule, Particulars, ReferenceCheck};
 use super::stored::day;
 use calib_protocol::record::Record;
 use jiff::ToSpan;
 use jiff::civil::Date;
-use serde::Deserialize;
-
-/// The laboratory's rule: how a check by reciprocity extends the interval between calibrations of the reference.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct IntervalRule {
-    /// Days after the due day that the reference may still be used.
-    pub extend_days: u32,
-    /// Greatest age of the check on the day of the calibration, days.
-    pub checked_within_days: u32,
-    /// Greatest change since the baseline, its expanded uncertainty added, %.
-    pub largest_change_percent: f64,
-}
 
 /// Days a rule may state: beyond, it is no interval.
 const LONGEST_DAYS: u32 = 1826;

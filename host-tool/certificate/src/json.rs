@@ -9,9 +9,9 @@
 use super::from_record::closing_remark;
 use super::kind::{Output, SensorKind};
 use super::marks::Mark;
+use super::model::MountedResonance;
 use super::model::{self, Certificate, Point, Section, Severity};
 use super::particulars::Amendment;
-use super::resonance::MountedResonance;
 use super::rounding::Rounded;
 use super::verdict::Verdict;
 use super::words::Language;

@@ -98,23 +98,23 @@ mod uff;
 mod verdict;
 mod words;
 
-pub use around::{Around, minute};
-pub use assurance::{CheckProblem, FailedCheck, ReferenceCheck};
+pub use around::minute;
+pub use assurance::{CheckProblem, FailedCheck};
 pub use calib_files::file::Existing;
 pub use change::{
     certified_uncertainty_rel, expanded_uncertainty_of_change_rel, with_certified_uncertainty,
 };
 pub use html::page;
-pub use interval::IntervalRule;
 pub use json::{Document, said_of_closing};
 pub use kind::{OfSensor, Output, SensitivityUnit, SensorKind, Specified};
 pub use marks::Mark;
-pub use model::Certificate;
+pub use model::{Certificate, MountedResonance};
 pub use mountings::{MountingScatter, scatter as mounting_scatter};
-pub use particulars::{Adjustment, Amendment, Known, Particulars};
+pub use particulars::{
+    Adjustment, Amendment, Around, IntervalRule, Known, Particulars, ReferenceCheck,
+};
 pub use polarity::Polarity;
 pub use present::Presented;
-pub use resonance::MountedResonance;
 pub use retried::{complete, completes, without_result};
 pub use seal::Seal;
 pub use standing::digest;

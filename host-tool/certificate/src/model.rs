@@ -11,10 +11,7 @@
 use super::deviation::OfRatio;
 use super::kind::SensorKind;
 use super::particulars::Particulars;
-use super::present::remark_text;
-use super::resonance::MountedResonance;
 use super::rounding::{Rounded, round_uncertainty};
-use super::words::Language;
 use crate::decision::{Assessment, Band, Conformity, Decision, Stated};
 use calib_core::point::PointResult;
 use calib_output::PointView;
@@ -138,13 +135,6 @@ impl Certificate {
         ];
         let reasons = reasons.into_iter().filter(|(key, _)| used(key));
         reasons.filter_map(|(_, why)| why.as_deref()).collect()
-    }
-
-    /// A remark in words, by its key.
-    pub fn remark(&self, key: &str, language: Language) -> Option<String> {
-        let mut remarks = self.remarks.iter();
-        let remark = remarks.find(|remark| remark.key == key)?;
-        Some(remark_text(remark, language))
     }
 
     /// A statement by section and key.
@@ -377,4 +367,19 @@ pub enum Severity {
     Warning,
     /// For information.
     Note,
+}
+
+/// The mounted resonance of device and mount together, by the points of a record.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct MountedResonance {
+    /// As the sweep shows it, Hz; none where it does not.
+    pub frequency_hz: Option<f64>,
+    /// Its expanded uncertainty (k = 2), Hz.
+    pub expanded_uncertainty_hz: Option<f64>,
+    /// It is no lower than this, Hz; none where the points do not say.
+    pub at_least_hz: Option<f64>,
+    /// That of the data sheet, Hz; none where nobody stated it.
+    pub data_sheet_hz: Option<f64>,
+    /// Relative shift of it by torque, grease and face that U contains.
+    pub spread_rel: f64,
 }

@@ -20,10 +20,7 @@
 //! ```
 
 use super::words::Language;
-use crate::around::Around;
-use crate::assurance::ReferenceCheck;
 use crate::decision;
-use crate::interval::IntervalRule;
 use crate::kind::{SensorKind, Specified};
 use calib_files::{Error, Result, text};
 use jiff::civil::Date;
@@ -513,6 +510,44 @@ fn merge(into: &mut toml::Table, from: toml::Table) {
             }
         }
     }
+}
+
+/// Times of the records of the same instrument that are next to one and have a time, s since 1970-01-01 UTC.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Around {
+    /// Of the last one with a lower running number.
+    pub before_unix_time_s: Option<u64>,
+    /// Of the first one with a higher running number.
+    pub behind_unix_time_s: Option<u64>,
+}
+
+/// A check of the reference on site.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReferenceCheck {
+    /// Its day.
+    pub day: Date,
+    /// By turning it over in gravity; else by reciprocity.
+    pub by_gravity: bool,
+    /// Compared with a check after the reference's calibration; else with its certificate.
+    pub since_baseline: bool,
+    /// By how much the reference changed, or differs, relative.
+    pub change_rel: f64,
+    /// Expanded uncertainty of that, k = 2.
+    pub expanded_rel: f64,
+    /// It is more than 99 % of sound references show.
+    pub significant: bool,
+}
+
+/// The laboratory's rule: how a check by reciprocity extends the interval between calibrations of the reference.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct IntervalRule {
+    /// Days after the due day that the reference may still be used.
+    pub extend_days: u32,
+    /// Greatest age of the check on the day of the calibration, days.
+    pub checked_within_days: u32,
+    /// Greatest change since the baseline, its expanded uncertainty added, %.
+    pub largest_change_percent: f64,
 }
 
 #[cfg(test)]

@@ -15,14 +15,12 @@
 
 use super::budget::Basis;
 use super::deviation::OfRatio;
-use super::model::{Certificate, Entry, Remark, Severity, Value};
+use super::model::{Certificate, Entry, MountedResonance, Remark, Severity, Value};
 use super::particulars::Particulars;
 use calib_core::point::PointResult;
 use calib_core::settings::Settings;
 use calib_core::verdict::Verdict;
 use calib_protocol::record::Record;
-use schemars::JsonSchema;
-use serde::Serialize;
 
 /// Relative shift of a mounted resonance by another torque, grease or face, where nobody states one: makers draw one
 /// device at 31 kHz on a greased stud, at 28 to 29 kHz on a dry or insulated one and on wax.
@@ -44,21 +42,6 @@ const FEWEST: usize = 2;
 const MODEL_REL: f64 = 0.1;
 /// Frequency the setting of row 8 is stated for, Hz.
 const STATED_AT_HZ: f64 = 10.0e3;
-
-/// The mounted resonance of device and mount together, by the points of a record.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct MountedResonance {
-    /// As the sweep shows it, Hz; none where it does not.
-    pub frequency_hz: Option<f64>,
-    /// Its expanded uncertainty (k = 2), Hz.
-    pub expanded_uncertainty_hz: Option<f64>,
-    /// It is no lower than this, Hz; none where the points do not say.
-    pub at_least_hz: Option<f64>,
-    /// That of the data sheet, Hz; none where nobody stated it.
-    pub data_sheet_hz: Option<f64>,
-    /// Relative shift of it by torque, grease and face that U contains.
-    pub spread_rel: f64,
-}
 
 /// A point beside the reference point.
 struct Rise {

@@ -166,6 +166,15 @@ fn section(section: &Section, language: Language) -> PresentedSection {
     }
 }
 
+impl Certificate {
+    /// A remark in words, by its key.
+    pub fn remark(&self, key: &str, language: Language) -> Option<String> {
+        let mut remarks = self.remarks.iter();
+        let remark = remarks.find(|remark| remark.key == key)?;
+        Some(remark_text(remark, language))
+    }
+}
+
 /// A remark as a sentence.
 pub(super) fn remark_text(remark: &Remark, language: Language) -> String {
     let values: Vec<String> = remark.values.iter().map(|v| value(v, language)).collect();
