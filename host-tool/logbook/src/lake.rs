@@ -12,7 +12,7 @@
 //! be empty: files of before are read beside those of now.
 
 use super::Logbook;
-use super::lake_tables::{LAKE_TABLES, rows};
+use super::lake_tables::{LAKE_TABLES, Partition, escaped, rows};
 use super::parquet::{texts, write};
 use calib_files::{Error, Result, file};
 use rusqlite::params;
@@ -33,14 +33,6 @@ pub struct Addition {
 
 /// A record of the logbook: its number there and its sum.
 type Line = (i64, String);
-
-/// Where the records of an instrument and year are.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Partition {
-    pub(super) instrument: String,
-    /// UTC; 0 where the time is not known.
-    pub(super) year: i64,
-}
 
 /// Table whose files say what is there.
 const LAST: &str = "records";
@@ -92,27 +84,6 @@ impl Logbook {
             Ok(())
         })?;
         Ok(all)
-    }
-}
-
-impl Partition {
-    /// Its folder below that of a laboratory.
-    fn below(&self) -> PathBuf {
-        let instrument = format!("instrument={}", escaped(&self.instrument));
-        Path::new(&instrument).join(format!("year={}", self.year))
-    }
-}
-
-/// A value as Hive and Spark write it into a path, and every engine reads it back.
-fn escaped(value: &str) -> String {
-    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte);
-    let one = |byte: u8| match plain(byte) {
-        true => char::from(byte).to_string(),
-        false => format!("%{byte:02X}"),
-    };
-    match value {
-        "" => "__HIVE_DEFAULT_PARTITION__".to_owned(),
-        some => some.bytes().map(one).collect(),
     }
 }
 

@@ -1,7 +1,6 @@
 //! Tables of a lake: what each record is there, in rows.
 
 use super::Logbook;
-use super::lake::Partition;
 use super::records::Content;
 use super::table::{Part, Table};
 use calib_certificate::{Certificate, Particulars};
@@ -11,6 +10,7 @@ use rusqlite::params;
 use rusqlite::types::ValueRef;
 use serde_json::Value;
 use std::collections::HashSet;
+use std::path::{Path, PathBuf};
 
 /// `WHERE` of every question: instrument and year of a partition.
 const OF_PARTITION: &str = "records.instrument = ?1 AND iif(unix_time_s > 0,
@@ -209,6 +209,35 @@ impl Part {
                 Cell::Integer(value) => ValueRef::Integer(value),
             });
         }
+    }
+}
+
+/// Where the records of an instrument and year are.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Partition {
+    pub(super) instrument: String,
+    /// UTC; 0 where the time is not known.
+    pub(super) year: i64,
+}
+
+impl Partition {
+    /// Its folder below that of a laboratory.
+    pub(super) fn below(&self) -> PathBuf {
+        let instrument = format!("instrument={}", escaped(&self.instrument));
+        Path::new(&instrument).join(format!("year={}", self.year))
+    }
+}
+
+/// A value as Hive and Spark write it into a path, and every engine reads it back.
+pub(super) fn escaped(value: &str) -> String {
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte);
+    let one = |byte: u8| match plain(byte) {
+        true => char::from(byte).to_string(),
+        false => format!("%{byte:02X}"),
+    };
+    match value {
+        "" => "__HIVE_DEFAULT_PARTITION__".to_owned(),
+        some => some.bytes().map(one).collect(),
     }
 }
 

@@ -240,14 +240,6 @@ impl From<Error> for Failure {
     }
 }
 
-/// Whether writing failed because the reader has gone, which Windows tells in a way of its own too.
-pub(crate) fn nobody_reads(error: &std::io::Error) -> bool {
-    /// `ERROR_PIPE_NOT_CONNECTED`.
-    const NOT_CONNECTED: i32 = 233;
-    error.kind() == std::io::ErrorKind::BrokenPipe
-        || cfg!(windows) && error.raw_os_error() == Some(NOT_CONNECTED)
-}
-
 pub(crate) fn defect(error: serde_json::Error) -> Error {
     Error::input("result", error.to_string(), "report this as a defect")
 }

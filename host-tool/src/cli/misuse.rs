@@ -1,6 +1,7 @@
 //! Messages of the command-line reader: help, the version, or what is wrong.
 
-use super::context::{Failure, nobody_reads};
+use super::context::Failure;
+use super::sink::nobody_reads;
 use calib_output::json;
 use clap::error::{ContextKind, ContextValue};
 use std::io::Write;

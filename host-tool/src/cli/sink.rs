@@ -1,6 +1,5 @@
 //! Where what a verb says goes: to the streams of this process, or to the program that asked.
 
-use super::context::nobody_reads;
 use calib_host::{Error, Result};
 use std::io::Write;
 
@@ -59,4 +58,12 @@ impl Sink {
             }
         }
     }
+}
+
+/// Whether writing failed because the reader has gone, which Windows tells in a way of its own too.
+pub(crate) fn nobody_reads(error: &std::io::Error) -> bool {
+    /// `ERROR_PIPE_NOT_CONNECTED`.
+    const NOT_CONNECTED: i32 = 233;
+    error.kind() == std::io::ErrorKind::BrokenPipe
+        || cfg!(windows) && error.raw_os_error() == Some(NOT_CONNECTED)
 }

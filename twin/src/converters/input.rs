@@ -5,16 +5,10 @@ use std::f64::consts::TAU;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
+use super::shape::{CELL, CODES, MID_CODE, UNEQUAL_BITS};
 use super::{Quantity, Shape, Sheet};
 use crate::rig_port::Conversions;
 
-/// Codes of the whole range, and of half of it (0 V).
-const CODES: f64 = 65_536.0;
-pub(crate) const MID_CODE: f64 = CODES / 2.0;
-/// The largest bits, whose capacitors differ enough to show; the rest is within the bow.
-const UNEQUAL_BITS: u32 = 8;
-/// Codes of the smallest of them.
-pub(super) const CELL: usize = 65_536 >> UNEQUAL_BITS;
 /// Frequency of the reference's ripple, Hz: 1 kHz of a host whose clock is 30 ppm off.
 const RIPPLE_HZ: f64 = 1_000.03;
 

@@ -12,7 +12,8 @@ mod sheet;
 
 pub(crate) use dither::Dithering;
 pub(crate) use drive::DriveConverter;
-pub(crate) use input::{Input, InputConverter, MID_CODE, nearest_code, ripple};
+pub(crate) use input::{Input, InputConverter, nearest_code, ripple};
+pub(crate) use shape::MID_CODE;
 pub use shape::Shape;
 pub use sheet::{Basis, Entry, SHEET};
 pub(crate) use sheet::{Quantity, Sheet};
