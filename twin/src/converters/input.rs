@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha12Rng;
 
-use super::shape::{CELL, CODES, MID_CODE, UNEQUAL_BITS};
+use super::shape::{CELL, MID_CODE};
 use super::{Quantity, Shape, Sheet};
 use crate::rig_port::Conversions;
 

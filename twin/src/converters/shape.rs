@@ -10,10 +10,10 @@ use serde::{Deserialize, Serialize};
 use super::{Quantity, Sheet};
 
 /// Codes of the whole range, and of half of it (0 V).
-pub(super) const CODES: f64 = 65_536.0;
+const CODES: f64 = 65_536.0;
 pub(crate) const MID_CODE: f64 = CODES / 2.0;
 /// The largest bits, whose capacitors differ enough to show; the rest is within the bow.
-pub(super) const UNEQUAL_BITS: u32 = 8;
+const UNEQUAL_BITS: u32 = 8;
 /// Codes of the smallest of them.
 pub(super) const CELL: usize = 65_536 >> UNEQUAL_BITS;
 
