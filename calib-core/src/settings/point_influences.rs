@@ -39,7 +39,7 @@ pub struct PointInfluences {
     /// Largest transverse motion of the exciter to 1 kHz, relative to the intended one, as its maker or a measurement
     /// states it; 0: what Table 2 allows.
     pub transverse_motion_to_1_khz_rel: f32,
-    /// The same above 1 kHz, a rocking mode included.
+    /// Largest transverse motion of the exciter above 1 kHz, a rocking mode included, likewise.
     pub transverse_motion_above_1_khz_rel: f32,
 }
 
