@@ -1,4 +1,4 @@
-//! Changes of the prediction for which no exciter has to be computed: by effects that are linear
+//! Changes of the prediction for which no exciter has to be computed: by nuisances, by effects that are linear
 //! responses, and by effects that change no more than values of the exciter, row by row.
 //!
 //! Beside a bent exciter such a value moves the harmonics too. The slopes against the values of the

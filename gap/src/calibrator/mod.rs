@@ -4,8 +4,8 @@
 //! problem             whitened data by observable; nuisance: what a fit moves that is no effect
 //! evaluate            simulation and measurement compared, which gives an evaluation
 //! remainder, higher   harmonics above those that are reported: as noise, and where they would show
-//! linear              slopes at a fit; of nuisances and closed_form no row is computed anew;
-//!                     finite_difference: the others
+//! linear              slopes at a fit; closed_form: those for which no row is computed anew, of
+//!                     nuisances among them; finite_difference: the others
 //! fit, refine         a set of effects, and the estimator's model of it: its steps, within bounds
 //! candidate, screen   starts of effects, each with its predicted gain; scatter: of those that only
 //!                     scatter
