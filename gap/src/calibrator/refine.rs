@@ -224,7 +224,7 @@ pub(crate) fn moved(problem: &Problem, fit: &Fit, step: &DVector<f64>) -> Fit {
 }
 
 /// Takes parameters back into their bounds.
-pub(super) fn clamp(problem: &Problem, effects: &mut [Active<'static>]) {
+fn clamp(problem: &Problem, effects: &mut [Active<'static>]) {
     for active in effects {
         for index in 0..active.parameters.len() {
             let [lowest, highest] = bounds(problem, active, index);
@@ -246,7 +246,7 @@ fn bounds(problem: &Problem, active: &Active<'_>, index: usize) -> [f64; 2] {
 }
 
 /// Places, among all free values, of parameters at a bound that the data would move beyond it.
-pub(super) fn pressed(problem: &Problem, fit: &Fit, gradient: &DVector<f64>) -> Vec<usize> {
+fn pressed(problem: &Problem, fit: &Fit, gradient: &DVector<f64>) -> Vec<usize> {
     let effects = fit.effects.iter();
     let parameters = effects.flat_map(|e| (0..e.parameters.len()).map(move |index| (e, index)));
     let places = (problem.free.len()..).zip(parameters);
@@ -259,7 +259,7 @@ pub(super) fn pressed(problem: &Problem, fit: &Fit, gradient: &DVector<f64>) -> 
 }
 
 /// Direct search over the parameters of effects that act on scatter, which slopes do not see.
-pub(super) fn polish(problem: &Problem, fit: &mut Fit, round: usize, work: &mut Workspace) {
+fn polish(problem: &Problem, fit: &mut Fit, round: usize, work: &mut Workspace) {
     let mut size = 0.4_f64.powi(round as i32 + 1);
     for _ in 0..3 {
         for at in 0..fit.effects.len() {

@@ -190,7 +190,7 @@ fn order(wave: &Wave, turning: &[Complex64], n: usize) -> Complex64 {
 }
 
 /// Parts of the period, from and to in rad, where a wave is positive.
-pub(super) fn positive(wave: &Wave) -> Vec<(f64, f64)> {
+fn positive(wave: &Wave) -> Vec<(f64, f64)> {
     let crossings = crossings(wave);
     let Some(&(_, rises)) = crossings.first() else {
         let always = value(wave, 0.0).0 > 0.0;
