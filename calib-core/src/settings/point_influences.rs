@@ -46,6 +46,19 @@ pub struct PointInfluences {
 /// Quantities of [`PointInfluences`]; what the converters do counts for each channel.
 const AT_POINT: usize = 6;
 
+/// Name and largest value of each coefficient, in the order of [`PointInfluences::coefficients_mut`].
+const COEFFICIENTS: [(&str, f32); 9] = [
+    ("relative_motion_at_10_khz_rel", f32::MAX),
+    ("converter_step_v", f32::MAX),
+    ("transverse_sensitivity_rel", f32::MAX),
+    ("mounting_at_10_khz_rel", f32::MAX),
+    ("channel_delay_s", f32::MAX),
+    ("converter_nonlinearity_v", f32::MAX),
+    ("dither_peak_v", f32::MAX),
+    ("transverse_motion_to_1_khz_rel", 1.0),
+    ("transverse_motion_above_1_khz_rel", 1.0),
+];
+
 /// Two values equally likely, as far apart as they can be: the half-width is the standard deviation.
 const TWO_VALUES: Distribution = Distribution::Special { divisor: 1.0 };
 
@@ -225,19 +238,12 @@ impl PointInfluences {
         }
     }
 
-    /// Whether every coefficient is finite and not negative, and no exciter moves more across than along its axis.
-    pub(super) fn is_valid(mut self) -> bool {
-        let across = [
-            self.transverse_motion_to_1_khz_rel,
-            self.transverse_motion_above_1_khz_rel,
-        ];
-        if across.iter().any(|motion_rel| *motion_rel > 1.0) {
-            return false;
-        }
+    /// The first coefficient that is not finite, negative, or more transverse motion than there is along the axis.
+    pub(super) fn impossible(mut self) -> Option<&'static str> {
         let coefficients = self.coefficients_mut();
-        coefficients
-            .iter()
-            .all(|value| value.is_finite() && **value >= 0.0)
+        let mut named = coefficients.into_iter().zip(COEFFICIENTS);
+        let wrong = named.find(|(value, (_, most))| !(0.0..=*most).contains(*value));
+        wrong.map(|(_, (name, _))| name)
     }
 }
 
@@ -399,21 +405,18 @@ mod tests {
             }
             assert_ne!(both[0].label, both[1].label);
         }
-        let percent = PointInfluences {
-            transverse_motion_to_1_khz_rel: 10.0,
-            ..own
-        };
-        assert!(own.is_valid() && !percent.is_valid());
     }
 
     #[test]
-    fn a_coefficient_below_zero_or_not_finite_is_not_valid() {
-        for (coefficient, valid) in [(0.0, true), (0.1, true), (-0.1, false), (f32::NAN, false)] {
-            let influences = PointInfluences {
-                relative_motion_at_10_khz_rel: coefficient,
-                ..PointInfluences::NONE
-            };
-            assert_eq!(influences.is_valid(), valid, "{coefficient}");
+    fn the_first_impossible_coefficient_is_named() {
+        for (index, (name, most)) in COEFFICIENTS.into_iter().enumerate() {
+            let beyond = (most < f32::MAX).then_some(10.0);
+            for value in [-0.1, f32::NAN, f32::INFINITY].into_iter().chain(beyond) {
+                let mut influences = PointInfluences::NONE;
+                *influences.coefficients_mut()[index] = value;
+                assert_eq!(influences.impossible(), Some(name), "{value}");
+            }
         }
+        assert_eq!(PointInfluences::NONE.impossible(), None);
     }
 }

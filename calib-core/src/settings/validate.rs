@@ -27,8 +27,9 @@ pub enum SettingsError {
     /// Influence (from 0): row outside 1..=18, value negative or not finite,
     /// or a divisor that is not positive.
     Influence(u8),
-    /// A coefficient of an influence that differs from point to point is negative or not finite.
-    PointInfluences,
+    /// A coefficient of an influence that differs from point to point is negative, not finite, or a transverse
+    /// motion above 1; the name is that of the field.
+    PointInfluence(&'static str),
     /// Row of the ratio of the channels (from 0): a value is not finite, its frequency does not rise, or
     /// it is no ratio of equal channels: 0.9 to 1.1 and 10 degrees either way.
     ChannelRatio(u8),
@@ -68,9 +69,10 @@ impl fmt::Display for SettingsError {
                  positive",
                 nth(i)
             ),
-            Self::PointInfluences => f.write_str(
-                "point_influences: coefficients must be finite and not negative, transverse \
-                     motions at most 1",
+            Self::PointInfluence(name) => write!(
+                f,
+                "point_influences.{name} must be finite and not negative, a transverse motion at \
+                 most 1"
             ),
             Self::ChannelRatio(i) => write!(
                 f,
@@ -104,8 +106,8 @@ impl Settings {
             return Err(SettingsError::Blocks);
         }
         self.validate_influences()?;
-        if !self.point_influences.is_valid() {
-            return Err(SettingsError::PointInfluences);
+        if let Some(name) = self.point_influences.impossible() {
+            return Err(SettingsError::PointInfluence(name));
         }
         self.validate_channel_ratio()
     }

@@ -49,5 +49,11 @@ fn read(path: &Path) -> Result<InstrumentSettings> {
     let text = text::read(path)?;
     let hint = "`calib settings` prints a file of the right form; the factor of a special \
                 distribution in files of before is 1 / divisor";
-    Ok(text::parse_toml(path, &text, hint)?)
+    let settings: InstrumentSettings = text::parse_toml(path, &text, hint)?;
+    // The instrument refuses them too, but its answer does not say which.
+    settings.validate().map_err(|impossible| {
+        let hint = "nothing was changed; mend it, and write the file again";
+        Error::input(path.display().to_string(), impossible.to_string(), hint)
+    })?;
+    Ok(settings)
 }

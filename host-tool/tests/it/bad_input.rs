@@ -1,6 +1,7 @@
 //! Every verb refuses impossible input, with file, line and remedy.
 
 use crate::{tool, words};
+use calib_core::settings::Settings;
 use std::path::Path;
 
 const COMPONENT: &str = "[[component]]\nlabel = 'a'\nvalue = 0.3\ndistribution = 'normal'\nk = 2\n";
@@ -68,6 +69,51 @@ fn budgets() {
         ),
     ] {
         refused(&["budget"], &case);
+    }
+}
+
+/// The instrument says that a setting is impossible, not which: the tool says it before it connects.
+#[test]
+fn settings_are_named() {
+    let folder = tempfile::tempdir().expect("folder");
+    let coefficients = [
+        "relative_motion_at_10_khz_rel",
+        "converter_step_v",
+        "transverse_sensitivity_rel",
+        "mounting_at_10_khz_rel",
+        "channel_delay_s",
+        "converter_nonlinearity_v",
+        "dither_peak_v",
+        "transverse_motion_to_1_khz_rel",
+        "transverse_motion_above_1_khz_rel",
+    ];
+    for name in coefficients {
+        for value in ["-0.1", "nan"] {
+            let mut settings =
+                toml::Table::try_from(Settings::field_calibrator()).expect("a table");
+            let influences = settings["point_influences"]
+                .as_table_mut()
+                .expect("a table");
+            influences.insert(
+                name.to_owned(),
+                value.parse::<f64>().expect("number").into(),
+            );
+            std::fs::write(folder.path().join("mine.toml"), settings.to_string()).expect("written");
+            // Nobody listens there.
+            let arguments = [
+                "--device",
+                "tcp://127.0.0.1:9",
+                "settings",
+                "--write",
+                "mine.toml",
+            ];
+            let output = tool(folder.path()).args(arguments).output();
+            let output = output.expect("calib starts");
+            let message = String::from_utf8_lossy(&output.stderr);
+            let place = format!("error: mine.toml: point_influences.{name} must be finite");
+            assert!(message.starts_with(&place), "{message}");
+            assert_eq!(output.status.code(), Some(6), "{message}");
+        }
     }
 }
 
