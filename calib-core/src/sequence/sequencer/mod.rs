@@ -2,6 +2,7 @@
 
 mod gathered;
 mod listen;
+mod listening;
 mod result;
 
 use super::checks::judge;
@@ -22,7 +23,7 @@ use crate::tone::Tone;
 use crate::verdict::{Reason, Verdict};
 use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2, TAU};
 use gathered::Gathered;
-use listen::Listening;
+use listening::Listening;
 use num_complex::Complex32;
 
 /// Shortest measuring block, s: of a point that nothing disturbs, and of any other. The period of 31.5 Hz, three
@@ -193,7 +194,7 @@ pub struct Sequencer<'m> {
 impl<'m> Sequencer<'m> {
     /// A sequencer at rest.
     pub fn new(memory: &'m mut FoldMemory, sampling: Sampling, settings: Settings) -> Self {
-        let block = listen::block(&sampling);
+        let block = listening::block(sampling.sample_rate_hz);
         Self {
             correlator: Correlator::new(memory, sampling.input, block, 0),
             sampling,
