@@ -9,10 +9,9 @@
 //! of the reference changed, and said of the settings before what is the
 //! reference's alone.
 
+use crate::envelope::content_of;
 use crate::provenance::Provenance;
-use crate::record::{
-    RecordError, RecordHead, RecordKind, content_of, encode_change, tame_settings,
-};
+use crate::record::{RecordError, RecordHead, RecordKind, encode_change, tame_settings};
 use crate::text::tame;
 use calib_core::settings::{ReferenceChannel, Settings};
 use serde::Serialize;

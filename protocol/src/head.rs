@@ -1,18 +1,27 @@
-//! Head of every record, of any kind.
+//! Head of every record, of any kind, and the sum that the next one carries of it.
 
 use crate::text::{is_plain, tame};
 use heapless::String;
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 /// A SHA-256 sum (FIPS 180-4).
 pub type Sha256Sum = [u8; 32];
+
+/// SHA-256 of the bytes of a record, as [`crate::record::encode`] writes them.
+///
+/// Each record carries that of the one before: a record that was removed or
+/// altered breaks the chain at the next.
+pub fn digest(record: &[u8]) -> Sha256Sum {
+    Sha256::digest(record).into()
+}
 
 /// Number, place in the chain, instrument and labels of a record.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RecordHead {
     /// Running number of the instrument, from 1, never used twice.
     pub id: u32,
-    /// [`crate::record::digest`] of the record with the number before; zero for
+    /// [`digest`] of the record with the number before; zero for
     /// the first.
     pub previous_sha256: Sha256Sum,
     /// Serial number of the instrument.

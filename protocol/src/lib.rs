@@ -15,6 +15,7 @@ pub mod calibration;
 pub mod capture;
 pub mod change;
 pub mod clock;
+mod envelope;
 pub mod error;
 pub mod form1;
 pub mod frame;

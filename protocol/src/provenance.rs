@@ -4,8 +4,7 @@
 //! of those the last change of the reference's calibration left. Settings that were changed and changed back
 //! are the same.
 
-use crate::head::Sha256Sum;
-use crate::record::digest;
+use crate::head::{Sha256Sum, digest};
 use crate::settings_form::{InSections, LONGEST_SETTINGS};
 use calib_core::settings::Settings;
 use serde::{Deserialize, Serialize};

@@ -27,11 +27,12 @@
 
 pub use crate::calibration::{MAX_POINTS, Record};
 use crate::clock::ClockReading;
+pub use crate::envelope::check;
+use crate::envelope::{Content, content_of, open, seal};
 pub use crate::error::RecordError;
 use crate::form1;
-use crate::frame::CRC;
-pub use crate::head::{RecordHead, RunLabels, Sha256Sum};
-use crate::kind::{Form, kind_of};
+pub use crate::head::{RecordHead, RunLabels, Sha256Sum, digest};
+use crate::kind::Form;
 pub use crate::kind::{RECORD_VERSION, RecordKind};
 use crate::lists::tame_terms;
 use crate::provenance::Provenance;
@@ -47,7 +48,6 @@ use calib_core::settings::{ReferenceChannel, Settings};
 use core::ops::Range;
 use heapless::String;
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 const HEAD: u8 = 1;
 const SETTINGS: u8 = 2;
@@ -98,14 +98,6 @@ pub struct ChainLink {
     pub sha256: Sha256Sum,
 }
 
-/// SHA-256 of the bytes of a record, as [`encode`] writes them.
-///
-/// Each record carries that of the one before: a record that was removed or
-/// altered breaks the chain at the next.
-pub fn digest(record: &[u8]) -> Sha256Sum {
-    Sha256::digest(record).into()
-}
-
 /// Writes a record and returns its length in bytes.
 ///
 /// # Errors
@@ -150,45 +142,7 @@ fn origin(provenance: &Provenance) -> Optional<&Provenance> {
     section_unless(*provenance == Provenance::UNKNOWN, PROVENANCE, provenance)
 }
 
-/// Writes content between kind and checksum.
-fn seal(
-    kind: RecordKind,
-    content: &impl Serialize,
-    buffer: &mut [u8],
-) -> Result<usize, RecordError> {
-    let (version, rest) = buffer
-        .split_first_chunk_mut::<2>()
-        .ok_or(RecordError::Length)?;
-    *version = kind.mark().to_le_bytes();
-    let body = postcard::to_slice(content, rest).map_err(|_| RecordError::Length)?;
-    let end = 2 + body.len();
-    let checksum = CRC.checksum(buffer.get(..end).ok_or(RecordError::Length)?);
-    buffer
-        .get_mut(end..end + 4)
-        .ok_or(RecordError::Length)?
-        .copy_from_slice(&checksum.to_le_bytes());
-    Ok(end + 4)
-}
-
-/// Content between the first two bytes of a record and its checksum.
-#[derive(Clone, Copy)]
-pub(crate) struct Content<'a> {
-    pub(crate) kind: RecordKind,
-    form: Form,
-    bytes: &'a [u8],
-}
-
-impl<'a> Content<'a> {
-    /// The content whose first two bytes are `mark`; it may end early.
-    pub(crate) fn begun(beginning: &'a [u8]) -> Result<Self, RecordError> {
-        let (mark, bytes) = beginning
-            .split_first_chunk::<2>()
-            .ok_or(RecordError::Length)?;
-        let found = u16::from_le_bytes(*mark);
-        let (kind, form) = kind_of(found).ok_or(RecordError::Version { found })?;
-        Ok(Self { kind, form, bytes })
-    }
-
+impl Content<'_> {
     /// The head, which comes first.
     pub(crate) fn head(self) -> Result<RecordHead, RecordError> {
         match self.form {
@@ -272,43 +226,6 @@ impl<'a> Content<'a> {
     }
 }
 
-/// Checks length, checksum and version, in this order.
-fn open(bytes: &[u8]) -> Result<Content<'_>, RecordError> {
-    let (content, checksum) = bytes.split_last_chunk::<4>().ok_or(RecordError::Length)?;
-    if content.len() < 2 {
-        return Err(RecordError::Length);
-    }
-    if CRC.checksum(content) != u32::from_le_bytes(*checksum) {
-        return Err(RecordError::Checksum);
-    }
-    Content::begun(content)
-}
-
-/// Whether the bytes are a record: length, checksum and version, in this order.
-///
-/// # Errors
-/// See [`RecordError`]; `Checksum` before `Version`, because a damaged version
-/// number is damage and no version.
-pub fn check(bytes: &[u8]) -> Result<(), RecordError> {
-    open(bytes).map(drop)
-}
-
-/// Sections of a record of any kind; none of one that was made before there were any.
-pub(crate) fn sections_of(bytes: &[u8]) -> Result<Option<&[u8]>, RecordError> {
-    let content = open(bytes)?;
-    Ok((content.form == Form::Sections).then_some(content.bytes))
-}
-
-/// Content of a record of this kind.
-pub(crate) fn content_of(kind: RecordKind, bytes: &[u8]) -> Result<Content<'_>, RecordError> {
-    match open(bytes)? {
-        content if content.kind == kind => Ok(content),
-        content => Err(RecordError::Kind {
-            found: content.kind,
-        }),
-    }
-}
-
 /// Where a record of any kind stands in the chain.
 ///
 /// # Errors
@@ -384,6 +301,7 @@ pub fn decode(bytes: &[u8]) -> Result<Record, RecordError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::frame::CRC;
     use crate::update::ImageSigner;
     use calib_core::closing::Change;
     use calib_core::point::PointResult;

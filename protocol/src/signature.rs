@@ -4,10 +4,10 @@
 //! beginning, so that the signature is good for nothing else, and the SHA-256 of every byte before the section.
 //! Bytes alone are laid out here; keys and curves belong to the firmware and to hosts.
 
+use crate::envelope::sections_of;
 use crate::error::RecordError;
 use crate::frame::CRC;
-use crate::head::Sha256Sum;
-use crate::record::{digest, sections_of};
+use crate::head::{Sha256Sum, digest};
 use crate::sections::{Fields, find, section};
 use serde::{Deserialize, Serialize};
 

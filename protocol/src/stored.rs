@@ -9,8 +9,9 @@
 //! | head | [`StoredHead`], postcard |
 //! | body | the bytes of the record, with or without its settings |
 
+use crate::envelope::Content;
 use crate::frame::CRC;
-use crate::record::{self, Content, RecordSummary, Sha256Sum};
+use crate::record::{self, RecordSummary, Sha256Sum};
 use calib_core::settings::Settings;
 use core::ops::Range;
 use postcard::take_from_bytes;
