@@ -12,8 +12,6 @@ use rigless::device::RegisterFile;
 use rigless::soc::stm32h743::generated::flash::{Register, ecc_fa2r, sr1, sr2};
 use serde::{Deserialize, Serialize};
 
-use super::flash::{WORD_BYTES, bank_of, bank_range};
-
 /// Result of reading a word whose check bits do not fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum Met {
@@ -78,12 +76,8 @@ impl CheckBits {
     }
 }
 
-/// The interface shows that `word` was read and its check bits did not fit.
-pub(super) fn latch(word: u64, met: Met, registers: &mut RegisterFile) {
-    let Some(bank) = bank_of(word) else {
-        return;
-    };
-    let nth_word = (word - bank_range(bank).start) / WORD_BYTES as u64;
+/// The interface shows that the `nth_word` of a bank was read and its check bits did not fit.
+pub(super) fn latch(bank: usize, nth_word: u64, met: Met, registers: &mut RegisterFile) {
     let (status, [corrected, poisoned], failing) = match bank {
         0 => (
             Register::Sr1,

@@ -16,13 +16,6 @@ use super::pins::SUPPLY_MV;
 /// SYSCLK of the shipping firmware, which drives SysTick alone (480 MHz, VOS0).
 const CLOCK_HZ: NonZeroU64 = NonZeroU64::new(480_000_000).expect("not zero");
 
-/// Instructions per second of virtual time.
-///
-/// The emulator gives every instruction the same time and knows neither caches, wait states nor dual
-/// issue. 250 million is about half an instruction per clock of the real core, so a deadline met here
-/// is met on the hardware unless a path is bound by memory. [`instructions_per_s`] has others.
-pub const INSTRUCTIONS_PER_S: u64 = 250_000_000;
-
 /// Instructions per second of a core that takes so many cycles for each: 3 is one that runs from flash
 /// with wait states and without a cache.
 #[must_use]

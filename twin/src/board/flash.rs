@@ -60,6 +60,11 @@ pub(super) fn bank_range(bank: usize) -> std::ops::Range<u64> {
     [CODE_FLASH..RECORD_FLASH, RECORD_FLASH..FLASH_END][bank].clone()
 }
 
+/// The number of a word in its bank.
+pub(super) fn nth_word(bank: usize, address: u64) -> u64 {
+    (address - bank_range(bank).start) / WORD_BYTES as u64
+}
+
 /// The flash word around an address.
 pub(super) fn word_of(address: u64) -> u64 {
     address & !(WORD_BYTES as u64 - 1)

@@ -1,4 +1,4 @@
-//! Flaws of the converters of a part, and the way from DAC to ADC2 in a sound one.
+//! Flaws of the converters of a part, what else is broken in it for good, and the way from DAC to ADC2 in a sound one.
 //!
 //! Flaws outlive a reset, as silicon does. Those of the DAC show on its pin and on the chip alike, but
 //! for its noise, which only the way on the chip has: on the pin the rig's output stage has its own.
@@ -123,6 +123,61 @@ fn even(now_ns: u64, salt: u64) -> f64 {
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     bits ^= bits >> 31;
     (bits >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+/// Faults that outlive a reset and a power cycle, until they are mended. A shared handle.
+#[derive(Debug, Clone, Default)]
+pub struct Lasting(Arc<Mutex<Broken>>);
+
+/// Faults in force.
+#[derive(Debug, Clone, Copy, Default)]
+struct Broken {
+    converters: [bool; 2],
+    clock: bool,
+    flash: bool,
+}
+
+impl Lasting {
+    fn lock(&self) -> MutexGuard<'_, Broken> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Whether ADC1 (0) or ADC2 (1) answers.
+    pub(super) fn converter_answers(&self, nth: usize) -> bool {
+        self.lock().converters.get(nth) != Some(&true)
+    }
+
+    /// Whether there is a clock at OSC_IN.
+    pub(super) fn is_clocked(&self) -> bool {
+        !self.lock().clock
+    }
+
+    /// Whether bank 2 is write-protected.
+    pub(super) fn flash_is_protected(&self) -> bool {
+        self.lock().flash
+    }
+
+    /// ADC1 (0) or ADC2 (1) answers no more.
+    pub(super) fn kill_converter(&self, nth: usize) {
+        if let Some(dead) = self.lock().converters.get_mut(nth) {
+            *dead = true;
+        }
+    }
+
+    /// There is no clock at OSC_IN any more.
+    pub(super) fn stop_clock(&self) {
+        self.lock().clock = true;
+    }
+
+    /// Bank 2 is write-protected.
+    pub(super) fn protect_flash(&self) {
+        self.lock().flash = true;
+    }
+
+    /// Mends all faults of the part.
+    pub(crate) fn mend(&self) {
+        *self.lock() = Broken::default();
+    }
 }
 
 #[cfg(test)]

@@ -4,11 +4,11 @@
 //! a resistor to the rail or to ground, which moves the pin against the source in front of it; in
 //! analogue mode both resistors are off (RM0433 Rev 9, section 11.3.12).
 
+use rigless::soc::Bus;
 use rigless::soc::stm32h743::generated::gpioa;
 use serde::{Deserialize, Serialize};
 
-use super::part::Part;
-use super::schematic::Pin;
+use super::schematic::{Pin, Schematic};
 
 /// Source in front of an input pin, ohm: the series resistor of docs/hardware.md.
 const SOURCE_OHM: f64 = 1_000.0;
@@ -47,41 +47,43 @@ impl Pull {
     }
 }
 
-impl Part {
-    /// Pulls of the port on the pins of reference and device under test.
-    pub(super) fn input_pulls(&self) -> [Pull; 2] {
-        self.schematic().inputs.map(|pin| self.pull(pin))
-    }
+/// Pulls of the port on the pins of reference and device under test.
+pub(super) fn pulls(bus: &Bus, schematic: &Schematic) -> [Pull; 2] {
+    schematic.inputs.map(|pin| pull(bus, pin))
+}
 
-    /// Whether the port connects the dither's pin to TIM3.
-    pub(super) fn dither_is_connected(&self) -> bool {
-        let Some(pin) = self.schematic().dither else {
-            return false;
-        };
-        let instance = pin.instance();
-        let mode = self.register(gpioa::Register::Moder, &instance) >> (2 * pin.number) & 0b11;
-        let functions = match pin.number {
-            0..8 => gpioa::Register::Afrl,
-            _ => gpioa::Register::Afrh,
-        };
-        let function = self.register(functions, &instance) >> (4 * (pin.number % 8)) & 0xF;
-        mode == ALTERNATE && function == TIM3
-    }
+/// Whether the port connects the dither's pin to TIM3.
+pub(super) fn dither_is_connected(bus: &Bus, schematic: &Schematic) -> bool {
+    let Some(pin) = schematic.dither else {
+        return false;
+    };
+    let functions = match pin.number {
+        0..8 => gpioa::Register::Afrl,
+        _ => gpioa::Register::Afrh,
+    };
+    let function = port(bus, pin, functions) >> (4 * (pin.number % 8)) & 0xF;
+    mode(bus, pin) == ALTERNATE && function == TIM3
+}
 
-    fn pull(&self, pin: Pin) -> Pull {
-        let instance = pin.instance();
-        let field = |register| {
-            self.register::<gpioa::Register>(register, &instance) >> (2 * pin.number) & 0b11
-        };
-        if field(gpioa::Register::Moder) != INPUT {
-            return Pull::None;
-        }
-        match field(gpioa::Register::Pupdr) {
-            UP => Pull::Up,
-            DOWN => Pull::Down,
-            _ => Pull::None,
-        }
+fn pull(bus: &Bus, pin: Pin) -> Pull {
+    if mode(bus, pin) != INPUT {
+        return Pull::None;
     }
+    match port(bus, pin, gpioa::Register::Pupdr) >> (2 * pin.number) & 0b11 {
+        UP => Pull::Up,
+        DOWN => Pull::Down,
+        _ => Pull::None,
+    }
+}
+
+fn mode(bus: &Bus, pin: Pin) -> u64 {
+    port(bus, pin, gpioa::Register::Moder) >> (2 * pin.number) & 0b11
+}
+
+/// A register of the port a pin is of.
+fn port(bus: &Bus, pin: Pin, register: gpioa::Register) -> u64 {
+    let registers = bus.registers(&pin.instance());
+    registers.map_or(0, |registers| registers.get(register))
 }
 
 #[cfg(test)]

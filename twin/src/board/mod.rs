@@ -62,7 +62,7 @@ use rigless::mcu::Mcu;
 
 pub use analog::Analog;
 pub(crate) use check_bits::CheckBits;
-pub use cortex_m7::{INSTRUCTIONS_PER_S, instructions_per_s};
+pub use cortex_m7::instructions_per_s;
 pub use flash::{
     CODE_FLASH, CutOff, FlashWatch, Operation, RECORD_FLASH, SECTOR_BYTES, SECTORS, WORD_BYTES,
     torn_sector, torn_word,
@@ -71,7 +71,7 @@ pub use flaws::{Flaw, Flawed};
 pub use front_panel::Leds;
 pub use part::Part;
 pub use part_faults::PartFault;
-pub use pins::Pins;
+pub use pins::{INSTRUCTIONS_PER_S, Pins};
 pub use schematic::{Schematic, SchematicError};
 pub use serial_line::SerialLine;
 pub use write_buffer::WriteBuffer;

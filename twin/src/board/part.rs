@@ -12,7 +12,7 @@ use rigless::emulator::{Checked, Memory};
 use rigless::mcu::{Mcu, Operate};
 use rigless::soc::stm32h743::Stm32h743;
 use rigless::soc::stm32h743::generated::pwr::csr1;
-use rigless::soc::stm32h743::generated::{EXTI, dbgmcu, exti, pwr, rcc, rtc};
+use rigless::soc::stm32h743::generated::{EXTI, dbgmcu, exti, flash, pwr, rcc, rtc};
 use rigless::soc::stm32h743::peripherals::dbg::KEPT_BY_A_SYSTEM_RESET;
 use rigless::soc::stm32h743::peripherals::flash::OptionBytes;
 use rigless::soc::{Bus, Error, Layout, Width};
@@ -23,12 +23,12 @@ use super::check_bits::{self, Met};
 use super::dac::Dac;
 use super::dma1::Dma1;
 use super::dmamux::Dmamux;
-use super::flash::{CutOff, FlashWatch, SET_UP, WatchedFlash};
-use super::flaws::Flaws;
+use super::flash::{CutOff, FlashWatch, SET_UP, WatchedFlash, bank_of, nth_word};
+use super::flaws::{Flaws, Lasting};
+use super::input_pin;
 use super::iwdg::Iwdg;
 use super::memory_map;
 use super::overdrive::WatchedSyscfg;
-use super::part_faults::Lasting;
 use super::pins::{Pins, SUPPLY_MV};
 use super::request_lines::RequestLines;
 use super::schematic::{Pin, Schematic};
@@ -226,12 +226,9 @@ impl Part {
 
     /// The flash interface shows what was read, and that its check bits did not fit.
     fn latch(&mut self, word: u64, met: Met) {
-        if let Some(slot) = self.base.bus().slot_of("Flash") {
-            check_bits::latch(
-                word,
-                met,
-                self.base.bus_mut().slot_mut(slot).registers_mut(),
-            );
+        if let (Some(bank), Some(slot)) = (bank_of(word), self.base.bus().slot_of("Flash")) {
+            let registers = self.base.bus_mut().slot_mut(slot).registers_mut();
+            check_bits::latch(bank, nth_word(bank, word), met, registers);
         }
     }
 
@@ -268,6 +265,16 @@ impl Part {
     /// The board around the part.
     pub(super) fn schematic(&self) -> &Schematic {
         &self.pins.schematic
+    }
+
+    /// Has what is broken show in a part that was just made, or broke just now. Converters look for
+    /// themselves, and whether there is a clock decides how a part is made.
+    pub(super) fn suffer(&mut self) {
+        let protected = match self.pins.faults.flash_is_protected() {
+            true => 0,
+            false => OptionBytes::FACTORY.word(flash::Register::WpsnCur2r),
+        };
+        self.set_register(flash::Register::WpsnCur2r, "Flash", protected);
     }
 
     /// Faults of the part.
@@ -311,8 +318,9 @@ impl Part {
 
     fn trigger_converters(&mut self, at: VirtualNanos) {
         if std::mem::take(&mut self.ports_used) {
-            self.common.set_pulls(self.input_pulls());
-            let connected = self.dither_is_connected();
+            let (bus, schematic) = (self.base.bus(), &self.pins.schematic);
+            let connected = input_pin::dither_is_connected(bus, schematic);
+            self.common.set_pulls(input_pin::pulls(bus, schematic));
             self.pins.analog.connect_dither(connected, at);
         }
         if let Some(wave) = self.tim3.take_change() {

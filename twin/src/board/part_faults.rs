@@ -2,12 +2,10 @@
 //!
 //! Nothing here is known to the firmware: each is what the silicon would show.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-
 use rigless::mcu::{Mcu, Operate};
 use rigless::soc::Width;
 use rigless::soc::stm32h743::Stm32h743;
-use rigless::soc::stm32h743::generated::{DMA1, flash};
+use rigless::soc::stm32h743::generated::DMA1;
 use rigless::soc::stm32h743::peripherals::flash::OptionBytes;
 use rigless::time::VirtualNanos;
 
@@ -93,39 +91,6 @@ pub enum PartFault {
     },
 }
 
-/// Faults that outlive a reset and a power cycle, until they are mended. A shared handle.
-#[derive(Debug, Clone, Default)]
-pub struct Lasting(Arc<Mutex<Broken>>);
-
-/// Faults in force.
-#[derive(Debug, Clone, Copy, Default)]
-struct Broken {
-    converters: [bool; 2],
-    clock: bool,
-    flash: bool,
-}
-
-impl Lasting {
-    fn lock(&self) -> MutexGuard<'_, Broken> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Whether ADC1 (0) or ADC2 (1) answers.
-    pub(super) fn converter_answers(&self, nth: usize) -> bool {
-        self.lock().converters.get(nth) != Some(&true)
-    }
-
-    /// Whether there is a clock at OSC_IN.
-    pub(super) fn is_clocked(&self) -> bool {
-        !self.lock().clock
-    }
-
-    /// Mends all faults of the part.
-    pub(crate) fn mend(&self) {
-        *self.lock() = Broken::default();
-    }
-}
-
 impl Part {
     /// Lets `fault` happen at `at`.
     pub(crate) fn fail(&mut self, at: VirtualNanos, fault: PartFault) {
@@ -136,13 +101,9 @@ impl Part {
             PartFault::ClockLost => self.lose_clock(at),
             PartFault::SlaveShifted => self.converters().give_slave_erratum(),
             PartFault::StartsShifted { starts } => self.converters().spoil_starts(starts),
-            PartFault::ConverterDead { nth } => {
-                if let Some(dead) = self.faults().lock().converters.get_mut(usize::from(nth)) {
-                    *dead = true;
-                }
-            }
-            PartFault::NoClock => self.faults().lock().clock = true,
-            PartFault::FlashProtected => self.faults().lock().flash = true,
+            PartFault::ConverterDead { nth } => self.faults().kill_converter(usize::from(nth)),
+            PartFault::NoClock => self.faults().stop_clock(),
+            PartFault::FlashProtected => self.faults().protect_flash(),
             PartFault::OptionBytes { status } => self.set_options(OptionBytes {
                 optsr: u64::from(status),
                 ..self.options()
@@ -161,17 +122,6 @@ impl Part {
         self.faults().mend();
         self.set_options(SET_UP);
         self.suffer();
-    }
-
-    /// Has what is broken show in a part that was just made, or broke just now. Converters look for
-    /// themselves, and whether there is a clock decides how a part is made.
-    pub(super) fn suffer(&mut self) {
-        let broken = *self.faults().lock();
-        let protected = match broken.flash {
-            true => 0,
-            false => OptionBytes::FACTORY.word(flash::Register::WpsnCur2r),
-        };
-        self.set_register(flash::Register::WpsnCur2r, "Flash", protected);
     }
 
     /// Stops a stream; with another memory address it goes on from there.

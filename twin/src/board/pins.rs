@@ -4,8 +4,7 @@ use std::sync::Arc;
 
 use super::analog::Analog;
 use super::flash::FlashWatch;
-use super::flaws::Flaws;
-use super::part_faults::Lasting;
+use super::flaws::{Flaws, Lasting};
 use super::schematic::Schematic;
 use super::serial_line::SerialLine;
 use super::usb::UsbPort;
@@ -14,6 +13,13 @@ use crate::rig_port::RigPort;
 
 /// Rail of the part, and of its converters.
 pub(super) const SUPPLY_MV: u32 = 3300;
+
+/// Instructions per second of virtual time.
+///
+/// The emulator gives every instruction the same time and knows neither caches, wait states nor dual
+/// issue. 250 million is about half an instruction per clock of the real core, so a deadline met here
+/// is met on the hardware unless a path is bound by memory. [`instructions_per_s`](super::instructions_per_s) has others.
+pub const INSTRUCTIONS_PER_S: u64 = 250_000_000;
 
 /// Devices connected to the board, each a handle that others may hold too.
 #[derive(Debug, Clone)]
@@ -50,7 +56,7 @@ impl Pins {
             flash: FlashWatch::default(),
             usb: UsbPort::default(),
             write_buffer: WriteBuffer::default(),
-            instructions_per_s: super::INSTRUCTIONS_PER_S,
+            instructions_per_s: INSTRUCTIONS_PER_S,
             faults: Lasting::default(),
         }
     }

@@ -6,7 +6,7 @@ use rigless::soc::stm32h743::peripherals::adc::LDORDY;
 use rigless::time::{EventId, VirtualNanos};
 
 use super::{SharedPair, State};
-use crate::board::part_faults::Lasting;
+use crate::board::flaws::Lasting;
 
 /// Start-up of the regulator (DS12110 Rev 10, table 95, typical).
 const REGULATOR_NS: u64 = 5_000;
