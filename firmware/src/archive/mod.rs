@@ -35,6 +35,7 @@ mod tests;
 
 pub use layout::{MAX_ITEM, SECTORS};
 pub use located::LastAccess;
+pub use sector::CheckedFlash;
 pub use state::State;
 
 use crate::device_key::DeviceKey;
@@ -132,14 +133,6 @@ impl<E> From<sequential_storage::Error<E>> for ArchiveError {
             _ => Self::Flash,
         }
     }
-}
-
-/// Flash whose words carry check bits, read in a way that survives where they do not fit.
-pub trait CheckedFlash: NorFlash {
-    /// Whether a read failed because the check bits of a word do not fit, and for no other reason:
-    /// its programming or the erase of its sector was cut. Nothing but an erase changes that, and a
-    /// word like this must not be programmed.
-    fn is_poisoned(error: &Self::Error) -> bool;
 }
 
 type PageCache = Cache<ArrayPageStates<SECTORS>, ArrayPagePointers<SECTORS>, Uncached>;

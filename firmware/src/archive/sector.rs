@@ -25,7 +25,7 @@
 //! looks like the head of an item longer than any is none ([`Marked::read`]).
 
 use super::layout::MAX_ITEM;
-use super::{CheckedFlash, LastAccess};
+use super::located::LastAccess;
 use core::ops::Range;
 use embassy_futures::yield_now;
 use embedded_storage_async::nor_flash::{ErrorType, NorFlash, ReadNorFlash};
@@ -38,6 +38,14 @@ const MAX_WORD: usize = 32;
 /// was to hold there, which one byte in the last word easily is: [`LastAccess`] tells.
 const POISON: u8 = 0xD5;
 const _: () = assert!(u16::from_le_bytes([POISON; 2]) as usize > MAX_ITEM);
+
+/// Flash whose words carry check bits, read in a way that survives where they do not fit.
+pub trait CheckedFlash: NorFlash {
+    /// Whether a read failed because the check bits of a word do not fit, and for no other reason:
+    /// its programming or the erase of its sector was cut. Nothing but an erase changes that, and a
+    /// word like this must not be programmed.
+    fn is_poisoned(error: &Self::Error) -> bool;
+}
 
 /// `F` with marks that are never torn.
 pub(super) struct Marked<'l, F>(pub(super) F, pub(super) &'l LastAccess);

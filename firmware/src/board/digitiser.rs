@@ -15,16 +15,12 @@
 //! [`Digitiser::common_signal`].
 
 use super::axi_sram::axi_static;
-use super::clocks::TIMER_HZ;
 use super::common_signal::CommonSignal;
 use super::converter::{NotReady, calibrate, enable};
-use super::description::Silicon;
 use super::dither::Dither;
-use super::exciter;
-use super::sample_clock::SAMPLE_RATE_HZ;
-use super::selected::{CLOCKS, CONVERTERS, Irqs};
+use super::sample_clock::{ADC_CLOCK_HZ, CONVERSIONS};
+use super::selected::{CONVERTERS, Irqs};
 use super::wiring::DigitiserParts;
-use calib_core::aperture::Aperture;
 use core::sync::atomic::{AtomicU32, Ordering};
 use defmt::Format;
 use embassy_stm32::dma::{self, ReadableRingBuffer, TransferOptions};
@@ -39,8 +35,6 @@ use embassy_time::{Duration, Timer};
 /// Sample pairs handed over at once: 10 ms, half of the DMA ring.
 pub(crate) const BLOCK_PAIRS: usize = 500;
 
-/// Clock of the pair, before revision V halves it.
-const CLOCK_HZ: u32 = CLOCKS.bus_hz() / 4;
 /// Resolution of both.
 const RESOLUTION: vals::Res = match CONVERTERS.input.bits() {
     16 => vals::Res::BITS16,
@@ -50,35 +44,8 @@ const RESOLUTION: vals::Res = match CONVERTERS.input.bits() {
     8 => vals::Res::BITS8,
     _ => panic!("the part's converters have 8, 10, 12, 14 or 16 bits"),
 };
-/// Conversions at each trigger, whose sum the part hands over as 16 bits: a
-/// third of one conversion's noise, 1.9 % less of 10 kHz, and a period of the
-/// dither. Both converters must be set alike (25.4.30).
-const CONVERSIONS: u16 = 8;
 /// Places the sum of [`CONVERSIONS`] has more than one of them.
 const SUM_PLACES: u8 = CONVERSIONS.trailing_zeros() as u8;
-/// Clock of the conversions (revision V halves it), and twice the cycles of each:
-/// 32.5 of sampling, and a half and half a cycle a bit (25.4.17).
-const CONVERSION_HZ: u32 = match CLOCKS.silicon {
-    Silicon::Y => CLOCK_HZ,
-    Silicon::V => CLOCK_HZ / 2,
-};
-const HALF_CYCLES: u32 = 65 + 1 + CONVERTERS.input.bits() as u32;
-/// Conversions of which a sample is the mean.
-pub(crate) const APERTURE: Aperture = Aperture {
-    conversions: CONVERSIONS,
-    apart_s: HALF_CYCLES as f32 / (2 * CONVERSION_HZ) as f32,
-};
-
-/// Ticks of the timers in which the conversions of a trigger are done.
-pub(super) const TRIGGER_TICKS: u32 =
-    CONVERSIONS as u32 * HALF_CYCLES * (TIMER_HZ / CONVERSION_HZ) / 2;
-
-const _: () = assert!(TIMER_HZ.is_multiple_of(CONVERSION_HZ));
-const _: () = assert!(
-    CONVERSIONS as u32 * HALF_CYCLES * (SAMPLE_RATE_HZ / 1000) < 9 * 2 * CONVERSION_HZ / 10_000,
-    "the conversions of a trigger must end well before the next"
-);
-
 /// `tim6_trgo` among the triggers of a regular group (RM0433 Rev 8, table 209).
 const TRIGGER_TIM6: u8 = 13;
 
@@ -112,15 +79,21 @@ pub(crate) struct Digitiser {
     common_signal: CommonSignal,
     /// Channel of the device under test.
     dut_channel: u8,
+    /// Channel of ADC2 on which it hears the drive on the chip.
+    drive_channel: u8,
     _dither: Dither,
 }
 
 impl Digitiser {
-    /// Calibrates and arms both converters; samples come with the clock.
+    /// Calibrates and arms both converters; samples come with the clock. `drive_channel` is that of ADC2 on which
+    /// it hears the drive on the chip.
     ///
     /// # Errors
     /// [`DigitiserFault::NotReady`] when a converter does not answer.
-    pub(crate) async fn new(parts: DigitiserParts) -> Result<Self, DigitiserFault> {
+    pub(crate) async fn new(
+        parts: DigitiserParts,
+        drive_channel: u8,
+    ) -> Result<Self, DigitiserFault> {
         rcc::enable_and_reset::<peripherals::ADC1>();
         pac::ADC12_COMMON.ccr().modify(|w| {
             // Synchronous to the timer's clock, so the aperture does not jitter
@@ -134,7 +107,7 @@ impl Digitiser {
             (pac::ADC2, parts.dut.channel.get_hw_channel()),
         ];
         for (adc, channel) in channels {
-            calibrate(adc, CLOCK_HZ).await?;
+            calibrate(adc, ADC_CLOCK_HZ).await?;
             enable(adc).await?;
             select(adc, channel);
         }
@@ -159,6 +132,7 @@ impl Digitiser {
             ring,
             common_signal,
             dut_channel: channels[1].1,
+            drive_channel,
             _dither: Dither::start(parts.dither),
         })
     }
@@ -205,7 +179,7 @@ impl Digitiser {
     pub(crate) fn hear_drive(&mut self, on: bool) {
         self.stop();
         let channel = if on {
-            exciter::ADC2_CHANNEL
+            self.drive_channel
         } else {
             self.dut_channel
         };

@@ -5,8 +5,7 @@
 //! it; from trigger to trigger they are others ([why](../../../docs/hardware.md#dither)).
 
 use super::clocks::TIMER_HZ;
-use super::digitiser::TRIGGER_TICKS;
-use super::sample_clock::SAMPLE_RATE_HZ;
+use super::sample_clock::{SAMPLE_RATE_HZ, TRIGGER_TICKS};
 use super::wiring::DitherParts;
 use embassy_stm32::pac::{self, timer::vals::OcmGp};
 use embassy_stm32::{peripherals, rcc};

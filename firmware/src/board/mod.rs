@@ -50,7 +50,7 @@ pub(crate) use clocks::CORE_MHZ;
 pub(crate) use code_flash::{CodeFlash, running_slot};
 pub(crate) use converter::NotReady;
 pub(crate) use description::{Clocks, Panel, Silicon};
-pub(crate) use digitiser::{APERTURE, BLOCK_PAIRS, Digitiser, block_end};
+pub(crate) use digitiser::{BLOCK_PAIRS, Digitiser, block_end};
 pub(crate) use exciter::{Exciter, MID_SCALE, silence_now};
 pub(crate) use option_bytes::option_bytes;
 pub(crate) use panel::{Lamp, Lamps, PushButton};
@@ -58,7 +58,7 @@ pub(crate) use random::RandomSource;
 pub(crate) use record_flash::{
     RECORD_AREA, RecordFlash, finish_word, wrong_words_of_image, wrong_words_of_records,
 };
-pub(crate) use sample_clock::{SAMPLE_RATE_HZ, SampleClock};
+pub(crate) use sample_clock::{APERTURE, SAMPLE_RATE_HZ, SampleClock};
 pub(crate) use selected::{CONVERTERS, NAME};
 pub(crate) use stack::unused_bytes as unused_stack_bytes;
 pub(crate) use thermometer::{SensorConverter, factory_codes};
@@ -153,7 +153,10 @@ impl Board {
         retained::enter(Stage::Converters);
         let digitiser = match left_out.has(LeftOut::CONVERTERS) {
             true => None,
-            false => Digitiser::new(wired.digitiser).await.ok(),
+            false => {
+                let digitiser = Digitiser::new(wired.digitiser, exciter::ADC2_CHANNEL);
+                digitiser.await.ok()
+            }
         };
         retained::enter(Stage::Running);
         let [green, yellow, red] = wired.lamps.map(Lamp::new);
