@@ -16,7 +16,6 @@ use super::model::{Budget, BudgetRow, Certificate, Remark, Severity, Value};
 use super::mountings::Mountings;
 use super::particulars::Particulars;
 use super::resonance::Mounted;
-use super::substitution::Pair;
 use super::temperature::Distance;
 use calib_core::budget::{Budget as CoreBudget, Component, PointBudget, Row, point_budget};
 use calib_core::point::PointResult;
@@ -64,6 +63,10 @@ fn agreement_rel(budget: &CoreBudget<'_>) -> f64 {
     STORED_U_REL + 2.0 * share * STORED_REPEATABILITY_REL
 }
 
+/// What a substitution leaves of the magnitude's budget at a point, with the standard's part; why it cannot.
+pub(super) type LeftOf<'a> =
+    Box<dyn Fn(&CoreBudget<'_>, &PointResult) -> Result<CoreBudget<'static>, String> + 'a>;
+
 /// Basis of the uncertainties of a certificate.
 pub(super) struct Basis<'a> {
     record: &'a Record,
@@ -76,8 +79,8 @@ pub(super) struct Basis<'a> {
     mountings: &'a Mountings,
     /// Mounted resonance as the points show it.
     pub(super) mounted: Mounted,
-    /// The standard of a substitution.
-    pair: Option<Pair<'a>>,
+    /// Of a substitution: what is left of a budget.
+    left_of: Option<LeftOf<'a>>,
     /// Kind of the sensor: gain or burden, and the frequency, enter what is stated of it.
     pub(super) kind: SensorKind,
 }
@@ -111,19 +114,21 @@ impl<'a> Basis<'a> {
             correlation: correlation.unwrap_or(1.0),
             mountings,
             mounted: Mounted::UNKNOWN,
-            pair: None,
+            left_of: None,
             kind: particulars.kind(),
         };
         // The resonance is that of this mounting: what another would do is no part of its U.
         basis.shift_mounting(0.0);
-        basis.mounted = Mounted::of(record, particulars, &basis);
+        basis.mounted = Mounted::of(record, particulars, |point, reference| {
+            basis.of_ratio(point, reference).map(|of| of.expanded_rel)
+        });
         basis.shift_mounting(basis.mounted.mounting_at_10_khz_rel(&record.settings));
         basis
     }
 
     /// The basis of a result by substitution.
-    pub(super) fn by_substitution(mut self, pair: Pair<'a>) -> Self {
-        self.pair = Some(pair);
+    pub(super) fn by_substitution(mut self, left_of: LeftOf<'a>) -> Self {
+        self.left_of = Some(left_of);
         self
     }
 
@@ -148,7 +153,7 @@ impl<'a> Basis<'a> {
             true => f64::from(now) / f64::from(before),
             false => 1.0,
         };
-        let expanded_rel = match self.pair {
+        let expanded_rel = match self.left_of {
             // What is left of two records is no multiple of what one of them stored.
             Some(_) => f64::from(now.expanded_uncertainty),
             None => {
@@ -178,7 +183,7 @@ impl<'a> Basis<'a> {
         let bounded = |p: &PointResult| self.excess_rel(p) > 0.0 || self.bent_rel(p) > 0.0;
         let gives_way = self.record.points.iter().any(bounded);
         let as_set = self.settings == self.record.settings && !self.mountings.are_repeated();
-        as_set && self.pair.is_none() && !changed && !gives_way && self.kind.is_as_measured()
+        as_set && self.left_of.is_none() && !changed && !gives_way && self.kind.is_as_measured()
     }
 
     fn shift_mounting(&mut self, at_10_khz_rel: f32) {
@@ -249,8 +254,8 @@ impl<'a> Basis<'a> {
                 added.map_err(|error| error.to_string())?;
             }
         }
-        if let Some(pair) = &self.pair {
-            budget.magnitude = pair.left_of(&budget.magnitude, point)?;
+        if let Some(left_of) = &self.left_of {
+            budget.magnitude = left_of(&budget.magnitude, point)?;
         }
         for component in self.of_kind() {
             let added = budget.magnitude.add(component);

@@ -17,7 +17,7 @@ use super::rounding::{Rounded, round_uncertainty};
 use super::search;
 use super::sections::{is_traceable, sections};
 use super::stored::{run_day, unix_day};
-use super::substitution::{self, Pair, Standard};
+use super::substitution::{self, Standard};
 use calib_core::closing::Closing;
 use calib_core::point::PointResult;
 use calib_core::verdict::Verdict;
@@ -65,9 +65,9 @@ impl Certificate {
         particulars: &Particulars,
     ) -> calib_files::Result<Self> {
         let joined = substitution::join(record, standard)?;
-        let pair = Pair::new(standard, particulars);
+        let left_of = substitution::left_of_pair(standard, particulars);
         let basis = |record, particulars: &Particulars| {
-            Basis::new(record, particulars, &substitution::ONCE).by_substitution(pair)
+            Basis::new(record, particulars, &substitution::ONCE).by_substitution(left_of)
         };
         let mut certificate = Self::of(&joined, particulars, &Mountings::ONCE, basis);
         substitution::attach(&mut certificate, standard);

@@ -13,8 +13,7 @@
 //! # Source
 //! ISO 5348 (the mounted resonance by the way of mounting); GUM F.2.4.5 for the bound that is not corrected.
 
-use super::budget::Basis;
-use super::deviation::OfRatio;
+use super::kind::SensorKind;
 use super::model::{Certificate, Entry, MountedResonance, Remark, Severity, Value};
 use super::particulars::Particulars;
 use calib_core::point::PointResult;
@@ -81,11 +80,15 @@ impl Mounted {
         is_stated: false,
     };
 
-    /// By the valid points of a record; `basis` knows U of their ratios.
-    pub(super) fn of(record: &Record, particulars: &Particulars, basis: &Basis<'_>) -> Self {
+    /// By the valid points of a record, and the relative expanded uncertainty of the ratio of two of them.
+    pub(super) fn of(
+        record: &Record,
+        particulars: &Particulars,
+        of_ratio: impl Fn(&PointResult, &PointResult) -> Option<f64>,
+    ) -> Self {
         let stated = particulars.mounting.resonance_spread_percent;
         Self {
-            fitted: fit(&rises(record, basis)),
+            fitted: fit(&rises(record, particulars.kind(), of_ratio)),
             sheet_hz: particulars.item.mounted_resonance_hz,
             spread_rel: stated.map_or(SPREAD_REL, |percent| percent / 100.0),
             is_stated: stated.is_some(),
@@ -195,7 +198,11 @@ impl Fitted {
 }
 
 /// Valid points from 1 kHz on beside the one nearest to 160 Hz and 10 m/s2.
-fn rises(record: &Record, basis: &Basis<'_>) -> Vec<Rise> {
+fn rises(
+    record: &Record,
+    kind: SensorKind,
+    of_ratio: impl Fn(&PointResult, &PointResult) -> Option<f64>,
+) -> Vec<Rise> {
     let valid = || record.points.iter().filter(|p| p.verdict == Verdict::Pass);
     let hz = |point: &PointResult| f64::from(point.tone.frequency_hz(record.head.sample_rate_hz));
     let octaves = |value: f64, of: f64| (value / of).log2().abs();
@@ -210,10 +217,10 @@ fn rises(record: &Record, basis: &Basis<'_>) -> Vec<Rise> {
     // In the quantity of the sensor: against acceleration that of a velocity transducer falls by its own law.
     let own = |point: &PointResult| {
         let measured = f64::from(point.sensitivity_v_per_ms2);
-        basis.kind.of_v_per_ms2(measured, hz(point))
+        kind.of_v_per_ms2(measured, hz(point))
     };
     let of = |point: &PointResult| {
-        let OfRatio { expanded_rel, .. } = basis.of_ratio(point, reference)?;
+        let expanded_rel = of_ratio(point, reference)?;
         let ratio = own(reference) / own(point);
         let rise_rel = 1.0 - ratio;
         let square = hz(reference).powi(2);

@@ -8,7 +8,7 @@
 //! # Source
 //! ISO 16063-21:2003, 4.5 and clause 6; GUM 5.2.2.
 
-use super::budget::Basis;
+use super::budget::{Basis, LeftOf};
 use super::deviation::{left_of, within_a_substitution};
 use super::model::{Certificate, Entry, Remark, Severity, Value};
 use super::mountings::Mountings;
@@ -84,7 +84,8 @@ pub fn substitute(
     let stated = of_chain(particulars);
     let pair = Pair::new(standard, &stated);
     let of_ratio = Basis::new(device, &stated, &ONCE);
-    let whole = Basis::new(&joined, &stated, &ONCE).by_substitution(Pair::new(standard, &stated));
+    let whole =
+        Basis::new(&joined, &stated, &ONCE).by_substitution(left_of_pair(standard, &stated));
     let result = |point: &PointResult| {
         let (before, known) = pair.at(&point.spec)?;
         let ratio = of_ratio.of_substitution(point, &pair.basis, before)?;
@@ -159,22 +160,25 @@ fn pair_of<'s>(
     (before.sensitivity_v_per_ms2 > 0.0).then_some((before, known))
 }
 
+/// What a substitution for this standard leaves of a budget.
+pub(super) fn left_of_pair<'a>(standard: &'a Standard, particulars: &Particulars) -> LeftOf<'a> {
+    let pair = Pair::new(standard, particulars);
+    Box::new(move |device, point| pair.left_of(device, point))
+}
+
 /// The standard's part of the budgets of a substitution.
-pub(super) struct Pair<'a> {
+struct Pair<'a> {
     standard: &'a Standard,
-    basis: Box<Basis<'a>>,
+    basis: Basis<'a>,
 }
 
 impl<'a> Pair<'a> {
-    pub(super) fn new(standard: &'a Standard, particulars: &Particulars) -> Self {
+    fn new(standard: &'a Standard, particulars: &Particulars) -> Self {
         // The data sheet of the device says nothing of the standard.
         let mut particulars = of_chain(particulars);
         particulars.item = Item::default();
         let basis = Basis::new(&standard.record, &particulars, &ONCE);
-        Self {
-            standard,
-            basis: Box::new(basis),
-        }
+        Self { standard, basis }
     }
 
     fn at(&self, spec: &PointSpec) -> Option<(&PointResult, &StandardPoint)> {
@@ -182,7 +186,7 @@ impl<'a> Pair<'a> {
     }
 
     /// What is left of the device's budget and the standard's, and U of the standard by its certificate.
-    pub(super) fn left_of(
+    fn left_of(
         &self,
         device: &Budget<'_>,
         point: &PointResult,

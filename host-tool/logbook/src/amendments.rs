@@ -1,64 +1,14 @@
 //! Certificates that took the place of others (ISO/IEC 17025, 7.8.8). What was measured does not change by that:
 //! the new one is made of the records of the old one.
 
+use super::Logbook;
+use super::issue::{Issue, Joined, Role, Sources};
 use super::journal::{self, Subject};
-use super::{Issue, Logbook};
 use calib_certificate::Amendment;
 use calib_files::{Error, Result};
 use calib_output::hex;
 use calib_protocol::record::Sha256Sum;
 use rusqlite::{Connection, OptionalExtension, Row, params};
-
-/// Role of a record in a certificate that is made of several.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Role {
-    /// From before an adjustment.
-    AsFound,
-    /// Of the same device mounted again.
-    Remounted,
-    /// That measured again what had no result.
-    Retried,
-    /// Of the standard whose place the device took.
-    Standard,
-}
-
-/// A record that a certificate is made of beside its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Joined {
-    /// Its role in the certificate.
-    pub role: Role,
-    /// Its sum.
-    pub record: Sha256Sum,
-}
-
-/// Everything a certificate is made of.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Sources {
-    /// Its record.
-    pub record: Sha256Sum,
-    /// Those beside it, sorted.
-    pub joined: Vec<Joined>,
-}
-
-impl Role {
-    fn word(self) -> &'static str {
-        match self {
-            Self::AsFound => "as_found",
-            Self::Remounted => "remounted",
-            Self::Retried => "retried",
-            Self::Standard => "standard",
-        }
-    }
-
-    fn of(word: &str) -> Self {
-        match word {
-            "as_found" => Self::AsFound,
-            "retried" => Self::Retried,
-            "standard" => Self::Standard,
-            _ => Self::Remounted,
-        }
-    }
-}
 
 impl Logbook {
     /// Records that the certificate of this number is made of; none when it was never issued here.

@@ -1,12 +1,11 @@
 //! Certificates that were issued: numbered, with their sums, never changed.
 
 use super::Logbook;
-use super::amendments::{self, Joined};
+use super::amendments;
+use super::issue::Issue;
 use super::journal::{self, Subject};
 use super::signed_files::{self, Signed, SignedFile};
-use calib_certificate::Amendment;
 use calib_files::{Error, Result};
-use calib_protocol::record::Sha256Sum;
 use rusqlite::{OptionalExtension, Params, params};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -38,27 +37,6 @@ pub struct Issued {
     pub replaced_by: Option<String>,
     /// Why it was replaced.
     pub replaced_because: Option<String>,
-}
-
-/// A certificate about to be entered.
-#[derive(Clone, Copy, Debug)]
-pub struct Issue<'a> {
-    /// Number printed on it.
-    pub certificate: &'a str,
-    /// Its form.
-    pub format: &'a str,
-    /// File it was written to.
-    pub file: &'a str,
-    /// Content of the file, without a signature: what is issued under a number.
-    pub content: &'a [u8],
-    /// The file that is given out, where it is signed.
-    pub signed: Option<Signed<'a>>,
-    /// Sum of the record it is made of.
-    pub record: Sha256Sum,
-    /// Records it is made of beside that one.
-    pub joined: &'a [Joined],
-    /// The certificate whose place it takes, and why.
-    pub replaces: Option<&'a Amendment>,
 }
 
 impl Logbook {
@@ -123,6 +101,42 @@ impl Logbook {
             amendments::enter(&transaction, issue).map_err(failed)?;
         }
         transaction.commit().map_err(failed)
+    }
+
+    /// Enters a file that was signed after `unsigned` was issued. Returns the certificate it is of; none when
+    /// the logbook knows none with this content, and nothing is entered.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn enter_signed(
+        &self,
+        unsigned: &[u8],
+        signed: &Signed<'_>,
+        entered_s: i64,
+    ) -> Result<Option<Issued>> {
+        let Some(issued) = self.issued_as(unsigned)? else {
+            return Ok(None);
+        };
+        let file = SignedFile::of(signed, entered_s);
+        self.in_one_turn(|connection| {
+            signed_files::enter(connection, &issued.certificate, &issued.format, &file)
+        })?;
+        self.issued_as(unsigned)
+    }
+
+    /// The certificate whose file this is, signed or as it was before.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn issued_as(&self, content: &[u8]) -> Result<Option<Issued>> {
+        let sum = Sha256::digest(content).to_vec();
+        let find = "SELECT number FROM certificates WHERE sha256 = ?1 UNION ALL
+                    SELECT number FROM certificates JOIN signed_files USING (certificate, format)
+                    WHERE signed_files.sha256 = ?1 LIMIT 1";
+        let number = self.connection.query_row(find, [sum], |row| row.get(0));
+        let number: Option<i64> = number.optional().map_err(|error| self.failure(error))?;
+        let all = number.map(|number| self.certificates_where("number = ?1", [number]));
+        Ok(all.transpose()?.and_then(|mut all| all.pop()))
     }
 
     fn issued_sum(&self, issue: &Issue<'_>) -> Result<Option<Vec<u8>>> {

@@ -6,9 +6,8 @@
 //! itself is damage, and the work of programs and hands that do not know it; what is signed (see seals.rs) nobody
 //! writes anew.
 
-use super::{Logbook, row};
-use calib_files::Result;
-use rusqlite::{Connection, OptionalExtension, Params, params};
+use super::row;
+use rusqlite::{Connection, OptionalExtension, params};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 
@@ -107,22 +106,6 @@ pub(super) fn enter(connection: &Connection, subject: Subject, name: &str) -> ru
         .query_row([name], row::bytes)
         .optional()?;
     append(connection, subject, name, row.as_deref())
-}
-
-impl Logbook {
-    /// Changes the row of this name, and enters it in the journal.
-    pub(super) fn change(
-        &self,
-        subject: Subject,
-        name: &str,
-        sql: &str,
-        values: impl Params,
-    ) -> Result<()> {
-        self.in_one_turn(|connection| {
-            connection.execute(sql, values)?;
-            enter(connection, subject, name)
-        })
-    }
 }
 
 /// Enters all there is: the first entries of a file from before there was a journal.

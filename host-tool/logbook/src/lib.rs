@@ -7,6 +7,7 @@
 //! | `form2.sql` ... | what makes a later form of the one before |
 //! | `sensors` | devices under test: what nobody wants to type twice |
 //! | `records` | records as downloaded, with what lists and drift need |
+//! | `issue` | a certificate about to be entered, and what it is made of |
 //! | `certificates` | what was issued: numbered, never changed |
 //! | `signed_files` | signed files of them, and who signed |
 //! | `amendments` | which certificate took the place of which, and of what records they are |
@@ -29,6 +30,7 @@ mod certificates;
 mod check_standards;
 mod history;
 mod inspect;
+mod issue;
 mod journal;
 mod keys;
 mod lake;
@@ -46,10 +48,10 @@ mod store;
 mod table;
 pub mod waiting;
 
-pub use amendments::{Joined, Role, Sources};
-pub use certificates::{Issue, Issued};
+pub use certificates::Issued;
 pub use check_standards::{Certified, CheckStandard};
 pub use history::{History, Result as HistoryResult};
+pub use issue::{Issue, Joined, Role, Sources};
 pub use keys::{InstrumentKey, Series};
 pub use lake::{Addition, add_to_lake};
 pub use merge::Merged;

@@ -2,11 +2,11 @@
 //!
 //! A certificate is entered by what it states; each signature of it makes a file of its own, with a sum of its own.
 
+use super::Logbook;
 use super::journal::{self, Subject};
-use super::{Issued, Logbook};
 use calib_files::Result;
 use calib_signing::Certificate;
-use rusqlite::{Connection, OptionalExtension, Row, params};
+use rusqlite::{Connection, Row, params};
 use schemars::JsonSchema;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
@@ -100,41 +100,5 @@ impl Logbook {
     /// Those of the file.
     pub fn signed_files(&self, certificate: &str, format: &str) -> Result<Vec<SignedFile>> {
         of(&self.connection, certificate, format).map_err(|error| self.failure(error))
-    }
-
-    /// Enters a file that was signed after `unsigned` was issued. Returns the certificate it is of; none when
-    /// the logbook knows none with this content, and nothing is entered.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn enter_signed(
-        &self,
-        unsigned: &[u8],
-        signed: &Signed<'_>,
-        entered_s: i64,
-    ) -> Result<Option<Issued>> {
-        let Some(issued) = self.issued_as(unsigned)? else {
-            return Ok(None);
-        };
-        let file = SignedFile::of(signed, entered_s);
-        self.in_one_turn(|connection| {
-            enter(connection, &issued.certificate, &issued.format, &file)
-        })?;
-        self.issued_as(unsigned)
-    }
-
-    /// The certificate whose file this is, signed or as it was before.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn issued_as(&self, content: &[u8]) -> Result<Option<Issued>> {
-        let sum = Sha256::digest(content).to_vec();
-        let find = "SELECT number FROM certificates WHERE sha256 = ?1 UNION ALL
-                    SELECT number FROM certificates JOIN signed_files USING (certificate, format)
-                    WHERE signed_files.sha256 = ?1 LIMIT 1";
-        let number = self.connection.query_row(find, [sum], |row| row.get(0));
-        let number: Option<i64> = number.optional().map_err(|error| self.failure(error))?;
-        let all = number.map(|number| self.certificates_where("number = ?1", [number]));
-        Ok(all.transpose()?.and_then(|mut all| all.pop()))
     }
 }

@@ -1,6 +1,6 @@
 //! The file: where it is, how it is opened, and its failures in words.
 
-use super::journal;
+use super::journal::{self, Subject};
 use calib_files::{Error, Result};
 use rusqlite::{Connection, ErrorCode, Transaction, TransactionBehavior};
 use std::path::{Path, PathBuf};
@@ -197,6 +197,20 @@ impl Logbook {
             transaction.commit().map(|()| changed)
         };
         both().map_err(|error| self.failure(error))
+    }
+
+    /// Changes the row of this name, and enters it in the journal.
+    pub(super) fn change(
+        &self,
+        subject: Subject,
+        name: &str,
+        sql: &str,
+        values: impl rusqlite::Params,
+    ) -> Result<()> {
+        self.in_one_turn(|connection| {
+            connection.execute(sql, values)?;
+            journal::enter(connection, subject, name)
+        })
     }
 
     /// The file.

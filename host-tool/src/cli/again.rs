@@ -1,7 +1,7 @@
 //! A run whose link breaks goes on in the calibrator: it is followed on once the link is there again.
 
 use super::Context;
-use super::measure::Asked;
+use calib_core::point::PointSpec;
 use calib_host::Result;
 use calib_link::session::{self, Outcome, Progress};
 use calib_link::{Client, Error, StopSwitch};
@@ -16,7 +16,7 @@ const PAUSE: Duration = Duration::from_millis(500);
 /// A run that goes on in a calibrator.
 pub(super) struct Followed<'a> {
     pub(super) context: &'a Context,
-    pub(super) asked: &'a Asked<'a>,
+    pub(super) points: &'a [PointSpec],
     pub(super) switch: &'a StopSwitch,
     pub(super) record_id: u32,
     /// Of the calibrator: another at the same port is not taken for it.
@@ -31,7 +31,7 @@ impl Followed<'_> {
         mut observe: impl FnMut(&Progress<'_>) -> ControlFlow<()>,
     ) -> Result<Outcome> {
         loop {
-            match session::follow(client, self.record_id, self.asked.points, &mut observe) {
+            match session::follow(client, self.record_id, self.points, &mut observe) {
                 Err(broken @ Error::Link(_)) => *client = self.found_again(broken)?,
                 done => return Ok(done?),
             }

@@ -33,7 +33,7 @@ pub fn answer(
         quiet: true,
         sink: Sink::Program(Box::new(listener)),
         switch: Some(switch.clone()),
-        ..Context::new(&arguments.global, defaults)
+        ..arguments.context(defaults)
     };
     Ok(arguments.command.run(&context)?)
 }

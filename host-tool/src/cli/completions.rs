@@ -1,8 +1,8 @@
 //! `calib completions SHELL` and `calib man`: generated from the command line itself.
 
-use super::{Arguments, Context, help};
+use super::Context;
 use calib_host::{Error, Result};
-use clap::{Args, CommandFactory};
+use clap::Args;
 use clap_complete::Shell;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -28,7 +28,7 @@ pub(super) struct Script {
 impl Completions {
     /// Prints the script of `calib`.
     pub(crate) fn run(self, context: &Context) -> Result<()> {
-        let (mut calib, mut script) = (help::described(Arguments::command()), Vec::new());
+        let (mut calib, mut script) = ((context.command_line)(), Vec::new());
         clap_complete::generate(self.shell, &mut calib, "calib", &mut script);
         let script = Script {
             shell: self.shell.to_string(),
@@ -57,7 +57,7 @@ impl Man {
         let failed = |error| Error::file("write", &self.out, error);
         std::fs::create_dir_all(&self.out)
             .map_err(|error| Error::file("create", &self.out, error))?;
-        let command = help::described(Arguments::command()).disable_help_subcommand(true);
+        let command = (context.command_line)().disable_help_subcommand(true);
         clap_mangen::generate_to(command, &self.out).map_err(failed)?;
         let entries = std::fs::read_dir(&self.out).map_err(failed)?;
         let mut files: Vec<_> = entries.flatten().map(|entry| entry.path()).collect();

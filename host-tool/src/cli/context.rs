@@ -73,11 +73,17 @@ pub(crate) struct Context {
     pub(crate) sink: Sink,
     /// Stops what moves; none where Ctrl-C does.
     pub(crate) switch: Option<StopSwitch>,
+    /// Makes the whole command line, which completions and manual pages are made of.
+    pub(crate) command_line: fn() -> clap::Command,
 }
 
 impl Context {
     /// From the command line and the environment (`NO_COLOR`, <https://no-color.org>).
-    pub(crate) fn new(options: &GlobalOptions, defaults: Config) -> Self {
+    pub(crate) fn new(
+        options: &GlobalOptions,
+        defaults: Config,
+        command_line: fn() -> clap::Command,
+    ) -> Self {
         let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
         Self {
             form: match (options.json, options.json_lines) {
@@ -95,6 +101,7 @@ impl Context {
                 quiet: options.quiet,
             },
             switch: None,
+            command_line,
         }
     }
 

@@ -88,7 +88,7 @@ pub(super) fn measure(
     let points = asked.points;
     let followed = Followed {
         context,
-        asked,
+        points,
         switch,
         record_id: session::begin(client, points, asked.excitation, labels)?,
         serial: &serial,

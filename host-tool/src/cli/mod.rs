@@ -102,7 +102,7 @@ pub fn main() -> ExitCode {
         Ok(arguments) => arguments,
         Err(said) => return misuse::tell(said),
     };
-    let context = Context::new(&arguments.global, defaults);
+    let context = arguments.context(defaults);
     let done = broken.map_or_else(|| arguments.command.run(&context), Err);
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -134,10 +134,20 @@ impl Arguments {
         words: impl IntoIterator<Item = OsString>,
         defaults: &Config,
     ) -> Result<Self, clap::Error> {
-        let calib = number::signed(help::described(Self::command()));
+        let calib = number::signed(Self::described());
         let mut calib = config::with_defaults(calib, defaults);
         let matches = calib.try_get_matches_from_mut(words)?;
         Self::from_arg_matches(&matches).map_err(|error| error.format(&mut calib))
+    }
+
+    /// The command line with its help.
+    fn described() -> clap::Command {
+        help::described(Self::command())
+    }
+
+    /// What its verb works with.
+    fn context(&self, defaults: Config) -> Context {
+        Context::new(&self.global, defaults, Self::described)
     }
 }
 

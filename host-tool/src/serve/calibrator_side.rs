@@ -79,7 +79,7 @@ impl CalibratorSide {
     pub(super) fn end(self) {
         self.ending.store(true, Ordering::SeqCst);
         // For whatever goes on, so it cannot come late.
-        let _ = self.handle.stop(None);
+        let _ = self.handle.ask_stop(None);
         self.handle.order(Order::End);
         let begun = Instant::now();
         while !self.thread.is_finished() {

@@ -1,14 +1,19 @@
 //! Handle of requests to the thread that speaks to the calibrator: the view, and ways to order and to stop.
 
-use super::stops::{NotStopped, StopState};
+use super::stops::{Asked, NotStopped, StopState};
 use super::view::{RunView, Shared};
 use crate::in_unit::StatedPoint;
 use calib_core::point::PointSpec;
-use calib_link::StopSwitch;
+use calib_link::{STOP_ALARM, StopSwitch};
 use calib_output::SetPoint;
 use calib_protocol::record::RunLabels;
 use std::sync::mpsc::Sender;
-use std::time::Instant;
+use std::time::{Duration, Instant};
+
+/// Time between two looks at it.
+const LOOK: Duration = Duration::from_millis(5);
+/// Time between two looks at one that is late.
+const LATE_LOOK: Duration = Duration::from_millis(20);
 
 /// Request of a page.
 #[derive(Debug)]
@@ -82,15 +87,44 @@ impl Handle {
         free
     }
 
+    /// Stops, and says whether the calibrator confirmed it. What is asked is seen to though nobody waits.
+    pub(super) async fn stop(self, asked: Asked) -> Result<(), NotStopped> {
+        let number = self.ask_stop(asked.run)?;
+        match tokio::spawn(self.watch(number)).await {
+            Ok(true) => Ok(()),
+            _ => Err(NotStopped::Unconfirmed),
+        }
+    }
+
+    async fn watch(self, number: u64) -> bool {
+        let begun = Instant::now();
+        while begun.elapsed() < STOP_ALARM {
+            if self.note_if_confirmed(number, begun) {
+                return true;
+            }
+            tokio::time::sleep(LOOK).await;
+        }
+        self.shared.note_stop(number, StopState::Unconfirmed, None);
+        tokio::spawn(self.watch_late(number, begun));
+        false
+    }
+
+    /// A confirmation that comes late is told too, unless there was another stop.
+    async fn watch_late(self, number: u64, begun: Instant) {
+        while self.shared.is_latest_stop(number) && !self.note_if_confirmed(number, begun) {
+            tokio::time::sleep(LATE_LOOK).await;
+        }
+    }
+
     /// Counts a stop of this run, or of whatever goes on, and sees that it is heeded; returns its number.
-    pub(super) fn stop(&self, run: Option<u32>) -> Result<u64, NotStopped> {
+    pub(super) fn ask_stop(&self, run: Option<u32>) -> Result<u64, NotStopped> {
         let number = self.shared.ask_stop(run, &self.switch)?;
         self.order(Order::Heed);
         Ok(number)
     }
 
     /// Tells everybody, once the calibrator has confirmed this stop; whether it has.
-    pub(super) fn note_if_confirmed(&self, stop: u64, asked_at: Instant) -> bool {
+    fn note_if_confirmed(&self, stop: u64, asked_at: Instant) -> bool {
         let confirmed = self.switch.is_confirmed(stop);
         if confirmed {
             let after_s = asked_at.elapsed().as_secs_f64();

@@ -5,7 +5,7 @@
 //! knows that it is cut off. From a page come stops alone.
 
 use super::handle::Handle;
-use super::stops::{self, Asked};
+use super::stops::{Asked, NotStopped};
 use axum::extract::ws::{Message, WebSocket};
 use calib_output::json;
 use serde::{Deserialize, Serialize};
@@ -88,8 +88,8 @@ fn heed(handle: &Handle, text: &str, answers: &UnboundedSender<(u32, Option<Stri
     };
     let (handle, answers) = (handle.clone(), answers.clone());
     tokio::spawn(async move {
-        let stopped = stops::stop(handle, asked).await;
+        let stopped = handle.stop(asked).await;
         // The page may have gone.
-        let _ = answers.send((id, stopped.err().map(stops::NotStopped::text)));
+        let _ = answers.send((id, stopped.err().map(NotStopped::text)));
     });
 }

@@ -28,7 +28,7 @@ use super::asked::{NewSensor, Run};
 use super::documents::{self, Stated, Wanted};
 use super::handle::{Handle, Order};
 use super::options::Options;
-use super::stops::{self, Asked, NotStopped};
+use super::stops::{Asked, NotStopped};
 use super::view::{Measured, RunView};
 use super::{assets, live};
 use crate::assurance::{self, AssuranceReport};
@@ -394,7 +394,7 @@ async fn stop_from_other_port(
 }
 
 async fn stop_and_say(handle: Handle, asked: Asked) -> Result<Response, NotStopped> {
-    stops::stop(handle, asked).await?;
+    handle.stop(asked).await?;
     Ok("stopped, the exciter is silent".into_response())
 }
 

@@ -10,18 +10,11 @@
 //! far as anybody can know, and the page says so, full screen. An answer that comes later takes that back, and
 //! says how late it was.
 
-use super::handle::Handle;
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use calib_link::STOP_ALARM;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::time::{Duration, Instant};
-
-/// Time between two looks at it.
-const LOOK: Duration = Duration::from_millis(5);
-/// Time between two looks at one that is late.
-const LATE_LOOK: Duration = Duration::from_millis(20);
 
 /// Stop that a page sends.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
@@ -87,37 +80,5 @@ impl IntoResponse for NotStopped {
             Self::Unconfirmed => StatusCode::GATEWAY_TIMEOUT,
         };
         (status, self.text()).into_response()
-    }
-}
-
-/// Stops, and says whether the calibrator confirmed it. What is asked is seen to though nobody waits.
-pub(super) async fn stop(handle: Handle, asked: Asked) -> Result<(), NotStopped> {
-    let number = handle.stop(asked.run)?;
-    let watched = tokio::spawn(watch(handle, number));
-    match watched.await {
-        Ok(true) => Ok(()),
-        _ => Err(NotStopped::Unconfirmed),
-    }
-}
-
-async fn watch(handle: Handle, number: u64) -> bool {
-    let begun = Instant::now();
-    while begun.elapsed() < STOP_ALARM {
-        if handle.note_if_confirmed(number, begun) {
-            return true;
-        }
-        tokio::time::sleep(LOOK).await;
-    }
-    handle
-        .shared
-        .note_stop(number, StopState::Unconfirmed, None);
-    tokio::spawn(watch_late(handle, number, begun));
-    false
-}
-
-/// A confirmation that comes late is told too, unless there was another stop.
-async fn watch_late(handle: Handle, number: u64, begun: Instant) {
-    while handle.shared.is_latest_stop(number) && !handle.note_if_confirmed(number, begun) {
-        tokio::time::sleep(LATE_LOOK).await;
     }
 }

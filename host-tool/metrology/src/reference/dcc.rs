@@ -2,8 +2,8 @@
 //!
 //! Entities are not read (`roxmltree` refuses a document type), and no more than [`MOST_NODES`] elements.
 
+use super::certified::{Certified, CertifiedPoint, Placed, Reading, checked, not_rising};
 use super::dsi::{Kind, Unit};
-use super::{Certified, CertifiedPoint, Placed, Reading, checked, not_rising};
 use crate::input::Source;
 use calib_files::{Error, Result};
 use jiff::civil::Date;

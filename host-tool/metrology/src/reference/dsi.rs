@@ -1,6 +1,6 @@
 //! Units of D-SI: `\milli\volt\metre\tothe{-1}\second\tothe{2}` as a factor and exponents.
 
-use super::{RAD_PER_DEGREE, STANDARD_GRAVITY_MS2};
+use super::certified::{RAD_PER_DEGREE, STANDARD_GRAVITY_MS2};
 
 /// A unit by what it is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

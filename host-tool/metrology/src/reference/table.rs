@@ -1,7 +1,9 @@
 //! A CSV with a column each for frequency, sensitivity or deviation, U, k and phase, as laboratories write it; what it
 //! is of stands in remarks (`# serial: R 17`), or in columns as on this tool's own certificates.
 
-use super::{Certified, CertifiedPoint, RAD_PER_DEGREE, Reading, STANDARD_GRAVITY_MS2, checked};
+use super::certified::{
+    Certified, CertifiedPoint, RAD_PER_DEGREE, Reading, STANDARD_GRAVITY_MS2, checked,
+};
 use crate::input::{Column, Row, Source, Table};
 use calib_files::Result;
 use jiff::civil::Date;

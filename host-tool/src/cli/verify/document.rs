@@ -1,6 +1,6 @@
 //! A certificate, PDF or DCC, by the certificate of its laboratory's key.
 
-use super::{Proof, Verified, What};
+use super::verified::{Proof, Verified, What};
 use calib_signing::{Certificate, Kind, Signature};
 use jiff::Timestamp;
 use std::path::Path;

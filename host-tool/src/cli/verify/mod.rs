@@ -2,16 +2,16 @@
 
 mod document;
 mod record;
+mod verified;
 
-use super::{Context, key, time};
+use super::{Context, key};
 use calib_host::{Error, Result};
-use calib_logbook::Issued;
 use calib_protocol::signature::PublicKey;
 use calib_signing::{Certificate, Kind};
 use clap::Args;
-use schemars::JsonSchema;
-use serde::Serialize;
 use std::path::{Path, PathBuf};
+use verified::Proof;
+pub(super) use verified::Verified;
 
 /// `calib verify FILE...`.
 #[derive(Debug, Args)]
@@ -37,58 +37,6 @@ pub(crate) struct Verify {
     /// Certificate of the laboratory, or of the authority that issued it, PEM or DER; may be given again.
     #[arg(long, value_name = "FILE")]
     certificate: Vec<PathBuf>,
-}
-
-/// Proof of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-enum Proof {
-    /// Every byte is as the key of its instrument or laboratory signed it.
-    Proven,
-    /// Every byte is as some key signed it, which nobody here knows.
-    KeyNotKnown,
-    /// Every byte is as a key signed it that is not the instrument's.
-    OtherKey,
-    /// Every byte is as a known key signed it, whose certificate was not in force.
-    NotInForce,
-    /// It carries no signature.
-    NotSigned,
-    /// It carries a signature that does not fit.
-    Altered,
-}
-
-/// Kind of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-enum What {
-    /// A record of an instrument.
-    Record,
-    /// A certificate as PDF.
-    Pdf,
-    /// A digital calibration certificate.
-    Dcc,
-}
-
-/// A file and what is known of it.
-#[derive(Serialize, JsonSchema)]
-pub(super) struct Verified {
-    file: PathBuf,
-    kind: What,
-    /// Of a record: its number.
-    record_id: Option<u32>,
-    /// Of a record: its instrument.
-    instrument_serial: Option<String>,
-    proof: Proof,
-    /// Public key it is signed by, in hexadecimal digits; of a certificate the subject of that key's certificate.
-    signed_by: Option<String>,
-    /// SHA-256 of the certificate it is signed with.
-    signer_certificate_sha256: Option<String>,
-    /// When it was signed, as the signer says, s since 1970-01-01 UTC.
-    signed_unix_time_s: Option<i64>,
-    /// The certificate of the logbook that this file is, if there is a logbook and it has one.
-    issued: Option<Issued>,
-    /// The proof in words.
-    words: String,
 }
 
 impl Verify {
@@ -130,41 +78,4 @@ impl Verify {
 
 fn read(path: &Path) -> Result<Vec<Certificate>> {
     Ok(Certificate::read(path)?)
-}
-
-impl Verified {
-    /// Adds what the logbook says of a certificate. That it cannot be read speaks against no file.
-    fn known_to(mut self, context: &Context, bytes: &[u8]) -> Self {
-        let found = context.logbook_if_there();
-        let found = found.and_then(|logbook| match logbook {
-            Some(logbook) => Ok(Some(logbook.issued_as(bytes)?)),
-            None => Ok(None),
-        });
-        match found {
-            Ok(None) => {}
-            Ok(Some(None)) => self.words.push_str("; the logbook has no such file"),
-            Ok(Some(Some(issued))) => {
-                let when = time::date_and_minute(u64::try_from(issued.issued_s).unwrap_or(0));
-                let (number, format) = (&issued.certificate, &issued.format);
-                let words = format!("; in the logbook as {format} of certificate {number}, {when}");
-                self.words.push_str(&words);
-                if let Some(by) = &issued.replaced_by {
-                    let no_more = format!("REPLACED by certificate No. {by}, not valid any more; ");
-                    self.words.insert_str(0, &no_more);
-                }
-                self.issued = Some(issued);
-            }
-            Err(error) => context.remark(&format!("the logbook was not asked: {error}")),
-        }
-        self
-    }
-
-    /// Number of the certificate that took the place of this one.
-    fn replaced_by(&self) -> Option<&str> {
-        self.issued.as_ref()?.replaced_by.as_deref()
-    }
-
-    fn text(&self) -> String {
-        format!("{}: {}\n", self.file.display(), self.words)
-    }
 }

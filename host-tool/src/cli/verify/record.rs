@@ -1,6 +1,6 @@
 //! A record, by the key of its instrument.
 
-use super::{Proof, Verified, What};
+use super::verified::{Proof, Verified, What};
 use crate::cli::Context;
 use calib_host::{Error, Result};
 use calib_protocol::record;
