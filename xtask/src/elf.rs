@@ -1,7 +1,7 @@
 //! The firmware images, one for each board: built once, tested and shipped as they are.
 
 use crate::origin::{self, Place};
-use crate::shell::{cargo, root, run, target_dir};
+use crate::shell::{cargo_for_board, root, run, target_dir};
 use anyhow::{Context, Result, bail};
 use object::elf::{SHF_ALLOC, SHF_WRITE};
 use object::{Object, ObjectSection, SectionFlags};
@@ -136,27 +136,6 @@ fn build_at(place: &Place, package: &str) -> Command {
 /// Where a program for the board lies once it is built.
 fn path(package: &str) -> PathBuf {
     target_dir().join(TARGET).join(PROFILE).join(package)
-}
-
-/// Cargo with the compiler for the board.
-///
-/// Where rustup has none it is Debian's, which has no library for the board: it builds core from source
-/// and links with LLVM's own linker.
-pub(crate) fn cargo_for_board(subcommand: &str) -> Command {
-    if std::env::var("CALIB_ELF_TOOLCHAIN").as_deref() != Ok("debian") {
-        return cargo(subcommand);
-    }
-    let mut command = Command::new("/usr/bin/cargo");
-    command.current_dir(root()).arg(subcommand);
-    if subcommand == "build" {
-        command.args(["--ignore-rust-version", "-Zbuild-std=core"]);
-    }
-    command
-        .env_remove("RUSTUP_TOOLCHAIN")
-        .env("RUSTC", "/usr/bin/rustc")
-        .env("RUSTC_BOOTSTRAP", "1")
-        .env("CARGO_TARGET_THUMBV7EM_NONE_EABIHF_LINKER", "ld.lld");
-    command
 }
 
 /// Prints what the image takes of flash and RAM, section by section.

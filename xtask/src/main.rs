@@ -75,7 +75,7 @@ fn main() -> Result<()> {
         "no-panic" => elf::build_for(board).and_then(|image| no_panic::check(&image)),
         "package" => package::build(rest),
         "screenshots" => browser::screenshots(),
-        "reproduce" => elf::build().and_then(|image| origin::check(&image)),
+        "reproduce" => elf::build().and_then(|image| origin::check(&image, elf::build_elsewhere)),
         "size" => elf::print_size(board),
         "setup" => demo::build_all().map(|_| ()),
         "help" | "--help" | "-h" => {

@@ -3,8 +3,7 @@
 //! Paths in panics and for debuggers begin with the names below instead. The same sources
 //! built elsewhere give the same bytes, which [`check`] holds by building them there.
 
-use crate::elf;
-use crate::shell::{root, run, target_dir};
+use crate::shell::{cargo_for_board, root, run, target_dir};
 use anyhow::{Context, Result, bail};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -32,7 +31,7 @@ impl Place {
     /// That of this workspace, with every dependency fetched.
     pub(crate) fn here() -> Result<Self> {
         // Folders of sources are called after the registry or mirror they came from: they have to be there.
-        run(elf::cargo_for_board("fetch").arg("--quiet"))?;
+        run(cargo_for_board("fetch").arg("--quiet"))?;
         Self::of(root(), target_dir(), cargo_home()?)
     }
 
@@ -106,23 +105,26 @@ fn ask_git() -> String {
         .map_or_else(|| "unknown".into(), |hash| hash.trim().to_owned())
 }
 
+/// How an image is built at a place.
+type Build = fn(&Place) -> Result<PathBuf>;
+
 /// Builds `image` once more, from a copy of the sources in other folders, and compares every byte.
-pub(crate) fn check(image: &Path) -> Result<()> {
+pub(crate) fn check(image: &Path, build: Build) -> Result<()> {
     let elsewhere = std::env::temp_dir().join(format!("calib-elsewhere-{}", std::process::id()));
-    let built = build_elsewhere(&elsewhere);
+    let built = build_elsewhere(&elsewhere, build);
     let second = built.inspect_err(|_| drop(fs::remove_dir_all(&elsewhere)))?;
     // Where they differ both are kept, to be looked at.
     same_bytes(image, &second)?;
     Ok(fs::remove_dir_all(&elsewhere)?)
 }
 
-fn build_elsewhere(folder: &Path) -> Result<PathBuf> {
+fn build_elsewhere(folder: &Path, build: Build) -> Result<PathBuf> {
     eprintln!("building the image again in {} ...", folder.display());
     let workspace = folder.join("the/same/sources");
     let home = folder.join("home-of-cargo");
     copy_sources(&workspace)?;
     link_entries(&cargo_home()?, &home)?;
-    elf::build_elsewhere(&Place::of(workspace, folder.join("built"), home)?)
+    build(&Place::of(workspace, folder.join("built"), home)?)
 }
 
 /// Copies the files that version control would put into a commit.

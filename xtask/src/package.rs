@@ -1,8 +1,8 @@
 //! One file to install: the tool with the image inside, as a Debian package, as a tar, and for Windows.
 
-use crate::packages::{self, as_root};
+use crate::packages::{as_root, needs};
 use crate::sbom::{self, Product};
-use crate::shell::{cargo, root, run, said, target_dir};
+use crate::shell::{VERSION, cargo, empty, root, run, said, tar_of, target_dir};
 use crate::{demo, elf, origin, update, wheel, windows, wine};
 use anyhow::{Context, Result, bail};
 use std::ffi::OsStr;
@@ -10,7 +10,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// Largest file to download, bytes.
 const LARGEST: u64 = 40_000_000;
 /// Largest wheel, which zip packs less tightly, bytes; indexes of packages take 100 MB.
@@ -28,7 +27,7 @@ pub(crate) fn build(arguments: &[String]) -> Result<()> {
     needs("dpkg-shlibdeps", "dpkg-dev")?;
     let image = elf::build()?;
     if check {
-        origin::check(&image)?;
+        origin::check(&image, elf::build_elsewhere)?;
     }
     let for_windows = windows::build(&image)?;
     let tool = tool_with(&image)?;
@@ -52,17 +51,6 @@ pub(crate) fn build(arguments: &[String]) -> Result<()> {
         for_windows.map_or(Ok(()), |folder| wine::check(&folder, &tool))?;
     }
     Ok(())
-}
-
-/// A program of the system, by the name of its Debian package; elsewhere there is no package to make.
-pub(crate) fn needs(program: &str, package: &str) -> Result<()> {
-    if packages::find(program).is_some() {
-        return Ok(());
-    }
-    if std::env::var_os("CI").is_some() {
-        return packages::install(&[package]);
-    }
-    bail!("{program} is missing: packages are made on Debian, with `apt-get install {package}`")
 }
 
 fn tool_with(image: &Path) -> Result<PathBuf> {
@@ -174,14 +162,6 @@ fn tar(stage: &Path, dist: &Path) -> Result<PathBuf> {
     Ok(file)
 }
 
-/// A `tar` that writes this file, of which nothing tells who made it.
-pub(crate) fn tar_of(file: &Path) -> Command {
-    let mut tar = Command::new("tar");
-    tar.env("XZ_OPT", "-T0").arg("-cJf").arg(file);
-    tar.args(["--owner=0", "--group=0", "--sort=name"]);
-    tar
-}
-
 /// Lists of the parts of the program and the image.
 fn materials(stage: &Path, image: &Path, dist: &Path) -> Result<[PathBuf; 2]> {
     let compiler = said(Command::new("rustc").arg("-vV"))?;
@@ -271,12 +251,4 @@ fn used_in_an_empty_root(package: &Path) -> Result<()> {
     }
     println!("installed, used and removed in an empty Debian");
     Ok(())
-}
-
-/// A folder with nothing in it.
-pub(crate) fn empty(folder: &Path) -> Result<()> {
-    if folder.exists() {
-        fs::remove_dir_all(folder)?;
-    }
-    Ok(fs::create_dir_all(folder)?)
 }

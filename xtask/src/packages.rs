@@ -3,7 +3,7 @@
 //! CI installs them; on a person's computer nothing is installed unasked.
 
 use crate::shell;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -40,6 +40,17 @@ pub(crate) fn installed(program: &str) -> Result<PathBuf> {
         install(&[package_of(program)])?;
     }
     find(program).with_context(|| format!("{program} is not there after it was installed"))
+}
+
+/// A program of the system, by the name of its Debian package; elsewhere there is no package to make.
+pub(crate) fn needs(program: &str, package: &str) -> Result<()> {
+    if find(program).is_some() {
+        return Ok(());
+    }
+    if std::env::var_os("CI").is_some() {
+        return install(&[package]);
+    }
+    bail!("{program} is missing: packages are made on Debian, with `apt-get install {package}`")
 }
 
 /// Installs Debian packages.

@@ -1,8 +1,12 @@
 //! Running other programs and finding our own folders.
 
 use anyhow::{Context, Result, bail};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+
+/// The version of everything that is built.
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// The top folder of the workspace.
 pub(crate) fn root() -> PathBuf {
@@ -33,6 +37,27 @@ pub(crate) fn cargo(subcommand: &str) -> Command {
     command
 }
 
+/// Cargo with the compiler for the board.
+///
+/// Where rustup has none it is Debian's, which has no library for the board: it builds core from source
+/// and links with LLVM's own linker.
+pub(crate) fn cargo_for_board(subcommand: &str) -> Command {
+    if std::env::var("CALIB_ELF_TOOLCHAIN").as_deref() != Ok("debian") {
+        return cargo(subcommand);
+    }
+    let mut command = Command::new("/usr/bin/cargo");
+    command.current_dir(root()).arg(subcommand);
+    if subcommand == "build" {
+        command.args(["--ignore-rust-version", "-Zbuild-std=core"]);
+    }
+    command
+        .env_remove("RUSTUP_TOOLCHAIN")
+        .env("RUSTC", "/usr/bin/rustc")
+        .env("RUSTC_BOOTSTRAP", "1")
+        .env("CARGO_TARGET_THUMBV7EM_NONE_EABIHF_LINKER", "ld.lld");
+    command
+}
+
 /// Runs a program to its end; a failure names the program.
 pub(crate) fn run(command: &mut Command) -> Result<()> {
     let name = command.get_program().to_string_lossy().into_owned();
@@ -56,4 +81,20 @@ pub(crate) fn said(command: &mut Command) -> Result<String> {
         bail!("{name} failed: {}", String::from_utf8_lossy(&output.stderr));
     }
     Ok(String::from_utf8_lossy(output.stdout.trim_ascii()).into_owned())
+}
+
+/// A `tar` that writes this file, of which nothing tells who made it.
+pub(crate) fn tar_of(file: &Path) -> Command {
+    let mut tar = Command::new("tar");
+    tar.env("XZ_OPT", "-T0").arg("-cJf").arg(file);
+    tar.args(["--owner=0", "--group=0", "--sort=name"]);
+    tar
+}
+
+/// A folder with nothing in it.
+pub(crate) fn empty(folder: &Path) -> Result<()> {
+    if folder.exists() {
+        fs::remove_dir_all(folder)?;
+    }
+    Ok(fs::create_dir_all(folder)?)
 }

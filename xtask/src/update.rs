@@ -1,5 +1,6 @@
 //! Updates: the image linked for both slots, signed, in one file; and the loader that starts them.
 
+use crate::shell::VERSION;
 use crate::{elf, program};
 use anyhow::{Context, Result, bail};
 use calib_boot::file;
@@ -14,7 +15,6 @@ use std::path::{Path, PathBuf};
 
 /// Names a file with the secret half of the key that signs: 64 hexadecimal digits.
 const KEY: &str = "CALIB_RELEASE_KEY";
-const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Builds the image of a board for both slots, and writes the update of both.
 pub(crate) fn build(board: Option<&str>) -> Result<PathBuf> {

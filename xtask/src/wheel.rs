@@ -3,9 +3,8 @@
 //! The module is built by the same cargo call as everything else, so that no dependency is compiled for it alone;
 //! `pip install ./python` builds it with maturin instead, where there is a Rust compiler.
 
-use crate::package::{VERSION, empty};
 use crate::python;
-use crate::shell::{cargo, root, run, target_dir};
+use crate::shell::{VERSION, cargo, empty, root, run, target_dir};
 use anyhow::{Context, Result};
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,8 +1,7 @@
 //! The tool for Windows: one program with the image inside, built here and used under wine.
 
-use crate::package::{VERSION, empty, tar_of};
 use crate::packages;
-use crate::shell::{cargo, root, run, target_dir};
+use crate::shell::{VERSION, cargo, empty, root, run, tar_of, target_dir};
 use anyhow::{Context, Result, bail};
 use std::fs;
 use std::path::{Path, PathBuf};

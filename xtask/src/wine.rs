@@ -1,7 +1,7 @@
 //! The program for Windows, used as a user would, on a computer without Windows.
 
-use crate::package::{empty, needs};
-use crate::shell::{run, said, target_dir};
+use crate::packages::needs;
+use crate::shell::{empty, run, said, target_dir};
 use crate::windows::COMPILER;
 use anyhow::{Context, Result, bail, ensure};
 use std::fs;
