@@ -18,4 +18,11 @@ pub use commands::{Heard, commands, heard, info};
 pub use frames::{Whole, framed, frames, whole_frames};
 pub use mutate::Mutator;
 pub use records::records;
-pub use seeds::{Seed, seeds};
+pub use seeds::Seed;
+
+/// All seeds, as they lie in `fuzz/corpus`.
+pub fn seeds() -> Vec<Seed> {
+    let mut all = seeds::seeds();
+    all.extend(files::seeds());
+    all
+}

@@ -22,8 +22,8 @@ pub struct Seed {
     pub bytes: Vec<u8>,
 }
 
-/// All seeds, as they lie in `fuzz/corpus`.
-pub fn seeds() -> Vec<Seed> {
+/// Seeds of the targets for a link and its records.
+pub(super) fn seeds() -> Vec<Seed> {
     let requests = requests();
     let mut seeds = Vec::new();
     for target in ["frames", "commands"] {
@@ -52,7 +52,6 @@ pub fn seeds() -> Vec<Seed> {
         name: "record".to_owned(),
         bytes: record(),
     });
-    seeds.extend(super::files::seeds());
     seeds
 }
 

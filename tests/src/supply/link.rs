@@ -1,35 +1,12 @@
 //! A serial line to a board whose supply fails at a given instant, or might.
 
-use super::outage::{Next, Outage};
+use super::outage::{Cut, Next, Outage};
 use crate::bench::Fault;
 use calib_link::Transport;
 use calib_twin::runner::{Emulator, SharedEmulator, Torn};
 use std::io;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
-
-/// When the supply fails.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cut {
-    /// So long after power-on.
-    After(Duration),
-    /// In an operation on the record flash.
-    InOperation {
-        /// Which one from power-on, counted from 1.
-        nth: u64,
-        /// How far into it, from 0 to 1.
-        fraction: f64,
-    },
-    /// In the next erase of a sector, so far into it, from 0 to 1.
-    InErase(f64),
-    /// In an operation on the record flash, or in an erase that comes before it.
-    InOperationOrErase {
-        /// Which one from here, counted from 1.
-        nth: u64,
-        /// How far into it, from 0 to 1.
-        fraction: f64,
-    },
-}
 
 /// State the cut left, once it has come.
 #[derive(Clone, Debug, Default)]

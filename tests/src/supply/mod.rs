@@ -14,7 +14,7 @@ mod survey;
 mod tally;
 mod told;
 
-pub use link::Cut;
+pub use outage::Cut;
 pub use survey::Survey;
 pub use tally::{Row, Tally};
 pub use told::Doing;

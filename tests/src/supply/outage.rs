@@ -1,8 +1,31 @@
-//! Outcome of a cut: the supply fails, or a second board is asked how it would have been.
+//! When the supply fails, and the outcome: the supply fails, or a second board is asked how it would have been.
 
-use super::link::Cut;
 use crate::bench::Fault;
 use calib_twin::runner::Emulator;
+use std::time::Duration;
+
+/// When the supply fails.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cut {
+    /// So long after power-on.
+    After(Duration),
+    /// In an operation on the record flash.
+    InOperation {
+        /// Which one from power-on, counted from 1.
+        nth: u64,
+        /// How far into it, from 0 to 1.
+        fraction: f64,
+    },
+    /// In the next erase of a sector, so far into it, from 0 to 1.
+    InErase(f64),
+    /// In an operation on the record flash, or in an erase that comes before it.
+    InOperationOrErase {
+        /// Which one from here, counted from 1.
+        nth: u64,
+        /// How far into it, from 0 to 1.
+        fraction: f64,
+    },
+}
 
 /// Event after an instant at which the supply might fail.
 pub(super) enum Next {

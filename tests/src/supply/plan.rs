@@ -1,6 +1,6 @@
 //! Where the cuts of a survey are.
 
-use super::link::Cut;
+use super::outage::Cut;
 use calib_twin::runner::Emulator;
 use std::time::Duration;
 

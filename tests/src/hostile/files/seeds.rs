@@ -1,6 +1,6 @@
 //! Files to begin with: those of the documents, and short ones of the rest.
 
-use crate::hostile::Seed;
+use crate::hostile::seeds::Seed;
 use calib_core::settings::Settings;
 
 /// Seeds of the targets for files.
