@@ -63,12 +63,19 @@ pub(crate) fn examine(problem: &Problem, fit: &Fit, work: &mut Workspace) -> Lac
     }
 }
 
-/// The residual; where an effect leaves scatter open its size is a rough guess: such data count less.
+/// The residual; where an effect leaves scatter open its size is a rough guess: such data count less. One that leaves
+/// most of the noise open predicts none of it: there the data count as they are stated.
 fn counted(problem: &Problem, evaluation: &Evaluation) -> Vec<f64> {
-    let data = evaluation.residual.iter().zip(&evaluation.weight);
-    data.enumerate()
-        .map(|(at, (r, w))| r * (w * problem.uncertainty(at)).powi(2))
-        .collect()
+    let share = |at: usize| evaluation.weight[at] * problem.uncertainty(at);
+    let noise = problem.data_of_group(Group::Noise);
+    let open = noise.clone().filter(|at| share(*at) < thresholds::OPEN);
+    let predicts = open.count() as f64 <= thresholds::MOST_OPEN * noise.len() as f64;
+    let data = evaluation.residual.iter().enumerate();
+    data.map(|(at, r)| match predicts || !noise.contains(&at) {
+        true => r * share(at).powi(2),
+        false => r / share(at),
+    })
+    .collect()
 }
 
 /// All tests of what a fit leaves, with what the fit would take over taken out of each.

@@ -97,6 +97,8 @@ impl OfObservable<'_> {
             if facts.rotation_varies {
                 self.add(Axis::Rotation, &|row| p(row) * row.rotation.0);
                 self.add(Axis::Rotation, &|row| p(row) * row.rotation.1);
+                self.add(Axis::Rotation, &|row| p(row) * row.rotation_twice().0);
+                self.add(Axis::Rotation, &|row| p(row) * row.rotation_twice().1);
             }
             if facts.payload_varies {
                 self.add(Axis::Payload, &|row| p(row) * row.payload_kg);
@@ -105,6 +107,11 @@ impl OfObservable<'_> {
                 self.add(Axis::Temperature, &|row| p(row) * row.warmer_k);
             }
             self.add(Axis::Time, &|row| p(row) * row.time_s);
+            // What settles, as a part that warms up does.
+            self.add(Axis::Time, &|row| {
+                let place = 2.0 * row.time_s / facts.longest_s - 1.0;
+                p(row) * legendre(2, place)
+            });
         }
     }
 

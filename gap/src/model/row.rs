@@ -48,6 +48,12 @@ pub(crate) struct Row {
 }
 
 impl Row {
+    /// Cosine and sine of twice the rotation.
+    pub(crate) fn rotation_twice(&self) -> (f64, f64) {
+        let (cos, sin) = self.rotation;
+        (cos * cos - sin * sin, 2.0 * sin * cos)
+    }
+
     /// Prepares a point.
     pub(crate) fn new(point: &Point, rig: &Rig) -> Self {
         let sizes = Sizes::new(point, rig);

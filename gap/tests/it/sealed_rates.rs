@@ -114,6 +114,19 @@ fn an_effect_missing_from_the_library_is_not_forced_onto_another() {
     check("another stage", &left, 0.03, Outcome::stage_found);
 }
 
+/// A face that bends along two axes was called a temperature of the device, and jitter a tone of the base so large
+/// that it left all noise open.
+#[test]
+fn what_the_library_lacks_is_not_called_what_leaves_it_open() {
+    let turned = outcomes("later_withheld", [5, 23, 41].into_iter());
+    let scattered = outcomes("withheld", [64].into_iter());
+    for outcome in turned.iter().chain(&scattered) {
+        assert!(outcome.left_sigma > 6.0, "{outcome}");
+        assert!(outcome.is(Verdict::Unexplained), "{outcome}");
+        assert!(outcome.stage_found(), "{outcome}");
+    }
+}
+
 /// Twice the stated noise is seen in every group of 210 rows and more: its chi-square is 4 per datum
 /// with a deviation of 0.4.
 #[test]

@@ -65,9 +65,11 @@ impl<'a> Rules<'a> {
     /// Rules whose course may have a resonance.
     fn add_sharp(&mut self, course: &Course) {
         let turning: [fn(&Row) -> f64; 2] = [|r| r.rotation.0, |r| r.rotation.1];
+        let twice: [fn(&Row) -> f64; 2] = [|r| r.rotation_twice().0, |r| r.rotation_twice().1];
         self.add(Kind::Ratio, &IN_RATIO, course, &[|_| 1.0]);
         self.add(Kind::Mirrored, &IN_BOTH, course, &[|_| 1.0]);
         self.add(Kind::Rotation, &IN_RATIO, course, &turning);
+        self.add(Kind::Rotation, &IN_RATIO, course, &twice);
         self.add(Kind::Payload, &IN_RATIO, course, &[|r| r.payload_kg]);
         self.add(Kind::Exciter, &IN_EXCITER, course, &[|_| 1.0]);
         self.add(Kind::Exciter, &IN_EXCITER[..2], course, &[|_| 1.0]);
@@ -76,15 +78,18 @@ impl<'a> Rules<'a> {
     /// Rules that depend on time, temperature or level, without sharp features.
     fn add_smooth(&mut self, course: &Course) {
         let slow: [fn(&Row) -> f64; 2] = [|r| r.warmer_k, |r| r.time_s];
+        // Alone, and with a curvature: what settles.
+        let settling: [fn(&Row) -> f64; 2] = [|r| r.time_s, |r| r.time_s * r.time_s];
         let level: [fn(&Row) -> f64; 2] = [|r| r.level_ms2, |r| 1.0 / r.level_ms2];
         self.add(Kind::PhaseInTime, &PHASE_OF_RATIO, course, &[slow[1]]);
         self.add(Kind::Temperature, &SIZE_OF_RATIO, course, &[slow[0]]);
-        self.add(Kind::Time, &SIZE_OF_RATIO, course, &[slow[1]]);
-        self.add(Kind::DriveInTime, &IN_DRIVE, course, &[slow[1]]);
-        self.add(Kind::ExciterInTime, &IN_EXCITER, course, &[slow[1]]);
-        for one in slow {
-            self.add(Kind::MirroredSlow, &IN_BOTH[..1], course, &[one]);
+        for time in [&settling[..1], &settling] {
+            self.add(Kind::Time, &SIZE_OF_RATIO, course, time);
+            self.add(Kind::DriveInTime, &IN_DRIVE, course, time);
+            self.add(Kind::ExciterInTime, &IN_EXCITER, course, time);
+            self.add(Kind::MirroredSlow, &IN_BOTH[..1], course, time);
         }
+        self.add(Kind::MirroredSlow, &IN_BOTH[..1], course, &slow[..1]);
         for one in level {
             self.add(Kind::Level, &SIZE_OF_RATIO, course, &[one]);
             self.add(Kind::MirroredLevel, &IN_BOTH[..1], course, &[one]);
