@@ -177,7 +177,7 @@ impl Instrument for Calibrator {
         // What was a minute ago has nothing to do with what is.
         let has_lived = Instant::now().as_millis() >= MINUTE_MS;
         Health {
-            deadlines: crate::timing::deadlines(),
+            deadlines: crate::timing::deadlines(crate::board::CORE_MHZ),
             timebase_ppm: state::TIMEBASE_PPM.get(),
             option_bytes: Some(crate::board::option_bytes()),
             defects: state::defects(),

@@ -50,6 +50,7 @@ pub(crate) async fn start(spawner: Spawner) {
     let left_out = identity.left_out;
     state::note_defect(Defect::Restarts, !left_out.is_nothing());
     let board = Board::start(left_out).await;
+    state::note_defect(Defect::Clock, !board.clocked);
     defmt::info!(
         "calib-firmware {=str} {=str} for {=str}, serial {=str}",
         identity.version.as_str(),

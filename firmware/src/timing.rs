@@ -1,6 +1,5 @@
 //! How long blocks, turns of tasks and interrupts take at most, by the core's cycle counter.
 
-use crate::board::CORE_MHZ;
 use calib_protocol::health::{Deadline, MAX_DEADLINES, Work};
 use core::sync::atomic::{AtomicU32, Ordering};
 use cortex_m::peripheral::DWT;
@@ -66,12 +65,12 @@ pub(crate) fn turns_of<S>(work: Work, token: SpawnToken<S>) -> SpawnToken<S> {
     token
 }
 
-/// Times that pieces of work took, and may take.
-pub(crate) fn deadlines() -> Vec<Deadline, MAX_DEADLINES> {
+/// Times that pieces of work took, and may take, on a core of so many MHz.
+pub(crate) fn deadlines(core_mhz: f32) -> Vec<Deadline, MAX_DEADLINES> {
     let told = Work::ALL.into_iter().zip(&WATCHED);
     told.map(|(work, watched)| Deadline {
         work: work as u8,
-        longest_us: watched.longest.load(Ordering::Relaxed) as f32 / CORE_MHZ,
+        longest_us: watched.longest.load(Ordering::Relaxed) as f32 / core_mhz,
         allowed_us: allowed_us(work),
     })
     .collect()

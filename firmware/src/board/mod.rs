@@ -68,9 +68,8 @@ pub(crate) use usb::{
 };
 pub(crate) use wiring::{Port, UsbParts, wiring};
 
-use crate::{retained, state};
+use crate::retained;
 use calib_firmware::restarts::{LeftOut, Stage};
-use calib_protocol::health::Defect;
 use embassy_stm32::peripherals;
 use embassy_stm32::wdg::IndependentWatchdog;
 
@@ -104,6 +103,8 @@ pub(crate) struct PortBuffers {
 
 /// Everything the tasks own, wired.
 pub(crate) struct Board {
+    /// Whether there is a clock at OSC_IN; without it the part runs on its own.
+    pub(crate) clocked: bool,
     pub(crate) lamps: Lamps,
     pub(crate) button: PushButton,
     pub(crate) port: Port,
@@ -140,7 +141,6 @@ impl Board {
         }
         watchdog::unleash(BOOT_WATCHDOG_US);
         let clocked = clocks::is_clocked();
-        state::note_defect(Defect::Clock, !clocked);
         let part = embassy_stm32::init(clocks::config(clocked));
         if clocked {
             clocks::watch();
@@ -161,6 +161,7 @@ impl Board {
         retained::enter(Stage::Running);
         let [green, yellow, red] = wired.lamps.map(Lamp::new);
         Self {
+            clocked,
             lamps: Lamps { green, yellow, red },
             button: PushButton::new(wired.button),
             port: wired.port,
