@@ -1,11 +1,11 @@
 //! The verbs: each with what it does and two lines that use it, in groups by what they are for.
 
-use super::Context;
 use super::{
-    adjust, budget, capture, certificate, check, completions, config, convert, demo, devices,
-    doctor, download, emulate, gap, identify, info, key, linking, lists, logbook, nomogram, phase,
-    points, predict, records, reference, release, risk, run, schema, selfcheck, selftest,
-    sensitivity, serve, settings, show, sign, stop, sync, turnover, update, verify, version,
+    Context, adjust, budget, capture, certificate, check, completions, config, convert, demo,
+    devices, doctor, download, emulate, gap, identify, info, key, linking, lists, logbook,
+    nomogram, phase, points, predict, records, reference, release, risk, run, schema, selfcheck,
+    selftest, sensitivity, serve, settings, show, sign, stop, sync, turnover, update, verify,
+    version,
 };
 use calib_host::Result;
 use clap::Subcommand;
