@@ -5,6 +5,11 @@ use crate::frame::CRC;
 use crate::kind::{Form, RecordKind, kind_of};
 use serde::Serialize;
 
+/// First two bytes of a record.
+pub(crate) const MARK_BYTES: usize = 2;
+/// Checksum at its end.
+pub(crate) const CHECKSUM_BYTES: usize = 4;
+
 /// Writes content between kind and checksum.
 pub(crate) fn seal(
     kind: RecordKind,
@@ -12,17 +17,22 @@ pub(crate) fn seal(
     buffer: &mut [u8],
 ) -> Result<usize, RecordError> {
     let (version, rest) = buffer
-        .split_first_chunk_mut::<2>()
+        .split_first_chunk_mut::<MARK_BYTES>()
         .ok_or(RecordError::Length)?;
     *version = kind.mark().to_le_bytes();
     let body = postcard::to_slice(content, rest).map_err(|_| RecordError::Length)?;
-    let end = 2 + body.len();
+    let end = MARK_BYTES + body.len();
+    close(buffer, end)
+}
+
+/// Writes the checksum of what stands before `end` there; the length of the record.
+pub(crate) fn close(buffer: &mut [u8], end: usize) -> Result<usize, RecordError> {
     let checksum = CRC.checksum(buffer.get(..end).ok_or(RecordError::Length)?);
     buffer
-        .get_mut(end..end + 4)
+        .get_mut(end..end + CHECKSUM_BYTES)
         .ok_or(RecordError::Length)?
         .copy_from_slice(&checksum.to_le_bytes());
-    Ok(end + 4)
+    Ok(end + CHECKSUM_BYTES)
 }
 
 /// Content between the first two bytes of a record and its checksum.
@@ -37,7 +47,7 @@ impl<'a> Content<'a> {
     /// The content whose first two bytes are `mark`; it may end early.
     pub(crate) fn begun(beginning: &'a [u8]) -> Result<Self, RecordError> {
         let (mark, bytes) = beginning
-            .split_first_chunk::<2>()
+            .split_first_chunk::<MARK_BYTES>()
             .ok_or(RecordError::Length)?;
         let found = u16::from_le_bytes(*mark);
         let (kind, form) = kind_of(found).ok_or(RecordError::Version { found })?;
@@ -47,8 +57,10 @@ impl<'a> Content<'a> {
 
 /// Checks length, checksum and version, in this order.
 pub(crate) fn open(bytes: &[u8]) -> Result<Content<'_>, RecordError> {
-    let (content, checksum) = bytes.split_last_chunk::<4>().ok_or(RecordError::Length)?;
-    if content.len() < 2 {
+    let (content, checksum) = bytes
+        .split_last_chunk::<CHECKSUM_BYTES>()
+        .ok_or(RecordError::Length)?;
+    if content.len() < MARK_BYTES {
         return Err(RecordError::Length);
     }
     if CRC.checksum(content) != u32::from_le_bytes(*checksum) {

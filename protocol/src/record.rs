@@ -28,7 +28,7 @@
 pub use crate::calibration::{MAX_POINTS, Record};
 use crate::clock::ClockReading;
 pub use crate::envelope::check;
-use crate::envelope::{Content, content_of, open, seal};
+use crate::envelope::{Content, MARK_BYTES, content_of, open, seal};
 pub use crate::error::RecordError;
 use crate::form1;
 pub use crate::head::{RecordHead, RunLabels, Sha256Sum, digest};
@@ -265,7 +265,10 @@ pub fn inspect(bytes: &[u8]) -> Result<(RecordSummary, Range<usize>), RecordErro
         kind: content.kind,
     };
     // Behind the version.
-    Ok((summary, settings.start + 2..settings.end + 2))
+    Ok((
+        summary,
+        settings.start + MARK_BYTES..settings.end + MARK_BYTES,
+    ))
 }
 
 /// Texts of settings as words of one line each.

@@ -4,9 +4,8 @@
 //! beginning, so that the signature is good for nothing else, and the SHA-256 of every byte before the section.
 //! Bytes alone are laid out here; keys and curves belong to the firmware and to hosts.
 
-use crate::envelope::sections_of;
+use crate::envelope::{CHECKSUM_BYTES, MARK_BYTES, close, sections_of};
 use crate::error::RecordError;
-use crate::frame::CRC;
 use crate::head::{Sha256Sum, digest};
 use crate::sections::{Fields, find, section};
 use serde::{Deserialize, Serialize};
@@ -15,10 +14,6 @@ use serde::{Deserialize, Serialize};
 const SIGNATURE: u8 = 8;
 /// First bytes of the section: id, version and length of the content.
 const FRONT: [u8; 3] = [SIGNATURE, 1, 96];
-/// First two bytes of a record.
-const MARK_BYTES: usize = 2;
-/// Checksum at its end.
-const CHECKSUM_BYTES: usize = 4;
 /// Beginning of what is signed.
 const CONTEXT: &[u8; 12] = b"calib record";
 
@@ -75,12 +70,7 @@ pub fn append(
     let room = buffer.get_mut(end..).ok_or(RecordError::Length)?;
     let written = postcard::to_slice(&section(SIGNATURE, signature), room);
     let end = end + written.map_err(|_| RecordError::Length)?.len();
-    let checksum = CRC.checksum(buffer.get(..end).ok_or(RecordError::Length)?);
-    buffer
-        .get_mut(end..end + CHECKSUM_BYTES)
-        .ok_or(RecordError::Length)?
-        .copy_from_slice(&checksum.to_le_bytes());
-    Ok(end + CHECKSUM_BYTES)
+    close(buffer, end)
 }
 
 /// Signature of a record and what it must fit, none where it is not signed.
@@ -112,6 +102,7 @@ pub fn of(record: &[u8]) -> Result<Option<(Signature, Message)>, RecordError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::frame::CRC;
     use crate::record::{Record, decode, encode};
 
     const KEY: PublicKey = [7; 32];
