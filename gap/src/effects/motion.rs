@@ -133,8 +133,7 @@ impl Effect for RotationTwice {
         vec![1e-3 * a[0].hypot(a[1]), 0.5 * a[1].atan2(a[0])]
     }
     fn transfer(&self, p: &[f64], row: &Row, _frequency_hz: f64, transfer: &mut Transfer) {
-        let (cos, sin) = row.rotation;
-        let (cos_twice, sin_twice) = (cos * cos - sin * sin, 2.0 * sin * cos);
+        let (cos_twice, sin_twice) = row.rotation_twice();
         let along = cos_twice * (2.0 * p[1]).cos() + sin_twice * (2.0 * p[1]).sin();
         transfer.dut *= 1.0 + p[0] * along;
     }

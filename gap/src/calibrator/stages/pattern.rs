@@ -110,7 +110,7 @@ pub(crate) enum Kind {
     Ratio,
     /// The phase of the ratio, growing with time.
     PhaseInTime,
-    /// The ratio, with the cosine and sine of the rotation.
+    /// The ratio, with the cosine and sine of the rotation, or of twice that.
     Rotation,
     /// The ratio, in proportion to the payload.
     Payload,

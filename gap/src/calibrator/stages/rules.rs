@@ -77,19 +77,19 @@ impl<'a> Rules<'a> {
 
     /// Rules that depend on time, temperature or level, without sharp features.
     fn add_smooth(&mut self, course: &Course) {
-        let slow: [fn(&Row) -> f64; 2] = [|r| r.warmer_k, |r| r.time_s];
+        let warmer: fn(&Row) -> f64 = |r| r.warmer_k;
         // Alone, and with a curvature: what settles.
         let settling: [fn(&Row) -> f64; 2] = [|r| r.time_s, |r| r.time_s * r.time_s];
         let level: [fn(&Row) -> f64; 2] = [|r| r.level_ms2, |r| 1.0 / r.level_ms2];
-        self.add(Kind::PhaseInTime, &PHASE_OF_RATIO, course, &[slow[1]]);
-        self.add(Kind::Temperature, &SIZE_OF_RATIO, course, &[slow[0]]);
+        self.add(Kind::PhaseInTime, &PHASE_OF_RATIO, course, &settling[..1]);
+        self.add(Kind::Temperature, &SIZE_OF_RATIO, course, &[warmer]);
         for time in [&settling[..1], &settling] {
             self.add(Kind::Time, &SIZE_OF_RATIO, course, time);
             self.add(Kind::DriveInTime, &IN_DRIVE, course, time);
             self.add(Kind::ExciterInTime, &IN_EXCITER, course, time);
             self.add(Kind::MirroredSlow, &IN_BOTH[..1], course, time);
         }
-        self.add(Kind::MirroredSlow, &IN_BOTH[..1], course, &slow[..1]);
+        self.add(Kind::MirroredSlow, &IN_BOTH[..1], course, &[warmer]);
         for one in level {
             self.add(Kind::Level, &SIZE_OF_RATIO, course, &[one]);
             self.add(Kind::MirroredLevel, &IN_BOTH[..1], course, &[one]);
