@@ -1,4 +1,5 @@
-//! Flaws of the converters of a part, what else is broken in it for good, and the way from DAC to ADC2 in a sound one.
+//! Flaws of the converters of a part, what else is broken in it for good, and the way from DAC to ADC2 in a
+//! sound one.
 //!
 //! Flaws outlive a reset, as silicon does. Those of the DAC show on its pin and on the chip alike, but
 //! for its noise, which only the way on the chip has: on the pin the rig's output stage has its own.

@@ -8,6 +8,7 @@ use rigless::soc::Bus;
 use rigless::soc::stm32h743::generated::gpioa;
 use serde::{Deserialize, Serialize};
 
+use super::memory_map;
 use super::schematic::{Pin, Schematic};
 
 /// Source in front of an input pin, ohm: the series resistor of docs/hardware.md.
@@ -80,10 +81,8 @@ fn mode(bus: &Bus, pin: Pin) -> u64 {
     port(bus, pin, gpioa::Register::Moder) >> (2 * pin.number) & 0b11
 }
 
-/// A register of the port a pin is of.
 fn port(bus: &Bus, pin: Pin, register: gpioa::Register) -> u64 {
-    let registers = bus.registers(&pin.instance());
-    registers.map_or(0, |registers| registers.get(register))
+    memory_map::value(bus, register, &pin.instance())
 }
 
 #[cfg(test)]

@@ -16,6 +16,12 @@ use rigless::soc::stm32h743::peripherals::{adc, exti, flash, otg, pwr, rcc, rng,
 use rigless::soc::stm32h743::{CPU, MEMORY, generated};
 use rigless::soc::{Access, Builder, Bus, Clock, Gate, Layout, Peripheral, WriteModify};
 
+/// A register of an instance, 0 where there is none of this name.
+pub(super) fn value<L: Layout>(bus: &Bus, register: L, instance: &str) -> u64 {
+    let registers = bus.registers(instance);
+    registers.map_or(0, |registers| registers.get(register))
+}
+
 /// Interrupt lines the vendor's file gets wrong, from RM0433 Rev 9, section 19.1.2, table 147.
 const INTERRUPTS: [(&str, &[u16]); 13] = [
     ("TIM12", &[43]),

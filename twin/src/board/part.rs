@@ -288,10 +288,7 @@ impl Part {
     }
 
     pub(super) fn register<L: rigless::soc::Layout>(&self, register: L, instance: &str) -> u64 {
-        self.base
-            .bus()
-            .registers(instance)
-            .map_or(0, |registers| registers.get(register))
+        memory_map::value(self.base.bus(), register, instance)
     }
 
     /// Flaws of the converters.

@@ -18,7 +18,8 @@ pub(super) const SUPPLY_MV: u32 = 3300;
 ///
 /// The emulator gives every instruction the same time and knows neither caches, wait states nor dual
 /// issue. 250 million is about half an instruction per clock of the real core, so a deadline met here
-/// is met on the hardware unless a path is bound by memory. [`instructions_per_s`](super::instructions_per_s) has others.
+/// is met on the hardware unless a path is bound by memory. [`instructions_per_s`](super::instructions_per_s)
+/// has others.
 pub const INSTRUCTIONS_PER_S: u64 = 250_000_000;
 
 /// Devices connected to the board, each a handle that others may hold too.
