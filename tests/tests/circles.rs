@@ -45,6 +45,7 @@ impl Crate {
             module,
             file,
             of: self,
+            inside: modules_of(&parsed.items),
             children: Vec::new(),
         };
         parsed.items.iter().for_each(|item| names.visit_item(item));
@@ -126,6 +127,8 @@ struct Names<'a> {
     module: Module,
     file: &'a Path,
     of: &'a mut Crate,
+    /// Modules of this one, wherever they are declared in it.
+    inside: Vec<String>,
     /// Modules in files of their own, with the path where one is stated.
     children: Vec<(String, Option<String>)>,
 }
@@ -150,7 +153,7 @@ impl Names<'_> {
             }
             child => {
                 // Only a module of this one is of this crate, and only a path leads into it.
-                if !self.children.iter().any(|(name, _)| name == child) || rest.len() < 2 {
+                if !self.inside.iter().any(|name| name == child) || rest.len() < 2 {
                     return None;
                 }
             }
@@ -219,14 +222,20 @@ impl<'ast> Visit<'ast> for Names<'_> {
             self.children.push((name, path_of(&item.attrs)));
             return;
         };
-        let outside = std::mem::take(&mut self.children);
+        let outside = std::mem::replace(&mut self.inside, modules_of(items));
+        let declared = self.children.len();
         self.module.push(name);
         self.of
             .files
             .insert(self.module.clone(), self.file.to_owned());
         items.iter().for_each(|item| self.visit_item(item));
         self.module.pop();
-        self.children = outside;
+        self.inside = outside;
+        assert_eq!(
+            self.children.len(),
+            declared,
+            "a file below a module that has none"
+        );
     }
 
     fn visit_item_use(&mut self, item: &'ast ItemUse) {
@@ -244,6 +253,14 @@ impl<'ast> Visit<'ast> for Names<'_> {
         }
         syn::visit::visit_path(self, path);
     }
+}
+
+fn modules_of(items: &[Item]) -> Vec<String> {
+    let named = items.iter().filter_map(|item| match item {
+        Item::Mod(module) => Some(module.ident.to_string()),
+        _ => None,
+    });
+    named.collect()
 }
 
 fn is_for_tests(attribute: &Attribute) -> bool {
@@ -335,6 +352,13 @@ fn a_planted_circle_is_found() {
         ),
     ];
     assert_eq!(planted(&straight), [""; 0]);
+    // What is given out before its module is declared.
+    let late = [
+        ("lib.rs", "pub use b::Late; mod a; mod b;"),
+        ("a.rs", "use crate::Late; pub struct First(Late);"),
+        ("b.rs", "use crate::a::First; pub struct Late(First);"),
+    ];
+    assert_eq!(planted(&late), ["a.rs -> b.rs", "b.rs -> a.rs"]);
     // A module and its child.
     let child = [
         ("lib.rs", "mod a; mod b; mod c;"),
