@@ -91,7 +91,8 @@ impl Listening {
         self.age = 0;
     }
 
-    /// Whether what is known of the mains is too old for a tone of `set_peak` codes, or too little.
+    /// Takes over what was heard in full; whether what is known of the mains then is too old for a tone of `set_peak`
+    /// codes, or too little.
     pub(super) fn is_stale(
         &mut self,
         frequency_hz: f32,

@@ -69,11 +69,11 @@ pub struct Reading {
 }
 
 /// Coverage factor of every uncertainty in the settings.
-pub(super) const K: f64 = 2.0;
+const K: f64 = 2.0;
 pub(super) const STANDARD_GRAVITY_MS2: f64 = 9.806_65;
 pub(super) const RAD_PER_DEGREE: f64 = PI / 180.0;
 /// U of a phase of which nothing is known, rad.
-pub(super) const UNKNOWN_PHASE_RAD: f64 = PI;
+const UNKNOWN_PHASE_RAD: f64 = PI;
 
 /// A number of a table with the line it stood in.
 #[derive(Clone, Copy, Debug)]
