@@ -58,13 +58,18 @@ impl<'a> Found<'a> {
                 .all(|(free, theta)| !free.bounded || theta.abs() < thresholds::NOMINAL_STRETCHED)
     }
 
+    /// What a fit leaves of -2 ln likelihood beyond noise, which is one per datum.
+    pub(super) fn beyond_noise(&self, fit: &Fit) -> f64 {
+        fit.objective - self.problem.len() as f64
+    }
+
     /// Whether the best set of a size leaves noise, or little of what the best below it leaves beyond
     /// that. Where one more effect does not, none is the one that lacks.
     pub(super) fn closes(&self, size: usize) -> bool {
         let count = self.problem.len() as f64;
         let beyond = |size| {
             let leader = self.leader(size);
-            leader.map_or(f64::INFINITY, |fit| fit.objective - count)
+            leader.map_or(f64::INFINITY, |fit| self.beyond_noise(fit))
         };
         let noise = thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt();
         beyond(size) < noise.max(thresholds::CLOSES * beyond(size - 1))

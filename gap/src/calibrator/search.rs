@@ -71,6 +71,8 @@ struct Growth {
     floor: f64,
     /// Predicted gain from which the best effect of its kind of observable is tried.
     least: f64,
+    /// The same as a share of what the set leaves beyond noise.
+    share: f64,
 }
 
 impl Growth {
@@ -84,6 +86,7 @@ impl Growth {
             bases: usize::MAX,
             floor: thresholds::WORTH_ADDING,
             least: thresholds::WORTH_REFINING,
+            share: 0.0,
         };
         if !beyond {
             return usual;
@@ -93,6 +96,7 @@ impl Growth {
             bases: LEADERS,
             floor: shows,
             least: shows,
+            share: thresholds::PROMISED,
             ..usual
         }
     }
@@ -200,19 +204,29 @@ impl Searcher<'_> {
         let size = growth.size;
         let mut tried = self.found.tried(size);
         let mut any = !tried.is_empty();
+        // Objective of the set whose effects were exchanged last: the same set has nothing new to say.
+        let mut exchanged = f64::INFINITY;
         for round in 0..3 {
             let bases = if round == 0 {
                 let mut bases = self.found.bases(size - 1, nominal);
                 bases.truncate(growth.bases);
                 bases
             } else {
+                let leads = self.found.leader(size).map_or(exchanged, |f| f.objective);
+                if leads >= exchanged {
+                    break;
+                }
+                exchanged = leads;
                 self.exchange_bases(size)
             };
             let mut plans: Vec<Plan> = Vec::new();
             for fit in bases {
                 let (predicted, slopes) = self.candidates.scan(self.problem, &fit, &mut self.work);
+                let least = growth
+                    .least
+                    .max(growth.share * self.found.beyond_noise(&fit));
                 let base = Rc::new(Base { fit, slopes });
-                let shows = predicted.partition_point(|p| p.gain > growth.least);
+                let shows = predicted.partition_point(|p| p.gain > least);
                 let plan = chosen(&predicted[..shows], 5, 2, growth.floor).into_iter();
                 plans.extend(
                     plan.map(|predicted_gain| Plan::new(&base, predicted_gain))
