@@ -46,7 +46,7 @@ impl Followed<'_> {
             return Err(broken.into());
         }
         self.context.remark(&format!(
-            "{broken}: the run goes on, and is followed when the link is there again"
+            "{broken}: the run goes on if the calibrator has power, and is followed when the link is there again"
         ));
         let begun = Instant::now();
         while begun.elapsed() < PATIENCE {
@@ -56,7 +56,8 @@ impl Followed<'_> {
             std::thread::sleep(PAUSE);
         }
         self.context.remark(&format!(
-            "the calibrator stores the run as record {id}: `calib sync` fetches it once the link is there"
+            "a calibrator that kept its power stores the run as record {id}, which `calib sync` fetches once the \
+             link is there; one that lost it has to run again"
         ));
         Err(broken.into())
     }
