@@ -219,20 +219,7 @@ impl Searcher<'_> {
                 exchanged = leads;
                 self.exchange_bases(size)
             };
-            let mut plans: Vec<Plan> = Vec::new();
-            for fit in bases {
-                let (predicted, slopes) = self.candidates.scan(self.problem, &fit, &mut self.work);
-                let least = growth
-                    .least
-                    .max(growth.share * self.found.beyond_noise(&fit));
-                let base = Rc::new(Base { fit, slopes });
-                let shows = predicted.partition_point(|p| p.gain > least);
-                let plan = chosen(&predicted[..shows], 5, 2, growth.floor).into_iter();
-                plans.extend(
-                    plan.map(|predicted_gain| Plan::new(&base, predicted_gain))
-                        .filter(|plan| !plan.repeats() && !tried.contains(&plan.entries())),
-                );
-            }
+            let mut plans = self.plans(bases, growth, &tried);
             self.found.drop_hopeless(&mut plans, size);
             if plans.is_empty() {
                 break;
@@ -245,6 +232,23 @@ impl Searcher<'_> {
             }
         }
         any
+    }
+
+    /// What is worth a try beside each of some sets, but for sets that were tried.
+    fn plans(&mut self, bases: Vec<Fit>, growth: &Growth, tried: &[Vec<usize>]) -> Vec<Plan> {
+        let mut plans: Vec<Plan> = Vec::new();
+        for fit in bases {
+            let (predicted, slopes) = self.candidates.scan(self.problem, &fit, &mut self.work);
+            let share = growth.share * self.found.beyond_noise(&fit);
+            let base = Rc::new(Base { fit, slopes });
+            let shows = predicted.partition_point(|p| p.gain > growth.least.max(share));
+            let plan = chosen(&predicted[..shows], 5, 2, growth.floor).into_iter();
+            plans.extend(
+                plan.map(|predicted_gain| Plan::new(&base, predicted_gain))
+                    .filter(|plan| !plan.repeats() && !tried.contains(&plan.entries())),
+            );
+        }
+        plans
     }
 
     fn race(&mut self, plan: &Plan, nominal: f64) {
