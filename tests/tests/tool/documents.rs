@@ -161,6 +161,10 @@ fn the_page_of_the_gap_does_what_it_shows() {
 }
 
 /// A calibrator with its button held, a sensor measured six times, and the keys of two laboratories.
+///
+/// A control chart calls one of some two hundred sound series out of control. That the reference is another for two of
+/// the six, by 0.1 % where the noise is 0.01 %, leaves nothing of that to chance: no six results rise or fall, and the
+/// limits are wide.
 #[test]
 fn the_page_of_the_tool_does_what_it_shows() {
     let keys = Path::new(env!("CARGO_MANIFEST_DIR")).join("../host-tool/signing/test-keys");
@@ -174,7 +178,9 @@ calib emulate --tcp 5025 --hold-button > emulator.log 2>&1 &
 listens
 printf 'frequency_hz\n160\n80\n' > pump.csv
 {{ calib sensors add --serial LW1 --sensitivity 98 --unit mV/g
-for nth in 1 2 3 4 5 6; do calib run --sensor LW1 --points pump.csv; done; }} > before.log 2>&1
+calib settings > settings.toml; sed 's/= 0[.]01019/= 0.01018/' settings.toml > lower.toml
+measure() {{ for nth in $(seq $1); do calib run --sensor LW1 --points pump.csv; done; }}
+measure 2; calib settings --write lower.toml; measure 2; calib settings --write settings.toml; measure 2; }} > before.log 2>&1
 ",
         keys.display()
     );
