@@ -76,12 +76,19 @@ impl<'a> Found<'a> {
     }
 
     /// Drops plans that cannot compete even if they gain more than the screening predicts.
+    ///
+    /// An effect that scatters can pass a gap off as noise, and then leads any one of several effects that are there:
+    /// where the leading set leaves more than noise, a set without such an effect competes with its like alone.
     pub(super) fn drop_hopeless(&self, plans: &mut Vec<Plan>, size: usize) {
-        let best = self
-            .fits
-            .iter()
-            .map(|f| f.objective + thresholds::EFFECT_COST * f.effects.len() as f64)
-            .fold(f64::INFINITY, f64::min);
+        let cost = |f: &Fit| f.objective + thresholds::EFFECT_COST * f.effects.len() as f64;
+        let least = |best: f64, fit| cost(fit).min(best);
+        let best = self.fits.iter().fold(f64::INFINITY, least);
+        let steady = self.fits.iter().filter(|f| !scatters(f));
+        let best_steady = if self.fits.iter().any(|f| self.is_noise(f)) {
+            best
+        } else {
+            steady.fold(f64::INFINITY, least)
+        };
         let found = &self.fits;
         plans.retain(|plan| {
             let entries = plan.entries();
@@ -92,11 +99,23 @@ impl<'a> Found<'a> {
                     && self.is_noise(f)
                     && f.effects.iter().all(|e| entries.contains(&e.entry))
             });
+            let best = if plan.scatters() { best } else { best_steady };
             !worse
                 && plan.predicted - thresholds::GAIN_SLACK * plan.predicted_gain.gain
                     + thresholds::EFFECT_COST * (size as f64)
                     < best + thresholds::COMPETING
         });
+    }
+
+    /// So many of the best sets of a size, and the best without an effect that scatters.
+    pub(super) fn leaders(&self, size: usize, nominal: f64, most: usize) -> Vec<Fit> {
+        let bases = self.bases(size, nominal);
+        let steady = bases.iter().skip(most).find(|f| !scatters(f)).cloned();
+        let mut leaders: Vec<Fit> = bases.into_iter().take(most).collect();
+        if leaders.iter().all(scatters) {
+            leaders.extend(steady);
+        }
+        leaders
     }
 
     /// Best sets of a size, and the best of each kind of observable.
@@ -148,12 +167,24 @@ impl Plan {
         entries
     }
 
+    /// Whether an effect of the set shows as noise.
+    fn scatters(&self) -> bool {
+        let added = library()[self.predicted_gain.entry];
+        added.scatters() || scatters(&self.base.fit)
+    }
+
     /// Whether the base holds an effect of the same name.
     pub(super) fn repeats(&self) -> bool {
         let name = library()[self.predicted_gain.entry].entry().id;
         let mut there = self.base.fit.effects.iter();
         there.any(|e| e.effect.entry().id == name)
     }
+}
+
+/// Whether an effect of a set shows as noise.
+fn scatters(fit: &Fit) -> bool {
+    let mut effects = fit.effects.iter();
+    effects.any(|e| e.effect.scatters())
 }
 
 /// Places in the library of the effects of a set, ascending.

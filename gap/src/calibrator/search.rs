@@ -208,9 +208,7 @@ impl Searcher<'_> {
         let mut exchanged = f64::INFINITY;
         for round in 0..3 {
             let bases = if round == 0 {
-                let mut bases = self.found.bases(size - 1, nominal);
-                bases.truncate(growth.bases);
-                bases
+                self.found.leaders(size - 1, nominal, growth.bases)
             } else {
                 let leads = self.found.leader(size).map_or(exchanged, |f| f.objective);
                 if leads >= exchanged {

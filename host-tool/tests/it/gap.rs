@@ -17,6 +17,27 @@ fn simulate(directory: &Path, out: &str, more: &[&str]) -> Value {
     json(&calib(directory, &[&arguments, more].concat()))
 }
 
+/// Two effects that bend beside hum: a tone of the base that opens the noise leaves less than any one of them.
+#[test]
+fn three_effects_are_named_where_one_of_them_makes_noise() {
+    let directory = tempfile::tempdir().expect("directory");
+    let effects = ["suspension_cubic", "amplifier_even_order", "mains_pickup"];
+    let more: Vec<&str> = effects.iter().flat_map(|e| ["--effect", e]).collect();
+    simulate(
+        directory.path(),
+        "a",
+        &[&more[..], &["--seed", "9"]].concat(),
+    );
+    let answer = json(&calib(
+        directory.path(),
+        &["gap", "diagnose", "a", "--json"],
+    ));
+    assert_eq!(answer["verdict"], "explained");
+    let named = answer["causes"][0]["effects"].as_array().expect("a list");
+    let named: Vec<&str> = named.iter().filter_map(Value::as_str).collect();
+    assert_eq!(named, effects);
+}
+
 #[test]
 fn a_simulated_effect_is_named_and_the_dataset_does_not_tell_it() {
     let directory = tempfile::tempdir().expect("directory");
