@@ -34,6 +34,9 @@ pub(crate) const GAP_SHOWN_SIGMA: f64 = 4.0;
 /// Probability that noise alone shows one bump somewhere.
 pub(crate) const BUMP_P_VALUE: f64 = 0.01;
 
+/// What unseen rows leave without one effect of a larger set, over what they leave with it, from which that effect is
+/// no correction of another form: of two sealed sets whose third effect was struck for it, 60 and 170.
+pub(crate) const NO_CORRECTION: f64 = 10.0;
 /// Root mean square of error over uncertainty on held-out rows above which no set explains.
 pub(crate) const EXPLAINED_CHI: f64 = 2.0;
 /// Share of the gap that a set must close on held-out rows to explain part of it.

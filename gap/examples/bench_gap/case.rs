@@ -148,6 +148,7 @@ fn names(stratum: &str, index: u64, random: &mut Random) -> Vec<&'static str> {
         "ratio" => turn(&seen_in_ratio),
         "pairs" | "beside" => several(2, &all, random),
         "triples" => several(3, &all, random),
+        "opened" => two_that_bend_and_noise(&all, random),
         "later" | "later_withheld" => turn(&later),
         // One alone, two, and one in another form, in turns; without the library's own, one alone.
         "weak" if index % 3 == 1 => several(2, &all, random),
@@ -168,6 +169,21 @@ fn several(count: usize, all: &[&'static str], random: &mut Random) -> Vec<&'sta
             drawn.push(next);
         }
     }
+    drawn
+}
+
+/// Two that show in the harmonics, and one that shows as noise alone, which can pass either off as noise.
+fn two_that_bend_and_noise(all: &[&'static str], random: &mut Random) -> Vec<&'static str> {
+    let of = |is: fn(&Entry) -> bool| -> Vec<&'static str> {
+        let those = all
+            .iter()
+            .filter(|name| named(Of::Calibrator, name).is_some_and(is));
+        those.copied().collect()
+    };
+    let bent = of(|entry| entry.shows_in("ref_h2") || entry.shows_in("ref_h3"));
+    let noise = of(|entry| entry.only_scatters);
+    let mut drawn = several(2, &bent, random);
+    drawn.push(noise[random.below(noise.len())]);
     drawn
 }
 
@@ -320,7 +336,7 @@ fn diagnosed(
     let known = misfit(folder, &truth)?;
     let root = |difference: f64| difference.max(0.0).sqrt();
     let sigma = root(misfit(folder, &[])? - known);
-    let several = matches!(stratum, "triples" | "beside");
+    let several = matches!(stratum, "triples" | "opened" | "beside");
     let left_sigma = match answer.causes.first() {
         Some(best) if several || is_withheld(stratum) => {
             root(misfit(folder, &best.effects)? - known)

@@ -18,13 +18,14 @@ use rayon::prelude::*;
 use std::fmt::Write;
 
 /// Strata and their sizes when nothing else is said.
-const STRATA: [(&str, u64); 23] = [
+const STRATA: [(&str, u64); 24] = [
     ("null", 300),
     ("off2u", 300),
     ("single", 336),
     ("ratio", 320),
     ("pairs", 300),
     ("triples", 120),
+    ("opened", 120),
     ("beside", 120),
     ("withheld", 336),
     ("size", 420),

@@ -45,7 +45,7 @@ fn rates(stratum: &str, all: &[Outcome]) -> Vec<Rate> {
             share(&cases.every, |o| !o.is(Verdict::NoGap)),
         )],
         "ratio" => rates_of_ratios(&cases),
-        "triples" => rates_of_several(&cases),
+        "triples" | "opened" => rates_of_several(&cases),
         "beside" => rates_beside(&cases),
         "withheld" | "later_withheld" | "record_withheld" => rates_of_withheld(&cases),
         "form" | "record_form" => rates_of_forms(&cases),

@@ -108,9 +108,11 @@ fn heard_search(problem: &Problem, limits: &Limits, unseen: &Unseen<'_>) -> Sear
     unseen.veto(problem, &mut found);
     if limits.most_effects < limits.where_structure_is_left {
         // More names than are asked for have to describe all of the data: of a cause with another form than ours
-        // the next effects would only be corrections.
+        // the next effects would only be corrections, which are small.
         found.strike(|fit| {
-            fit.effects.len() <= limits.most_effects || !leaves_structure(problem, fit)
+            fit.effects.len() <= limits.most_effects
+                || !leaves_structure(problem, fit)
+                || unseen.needs_each(problem, fit)
         });
     }
     found

@@ -84,8 +84,6 @@ impl<'a> Unseen<'a> {
     /// Strikes sets that the unseen rows speak against.
     pub(super) fn veto(&self, problem: &Problem, found: &mut Search) {
         let plain = self.misfit(problem, &found.nominal);
-        let count = problem.len() as f64;
-        let noise = count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt();
         let stands = |fit: &Fit| {
             let alone = |leave: usize| {
                 let mut single = fit.clone();
@@ -94,10 +92,22 @@ impl<'a> Unseen<'a> {
             };
             let partners = 0..fit.effects.len();
             let without = partners.filter(|_| fit.effects.len() > 1).map(alone);
-            let clean = fit.objective < noise;
+            let clean = is_clean(problem, fit);
             stands(self.misfit(problem, fit), plain, without, clean)
         };
         found.strike(stands);
+    }
+
+    /// Whether a set leaves noise, and each of its effects many times what noise is where it alone is left out: on
+    /// unseen rows, too much for a correction of the others' form.
+    pub(super) fn needs_each(&self, problem: &Problem, fit: &Fit) -> bool {
+        let mut without = (0..fit.effects.len()).map(|at| {
+            let mut less = fit.clone();
+            less.effects.remove(at);
+            self.misfit(problem, &less)
+        });
+        let needed = thresholds::NO_CORRECTION * self.misfit(problem, fit).abs();
+        is_clean(problem, fit) && without.all(|left| left > needed)
     }
 
     /// The gap with one set, fitted to the others.
@@ -185,4 +195,10 @@ impl Part {
         };
         score_on(&self.training, &self.testing, nominal, &chosen)
     }
+}
+
+/// Whether a fit leaves what noise leaves, of all data together.
+fn is_clean(problem: &Problem, fit: &Fit) -> bool {
+    let count = problem.len() as f64;
+    fit.objective < count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt()
 }

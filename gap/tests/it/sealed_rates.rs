@@ -103,6 +103,18 @@ fn three_effects_are_named() {
     check("not all three named", &large, 0.15, named);
 }
 
+/// Noise that a third effect makes is no reason to pass the harmonics of the others off as noise, and a set in which
+/// each effect is needed many times over is not given up for what little it leaves: a tone of the base that left 180
+/// times more was the answer to both.
+#[test]
+fn two_that_bend_beside_noise_are_named() {
+    let drawn = [2, 5].map(|index| run("opened", index, 5).expect("a good dataset"));
+    for outcome in &drawn {
+        assert!(outcome.is(Verdict::PartlyExplained), "{outcome}");
+        assert!(named(outcome), "{outcome}");
+    }
+}
+
 #[test]
 fn an_effect_missing_from_the_library_is_not_forced_onto_another() {
     let outcomes = outcomes("withheld", (0..42).step_by(4));
