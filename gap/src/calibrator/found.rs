@@ -78,7 +78,8 @@ impl<'a> Found<'a> {
     /// Drops plans that cannot compete even if they gain more than the screening predicts.
     ///
     /// An effect that scatters can pass a gap off as noise, and then leads any one of several effects that are there:
-    /// where the leading set leaves more than noise, a set without such an effect competes with its like alone.
+    /// where the leading set leaves more than noise, a set without such an effect competes with its like alone, if
+    /// what is added to it is more than a correction.
     pub(super) fn drop_hopeless(&self, plans: &mut Vec<Plan>, size: usize) {
         let cost = |f: &Fit| f.objective + thresholds::EFFECT_COST * f.effects.len() as f64;
         let least = |best: f64, fit| cost(fit).min(best);
@@ -99,7 +100,13 @@ impl<'a> Found<'a> {
                     && self.is_noise(f)
                     && f.effects.iter().all(|e| entries.contains(&e.entry))
             });
-            let best = if plan.scatters() { best } else { best_steady };
+            let gain = plan.predicted_gain.gain;
+            let is_cause = gain > thresholds::CAUSE_SHARE * self.beyond_noise(&plan.base.fit);
+            let best = if is_cause && !plan.scatters() {
+                best_steady
+            } else {
+                best
+            };
             !worse
                 && plan.predicted - thresholds::GAIN_SLACK * plan.predicted_gain.gain
                     + thresholds::EFFECT_COST * (size as f64)
