@@ -51,9 +51,8 @@ impl<'a> Found<'a> {
     /// Whether a fit leaves what noise leaves: one per datum within three standard
     /// deviations, and no nominal value stretched.
     pub(super) fn is_noise(&self, fit: &Fit) -> bool {
-        let count = self.problem.len() as f64;
         let mut nominal = self.problem.free.iter().zip(&fit.theta);
-        fit.objective < count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt()
+        self.problem.is_noise(fit.objective)
             && nominal
                 .all(|(free, theta)| !free.bounded || theta.abs() < thresholds::NOMINAL_STRETCHED)
     }

@@ -8,6 +8,7 @@ use crate::model::memory::Memory;
 use crate::model::prediction::Nominal;
 use crate::model::row::Row;
 use crate::observable::{Group, Observable, Table};
+use crate::thresholds;
 use std::f64::consts::{PI, TAU};
 use std::ops::Range;
 
@@ -165,6 +166,12 @@ impl Problem {
             at.map_or(0.0, |i| theta[i])
         };
         self.free.iter().map(of).collect()
+    }
+
+    /// Whether an objective is what noise leaves: one per datum, within three standard deviations.
+    pub(super) fn is_noise(&self, objective: f64) -> bool {
+        let count = self.len() as f64;
+        objective < count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt()
     }
 
     /// Number of data.

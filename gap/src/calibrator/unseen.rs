@@ -85,14 +85,9 @@ impl<'a> Unseen<'a> {
     pub(super) fn veto(&self, problem: &Problem, found: &mut Search) {
         let plain = self.misfit(problem, &found.nominal);
         let stands = |fit: &Fit| {
-            let alone = |leave: usize| {
-                let mut single = fit.clone();
-                single.effects.remove(leave);
-                self.misfit(problem, &single)
-            };
-            let partners = 0..fit.effects.len();
-            let without = partners.filter(|_| fit.effects.len() > 1).map(alone);
-            let clean = is_clean(problem, fit);
+            let partners = (0..fit.effects.len()).filter(|_| fit.effects.len() > 1);
+            let without = partners.map(|at| self.misfit_without(problem, fit, at));
+            let clean = problem.is_noise(fit.objective);
             stands(self.misfit(problem, fit), plain, without, clean)
         };
         found.strike(stands);
@@ -101,13 +96,17 @@ impl<'a> Unseen<'a> {
     /// Whether a set leaves noise, and each of its effects many times what noise is where it alone is left out: on
     /// unseen rows, too much for a correction of the others' form.
     pub(super) fn needs_each(&self, problem: &Problem, fit: &Fit) -> bool {
-        let mut without = (0..fit.effects.len()).map(|at| {
-            let mut less = fit.clone();
-            less.effects.remove(at);
-            self.misfit(problem, &less)
-        });
         let needed = thresholds::NO_CORRECTION * self.misfit(problem, fit).abs();
-        is_clean(problem, fit) && without.all(|left| left > needed)
+        let mut each = 0..fit.effects.len();
+        problem.is_noise(fit.objective)
+            && each.all(|at| self.misfit_without(problem, fit, at) > needed)
+    }
+
+    /// What a set leaves of the unseen rows without one of its effects, the others kept as they are.
+    fn misfit_without(&self, problem: &Problem, fit: &Fit, at: usize) -> f64 {
+        let mut less = fit.clone();
+        less.effects.remove(at);
+        self.misfit(problem, &less)
     }
 
     /// The gap with one set, fitted to the others.
@@ -195,10 +194,4 @@ impl Part {
         };
         score_on(&self.training, &self.testing, nominal, &chosen)
     }
-}
-
-/// Whether a fit leaves what noise leaves, of all data together.
-fn is_clean(problem: &Problem, fit: &Fit) -> bool {
-    let count = problem.len() as f64;
-    fit.objective < count + thresholds::NOISE_CHI_SIGMA * (2.0 * count).sqrt()
 }
