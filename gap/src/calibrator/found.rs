@@ -74,12 +74,32 @@ impl<'a> Found<'a> {
         beyond(size) < noise.max(thresholds::CLOSES * beyond(size - 1))
     }
 
+    /// Objective, after a few steps, from which a set of a size is not refined further; `nominal` is that without effects.
+    ///
+    /// It lacks a share of the best set's gain, and half of what that gains over the best set of one effect less: where
+    /// one effect takes nearly all of a gap, every partner of it lacks less than a share of the whole.
+    pub(super) fn within_reach(&self, size: usize, nominal: f64) -> f64 {
+        let leads = |size| {
+            let leader = self.leader(size);
+            leader.map_or(nominal, |f| f.objective.min(nominal))
+        };
+        let best = leads(size);
+        if self.leader(size).is_some_and(|f| self.is_noise(f)) {
+            return best + thresholds::OUT_OF_REACH;
+        }
+        let share = thresholds::REACH_SHARE * (nominal - best);
+        let half = thresholds::HALF * (leads(size - 1) - best);
+        best + thresholds::OUT_OF_REACH.max(share.min(half))
+    }
+
     /// Drops plans that cannot compete even if they gain more than the screening predicts.
     ///
     /// An effect that scatters can pass a gap off as noise, and then leads any one of several effects that are there:
     /// where the leading set leaves more than noise, a set without such an effect competes with its like alone, if
     /// what is added to it is more than a correction.
-    pub(super) fn drop_hopeless(&self, plans: &mut Vec<Plan>, size: usize) {
+    ///
+    /// Beside a part of it that leaves noise only, a set is worth a try where it promises `worth` more than that part.
+    pub(super) fn drop_hopeless(&self, plans: &mut Vec<Plan>, size: usize, worth: f64) {
         let cost = |f: &Fit| f.objective + thresholds::EFFECT_COST * f.effects.len() as f64;
         let least = |best: f64, fit| cost(fit).min(best);
         let best = self.fits.iter().fold(f64::INFINITY, least);
@@ -92,10 +112,10 @@ impl<'a> Found<'a> {
         let found = &self.fits;
         plans.retain(|plan| {
             let entries = plan.entries();
-            // Worse than a part of it that leaves noise only: the part is the better base for the same set.
+            // Hardly better than a part of it that leaves noise only: the part is the better base for the same set.
             let worse = found.iter().any(|f| {
                 f.effects.len() < size
-                    && f.objective < plan.predicted
+                    && f.objective < plan.predicted + worth
                     && self.is_noise(f)
                     && f.effects.iter().all(|e| entries.contains(&e.entry))
             });
@@ -218,4 +238,74 @@ pub(super) fn chosen(
         }
     }
     list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::candidate::active;
+    use super::super::example::measured;
+    use super::*;
+
+    /// A fit with so many effects of the library, from the first one on.
+    fn fit(problem: &Problem, effects: usize, objective: f64) -> Fit {
+        let effect = |entry: usize| active(entry, vec![1.0; library()[entry].parameters().len()]);
+        Fit {
+            effects: (0..effects).map(effect).collect(),
+            theta: vec![0.0; problem.free.len()],
+            objective,
+        }
+    }
+
+    fn problem() -> Problem {
+        let (rig, points) = measured(&[]);
+        Problem::new(&rig, &points)
+    }
+
+    /// One effect takes 1e9 of a gap down to 8e4, a second one to 2e4: a partner that leaves 7.9e4 took nothing, though
+    /// it lacks a ten-thousandth of the whole.
+    #[test]
+    fn a_partner_of_a_gross_cause_is_within_reach_by_what_partners_gain() {
+        let problem = problem();
+        let mut found = Found::new(&problem);
+        found.keep(fit(&problem, 1, 8e4));
+        // The first of its size is.
+        assert_eq!(found.within_reach(2, 1e9), 1e9 + 60.0);
+        found.keep(fit(&problem, 2, 2e4));
+        assert_eq!(found.within_reach(2, 1e9), 5e4);
+        // Of a small gap a share of the whole is less than that.
+        assert_eq!(found.within_reach(2, 1e5), 2e4 + 1600.0);
+        // Beside a set that leaves noise only little is within reach.
+        found.keep(fit(&problem, 2, 10.0));
+        assert_eq!(found.within_reach(2, 1e9), 70.0);
+    }
+
+    /// A third effect that promises 10 where a pair in the set leaves noise is what noise promises; 30 is not.
+    #[test]
+    fn a_set_that_promises_little_more_than_a_part_that_leaves_noise_is_dropped() {
+        let problem = problem();
+        let mut found = Found::new(&problem);
+        found.keep(fit(&problem, 2, 50.0));
+        let other = Fit {
+            effects: vec![active(2, vec![1.0]), active(0, vec![1.0])],
+            ..fit(&problem, 0, 100.0)
+        };
+        let base = Rc::new(Base {
+            fit: other,
+            slopes: None,
+        });
+        let left = |gain: f64, worth: f64| {
+            let predicted_gain = PredictedGain {
+                entry: 1,
+                gain,
+                parameters: vec![1.0],
+                shift: None,
+                group: 0,
+            };
+            let mut plans = vec![Plan::new(&base, predicted_gain)];
+            found.drop_hopeless(&mut plans, 3, worth);
+            plans.len()
+        };
+        assert_eq!([left(60.0, 25.0), left(80.0, 25.0)], [0, 1]);
+        assert_eq!([left(40.0, 0.0), left(60.0, 0.0)], [0, 1]);
+    }
 }

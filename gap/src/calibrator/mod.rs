@@ -93,8 +93,12 @@ pub(crate) fn diagnose_points(
         return stated(summary);
     };
     let quietened = noise.applied(problem, &dataset.rig);
-    let again = Unseen::new(dataset, &quietened, validate, &limits);
-    let found = heard_search(&quietened, &limits, &again);
+    let limits_there = match noise.remembers() {
+        true => limits.without_more(),
+        false => limits.clone(),
+    };
+    let again = Unseen::new(dataset, &quietened, validate, &limits_there);
+    let found = heard_search(&quietened, &limits_there, &again);
     // Rows that stand out beside a structure that stays belong to it.
     if noise.is_of_rows_only() && leaves_structure(&quietened, found.best()) {
         return stated(summary);

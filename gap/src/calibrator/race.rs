@@ -6,7 +6,6 @@ use super::found::{Found, Plan};
 use super::problem::Problem;
 use super::refine::{FULL, GLANCE, moved, refine, refine_with};
 use crate::effects::{Active, library};
-use crate::thresholds;
 
 /// Refines a proposed set and keeps what it finds; `nominal` is the objective without effects.
 pub(super) fn race(
@@ -16,17 +15,9 @@ pub(super) fn race(
     found: &mut Found<'_>,
     work: &mut Workspace,
 ) {
-    let size = plan.base.fit.effects.len() + 1;
-    let leader = found.leader(size);
-    let best = leader.map_or(nominal, |f| f.objective.min(nominal));
-    let settled = leader.is_some_and(|f| found.is_noise(f));
-    let reach = if settled {
-        thresholds::OUT_OF_REACH
-    } else {
-        thresholds::OUT_OF_REACH.max(thresholds::REACH_SHARE * (nominal - best))
-    };
+    let within = found.within_reach(plan.base.fit.effects.len() + 1, nominal);
     let glance = glance(problem, plan, work);
-    if glance.objective >= best + reach || glance.objective == f64::MAX {
+    if glance.objective >= within || glance.objective == f64::MAX {
         return found.keep(glance);
     }
     let (effects, theta) = (glance.effects.clone(), glance.theta.clone());

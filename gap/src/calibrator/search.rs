@@ -1,7 +1,7 @@
 //! Which set of effects: none, singles, pairs, with their probabilities.
 
 use super::fit::{Fit, Workspace};
-use super::found::{Base, Found, Plan, chosen};
+use super::found::{Base, Found, Plan, chosen, entries};
 use super::model_selection::{Scored, normalise, score};
 use super::problem::Problem;
 use super::race::race;
@@ -107,6 +107,8 @@ struct Searcher<'a> {
     candidates: Candidates,
     work: Workspace,
     found: Found<'a>,
+    /// Library entries of sets that were screened beside, with their objective.
+    screened: Vec<(Vec<usize>, f64)>,
 }
 
 /// Fits nothing, singles and sets.
@@ -137,6 +139,7 @@ pub(crate) fn search_from(
         candidates,
         work,
         found: Found::new(problem),
+        screened: Vec::new(),
     };
     let seeded = part.is_some_and(|(of, search)| searcher.seed(of, search));
     if limits.most_effects > 0 {
@@ -192,7 +195,7 @@ impl Searcher<'_> {
             .map(|p| Plan::new(&base, p))
             .collect();
         if seeded {
-            self.found.drop_hopeless(&mut plans, 1);
+            self.found.drop_hopeless(&mut plans, 1, 0.0);
         }
         for plan in plans {
             self.race(&plan, nominal.objective);
@@ -218,7 +221,8 @@ impl Searcher<'_> {
                 self.exchange_bases(size)
             };
             let mut plans = self.plans(bases, growth, &tried);
-            self.found.drop_hopeless(&mut plans, size);
+            let worth = if growth.beyond { growth.floor } else { 0.0 };
+            self.found.drop_hopeless(&mut plans, size, worth);
             if plans.is_empty() {
                 break;
             }
@@ -236,6 +240,9 @@ impl Searcher<'_> {
     fn plans(&mut self, bases: Vec<Fit>, growth: &Growth, tried: &[Vec<usize>]) -> Vec<Plan> {
         let mut plans: Vec<Plan> = Vec::new();
         for fit in bases {
+            if !self.is_news(&fit) {
+                continue;
+            }
             let (predicted, slopes) = self.candidates.scan(self.problem, &fit, &mut self.work);
             let share = growth.share * self.found.beyond_noise(&fit);
             let base = Rc::new(Base { fit, slopes });
@@ -247,6 +254,17 @@ impl Searcher<'_> {
             );
         }
         plans
+    }
+
+    /// Whether a set was not screened beside yet, or only where it described the data less well.
+    fn is_news(&mut self, fit: &Fit) -> bool {
+        let entries = entries(fit);
+        let mut before = self.screened.iter().filter(|(of, _)| *of == entries);
+        let news = !before.any(|(_, objective)| fit.objective > objective - FULL.enough);
+        if news {
+            self.screened.push((entries, fit.objective));
+        }
+        news
     }
 
     fn race(&mut self, plan: &Plan, nominal: f64) {
@@ -359,6 +377,14 @@ impl Limits {
         usual.max(self.where_structure_is_left.min(data / DATA_PER_EFFECT))
     }
 
+    /// The same without the third and fourth effect: what rows remember of those before looks like one.
+    pub(crate) fn without_more(&self) -> Self {
+        Self {
+            where_structure_is_left: self.most_effects,
+            ..self.clone()
+        }
+    }
+
     /// Those of a diagnosis.
     pub(crate) fn of(options: &Options) -> Self {
         let withheld = |name: &str| options.without.iter().any(|n| n == name);
@@ -430,6 +456,11 @@ mod tests {
             ..Options::default()
         };
         assert_eq!(Limits::of(&stated).most_of(8), 3);
+        // Where rows remember, none is tried for what they remember.
+        assert_eq!(
+            Limits::of(&Options::default()).without_more().most_of(5000),
+            2
+        );
         assert_eq!(Limits::only(&["back_emf"; 3]).most_of(8), 3);
     }
 }
