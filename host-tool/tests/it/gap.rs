@@ -68,6 +68,17 @@ fn a_simulated_effect_is_named_and_the_dataset_does_not_tell_it() {
         "{resonance}"
     );
     every_field_is_there(&answer);
+    // What mount or conditioning might show, noise shows as well: for scripts only.
+    assert!(answer["where"].as_array().is_some_and(|all| all.len() > 1));
+    let answer_text = text(&calib(path, &["gap", "diagnose", "a"]).stdout);
+    let places: Vec<&str> = answer_text
+        .lines()
+        .filter(|l| l.contains("  where "))
+        .collect();
+    assert!(
+        places.len() == 1 && places[0].contains("dut"),
+        "{answer_text}"
+    );
     // A linear effect is predicted at every level from the others. Each level has 10 rows
     // of 26 values or more, whose root mean square scatters by 1/sqrt(2 x 260) = 0.044.
     let levels = answer["gap"]["by_level"].as_array().expect("levels");

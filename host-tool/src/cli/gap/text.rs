@@ -25,7 +25,7 @@ pub(super) fn answer(answer: &Answer) -> String {
             "a cause outside the library", answer.probability_other
         );
     }
-    for one in &answer.r#where {
+    for one in places(answer) {
         place(&mut text, one);
     }
     let _ = writeln!(
@@ -81,7 +81,20 @@ fn cause(text: &mut String, word: &str, cause: &Cause) {
     }
 }
 
-/// Where the gap lies.
+/// P-value from which a place beside the first one is what noise shows.
+const NOISE_P_VALUE: f64 = 0.05;
+
+/// Where the gap lies. Once it is explained, a place that noise would show as well is left out.
+fn places(answer: &Answer) -> impl Iterator<Item = &Where> {
+    let is_explained = answer.verdict == Verdict::Explained;
+    let shown = move |(at, place): &(usize, &Where)| {
+        *at == 0 || !is_explained || place.p_value < NOISE_P_VALUE
+    };
+    let all = answer.r#where.iter().enumerate();
+    all.filter(shown).map(|(_, place)| place)
+}
+
+/// A place of the gap.
 fn place(text: &mut String, place: &Where) {
     let shape = place.shape.as_ref();
     let shape = shape.map_or(String::new(), |shape| format!(", as {shape}"));
