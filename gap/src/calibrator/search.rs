@@ -73,6 +73,8 @@ struct Growth {
     least: f64,
     /// The same as a share of what the set leaves beyond noise.
     share: f64,
+    /// What a set has to promise more than a part of it that leaves noise only.
+    worth: f64,
 }
 
 impl Growth {
@@ -87,6 +89,7 @@ impl Growth {
             floor: thresholds::WORTH_ADDING,
             least: thresholds::WORTH_REFINING,
             share: 0.0,
+            worth: 0.0,
         };
         if !beyond {
             return usual;
@@ -97,6 +100,7 @@ impl Growth {
             floor: shows,
             least: shows,
             share: thresholds::PROMISED,
+            worth: shows,
             ..usual
         }
     }
@@ -221,8 +225,7 @@ impl Searcher<'_> {
                 self.exchange_bases(size)
             };
             let mut plans = self.plans(bases, growth, &tried);
-            let worth = if growth.beyond { growth.floor } else { 0.0 };
-            self.found.drop_hopeless(&mut plans, size, worth);
+            self.found.drop_hopeless(&mut plans, size, growth.worth);
             if plans.is_empty() {
                 break;
             }
