@@ -46,14 +46,15 @@ pub static REFERENCE_HIGHPASS: Entry = Entry {
 
 /// High-pass of second order: a geophone or a servo accelerometer below its natural frequency, a
 /// microphone's vent with its coupling capacitor, two coupled stages. Geophones have quality factors of
-/// 0.7 to 2 at 4.5 to 14 Hz; two corners that differ are two high-passes of first order.
+/// 0.7 to 2 at 4.5 to 14 Hz; two corners that differ make one below 0.5, 1/3 where the second of two equal
+/// RC stages loads the first.
 pub static DUT_HIGHPASS_2: Entry = Entry {
     id: "dut_highpass_2",
     stage: Stage::Conditioning,
     formula: "r = -q^2/(1 - q^2 + j q/Q), q = f/fc",
     parameters: &[
         Parameter::log("corner_hz", "Hz", [1e-5, 1e6], 1.0).on_site(1e-2, 15.0),
-        Parameter::log("quality", "1", [0.5, 30.0], 0.7).on_site(0.5, 3.0),
+        Parameter::log("quality", "1", [0.25, 30.0], 0.7).on_site(0.5, 3.0),
     ],
     plain: "the device cuts off low frequencies steeply, as a spring and a mass do",
     columns: &["frequency_hz", "ratio", "dut_deg"],
@@ -110,11 +111,11 @@ pub static REFERENCE_LOWPASS_1: Entry = Entry {
 pub static DUT_LOWPASS_2: Entry = Entry {
     id: "dut_lowpass_2",
     stage: Stage::Conditioning,
-    formula: "r = 1/(1 - (f/fc)^2 + j f/(Q fc)), Q 0.5..1",
+    formula: "r = 1/(1 - (f/fc)^2 + j f/(Q fc)), Q 0.25..1.5",
     parameters: &[
         Parameter::log("corner_hz", "Hz", [0.01, 1e7], 50e3).on_site(5e3, 2e5),
-        // Above 1 it is a resonance, not a filter; a fit may end a little beyond.
-        Parameter::log("quality", "1", [0.5, 1.1], 0.7)
+        // From 1.5 on it is a resonance. Two corners that differ make one below 0.5.
+        Parameter::log("quality", "1", [0.25, 1.5], 0.7)
             .simulated(0.5, 1.0)
             .on_site(0.5, 1.0),
     ],

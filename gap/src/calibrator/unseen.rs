@@ -178,8 +178,8 @@ impl Part {
         })
     }
 
-    /// Scores what was chosen on the others; nothing where there is no gap. Where a veto has struck
-    /// what leads there, the set that leads on all rows.
+    /// Scores what was chosen on the others; nothing where there is no gap. The set that leads on all rows where
+    /// a veto has struck what leads there, or where it pays there as well: too few rows are searched for fewer effects.
     fn gap(&self, problem: &Problem, found: &Search, verdict: Verdict) -> Gap {
         let nominal = &self.found.nominal;
         let leads = self.found.sets.first().map(|set| &set.fit);
@@ -189,9 +189,21 @@ impl Part {
         };
         let chosen = match (verdict, leads.filter(listed)) {
             (Verdict::NoGap | Verdict::Data, _) => nominal.clone(),
-            (_, Some(fit)) => fit.clone(),
-            (_, None) => self.fitted(problem, found.best()),
+            (_, leads) => {
+                let best = self.fitted(problem, found.best());
+                leads
+                    .filter(|fit| !pays(&best, fit))
+                    .unwrap_or(&best)
+                    .clone()
+            }
         };
         score_on(&self.training, &self.testing, nominal, &chosen)
     }
+}
+
+/// Whether a set describes the rows better than another, both fitted to them, by more than one effect costs and those
+/// that it has more of.
+fn pays(set: &Fit, other: &Fit) -> bool {
+    let more = 1 + set.effects.len().saturating_sub(other.effects.len());
+    other.objective - set.objective > thresholds::EFFECT_COST * more as f64
 }

@@ -54,6 +54,20 @@ impl Row {
         (cos * cos - sin * sin, 2.0 * sin * cos)
     }
 
+    /// Whether another row was measured under the same conditions, as far as they are set.
+    pub(crate) fn repeats(&self, other: &Self) -> bool {
+        let is_near =
+            |a: f64, b: f64, by: f64| a == b || (a - b).abs() <= by * a.abs().max(b.abs());
+        let same_level = self.level_ms2.is_nan() && other.level_ms2.is_nan()
+            || is_near(self.level_ms2, other.level_ms2, 0.02);
+        same_level
+            && is_near(self.frequency_hz, other.frequency_hz, 1e-6)
+            && is_near(self.payload_kg, other.payload_kg, 1e-6)
+            && self.rotation == other.rotation
+            && self.vertical == other.vertical
+            && (self.warmer_k - other.warmer_k).abs() < 1.0
+    }
+
     /// Prepares a point.
     pub(crate) fn new(point: &Point, rig: &Rig) -> Self {
         let sizes = Sizes::new(point, rig);

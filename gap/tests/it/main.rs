@@ -11,3 +11,4 @@ mod real_data;
 mod sealed;
 mod sealed_rates;
 mod shared_data;
+mod short_tables;

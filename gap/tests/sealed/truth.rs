@@ -19,7 +19,7 @@ pub(crate) const NOMINAL: [(&str, f64, f64); 6] = [
     ("coil_inductance_h", 0.00012, 0.00001),
 ];
 
-/// Key that gives the effects another form than the library has: two corners for one, saturation
+/// Key that gives the effects another form than the library has: a corner of broken order, saturation
 /// for a straight line.
 pub(crate) const OTHER_FORM: &str = "form.other";
 /// Effects with another form.

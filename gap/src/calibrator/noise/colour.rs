@@ -13,6 +13,8 @@ use std::ops::Range;
 const FEWEST: usize = 12;
 /// Rows so near in time are no repetition of one another.
 const NEAR_ROWS: usize = 3;
+/// Rows after one of a frequency among which its repetition is looked for.
+const REPEATS_AMONG: usize = 16;
 
 /// Evidence needed to believe that noise is not as stated.
 #[derive(Clone, Copy, PartialEq)]
@@ -39,6 +41,8 @@ pub(super) struct Colour {
     again: Option<f64>,
     /// Correlation `again` that memory alone would give.
     remembered: f64,
+    /// Scatter between rows of the same conditions, over the stated one.
+    repeated: Option<f64>,
 }
 
 /// Sum of products of pairs.
@@ -59,14 +63,20 @@ impl Pairs {
     fn correlation(&self) -> f64 {
         self.product / self.square.max(1e-300)
     }
+
+    /// Standard deviation of either of a pair.
+    fn scatter(&self) -> f64 {
+        ((self.square - self.product) / self.count).max(0.0).sqrt()
+    }
 }
 
-/// Pairs of rows of a group: one after the other, and at the same frequency long after.
+/// Pairs of rows of a group: one after the other, at the same frequency long after, of the same conditions.
 struct Neighbours {
     in_time: Pairs,
     least_in_time: f64,
     again: Pairs,
     lags: Vec<f64>,
+    repeated: Pairs,
 }
 
 impl Default for Neighbours {
@@ -76,6 +86,7 @@ impl Default for Neighbours {
             least_in_time: f64::INFINITY,
             again: Pairs::default(),
             lags: Vec::new(),
+            repeated: Pairs::default(),
         }
     }
 }
@@ -104,10 +115,24 @@ impl Neighbours {
                 self.lags.push(lag as f64);
             }
         }
+        for (at, (row, left)) in rows.iter().enumerate() {
+            let after = rows[at + 1..].iter().take(REPEATS_AMONG);
+            let mut repeats = after.filter(|other| {
+                row.abs_diff(other.0) > NEAR_ROWS
+                    && problem.rows[*row].repeats(&problem.rows[other.0])
+            });
+            if let Some((_, again)) = repeats.next() {
+                self.repeated.add(*left, *again);
+            }
+        }
     }
 
     fn again(&self) -> Option<f64> {
         (self.again.count >= FEWEST as f64).then(|| self.again.correlation())
+    }
+
+    fn repeated(&self) -> Option<f64> {
+        (self.repeated.count >= FEWEST as f64).then(|| self.repeated.scatter())
     }
 
     /// Correlation at the same frequency that memory alone would leave.
@@ -144,6 +169,7 @@ impl Colour {
             least_in_time: neighbours.least_in_time,
             again: neighbours.again(),
             remembered: neighbours.remembered(),
+            repeated: neighbours.repeated(),
         })
     }
 
@@ -163,10 +189,21 @@ impl Colour {
             Demand::OfFirst => thresholds::NOISE_P_VALUE,
             Demand::OfOthers => thresholds::NOISE_P_VALUE.sqrt(),
         };
-        if self.p_value < unlikely && (self.is_white() || remembers) {
-            self.square.sqrt()
+        let factor = self.square.sqrt();
+        let is_noise = remembers || self.is_white();
+        if self.p_value < unlikely && is_noise && self.is_believable(factor, remembers) {
+            factor
         } else {
             1.0
+        }
+    }
+
+    /// Whether repetitions show a factor on the uncertainty; without any, whether it is a guess's error. A cause
+    /// outside the library looks like noise, too, where rows are far apart.
+    fn is_believable(&self, factor: f64, remembers: bool) -> bool {
+        match self.repeated {
+            Some(scatter) if !remembers => factor < thresholds::MOST_OVER_REPEATED * scatter,
+            _ => factor < thresholds::MOST_ON_U,
         }
     }
 
