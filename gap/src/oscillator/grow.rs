@@ -19,15 +19,11 @@ const TO_THE_END: usize = 40;
 
 /// From the linear oscillator on, the best term is added until none is worth a name; what is `held` out has
 /// a veto.
-pub(super) fn grow(
-    run: Run,
-    mut start: Fitted,
-    held: &Run,
-    options: &Options,
-) -> Option<(Vec<Step>, Run)> {
+pub(super) fn grow(run: Run, mut start: Fitted, held: &Run, options: &Options) -> (Vec<Step>, Run) {
     let mut run = run;
-    start.unseen = square_on(&run, held, &start);
-    let left = examine(&run, &start)?;
+    let held = held.holding(run.holds);
+    start.unseen = square_on(&run, &held, &start);
+    let left = examine(&run, &start);
     let mut steps = vec![Step {
         fit: start,
         left,
@@ -47,19 +43,20 @@ pub(super) fn grow(
         let mut tried = tried(&run, &base.fit, far.map(|f| f.0), options);
         run = integrate_finely(run, &mut tried);
         let Some(best) = tried.first() else { break };
-        let (led, mut left) = (best.terms.clone(), examine(&run, best)?);
+        let (led, mut left) = (best.terms.clone(), examine(&run, best));
         let held = held.stretch(usize::MAX, run.steps);
         strike(&mut tried, &steps, &left, [&run, &held]);
         let Some(best) = tried.first() else { break };
         if best.terms != led {
-            left = examine(&run, best)?;
+            left = examine(&run, best);
         }
         if !worth(&base.fit, best, &left) {
             break;
         }
-        if let Some(better) = without_one(&run, best, &steps, &left, &held) {
-            let last = steps.last_mut()?;
-            last.left = examine(&run, &better)?;
+        if let Some(better) = without_one(&run, best, &steps, &left, &held)
+            && let Some(last) = steps.last_mut()
+        {
+            last.left = examine(&run, &better);
             last.tried.insert(0, better.clone());
             last.fit = better;
             continue;
@@ -69,9 +66,9 @@ pub(super) fn grow(
             left,
             tried,
         };
-        steps.push(led_by_the_most_probable(step, &run)?);
+        steps.push(led_by_the_most_probable(step, &run));
     }
-    Some((steps, run))
+    (steps, run)
 }
 
 fn may_add(run: &Run, base: &Fitted, term: usize, options: &Options) -> bool {
@@ -166,11 +163,11 @@ fn worth(base: &Fitted, best: &Fitted, left: &Left) -> bool {
 }
 
 /// The step with the most probable of its sets: that which errs least is not always it.
-fn led_by_the_most_probable(mut step: Step, record: &Run) -> Option<Step> {
-    let first = step.compared().weighed().first().map(|w| w.fit.clone())?;
-    if first.terms != step.fit.terms {
-        step.left = examine(record, &first)?;
+fn led_by_the_most_probable(mut step: Step, record: &Run) -> Step {
+    let first = step.compared().weighed().first().map(|w| w.fit.clone());
+    if let Some(first) = first.filter(|first| first.terms != step.fit.terms) {
+        step.left = examine(record, &first);
         step.fit = first;
     }
-    Some(step)
+    step
 }

@@ -66,8 +66,10 @@ fn validation(fit: &Fitted, part: &Run, record: &Run) -> Option<Vec<f64>> {
     }
     states.iter().for_each(|state| values[*state] = 0.0);
     values.set_first_state(&head);
+    // Until a delay is over, what drives it is the input of before, which is not known.
+    let known = (fit.values[Parameter::Delay].ceil() as usize).min(head.output.len() / 2);
     for (count, steps) in LOOKED_AT {
-        let samples = 0..count.min(head.output.len());
+        let samples = known..(known + count).min(head.output.len());
         let (place, _) = descend_from(values, &states, &head, samples, steps)?;
         values = place.values;
     }

@@ -7,6 +7,7 @@
 //! channel           what the channel of the output makes of the motion
 //! simulate          the oscillator over a record
 //! fit               the estimator's model: simulated against recorded output, in steps as fine as it takes
+//! hold              what the input does between its samples
 //! starts            where the fit of the oscillator, and of a term, begins
 //! grow              one term at a time
 //! lack_of_fit       what a fit leaves
@@ -19,6 +20,7 @@ mod answer;
 mod channel;
 mod fit;
 mod grow;
+mod hold;
 mod holdout;
 mod lack_of_fit;
 mod mode;
@@ -36,7 +38,7 @@ use crate::dataset::{Dataset, Record};
 use crate::error::GapError;
 use crate::options::Options;
 use answer::answer;
-use grow::grow;
+use hold::grown;
 use holdout::{Scored, parts};
 use run::{FEWEST_STEPS, Run};
 use starts::linear;
@@ -54,17 +56,15 @@ pub(crate) fn diagnose(
         problem: problem.into(),
     };
     let oscillator = dataset.rig.oscillator;
-    let resonance_hz = oscillator
-        .resonance_hz
-        .map_or(0.05 / record.interval_s, |q| q.value);
+    let resonance_hz = oscillator.resonance_hz.map(|q| q.value);
     let delta = oscillator.delta.map_or(0.05, |q| q.value);
     let [part, held] = parts(record, validate)?;
     let part = Run::new(&part, FEWEST_STEPS);
     let start = linear(&part, resonance_hz, delta)
         .ok_or_else(|| unusable("no linear oscillator fits the record at all"))?;
     let held = Run::new(&held, FEWEST_STEPS);
-    let (steps, part) = grow(part, start, &held, options)
-        .ok_or_else(|| unusable("the fitted oscillator diverges beside its best values"))?;
+    let (steps, part) = grown(part, start, &held, options);
+    let held = held.holding(part.holds);
     let held = held.stretch(usize::MAX, part.steps);
     let scored = Scored::new(&steps, &part, &held)
         .ok_or_else(|| unusable("the oscillator diverges on the held-out record"))?;

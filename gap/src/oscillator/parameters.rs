@@ -142,7 +142,8 @@ pub(super) fn bound(
 pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, unit: f64) -> f64 {
     match parameter {
         LnResonance => 1e-6,
-        Delta | Gain | ModeGain => 1e-5,
+        Delta | ModeGain => 1e-5,
+        Gain => 1e-5 * values[Gain].abs().max(1e-12),
         Offset | SteadyForce | Displacement | Velocity | HeldBack | Lagging | ModeDisplacement
         | ModeVelocity | CoulombFriction => 1e-5 * unit,
         CubicStiffness => 1e-3 / (unit * unit),
@@ -154,8 +155,8 @@ pub(super) fn slope_step(values: &OscillatorParameters, parameter: Parameter, un
         // Over the samples of a short record as much as an offset.
         Trend => 1e-8 * unit,
         ResonanceDrift => 1e-9,
-        Delay | HighpassCorner | Lag | ModeLnRatio | ModeDamping | YieldingShare
-        | LnYieldDeflection => 1e-3,
+        HighpassCorner => 2e-6 * values[LnResonance].exp(),
+        Delay | Lag | ModeLnRatio | ModeDamping | YieldingShare | LnYieldDeflection => 1e-3,
     }
 }
 

@@ -1,9 +1,10 @@
 //! A record prepared for the integration: its input on a grid finer than its samples.
 //!
-//! Between two samples the input is that of a band-limited signal: a zero-order
-//! hold costs half a sample of delay, a cubic through the neighbours a part of
-//! the amplitude above a fifth of the rate.
+//! Between two samples the input is that of a band-limited signal, or it is held, as a converter does: which of
+//! them it is shows in the fit. The one taken for the other costs half a sample of delay, a cubic through the
+//! neighbours a part of the amplitude above a fifth of the rate.
 
+use super::mode::NODES;
 use crate::dataset::Record;
 use crate::estimation::column::dot;
 use std::f64::consts::PI;
@@ -14,6 +15,8 @@ pub(super) const FEWEST_STEPS: usize = 2;
 const MOST_STEPS: usize = 16;
 /// Most values of a grid: longer records are integrated in fewer steps.
 const MOST_VALUES: usize = 20_000_000;
+/// Output over the largest of the record beyond which a simulation diverges.
+const DIVERGED: f64 = 1e6;
 /// Samples on each side that take part in the interpolation.
 pub(super) const REACH: usize = 24;
 /// Shape of the window (Kaiser): sidelobes near -130 dB, and the passband up to 0.4 of the rate.
@@ -29,23 +32,36 @@ pub(super) struct Run {
     /// Whether the input drives it: else the motion is a decay.
     pub(super) driven: bool,
     pub(super) steps: usize,
+    /// Output beyond which a simulation diverges.
+    pub(super) largest: f64,
+    /// Whether the input keeps its value until the next sample.
+    pub(super) holds: bool,
     grid: Arc<Vec<f64>>,
     /// The grid of the last delay that was asked for.
     delayed: Mutex<Option<(f64, Arc<Vec<f64>>)>>,
 }
 
 impl Run {
+    /// A record with a band-limited input.
     pub(super) fn new(record: &Record, steps: usize) -> Self {
-        Self::of(record.clone(), steps)
+        Self::of(record.clone(), steps, false)
     }
 
-    fn of(record: Record, steps: usize) -> Self {
+    /// The same record with an input that is held between the samples, or is not.
+    pub(super) fn holding(&self, holds: bool) -> Self {
+        Self::of(self.first(usize::MAX), self.steps, holds)
+    }
+
+    fn of(record: Record, steps: usize, holds: bool) -> Self {
         let mut steps = steps;
         while steps > FEWEST_STEPS && 2 * steps * record.input.len() > MOST_VALUES {
             steps /= 2;
         }
-        let grid = Arc::new(grid(&record.input, steps, 0.0));
+        let grid = Arc::new(between(holds, &record.input, steps, 0.0));
+        let peak = record.output.iter().fold(0.0_f64, |m, y| m.max(y.abs()));
         Self {
+            largest: DIVERGED * peak.max(f64::MIN_POSITIVE),
+            holds,
             interval_s: record.interval_s,
             before: record.before,
             driven: record.input.iter().any(|u| *u != 0.0),
@@ -64,14 +80,17 @@ impl Run {
 
     /// The first samples, with a number of steps per sample.
     pub(super) fn stretch(&self, count: usize, steps: usize) -> Self {
+        Self::of(self.first(count), steps, self.holds)
+    }
+
+    fn first(&self, count: usize) -> Record {
         let count = self.input.len().min(count);
-        let record = Record {
+        Record {
             interval_s: self.interval_s,
             before: self.before,
             input: self.input[..count].to_vec(),
             output: self.output[..count].to_vec(),
-        };
-        Self::of(record, steps)
+        }
     }
 
     /// Displacement and velocity at the first sample, from the first three; `ln_w0` as in a simulation.
@@ -99,8 +118,18 @@ impl Run {
         (finer.steps > self.steps).then_some(finer)
     }
 
-    /// Input at two places per step, delayed by a part of a sample; the first sample is at
-    /// twice the number of steps per sample.
+    /// Input about a step after a sample, of a grid of [`Run::input_at`].
+    pub(super) fn nodes(&self, input: &[f64], sample: usize, step: usize) -> Option<[f64; NODES]> {
+        // The grid begins a sample before the record.
+        let step = self.steps * (sample + 1) + step;
+        if self.holds {
+            return input.get(step).map(|value| [*value; NODES]);
+        }
+        input.get(2 * step - 2..)?.first_chunk::<NODES>().copied()
+    }
+
+    /// Input delayed by some samples: of each step where it is held, else at two places per step. The first
+    /// sample is at the number of them per sample.
     pub(super) fn input_at(&self, delay: f64) -> Arc<Vec<f64>> {
         if delay == 0.0 {
             return Arc::clone(&self.grid);
@@ -109,7 +138,7 @@ impl Run {
         match &*last {
             Some((of, grid)) if *of == delay => Arc::clone(grid),
             _ => {
-                let grid = Arc::new(grid(&self.input, self.steps, delay));
+                let grid = Arc::new(between(self.holds, &self.input, self.steps, delay));
                 *last = Some((delay, Arc::clone(&grid)));
                 grid
             }
@@ -117,7 +146,33 @@ impl Run {
     }
 }
 
-/// Input from one sample before the record to one after it, at 2 `steps` places per sample.
+/// Input from one sample before the record to one after it.
+fn between(holds: bool, input: &[f64], steps: usize, delay: f64) -> Vec<f64> {
+    if holds {
+        held_steps(input, steps, delay)
+    } else {
+        grid(input, steps, delay)
+    }
+}
+
+/// Mean over each step of an input that is held.
+fn held_steps(input: &[f64], steps: usize, delay: f64) -> Vec<f64> {
+    let last = input.len() as isize - 1;
+    let at = |sample: f64| input[(sample as isize).clamp(0, last) as usize];
+    let of = |step: usize| {
+        let (from, to) = (
+            step as f64 / steps as f64 - 1.0 - delay,
+            (step + 1) as f64 / steps as f64 - 1.0 - delay,
+        );
+        // A step no longer than a sample sees one edge at most.
+        let edge = to.floor().max(from);
+        let share = (to - edge) * steps as f64;
+        (1.0 - share) * at(from.floor()) + share * at(to.floor())
+    };
+    (0..steps * (input.len() + 2)).map(of).collect()
+}
+
+/// Band-limited input from one sample before the record to one after it, at 2 `steps` places per sample.
 fn grid(input: &[f64], steps: usize, delay: f64) -> Vec<f64> {
     let places = 2 * steps;
     let mut grid = vec![0.0; places * (input.len() + 2)];

@@ -147,19 +147,17 @@ fn followed(values: &OscillatorParameters, run: &Run) -> Option<(Vec<f64>, Movin
     for n in 0..count {
         let seen = moving.seen()[0];
         output.push(channel.output(n, seen));
-        if seen.is_nan() || seen.abs() >= 1e6 {
+        if seen.is_nan() || seen.abs() >= run.largest {
             return None;
         }
         for part in 0..run.steps {
-            // The grid begins a sample before the record, a step has two of its places.
-            let at = 2 * (run.steps * (n + 1) + part) - 2;
-            let Some(nodes) = input.get(at..).and_then(|i| i.first_chunk::<NODES>()) else {
+            let Some(nodes) = run.nodes(&input, n, part) else {
                 break;
             };
             // The spring is as it is in the middle of the step.
             let middle = (part as f64 + 0.5) / run.steps as f64;
             stepper.terms.at_sample((run.before + n) as f64 + middle);
-            let next = stepper.advance(&moving, nodes);
+            let next = stepper.advance(&moving, &nodes);
             channel.follow(moving.seen(), next.seen());
             moving = next;
         }

@@ -6,45 +6,110 @@
 //! come first. Over a few periods a fit finds a resonance that is off by some per cent: resonances
 //! that close are tried, each with springs from a softening to a hardening one.
 
-use super::fit::{Fitted, integrate_finely, refine, residual, rms, scale_of, slopes};
+use super::fit::{Fitted, compared, integrate_finely, refine, residual, rms, scale_of, slopes};
 use super::model::TERMS;
 use super::parameters::{LINEAR, OscillatorParameters, Parameter, bound};
 use super::run::Run;
-use crate::estimation::column::{Column, OneBlock};
+use super::simulate::simulate;
+use crate::estimation::column::{Column, OneBlock, dot};
 use crate::estimation::tangent::{RIDGE, Tangent};
 use crate::thresholds;
-use nalgebra::DVector;
+use nalgebra::{Cholesky, DMatrix, DVector};
+use rayon::prelude::*;
+use std::f64::consts::TAU;
 
-/// Linear fit from the rig's resonance, by growing parts of the record.
-pub(super) fn linear(record: &Run, resonance_hz: f64, delta: f64) -> Option<Fitted> {
-    let mut best: Option<Fitted> = None;
-    for factor in [1.0, 0.9, 1.1, 0.8, 1.25] {
-        let mut values = OscillatorParameters::default();
-        let w0 = std::f64::consts::TAU * resonance_hz * factor;
-        values[Parameter::LnResonance] = w0.ln();
-        values[Parameter::Delta] = delta;
-        values[Parameter::Gain] = 1.0;
-        values[Parameter::Displacement] = record.output[0];
-        for count in [2_000, 8_000, usize::MAX] {
-            let part = record.head(count);
-            // A stretch before a shock shows nothing but noise.
-            if rms(&part.output) < thresholds::QUIET * scale_of(record) {
-                continue;
-            }
-            if let Some(fit) = refine(&part, values, &[], 30) {
-                values = fit.values;
-                if part.input.len() == record.input.len()
-                    && best.as_ref().is_none_or(|b| fit.square < b.square)
-                {
-                    best = Some(fit);
-                }
-            }
-        }
-        if factor == 1.0 && best.as_ref().is_some_and(|b| explains(b, record)) {
-            break;
-        }
+/// Linear fit from the rig's resonance, by growing parts of the record; where that leaves much, or the rig states
+/// none, from those that describe the first part best.
+pub(super) fn linear(record: &Run, resonance_hz: Option<f64>, delta: f64) -> Option<Fitted> {
+    let part = record.head(COMPARED);
+    let stated = |factor: f64| {
+        let w0 = TAU * factor * resonance_hz?;
+        Some(driven(&part, w0, delta)?.1)
+    };
+    let first = stated(1.0).and_then(|start| by_parts(record, start));
+    if let Some(fit) = first.as_ref().filter(|fit| explains(fit, record)) {
+        return Some(fit.clone());
     }
-    best
+    let near = [0.9, 1.1, 0.8, 1.25].into_iter().filter_map(stated);
+    let starts: Vec<_> = near.chain(anywhere(&part)).collect();
+    let fits = starts
+        .into_par_iter()
+        .filter_map(|start| by_parts(record, start));
+    let fits: Vec<Fitted> = fits.collect();
+    let fits = first.into_iter().chain(fits);
+    fits.min_by(|a, b| a.square.total_cmp(&b.square))
+}
+
+/// Follows a start over longer and longer parts of a record.
+fn by_parts(record: &Run, mut values: OscillatorParameters) -> Option<Fitted> {
+    let mut last = None;
+    for count in [2_000, 8_000, usize::MAX] {
+        let part = record.head(count);
+        // A stretch before a shock shows nothing but noise.
+        if rms(&part.output) < thresholds::QUIET * scale_of(record) {
+            continue;
+        }
+        last = refine(&part, values, &[], 30);
+        values = last.as_ref().map_or(values, |fit| fit.values);
+    }
+    last
+}
+
+/// Resonances that are looked at where none is known, and damping ratios of each.
+const LOOKED_AT: (usize, [f64; 3]) = (48, [0.01, 0.06, 0.4]);
+/// The best of them that are followed.
+const BEST: usize = 3;
+
+/// Linear oscillators of any resonance that describe the record best: from two periods in it up to a sixth
+/// of the rate.
+fn anywhere(record: &Run) -> Vec<OscillatorParameters> {
+    let duration_s = record.interval_s * record.input.len() as f64;
+    let (lowest, highest) = (2.0 * TAU / duration_s, TAU / (6.0 * record.interval_s));
+    let (count, dampings) = LOOKED_AT;
+    let w0 = |at: usize| lowest * (highest / lowest).powf(at as f64 / (count - 1) as f64);
+    let places = (0..count).into_par_iter();
+    let of = |at: usize| {
+        let fits = dampings
+            .iter()
+            .filter_map(|delta| driven(record, w0(at), *delta));
+        fits.min_by(|a, b| a.0.total_cmp(&b.0))
+    };
+    let mut found: Vec<(f64, OscillatorParameters)> = places.filter_map(of).collect();
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.truncate(BEST);
+    found.into_iter().map(|f| f.1).collect()
+}
+
+/// A linear oscillator with the gain, the zero and the state at the first sample that describe the record best,
+/// and the sum of squares that it leaves.
+fn driven(record: &Run, w0: f64, delta: f64) -> Option<(f64, OscillatorParameters)> {
+    use Parameter::{Delta, Displacement, Gain, LnResonance, Offset, Velocity};
+    let mut values = OscillatorParameters::default();
+    values[LnResonance] = w0.ln();
+    values[Delta] = delta;
+    let unit = scale_of(record);
+    let input = rms(&record.input);
+    let mut parts = vec![(Offset, unit), (Displacement, unit), (Velocity, unit)];
+    if input > 0.0 {
+        parts.push((Gain, unit / input));
+    }
+    let column = |(parameter, size): &(Parameter, f64)| {
+        let mut alone = values;
+        alone[*parameter] = *size;
+        Some(compared(&simulate(&alone, record)?, record).to_vec())
+    };
+    let columns: Vec<Vec<f64>> = parts.iter().map(column).collect::<Option<_>>()?;
+    let measured = compared(&record.output, record);
+    let matrix = DMatrix::from_fn(parts.len(), parts.len(), |i, j| {
+        let ridge = if i == j { 1.0 + RIDGE } else { 1.0 };
+        ridge * dot(&columns[i], &columns[j])
+    });
+    let products = DVector::from_fn(parts.len(), |i, _| dot(&columns[i], measured));
+    let sizes = Cholesky::new(matrix)?.solve(&products);
+    for ((parameter, size), share) in parts.iter().zip(sizes.iter()) {
+        values[*parameter] = size * share;
+    }
+    Some((dot(measured, measured) - sizes.dot(&products), values))
 }
 
 /// Whether a fit describes most of the output.

@@ -14,10 +14,14 @@ fn answer(name: &str, text: &str) -> Answer {
 }
 
 fn answer_with(name: &str, text: &str, options: &Options) -> Answer {
+    answer_of_rig(name, RIG, text, options)
+}
+
+fn answer_of_rig(name: &str, rig: &str, text: &str, options: &Options) -> Answer {
     let folder =
         std::env::temp_dir().join(format!("calib-oscillator-{}-{name}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder for the record");
-    std::fs::write(folder.join("rig.toml"), RIG).expect("the rig is written");
+    std::fs::write(folder.join("rig.toml"), rig).expect("the rig is written");
     std::fs::write(folder.join("record.csv"), text).expect("the record is written");
     let answer = diagnose(&folder, options).expect("the record is good");
     let _ = std::fs::remove_dir_all(&folder);
@@ -89,6 +93,71 @@ fn a_linear_oscillator_has_no_gap() {
     let text = record(&Default::default(), SAMPLES, &mut Random::new(899));
     let answer = answer("linear", &text);
     assert_eq!(answer.verdict, Verdict::NoGap, "{:?}", answer.gap);
+}
+
+/// A converter holds what it puts out. Read as a smooth signal that is half a sample of delay, which was named, beside
+/// whatever else there was.
+#[test]
+fn an_input_that_is_held_is_no_delay() {
+    let held = Added {
+        holds: true,
+        ..Added::default()
+    };
+    let linear = record_with(&held, SAMPLES, 1e-4, &mut Random::new(870));
+    let answer_to = |name: &str, text: &str| answer(&format!("held-{name}"), text);
+    let linear = answer_to("linear", &linear);
+    assert_eq!(linear.verdict, Verdict::NoGap, "{}", linear.summary);
+    let two_samples = Added {
+        delay_s: 2e-3,
+        ..Added::default()
+    };
+    let cases = [
+        ("cubic_stiffness", added("cubic_stiffness")),
+        ("output_highpass", added("output_highpass")),
+        ("input_delay", two_samples),
+    ];
+    for (name, of) in cases {
+        let of = Added { holds: true, ..of };
+        let answer = answer_to(name, &record(&of, SAMPLES, &mut Random::new(871)));
+        assert_eq!(answer.causes[0].effects, [name], "{}", answer.summary);
+        assert_eq!(answer.verdict, Verdict::Explained, "{}", answer.summary);
+    }
+}
+
+/// Force in newtons, motion in metres, and a rig that states nothing. A simulation of gain 1 began far away: play was
+/// named, and a record of larger forces was refused as one that diverges.
+#[test]
+fn units_do_not_decide() {
+    let text = record(&added("cubic_stiffness"), SAMPLES, &mut Random::new(872));
+    let (force, metres) = (5e4, 1e-4);
+    let scaled = |line: &str| {
+        let cells: Vec<f64> = line
+            .split(',')
+            .map(|c| c.parse().expect("a number"))
+            .collect();
+        format!(
+            "{},{:e},{:e}\n",
+            cells[0],
+            force * cells[1],
+            metres * cells[2]
+        )
+    };
+    let rows: String = text.lines().skip(1).map(scaled).collect();
+    let text = format!("time_s,input,output\n{rows}");
+    let answer = answer_of_rig(
+        "units",
+        "kind = \"oscillator\"\n",
+        &text,
+        &Options::default(),
+    );
+    assert_eq!(
+        answer.causes[0].effects,
+        ["cubic_stiffness"],
+        "{}",
+        answer.summary
+    );
+    let k3 = answer.causes[0].parameters["cubic_stiffness"]["k3"].value;
+    assert!((k3 * metres * metres / 2.0 - 1.0).abs() < 0.01, "{k3}");
 }
 
 /// What a slow high-pass held back before the record still shows at its end.

@@ -49,6 +49,8 @@ pub(crate) struct Added {
     pub(crate) steady: f64,
     /// Factor on the input of the last quarter.
     pub(crate) louder: f64,
+    /// Whether the input keeps its value until the next sample, as that of a converter does.
+    pub(crate) holds: bool,
     /// Time at which the zero is back at its start, if it ever is: a cable was touched.
     pub(crate) snaps_back_s: f64,
 }
@@ -280,8 +282,14 @@ pub(crate) fn record_with(a: &Added, samples: usize, noise: f64, random: &mut Ra
             let _ = writeln!(text, "{time_s:.6},{:.9e},{noisy:.9e}", input(t));
         }
         // Between the samples the input is followed on a parabola through three points: 2e-7 of it.
-        let grid: [f64; 9] =
-            std::array::from_fn(|i| input(t + i as f64 / 8.0 / RATE_HZ - a.delay_s));
+        let grid: [f64; 9] = std::array::from_fn(|i| {
+            let later_s = if a.holds {
+                0.0
+            } else {
+                i as f64 / 8.0 / RATE_HZ
+            };
+            input(t + later_s - a.delay_s)
+        });
         for step in 0..STEPS {
             let place = 8.0 * (step as f64 + 0.5) / STEPS as f64;
             let at = (place.round() as usize).clamp(1, 7);
